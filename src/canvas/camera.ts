@@ -1,0 +1,81 @@
+import type { Vec3 } from '../math/vec3.ts';
+import type { FreeView, NamedView, View } from '../state/view.ts';
+import { along, dot, type Point, type Space, unit } from './space.ts';
+
+/** Where the camera stands, in stage units: it looks at `target` from `distance` away. */
+export interface Pose {
+  readonly target: Vec3;
+  /** Degrees, as in FreeView. */
+  readonly azimuth: number;
+  readonly elevation: number;
+  readonly zoom: number;
+}
+
+interface Ray {
+  readonly origin: Vec3;
+  readonly direction: Vec3;
+}
+
+const FIXED_VIEWS: Record<Exclude<NamedView, 'ray'>, FreeView> = {
+  iso: { azimuth: 16, elevation: 14, zoom: 1 },
+  // From above the frame's short side has to hold the depth of the stage as well.
+  top: { azimuth: 0, elevation: 90, zoom: 0.78 },
+  front: { azimuth: 0, elevation: 0, zoom: 0.95 },
+  side: { azimuth: 90, elevation: 0, zoom: 0.95 },
+};
+
+const RAY_ZOOM = 0.9;
+
+export function poseOf(view: View, ray: Ray, space: Space): Pose {
+  if (typeof view !== 'string') return { target: [0, 0, 0], ...view };
+  if (view === 'ray') return alongRay(ray, space) ?? { target: [0, 0, 0], ...FIXED_VIEWS.iso };
+  return { target: [0, 0, 0], ...FIXED_VIEWS[view] };
+}
+
+/**
+ * Looks from E along d. The camera stays on the ray's line but at the framing distance, before the line's nearest point
+ * to the centre: with the eye in E itself a near wall would fill the frame and a far E would show a dot.
+ */
+function alongRay(ray: Ray, space: Space): Pose | null {
+  const d = unit(ray.direction);
+  if (!d) return null;
+  const E = space.place(ray.origin);
+  const nearest: Point = E ? along(E, d, -dot(E, d)) : [0, 0, 0];
+  // A ray that passes the stage by would take the camera away from it.
+  const target: Point = Math.hypot(...nearest) < 1.5 ? nearest : [0, 0, 0];
+  return {
+    target,
+    azimuth: degrees(Math.atan2(-d[0], -d[2])),
+    elevation: degrees(Math.asin(Math.min(Math.max(-d[1], -1), 1))),
+    zoom: RAY_ZOOM,
+  };
+}
+
+/** The same camera as angles about the stage's centre, for an orbit that starts at a named view. */
+export function freeOf(pose: Pose): FreeView {
+  return { azimuth: pose.azimuth, elevation: pose.elevation, zoom: pose.zoom };
+}
+
+/** Between two poses, the short way round. */
+export function mix(a: Pose, b: Pose, s: number): Pose {
+  const turn = wrapped(b.azimuth - a.azimuth);
+  return {
+    target: along(along([0, 0, 0], a.target, 1 - s), b.target, s),
+    azimuth: a.azimuth + turn * s,
+    elevation: a.elevation + (b.elevation - a.elevation) * s,
+    zoom: a.zoom * (b.zoom / a.zoom) ** s,
+  };
+}
+
+/** An angle in degrees brought to [−180, 180). */
+export function wrapped(angle: number): number {
+  return ((((angle + 180) % 360) + 360) % 360) - 180;
+}
+
+export function radians(angle: number): number {
+  return (angle * Math.PI) / 180;
+}
+
+function degrees(angle: number): number {
+  return (angle * 180) / Math.PI;
+}

@@ -1,0 +1,103 @@
+import type { Caption, Figures } from './figures.ts';
+import { type Box, type Obstacles, placeLabels } from './labels.ts';
+import type { Layer } from './layer.ts';
+import type { Theme } from './theme.ts';
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+// STIX italics: a capital is about 0.68 em wide and 0.66 em high, t and d are narrower; a subscript adds 0.36 em.
+const WIDE = 0.68;
+const NARROW = 0.5;
+const SUB = 0.36;
+const HIGH = 0.72;
+
+type Symbolic = Pick<Caption, 'letter' | 'sub'>;
+
+export function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: number } {
+  const wide = letter === letter.toUpperCase() ? WIDE : NARROW;
+  return { w: font * (wide + (sub ? SUB : 0)), h: font * (HIGH + (sub ? 0.12 : 0)) };
+}
+
+/** Writes every symbol beside its mark. Returns the boxes they take. */
+export function drawCaptions(
+  layer: Layer,
+  captions: readonly Caption[],
+  obstacles: Obstacles,
+  turns: Map<string, number>,
+  theme: Theme,
+  lit: string | null,
+): Box[] {
+  const wishes = captions.map((caption) => ({ ...caption, ...captionSize(caption, theme.label) }));
+  const boxes = placeLabels(wishes, obstacles, turns);
+  captions.forEach((caption, k) => {
+    const box = boxes[k];
+    if (box) write(layer, caption, box, theme, lit);
+  });
+  return boxes;
+}
+
+/** "E →" for what the picture does not reach. Returns the boxes they take. */
+export function drawPointers(
+  layer: Layer,
+  pointers: Figures['pointers'],
+  theme: Theme,
+  lit: string | null,
+): Box[] {
+  const boxes: Box[] = [];
+  const arm = theme.label * 0.95;
+  for (const pointer of pointers) {
+    const [dx, dy] = pointer.direction;
+    const size = captionSize(pointer, theme.label);
+    let box = { x: pointer.x - dx * arm * 0.6, y: pointer.y - dy * arm * 0.6, ...size };
+    // Two pointers to the same side stand one below the other.
+    while (
+      boxes.some((other) => Math.abs(other.x - box.x) < box.w && Math.abs(other.y - box.y) < box.h)
+    ) {
+      box = { ...box, y: box.y + box.h * 1.3 };
+    }
+    boxes.push(box);
+    write(layer, pointer, box, theme, lit);
+    const [ex, ey] = [Math.abs(dx) * size.w, Math.abs(dy) * size.h];
+    const from = (ex + ey) / 2 + 0.15 * theme.label;
+    const angle = (Math.atan2(dy, dx) * 180) / Math.PI;
+    layer.show(`${pointer.key} arrow`, 'path', {
+      class: `scene-pointer scene-tone-${pointer.tone}`,
+      d: 'M0 0H14M9 -4.5L14 0L9 4.5',
+      transform: `translate(${(box.x + from * dx).toFixed(2)} ${(box.y + from * dy).toFixed(2)}) rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
+    });
+  }
+  return boxes;
+}
+
+function write(
+  layer: Layer,
+  { key, symbol, letter, sub, tone }: Pick<Caption, 'key' | 'symbol' | 'letter' | 'sub' | 'tone'>,
+  box: Box,
+  theme: Theme,
+  lit: string | null,
+): void {
+  const isLit = symbol === lit;
+  const element = layer.show(`${key} ${tone}`, 'text', {
+    class: `scene-label scene-tone-${tone}${isLit ? ' lit' : ''}`,
+    'data-symbol': symbol,
+    x: box.x,
+    y: box.y + theme.label * (sub ? 0.2 : 0.27),
+  });
+  if (element.firstChild) return;
+  element.append(italic(letter));
+  if (!sub) return;
+  const subscript = document.createElementNS(SVG, 'tspan');
+  subscript.setAttribute('class', 'scene-sub');
+  subscript.setAttribute('dy', '0.24em');
+  subscript.textContent = sub;
+  element.append(subscript);
+}
+
+/** The mathematical italic of a Latin letter: the font has no italic face, but these code points. */
+export function italic(letter: string): string {
+  if (letter === 'h') return '\u210e';
+  const code = letter.codePointAt(0) ?? 0;
+  if (code >= 65 && code <= 90) return String.fromCodePoint(0x1d434 + code - 65);
+  if (code >= 97 && code <= 122) return String.fromCodePoint(0x1d44e + code - 97);
+  return letter;
+}

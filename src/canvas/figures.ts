@@ -1,0 +1,170 @@
+import type { Vec3 } from '../math/vec3.ts';
+import type { HitMark, SceneModel } from '../state/scene-model.ts';
+import type { Lens, Spot } from './lens.ts';
+import { type Arrow, CLEAR, type Mark } from './marks.ts';
+import { heading, isInside, type Pointer, pointerTo } from './offstage.ts';
+import { pointAt } from './ray.ts';
+import { along, type Space, unit } from './space.ts';
+
+/** A symbol of the course beside what it names. */
+export interface Caption {
+  readonly key: string;
+  readonly symbol: string;
+  readonly letter: string;
+  readonly sub: string;
+  /** Class that gives the colour. */
+  readonly tone: 'E' | 'd' | 'shape' | 'hit' | 'rejected' | 'normal';
+  readonly x: number;
+  readonly y: number;
+  readonly clear: number;
+  /** Where the label should best be, in radians, y down. */
+  readonly angle: number;
+}
+
+export interface Figures {
+  readonly marks: readonly Mark[];
+  readonly arrows: readonly Arrow[];
+  readonly captions: readonly Caption[];
+  readonly pointers: readonly (Pointer &
+    Pick<Caption, 'key' | 'symbol' | 'letter' | 'sub' | 'tone'>)[];
+}
+
+/** Length of a normal arrow, in stage radii: its direction is what counts. */
+const NORMAL = 0.2;
+const UP_RIGHT = -Math.PI / 4;
+const DOWN = Math.PI / 2;
+/** From E to the tip of d, in pixels at scale 1: below it the head becomes smaller, then goes away. */
+const HEAD_FULL = 40;
+const HEAD_LEAST = 16;
+
+type List<T> = T[];
+
+/** Everything at fixed size over the lines: where it is on the screen and what it is called. */
+export function figures(model: SceneModel, space: Space, lens: Lens, scale: number): Figures {
+  const all = {
+    marks: [] as List<Mark>,
+    arrows: [] as List<Arrow>,
+    captions: [] as List<Caption>,
+    pointers: [] as List<Figures['pointers'][number]>,
+  };
+  const see = (p: Vec3): Spot | null => {
+    const place = space.place(p);
+    const spot = place && lens.project(place);
+    return spot && isInside(spot, lens) ? spot : null;
+  };
+
+  addShape();
+  addRay();
+  // The first hit comes last: it lies over the others where they meet on the screen.
+  for (const hit of [...model.hits].sort((a, b) => rank(a) - rank(b))) addHit(hit);
+  const bead = model.bead?.drawn ? see(model.bead.point) : null;
+  if (bead) all.marks.push({ key: 'bead', kind: 'bead', symbols: ['t'], spot: bead });
+  return all;
+
+  function addShape(): void {
+    for (const { symbol, at } of model.drawing.marks) {
+      const spot = see(at);
+      if (!spot) continue;
+      all.marks.push({ key: symbol, kind: 'point', symbols: [symbol], spot });
+      all.captions.push({
+        ...{ key: symbol, symbol, letter: symbol, sub: '', tone: 'shape' },
+        ...{ x: spot.x, y: spot.y, clear: (CLEAR.point + 3) * scale, angle: 0 },
+      });
+    }
+    model.drawing.normals.forEach(({ at, direction }, k) => {
+      addNormal(`N of shape ${k}`, 'N', '', at, direction);
+    });
+  }
+
+  function addRay(): void {
+    const { origin, direction } = model.ray;
+    const E = model.ray.originDrawn ? see(origin) : null;
+    const name = { key: 'E', symbol: 'E', letter: 'E', sub: '', tone: 'E' } as const;
+    if (E) {
+      all.captions.push({ ...name, x: E.x, y: E.y, clear: CLEAR.E * scale, angle: UP_RIGHT });
+    } else {
+      all.pointers.push({ ...name, ...pointerTo(origin, 0, model, space, lens, scale) });
+    }
+    const tip = see(along(origin, direction, 1));
+    const place = tip && space.place(along(origin, direction, 1));
+    const course = place && heading(place, direction, lens);
+    if (tip && course) {
+      const length = E ? Math.hypot(tip.x - E.x, tip.y - E.y) / scale : HEAD_FULL;
+      const size = Math.min(length / HEAD_FULL, 1);
+      if (length >= HEAD_LEAST) {
+        const turn = (Math.atan2(course[1], course[0]) * 180) / Math.PI;
+        all.marks.push({ key: 'd', kind: 'head', symbols: ['d'], spot: tip, turn, size });
+      }
+    }
+    addEnd();
+    // Without a tip in the frame, d is named at the ray's far end.
+    const last = model.ray.segments.at(-1);
+    const end = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, space) : null;
+    const spot = tip ?? (end && lens.project(end));
+    if (!spot || !isInside(spot, lens)) return;
+    const back = tip && course ? 9 * scale : 0;
+    const [x, y] = course
+      ? [spot.x - back * course[0], spot.y - back * course[1]]
+      : [spot.x, spot.y];
+    const angle = below(course);
+    all.captions.push({
+      ...{ key: 'd', symbol: 'd', letter: 'd', sub: '', tone: 'd' },
+      ...{ x, y, clear: CLEAR.head * scale, angle },
+    });
+    if (E) all.marks.push({ key: 'E', kind: 'E', symbols: ['E'], spot: E });
+  }
+
+  /** The arrow at the far end of what is drawn of the ray. */
+  function addEnd(): void {
+    const last = model.ray.segments.at(-1);
+    const place = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, space) : null;
+    const spot = place && lens.project(place);
+    const course = place && heading(place, model.ray.direction, lens);
+    if (!spot || !course || !isInside(spot, lens)) return;
+    const turn = (Math.atan2(course[1], course[0]) * 180) / Math.PI;
+    all.marks.push({ key: 'end', kind: 'end', symbols: ['d'], spot, turn });
+  }
+
+  function addHit(hit: HitMark): void {
+    const n = String(hit.index);
+    const tone = hit.role === 'first' || hit.role === 'other' ? 'hit' : 'rejected';
+    const kind = tone === 'rejected' ? 'rejected' : hit.role === 'first' ? 'first' : 'other';
+    const name = { key: `t${n}`, symbol: `t${n}`, letter: 't', sub: n, tone } as const;
+    const spot = hit.drawn ? see(hit.point) : null;
+    if (!spot) {
+      all.pointers.push({ ...name, ...pointerTo(hit.point, hit.t, model, space, lens, scale) });
+      return;
+    }
+    all.marks.push({ key: `P${n}`, kind, symbols: [`P${n}`, `t${n}`], spot });
+    const place = space.place(hit.point);
+    const angle = below(place && heading(place, model.ray.direction, lens));
+    all.captions.push({ ...name, x: spot.x, y: spot.y, clear: (CLEAR[kind] + 4) * scale, angle });
+    if (hit.normal) addNormal(`N${n}`, `N${n}`, n, hit.point, hit.normal);
+  }
+
+  function addNormal(key: string, symbol: string, sub: string, at: Vec3, direction: Vec3): void {
+    const place = space.place(at);
+    const n = unit(direction);
+    const from = place && lens.project(place);
+    const to = place && n && lens.project(along(place, n, NORMAL));
+    if (!from || !to || !isInside(from, lens)) return;
+    all.arrows.push({ key, symbols: [symbol], from, to });
+    const angle = Math.atan2(to.y - from.y, to.x - from.x);
+    const letter = symbol.charAt(0);
+    all.captions.push({
+      ...{ key, symbol, letter, sub, tone: 'normal' },
+      ...{ x: to.x, y: to.y, clear: 5 * scale, angle },
+    });
+  }
+}
+
+function rank(hit: HitMark): number {
+  return hit.role === 'first' ? 1 : 0;
+}
+
+/** At right angles to the ray, on the lower side. */
+function below(course: readonly [number, number] | null): number {
+  if (!course) return DOWN;
+  const [x, y] = course[0] >= 0 ? course : [-course[0], -course[1]];
+  return Math.atan2(x, -y);
+}

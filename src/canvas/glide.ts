@@ -1,0 +1,58 @@
+import { mix, type Pose } from './camera.ts';
+
+const MILLISECONDS = 240;
+
+/**
+ * The way from one pose to the next. A named view is travelled to; a dragged one is there at once, except for what the
+ * drag did not ask for: leaving the view along the ray moves the camera's target, and that must not jump.
+ */
+export class Glide {
+  #from: Pose | null = null;
+  #goal: Pose | null = null;
+  #whole = true;
+  #began = 0;
+  #shown: Pose | null = null;
+
+  get isMoving(): boolean {
+    return this.#from !== null;
+  }
+
+  /** The pose seen last. */
+  get shown(): Pose | null {
+    return this.#shown;
+  }
+
+  /** `how`: 'travel' to a named view, 'follow' a drag, 'jump' when only the scene changed. */
+  aim(goal: Pose, how: 'travel' | 'follow' | 'jump', now: number): void {
+    const targetMoved = this.#shown && goal.target.some((x, i) => x !== this.#shown?.target[i]);
+    if (this.#shown && !prefersStill() && (how === 'travel' || (how === 'follow' && targetMoved))) {
+      // A drag during the move of the target goes on with it.
+      if (!(how === 'follow' && this.#from && !this.#whole)) {
+        this.#from = this.#shown;
+        this.#began = now;
+        this.#whole = how === 'travel';
+      }
+    } else if (how !== 'jump') {
+      this.#from = null;
+    }
+    this.#goal = goal;
+  }
+
+  pose(now: number): Pose {
+    const goal = this.#goal as Pose;
+    const s = this.#from ? (now - this.#began) / MILLISECONDS : 1;
+    if (!this.#from || s >= 1) {
+      this.#from = null;
+      this.#shown = goal;
+    } else {
+      const eased = 1 - (1 - Math.max(s, 0)) ** 3;
+      const between = mix(this.#from, goal, eased);
+      this.#shown = this.#whole ? between : { ...goal, target: between.target };
+    }
+    return this.#shown;
+  }
+}
+
+function prefersStill(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}

@@ -1,0 +1,94 @@
+import { Camera, type Matrix4, Scene, WebGLRenderer } from 'three';
+import type { Lens } from './lens.ts';
+import { type Painter, RAY_NEARER, type Strokes } from './painter.ts';
+import { Ribbons } from './ribbons.ts';
+import { paint } from './stroke.ts';
+import { Surface } from './surface.ts';
+import type { Grid } from './tessellation.ts';
+import type { Theme } from './theme.ts';
+
+/** More would cost four times the pixels for edges that are feathered anyway. */
+const MOST_PIXEL_RATIO = 2;
+
+/**
+ * Five draw calls: ground, ray, back walls, front walls, lines of the shape. The ray comes first and writes depth, so a
+ * front wall tints it, and a back wall does not.
+ */
+export class GlPainter implements Painter {
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #camera = new Camera();
+  readonly #ground = new Ribbons(false);
+  readonly #ray = new Ribbons(true);
+  readonly #surface = new Surface();
+  readonly #shape = new Ribbons(false);
+  #size = '';
+
+  /** Null without WebGL. Asked for here, since three writes an error to the console when it fails. */
+  static on(canvas: HTMLCanvasElement): GlPainter | null {
+    try {
+      const context = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: true });
+      return context && new GlPainter(canvas, context);
+    } catch {
+      return null;
+    }
+  }
+
+  private constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+    this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: false });
+    this.#renderer.setClearColor(0x000000, 0);
+    // What is added first is painted first; three would sort by depth.
+    this.#renderer.sortObjects = false;
+    this.#scene.matrixWorldAutoUpdate = false;
+    this.#scene.add(this.#ground.mesh, this.#ray.mesh);
+    this.#scene.add(this.#surface.back, this.#surface.front, this.#shape.mesh);
+    this.#camera.matrixWorldAutoUpdate = false;
+  }
+
+  /** The patches changed. */
+  fill(grids: readonly Grid[]): void {
+    this.#surface.fill(grids);
+  }
+
+  paint(strokes: Strokes, lens: Lens, theme: Theme): void {
+    const ratio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
+    this.#resize(lens.width, lens.height, ratio);
+    for (const [ribbons, list, nearer] of [
+      [this.#ground, strokes.ground, 0],
+      [this.#ray, strokes.ray, RAY_NEARER],
+      [this.#shape, strokes.shape, 0],
+    ] as const) {
+      ribbons.begin(theme, lens.width, lens.height, ratio);
+      for (const stroke of list) paint(stroke, lens, ribbons, nearer);
+      ribbons.end();
+    }
+    this.#surface.look(lens, theme);
+    const camera = this.#camera;
+    camera.matrixWorldInverse.fromArray(lens.viewMatrix());
+    camera.matrixWorld.copy(camera.matrixWorldInverse).invert();
+    camera.projectionMatrix.fromArray(lens.projectionMatrix());
+    camera.projectionMatrixInverse.copy(camera.projectionMatrix as Matrix4).invert();
+    this.#renderer.render(this.#scene, camera);
+  }
+
+  /** For tests: a leak shows here. */
+  get memory(): string {
+    const { memory, render } = this.#renderer.info;
+    return `${memory.geometries} geometries, ${memory.textures} textures, ${render.calls} calls`;
+  }
+
+  dispose(): void {
+    for (const part of [this.#ground, this.#ray, this.#surface, this.#shape]) part.dispose();
+    this.#renderer.dispose();
+    // Browsers allow few contexts at a time; one that waits for the garbage collector counts.
+    this.#renderer.forceContextLoss();
+  }
+
+  #resize(width: number, height: number, ratio: number): void {
+    const size = `${width} ${height} ${ratio}`;
+    if (size === this.#size) return;
+    this.#size = size;
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(width, height, false);
+  }
+}

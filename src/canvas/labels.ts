@@ -1,0 +1,110 @@
+/** A box by its centre, in CSS pixels. */
+export interface Box {
+  readonly x: number;
+  readonly y: number;
+  readonly w: number;
+  readonly h: number;
+}
+
+export type Segment = readonly [x1: number, y1: number, x2: number, y2: number];
+
+/** A label that wants to be near a mark, best in direction `angle` (radians, y down). */
+export interface Wish {
+  readonly key: string;
+  readonly x: number;
+  readonly y: number;
+  /** Distance to keep from the mark's centre. */
+  readonly clear: number;
+  readonly angle: number;
+  readonly w: number;
+  readonly h: number;
+}
+
+export interface Obstacles {
+  readonly boxes: readonly Box[];
+  readonly segments: readonly Segment[];
+  readonly width: number;
+  readonly height: number;
+}
+
+/** In the order of preference, as eighths of a turn from the wished direction. */
+const TURNS = [0, 1, -1, 2, -2, 3, -3, 4] as const;
+const FRAME_MARGIN = 4;
+
+// Costs, all in square pixels of hidden label.
+const PER_TURN = 22;
+const PER_SEGMENT_PIXEL = 7;
+const PER_PIXEL_OUTSIDE = 60;
+/** A label stays where it is until another place is clearly better, so that small moves do not make it jump. */
+const MOVE = 90;
+
+/**
+ * Places labels one after the other at the best of eight positions around their marks. `turns` remembers the choice of
+ * each label from frame to frame and is updated. The same wishes and memory give the same places.
+ */
+export function placeLabels(
+  wishes: readonly Wish[],
+  { boxes, segments, width, height }: Obstacles,
+  turns: Map<string, number>,
+): Box[] {
+  const taken = [...boxes];
+  return wishes.map((wish) => {
+    let best = candidate(wish, 0);
+    let bestTurn = 0;
+    let least = Infinity;
+    for (const turn of TURNS) {
+      const box = candidate(wish, turn);
+      let cost = Math.abs(turn) * PER_TURN + PER_PIXEL_OUTSIDE * outside(box, width, height);
+      if (turns.has(wish.key) && turns.get(wish.key) !== turn) cost += MOVE;
+      for (const other of taken) cost += overlap(box, other);
+      for (const segment of segments) cost += PER_SEGMENT_PIXEL * lengthInside(segment, box);
+      if (cost < least) [best, bestTurn, least] = [box, turn, cost];
+    }
+    turns.set(wish.key, bestTurn);
+    taken.push(best);
+    return best;
+  });
+}
+
+/** Touching the circle around the mark, in the given direction. */
+function candidate({ x, y, clear, angle, w, h }: Wish, turn: number): Box {
+  const a = angle + (turn * Math.PI) / 4;
+  const [c, s] = [Math.cos(a), Math.sin(a)];
+  const reach = clear + (Math.abs(c) * w + Math.abs(s) * h) / 2;
+  return { x: x + reach * c, y: y + reach * s, w, h };
+}
+
+function outside({ x, y, w, h }: Box, width: number, height: number): number {
+  const m = FRAME_MARGIN;
+  return (
+    Math.max(0, m - (x - w / 2)) +
+    Math.max(0, x + w / 2 - width + m) +
+    Math.max(0, m - (y - h / 2)) +
+    Math.max(0, y + h / 2 - height + m)
+  );
+}
+
+/** Area that two boxes share. */
+export function overlap(a: Box, b: Box): number {
+  const x = (a.w + b.w) / 2 - Math.abs(a.x - b.x);
+  const y = (a.h + b.h) / 2 - Math.abs(a.y - b.y);
+  return x > 0 && y > 0 ? Math.min(x, a.w, b.w) * Math.min(y, a.h, b.h) : 0;
+}
+
+/** Length of the part of a segment inside a box (Liang and Barsky's clipping). */
+export function lengthInside([x1, y1, x2, y2]: Segment, { x, y, w, h }: Box): number {
+  const [dx, dy] = [x2 - x1, y2 - y1];
+  let [from, to] = [0, 1];
+  for (const [p, q] of [
+    [-dx, x1 - (x - w / 2)],
+    [dx, x + w / 2 - x1],
+    [-dy, y1 - (y - h / 2)],
+    [dy, y + h / 2 - y1],
+  ] as const) {
+    if (p === 0) {
+      if (q < 0) return 0;
+    } else if (p < 0) from = Math.max(from, q / p);
+    else to = Math.min(to, q / p);
+  }
+  return to > from ? (to - from) * Math.hypot(dx, dy) : 0;
+}

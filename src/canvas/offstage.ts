@@ -1,0 +1,107 @@
+import type { Vec3 } from '../math/vec3.ts';
+import type { RaySegment, SceneModel } from '../state/scene-model.ts';
+import type { Lens } from './lens.ts';
+import { pointAt } from './ray.ts';
+import { along, type Point, type Space, unit } from './space.ts';
+
+/** "E →": where a point is that the picture does not reach. */
+export interface Pointer {
+  readonly x: number;
+  readonly y: number;
+  /** Unit vector on the screen. */
+  readonly direction: readonly [number, number];
+}
+
+/** Room that the view buttons and the frame's rounding take, at scale 1. */
+const INSET = { x: 34, top: 54, bottom: 30 };
+/** From the end of the drawn ray to the pointer's letter. */
+const BEYOND = 22;
+
+/** A pointer to R(t). When the ray is drawn it stands at the ray's end, else at the frame's edge towards the point. */
+export function pointerTo(
+  point: Vec3,
+  t: number,
+  model: SceneModel,
+  space: Space,
+  lens: Lens,
+  scale: number,
+): Pointer {
+  const { segments } = model.ray;
+  const end = nearestEnd(segments, t);
+  const tip = end && pointAt(model.ray, end.t, space);
+  const spot = tip && lens.project(tip);
+  const course = tip && heading(tip, model.ray.direction, lens);
+  if (spot && course && isInside(spot, lens)) {
+    const direction = [end.sign * course[0], end.sign * course[1]] as const;
+    const reach = BEYOND * scale;
+    return clamp(
+      spot.x + reach * direction[0],
+      spot.y + reach * direction[1],
+      direction,
+      lens,
+      scale,
+    );
+  }
+  return fromCentre(point, space, lens, scale);
+}
+
+/** The drawn end beyond which t lies; null when t is on the drawn part or nothing is drawn. */
+function nearestEnd(
+  segments: readonly RaySegment[],
+  t: number,
+): { t: number; sign: 1 | -1 } | null {
+  const from = segments[0]?.from;
+  const to = segments.at(-1)?.to;
+  if (from !== undefined && t <= from) return { t: from, sign: -1 };
+  if (to !== undefined && t >= to) return { t: to, sign: 1 };
+  return null;
+}
+
+function fromCentre(point: Vec3, space: Space, lens: Lens, scale: number): Pointer {
+  const place = space.place(point);
+  const spot = place && lens.project(place);
+  const [cx, cy] = [lens.width / 2, lens.height / 2];
+  const [x, y] = spot
+    ? [spot.x - cx, spot.y - cy]
+    : lens.onScreen(space.towards(point) ?? [0, 1, 0]);
+  const length = Math.hypot(x, y);
+  const direction = length > 0 ? ([x / length, y / length] as const) : ([0, -1] as const);
+  const far = lens.width + lens.height;
+  const reach = spot && isInside(spot, lens) ? length : far;
+  return clamp(cx + reach * direction[0], cy + reach * direction[1], direction, lens, scale);
+}
+
+/** Brought into the frame along the line to its centre. */
+function clamp(
+  x: number,
+  y: number,
+  direction: Pointer['direction'],
+  lens: Lens,
+  scale: number,
+): Pointer {
+  const [cx, cy] = [lens.width / 2, (lens.height + (INSET.top - INSET.bottom) * scale) / 2];
+  const halfWidth = Math.max(lens.width / 2 - INSET.x * scale, 1);
+  const halfHeight = Math.max((lens.height - (INSET.top + INSET.bottom) * scale) / 2, 1);
+  const excess = Math.max(Math.abs(x - cx) / halfWidth, Math.abs(y - cy) / halfHeight, 1);
+  return { x: cx + (x - cx) / excess, y: cy + (y - cy) / excess, direction };
+}
+
+export function isInside({ x, y }: { x: number; y: number }, { width, height }: Lens): boolean {
+  return x >= 0 && x <= width && y >= 0 && y <= height;
+}
+
+/** A step in stage units that is short beside everything drawn. */
+const STEP = 0.01;
+/** Shorter than this on the screen, in pixels for one step, a direction points at the eye. */
+const HEAD_ON = 0.02;
+
+/** The unit direction in which d leads on the screen at a point; null when it leads towards the eye or away from it. */
+export function heading(at: Point, d: Vec3, lens: Lens): [number, number] | null {
+  const step = unit(d);
+  const from = step && lens.project(along(at, step, -STEP));
+  const to = step && lens.project(along(at, step, STEP));
+  if (!from || !to) return null;
+  const [x, y] = [to.x - from.x, to.y - from.y];
+  const length = Math.hypot(x, y);
+  return length > HEAD_ON ? [x / length, y / length] : null;
+}

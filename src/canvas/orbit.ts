@@ -1,0 +1,139 @@
+import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
+import { wrapped } from './camera.ts';
+
+/** Degrees a pixel of drag turns the scene by; a key press; what a wheel pixel and a key multiply the zoom by. */
+const PER_PIXEL = 0.4;
+const PER_KEY = 5;
+const PER_FINE_KEY = 1;
+const PER_WHEEL_PIXEL = 1.0015;
+const PER_ZOOM_KEY = 1.2;
+/** A wheel that counts in lines or pages, in pixels. */
+const WHEEL_UNITS = [1, 16, 400] as const;
+/** So many pixels make a drag; less is a click. */
+const DRAG_FROM = 3;
+
+interface Orbit {
+  /** Where the camera is now, as angles. */
+  current(): FreeView;
+  turn(view: FreeView): void;
+  /** Back to the first view. */
+  home(): void;
+}
+
+/**
+ * Turns the scene by drag and arrow keys, zooms by wheel, pinch, + and −. It only asks for views: the state owns the
+ * camera. A gesture counts from where it began, so a view that comes back rounded or late cannot make it drift.
+ */
+export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
+  const pointers = new Map<number, { x: number; y: number }>();
+  let start: { view: FreeView; x: number; y: number; spread: number } | null = null;
+  let isDragging = false;
+
+  const grip = () => {
+    const [a, b] = [...pointers.values()];
+    if (!a) return null;
+    return b
+      ? { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, spread: Math.hypot(a.x - b.x, a.y - b.y) }
+      : { ...a, spread: 0 };
+  };
+  const begin = () => {
+    const now = grip();
+    start = now && { view: orbit.current(), ...now };
+  };
+  const down = (event: PointerEvent) => {
+    if (event.button !== 0 || pointers.size === 2 || isControl(event.target)) return;
+    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    isDragging = pointers.size > 1;
+    begin();
+  };
+  const move = (event: PointerEvent) => {
+    const pointer = pointers.get(event.pointerId);
+    if (!pointer || !start) return;
+    [pointer.x, pointer.y] = [event.clientX, event.clientY];
+    const now = grip();
+    if (!now) return;
+    const [dx, dy] = [now.x - start.x, now.y - start.y];
+    if (!isDragging) {
+      if (Math.hypot(dx, dy) < DRAG_FROM) return;
+      isDragging = true;
+      // Captured only now, so that a click still reaches what is under the pointer.
+      element.setPointerCapture(event.pointerId);
+    }
+    const pinch = start.spread > 0 && now.spread > 0 ? now.spread / start.spread : 1;
+    orbit.turn(limited(start.view, -dx * PER_PIXEL, dy * PER_PIXEL, pinch));
+  };
+  const up = (event: PointerEvent) => {
+    if (!pointers.delete(event.pointerId)) return;
+    // The finger that stays goes on from here.
+    begin();
+    if (pointers.size === 0) isDragging = false;
+  };
+  const wheel = (event: WheelEvent) => {
+    if (!wantsWheel(element, event)) return;
+    event.preventDefault();
+    const pixels = event.deltaY * WHEEL_UNITS[event.deltaMode as 0 | 1 | 2];
+    // A pinch on a touchpad arrives as a wheel with ctrl and small steps.
+    const factor = PER_WHEEL_PIXEL ** (-pixels * (event.ctrlKey ? 6 : 1));
+    orbit.turn(limited(orbit.current(), 0, 0, factor));
+  };
+  const key = (event: KeyboardEvent) => {
+    if (event.target !== element || event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = event.shiftKey ? PER_FINE_KEY : PER_KEY;
+    const view = orbit.current();
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => orbit.turn(limited(view, -step, 0, 1)),
+      ArrowRight: () => orbit.turn(limited(view, step, 0, 1)),
+      ArrowUp: () => orbit.turn(limited(view, 0, step, 1)),
+      ArrowDown: () => orbit.turn(limited(view, 0, -step, 1)),
+      '+': () => orbit.turn(limited(view, 0, 0, PER_ZOOM_KEY)),
+      '=': () => orbit.turn(limited(view, 0, 0, PER_ZOOM_KEY)),
+      '-': () => orbit.turn(limited(view, 0, 0, 1 / PER_ZOOM_KEY)),
+      '\u2212': () => orbit.turn(limited(view, 0, 0, 1 / PER_ZOOM_KEY)),
+      '0': () => orbit.home(),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    event.stopPropagation();
+    action();
+  };
+
+  const controller = new AbortController();
+  const { signal } = controller;
+  element.addEventListener('pointerdown', down, { signal });
+  element.addEventListener('pointermove', move, { signal });
+  element.addEventListener('pointerup', up, { signal });
+  element.addEventListener('pointercancel', up, { signal });
+  element.addEventListener('wheel', wheel, { signal, passive: false });
+  element.addEventListener('keydown', key, { signal });
+  return () => controller.abort();
+}
+
+function limited(from: FreeView, turn: number, lift: number, factor: number): FreeView {
+  const between = (x: number, least: number, most: number) => Math.min(Math.max(x, least), most);
+  return {
+    azimuth: rounded(wrapped(from.azimuth + turn), 10),
+    elevation: rounded(between(from.elevation + lift, -90, 90), 10),
+    zoom: rounded(between(from.zoom * factor, ZOOM_RANGE.least, ZOOM_RANGE.most), 1000),
+  };
+}
+
+/** The view stands in the link: a tenth of a degree is finer than a pixel and short to read. */
+function rounded(x: number, parts: number): number {
+  return Math.round(x * parts) / parts;
+}
+
+/**
+ * A wheel over a picture in a page that scrolls should scroll the page. It zooms where there is nothing to scroll, in a
+ * scene that was clicked or tabbed into, and with ctrl, as a touchpad's pinch does.
+ */
+function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
+  const page = document.scrollingElement;
+  const canScroll = page !== null && page.scrollHeight > page.clientHeight + 1;
+  return !canScroll || event.ctrlKey || event.metaKey || element.contains(document.activeElement);
+}
+
+/** Buttons, and the handles to come, take their own presses. */
+function isControl(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest('button, a, input, [data-handle]') !== null;
+}

@@ -1,0 +1,93 @@
+import type { Drawing, Patch, PatchEnd } from '../math/shapes/drawing.ts';
+import { type Space, unit } from './space.ts';
+import { at, type Dash, type Stroke, straight } from './stroke.ts';
+import { lineFade, pointOn } from './tessellation.ts';
+
+const RING_STEPS = 144;
+const SIDE_STEPS = 32;
+const HAIRLINE = 1;
+const RING_ALPHA = 0.38;
+const AXIS = { width: 1.2, alpha: 0.62, dash: [11, 4] as Dash };
+const GOES_ON_ALPHA = 0.75;
+
+/** How each end of a patch is drawn; a point and a seam need no line. */
+const ENDS: Partial<Record<PatchEnd, { width: number; alpha: number; dash: Dash | null }>> = {
+  edge: { width: 2, alpha: 1, dash: null },
+  rim: { width: 1.8, alpha: 1, dash: null },
+  'goes-on': { width: 1.5, alpha: GOES_ON_ALPHA, dash: [7, 5] },
+};
+
+/** The lines of a drawing that do not depend on the eye: rings, ends and helper lines, in stage units. */
+export function outline(drawing: Drawing, space: Space): Stroke[] {
+  return [
+    ...drawing.patches.flatMap((patch) => rings(patch, space)),
+    ...drawing.lines.flatMap((line) => helper(line, space)),
+    ...drawing.patches.flatMap((patch) => ends(patch, space)),
+  ];
+}
+
+function rings(patch: Patch, space: Space): Stroke[] {
+  const style = { ink: 'shape', width: HAIRLINE, alpha: RING_ALPHA, dash: null } as const;
+  return patch.rings.map((v) => ({ ...acrossAt(patch, v, space), ...style }));
+}
+
+function ends(patch: Patch, space: Space): Stroke[] {
+  const strokes: Stroke[] = [];
+  for (const [v, end] of [
+    [0, patch.start],
+    [1, patch.end],
+  ] as const) {
+    const style = ENDS[end];
+    // The dashes already say "goes on"; their opacity is the end's, not that of the fading surface.
+    if (style) strokes.push({ ...acrossAt(patch, v, space), fade: null, ink: 'shape', ...style });
+  }
+  const style = ENDS[patch.sides];
+  if (patch.closed || !style) return strokes;
+  for (const u of [0, 1]) {
+    strokes.push({ ...alongAt(patch, u, space), fade: null, ink: 'shape', ...style });
+  }
+  return strokes;
+}
+
+function helper(line: Drawing['lines'][number], space: Space): Stroke[] {
+  const from = space.place(line.from);
+  const to = space.place(line.to);
+  if (!from || !to || !unit([to[0] - from[0], to[1] - from[1], to[2] - from[2]])) return [];
+  return [straight(from, to, { ink: 'shape', ...AXIS })];
+}
+
+type Curve = Pick<Stroke, 'points' | 'fade' | 'closed'>;
+
+function acrossAt(patch: Patch, v: number, space: Space): Curve {
+  const steps = patch.closed ? RING_STEPS : SIDE_STEPS;
+  // A closed ring leaves out u = 1, which is u = 0 again.
+  const count = patch.closed ? steps : steps + 1;
+  return curve(count, patch.closed, space, patch, (k) => [k / steps, v]);
+}
+
+function alongAt(patch: Patch, u: number, space: Space): Curve {
+  return curve(SIDE_STEPS + 1, false, space, patch, (k) => [u, k / SIDE_STEPS]);
+}
+
+function curve(
+  count: number,
+  closed: boolean,
+  space: Space,
+  patch: Patch,
+  parameters: (k: number) => [u: number, v: number],
+): Curve {
+  const points: number[] = [];
+  const fade: number[] = [];
+  for (let k = 0; k < count; k++) {
+    const [u, v] = parameters(k);
+    const p = pointOn(patch, u, v, space);
+    if (!p) continue;
+    points.push(...p);
+    fade.push(lineFade(patch, u, v));
+  }
+  return {
+    points: Float64Array.from(points),
+    fade: fade.some((f) => f < 1) ? Float64Array.from(fade) : null,
+    closed: closed && at(points, 0) !== undefined,
+  };
+}

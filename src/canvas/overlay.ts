@@ -1,0 +1,84 @@
+import type { SceneModel } from '../state/scene-model.ts';
+import { drawAxes } from './axes.ts';
+import { drawCaptions, drawPointers } from './captions.ts';
+import { figures } from './figures.ts';
+import type { Box, Segment } from './labels.ts';
+import { Layer } from './layer.ts';
+import type { Lens } from './lens.ts';
+import { CLEAR, drawArrows, drawMarks } from './marks.ts';
+import type { Space } from './space.ts';
+import { at, type Pen, paint, type Stroke } from './stroke.ts';
+import type { Theme } from './theme.ts';
+import { drawTicks } from './ticks.ts';
+
+/** What lies over the picture at a fixed size: marks, normals, ticks, symbols, the small axes. Bottom to top. */
+export class Overlay {
+  readonly #axes: Layer;
+  readonly #ticks: Layer;
+  readonly #arrows: Layer;
+  readonly #marks: Layer;
+  readonly #captions: Layer;
+  /** Where each label stood last, so that it stays there. */
+  readonly #turns = new Map<string, number>();
+
+  constructor(svg: Element) {
+    this.#axes = new Layer(svg, 'scene-axes');
+    this.#ticks = new Layer(svg, 'scene-tick-layer');
+    this.#arrows = new Layer(svg, 'scene-arrow-layer');
+    this.#marks = new Layer(svg, 'scene-mark-layer');
+    this.#captions = new Layer(svg, 'scene-caption-layer');
+  }
+
+  draw(
+    model: SceneModel,
+    rays: readonly Stroke[],
+    space: Space,
+    lens: Lens,
+    theme: Theme,
+    lit: string | null,
+  ): void {
+    const { scale } = theme;
+    const { marks, arrows, captions, pointers } = figures(model, space, lens, scale);
+    drawAxes(this.#axes, lens, scale, theme.label * 0.9);
+    drawArrows(this.#arrows, arrows, scale, lit);
+    drawMarks(this.#marks, marks, scale, lit);
+    const boxes: Box[] = marks.map(({ spot, kind }) => {
+      const size = 2 * CLEAR[kind] * scale;
+      return { x: spot.x, y: spot.y, w: size, h: size };
+    });
+    boxes.push(...furniture(lens, scale));
+    const segments = [
+      ...onScreen(rays, lens),
+      ...arrows.map(({ from, to }): Segment => [from.x, from.y, to.x, to.y]),
+    ];
+    this.#captions.begin();
+    boxes.push(...drawPointers(this.#captions, pointers, theme, lit));
+    const obstacles = { boxes, segments, width: lens.width, height: lens.height };
+    boxes.push(...drawCaptions(this.#captions, captions, obstacles, this.#turns, theme, lit));
+    this.#captions.end();
+    drawTicks(this.#ticks, model, space, lens, theme, boxes);
+  }
+}
+
+/** The view buttons and the small axes: no label goes there. */
+function furniture({ width, height }: Lens, scale: number): Box[] {
+  return [
+    { x: width - 118 * scale, y: 22 * scale, w: 236 * scale, h: 40 * scale },
+    { x: 56 * scale, y: height - 48 * scale, w: 112 * scale, h: 96 * scale },
+  ];
+}
+
+/** The visible pieces of the ray, for labels to keep off. */
+function onScreen(strokes: readonly Stroke[], lens: Lens): Segment[] {
+  const segments: Segment[] = [];
+  const pen: Pen = {
+    draw({ data, count }) {
+      for (let k = 0; k + 1 < count; k++) {
+        const [a, b] = [4 * k, 4 * k + 4];
+        segments.push([at(data, a), at(data, a + 1), at(data, b), at(data, b + 1)]);
+      }
+    },
+  };
+  for (const stroke of strokes) paint(stroke, lens, pen);
+  return segments;
+}

@@ -1,0 +1,47 @@
+import type { SceneModel, Stretch } from '../state/scene-model.ts';
+import { along, type Point, type Space } from './space.ts';
+import { type Dash, type Stroke, straight } from './stroke.ts';
+
+const STRETCHES: Record<Stretch, { width: number; alpha: number; dash: Dash | null }> = {
+  behind: { width: 1.6, alpha: 0.55, dash: [4, 6] },
+  before: { width: 2.6, alpha: 1, dash: null },
+  inside: { width: 5.2, alpha: 1, dash: null },
+  after: { width: 2.2, alpha: 1, dash: [8, 5] },
+};
+
+const HELPER = { ink: 'ink3', width: 1, alpha: 0.75, dash: [4, 4] as Dash } as const;
+
+/** R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any size. */
+export function pointAt(ray: SceneModel['ray'], t: number, space: Space): Point | null {
+  return space.place(along(ray.origin, ray.direction, t));
+}
+
+export function rayStrokes(ray: SceneModel['ray'], space: Space, emphasis: number): Stroke[] {
+  const strokes: Stroke[] = [];
+  for (const { from, to, stretch } of ray.segments) {
+    const a = pointAt(ray, from, space);
+    const b = pointAt(ray, to, space);
+    const style = STRETCHES[stretch];
+    if (a && b) strokes.push(straight(a, b, { ink: 'd', ...style, width: style.width * emphasis }));
+  }
+  return strokes;
+}
+
+/** The ray's shadow on the ground, and a plumb line from E and from each hit that is drawn. */
+export function shadowStrokes(model: SceneModel, space: Space): Stroke[] {
+  const { ray, hits } = model;
+  const strokes: Stroke[] = [];
+  const first = ray.segments[0];
+  const last = ray.segments.at(-1);
+  const onGround = (p: Point): Point => [p[0], space.ground, p[2]];
+  const from = first && pointAt(ray, first.from, space);
+  const to = last && pointAt(ray, last.to, space);
+  if (from && to) strokes.push(straight(onGround(from), onGround(to), HELPER));
+  const plumbed = hits.filter((hit) => hit.drawn).map((hit) => hit.point);
+  if (ray.originDrawn) plumbed.push(ray.origin);
+  for (const point of plumbed) {
+    const p = space.place(point);
+    if (p) strokes.push(straight(p, onGround(p), HELPER));
+  }
+  return strokes;
+}

@@ -1,0 +1,68 @@
+import type { Drawing, Stage } from '../math/shapes/drawing.ts';
+import type { SceneModel } from '../state/scene-model.ts';
+import { ground } from './ground.ts';
+import type { Lens } from './lens.ts';
+import { outline } from './outline.ts';
+import type { Strokes } from './painter.ts';
+import { rayStrokes, shadowStrokes } from './ray.ts';
+import { silhouette } from './silhouette.ts';
+import { Space } from './space.ts';
+import type { Stroke } from './stroke.ts';
+import { type Grid, tessellate } from './tessellation.ts';
+
+const SILHOUETTE = { ink: 'shape', width: 2, alpha: 0.95, dash: null } as const;
+const LIT_SHAPE = 1.5;
+const LIT_RAY = 1.35;
+/** Symbols of the shape's parameters; its own marks are added. */
+const SHAPE_SYMBOLS = new Set(['V', 'C', 'P', 'N', 'c', 'r', 'a', 'L', 'axis']);
+
+/** The lines and walls of a model. What depends only on drawing and stage is kept while they are the same objects. */
+export class Scenery {
+  grids: readonly Grid[] = [];
+  #drawing: Drawing | null = null;
+  #stage: Stage | null = null;
+  #space: Space | null = null;
+  #outline: readonly Stroke[] = [];
+  #ground: readonly Stroke[] = [];
+
+  /** Counts how often the patches were sampled. */
+  version = 0;
+
+  take(model: SceneModel): Space {
+    const { drawing, stage } = model;
+    const stageIsNew = stage !== this.#stage || this.#space === null;
+    const space = stageIsNew ? new Space(stage) : (this.#space as Space);
+    const isNew = stageIsNew || drawing !== this.#drawing;
+    if (stageIsNew) this.#ground = ground(space);
+    if (isNew) {
+      this.version++;
+      this.grids = drawing.patches.map((patch) => tessellate(patch, space));
+      this.#outline = outline(drawing, space);
+    }
+    [this.#drawing, this.#stage, this.#space] = [drawing, stage, space];
+    return space;
+  }
+
+  strokes(model: SceneModel, lens: Lens, lit: string | null): Strokes {
+    const space = this.take(model);
+    const shapeIsLit =
+      lit !== null &&
+      (SHAPE_SYMBOLS.has(lit) || model.drawing.marks.some((mark) => mark.symbol === lit));
+    const edge = SILHOUETTE.width * (shapeIsLit ? LIT_SHAPE : 1);
+    const outlines = shapeIsLit ? this.#outline.map(thicker) : this.#outline;
+    const silhouettes = this.grids.flatMap((grid) =>
+      silhouette(grid, lens, space).map((chain) => ({ ...chain, ...SILHOUETTE, width: edge })),
+    );
+    const rays = rayStrokes(model.ray, space, lit === 'E' || lit === 'd' ? LIT_RAY : 1);
+    return {
+      ground: [...this.#ground, ...shadowStrokes(model, space)],
+      ray: rays,
+      shape: [...outlines, ...silhouettes],
+    };
+  }
+}
+
+/** Rings stay thin: the outline carries the emphasis. */
+function thicker(stroke: Stroke): Stroke {
+  return stroke.width > 1 ? { ...stroke, width: stroke.width * LIT_SHAPE } : stroke;
+}

@@ -1,0 +1,163 @@
+import {
+  AddEquation,
+  BackSide,
+  BufferAttribute,
+  BufferGeometry,
+  CustomBlending,
+  DynamicDrawUsage,
+  FrontSide,
+  GLSL3,
+  Mesh,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  RawShaderMaterial,
+  type Side,
+  Vector2,
+  Vector3,
+} from 'three';
+import type { Lens } from './lens.ts';
+import { at } from './stroke.ts';
+import type { Grid } from './tessellation.ts';
+import type { Theme } from './theme.ts';
+
+const VERTEX = `
+uniform mat4 viewMatrix; uniform mat4 projectionMatrix;
+in vec3 position; in vec3 normal; in float fade;
+out vec3 place; out vec3 up; out float rest;
+void main() {
+  place = position; up = normal; rest = fade;
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}`;
+
+// A thin wall of coloured glass: the more the eye grazes it, the more of it the eye looks through.
+const FRAGMENT = `
+precision highp float;
+uniform vec3 eye; uniform vec3 ink; uniform vec2 opacity;
+in vec3 place; in vec3 up; in float rest; out vec4 result;
+void main() {
+  float facing = abs(dot(normalize(up), normalize(eye - place)));
+  float a = mix(opacity.x, opacity.y, pow(1.0 - min(facing, 1.0), 2.2)) * rest;
+  result = vec4(ink * a, a);
+}`;
+
+/** All patches of a drawing as one mesh, drawn twice: back walls, then front walls. Nothing writes depth. */
+export class Surface {
+  readonly back = wall(BackSide);
+  readonly front = wall(FrontSide);
+
+  /** Uploads new patches; the buffers are kept while they are large enough. */
+  fill(grids: readonly Grid[]): void {
+    const vertices = grids.reduce((sum, grid) => sum + grid.fade.length, 0);
+    const quads = grids.reduce((sum, grid) => sum + grid.columns * grid.rows, 0);
+    const geometry = this.#room(vertices, 6 * quads);
+    const { position, normal, fade } = geometry.attributes as Record<string, BufferAttribute>;
+    const index = geometry.index as BufferAttribute;
+    let [first, used] = [0, 0];
+    for (const grid of grids) {
+      position?.array.set(grid.points, 3 * first);
+      // A vertex without a normal is in no triangle, but NaN shall not reach the GPU at all.
+      normal?.array.set(
+        grid.normals.map((x) => (Number.isNaN(x) ? 0 : x)),
+        3 * first,
+      );
+      fade?.array.set(grid.fade, first);
+      used = addTriangles(grid, first, index.array, used);
+      first += grid.fade.length;
+    }
+    for (const attribute of [position, normal, fade, index]) {
+      if (attribute) attribute.needsUpdate = true;
+    }
+    geometry.setDrawRange(0, used);
+    this.back.visible = used > 0;
+    this.front.visible = used > 0;
+  }
+
+  look(lens: Lens, theme: Theme): void {
+    for (const [mesh, { base, rim }] of [
+      [this.back, theme.back],
+      [this.front, theme.front],
+    ] as const) {
+      const { eye, ink, opacity } = mesh.material.uniforms;
+      eye?.value.set(...lens.eye);
+      ink?.value.set(...theme.inks.shape);
+      opacity?.value.set(base, rim);
+    }
+  }
+
+  dispose(): void {
+    this.back.geometry.dispose();
+    this.back.material.dispose();
+    this.front.material.dispose();
+  }
+
+  #room(vertices: number, indices: number): BufferGeometry {
+    const old = this.back.geometry;
+    if ((old.attributes.position?.count ?? 0) >= vertices && (old.index?.count ?? 0) >= indices) {
+      return old;
+    }
+    const geometry = new BufferGeometry();
+    const add = (name: string, size: number) =>
+      geometry.setAttribute(
+        name,
+        new BufferAttribute(new Float32Array(vertices * size), size).setUsage(DynamicDrawUsage),
+      );
+    add('position', 3);
+    add('normal', 3);
+    add('fade', 1);
+    geometry.setIndex(new BufferAttribute(new Uint32Array(indices), 1).setUsage(DynamicDrawUsage));
+    old.dispose();
+    this.back.geometry = geometry;
+    this.front.geometry = geometry;
+    return geometry;
+  }
+}
+
+function wall(side: Side): Mesh<BufferGeometry, RawShaderMaterial> {
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: {
+      eye: { value: new Vector3() },
+      ink: { value: new Vector3() },
+      opacity: { value: new Vector2() },
+    },
+    side,
+    transparent: true,
+    depthWrite: false,
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+  });
+  const mesh = new Mesh(new BufferGeometry(), material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  return mesh;
+}
+
+/** Returns how many indices are used after this grid. Triangles at a point without a normal are left out. */
+function addTriangles(
+  grid: Grid,
+  first: number,
+  index: { [k: number]: number },
+  used: number,
+): number {
+  const { columns, rows, normals, outward } = grid;
+  const across = columns + 1;
+  let next = used;
+  const triangle = (a: number, b: number, c: number) => {
+    if (Number.isNaN(at(normals, 3 * a) + at(normals, 3 * b) + at(normals, 3 * c))) return;
+    index[next++] = first + a;
+    index[next++] = first + (outward ? b : c);
+    index[next++] = first + (outward ? c : b);
+  };
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < columns; i++) {
+      const k = j * across + i;
+      triangle(k, k + 1, k + across);
+      triangle(k + across, k + 1, k + across + 1);
+    }
+  }
+  return next;
+}

@@ -1,0 +1,77 @@
+import type { SceneModel } from '../state/scene-model.ts';
+import { display } from '../text/format.ts';
+import { type Box, overlap } from './labels.ts';
+import type { Layer } from './layer.ts';
+import type { Lens } from './lens.ts';
+import { heading, isInside } from './offstage.ts';
+import { pointAt } from './ray.ts';
+import type { Space } from './space.ts';
+import type { Theme } from './theme.ts';
+
+/** Half a tick's length, and how far below the ray its number stands, in pixels at scale 1. */
+const HALF = 6;
+const BELOW = 18;
+const FONT = 12.5;
+/** So near to a root, to E or to the tip of d, or to the bead, in steps of the ticks, there is no number: their labels stand there. */
+const NEAR_ROOT = 0.6;
+const NEAR_BEAD = 0.25;
+const SIGNIFICANT = 4;
+
+/** Small strokes across the ray at round t, with numbers where there is room for them. */
+export function drawTicks(
+  layer: Layer,
+  model: SceneModel,
+  space: Space,
+  lens: Lens,
+  theme: Theme,
+  taken: readonly Box[],
+): void {
+  const { ray } = model;
+  const { scale } = theme;
+  const step = smallestStep(ray.ticks);
+  const roots = [0, 1, ...model.hits.map((hit) => hit.t)];
+  const boxes = [...taken];
+  let strokes = '';
+  layer.begin();
+  for (const t of ray.ticks) {
+    const place = Math.abs(t) > step / 4 ? pointAt(ray, t, space) : null;
+    const spot = place && lens.project(place);
+    const course = place && heading(place, ray.direction, lens);
+    if (!spot || !course || !isInside(spot, lens)) continue;
+    const [nx, ny] = course[0] >= 0 ? [-course[1], course[0]] : [course[1], -course[0]];
+    const half = HALF * scale;
+    // The one at t = 1 is the tip of d.
+    if (t !== 1) {
+      strokes += `M${pair(spot.x - half * nx, spot.y - half * ny)}L${pair(spot.x + half * nx, spot.y + half * ny)}`;
+    }
+    const isNear = (s: number, steps: number) => Math.abs(t - s) < steps * step;
+    if (roots.some((root) => isNear(root, NEAR_ROOT))) continue;
+    if (model.bead && isNear(model.bead.t, NEAR_BEAD)) continue;
+    const label = display(t, SIGNIFICANT);
+    const box = {
+      x: spot.x + BELOW * scale * nx,
+      y: spot.y + BELOW * scale * ny,
+      w: (0.62 * label.length + 0.5) * FONT * scale,
+      h: FONT * scale,
+    };
+    if (boxes.some((other) => overlap(box, other) > 0)) continue;
+    boxes.push(box);
+    const attributes = { class: 'scene-number', x: box.x, y: box.y + 0.36 * FONT * scale };
+    layer.show(`t ${label}`, 'text', attributes).textContent = label;
+  }
+  if (strokes)
+    layer.show('strokes', 'path', { class: 'scene-ticks', d: strokes, 'stroke-width': 2 * scale });
+  layer.end();
+}
+
+function smallestStep(ticks: readonly number[]): number {
+  let step = Infinity;
+  for (let k = 1; k < ticks.length; k++) {
+    step = Math.min(step, Math.abs((ticks[k] ?? 0) - (ticks[k - 1] ?? 0)));
+  }
+  return step < Infinity ? step : Math.abs(ticks[0] ?? 1);
+}
+
+function pair(x: number, y: number): string {
+  return `${x.toFixed(2)} ${y.toFixed(2)}`;
+}

@@ -1,0 +1,51 @@
+import { svg, type TemplateResult } from 'lit';
+import type { StripModel } from '../state/strip-model.ts';
+import { clamp } from './steps.ts';
+import { areaPath, curvePath, fixed, type Parabola } from './strip-curve.ts';
+import { LETTER } from './strip-frame.ts';
+import type { Scales, Tick } from './strip-scales.ts';
+
+/** The t axis at f = 0, in the ray's own line styles, with its ticks. */
+export function rayAxis(model: StripModel, scales: Scales): TemplateResult {
+  const { top, bottom, mark } = scales.frame;
+  const y = fixed(clamp(scales.y(0), top, bottom));
+  const tick = ({ at, value }: Tick) =>
+    value === 0
+      ? ''
+      : svg`<line class="strip-ray strip-mark" x1=${fixed(at)} x2=${fixed(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
+  return svg`<g data-symbol="d">
+    ${visible(model, scales).map(
+      ({ from, to, stretch }) =>
+        svg`<line class="strip-ray strip-${stretch}" x1=${from} x2=${to} y1=${y} y2=${y}></line>`,
+    )}
+    ${scales.tTicks.map(tick)}
+  </g>`;
+}
+
+/** "behind", "before", "inside", "after", where there is room for the word. */
+export function words(model: StripModel, scales: Scales): TemplateResult {
+  const { bottom, em } = scales.frame;
+  const y = fixed(bottom - 0.5 * em);
+  return svg`${visible(model, scales)
+    .filter(({ from, to, stretch }) => to - from > (stretch.length * LETTER + 0.4) * em)
+    .map(
+      ({ from, to, stretch }) =>
+        svg`<text class="strip-word" text-anchor="middle" x=${fixed((from + to) / 2)} y=${y}>${stretch}</text>`,
+    )}`;
+}
+
+function visible({ stretches }: StripModel, { frame, x }: Scales) {
+  const inPlot = (t: number) => fixed(clamp(x(t), frame.left, frame.right));
+  return stretches
+    .map(({ from, to, stretch }) => ({ from: inPlot(from), to: inPlot(to), stretch }))
+    .filter(({ from, to }) => to > from);
+}
+
+/** The region where f < 0, and the graph. */
+export function area(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
+  return svg`<path class="strip-area" clip-path="url(#${id}-below)" d=${areaPath(parabola, frame)}></path>`;
+}
+
+export function curve(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
+  return svg`<path class="strip-curve" data-symbol="f" clip-path="url(#${id}-plot)" d=${curvePath(parabola, frame)}></path>`;
+}

@@ -1,0 +1,99 @@
+import { svg, type TemplateResult } from 'lit';
+import type { StripModel } from '../state/strip-model.ts';
+import { clamp } from './steps.ts';
+import { fixed } from './strip-curve.ts';
+import type { Scales } from './strip-scales.ts';
+
+type Root = StripModel['roots'][number];
+
+interface Place {
+  readonly side: 'start' | 'middle' | 'end';
+  readonly dx: number;
+  readonly below: boolean;
+}
+
+/** Width of "t₁", and the heights that it needs over and under the axis (there the words stand too), in caption em. */
+const [LABEL, ROOM_ABOVE, ROOM_BELOW] = [1.5, 2.2, 3.4];
+/** Between a root and the side of its name, in px. */
+const AWAY = 9;
+
+/** The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with its name. */
+export function roots(model: StripModel, scales: Scales): TemplateResult {
+  const { frame, x } = scales;
+  const y = fixed(clamp(scales.y(0), frame.top, frame.bottom));
+  const visible = model.roots.filter(({ t }) => x(t) >= frame.left && x(t) <= frame.right);
+  // The first hit last, so that it lies on top when the two are a pixel apart.
+  const ordered = [...visible].sort(
+    (p, q) => Number(p.role === 'first') - Number(q.role === 'first'),
+  );
+  return svg`${ordered.map(
+    (
+      root,
+    ) => svg`<g class="strip-root strip-${root.role}" data-symbol="t${root.index}" transform="translate(${fixed(x(root.t))},${y})">
+      ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em)}
+    </g>`,
+  )}`;
+}
+
+function mark({ role }: Root, scale: number): TemplateResult {
+  if (role === 'first')
+    return svg`${halo(7, scale)}<circle class="strip-disc" r=${7 * scale}></circle>`;
+  if (role === 'other')
+    return svg`${halo(7.2, scale)}<circle class="strip-ring" r=${6 * scale}></circle>`;
+  const r = 4.6 * scale;
+  const cross = `M${-r},${-r}L${r},${r}M${-r},${r}L${r},${-r}`;
+  return svg`<path class="strip-cross-halo" d=${cross}></path><path class="strip-cross" d=${cross}></path>`;
+}
+
+/** Two px of background around a mark keep it apart from the lines that it lies on. */
+export function halo(radius: number, scale: number): TemplateResult {
+  return svg`<circle class="strip-halo" r=${radius * scale + 2}></circle>`;
+}
+
+function label({ index, double }: Root, { side, dx, below }: Place, em: number): TemplateResult {
+  const up = side === 'middle' ? 1.05 * em : 0.65 * em;
+  const dy = below ? up + 0.85 * em : -up;
+  return svg`<text class="strip-name" text-anchor=${side} x=${fixed(dx)} y=${fixed(dy)}>𝑡<tspan class="strip-index" dy="0.22em">${index}</tspan>${
+    double ? svg`<tspan class="strip-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
+  }</text>`;
+}
+
+/** Where the graph is not: above the axis it leaves the side free to which it falls. */
+function place(root: Root, model: StripModel, scales: Scales): Place {
+  const { frame, x, y } = scales;
+  const slope = slopeAt(root, model);
+  const above = y(0) - frame.top > ROOM_ABOVE * frame.em;
+  const below = frame.bottom - y(0) > ROOM_BELOW * frame.em;
+  if (slope === 0) return { side: 'middle', dx: 0, below: !above || (model.A > 0 && below) };
+  const gap = gapOf(model, x);
+  const isCrowded = model.A > 0 && gap < 2 * LABEL * frame.em + AWAY * 2;
+  // Between two close roots of an upward parabola two names do not fit; outside of them, below, it is free.
+  if (isCrowded && !below) return overBoth(slope, gap);
+  const isBelow = !above || isCrowded;
+  const side = flipped(slope < 0 === isBelow ? 'end' : 'start', x(root.t), scales);
+  return { side, dx: side === 'start' ? AWAY : -AWAY, below: isBelow };
+}
+
+/** "t₁ t₂" side by side over the middle of two close roots. */
+function overBoth(slope: number, gap: number): Place {
+  const isFirst = slope < 0;
+  const middle = isFirst ? gap / 2 : -gap / 2;
+  return { side: isFirst ? 'end' : 'start', dx: middle + (isFirst ? -3 : 3), below: false };
+}
+
+/** Only the sign counts. */
+function slopeAt(root: Root, { A, B, roots }: StripModel): number {
+  if (root.double) return 0;
+  if (A === 0 || roots.length < 2) return B;
+  return root === roots[0] ? -A : A;
+}
+
+function gapOf({ roots: [first, second] }: StripModel, x: Scales['x']): number {
+  return first && second ? Math.abs(x(second.t) - x(first.t)) : Number.POSITIVE_INFINITY;
+}
+
+function flipped(side: 'start' | 'end', at: number, { frame }: Scales): 'start' | 'end' {
+  const width = LABEL * frame.em + AWAY;
+  if (side === 'start' && at + width > frame.width) return 'end';
+  return side === 'end' && at - width < frame.left ? 'start' : side;
+}

@@ -1,0 +1,129 @@
+import { float64 } from './arithmetic/float64.ts';
+import { DISCRIMINANT, DOUBLE_ROOT, F_OF_T, LINEAR_ROOT, ROOTS } from './formula/common.ts';
+import { evaluate, type Values, withScalars } from './formula/evaluate.ts';
+import { type Expr, plus, type Relation, scalar, times } from './formula/expr.ts';
+import type { CurvedDetails, FlatDetails, Intersection } from './intersection.ts';
+import { valuesOf } from './methods/tree-method.ts';
+import type { Ray } from './ray.ts';
+import type { CurvedFormula } from './shapes/axial-quadric.ts';
+import type { Shape } from './shapes/index.ts';
+import { definitionOf } from './shapes/lookup.ts';
+import { type FlatFormula, withPoint } from './shapes/planar.ts';
+
+/** One line of the algebra: what it is called, its tree, and the value that the kernel itself used. */
+export interface Step {
+  /** Name of the step and of the quantity: A, B, C, D, t, N.(E-P), N.d. */
+  readonly id: string;
+  /** What stands left of the equals sign, where it is not the tree itself. */
+  readonly letter: Expr | null;
+  readonly expr: Expr;
+  /** Null where the value is told hit by hit (t). */
+  readonly value: number | null;
+  /** Whether the numbers are put in with −B, √D and 2A already worked out. */
+  readonly worked: boolean;
+}
+
+export interface ConditionStep {
+  readonly relation: Relation;
+  readonly left: number;
+  readonly right: number;
+  /** By the method itself, not by comparing the two rounded numbers; null where it cannot tell. */
+  readonly holds: boolean | null;
+}
+
+export interface Derivation {
+  readonly surface: Relation;
+  /** What the equation becomes with the ray put in: f(t) = 0. */
+  readonly f: Expr;
+  readonly steps: readonly Step[];
+  readonly conditions: readonly ConditionStep[];
+  /** The numbers that the symbols stand for. */
+  readonly numbers: Values<number>;
+}
+
+/** The named steps from the surface's equation to t, with the numbers of the intersection that was computed. */
+export function derivation(shape: Shape, ray: Ray, found: Intersection): Derivation {
+  const definition = definitionOf(shape);
+  const formula = definition.formula(shape);
+  const numbers = valuesOf(shape, ray, float64);
+  const { details } = found;
+  if (formula.family === 'curved' && details.family === 'curved') {
+    return { surface: definition.surface, ...curved(formula, details, found, numbers) };
+  }
+  if (formula.family === 'flat' && details.family === 'flat') {
+    return { surface: definition.surface, ...flat(formula, details, numbers) };
+  }
+  throw new RangeError('an intersection of another family of shapes');
+}
+
+type Body = Omit<Derivation, 'surface'>;
+
+function curved(
+  formula: CurvedFormula,
+  details: CurvedDetails,
+  found: Intersection,
+  values: Values<number>,
+): Body {
+  const { A, B, C, D } = details;
+  const line = (id: 'A' | 'B' | 'C' | 'D', expr: Expr): Step => ({
+    id,
+    letter: scalar(id),
+    expr,
+    value: details[id],
+    worked: false,
+  });
+  const linear = details.signs.A === 0;
+  const roots = linear ? LINEAR_ROOT : details.signs.D === 0 ? DOUBLE_ROOT : ROOTS;
+  const hasRoots = found.hits.length > 0;
+  return {
+    f: F_OF_T,
+    steps: [
+      line('A', formula.A),
+      line('B', formula.B),
+      line('C', formula.C),
+      line('D', DISCRIMINANT),
+      ...(hasRoots
+        ? [{ id: 't', letter: scalar('t'), expr: roots, value: null, worked: true }]
+        : []),
+    ],
+    conditions: [],
+    numbers: withScalars(values, { A, B, C, D }),
+  };
+}
+
+function flat(formula: FlatFormula, details: FlatDetails, values: Values<number>): Body {
+  const { offset, rate, plane } = details;
+  const step = (id: string, expr: Expr, value: number): Step => ({
+    id,
+    letter: null,
+    expr,
+    value,
+    worked: false,
+  });
+  const numbers = plane ? withPoint(values, plane.point) : values;
+  return {
+    f: plus(times(formula.rate, scalar('t')), formula.offset),
+    steps: [
+      step('N.(E-P)', formula.offset, offset),
+      step('N.d', formula.rate, rate),
+      ...(plane
+        ? [{ id: 't', letter: scalar('t'), expr: formula.t, value: null, worked: true }]
+        : []),
+    ],
+    conditions: plane && formula.bound ? conditionSteps(formula, plane.holds, numbers) : [],
+    numbers,
+  };
+}
+
+/** The two sides of each condition in doubles, to be read; the verdict is the method's own. */
+function conditionSteps(
+  { bound }: FlatFormula,
+  holds: readonly (boolean | null)[],
+  numbers: Values<number>,
+): ConditionStep[] {
+  return (bound?.conditions ?? []).map((relation, i) => {
+    const left = evaluate(relation.left, float64, numbers);
+    const right = evaluate(relation.right, float64, numbers);
+    return { relation, left, right, holds: holds[i] ?? null };
+  });
+}

@@ -1,0 +1,101 @@
+import type { Dyadic, Sign } from './dyadic.ts';
+import * as dy from './dyadic.ts';
+import { isqrt } from './isqrt.ts';
+import { norm, sign } from './surd-sign.ts';
+
+export { toNumber } from './round.ts';
+export { isZero, sign } from './surd-sign.ts';
+
+/**
+ * (u + v√D)/w, exactly: what a root of a quadratic is, and every point and normal made from one.
+ * w ≠ 0 and D ≥ 0; v = 0 makes it rational. Nothing is reduced, so one value has many forms: ask
+ * `isZero` and `compare`, never the fields.
+ */
+export interface Surd {
+  readonly u: Dyadic;
+  readonly v: Dyadic;
+  readonly w: Dyadic;
+  readonly D: Dyadic;
+}
+
+export function surd(u: Dyadic, v: Dyadic, w: Dyadic, D: Dyadic): Surd {
+  if (w.m === 0n) throw new RangeError('a surd needs a denominator ≠ 0, got 0');
+  if (D.m < 0n) throw new RangeError(`a surd needs D ≥ 0, got ${dy.toNumber(D)}`);
+  return { u, v, w, D };
+}
+
+export const ratio = (u: Dyadic, w: Dyadic): Surd => surd(u, dy.ZERO, w, dy.ZERO);
+export const fromDyadic = (u: Dyadic): Surd => ({ u, v: dy.ZERO, w: dy.ONE, D: dy.ZERO });
+/** Throws RangeError for NaN and the infinities. */
+export const fromNumber = (x: number): Surd => fromDyadic(dy.fromNumber(x));
+
+export function add(a: Surd, b: Surd): Surd {
+  const [p, q, D] = overOneRoot(a, b);
+  if (sameForm(p.w, q.w)) return { u: dy.add(p.u, q.u), v: dy.add(p.v, q.v), w: p.w, D };
+  const u = dy.add(dy.mul(p.u, q.w), dy.mul(q.u, p.w));
+  const v = dy.add(dy.mul(p.v, q.w), dy.mul(q.v, p.w));
+  return { u, v, w: dy.mul(p.w, q.w), D };
+}
+
+export const neg = (a: Surd): Surd => ({ ...a, u: dy.neg(a.u), v: dy.neg(a.v) });
+export const sub = (a: Surd, b: Surd): Surd => add(a, neg(b));
+
+export function mul(a: Surd, b: Surd): Surd {
+  const [p, q, D] = overOneRoot(a, b);
+  const w = dy.mul(p.w, q.w);
+  const v = dy.add(dy.mul(p.u, q.v), dy.mul(p.v, q.u));
+  const uu = dy.mul(p.u, q.u);
+  const bothIrrational = p.v.m !== 0n && q.v.m !== 0n;
+  return { u: bothIrrational ? dy.add(uu, dy.mul(dy.mul(p.v, q.v), D)) : uu, v, w, D };
+}
+
+export const sqr = (a: Surd): Surd => mul(a, a);
+export const div = (a: Surd, b: Surd): Surd => mul(a, inverse(b));
+
+/**
+ * w/(u + v√D) = w(u − v√D)/(u² − v²D). When D is a perfect square the norm below can vanish though
+ * b does not; then u = v√D, and b is 2u/w.
+ */
+function inverse(b: Surd): Surd {
+  if (sign(b) === 0) throw new RangeError('division by an exact zero');
+  if (b.v.m === 0n) return ratio(b.w, b.u);
+  const n = norm(b);
+  if (n.m === 0n) return ratio(b.w, dy.shift(b.u, 1));
+  return { u: dy.mul(b.w, b.u), v: dy.neg(dy.mul(b.w, b.v)), w: n, D: b.D };
+}
+
+/** √(u/w) = √(u·w)/|w|. The root of an irrational surd leaves the field: RangeError. */
+export function sqrt(a: Surd): Surd {
+  const { u, v, w } = folded(a);
+  if (v.m !== 0n) throw new RangeError('no exact square root of an irrational surd');
+  const D = dy.mul(u, w);
+  if (D.m < 0n) throw new RangeError('no real square root of a negative number');
+  return { u: dy.ZERO, v: dy.ONE, w: dy.abs(w), D };
+}
+
+export const compare = (a: Surd, b: Surd): Sign => sign(sub(a, b));
+
+/** a and b, and the root they share; RangeError when they hold two different ones. */
+function overOneRoot(a: Surd, b: Surd): readonly [Surd, Surd, Dyadic] {
+  if (b.v.m === 0n) return [a, b, a.D];
+  if (a.v.m === 0n || a.D === b.D || dy.compare(a.D, b.D) === 0) return [a, b, b.D];
+  const p = folded(a);
+  if (p.v.m === 0n) return [p, b, b.D];
+  const q = folded(b);
+  if (q.v.m === 0n) return [p, q, p.D];
+  const roots = `√${dy.toNumber(a.D)} and √${dy.toNumber(b.D)}`;
+  throw new RangeError(`surds over different roots do not combine: ${roots}`);
+}
+
+const sameForm = (a: Dyadic, b: Dyadic): boolean => a === b || (a.e === b.e && a.m === b.m);
+
+/** The same value with v = 0 if √D is dyadic. */
+function folded(a: Surd): Surd {
+  if (a.v.m === 0n) return a;
+  const odd = a.D.e & 1;
+  const m = odd === 0 ? a.D.m : a.D.m << 1n;
+  const root = isqrt(m);
+  if (root * root !== m) return a;
+  const rootD = { m: root, e: (a.D.e - odd) / 2 };
+  return ratio(dy.add(a.u, dy.mul(a.v, rootD)), a.w);
+}

@@ -1,0 +1,74 @@
+import type { Vec3 } from './vec3.ts';
+
+/** What the whole line of a ray has in common with a shape, t of any sign. */
+export type IntersectionClass = 'two' | 'tangent' | 'one' | 'none' | 'contained';
+
+/** 'undecided' is the answer of a rung that cannot tell: an overflow, a NaN, an interval around zero. */
+export type Verdict = IntersectionClass | 'undecided';
+
+/** Which stage of a method gave the class. */
+export type DecidedBy = 'formula' | 'filter' | 'double-double' | 'exact';
+
+export type Sign = -1 | 0 | 1;
+
+export interface Hit {
+  /** In lengths of d. */
+  readonly t: number;
+  readonly point: Vec3;
+  /** The course's normal, not normalised; [0, 0, 0] where it is exactly zero. */
+  readonly normal: Vec3;
+  /** The normal is exactly zero: a cone's vertex, a cylinder of radius 0, … */
+  readonly singular: boolean;
+}
+
+/** A t² + B t + C and its discriminant. The signs are the method's own; null where it cannot tell. */
+export interface CurvedDetails {
+  readonly family: 'curved';
+  readonly A: number;
+  readonly B: number;
+  readonly C: number;
+  readonly D: number;
+  readonly signs: Readonly<Record<'A' | 'B' | 'C' | 'D', Sign | null>>;
+}
+
+export interface PlaneHit extends Hit {
+  /** Which of the figure's conditions hold, in the order of its formula. */
+  readonly holds: readonly (boolean | null)[];
+  /** Rim and edge are inside; null where the method cannot tell. Always true for a plane. */
+  readonly inside: boolean | null;
+  /** Euclidean distance from the figure; 0 inside. */
+  readonly distance: number;
+}
+
+export interface FlatDetails {
+  readonly family: 'flat';
+  /** N·(E − P) and N·d. */
+  readonly offset: number;
+  readonly rate: number;
+  readonly signs: Readonly<Record<'offset' | 'rate', Sign | null>>;
+  /** Where the line meets the plane, inside the figure or not; null for a line parallel to it. */
+  readonly plane: PlaneHit | null;
+  /** For a line that lies in the plane: does it meet the figure? Null otherwise, or where the method cannot tell. */
+  readonly meetsFigure: boolean | null;
+}
+
+export interface Intersection {
+  readonly class: Verdict;
+  /** Ascending in t; a tangent has one hit. */
+  readonly hits: readonly Hit[];
+  readonly method: string;
+  readonly decidedBy: DecidedBy;
+  readonly details: CurvedDetails | FlatDetails;
+}
+
+export interface Coefficients {
+  readonly A: number;
+  readonly B: number;
+  readonly C: number;
+}
+
+export interface QuadraticAnswer {
+  readonly class: Verdict;
+  /** Ascending; a tangent has one root. */
+  readonly roots: readonly number[];
+}

@@ -1,0 +1,34 @@
+import { AXES, type Vec3 } from './vec3.ts';
+
+/** Thrown for an input that is not in the domain. The message is short, lower-case and quotes the value. */
+export class InvalidInput extends RangeError {
+  override readonly name = 'InvalidInput';
+}
+
+export function requireFinite(name: string, x: unknown): asserts x is number {
+  if (typeof x !== 'number' || !Number.isFinite(x)) {
+    throw new InvalidInput(`${name} must be a finite number, got ${quote(x)}`);
+  }
+}
+
+export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3 {
+  if (!Array.isArray(v) || v.length !== 3) {
+    throw new InvalidInput(`${name} must have three components, got ${quote(v)}`);
+  }
+  AXES.forEach((axis, i) => {
+    requireFinite(`${name}.${axis}`, v[i]);
+  });
+}
+
+export function requireNonZero(name: string, v: Vec3): void {
+  if (v[0] === 0 && v[1] === 0 && v[2] === 0) {
+    throw new InvalidInput(`${name} must not be zero, got (${v.join(', ')})`);
+  }
+}
+
+export function quote(x: unknown): string {
+  if (typeof x === 'string') return `'${x.slice(0, 60)}'`;
+  if (Object.is(x, -0)) return '-0';
+  if (Array.isArray(x)) return `(${x.slice(0, 4).map(quote).join(', ')})`;
+  return typeof x === 'object' && x !== null ? 'an object' : String(x);
+}

@@ -1,0 +1,17 @@
+import type { Coefficients, Intersection, QuadraticAnswer } from '../intersection.ts';
+import type { Ray } from '../ray.ts';
+import type { Shape } from '../shapes/index.ts';
+
+/** A rung of the ladder. Its functions expect input that was checked before. */
+export interface Method {
+  readonly id: string;
+  readonly title: string;
+  /** What it does, in one sentence. */
+  readonly idea: string;
+  /** What it promises, and where the promise ends. */
+  readonly promise: string;
+  readonly source: string;
+  coefficients(shape: Shape, ray: Ray): Coefficients;
+  intersect(shape: Shape, ray: Ray): Intersection;
+  solve(A: number, B: number, C: number): QuadraticAnswer;
+}

@@ -1,0 +1,80 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, ROOTS } from '../formula/common.ts';
+import { evaluate, type Values } from '../formula/evaluate.ts';
+import { type Expr, minus, negative, num, over, plus, root, scalar } from '../formula/expr.ts';
+import type { Verdict } from '../intersection.ts';
+
+/** What a solver finds for A t² + B t + C = 0, in its own arithmetic. */
+export interface Solved<T> {
+  readonly class: Verdict;
+  readonly D: T;
+  /** Ascending; one for a tangent. */
+  readonly roots: readonly T[];
+}
+
+/** Finds both roots of A t² + B t + C, for A ≠ 0 and D > 0, in any order. */
+type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
+
+export type Solver = <T>(A: T, B: T, C: T, ar: Arithmetic<T>) => Solved<T>;
+
+/**
+ * The course's case distinction around a formula for the two roots: A = 0 leaves a line, and the sign of D decides.
+ * Nothing is compared with an epsilon: where the arithmetic's own value is zero, it is taken for zero.
+ */
+function solverWith(rootPair: RootPair): Solver {
+  return (A, B, C, ar) => {
+    const values = { scalars: { A, B, C }, vectors: {} };
+    const D = evaluate(DISCRIMINANT, ar, values);
+    const signA = ar.sign(A);
+    const signD = ar.sign(D);
+    if (Number.isNaN(signA)) return { class: 'undecided', D, roots: [] };
+    if (signA === 0) return { ...solveLinear(A, B, C, ar), D };
+    if (Number.isNaN(signD)) return { class: 'undecided', D, roots: [] };
+    if (signD < 0) return { class: 'none', D, roots: [] };
+    if (signD === 0) return { class: 'tangent', D, roots: [evaluate(DOUBLE_ROOT, ar, values)] };
+    const pair = rootPair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+    return { class: 'two', D, roots: ascending(pair, ar) };
+  };
+}
+
+function solveLinear<T>(A: T, B: T, C: T, ar: Arithmetic<T>): Pick<Solved<T>, 'class' | 'roots'> {
+  const signB = ar.sign(B);
+  const signC = ar.sign(C);
+  if (Number.isNaN(signB)) return { class: 'undecided', roots: [] };
+  if (signB !== 0) {
+    const values = { scalars: { A, B, C }, vectors: {} };
+    return { class: 'one', roots: [evaluate(LINEAR_ROOT, ar, values)] };
+  }
+  if (Number.isNaN(signC)) return { class: 'undecided', roots: [] };
+  return { class: signC === 0 ? 'contained' : 'none', roots: [] };
+}
+
+function ascending<T>([t, s]: readonly [T, T], ar: Arithmetic<T>): readonly [T, T] {
+  return ar.sign(ar.sub(t, s)) > 0 ? [s, t] : [t, s];
+}
+
+/** t = (−B ± √D) / 2A as it stands. */
+export const textbookSolver: Solver = solverWith((values, ar) => [
+  evaluate(ROOTS, ar, values, -1),
+  evaluate(ROOTS, ar, values, 1),
+]);
+
+const B = scalar('B');
+const ROOT_OF_D = root(scalar('D'));
+/** q = −(B + √D)/2 for B ≥ 0 and (√D − B)/2 for B < 0: B and √D never cancel. */
+export const STABLE_Q: readonly [Expr, Expr] = [
+  over(negative(plus(B, ROOT_OF_D)), num(2)),
+  over(minus(ROOT_OF_D, B), num(2)),
+];
+/** t = q/A and t = C/q; q = 0 needs B = D = 0, and then the roots are equal. */
+export const STABLE_ROOTS: readonly [Expr, Expr] = [
+  over(scalar('q'), scalar('A')),
+  over(scalar('C'), scalar('q')),
+];
+
+/** The larger root by addition only, the other one from their product C/A. */
+export const stableSolver: Solver = solverWith((values, ar) => {
+  const q = evaluate(STABLE_Q[ar.sign(values.scalars.B ?? ar.of(0)) < 0 ? 1 : 0], ar, values);
+  const withQ = { scalars: { ...values.scalars, q }, vectors: {} };
+  return [evaluate(STABLE_ROOTS[0], ar, withQ), evaluate(STABLE_ROOTS[1], ar, withQ)];
+});

@@ -1,0 +1,18 @@
+import { float64 } from '../arithmetic/float64.ts';
+import { stableSolver } from './solvers.ts';
+import { treeMethod } from './tree-method.ts';
+
+export const stable = treeMethod(
+  {
+    id: 'stable',
+    title: 'stable root',
+    idea: 'q = −(B ± √D)/2 with the sign that adds, then t = q/A and t = C/q.',
+    promise:
+      'From the same A, B, C and D as textbook, no digit is lost in the root formula. What A, B, C and D have lost stays lost.',
+    source:
+      'Forsythe 1970, Pitfalls in computation, or why a math book is not enough; Press et al., Numerical Recipes, section 5.6.',
+  },
+  float64,
+  stableSolver,
+  'formula',
+);

@@ -1,0 +1,95 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { squaredNorm, type Triple, type Values } from '../formula/evaluate.ts';
+import { norm, scalar, vec, vecMinus } from '../formula/expr.ts';
+import type { Vec3 } from '../vec3.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawDisc } from './flat-drawing.ts';
+import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
+
+/** The disc about `center` in the plane with this normal; its rim belongs to it. */
+export interface Circle {
+  readonly kind: 'circle';
+  readonly normal: Vec3;
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+const between = <T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): Triple<T> => [
+  ar.sub(a[0], b[0]),
+  ar.sub(a[1], b[1]),
+  ar.sub(a[2], b[2]),
+];
+
+const get = <T>(values: Values<T>) => ({
+  E: values.vectors.E as Triple<T>,
+  d: values.vectors.d as Triple<T>,
+  C: values.vectors.C as Triple<T>,
+  r: values.scalars.r as T,
+});
+
+const BOUND: Bound = {
+  conditions: [{ left: norm(vecMinus(vec('X'), vec('C'))), relation: '≤', right: scalar('r') }],
+  distance(x, values, ar) {
+    const { C, r } = get(values);
+    return ar.sub(ar.sqrt(squaredNorm(between(x, C, ar), ar)), r);
+  },
+  /** The line's distance from C is |d × (E − C)| / |d|; squared and freed of the quotient it is exact. */
+  meetsLine(values, ar) {
+    const { E, d, C, r } = get(values);
+    const moment = squaredNorm(cross(d, between(E, C, ar), ar), ar);
+    return notPositive(ar.sign(ar.sub(moment, ar.mul(ar.sqr(r), squaredNorm(d, ar)))));
+  },
+};
+
+function cross<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): Triple<T> {
+  const minor = (i: 0 | 1 | 2, j: 0 | 1 | 2): T => ar.sub(ar.mul(a[i], b[j]), ar.mul(a[j], b[i]));
+  return [minor(1, 2), minor(2, 0), minor(0, 1)];
+}
+
+const formula = planarFormula('C', BOUND);
+
+export const circle: ShapeDefinition<Circle> = {
+  kind: 'circle',
+  title: 'circle',
+  icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
+  params: [
+    {
+      type: 'vector',
+      key: 'normal',
+      symbol: 'N',
+      title: 'normal',
+      initial: [1, 0.5, 0],
+      range: [-2, 2],
+      step: 0.1,
+      nonZero: true,
+    },
+    {
+      type: 'vector',
+      key: 'center',
+      symbol: 'C',
+      title: 'centre',
+      initial: [0, 1, 0],
+      range: [-5, 5],
+      step: 0.1,
+    },
+    {
+      type: 'number',
+      key: 'radius',
+      symbol: 'r',
+      title: 'radius',
+      initial: 2,
+      range: [0, 4],
+      step: 0.05,
+      least: 0,
+    },
+  ],
+  surface: planarSurface('C'),
+  formula: () => formula,
+  values: ({ normal, center, radius }) => ({
+    scalars: { r: radius },
+    vectors: { N: normal, C: center },
+  }),
+  meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
+  anchor: ({ center, radius }) => ({ at: center, size: radius }),
+  draw: ({ normal, center, radius }) => drawDisc(normal, center, radius),
+};

@@ -1,0 +1,49 @@
+import { scalar, squared } from '../formula/expr.ts';
+import type { Vec3 } from '../vec3.ts';
+import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawRevolution } from './revolve.ts';
+
+/** Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|. */
+export interface Cone {
+  readonly kind: 'cone';
+  readonly vertex: Vec3;
+  readonly slope: number;
+}
+
+const QUADRIC: AxialQuadric = { center: 'V', a: squared(scalar('c')), rho: null };
+const formula = axialFormula(QUADRIC);
+
+export const cone: ShapeDefinition<Cone> = {
+  kind: 'cone',
+  title: 'cone',
+  icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
+  params: [
+    {
+      type: 'vector',
+      key: 'vertex',
+      symbol: 'V',
+      title: 'vertex',
+      initial: [0, 3, 0],
+      range: [-5, 5],
+      step: 0.1,
+    },
+    {
+      type: 'number',
+      key: 'slope',
+      symbol: 'c',
+      title: 'slope',
+      initial: 0.5,
+      range: [0, 2],
+      step: 0.02,
+    },
+  ],
+  surface: axialSurface(QUADRIC),
+  formula: () => formula,
+  values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
+  meaning: ({ slope }) =>
+    slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |c h|',
+  anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
+  draw: ({ vertex, slope }, stage) =>
+    drawRevolution({ center: vertex, a: slope * slope, rho: 0 }, 'V', stage),
+};

@@ -1,0 +1,49 @@
+import { scalar, squared } from '../formula/expr.ts';
+import type { Vec3 } from '../vec3.ts';
+import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawRevolution } from './revolve.ts';
+
+/** Axis parallel to y; the centre's y does not matter. */
+export interface Cylinder {
+  readonly kind: 'cylinder';
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+const QUADRIC: AxialQuadric = { center: 'C', a: null, rho: squared(scalar('r')) };
+const formula = axialFormula(QUADRIC);
+
+export const cylinder: ShapeDefinition<Cylinder> = {
+  kind: 'cylinder',
+  title: 'cylinder',
+  icon: 'M6 6v12a6 2.4 0 0 0 12 0V6M6 6a6 2.4 0 0 0 12 0a6 2.4 0 0 0 -12 0',
+  params: [
+    {
+      type: 'vector',
+      key: 'center',
+      symbol: 'C',
+      title: 'centre of the axis',
+      initial: [0, 1, 0],
+      range: [-5, 5],
+      step: 0.1,
+    },
+    {
+      type: 'number',
+      key: 'radius',
+      symbol: 'r',
+      title: 'radius',
+      initial: 1.5,
+      range: [0, 4],
+      step: 0.05,
+      least: 0,
+    },
+  ],
+  surface: axialSurface(QUADRIC),
+  formula: () => formula,
+  values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
+  meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
+  anchor: ({ center, radius }) => ({ at: center, size: radius }),
+  draw: ({ center, radius }, stage) =>
+    drawRevolution({ center, a: 0, rho: radius * radius }, 'C', stage),
+};

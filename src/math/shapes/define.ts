@@ -1,0 +1,29 @@
+import type { Values } from '../formula/evaluate.ts';
+import type { Relation } from '../formula/expr.ts';
+import type { Vec3 } from '../vec3.ts';
+import type { CurvedFormula } from './axial-quadric.ts';
+import type { Drawing, Stage } from './drawing.ts';
+import type { Param } from './params.ts';
+import type { FlatFormula } from './planar.ts';
+
+export type Formula = CurvedFormula | FlatFormula;
+
+/** A shape of the registry: name, parameters, formula and picture in one value. */
+export interface ShapeDefinition<S extends { readonly kind: string }> {
+  readonly kind: S['kind'];
+  readonly title: string;
+  /** Its picture in menus: an SVG path in a box of 24 by 24. */
+  readonly icon: string;
+  readonly params: readonly Param[];
+  /** The equation of the surface (a figure's conditions not counted), in x, y, z and the shape's symbols. */
+  readonly surface: Relation;
+  /** Its trees; the square's depend on which axis its normal is. */
+  formula(shape: S): Formula;
+  /** What its symbols stand for. */
+  values(shape: S): Values<number>;
+  /** A sentence on what the shape's numbers mean, with its values put in; '' if there is nothing to add. */
+  meaning(shape: S): string;
+  /** The point that the picture keeps in view, and a length of the shape's own about it (0 if it has none). */
+  anchor(shape: S): { readonly at: Vec3; readonly size: number };
+  draw(shape: S, stage: Stage): Drawing;
+}

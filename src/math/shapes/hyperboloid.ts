@@ -1,0 +1,75 @@
+import { scalar, squared } from '../formula/expr.ts';
+import type { Vec3 } from '../vec3.ts';
+import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawRevolution } from './revolve.ts';
+
+/** Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²). */
+export interface Hyperboloid {
+  readonly kind: 'hyperboloid';
+  readonly center: Vec3;
+  readonly flare: number;
+  readonly radius: number;
+}
+
+const QUADRIC: AxialQuadric = { center: 'C', a: scalar('a'), rho: squared(scalar('r')) };
+const formula = axialFormula(QUADRIC);
+
+export const hyperboloid: ShapeDefinition<Hyperboloid> = {
+  kind: 'hyperboloid',
+  title: 'hyperboloid',
+  icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
+  params: [
+    {
+      type: 'vector',
+      key: 'center',
+      symbol: 'C',
+      title: 'centre',
+      initial: [0, 1, 0],
+      range: [-5, 5],
+      step: 0.1,
+    },
+    {
+      type: 'number',
+      key: 'flare',
+      symbol: 'a',
+      title: 'flare',
+      initial: 0.4,
+      range: [-2, 2],
+      step: 0.05,
+    },
+    {
+      type: 'number',
+      key: 'radius',
+      symbol: 'r',
+      title: 'radius of the waist',
+      initial: 1,
+      range: [0, 4],
+      step: 0.05,
+      least: 0,
+    },
+  ],
+  surface: axialSurface(QUADRIC),
+  formula: () => formula,
+  values: ({ center, flare, radius }) => ({
+    scalars: { a: flare, r: radius },
+    vectors: { C: center },
+  }),
+  meaning: ({ flare, radius }) => nameOf(flare, radius),
+  anchor: ({ center, radius }) => ({ at: center, size: radius }),
+  draw: ({ center, flare, radius }, stage) =>
+    drawRevolution({ center, a: flare, rho: radius * radius }, 'C', stage),
+};
+
+/** What (x−Cx)² + (z−Cz)² = a(y−Cy)² + r² is, as a and r move. */
+function nameOf(a: number, r: number): string {
+  if (r === 0) {
+    if (a > 0) return 'r = 0: a cone';
+    return a === 0
+      ? 'r = 0, a = 0: only the axis is left'
+      : 'r = 0, a < 0: only the centre is left';
+  }
+  if (a === 0) return 'a = 0: a cylinder';
+  if (a === -1) return 'a = −1: a sphere';
+  return a < 0 ? 'a < 0: an ellipsoid' : 'at height h the radius is √(ah² + r²)';
+}

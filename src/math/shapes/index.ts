@@ -1,0 +1,15 @@
+import { circle } from './circle.ts';
+import { cone } from './cone.ts';
+import { cylinder } from './cylinder.ts';
+import type { ShapeDefinition } from './define.ts';
+import { hyperboloid } from './hyperboloid.ts';
+import { plane } from './plane.ts';
+import { square } from './square.ts';
+
+/** Every shape there is, in the order of the menu. A new shape is one new file and one word here. */
+export const SHAPES = [plane, cylinder, cone, hyperboloid, circle, square] as const;
+
+type ShapeOf<D> = D extends ShapeDefinition<infer S> ? S : never;
+
+export type Shape = ShapeOf<(typeof SHAPES)[number]>;
+export type ShapeKind = Shape['kind'];

@@ -1,0 +1,60 @@
+import {
+  InvalidInput,
+  quote,
+  requireFinite,
+  requireFiniteVector,
+  requireNonZero,
+} from '../invalid-input.ts';
+import { AXES, type Axis, type Vec3 } from '../vec3.ts';
+
+/** What every parameter says of itself; menus, sliders, links and checks follow from it. */
+interface ParamBase {
+  /** The shape's property: `vertex`. */
+  readonly key: string;
+  /** The course's symbol, and the key in a link: `V`. */
+  readonly symbol: string;
+  /** What it is, in a word or two: `vertex`. */
+  readonly title: string;
+}
+
+export interface VectorParam extends ParamBase {
+  readonly type: 'vector';
+  readonly initial: Vec3;
+  /** Where the sliders end; typed values may lie beyond. */
+  readonly range: readonly [number, number];
+  readonly step: number;
+  readonly nonZero?: boolean;
+}
+
+export interface NumberParam extends ParamBase {
+  readonly type: 'number';
+  readonly initial: number;
+  readonly range: readonly [number, number];
+  readonly step: number;
+  /** Smallest value allowed, if there is one. */
+  readonly least?: number;
+}
+
+export interface AxisParam extends ParamBase {
+  readonly type: 'axis';
+  readonly initial: Axis;
+}
+
+export type Param = VectorParam | NumberParam | AxisParam;
+
+/** Throws InvalidInput if `value` is not allowed for the parameter. */
+export function checkParam(param: Param, value: unknown): void {
+  if (param.type === 'axis') {
+    if (!AXES.includes(value as Axis)) {
+      throw new InvalidInput(`${param.key} must be x, y or z, got ${quote(value)}`);
+    }
+  } else if (param.type === 'number') {
+    requireFinite(param.key, value);
+    if (param.least !== undefined && value < param.least) {
+      throw new InvalidInput(`${param.key} must be ≥ ${param.least}, got ${value}`);
+    }
+  } else {
+    requireFiniteVector(param.key, value);
+    if (param.nonZero) requireNonZero(param.key, value);
+  }
+}

@@ -1,0 +1,45 @@
+import type { Vec3 } from '../vec3.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawPlane } from './flat-drawing.ts';
+import { planarFormula, planarSurface } from './planar.ts';
+
+export interface Plane {
+  readonly kind: 'plane';
+  readonly normal: Vec3;
+  readonly point: Vec3;
+}
+
+const formula = planarFormula('P', null);
+
+export const plane: ShapeDefinition<Plane> = {
+  kind: 'plane',
+  title: 'plane',
+  icon: 'M6.5 7.5h14l-4.5 9h-14z',
+  params: [
+    {
+      type: 'vector',
+      key: 'normal',
+      symbol: 'N',
+      title: 'normal',
+      initial: [1, 1, 0.5],
+      range: [-2, 2],
+      step: 0.1,
+      nonZero: true,
+    },
+    {
+      type: 'vector',
+      key: 'point',
+      symbol: 'P',
+      title: 'point of the plane',
+      initial: [0, 1, 0],
+      range: [-5, 5],
+      step: 0.1,
+    },
+  ],
+  surface: planarSurface('P'),
+  formula: () => formula,
+  values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
+  meaning: () => '',
+  anchor: ({ point }) => ({ at: point, size: 0 }),
+  draw: ({ normal, point }, stage) => drawPlane(normal, point, stage),
+};

@@ -1,0 +1,133 @@
+import type { Vec3 } from '../vec3.ts';
+import type { Drawing, Patch, PatchEnd, Stage } from './drawing.ts';
+import { multiplesWithin, roundStep } from './steps.ts';
+
+/** (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ, in doubles, for the picture only. */
+export interface Revolution {
+  readonly center: Vec3;
+  readonly a: number;
+  readonly rho: number;
+}
+
+/** The drawn part of a surface of revolution: between the stage's heights, and not wider than the stage. */
+export function drawRevolution(surface: Revolution, symbol: string, stage: Stage): Drawing {
+  const { center } = surface;
+  const pieces = profile(surface, stage).map((piece) => patchOf(surface, piece, stage));
+  return {
+    patches: pieces,
+    lines: [
+      { from: [center[0], stage.low, center[2]], to: [center[0], overshoot(stage), center[2]] },
+    ],
+    marks: [{ symbol, at: axisPoint(center, stage) }],
+    normals: [],
+  };
+}
+
+/** The axis shows a little beyond the surface. */
+const overshoot = ({ low, high }: Stage): number => high + (high - low) * 0.04;
+
+/** A cylinder's centre has no height of its own that matters: its mark is kept where it can be seen. */
+function axisPoint(center: Vec3, { low, high }: Stage): Vec3 {
+  return [center[0], Math.min(Math.max(center[1], low), high), center[2]];
+}
+
+interface Piece {
+  readonly from: number;
+  readonly to: number;
+  readonly start: PatchEnd;
+  readonly end: PatchEnd;
+}
+
+/** The heights at which the surface has a positive radius, cut to the stage; radius² is a parabola in the height. */
+function profile({ center, a, rho }: Revolution, stage: Stage): Piece[] {
+  const { low, high } = stage;
+  const y = center[1];
+  const widest = (stage.radius * 1.15) ** 2;
+  if (a === 0) return rho > 0 ? [{ from: low, to: high, start: 'rim', end: 'goes-on' }] : [];
+  if (a < 0) return rho > 0 ? ellipsoid(y, Math.sqrt(rho / -a), low, high) : [];
+  const reach = Math.sqrt(Math.max(widest - rho, 0) / a);
+  const from = Math.max(low, y - reach);
+  const to = Math.min(high, y + reach);
+  if (rho > 0) return from < to ? [{ from, to, start: 'rim', end: 'goes-on' }] : [];
+  return nappes(y, from, to);
+}
+
+function ellipsoid(y: number, half: number, low: number, high: number): Piece[] {
+  const from = Math.max(low, y - half);
+  const to = Math.min(high, y + half);
+  if (!(from < to)) return [];
+  return [
+    {
+      from,
+      to,
+      start: from > y - half ? 'rim' : 'point',
+      end: to < y + half ? 'goes-on' : 'point',
+    },
+  ];
+}
+
+function nappes(y: number, from: number, to: number): Piece[] {
+  const lower: Piece = {
+    from,
+    to: Math.min(y, to),
+    start: 'rim',
+    end: to < y ? 'goes-on' : 'point',
+  };
+  const upper: Piece = {
+    from: Math.max(y, from),
+    to,
+    start: from > y ? 'rim' : 'point',
+    end: 'goes-on',
+  };
+  return [lower, upper].filter((piece) => piece.from < piece.to);
+}
+
+function patchOf({ center, a, rho }: Revolution, piece: Piece, stage: Stage): Patch {
+  const [cx, cy, cz] = center;
+  const height = heights(piece);
+  const radius = (y: number): number => Math.sqrt(Math.max(a * (y - cy) * (y - cy) + rho, 0));
+  const step = roundStep(stage.radius / 5);
+  const rings = multiplesWithin(piece.from, piece.to, step).map(height.inverse);
+  return {
+    at(u, v) {
+      const y = height.at(v);
+      const angle = 2 * Math.PI * u;
+      const r = radius(y);
+      return [cx + r * Math.sin(angle), y, cz + r * Math.cos(angle)];
+    },
+    normal(u, v) {
+      const y = height.at(v);
+      const angle = 2 * Math.PI * u;
+      const r = radius(y);
+      // At a cone's vertex the gradient is zero, but each generator still has a side to show.
+      if (r === 0 && rho === 0) {
+        const sign = piece.end === 'point' ? 1 : -1;
+        const s = Math.sqrt(a);
+        return [Math.sin(angle), sign * s, Math.cos(angle)];
+      }
+      return [r * Math.sin(angle), -a * (y - cy), r * Math.cos(angle)];
+    },
+    closed: true,
+    rings,
+    start: piece.start,
+    end: piece.end,
+    sides: 'joins',
+    stepsV: rho === 0 || a === 0 ? 1 : 32,
+  };
+}
+
+/** v to height and back. Towards a rounded end the heights close up, so that the end is round in the picture too. */
+function heights({ from, to, start, end }: Piece): {
+  at: (v: number) => number;
+  inverse: (y: number) => number;
+} {
+  const middle = (from + to) / 2;
+  const half = (to - from) / 2;
+  if (start !== 'point' || end !== 'point') {
+    return { at: (v) => from + (to - from) * v, inverse: (y) => (y - from) / (to - from) };
+  }
+  return {
+    at: (v) => middle - half * Math.cos(Math.PI * v),
+    inverse: (y) => Math.acos((middle - y) / half) / Math.PI,
+  };
+}

@@ -1,0 +1,125 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import type { Triple, Values } from '../formula/evaluate.ts';
+import { comp, plus, type Relation, scalar } from '../formula/expr.ts';
+import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
+import type { ShapeDefinition } from './define.ts';
+import { drawSquare, inPlaneAxes, unitAlong } from './flat-drawing.ts';
+import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
+
+/** A square with sides along the axes, from its corner towards larger coordinates; its normal points along +axis. */
+export interface Square {
+  readonly kind: 'square';
+  readonly corner: Vec3;
+  readonly side: number;
+  readonly axis: Axis;
+}
+
+/** Px ≤ x and x ≤ Px + L. */
+function between(axis: Axis): Relation[] {
+  const corner = comp('P', axis);
+  return [
+    { left: corner, relation: '≤', right: scalar(axis) },
+    { left: scalar(axis), relation: '≤', right: plus(corner, scalar('L')) },
+  ];
+}
+
+/** How far x lies beyond the interval [from, from + length]; 0 inside. */
+function beyond<T>(x: T, from: T, length: T, ar: Arithmetic<T>): T {
+  const before = ar.sub(from, x);
+  if (ar.sign(before) > 0) return before;
+  const after = ar.sub(ar.sub(x, from), length);
+  return ar.sign(after) > 0 ? after : ar.of(0);
+}
+
+function boundOf(axis: Axis): Bound {
+  const [first, second] = inPlaneAxes(axis);
+  const i = axisIndex(first);
+  const j = axisIndex(second);
+  return {
+    conditions: [first, second].sort().flatMap(between),
+    distance(x, values, ar) {
+      const { P, L } = get(values);
+      const u = beyond(x[i], P[i], L, ar);
+      const v = beyond(x[j], P[j], L, ar);
+      return ar.sqrt(ar.add(ar.sqr(u), ar.sqr(v)));
+    },
+    meetsLine: (values, ar) => cornersOnBothSides(values, ar, i, j),
+  };
+}
+
+const get = <T>(values: Values<T>) => ({
+  E: values.vectors.E as Triple<T>,
+  d: values.vectors.d as Triple<T>,
+  P: values.vectors.P as Triple<T>,
+  L: values.scalars.L as T,
+});
+
+/** A line meets a square iff its corners do not all lie strictly on one side of it. */
+function cornersOnBothSides<T>(
+  values: Values<T>,
+  ar: Arithmetic<T>,
+  i: 0 | 1 | 2,
+  j: 0 | 1 | 2,
+): boolean | null {
+  const { E, d, P, L } = get(values);
+  const none = ar.of(0);
+  const side = (u: T, v: T): number => {
+    const x = ar.add(ar.sub(P[i], E[i]), u);
+    const y = ar.add(ar.sub(P[j], E[j]), v);
+    return ar.sign(ar.sub(ar.mul(d[i], y), ar.mul(d[j], x)));
+  };
+  const signs = [side(none, none), side(L, none), side(none, L), side(L, L)];
+  if (signs.some(Number.isNaN)) return null;
+  return Math.min(...signs) <= 0 && Math.max(...signs) >= 0;
+}
+
+const FORMULAS: Readonly<Record<Axis, FlatFormula>> = {
+  x: planarFormula('P', boundOf('x')),
+  y: planarFormula('P', boundOf('y')),
+  z: planarFormula('P', boundOf('z')),
+};
+
+export const square: ShapeDefinition<Square> = {
+  kind: 'square',
+  title: 'square',
+  icon: 'M12 5.5L21.5 12L12 18.5L2.5 12z',
+  params: [
+    {
+      type: 'vector',
+      key: 'corner',
+      symbol: 'P',
+      title: 'corner',
+      initial: [0, 0, -1],
+      range: [-5, 5],
+      step: 0.1,
+    },
+    {
+      type: 'number',
+      key: 'side',
+      symbol: 'L',
+      title: 'side',
+      initial: 2,
+      range: [0, 4],
+      step: 0.05,
+      least: 0,
+    },
+    { type: 'axis', key: 'axis', symbol: 'axis', title: 'axis of the normal', initial: 'x' },
+  ],
+  surface: planarSurface('P'),
+  formula: ({ axis }) => FORMULAS[axis],
+  values: ({ corner, side, axis }) => ({
+    scalars: { L: side },
+    vectors: { N: unitAlong(axis), P: corner },
+  }),
+  meaning: ({ side }) => (side === 0 ? 'L = 0: only the corner is left' : ''),
+  anchor: ({ corner, side, axis }) => ({
+    at: middle(corner, side, axis),
+    size: side * Math.SQRT1_2,
+  }),
+  draw: ({ corner, side, axis }) => drawSquare(axis, corner, side),
+};
+
+function middle(corner: Vec3, side: number, axis: Axis): Vec3 {
+  const half = (k: Axis): number => corner[axisIndex(k)] + (k === axis ? 0 : side / 2);
+  return [half('x'), half('y'), half('z')];
+}

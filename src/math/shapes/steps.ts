@@ -1,0 +1,17 @@
+/** The largest of 1, 2, 5 times a power of ten that is not above x > 0. */
+export function roundStep(x: number): number {
+  const power = 10 ** Math.floor(Math.log10(x));
+  const lead = x / power;
+  // 1 ± a few ε: a quotient that should be 1, 2 or 5 may come out just below.
+  const slack = 1 + 1e-9;
+  return (lead * slack >= 5 ? 5 : lead * slack >= 2 ? 2 : 1) * power;
+}
+
+/** Multiples of `step` strictly between `from` and `to`; at most 200 of them. */
+export function multiplesWithin(from: number, to: number, step: number): number[] {
+  const found: number[] = [];
+  for (let k = Math.floor(from / step) + 1; k * step < to && found.length < 200; k++) {
+    found.push(k * step);
+  }
+  return found;
+}

@@ -1,0 +1,106 @@
+import { html, mathml, nothing, type TemplateResult } from 'lit';
+import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
+import type { Values } from '../math/formula/evaluate.ts';
+import type { Expr } from '../math/formula/expr.ts';
+import { METHODS } from '../math/methods/index.ts';
+import type { Dispatch } from '../state/actions.ts';
+import type { ExploreModel } from '../state/derive.ts';
+import type { Comparison } from '../state/words.ts';
+import { display } from '../text/format.ts';
+import { formula } from './formula.ts';
+import { hitTable } from './hits.ts';
+import { typesetNumbers, typesetRelation, typesetSymbols } from './typeset.ts';
+import { value } from './value.ts';
+import './algebra.css';
+
+/** From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the hits. */
+export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
+  const { derivation, title } = model;
+  return html`<section class="algebra" aria-label="Algebra">
+    <div class="put-in">
+      <p class="lead">Put the ray into the ${title}: ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
+      ${methodPicker(model, dispatch)}
+    </div>
+    <div class="steps">${derivation.steps.map((step) => stepLine(step, derivation))}
+      ${derivation.conditions.map((c) => conditionLine(c, derivation))}
+    </div>
+    ${verdict(model)}
+    ${hitTable(model)}
+  </section>`;
+}
+
+function methodPicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResult {
+  const pick = (event: Event) =>
+    dispatch({ type: 'method', id: (event.target as HTMLSelectElement).value });
+  return html`<label class="method">computed by
+    <select @change=${pick} .value=${state.method}>
+      ${METHODS.map(
+        ({ id, title, idea }) =>
+          html`<option value=${id} title=${idea} ?selected=${id === state.method}>${title}</option>`,
+      )}
+    </select></label>`;
+}
+
+function stepLine(step: Step, { numbers }: Derivation): TemplateResult {
+  const { id, letter, expr, worked } = step;
+  const stacked = id !== 'D' && id !== 't';
+  const symbols = formula(typesetSymbols(expr), id === 't');
+  const inNumbers = formula(typesetNumbers(expr, numbers, { worked, digits: 6 }), id === 't');
+  return html`<div class="step ${stacked ? 'stacked' : 'inline'}" data-step=${id}>
+    <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${letter ? formula(typesetSymbols(letter)) : nothing}</span>
+    <span class="equals">${letter ? '=' : ''}</span>
+    <span class="body">
+      <span class="in-symbols">${symbols}</span>
+      ${stacked ? nothing : html`<span class="equals">=</span>`}
+      <span class="in-numbers">${inNumbers}</span>
+    </span>
+    ${
+      step.value === null
+        ? nothing
+        : html`<span class="equals">=</span><span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, step.value)}</span>`
+    }
+  </div>`;
+}
+
+const putIn = (expr: Expr, numbers: Values<number>): TemplateResult =>
+  typesetNumbers(expr, numbers, { worked: false, digits: 6 });
+
+function conditionLine(
+  { relation, left, right, holds }: ConditionStep,
+  { numbers }: Derivation,
+): TemplateResult {
+  const words = holds === null ? 'cannot tell' : holds ? 'holds' : 'fails';
+  const put =
+    relation.left.op === 'norm'
+      ? html`${value('distance', left)} ≤ ${display(right)}`
+      : formula(
+          mathml`${putIn(relation.left, numbers)}<mo>≤</mo>${putIn(relation.right, numbers)}`,
+        );
+  return html`<div class="condition" data-holds=${String(holds)}>
+    <span class="in-symbols">${formula(typesetRelation(relation))}</span>
+    <span class="in-numbers">${put}</span>
+    <span class="holds">${words}</span>
+  </div>`;
+}
+
+function verdict({
+  verdict: { relations, text },
+  found,
+  contradicted,
+}: ExploreModel): TemplateResult {
+  return html`<p class="verdict">
+    <span data-quantity="class" data-value=${found.class}>${relations.map(comparison)}
+    <strong>${text}</strong></span>
+    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}</span>` : nothing}
+  </p>`;
+}
+
+const COMPARED: Readonly<Record<string, TemplateResult>> = {
+  'N.d': mathml`<mi>N</mi><mo>·</mo><mi>d</mi>`,
+  'N.(E-P)': mathml`<mi>N</mi><mo>·</mo><mo stretchy="false">(</mo><mi>E</mi><mo>−</mo><mi>P</mi><mo stretchy="false">)</mo>`,
+};
+
+function comparison({ left, relation, right }: Comparison, i: number): TemplateResult {
+  const side = COMPARED[left] ?? mathml`<mi>${left}</mi>`;
+  return html`${i > 0 ? ', ' : nothing}${formula(mathml`${side}<mo>${relation}</mo><mn>${right}</mn>`)}`;
+}

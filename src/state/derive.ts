@@ -1,0 +1,100 @@
+import { type Derivation, derivation } from '../math/derivation.ts';
+import { DEFAULT_METHOD, intersect } from '../math/intersect.ts';
+import type { Intersection, Verdict } from '../math/intersection.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Drawing, Stage } from '../math/shapes/drawing.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { sceneOf } from './scene.ts';
+import type { SceneModel } from './scene-model.ts';
+import { sameStage, stageOf } from './stage.ts';
+import { type AppState, rayOf, shapeOf } from './state.ts';
+import { stripOf } from './strip.ts';
+import type { StripModel } from './strip-model.ts';
+import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
+
+/** Everything that the Explore page shows, computed from the state and nothing else. */
+export interface ExploreModel {
+  readonly state: AppState;
+  readonly shape: Shape;
+  readonly title: string;
+  readonly meaning: string;
+  readonly ray: Ray;
+  readonly found: Intersection;
+  /** The exact class, where the chosen method gives another one. */
+  readonly contradicted: Verdict | null;
+  readonly derivation: Derivation;
+  readonly verdict: VerdictWords;
+  readonly hits: readonly HitWords[];
+  readonly strip: StripModel;
+  readonly scene: SceneModel;
+}
+
+/** Keeps the result of the last call while every argument is the same by reference. */
+function remember<Args extends readonly unknown[], R>(
+  f: (...args: Args) => R,
+): (...args: Args) => R {
+  let last: { args: Args; result: R } | null = null;
+  return (...args) => {
+    if (last && last.args.every((arg, i) => Object.is(arg, args[i]))) return last.result;
+    last = { args, result: f(...args) };
+    return last.result;
+  };
+}
+
+/** A derive with a memory of its own, so that parts that did not change keep their identity from call to call. */
+export function createDerive(): (state: AppState) => ExploreModel {
+  const ray = remember((E: AppState['E'], d: AppState['d'], unit: boolean) =>
+    rayOf({ E, d, unit } as AppState),
+  );
+  const solve = remember((shape: Shape, r: Ray, method: string) => intersect(shape, r, method));
+  const check = remember((shape: Shape, r: Ray) => intersect(shape, r, DEFAULT_METHOD).class);
+  const steps = remember(derivation);
+  const strip = remember(stripOf);
+  const stage = keepWhile(sameStage, stageOf);
+  const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
+  return (state) => {
+    const shape = shapeOf(state);
+    const { title, meaning } = definitionOf(shape);
+    const r = ray(state.E, state.d, state.unit);
+    const found = solve(shape, r, state.method);
+    const exactClass = state.method === DEFAULT_METHOD ? found.class : check(shape, r);
+    const graph = strip(found, r, state.bead);
+    const s = stage(shape, r, found);
+    return {
+      state,
+      shape,
+      title,
+      meaning: meaning(shape),
+      ray: r,
+      found,
+      contradicted: exactClass === found.class ? null : exactClass,
+      derivation: steps(shape, r, found),
+      verdict: verdictWords(found, title),
+      hits: hitWords(found),
+      strip: graph,
+      scene: sceneOf({
+        title,
+        ray: r,
+        found,
+        stage: s,
+        drawing: drawing(shape, s),
+        strip: graph,
+        view: state.view,
+      }),
+    };
+  };
+}
+
+/** Gives the previous result again while the new one equals it. */
+function keepWhile<Args extends readonly unknown[], R>(
+  same: (a: R, b: R) => boolean,
+  f: (...args: Args) => R,
+): (...args: Args) => R {
+  let last: R | null = null;
+  return (...args) => {
+    const next = f(...args);
+    if (last === null || !same(last, next)) last = next;
+    return last;
+  };
+}

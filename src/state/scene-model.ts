@@ -1,0 +1,50 @@
+import type { Drawing, Stage } from '../math/shapes/drawing.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { View } from './view.ts';
+
+/** What a stretch of the ray is, seen from its start: behind E, before the first hit, inside, or after the last. */
+export type Stretch = 'behind' | 'before' | 'inside' | 'after';
+
+export interface RaySegment {
+  readonly from: number;
+  readonly to: number;
+  readonly stretch: Stretch;
+}
+
+/** 'first' is the first visible hit (filled disc), 'other' a later one (ring), 'behind' has t < 0, 'outside' misses a figure in its plane (both ×). */
+export type HitRole = 'first' | 'other' | 'behind' | 'outside';
+
+export interface HitMark {
+  /** Subscript of t, P and N: 1 or 2. */
+  readonly index: number;
+  readonly role: HitRole;
+  readonly t: number;
+  readonly point: Vec3;
+  /** Null where the course's normal is exactly zero (a vertex), or for a point that is no hit. */
+  readonly normal: Vec3 | null;
+  /** False when the point lies outside the drawn part of the world. */
+  readonly drawn: boolean;
+}
+
+/** Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their identity while they do not change. */
+export interface SceneModel {
+  readonly shapeTitle: string;
+  readonly stage: Stage;
+  readonly drawing: Drawing;
+  readonly ray: {
+    readonly origin: Vec3;
+    readonly direction: Vec3;
+    /** Clipped to the stage, ascending, without gaps; empty when the ray passes the stage by. */
+    readonly segments: readonly RaySegment[];
+    /** Marks on the ray at whole multiples of a round step in t. */
+    readonly ticks: readonly number[];
+    readonly originDrawn: boolean;
+  };
+  readonly hits: readonly HitMark[];
+  readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
+  readonly view: View;
+  /** What the picture cannot show, in words: "t₂ lies outside the drawn part". */
+  readonly notes: readonly string[];
+  /** The whole scene in words, for people who do not see it. */
+  readonly description: string;
+}

@@ -1,0 +1,116 @@
+import type { Intersection } from '../math/intersection.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Drawing, Stage } from '../math/shapes/drawing.ts';
+import { multiplesWithin, roundStep } from '../math/shapes/steps.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { display, displayTriple } from '../text/format.ts';
+import { subscript } from '../text/scripts.ts';
+import type { HitMark, RaySegment, SceneModel } from './scene-model.ts';
+import { distance, isDrawn } from './stage.ts';
+import { pointAt, stretchesOf } from './strip.ts';
+import type { StripModel } from './strip-model.ts';
+import type { View } from './view.ts';
+import { hitSentence, hitWords, verdictWords } from './words.ts';
+
+interface Parts {
+  readonly title: string;
+  readonly ray: Ray;
+  readonly found: Intersection;
+  readonly stage: Stage;
+  readonly drawing: Drawing;
+  readonly strip: StripModel;
+  readonly view: View;
+}
+
+export function sceneOf({ title, ray, found, stage, drawing, strip, view }: Parts): SceneModel {
+  const hits = hitMarks(found, stage);
+  const reach = clipToStage(ray, stage, strip);
+  const originDrawn = isDrawn(ray.origin, stage);
+  const point: Vec3 = strip.bead.point;
+  return {
+    shapeTitle: title,
+    stage,
+    drawing,
+    ray: {
+      origin: ray.origin,
+      direction: ray.direction,
+      segments: reach ? segmentsOf(found, reach) : [],
+      ticks: reach ? ticksOf(reach) : [],
+      originDrawn,
+    },
+    hits,
+    bead: point.every(Number.isFinite)
+      ? { t: strip.bead.t, point, drawn: isDrawn(point, stage) }
+      : null,
+    view,
+    notes: notesOf(ray, hits, originDrawn),
+    description: describe(title, ray, found),
+  };
+}
+
+function hitMarks(found: Intersection, stage: Stage): HitMark[] {
+  const { details, hits } = found;
+  return hitWords(found).map(({ index, role, t }, i) => {
+    const hit = role === 'outside' && details.family === 'flat' ? details.plane : hits[i];
+    const point = hit?.point ?? [0, 0, 0];
+    const drawn = point.every(Number.isFinite) && isDrawn(point, stage);
+    const normal = hit && !hit.singular && role !== 'outside' ? hit.normal : null;
+    return { index, role, t, point, normal, drawn };
+  });
+}
+
+/** Where the ray, over the strip's stretch of t and a little beyond, is inside the stage; null if nowhere. */
+function clipToStage(
+  { origin, direction }: Ray,
+  { center, radius }: Stage,
+  strip: StripModel,
+): { from: number; to: number } | null {
+  const length = Math.hypot(...direction);
+  if (!(length > 0) || !Number.isFinite(length)) return null;
+  const unit = direction.map((x) => x / length);
+  const along = unit.reduce((sum, u, i) => sum + u * ((center[i] ?? 0) - (origin[i] ?? 0)), 0);
+  const nearest = pointAt({ origin, direction: unit as unknown as Vec3 }, along);
+  const off = distance(nearest, center);
+  const ball = 1.5 * radius;
+  if (!(off < ball)) return null;
+  const half = Math.sqrt((ball - off) * (ball + off));
+  const from = Math.max((along - half) / length, strip.from);
+  const to = Math.min((along + half) / length, strip.to);
+  return Number.isFinite(from) && Number.isFinite(to) && from < to ? { from, to } : null;
+}
+
+function segmentsOf(found: Intersection, reach: { from: number; to: number }): RaySegment[] {
+  return stretchesOf(found, reach);
+}
+
+function ticksOf({ from, to }: { from: number; to: number }): number[] {
+  const step = roundStep((to - from) / 5);
+  return multiplesWithin(from, to, step).filter((t) => t !== 0);
+}
+
+function notesOf(ray: Ray, hits: readonly HitMark[], originDrawn: boolean): string[] {
+  const outside = hits
+    .filter(({ drawn }) => !drawn)
+    .map(({ index, point }) =>
+      point.every(Number.isFinite)
+        ? `P${subscript(index)} ${displayTriple(point, 3)} lies outside the drawn part`
+        : `P${subscript(index)} lies beyond the doubles`,
+    );
+  const E = `E ${displayTriple(ray.origin, 3)} lies outside the drawn part`;
+  return originDrawn ? outside : [E, ...outside];
+}
+
+function describe(title: string, { origin, direction }: Ray, found: Intersection): string {
+  const { text } = verdictWords(found, title);
+  const hits = hitWords(found).map((words, i) => {
+    const hit = found.hits[i];
+    return `${hitSentence(words)}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
+  });
+  const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
+  return [`${from} and a ${title}: ${text}.`, ...hits].join(' ');
+}
+
+/** For the status line of a page without WebGL, and for people who do not see it. */
+export function lengthWords(d: Vec3): string {
+  return display(Math.hypot(...d), 4);
+}

@@ -1,0 +1,80 @@
+import type { Intersection } from '../math/intersection.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Stage } from '../math/shapes/drawing.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Vec3 } from '../math/vec3.ts';
+
+/** The world at the scale of the sliders: this part of it is shown as long as everything happens there. */
+const HAND = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
+/** What lies this many times farther than the rest is left out of the picture, and the page says so. */
+const FAR = 8;
+/** Heights that an unbounded surface is drawn between, in radii from the middle of the stage. */
+const LOW = -0.44;
+const HIGH = 0.64;
+
+/**
+ * The part of the world that is drawn. It grows smoothly with what has to be seen, so that a slider never makes the
+ * picture jump; far from the origin, or when everything is tiny, it is centred on the shape.
+ */
+export function stageOf(shape: Shape, ray: Ray, found: Intersection): Stage {
+  const anchor = definitionOf(shape).anchor(shape);
+  const points = [ray.origin, ...interesting(found)].filter((p) => p.every(Number.isFinite));
+  const spread = Math.max(anchor.size, ...points.map((p) => distance(p, anchor.at)));
+  const atHand =
+    distance(anchor.at, HAND.center) <= HAND.reach &&
+    anchor.size <= FAR * HAND.radius &&
+    spread >= HAND.tiny;
+  const center = atHand ? HAND.center : anchor.at;
+  const own = atHand ? HAND.radius : ownScale(anchor, points);
+  const needed = [
+    distance(anchor.at, center) + anchor.size,
+    ...points.map((p) => distance(p, center)).filter((d) => d <= FAR * own),
+  ];
+  const radius = Math.max(own, 1.08 * Math.max(...needed));
+  return withHeights(center, radius, points);
+}
+
+function interesting({ hits, details }: Intersection): Vec3[] {
+  const plane = details.family === 'flat' && details.plane ? [details.plane.point] : [];
+  return [...hits.map(({ point }) => point), ...plane];
+}
+
+/** A length for a world that is not at the sliders' scale: the shape's own, or what happens nearest to it. */
+function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): number {
+  if (anchor.size > 0 && Number.isFinite(anchor.size)) return 1.5 * anchor.size;
+  const near = points.map((p) => distance(p, anchor.at)).filter((d) => d > 0 && d < Infinity);
+  return near.length > 0 ? 1.2 * Math.min(...near) : HAND.radius;
+}
+
+function withHeights(center: Vec3, radius: number, points: readonly Vec3[]): Stage {
+  const y = center[1];
+  const inPicture = points.filter((p) => distance(p, center) <= radius).map((p) => p[1]);
+  const margin = 0.05 * radius;
+  return {
+    center,
+    radius,
+    ground: y + LOW * radius,
+    low: Math.min(y + LOW * radius, ...inPicture.map((h) => h - margin)),
+    high: Math.max(y + HIGH * radius, ...inPicture.map((h) => h + margin)),
+  };
+}
+
+/** Within the ball that the camera frames, or just outside of it. */
+export function isDrawn(point: Vec3, { center, radius }: Stage): boolean {
+  return distance(point, center) <= 1.3 * radius;
+}
+
+export function distance(a: Vec3, b: Vec3): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+export function sameStage(a: Stage, b: Stage): boolean {
+  return (
+    a.radius === b.radius &&
+    a.ground === b.ground &&
+    a.low === b.low &&
+    a.high === b.high &&
+    a.center.every((x, i) => x === b.center[i])
+  );
+}

@@ -1,0 +1,87 @@
+import { DEFAULT_METHOD } from '../math/intersect.ts';
+import type { Ray } from '../math/ray.ts';
+import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
+import type { Param } from '../math/shapes/params.ts';
+import { unitVector } from '../math/unit.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { View } from './view.ts';
+
+export const PAGES = [{ id: 'explore', title: 'Explore' }] as const;
+export type PageId = (typeof PAGES)[number]['id'];
+
+/** Everything that a page shows follows from this; a link carries it, the other shapes' parameters excepted. */
+export interface AppState {
+  readonly page: PageId;
+  readonly kind: ShapeKind;
+  /** Every shape as it was left, so that coming back to one finds it unchanged. */
+  readonly shapes: Readonly<Record<ShapeKind, Shape>>;
+  readonly E: Vec3;
+  /** As it was given; with `unit` the kernel gets d / |d| instead. */
+  readonly d: Vec3;
+  readonly unit: boolean;
+  readonly method: string;
+  readonly view: View;
+  /** t of the bead; null lets it rest where the picture is clearest. */
+  readonly bead: number | null;
+  /** What was wrong with the link that was opened, in words. */
+  readonly problems: readonly string[];
+}
+
+/** The same for E and d as shapes have for theirs. */
+export const RAY_PARAMS = {
+  E: {
+    type: 'vector',
+    key: 'origin',
+    symbol: 'E',
+    title: 'eye, where the ray starts',
+    initial: [3, 1, 1],
+    range: [-5, 5],
+    step: 0.1,
+  },
+  d: {
+    type: 'vector',
+    key: 'direction',
+    symbol: 'd',
+    title: 'direction',
+    initial: [-0.8, -0.2, -0.3],
+    range: [-2, 2],
+    step: 0.05,
+    nonZero: true,
+  },
+} as const satisfies Record<string, Param>;
+
+export function initialShape(kind: ShapeKind): Shape {
+  const definition = SHAPES.find((shape) => shape.kind === kind);
+  const params = (definition?.params ?? []).map(({ key, initial }) => [key, initial] as const);
+  return { kind, ...Object.fromEntries(params) } as unknown as Shape;
+}
+
+export const INITIAL: AppState = {
+  page: 'explore',
+  kind: 'cone',
+  shapes: Object.fromEntries(
+    SHAPES.map(({ kind }) => [kind, initialShape(kind)]),
+  ) as AppState['shapes'],
+  E: RAY_PARAMS.E.initial,
+  d: RAY_PARAMS.d.initial,
+  unit: false,
+  method: DEFAULT_METHOD,
+  view: 'iso',
+  bead: null,
+  problems: [],
+};
+
+/** The shape that is shown. */
+export function shapeOf(state: AppState): Shape {
+  return state.shapes[state.kind];
+}
+
+/** The ray that the kernel gets. */
+export function rayOf({ E, d, unit }: AppState): Ray {
+  return { origin: E, direction: unit ? unitVector(d) : d };
+}
+
+/** The value of one of a shape's parameters. */
+export function paramValue(shape: Shape, key: string): Vec3 | number | string {
+  return (shape as unknown as Readonly<Record<string, Vec3 | number | string>>)[key] ?? 0;
+}

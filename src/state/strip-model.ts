@@ -1,0 +1,38 @@
+import type { HitRole, Stretch } from './scene-model.ts';
+
+/** The graph of f on the ray's own t scale. */
+export interface StripModel {
+  /** Coefficients of f(t) = A t² + B t + C as doubles (A = 0 for a line). */
+  readonly A: number;
+  readonly B: number;
+  readonly C: number;
+  /** The stretch of t that is shown. */
+  readonly from: number;
+  readonly to: number;
+  /** The values of f that are shown. */
+  readonly low: number;
+  readonly high: number;
+  readonly roots: readonly {
+    readonly index: number;
+    readonly t: number;
+    readonly role: HitRole;
+    readonly double: boolean;
+  }[];
+  readonly stretches: readonly {
+    readonly from: number;
+    readonly to: number;
+    readonly stretch: Stretch;
+  }[];
+  /** t, f(t) and R(t) of the bead. */
+  readonly bead: {
+    readonly t: number;
+    readonly f: number;
+    readonly point: readonly [number, number, number];
+  };
+  /** f vanishes everywhere: the ray lies in the surface. */
+  readonly contained: boolean;
+  /** What cannot be shown at this scale, in words; null when all is shown. */
+  readonly note: string | null;
+  /** The graph in words. */
+  readonly description: string;
+}

@@ -1,0 +1,111 @@
+import type { Intersection } from '../math/intersection.ts';
+import type { Ray } from '../math/ray.ts';
+import { display } from '../text/format.ts';
+import type { Stretch } from './scene-model.ts';
+import type { StripModel } from './strip-model.ts';
+import { restingBead, windowOf } from './window.ts';
+import { type HitWords, hitSentence, hitWords } from './words.ts';
+
+/** The graph of f over the window, with the stretches of the ray and the bead. */
+export function stripOf(found: Intersection, ray: Ray, bead: number | null): StripModel {
+  const window = windowOf(found);
+  const { A, B, C } = quadratic(found);
+  const f = (t: number): number => (A * t + B) * t + C;
+  const roots = hitWords(found);
+  const t = bead ?? restingBead(found, window);
+  return {
+    A,
+    B,
+    C,
+    ...window,
+    ...heights(f, window, A, B),
+    roots: roots.map(({ index, t, role }) => ({
+      index,
+      t,
+      role,
+      double: found.class === 'tangent',
+    })),
+    stretches: stretchesOf(found, window),
+    bead: { t, f: f(t), point: pointAt(ray, t) },
+    contained: found.class === 'contained',
+    description: describe(found, roots),
+  };
+}
+
+export function quadratic({ details }: Intersection): { A: number; B: number; C: number } {
+  if (details.family === 'curved') return { A: details.A, B: details.B, C: details.C };
+  return { A: 0, B: details.rate, C: details.offset };
+}
+
+export function pointAt({ origin, direction }: Ray, t: number): readonly [number, number, number] {
+  const at = (i: 0 | 1 | 2): number => origin[i] + t * direction[i];
+  return [at(0), at(1), at(2)];
+}
+
+/** The values of f worth seeing: at E, at the turning point, at the roots; with the axis never at the very edge. */
+function heights(
+  f: (t: number) => number,
+  { from, to }: { from: number; to: number },
+  A: number,
+  B: number,
+): { low: number; high: number } {
+  const turn = -B / (2 * A);
+  const shown = [0, turn].filter((t) => t >= from && t <= to).map(f);
+  const ends = A === 0 || from > 0 || to < 0 ? [f(from), f(to)] : [];
+  const values = [0, ...shown, ...ends].filter(Number.isFinite);
+  const most = Math.max(...values);
+  const least = Math.min(...values);
+  if (most === 0 && least === 0) return { low: -1, high: 1 };
+  const high = Math.max(1.24 * most, -0.3 * least);
+  return { low: Math.min(1.24 * least, -0.3 * high), high };
+}
+
+/**
+ * What each stretch of the ray is to someone who follows it from E: behind, before anything was met, inside (f < 0),
+ * or after. Outside again between two visits it is 'before' the next one.
+ */
+export function stretchesOf(
+  found: Intersection,
+  { from, to }: { from: number; to: number },
+): { from: number; to: number; stretch: Stretch }[] {
+  const cuts = [0, ...found.hits.map(({ t }) => t)].filter((t) => t > from && t < to);
+  const bounds = [from, ...new Set(cuts.sort((a, b) => a - b)), to];
+  return bounds.slice(1).map((end, i) => {
+    const start = bounds[i] ?? from;
+    return { from: start, to: end, stretch: stretchAt(found, start, end) };
+  });
+}
+
+function stretchAt(found: Intersection, from: number, to: number): Stretch {
+  if (to <= 0) return 'behind';
+  if (isInside(found, from, to)) return 'inside';
+  const visible = found.hits.filter(({ t }) => t >= 0);
+  return visible.some(({ t }) => t >= to) || visible.length === 0 ? 'before' : 'after';
+}
+
+/** f < 0 between two roots or beyond them, by the signs that the method found; flat shapes have no inside. */
+function isInside(
+  { hits, class: verdict, details }: Intersection,
+  from: number,
+  to: number,
+): boolean {
+  if (details.family === 'flat') return false;
+  const { A, B, C } = details.signs;
+  const passed = hits.filter(({ t }) => t <= from).length;
+  const between = passed === 1 && hits.some(({ t }) => t >= to);
+  if (verdict === 'two') return A === 1 ? between : !between;
+  if (verdict === 'one') return (B === 1) === (passed === 0);
+  if (verdict === 'none' || verdict === 'tangent') return A === -1 || (A === 0 && C === -1);
+  return false;
+}
+
+function describe(found: Intersection, roots: readonly HitWords[]): string {
+  const { A, B, C } = quadratic(found);
+  const kind =
+    A === 0 ? 'a straight line' : A > 0 ? 'a parabola open upwards' : 'a parabola open downwards';
+  const at = `f(0) = ${display(C)}`;
+  if (found.class === 'contained') return 'f(t) is zero for every t.';
+  if (A === 0 && B === 0) return `f(t) is constant: ${at}.`;
+  const where = roots.length === 0 ? 'it has no root' : roots.map(hitSentence).join('; ');
+  return `f(t) is ${kind}, ${at}; ${where}.`;
+}

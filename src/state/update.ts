@@ -1,0 +1,68 @@
+import { findMethod } from '../math/intersect.ts';
+import type { Shape, ShapeKind } from '../math/shapes/index.ts';
+import { findShape } from '../math/shapes/lookup.ts';
+import { checkParam, type Param } from '../math/shapes/params.ts';
+import type { Action } from './actions.ts';
+import { type AppState, INITIAL, initialShape, RAY_PARAMS, shapeOf } from './state.ts';
+import { decode } from './url.ts';
+import { isView } from './view.ts';
+
+/** The next state. An action whose value is not allowed changes nothing: whoever sent it has said why. */
+export function update(state: AppState, action: Action): AppState {
+  switch (action.type) {
+    case 'shape':
+      return findShape(action.kind) ? { ...state, kind: action.kind as ShapeKind } : state;
+    case 'origin':
+      return allowed(RAY_PARAMS.E, action.value) ? { ...state, E: action.value } : state;
+    case 'direction':
+      return allowed(RAY_PARAMS.d, action.value) ? { ...state, d: action.value } : state;
+    case 'unit':
+      return { ...state, unit: action.on };
+    case 'param':
+      return withParam(state, action.key, action.value);
+    case 'method':
+      return findMethod(action.id) ? { ...state, method: action.id } : state;
+    case 'view':
+      return isView(action.view) ? { ...state, view: action.view } : state;
+    case 'bead':
+      return action.t === null || Number.isFinite(action.t) ? { ...state, bead: action.t } : state;
+    case 'reset':
+      return reset(state, action.what);
+    case 'link':
+      return decode(action.hash, state);
+    case 'dismiss':
+      return { ...state, problems: [] };
+  }
+}
+
+function allowed(param: Param, value: unknown): boolean {
+  try {
+    checkParam(param, value);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+function withParam(state: AppState, key: string, value: unknown): AppState {
+  const param = findShape(state.kind)?.params.find((p) => p.key === key);
+  if (!param || !allowed(param, value)) return state;
+  return withShape(state, { ...shapeOf(state), [key]: value } as Shape);
+}
+
+function withShape(state: AppState, shape: Shape): AppState {
+  return { ...state, shapes: { ...state.shapes, [shape.kind]: shape } };
+}
+
+type What = Extract<Action, { type: 'reset' }>['what'];
+
+function reset(state: AppState, what: What): AppState {
+  if (what === 'E') return { ...state, E: INITIAL.E };
+  if (what === 'd') return { ...state, d: INITIAL.d };
+  if (what === 'all') {
+    const { E, d, unit, bead, view } = INITIAL;
+    return withShape({ ...state, E, d, unit, bead, view }, initialShape(state.kind));
+  }
+  const param = findShape(state.kind)?.params.find(({ key }) => key === what.param);
+  return param ? withParam(state, param.key, param.initial) : state;
+}

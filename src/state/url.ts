@@ -1,0 +1,180 @@
+import { DEFAULT_METHOD, findMethod } from '../math/intersect.ts';
+import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
+import { findShape } from '../math/shapes/lookup.ts';
+import { checkParam, type Param } from '../math/shapes/params.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { shortest } from '../text/format.ts';
+import { parseNumber } from '../text/parse.ts';
+import {
+  type AppState,
+  INITIAL,
+  initialShape,
+  PAGES,
+  type PageId,
+  paramValue,
+  RAY_PARAMS,
+  shapeOf,
+} from './state.ts';
+import { isView, type View } from './view.ts';
+
+/** Text of one key, and the reading of it. `read` throws InvalidInput with words that quote what was written. */
+interface Codec<V> {
+  write(value: V): string;
+  read(text: string): V;
+}
+
+const number: Codec<number> = {
+  // A plus sign turns into a space in some programs that pass links on; the exponent does not need it.
+  write: (x) => shortest(x).replace('e+', 'e'),
+  read(text) {
+    const parsed = parseNumber(text);
+    if (!parsed.ok) throw new InvalidInput(parsed.reason);
+    return parsed.value;
+  },
+};
+
+const vector: Codec<Vec3> = {
+  write: (v) => v.map(number.write).join(','),
+  read(text) {
+    const parts = text.split(',').map(number.read);
+    const [x, y, z] = parts;
+    if (parts.length !== 3 || x === undefined || y === undefined || z === undefined) {
+      throw new InvalidInput(`${quote(text)} is not three numbers`);
+    }
+    return [x, y, z];
+  },
+};
+
+const word: Codec<string> = { write: (text) => text, read: (text) => text };
+
+const view: Codec<View> = {
+  write: (v) =>
+    typeof v === 'string' ? v : [v.azimuth, v.elevation, v.zoom].map(number.write).join(','),
+  read(text) {
+    if (isView(text as View)) return text as View;
+    try {
+      const [azimuth, elevation, zoom] = vector.read(text);
+      const free = { azimuth, elevation, zoom };
+      if (isView(free)) return free;
+    } catch {
+      // Said below, with the whole text.
+    }
+    throw new InvalidInput(`${quote(text)} is not a view`);
+  },
+};
+
+function codecOf(param: Param): Codec<Vec3 | number | string> {
+  const codec = param.type === 'vector' ? vector : param.type === 'number' ? number : word;
+  return codec as Codec<Vec3 | number | string>;
+}
+
+/** The link of a state: readable, and writable by hand. Defaults are left out; the method never is, as its default may change. */
+export function encode(state: AppState): string {
+  const shape = shapeOf(state);
+  const pairs: [string, string][] = [['shape', state.kind]];
+  const add = (key: string, value: string, initial: string): void => {
+    if (value !== initial) pairs.push([key, value]);
+  };
+  add('E', vector.write(state.E), vector.write(INITIAL.E));
+  add('d', vector.write(state.d), vector.write(INITIAL.d));
+  add('unit', state.unit ? '1' : '0', '0');
+  for (const param of findShape(state.kind)?.params ?? []) {
+    const { write } = codecOf(param);
+    add(param.symbol, write(paramValue(shape, param.key)), write(param.initial));
+  }
+  pairs.push(['method', state.method]);
+  add('view', view.write(state.view), view.write(INITIAL.view));
+  if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
+  return `#/${state.page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
+}
+
+/**
+ * The state that a link asks for. It never throws: what cannot be read keeps its default, and is said in `problems`.
+ * The other shapes stay as `before` left them.
+ */
+export function decode(hash: string, before: AppState = INITIAL): AppState {
+  const problems: string[] = [];
+  const { page, given } = split(hash, problems);
+  const known = new Set(['shape', 'E', 'd', 'unit', 'method', 'view', 't']);
+  const read = <V>(key: string, codec: Codec<V>, initial: V, check?: (v: V) => void): V => {
+    known.add(key);
+    const text = given.get(key);
+    if (text === undefined) return initial;
+    try {
+      const value = codec.read(text);
+      check?.(value);
+      return value;
+    } catch (error) {
+      if (!(error instanceof InvalidInput)) throw error;
+      problems.push(`opened without ${key}: ${error.message}`);
+      return initial;
+    }
+  };
+  const kind = read('shape', word, INITIAL.kind, (v) => oneOf('shape', v, SHAPES)) as ShapeKind;
+  const shape = readShape(kind, (param) =>
+    read(param.symbol, codecOf(param), param.initial, (v) => checkParam(param, v)),
+  );
+  const state: AppState = {
+    page,
+    kind,
+    shapes: { ...before.shapes, [kind]: shape },
+    E: read('E', vector, INITIAL.E, (v) => checkParam(RAY_PARAMS.E, v)),
+    d: read('d', vector, INITIAL.d, (v) => checkParam(RAY_PARAMS.d, v)),
+    unit: read('unit', word, '0', flag) === '1',
+    method: read('method', word, DEFAULT_METHOD, (v) => {
+      if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
+    }),
+    view: read('view', view, INITIAL.view),
+    bead: read<number | null>('t', number, null),
+    problems,
+  };
+  for (const key of given.keys()) {
+    if (!known.has(key)) problems.push(`${quote(key)} means nothing for a ${kind}`);
+  }
+  return state;
+}
+
+function readShape(kind: ShapeKind, read: (param: Param) => Vec3 | number | string): Shape {
+  const params = (findShape(kind)?.params ?? []).map((param) => [param.key, read(param)] as const);
+  return { ...initialShape(kind), ...Object.fromEntries(params) } as Shape;
+}
+
+/** A link from a stranger may hold anything; beyond this it is not one of ours. */
+const MAX_KEYS = 40;
+
+function split(
+  hash: string,
+  problems: string[],
+): { page: PageId; given: ReadonlyMap<string, string> } {
+  const body = hash.replace(/^#?\/?/, '');
+  const [path = '', ...rest] = body.split('?');
+  const page = PAGES.find(({ id }) => id === path)?.id;
+  if (!page && path !== '') problems.push(`there is no page ${quote(plain(path))}`);
+  const given = new Map<string, string>();
+  for (const pair of rest.join('?').split('&').slice(0, MAX_KEYS)) {
+    if (pair === '') continue;
+    const [key = '', ...value] = pair.split('=');
+    given.set(plain(key), plain(value.join('=')));
+  }
+  return { page: page ?? INITIAL.page, given };
+}
+
+/** Percent signs undone where they can be. */
+function plain(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+function oneOf(key: string, value: string, entries: readonly { readonly kind: string }[]): void {
+  if (!entries.some(({ kind }) => kind === value)) {
+    throw new InvalidInput(`${quote(value)} is not a ${key}`);
+  }
+}
+
+function flag(text: string): void {
+  if (text !== '0' && text !== '1') throw new InvalidInput(`${quote(text)} is not 0 or 1`);
+}

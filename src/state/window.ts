@@ -1,0 +1,66 @@
+import type { Intersection } from '../math/intersection.ts';
+import { roundStep } from '../math/shapes/steps.ts';
+
+/** The stretch of t that the strip shows, and the ray is drawn over. */
+export interface Window {
+  readonly from: number;
+  readonly to: number;
+  /** What it leaves out, in words. */
+  readonly note: string | null;
+}
+
+/** Roots closer together than this share of their distance from E are looked at by themselves. */
+const CLOSE = 0.02;
+/** Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between them. */
+const TOO_CLOSE = 1e-5;
+
+/** All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away to show both. */
+export function windowOf(found: Intersection): Window {
+  const roots = rootsOf(found).filter(Number.isFinite);
+  const [first, last] = [roots[0], roots.at(-1)];
+  if (first !== undefined && last !== undefined && first !== last) {
+    const gap = last - first;
+    const farthest = Math.max(Math.abs(first), Math.abs(last));
+    if (gap < CLOSE * farthest && gap > TOO_CLOSE * farthest) {
+      const side = first > 0 ? 'left' : 'right';
+      const note = `E, at t = 0, is far to the ${side}`;
+      return { from: first - 0.6 * gap, to: last + 0.6 * gap, note };
+    }
+  }
+  return around([0, 1, ...roots, ...turningPoint(found)], roots);
+}
+
+/** The points in t that the picture is about: the roots, and the plane's root where the figure is missed. */
+export function rootsOf({ hits, details }: Intersection): number[] {
+  if (details.family === 'flat' && details.plane) return [details.plane.t];
+  return hits.map(({ t }) => t);
+}
+
+/** For a miss, the t of the smallest |f|, unless it is far off. */
+function turningPoint({ class: verdict, details }: Intersection): number[] {
+  if (details.family !== 'curved' || verdict !== 'none' || !details.signs.A) return [];
+  const t = -details.B / (2 * details.A);
+  return Math.abs(t) < 100 ? [t] : [];
+}
+
+function around(points: readonly number[], roots: readonly number[]): Window {
+  const least = Math.min(...points);
+  const most = Math.max(...points);
+  const span = Math.min(most - least, Number.MAX_VALUE / 4);
+  const close = roots.length === 2 && (roots[1] ?? 0) - (roots[0] ?? 0) <= TOO_CLOSE * span;
+  return {
+    from: least - 0.14 * span,
+    to: most + 0.3 * span,
+    note: close ? 't₁ and t₂ lie too close together to be told apart here' : null,
+  };
+}
+
+/** t at rest: the middle between two roots, else a little beyond the tip of d. Short, so that it reads well. */
+export function restingBead(found: Intersection, { from, to }: Window): number {
+  const [first, second] = found.hits;
+  const t = first && second ? (first.t + second.t) / 2 : 1.5;
+  const step = roundStep((to - from) / 50);
+  const rounded = Math.round(t / step) * step;
+  const clean = Number(rounded.toPrecision(12));
+  return clean >= from && clean <= to ? clean : (from + to) / 2;
+}

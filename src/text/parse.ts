@@ -1,0 +1,7 @@
+/** Text that a person typed or pasted, or that a link carries, to numbers. */
+export type Parsed<Value> =
+  | { readonly ok: true; readonly value: Value }
+  | { readonly ok: false; readonly reason: string };
+
+export { type NumberOptions, parseNumber } from './parse-number.ts';
+export { looksLikeTriple, parseTriple, type Triple } from './parse-triple.ts';

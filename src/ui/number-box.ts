@@ -1,0 +1,168 @@
+import { html, LitElement, nothing } from 'lit';
+import { display, shortest } from '../text/format.ts';
+import { looksLikeTriple, parseNumber, parseTriple, type Triple } from '../text/parse.ts';
+import { keyStep, onStep } from './step.ts';
+
+/**
+ * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. Six digits are shown; with the focus, what was
+ * typed, or every digit. A text that is not allowed stays in the box with the reason below it, and nothing else changes.
+ * Sends `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed.
+ */
+export class GrazeNumberBox extends LitElement {
+  static override properties = {
+    value: { type: Number },
+    step: { type: Number },
+    label: { type: String },
+    symbol: { type: String },
+    quantity: { type: String },
+    check: { attribute: false },
+    text: { state: true },
+    reason: { state: true },
+    focused: { state: true },
+  };
+  declare value: number;
+  declare step: number;
+  declare label: string;
+  declare symbol: string;
+  /** The name in data-quantity; none if another element carries it. */
+  declare quantity: string;
+  /** Why a number is not allowed here, or null. */
+  declare check: (value: number) => string | null;
+  declare private text: string | null;
+  declare private reason: string | null;
+  declare private focused: boolean;
+  /** What was typed last and the value it gave: shown again as long as the value is still that one. */
+  private typed: { text: string; value: number } | null = null;
+
+  constructor() {
+    super();
+    this.value = 0;
+    this.step = 0.1;
+    this.label = '';
+    this.symbol = '';
+    this.quantity = '';
+    this.check = () => null;
+    this.text = null;
+    this.reason = null;
+    this.focused = false;
+  }
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected override willUpdate(changed: Map<string, unknown>): void {
+    // The value was changed from elsewhere (a slider, a link): what was typed before is of the past.
+    if (changed.has('value') && this.reason !== null) this.forget();
+  }
+
+  protected override render() {
+    const reasonId = `${this.id}-reason`;
+    return html`<input
+        type="text"
+        class="number"
+        autocomplete="off"
+        spellcheck="false"
+        enterkeyhint="done"
+        .value=${this.text ?? this.shown()}
+        aria-label=${this.label}
+        aria-invalid=${this.reason === null ? 'false' : 'true'}
+        aria-describedby=${this.reason === null ? nothing : reasonId}
+        title=${shortest(this.value)}
+        data-symbol=${this.symbol}
+        data-quantity=${this.quantity || nothing}
+        data-value=${this.quantity ? shortest(this.value) : nothing}
+        @focus=${this.enter}
+        @blur=${this.leave}
+        @input=${this.type}
+        @change=${this.commit}
+        @keydown=${this.key}
+        @paste=${this.paste}
+      />${
+        this.reason === null
+          ? nothing
+          : html`<span class="reason" id=${reasonId} role="alert">${this.reason}</span>`
+      }`;
+  }
+
+  private shown(): string {
+    if (!this.focused) return display(this.value);
+    return this.typed && Object.is(this.typed.value, this.value)
+      ? this.typed.text
+      : shortest(this.value);
+  }
+
+  private forget(): void {
+    this.text = null;
+    this.reason = null;
+  }
+
+  private enter(event: FocusEvent): void {
+    this.focused = true;
+    const input = event.target as HTMLInputElement;
+    void this.updateComplete.then(() => input.select());
+  }
+
+  private leave(): void {
+    this.focused = false;
+    if (this.reason === null) this.text = null;
+  }
+
+  private type(event: Event): void {
+    this.text = (event.target as HTMLInputElement).value;
+  }
+
+  private commit(): void {
+    const { text } = this;
+    if (text === null) return;
+    if (looksLikeTriple(text)) {
+      const triple = parseTriple(text);
+      if (triple.ok) this.sendTriple(triple.value);
+      else this.reason = triple.reason;
+      return;
+    }
+    const parsed = parseNumber(text);
+    this.reason = parsed.ok ? this.check(parsed.value) : parsed.reason;
+    if (!parsed.ok || this.reason !== null) return;
+    this.typed = { text: text.trim(), value: parsed.value };
+    this.text = null;
+    this.send(parsed.value);
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
+    if (event.key === 'Enter') this.commit();
+    if (event.key === 'Escape') this.forget();
+    // Left and right belong to the caret.
+    const change = /Left|Right/.test(event.key) ? null : keyStep(event, this.step);
+    if (change === null) return;
+    event.preventDefault();
+    const next = onStep(
+      this.value + change,
+      Math.abs(change) < this.step ? this.step / 10 : this.step,
+    );
+    this.reason = this.check(next);
+    if (this.reason === null) this.text = null;
+    if (this.reason === null) this.send(next);
+  }
+
+  private paste(event: ClipboardEvent): void {
+    const text = event.clipboardData?.getData('text') ?? '';
+    if (!looksLikeTriple(text)) return;
+    const triple = parseTriple(text);
+    if (!triple.ok) return;
+    event.preventDefault();
+    this.sendTriple(triple.value);
+  }
+
+  private sendTriple(triple: Triple): void {
+    this.forget();
+    this.dispatchEvent(new CustomEvent('graze-triple', { detail: triple, bubbles: true }));
+  }
+
+  private send(value: number): void {
+    this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
+  }
+}
+
+customElements.define('graze-number', GrazeNumberBox);

@@ -1,0 +1,92 @@
+import { html, LitElement } from 'lit';
+import { display } from '../text/format.ts';
+import { keyStep, onStep } from './step.ts';
+
+/**
+ * A native range input that may be told a value beyond its ends (it rests there), moves on a step without forcing
+ * a value onto it that was typed, and takes fine steps with Shift. Sends `graze-value` with the new number.
+ */
+export class GrazeSlider extends LitElement {
+  static override properties = {
+    value: { type: Number },
+    least: { type: Number },
+    most: { type: Number },
+    step: { type: Number },
+    label: { type: String },
+    symbol: { type: String },
+  };
+  declare value: number;
+  declare least: number;
+  declare most: number;
+  declare step: number;
+  declare label: string;
+  declare symbol: string;
+
+  constructor() {
+    super();
+    this.value = 0;
+    this.least = 0;
+    this.most = 1;
+    this.step = 0.1;
+    this.label = '';
+    this.symbol = '';
+  }
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected override render() {
+    return html`<input
+      type="range"
+      class="slider"
+      min=${this.least}
+      max=${this.most}
+      step="any"
+      .value=${String(this.value)}
+      aria-label=${this.label}
+      aria-valuetext=${display(this.value)}
+      data-symbol=${this.symbol}
+      @input=${this.slide}
+      @keydown=${this.key}
+    />`;
+  }
+
+  protected override updated(): void {
+    const input = this.querySelector('input');
+    const share = (x: number): string =>
+      `${(100 * (Math.min(Math.max(x, this.least), this.most) - this.least)) / (this.most - this.least)}%`;
+    const zero = share(0);
+    const here = share(this.value);
+    // By the style object, not an attribute: a strict content security policy forbids the latter.
+    input?.style.setProperty('--zero', zero);
+    input?.style.setProperty('--fill-from', this.value < 0 ? here : zero);
+    input?.style.setProperty('--fill-to', this.value < 0 ? zero : here);
+  }
+
+  private slide(event: Event): void {
+    const input = event.target as HTMLInputElement;
+    this.send(onStep(Number(input.value), this.step));
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
+    const change = keyStep(event, this.step);
+    if (change === null) return;
+    event.preventDefault();
+    const next = onStep(
+      this.value + change,
+      Math.abs(change) < this.step ? this.step / 10 : this.step,
+    );
+    this.send(Math.min(Math.max(next, this.least), this.most));
+  }
+
+  private send(value: number): void {
+    if (value === this.value) return;
+    this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
+    // A refused value leaves the thumb where the state is.
+    this.requestUpdate();
+  }
+}
+
+customElements.define('graze-slider', GrazeSlider);
