@@ -23,12 +23,12 @@ export function drawCaptions(
   layer: Layer,
   captions: readonly Caption[],
   obstacles: Obstacles,
-  turns: Map<string, number>,
+  places: Map<string, string>,
   theme: Theme,
   lit: string | null,
 ): Box[] {
   const wishes = captions.map((caption) => ({ ...caption, ...captionSize(caption, theme.label) }));
-  const boxes = placeLabels(wishes, obstacles, turns);
+  const boxes = placeLabels(wishes, obstacles, places);
   captions.forEach((caption, k) => {
     const box = boxes[k];
     if (box) write(layer, caption, box, theme, lit);

@@ -153,7 +153,7 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
     const letter = symbol.charAt(0);
     all.captions.push({
       ...{ key, symbol, letter, sub, tone: 'normal' },
-      ...{ x: to.x, y: to.y, clear: 5 * scale, angle },
+      ...{ x: to.x, y: to.y, clear: 6 * scale, angle },
     });
   }
 }

@@ -1,4 +1,4 @@
-import { Camera, type Matrix4, Scene, WebGLRenderer } from 'three';
+import { Camera, Color, type Matrix4, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
 import type { Lens } from './lens.ts';
 import { type Painter, RAY_NEARER, type Strokes } from './painter.ts';
 import { Ribbons } from './ribbons.ts';
@@ -22,6 +22,7 @@ export class GlPainter implements Painter {
   readonly #ray = new Ribbons(true);
   readonly #surface = new Surface();
   readonly #shape = new Ribbons(false);
+  readonly #clear = new Color();
   #size = '';
 
   /** Null without WebGL. Asked for here, since three writes an error to the console when it fails. */
@@ -36,7 +37,6 @@ export class GlPainter implements Painter {
 
   private constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: false });
-    this.#renderer.setClearColor(0x000000, 0);
     // What is added first is painted first; three would sort by depth.
     this.#renderer.sortObjects = false;
     this.#scene.matrixWorldAutoUpdate = false;
@@ -62,12 +62,14 @@ export class GlPainter implements Painter {
       for (const stroke of list) paint(stroke, lens, ribbons, nearer);
       ribbons.end();
     }
+    // Blending on the opaque ground keeps faint walls free of the steps that eight-bit premultiplied colours have.
+    this.#renderer.setClearColor(this.#clear.setRGB(...theme.scene, SRGBColorSpace), 1);
     this.#surface.look(lens, theme);
     const camera = this.#camera;
     camera.matrixWorldInverse.fromArray(lens.viewMatrix());
     camera.matrixWorld.copy(camera.matrixWorldInverse).invert();
     camera.projectionMatrix.fromArray(lens.projectionMatrix());
-    camera.projectionMatrixInverse.copy(camera.projectionMatrix as Matrix4).invert();
+    camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
     this.#renderer.render(this.#scene, camera);
   }
 

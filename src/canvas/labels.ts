@@ -31,46 +31,54 @@ export interface Obstacles {
 const TURNS = [0, 1, -1, 2, -2, 3, -3, 4] as const;
 const FRAME_MARGIN = 4;
 
+/** Farther from the mark, as a share of the label's size, when there is no room beside it. */
+const STEPS = [0, 0.6] as const;
+
 // Costs, all in square pixels of hidden label.
 const PER_TURN = 22;
+const PER_STEP = 70;
 const PER_SEGMENT_PIXEL = 7;
 const PER_PIXEL_OUTSIDE = 60;
 /** A label stays where it is until another place is clearly better, so that small moves do not make it jump. */
 const MOVE = 90;
 
 /**
- * Places labels one after the other at the best of eight positions around their marks. `turns` remembers the choice of
+ * Places labels one after the other at the best of eight positions around their marks, or a step away. `places` remembers the choice of
  * each label from frame to frame and is updated. The same wishes and memory give the same places.
  */
 export function placeLabels(
   wishes: readonly Wish[],
   { boxes, segments, width, height }: Obstacles,
-  turns: Map<string, number>,
+  places: Map<string, string>,
 ): Box[] {
   const taken = [...boxes];
   return wishes.map((wish) => {
-    let best = candidate(wish, 0);
-    let bestTurn = 0;
+    let best = candidate(wish, 0, 0);
+    let bestPlace = '';
     let least = Infinity;
-    for (const turn of TURNS) {
-      const box = candidate(wish, turn);
-      let cost = Math.abs(turn) * PER_TURN + PER_PIXEL_OUTSIDE * outside(box, width, height);
-      if (turns.has(wish.key) && turns.get(wish.key) !== turn) cost += MOVE;
-      for (const other of taken) cost += overlap(box, other);
-      for (const segment of segments) cost += PER_SEGMENT_PIXEL * lengthInside(segment, box);
-      if (cost < least) [best, bestTurn, least] = [box, turn, cost];
+    for (const step of STEPS) {
+      for (const turn of TURNS) {
+        const box = candidate(wish, turn, step);
+        const place = `${turn} ${step}`;
+        let cost = Math.abs(turn) * PER_TURN + step * PER_STEP;
+        cost += PER_PIXEL_OUTSIDE * outside(box, width, height);
+        if (places.has(wish.key) && places.get(wish.key) !== place) cost += MOVE;
+        for (const other of taken) cost += overlap(box, other);
+        for (const segment of segments) cost += PER_SEGMENT_PIXEL * lengthInside(segment, box);
+        if (cost < least) [best, bestPlace, least] = [box, place, cost];
+      }
     }
-    turns.set(wish.key, bestTurn);
+    places.set(wish.key, bestPlace);
     taken.push(best);
     return best;
   });
 }
 
 /** Touching the circle around the mark, in the given direction. */
-function candidate({ x, y, clear, angle, w, h }: Wish, turn: number): Box {
+function candidate({ x, y, clear, angle, w, h }: Wish, turn: number, step: number): Box {
   const a = angle + (turn * Math.PI) / 4;
   const [c, s] = [Math.cos(a), Math.sin(a)];
-  const reach = clear + (Math.abs(c) * w + Math.abs(s) * h) / 2;
+  const reach = clear + step * h + (Math.abs(c) * w + Math.abs(s) * h) / 2;
   return { x: x + reach * c, y: y + reach * s, w, h };
 }
 

@@ -4,7 +4,7 @@ import { along, dot, type Point } from './space.ts';
 
 const FOV = 24;
 /** Distance of the camera, in stage radii, at zoom 1: the look of the comps, where the stage fills the frame's width. */
-const DISTANCE = 2.78;
+const DISTANCE = 2.9;
 /** In a frame narrower than this the width decides, not the height. */
 const WIDEST_TALL = 1.6;
 

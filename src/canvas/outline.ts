@@ -8,7 +8,7 @@ const SIDE_STEPS = 32;
 const HAIRLINE = 1;
 const RING_ALPHA = 0.38;
 const AXIS = { width: 1.2, alpha: 0.62, dash: [11, 4] as Dash };
-const GOES_ON_ALPHA = 0.75;
+const GOES_ON_ALPHA = 0.7;
 
 /** How each end of a patch is drawn; a point and a seam need no line. */
 const ENDS: Partial<Record<PatchEnd, { width: number; alpha: number; dash: Dash | null }>> = {

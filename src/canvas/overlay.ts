@@ -19,7 +19,7 @@ export class Overlay {
   readonly #marks: Layer;
   readonly #captions: Layer;
   /** Where each label stood last, so that it stays there. */
-  readonly #turns = new Map<string, number>();
+  readonly #places = new Map<string, string>();
 
   constructor(svg: Element) {
     this.#axes = new Layer(svg, 'scene-axes');
@@ -39,7 +39,7 @@ export class Overlay {
   ): void {
     const { scale } = theme;
     const { marks, arrows, captions, pointers } = figures(model, space, lens, scale);
-    drawAxes(this.#axes, lens, scale, theme.label * 0.9);
+    drawAxes(this.#axes, lens, scale, theme.label * 0.8);
     drawArrows(this.#arrows, arrows, scale, lit);
     drawMarks(this.#marks, marks, scale, lit);
     const boxes: Box[] = marks.map(({ spot, kind }) => {
@@ -54,7 +54,7 @@ export class Overlay {
     this.#captions.begin();
     boxes.push(...drawPointers(this.#captions, pointers, theme, lit));
     const obstacles = { boxes, segments, width: lens.width, height: lens.height };
-    boxes.push(...drawCaptions(this.#captions, captions, obstacles, this.#turns, theme, lit));
+    boxes.push(...drawCaptions(this.#captions, captions, obstacles, this.#places, theme, lit));
     this.#captions.end();
     drawTicks(this.#ticks, model, space, lens, theme, boxes);
   }

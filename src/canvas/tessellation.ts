@@ -11,8 +11,8 @@ const MOST_ALONG = 72;
 
 /** Over which part of v (or u) a surface fades towards an end that goes on, and what is left of it there. */
 const FADE_LENGTH = 0.72;
-const FADE_SIDES = 0.34;
-const FADE_REST = 0.05;
+const FADE_SIDES = 0.26;
+const FADE_REST = 0.06;
 /** Lines fade less and later: the outline shall be read to its end. */
 const LINE_FADE_LENGTH = 0.3;
 const LINE_FADE_REST = 0.55;

@@ -6,6 +6,8 @@ export type Rgb = readonly [number, number, number];
 /** What the GPU needs to know of src/ui/tokens.css. */
 export interface Theme {
   readonly inks: Readonly<Record<Ink, Rgb>>;
+  /** The ground that everything is painted on. */
+  readonly scene: Rgb;
   /** Surface opacity facing the eye, and at the silhouette. */
   readonly back: { readonly base: number; readonly rim: number };
   readonly front: { readonly base: number; readonly rim: number };
@@ -26,8 +28,10 @@ export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
   const text = (name: string) => style.getPropertyValue(name).trim();
   const number = (name: string, otherwise: number) => Number.parseFloat(text(name)) || otherwise;
-  const walls = luminance(rgb(text('--scene'))) > 0.5 ? WALLS_BY_DAY : WALLS_BY_NIGHT;
+  const scene = rgb(text('--scene'));
+  const walls = luminance(scene) > 0.5 ? WALLS_BY_DAY : WALLS_BY_NIGHT;
   return {
+    scene,
     inks: {
       shape: rgb(text('--shape')),
       d: rgb(text('--d')),

@@ -50,10 +50,11 @@ export function readout({ bead: { t, f, point } }: StripModel, frame: Frame): Te
       ? html`<span data-quantity="bead.${name}" data-value=${shortest(value)}>${display(value, precision)}</span>`
       : html`–`;
   if (!Number.isFinite(t)) return html``;
+  const at = frame.narrow ? '' : `(${display(t)})`;
   const [x, y, z] = point;
-  return html`<p class="strip-readout" style="left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px" title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
+  return html`<p class="strip-readout ${frame.narrow ? 'strip-narrow' : ''}" .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`} title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
     <span class="strip-key"></span>
     <span class="strip-value"><i>𝑓</i>(${part('t', t)}) = ${part('f', f)}</span>
-    <span><i>𝑅</i>(${display(t, digits)}) = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part('z', z, digits)})</span>
+    <span><i>𝑅</i>${at} = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part('z', z, digits)})</span>
   </p>`;
 }

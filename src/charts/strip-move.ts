@@ -38,34 +38,31 @@ export function keyTarget(event: KeyboardEvent, { model }: Shown): number | null
 
 /** Pointer handlers for the plot: press or drag moves the bead. `shown` gives what is on screen now. */
 export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
-  /** Between bead and pointer, so that the bead does not jump when it is grabbed; `waits` until a finger goes sideways. */
-  let drag: { offset: number; startX: number; waits: boolean } | null = null;
-  const move = (clientX: number, svg: Element) => {
+  let drag: Drag | null = null;
+  const move = (event: PointerEvent) => {
     const now = shown();
     if (now === null || drag === null) return;
-    const t = beadAt(clientX - svg.getBoundingClientRect().left + drag.offset, now);
+    const t = beadAt(pointerX(event) + drag.offset, now);
     if (t !== now.model.bead.t) dispatch({ type: 'bead', t });
   };
   return {
-    down(event: PointerEvent, svg: Element) {
+    down(event: PointerEvent) {
       const now = shown();
       if (now === null || !event.isPrimary || event.button !== 0) return;
-      const offset = grabOffset(event, svg, now);
-      const waits = event.pointerType === 'touch' && offset === null;
-      drag = { offset: offset ?? 0, startX: event.clientX, waits };
-      svg.setPointerCapture(event.pointerId);
-      if (!waits) move(event.clientX, svg);
+      drag = startOf(event, now);
+      picture(event)?.setPointerCapture(event.pointerId);
+      if (!drag.waits) move(event);
     },
-    move(event: PointerEvent, svg: Element) {
+    move(event: PointerEvent) {
       if (drag?.waits && Math.abs(event.clientX - drag.startX) > SIDEWAYS) drag.waits = false;
-      if (drag && !drag.waits) move(event.clientX, svg);
+      if (drag && !drag.waits) move(event);
     },
-    up(event: PointerEvent, svg: Element) {
+    up(event: PointerEvent) {
       if (drag === null) return;
-      if (drag.waits) move(event.clientX, svg);
+      if (drag.waits) move(event);
       drag = null;
       // The arrows go on from where the pointer has put it.
-      svg.querySelector<SVGElement>('.strip-bead')?.focus({ preventScroll: true });
+      picture(event)?.querySelector<SVGElement>('.strip-bead')?.focus({ preventScroll: true });
     },
     cancel() {
       drag = null;
@@ -73,12 +70,36 @@ export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
   };
 }
 
-function grabOffset(event: PointerEvent, svg: Element, { model, scales }: Shown): number | null {
+interface Drag {
+  /** From the pointer to the bead, so that the bead does not jump when it is grabbed. */
+  readonly offset: number;
+  readonly startX: number;
+  /** A finger beside the bead may be about to scroll: nothing moves until it goes sideways or is lifted. */
+  waits: boolean;
+}
+
+function startOf(event: PointerEvent, now: Shown): Drag {
+  const offset = grabOffset(event, now);
+  const waits = event.pointerType === 'touch' && offset === null;
+  return { offset: offset ?? 0, startX: event.clientX, waits };
+}
+
+/** Null when the pointer is not on the bead. */
+function grabOffset(event: PointerEvent, { model, scales }: Shown): number | null {
   const onBead = event.target instanceof Element && event.target.closest('.strip-bead') !== null;
   const x = clamp(scales.x(model.bead.t), scales.frame.left, scales.frame.right);
-  const offset = x - (event.clientX - svg.getBoundingClientRect().left);
+  const offset = x - pointerX(event);
   const reach = event.pointerType === 'touch' ? GRAB.touch : GRAB.mouse;
   return onBead && Math.abs(offset) <= reach ? offset : null;
+}
+
+/** The element that listens: the picture of the strip. */
+function picture(event: PointerEvent): Element | null {
+  return event.currentTarget instanceof Element ? event.currentTarget : null;
+}
+
+function pointerX(event: PointerEvent): number {
+  return event.clientX - (picture(event)?.getBoundingClientRect().left ?? 0);
 }
 
 function beadAt(px: number, { model: { from, to }, scales }: Shown): number {

@@ -1,7 +1,9 @@
 import { html, render } from 'lit';
 import { mountStrip } from '../charts/strip.ts';
 import { algebra } from '../panels/algebra.ts';
-import { controls, shapePicker } from '../panels/controls.ts';
+import { compactControls, equations } from '../panels/compact-controls.ts';
+import { controls } from '../panels/controls.ts';
+import { shapePicker } from '../panels/shape-picker.ts';
 import type { Dispatch } from '../state/actions.ts';
 import { createDerive } from '../state/derive.ts';
 import type { SceneModel } from '../state/scene-model.ts';
@@ -9,31 +11,57 @@ import type { AppState } from '../state/state.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import './explore.css';
 
+const KEPT_MEASURES = 200;
+
 /** Scene and graph on the left, parameters and algebra on the right. The scene comes when it has been loaded. */
 export function mountExplore(host: HTMLElement, dispatch: Dispatch): Mounted<AppState> {
   const derive = createDerive();
   host.classList.add('explore');
   host.innerHTML = '';
+  const picker = section(host, 'picker-area');
   const scene = section(host, 'scene-area');
   const graph = section(host, 'strip-area');
   const panel = section(host, 'panel-area');
   const strip = mountStrip(graph, dispatch);
   const late = lateScene(scene, dispatch);
-  return {
+  const narrow = matchMedia('(max-width: 559px)');
+  let latest: AppState | null = null;
+  const relayout = (): void => {
+    if (latest) mounted.render(latest);
+  };
+  narrow.addEventListener('change', relayout);
+  const mounted: Mounted<AppState> = {
     render(state) {
+      latest = state;
+      const begun = performance.now();
       const model = derive(state);
+      render(shapePicker(model, dispatch), picker);
+      const card = algebra(model, dispatch);
       render(
-        html`${shapePicker(model, dispatch)}${controls(model, dispatch)}${algebra(model, dispatch)}`,
+        narrow.matches
+          ? html`${equations(model, dispatch)}${card}${compactControls(model, dispatch, relayout)}`
+          : html`${card}${controls(model, dispatch)}`,
         panel,
       );
       strip.render(model.strip);
+      const drawn = performance.now();
       late.render(model.scene);
+      measure('graze step', begun, drawn);
+      measure('graze scene', drawn, performance.now());
     },
     dispose() {
+      narrow.removeEventListener('change', relayout);
       strip.dispose();
       late.dispose();
     },
   };
+  return mounted;
+}
+
+/** For the bench and the browser's own profiler; only the latest are kept. */
+function measure(name: string, start: number, end: number): void {
+  if (performance.getEntriesByName(name).length >= KEPT_MEASURES) performance.clearMeasures(name);
+  performance.measure(name, { start, end });
 }
 
 function section(host: HTMLElement, className: string): HTMLElement {

@@ -22,7 +22,9 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">${derivation.steps.map((step) => stepLine(step, derivation))}
-      ${derivation.conditions.map((c) => conditionLine(c, derivation))}
+      <div class="conditions" data-count=${derivation.conditions.length}>
+        ${derivation.conditions.map((c) => conditionLine(c, derivation))}
+      </div>
     </div>
     ${verdict(model)}
     ${hitTable(model)}
@@ -32,7 +34,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
 function methodPicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResult {
   const pick = (event: Event) =>
     dispatch({ type: 'method', id: (event.target as HTMLSelectElement).value });
-  return html`<label class="method">computed by
+  return html`<label class="method">by
     <select @change=${pick} .value=${state.method}>
       ${METHODS.map(
         ({ id, title, idea }) =>

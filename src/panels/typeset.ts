@@ -93,7 +93,7 @@ function set(expr: Expr, leaves: Leaves): Piece {
       );
     case 'norm':
       return piece(
-        mathml`<mo fence="true" stretchy="false">|</mo>${leaves.vector(expr.of).m}<mo fence="true" stretchy="false">|</mo>`,
+        mathml`<mo form="prefix" stretchy="false">|</mo>${leaves.vector(expr.of).m}<mo form="postfix" stretchy="false">|</mo>`,
         4,
       );
   }
@@ -121,7 +121,9 @@ function sum(expr: Extract<Expr, { op: 'sum' }>, leaves: Leaves): Piece {
 function product(factors: readonly Expr[], leaves: Leaves): Piece {
   const pieces = factors.map((factor) => set(factor, leaves));
   const parts = pieces.map((p, i) => {
-    const bare = p.rank >= 3 || (i === 0 && p.rank === 2);
+    // N·d t would read as N·(d t).
+    const loose = p.rank < 2 || factors[i]?.op === 'dot';
+    const bare = p.rank >= 3 || (i === 0 && !loose);
     const dot = i > 0 && bare && p.starts === 'numeral';
     return mathml`${dot ? mathml`<mo>·</mo>` : nothing}${bare ? p.m : parens(p.m)}`;
   });

@@ -1,8 +1,15 @@
 import { html, type TemplateResult } from 'lit';
 import { display, displayAll, shortest } from '../text/format.ts';
 
-/** A computed number on the page: shown in six digits, carried in full by data-value; a click shows every digit. */
-export function value(quantity: string, x: number, digits = 6): TemplateResult {
+/**
+ * A computed number on the page: shown in six digits, carried in full by data-value; a click shows every digit.
+ * `room` is the number of characters there is space for; six digits become fewer rather than run into a neighbour.
+ */
+export function value(
+  quantity: string,
+  x: number,
+  room = Number.POSITIVE_INFINITY,
+): TemplateResult {
   return html`<button
     type="button"
     class="value"
@@ -10,10 +17,19 @@ export function value(quantity: string, x: number, digits = 6): TemplateResult {
     data-value=${shortest(x)}
     title=${`${displayAll(x)} (click for all digits)`}
     @click=${toggleDigits}
-  ><span class="short">${display(x, digits)}</span><span class="long">${displayAll(x)}</span></button>`;
+  ><span class="short">${displayWithin(x, room)}</span><span class="long">${displayAll(x)}</span></button>`;
 }
 
 /** Which digits are shown is the page's own affair and dies with it. */
 function toggleDigits(event: Event): void {
   (event.currentTarget as HTMLElement).classList.toggle('all');
+}
+
+/** Six significant digits, or as many as fit; never fewer than two. */
+export function displayWithin(x: number, room: number): string {
+  for (let digits = 6; digits > 2; digits--) {
+    const text = display(x, digits);
+    if (text.length <= room) return text;
+  }
+  return display(x, 2);
 }

@@ -36,7 +36,7 @@ function remember<Args extends readonly unknown[], R>(
 ): (...args: Args) => R {
   let last: { args: Args; result: R } | null = null;
   return (...args) => {
-    if (last && last.args.every((arg, i) => Object.is(arg, args[i]))) return last.result;
+    if (last?.args.every((arg, i) => Object.is(arg, args[i]))) return last.result;
     last = { args, result: f(...args) };
     return last.result;
   };

@@ -1,7 +1,7 @@
 import { nextDown, nextUp } from '../float/ulp.ts';
 import { toNumber } from './round.ts';
 import type { Surd } from './surd.ts';
-import { compare, fromNumber, sign } from './surd.ts';
+import { compare, fromNumber } from './surd.ts';
 
 /**
  * The doubles around a, lower first; twice the same if a is a double. Beyond the doubles one of
@@ -11,7 +11,7 @@ export function bracket(a: Surd): readonly [number, number] {
   const near = toNumber(a);
   if (near === Infinity) return [Number.MAX_VALUE, Infinity];
   if (near === -Infinity) return [-Infinity, -Number.MAX_VALUE];
-  const side = near === 0 ? sign(a) : compare(a, fromNumber(near));
+  const side = compare(a, fromNumber(near));
   if (side === 0) return [near, near];
   return side > 0 ? [near, nextUp(near)] : [nextDown(near), near];
 }

@@ -1,3 +1,4 @@
+import type { Kernel } from '../batch/batch.ts';
 import type { Coefficients, Intersection, QuadraticAnswer } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
@@ -14,4 +15,6 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
+  /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
+  batch?(shape: Shape): Kernel;
 }

@@ -42,7 +42,7 @@ export const cone: ShapeDefinition<Cone> = {
   formula: () => formula,
   values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
   meaning: ({ slope }) =>
-    slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |c h|',
+    slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
   draw: ({ vertex, slope }, stage) =>
     drawRevolution({ center: vertex, a: slope * slope, rho: 0 }, 'V', stage),

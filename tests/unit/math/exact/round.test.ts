@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import type { Dyadic } from '../../../src/math/exact/dyadic.ts';
-import * as dy from '../../../src/math/exact/dyadic.ts';
-import { bracket, isFaithful } from '../../../src/math/exact/faithful.ts';
-import * as surd from '../../../src/math/exact/surd.ts';
-import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
+import type { Dyadic } from '../../../../src/math/exact/dyadic.ts';
+import * as dy from '../../../../src/math/exact/dyadic.ts';
+import { bracket, isFaithful } from '../../../../src/math/exact/faithful.ts';
+import * as surd from '../../../../src/math/exact/surd.ts';
+import { nextDown, nextUp } from '../../../../src/math/float/ulp.ts';
 
 const MIN = Number.MIN_VALUE;
 const MAX = Number.MAX_VALUE;
@@ -93,6 +93,15 @@ describe('the ends of the doubles', () => {
     same(surd.toNumber(root2(1024)), Infinity);
     same(surd.toNumber(root2(9000)), Infinity);
   });
+});
+
+test('a quotient next to a midpoint, and at it', () => {
+  const half = dy.mul(d(3), dy.add(d(1), power(-53)));
+  for (const bits of [62, 64, 100, 900]) {
+    same(surd.toNumber(surd.ratio(dy.add(half, power(-bits)), d(3))), 1 + 2 ** -52);
+    same(surd.toNumber(surd.ratio(dy.sub(half, power(-bits)), d(-3))), -1);
+  }
+  same(surd.toNumber(surd.ratio(half, d(3))), 1);
 });
 
 describe('√D is a whole number longer than the bits that are kept of it', () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { decompose, exponentOf, powerOfTwo, scale } from '../../../src/math/float/bits.ts';
-import { seeded, wide } from '../../../src/math/rng.ts';
+import { decompose, exponentOf, powerOfTwo, scale } from '../../../../src/math/float/bits.ts';
+import { seeded, wide } from '../../../../src/math/rng.ts';
 
 const MIN = Number.MIN_VALUE;
 const MAX = Number.MAX_VALUE;

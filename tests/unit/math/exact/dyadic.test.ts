@@ -1,9 +1,9 @@
 import { Decimal } from 'decimal.js';
 import { describe, expect, test } from 'vitest';
-import type { Dyadic } from '../../../src/math/exact/dyadic.ts';
-import * as dy from '../../../src/math/exact/dyadic.ts';
-import { nextUp } from '../../../src/math/float/ulp.ts';
-import { integer, pick, seeded, wide } from '../../../src/math/rng.ts';
+import type { Dyadic } from '../../../../src/math/exact/dyadic.ts';
+import * as dy from '../../../../src/math/exact/dyadic.ts';
+import { nextUp } from '../../../../src/math/float/ulp.ts';
+import { integer, pick, seeded, wide } from '../../../../src/math/rng.ts';
 
 const MIN = Number.MIN_VALUE;
 const MAX = Number.MAX_VALUE;
@@ -88,6 +88,11 @@ describe('toNumber', () => {
     same(dy.toNumber({ m: 0n, e: 99999 }), 0);
   });
 
+  test('1024 ones round up, where Number() alone overflows', () => {
+    same(dy.toNumber({ m: (1n << 1024n) - 1n, e: -100 }), 2 ** 924);
+    same(dy.toNumber({ m: 1n - (1n << 1024n), e: 0 }), -Infinity);
+  });
+
   test('of a double is that double, 20000 of every exponent (seed 6)', () => {
     const random = seeded(6);
     for (let i = 0; i < 20000; i++) {
@@ -107,9 +112,10 @@ describe('toNumber', () => {
   });
 });
 
-// Ties above have at most 850 digits; a hair is 2^-1060 of its number, 320 digits down.
-const Digits = Decimal.clone({ precision: 1000, toExpNeg: -9e15, toExpPos: 9e15 });
-const decimal = ({ m, e }: Dyadic) => new Digits(m.toString()).mul(new Digits(2).pow(e));
+const Digits = Decimal.clone({ precision: 3000, toExpNeg: -9e15, toExpPos: 9e15 });
+/** Exactly: 2^-k = 5^k/10^k. */
+const decimal = ({ m, e }: Dyadic) =>
+  new Digits(e < 0 ? `${m * 5n ** BigInt(-e)}e${e}` : `${m << BigInt(e)}`);
 
 /** A double, half a step of some size, and often something far smaller. */
 function nearTie(random: () => number): Dyadic {

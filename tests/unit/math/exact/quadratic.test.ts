@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { fromNumber } from '../../../src/math/exact/dyadic.ts';
-import { roundedRoots, solveExact } from '../../../src/math/exact/quadratic.ts';
-import * as surd from '../../../src/math/exact/surd.ts';
-import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
-import { seeded, wide } from '../../../src/math/rng.ts';
+import { fromNumber } from '../../../../src/math/exact/dyadic.ts';
+import { roundedRoots, solveExact } from '../../../../src/math/exact/quadratic.ts';
+import * as surd from '../../../../src/math/exact/surd.ts';
+import { nextDown, nextUp } from '../../../../src/math/float/ulp.ts';
+import { seeded, wide } from '../../../../src/math/rng.ts';
 
 const solve = (A: number, B: number, C: number) =>
   solveExact(fromNumber(A), fromNumber(B), fromNumber(C));
@@ -88,7 +88,7 @@ interface Case {
   class: string;
   roots: (number | string)[];
 }
-const url = new URL('../../vectors/quadratics.json', import.meta.url);
+const url = new URL('../../../vectors/quadratics.json', import.meta.url);
 const cases: Case[] = JSON.parse(readFileSync(url, 'utf8'));
 
 describe(`${cases.length} published triples, bit for bit`, () => {

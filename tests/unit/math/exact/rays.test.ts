@@ -1,11 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { exact } from '../../../src/math/arithmetic/exact.ts';
-import type { Dyadic } from '../../../src/math/exact/dyadic.ts';
-import { bracket } from '../../../src/math/exact/faithful.ts';
-import { roundedRoots, solveExact } from '../../../src/math/exact/quadratic.ts';
-import type { Surd } from '../../../src/math/exact/surd.ts';
-import * as surd from '../../../src/math/exact/surd.ts';
+import { exact } from '../../../../src/math/arithmetic/exact.ts';
+import type { Dyadic } from '../../../../src/math/exact/dyadic.ts';
+import { bracket } from '../../../../src/math/exact/faithful.ts';
+import { roundedRoots, solveExact } from '../../../../src/math/exact/quadratic.ts';
+import type { Surd } from '../../../../src/math/exact/surd.ts';
+import * as surd from '../../../../src/math/exact/surd.ts';
 
 /*
  * The curved cases, with the course's formulas written out once more: this tests the arithmetic (a
@@ -32,7 +32,7 @@ interface Case {
     singular: boolean[];
   };
 }
-const url = new URL('../../vectors/rays.jsonl', import.meta.url);
+const url = new URL('../../../vectors/rays.jsonl', import.meta.url);
 const curved = readFileSync(url, 'utf8')
   .trim()
   .split('\n')

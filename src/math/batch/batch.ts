@@ -1,0 +1,126 @@
+import type { Verdict } from '../intersection.ts';
+import type { Ray } from '../ray.ts';
+
+/**
+ * The batch form of a method: rays as a structure of arrays in, numbers out, nothing allocated per ray. Every rung
+ * implements Kernel with loops of its own: a loop shared between methods through a callback is fast for the first one
+ * that it inlines and slow for all as soon as there is a second.
+ */
+export interface Rays {
+  /** Rays 0 … count − 1 are asked about; the arrays may be longer. */
+  count: number;
+  readonly Ex: Float64Array;
+  readonly Ey: Float64Array;
+  readonly Ez: Float64Array;
+  readonly dx: Float64Array;
+  readonly dy: Float64Array;
+  readonly dz: Float64Array;
+}
+
+/**
+ * What a kernel writes. A byte or a branch for the class costs more on random rays than the arithmetic, so the class is
+ * read from the numbers, and the few rays for which these do not tell it are listed aside, in any order, each once.
+ */
+export interface Answers {
+  /** `both`, `first`: the roots, ascending; NaN where there is none. */
+  readonly t0: Float64Array;
+  readonly t1: Float64Array;
+  /** `classes`: ≥ 0 where the line meets the shape, negative where it does not; any number, NaN too, if the ray is listed. */
+  readonly margin: Float64Array;
+  /** The listed rays: rareIndex[k] has the class VERDICTS[rareVerdict[k]], for k < rareCount. */
+  rareCount: number;
+  readonly rareIndex: Int32Array;
+  readonly rareVerdict: Uint8Array;
+}
+
+/** A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the answers. */
+export interface Kernel {
+  /** The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a flat one. */
+  readonly met: 'two' | 'one';
+  /** "Is it hit?" for the whole line. Fills margin; lists every ray whose class is neither `met` nor 'none'. */
+  classes(rays: Rays, out: Answers): void;
+  /**
+   * The smallest root in [tMin, tMax], as the method rounds its roots, in t0; NaN if there is none. Lists 'contained' and
+   * 'undecided' (both with NaN); whether a root is a tangent's is not asked.
+   */
+  first(rays: Rays, tMin: number, tMax: number, out: Answers): void;
+  /**
+   * t0 ≤ t1: 'two'. t0 alone: 'one', or 'tangent' if it is listed so. Neither: 'none', or 'contained' or 'undecided' if
+   * it is listed so.
+   */
+  both(rays: Rays, out: Answers): void;
+}
+
+export const VERDICTS = [
+  'none',
+  'one',
+  'two',
+  'tangent',
+  'contained',
+  'undecided',
+] as const satisfies readonly Verdict[];
+export const NONE = 0;
+export const ONE = 1;
+export const TWO = 2;
+export const TANGENT = 3;
+export const CONTAINED = 4;
+export const UNDECIDED = 5;
+
+export function createRays(capacity: number): Rays {
+  const array = (): Float64Array => new Float64Array(capacity);
+  return { count: 0, Ex: array(), Ey: array(), Ez: array(), dx: array(), dy: array(), dz: array() };
+}
+
+/** The same rays as a structure of arrays. */
+export function packRays(list: readonly Ray[]): Rays {
+  const rays = createRays(list.length);
+  rays.count = list.length;
+  list.forEach(({ origin, direction }, i) => {
+    [rays.Ex[i], rays.Ey[i], rays.Ez[i]] = origin;
+    [rays.dx[i], rays.dy[i], rays.dz[i]] = direction;
+  });
+  return rays;
+}
+
+export function createAnswers(capacity: number): Answers {
+  return {
+    t0: new Float64Array(capacity),
+    t1: new Float64Array(capacity),
+    margin: new Float64Array(capacity),
+    rareCount: 0,
+    rareIndex: new Int32Array(capacity),
+    rareVerdict: new Uint8Array(capacity),
+  };
+}
+
+/** For kernels: puts ray i on the list. */
+export function list(out: Answers, i: number, verdict: number): void {
+  out.rareIndex[out.rareCount] = i;
+  out.rareVerdict[out.rareCount] = verdict;
+  out.rareCount += 1;
+}
+
+/** The verdicts of the first `count` rays after `classes`. */
+export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one'): Verdict[] {
+  const found = Array.from(
+    { length: count },
+    (_, i): Verdict => ((out.margin[i] as number) >= 0 ? met : 'none'),
+  );
+  return withListed(found, out);
+}
+
+/** The verdicts of the first `count` rays after `both`. */
+export function verdictsOfRoots(out: Answers, count: number): Verdict[] {
+  const found = Array.from({ length: count }, (_, i): Verdict => {
+    if (!Number.isNaN(out.t1[i])) return 'two';
+    return Number.isNaN(out.t0[i]) ? 'none' : 'one';
+  });
+  return withListed(found, out);
+}
+
+function withListed(found: Verdict[], out: Answers): Verdict[] {
+  for (let k = 0; k < out.rareCount; k++) {
+    found[out.rareIndex[k] as number] = VERDICTS[out.rareVerdict[k] as number] as Verdict;
+  }
+  return found;
+}

@@ -1,0 +1,133 @@
+import { html, type TemplateResult } from 'lit';
+import { InvalidInput } from '../math/invalid-input.ts';
+import {
+  type AxisParam,
+  checkParam,
+  type NumberParam,
+  type Param,
+  type VectorParam,
+} from '../math/shapes/params.ts';
+import { AXES, type Vec3 } from '../math/vec3.ts';
+import '../ui/number-box.ts';
+import '../ui/slider.ts';
+import { symbol } from './formula.ts';
+import type { Handle } from './params-of.ts';
+import { classOf } from './symbols.ts';
+import './param-rows.css';
+
+/** Why a value is not allowed for a parameter, in the math module's own words; null if it is. */
+function refusal(param: Param, candidate: unknown): string | null {
+  try {
+    checkParam(param, candidate);
+    return null;
+  } catch (error) {
+    if (error instanceof InvalidInput) return error.message;
+    throw error;
+  }
+}
+
+/** The row of one parameter, whatever its sort. */
+export function paramRow(handle: Handle): TemplateResult {
+  const { param } = handle;
+  if (param.type === 'vector') return vectorRow(handle, param);
+  return param.type === 'number' ? numberCell(handle, param) : axisCell(handle, param);
+}
+
+function vectorRow({ value, send, reset, quantities }: Handle, param: VectorParam): TemplateResult {
+  const current = value as Vec3;
+  const { symbol: letter, title, range, step, initial } = param;
+  const cls = classOf(letter, 'vector');
+  const triple = (event: CustomEvent<Vec3>): void => {
+    if (refusal(param, event.detail) === null) send(event.detail);
+  };
+  return html`<div class="param ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-triple=${triple}>
+    <span class="letter">${symbol(letter, null, cls, letter)}</span>
+    ${AXES.map((axis, i) => {
+      const put = (x: number): Vec3 =>
+        current.map((old, k) => (k === i ? x : old)) as unknown as Vec3;
+      const label = `${letter}.${axis}`;
+      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send(put(e.detail))}>
+        <span class="axis" aria-hidden="true">${axis}</span>
+        <graze-number
+          id=${`box-${label}`}
+          .value=${current[i] ?? 0}
+          .step=${step}
+          .label=${label}
+          .symbol=${label}
+          .quantity=${quantities ? label : ''}
+          .check=${(x: number) => refusal(param, put(x))}
+        ></graze-number>
+        <graze-slider
+          .value=${current[i] ?? 0}
+          .least=${range[0]}
+          .most=${range[1]}
+          .step=${step}
+          .label=${`${label}, slider`}
+          .symbol=${label}
+        ></graze-slider>
+      </span>`;
+    })}
+    ${resetButton(letter, equal(current, initial), reset)}
+  </div>`;
+}
+
+function numberCell({ value, send: put, reset }: Handle, param: NumberParam): TemplateResult {
+  const current = value as number;
+  const { symbol: letter, title, range, step, initial } = param;
+  const cls = classOf(letter, 'scalar');
+  const send = (event: CustomEvent<number>): void => put(event.detail);
+  return html`<div class="param single ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-value=${send}>
+    <span class="letter">${symbol(letter, null, cls, letter)}</span>
+    <span class="cell">
+      <graze-number
+        id=${`box-${letter}`}
+        .value=${current}
+        .step=${step}
+        .label=${`${letter}, ${title}`}
+        .symbol=${letter}
+        .quantity=${letter}
+        .check=${(x: number) => refusal(param, x)}
+      ></graze-number>
+      <graze-slider
+        .value=${current}
+        .least=${range[0]}
+        .most=${range[1]}
+        .step=${step}
+        .label=${`${letter}, slider`}
+        .symbol=${letter}
+      ></graze-slider>
+    </span>
+    ${resetButton(letter, current === initial, reset)}
+  </div>`;
+}
+
+function axisCell({ value, send, reset }: Handle, { title, initial }: AxisParam): TemplateResult {
+  const current = String(value);
+  return html`<div class="param single axis-param" role="group" aria-label=${title}>
+    <span class="axis-title">normal along</span>
+    <span class="choices" data-quantity="axis" data-value=${current}>${AXES.map(
+      (axis) => html`<button
+        type="button"
+        class="choice"
+        aria-pressed=${axis === current}
+        @click=${() => send(axis)}
+      >${axis}</button>`,
+    )}</span>
+    ${resetButton('axis', current === initial, reset)}
+  </div>`;
+}
+
+function equal(a: Vec3, b: Vec3): boolean {
+  return a.every((x, i) => Object.is(x, b[i]));
+}
+
+function resetButton(letter: string, resting: boolean, reset: () => void): TemplateResult {
+  return html`<button
+    type="button"
+    class="reset"
+    aria-label=${`Reset ${letter}`}
+    title=${`Reset ${letter}`}
+    aria-disabled=${resting}
+    @click=${reset}
+  ><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3.2 6.6A5 5 0 1 1 3.4 9.8M3 3.2v3.6h3.6" /></svg></button>`;
+}

@@ -1,0 +1,47 @@
+import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Param } from '../math/shapes/params.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Dispatch } from '../state/actions.ts';
+import type { ExploreModel } from '../state/derive.ts';
+import { paramValue, RAY_PARAMS } from '../state/state.ts';
+
+export type ParamValue = Vec3 | number | string;
+
+/** A parameter with its value now and the two things that can be done to it. */
+export interface Handle<P extends Param = Param> {
+  readonly param: P;
+  readonly value: ParamValue;
+  readonly send: (value: ParamValue) => void;
+  readonly reset: () => void;
+  /** Whether its boxes carry the quantity; with a unit d the kernel's own d is told elsewhere. */
+  readonly quantities: boolean;
+}
+
+export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle, Handle] {
+  return [
+    {
+      param: RAY_PARAMS.E,
+      value: state.E,
+      send: (value) => dispatch({ type: 'origin', value: value as Vec3 }),
+      reset: () => dispatch({ type: 'reset', what: 'E' }),
+      quantities: true,
+    },
+    {
+      param: RAY_PARAMS.d,
+      value: state.d,
+      send: (value) => dispatch({ type: 'direction', value: value as Vec3 }),
+      reset: () => dispatch({ type: 'reset', what: 'd' }),
+      quantities: !state.unit,
+    },
+  ];
+}
+
+export function shapeHandles({ shape }: ExploreModel, dispatch: Dispatch): Handle[] {
+  return definitionOf(shape).params.map((param) => ({
+    param,
+    value: paramValue(shape, param.key),
+    send: (value) => dispatch({ type: 'param', key: param.key, value }),
+    reset: () => dispatch({ type: 'reset', what: { param: param.key } }),
+    quantities: true,
+  }));
+}

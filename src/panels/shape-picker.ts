@@ -1,0 +1,19 @@
+import { html, type TemplateResult } from 'lit';
+import { SHAPES } from '../math/shapes/index.ts';
+import type { Dispatch } from '../state/actions.ts';
+import type { ExploreModel } from '../state/derive.ts';
+import './shape-picker.css';
+
+/** The row of shapes: picking one keeps the ray. */
+export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResult {
+  return html`<div class="shapes" role="group" aria-label="Shape">
+    ${SHAPES.map(
+      ({ kind, title, icon }) => html`<button
+        type="button"
+        class="shape-choice"
+        aria-pressed=${kind === state.kind}
+        @click=${() => dispatch({ type: 'shape', kind })}
+      ><svg viewBox="0 0 24 24" width="26" height="26" aria-hidden="true"><path d=${icon} /></svg><span>${title}</span></button>`,
+    )}
+  </div>`;
+}
