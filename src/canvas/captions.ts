@@ -9,7 +9,7 @@ const SVG = 'http://www.w3.org/2000/svg';
 const WIDE = 0.68;
 const NARROW = 0.5;
 const SUB = 0.36;
-const HIGH = 0.72;
+const HIGH = 0.82;
 
 type Symbolic = Pick<Caption, 'letter' | 'sub'>;
 

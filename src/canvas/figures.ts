@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { HitMark, SceneModel } from '../state/scene-model.ts';
 import type { Lens, Spot } from './lens.ts';
 import { type Arrow, CLEAR, type Mark } from './marks.ts';
-import { heading, isInside, type Pointer, pointerTo } from './offstage.ts';
+import { heading, isInside, type Pointer, pointerTo, visibleRay } from './offstage.ts';
 import { pointAt } from './ray.ts';
 import { along, type Space, unit } from './space.ts';
 
@@ -97,11 +97,10 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
       }
     }
     addEnd();
-    // Without a tip in the frame, d is named at the ray's far end.
-    const last = model.ray.segments.at(-1);
-    const end = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, space) : null;
-    const spot = tip ?? (end && lens.project(end));
-    if (!spot || !isInside(spot, lens)) return;
+    if (E) all.marks.push({ key: 'E', kind: 'E', symbols: ['E'], spot: E });
+    // Without a tip in the frame, d is named where the drawn ray ends or leaves it.
+    const spot = tip ?? visibleRay(model, space, lens)?.end;
+    if (!spot) return;
     const back = tip && course ? 9 * scale : 0;
     const [x, y] = course
       ? [spot.x - back * course[0], spot.y - back * course[1]]
@@ -111,7 +110,6 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
       ...{ key: 'd', symbol: 'd', letter: 'd', sub: '', tone: 'd' },
       ...{ x, y, clear: CLEAR.head * scale, angle },
     });
-    if (E) all.marks.push({ key: 'E', kind: 'E', symbols: ['E'], spot: E });
   }
 
   /** The arrow at the far end of what is drawn of the ray. */

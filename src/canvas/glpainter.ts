@@ -1,4 +1,4 @@
-import { Camera, Color, type Matrix4, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
+import { Camera, Color, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
 import type { Lens } from './lens.ts';
 import { type Painter, RAY_NEARER, type Strokes } from './painter.ts';
 import { Ribbons } from './ribbons.ts';
@@ -80,10 +80,11 @@ export class GlPainter implements Painter {
   }
 
   dispose(): void {
+    // Browsers allow few contexts at a time, and one that waits for the garbage collector counts. Given up first, it frees
+    // everything, and nothing is deleted twice after a loss.
+    this.#renderer.forceContextLoss();
     for (const part of [this.#ground, this.#ray, this.#surface, this.#shape]) part.dispose();
     this.#renderer.dispose();
-    // Browsers allow few contexts at a time; one that waits for the garbage collector counts.
-    this.#renderer.forceContextLoss();
   }
 
   #resize(width: number, height: number, ratio: number): void {

@@ -35,12 +35,12 @@ const FRAME_MARGIN = 4;
 const STEPS = [0, 0.6] as const;
 
 // Costs, all in square pixels of hidden label.
-const PER_TURN = 22;
+const PER_TURN = 16;
 const PER_STEP = 70;
-const PER_SEGMENT_PIXEL = 7;
+const PER_SEGMENT_PIXEL = 10;
 const PER_PIXEL_OUTSIDE = 60;
 /** A label stays where it is until another place is clearly better, so that small moves do not make it jump. */
-const MOVE = 90;
+const MOVE = 60;
 
 /**
  * Places labels one after the other at the best of eight positions around their marks, or a step away. `places` remembers the choice of
@@ -99,8 +99,19 @@ export function overlap(a: Box, b: Box): number {
   return x > 0 && y > 0 ? Math.min(x, a.w, b.w) * Math.min(y, a.h, b.h) : 0;
 }
 
-/** Length of the part of a segment inside a box (Liang and Barsky's clipping). */
-export function lengthInside([x1, y1, x2, y2]: Segment, { x, y, w, h }: Box): number {
+/** Length of the part of a segment inside a box. */
+export function lengthInside(segment: Segment, box: Box): number {
+  const span = spanInside(segment, box);
+  if (!span) return 0;
+  const [x1, y1, x2, y2] = segment;
+  return (span[1] - span[0]) * Math.hypot(x2 - x1, y2 - y1);
+}
+
+/** From where to where a segment is inside a box, as shares of its length (Liang and Barsky's clipping). */
+export function spanInside(
+  [x1, y1, x2, y2]: Segment,
+  { x, y, w, h }: Box,
+): readonly [from: number, to: number] | null {
   const [dx, dy] = [x2 - x1, y2 - y1];
   let [from, to] = [0, 1];
   for (const [p, q] of [
@@ -110,9 +121,9 @@ export function lengthInside([x1, y1, x2, y2]: Segment, { x, y, w, h }: Box): nu
     [dy, y + h / 2 - y1],
   ] as const) {
     if (p === 0) {
-      if (q < 0) return 0;
+      if (q < 0) return null;
     } else if (p < 0) from = Math.max(from, q / p);
     else to = Math.min(to, q / p);
   }
-  return to > from ? (to - from) * Math.hypot(dx, dy) : 0;
+  return to > from ? [from, to] : null;
 }

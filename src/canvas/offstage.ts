@@ -1,5 +1,6 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { RaySegment, SceneModel } from '../state/scene-model.ts';
+import { spanInside } from './labels.ts';
 import type { Lens } from './lens.ts';
 import { pointAt } from './ray.ts';
 import { along, type Point, type Space, unit } from './space.ts';
@@ -13,9 +14,11 @@ export interface Pointer {
 }
 
 /** Room that the view buttons and the frame's rounding take, at scale 1. */
-const INSET = { x: 34, top: 54, bottom: 30 };
+const INSET = { x: 34, top: 60, bottom: 30 };
 /** From the end of the drawn ray to the pointer's letter. */
 const BEYOND = 22;
+/** Over the ray, where it leaves the frame. */
+const ABOVE = 16;
 
 /** A pointer to R(t). When the ray is drawn it stands at the ray's end, else at the frame's edge towards the point. */
 export function pointerTo(
@@ -28,21 +31,44 @@ export function pointerTo(
 ): Pointer {
   const { segments } = model.ray;
   const end = nearestEnd(segments, t);
-  const tip = end && pointAt(model.ray, end.t, space);
-  const spot = tip && lens.project(tip);
-  const course = tip && heading(tip, model.ray.direction, lens);
-  if (spot && course && isInside(spot, lens)) {
-    const direction = [end.sign * course[0], end.sign * course[1]] as const;
+  const seen = visibleRay(model, space, lens);
+  if (end && seen) {
+    const { x, y } = end.sign < 0 ? seen.start : seen.end;
+    const [dx, dy] = seen.course;
+    const direction = [end.sign * dx, end.sign * dy] as const;
+    const isEnd = x > 1 && x < lens.width - 1 && y > 1 && y < lens.height - 1;
+    if (!isEnd) return clamp(x, y - ABOVE * scale, direction, lens, scale);
     const reach = BEYOND * scale;
-    return clamp(
-      spot.x + reach * direction[0],
-      spot.y + reach * direction[1],
-      direction,
-      lens,
-      scale,
-    );
+    return clamp(x + reach * direction[0], y + reach * direction[1], direction, lens, scale);
   }
   return fromCentre(point, space, lens, scale);
+}
+
+interface VisibleRay {
+  readonly start: { readonly x: number; readonly y: number };
+  readonly end: { readonly x: number; readonly y: number };
+  readonly course: readonly [number, number];
+}
+
+/** Where the drawn ray begins and ends within the frame; null when it is not in the frame, or seen head-on. */
+export function visibleRay(model: SceneModel, space: Space, lens: Lens): VisibleRay | null {
+  const { segments } = model.ray;
+  const [first, last] = [segments[0], segments.at(-1)];
+  const from = first && pointAt(model.ray, first.from, space);
+  const to = last && pointAt(model.ray, last.to, space);
+  const a = from && lens.project(from);
+  const b = to && lens.project(to);
+  if (!a || !b) return null;
+  const [dx, dy] = [b.x - a.x, b.y - a.y];
+  const length = Math.hypot(dx, dy);
+  const frame = { x: lens.width / 2, y: lens.height / 2, w: lens.width, h: lens.height };
+  const inside = spanInside([a.x, a.y, b.x, b.y], frame);
+  if (!inside || length < 1) return null;
+  return {
+    start: { x: a.x + inside[0] * dx, y: a.y + inside[0] * dy },
+    end: { x: a.x + inside[1] * dx, y: a.y + inside[1] * dy },
+    course: [dx / length, dy / length],
+  };
 }
 
 /** The drawn end beyond which t lies; null when t is on the drawn part or nothing is drawn. */

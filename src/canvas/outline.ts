@@ -28,7 +28,10 @@ export function outline(drawing: Drawing, space: Space): Stroke[] {
 
 function rings(patch: Patch, space: Space): Stroke[] {
   const style = { ink: 'shape', width: HAIRLINE, alpha: RING_ALPHA, dash: null } as const;
-  return patch.rings.map((v) => ({ ...acrossAt(patch, v, space), ...style }));
+  const across = patch.rings.map((v) => ({ ...acrossAt(patch, v, space), ...style }));
+  if (patch.closed) return across;
+  // A flat sheet is ruled both ways: that shows how it is tilted.
+  return [...across, ...patch.rings.map((u) => ({ ...alongAt(patch, u, space), ...style }))];
 }
 
 function ends(patch: Patch, space: Space): Stroke[] {

@@ -29,6 +29,10 @@ export class Overlay {
     this.#captions = new Layer(svg, 'scene-caption-layer');
   }
 
+  forget(): void {
+    this.#places.clear();
+  }
+
   draw(
     model: SceneModel,
     rays: readonly Stroke[],
@@ -60,12 +64,16 @@ export class Overlay {
   }
 }
 
+/** As in scene.css: below it the view buttons are a column. */
+const NARROW = 480;
+
 /** The view buttons and the small axes: no label goes there. */
 function furniture({ width, height }: Lens, scale: number): Box[] {
-  return [
-    { x: width - 118 * scale, y: 22 * scale, w: 236 * scale, h: 40 * scale },
-    { x: 56 * scale, y: height - 48 * scale, w: 112 * scale, h: 96 * scale },
-  ];
+  const views =
+    width < NARROW
+      ? { x: width - 36, y: 64, w: 72, h: 128 }
+      : { x: width - 132, y: 24, w: 264, h: 44 };
+  return [views, { x: 56 * scale, y: height - 48 * scale, w: 112 * scale, h: 96 * scale }];
 }
 
 /** The visible pieces of the ray, for labels to keep off. */

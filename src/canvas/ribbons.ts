@@ -1,15 +1,5 @@
-import {
-  AddEquation,
-  BufferAttribute,
-  BufferGeometry,
-  CustomBlending,
-  DynamicDrawUsage,
-  GLSL3,
-  Mesh,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
-  RawShaderMaterial,
-} from 'three';
+import { type BufferAttribute, type BufferGeometry, FrontSide } from 'three';
+import { roomFor, type ShadedMesh, shadedMesh, uploadPart } from './material.ts';
 import { at, type Pen, type Run, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
@@ -36,38 +26,37 @@ void main() {
   result = vec4(ink.rgb * a, a);
 }`;
 
-const POSITION = 3;
-const ACROSS = 3;
-const DASH = 2;
+const SIZES = { position: 3, across: 3, dash: 2, color: 4 } as const;
+const FIRST_ROOM = 4096;
+/** The triangles between two points of a ribbon, each with a vertex on either side. */
+const QUAD = [0, 1, 2, 2, 1, 3] as const;
 /** A mitre longer than this many half widths would be a spike. */
 const MITRE_LIMIT = 2;
 
 /** Strokes as one mesh of flat ribbons, one draw call. Buffers grow by half and are otherwise reused from frame to frame. */
 export class Ribbons implements Pen {
-  readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  readonly mesh: ShadedMesh;
   #vertices = 0;
   #indices = 0;
   #theme!: Theme;
   #width = 1;
   #height = 1;
   #ratio = 1;
+  // The arrays of the buffers, at hand for the inner loop.
+  #position!: Float32Array;
+  #across!: Float32Array;
+  #dash!: Float32Array;
+  #color!: Uint8ClampedArray;
 
   constructor(writesDepth: boolean) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
+    this.mesh = shadedMesh(allocate(FIRST_ROOM), {
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       uniforms: { ratio: { value: 1 } },
-      transparent: true,
+      side: FrontSide,
       depthWrite: writesDepth,
-      blending: CustomBlending,
-      blendEquation: AddEquation,
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
     });
-    this.mesh = new Mesh(allocate(2048), material);
-    this.mesh.frustumCulled = false;
-    this.mesh.matrixAutoUpdate = false;
+    this.#open(this.mesh.geometry);
   }
 
   begin(theme: Theme, width: number, height: number, ratio: number): void {
@@ -89,21 +78,15 @@ export class Ribbons implements Pen {
       this.#addPoint(run, k, length, stroke);
     }
     const index = this.mesh.geometry.index?.array as Uint32Array;
-    for (let k = 0; k < points - 1; k++) {
-      const v = first + 2 * k;
-      index.set([v, v + 1, v + 2, v + 2, v + 1, v + 3], this.#indices);
-      this.#indices += 6;
+    for (let k = 0, v = first; k < points - 1; k++, v += 2) {
+      for (const corner of QUAD) index[this.#indices++] = v + corner;
     }
   }
 
   end(): void {
     const { geometry, material } = this.mesh;
-    geometry.setDrawRange(0, this.#indices);
+    uploadPart(geometry, this.#vertices, this.#indices);
     this.mesh.visible = this.#indices > 0;
-    for (const attribute of Object.values(geometry.attributes) as BufferAttribute[]) {
-      upload(attribute, this.#vertices * attribute.itemSize);
-    }
-    if (geometry.index) upload(geometry.index, this.#indices);
     (material.uniforms.ratio as { value: number }).value = this.#ratio;
   }
 
@@ -121,35 +104,36 @@ export class Ribbons implements Pen {
     const [ax, ay] = normal(data, before === here ? after : before, here, before === here ? -1 : 1);
     const [bx, by] = normal(data, here, after === here ? before : after, after === here ? -1 : 1);
     const squared = Math.max((ax + bx) ** 2 + (ay + by) ** 2, 4 / MITRE_LIMIT ** 2);
-    const scale = this.#theme.scale;
-    const half = (stroke.width * scale) / 2;
+    const half = (stroke.width * this.#theme.scale) / 2;
     const reach = half + 1 / this.#ratio;
     // (a + b) · 2/|a + b|² is the mitre: its component along either normal is 1.
-    const [mx, my] = [(2 * (ax + bx)) / squared, (2 * (ay + by)) / squared];
-    const [x, y, depth] = [at(data, 4 * here), at(data, 4 * here + 1), at(data, 4 * here + 2)];
-    const attributes = this.mesh.geometry.attributes as Record<string, BufferAttribute>;
-    const color = this.#theme.inks[stroke.ink];
-    const [on, off] = stroke.dash ?? [0, 0];
-    for (const side of [-1, 1]) {
+    const mx = (2 * reach * (ax + bx)) / squared;
+    const my = (2 * reach * (ay + by)) / squared;
+    const d = 4 * here;
+    const opacity = stroke.alpha * at(data, d + 3);
+    for (let side = -1; side <= 1; side += 2) {
       const v = this.#vertices++;
-      const px = x + side * reach * mx;
-      const py = y + side * reach * my;
-      (attributes.position as BufferAttribute).array.set(
-        [(2 * px) / this.#width - 1, 1 - (2 * py) / this.#height, depth],
-        v * POSITION,
+      const x = at(data, d) + side * mx;
+      const y = at(data, d + 1) + side * my;
+      write3(
+        this.#position,
+        v,
+        (2 * x) / this.#width - 1,
+        1 - (2 * y) / this.#height,
+        at(data, d + 2),
       );
-      (attributes.across as BufferAttribute).array.set([side * reach, half, length], v * ACROSS);
-      (attributes.dash as BufferAttribute).array.set([on * scale, (on + off) * scale], v * DASH);
-      (attributes.color as BufferAttribute).array.set(
-        [
-          color[0] * 255,
-          color[1] * 255,
-          color[2] * 255,
-          stroke.alpha * at(data, 4 * here + 3) * 255,
-        ],
-        v * 4,
-      );
+      write3(this.#across, v, side * reach, half, length);
+      this.#style(v, stroke, opacity);
     }
+  }
+
+  #style(v: number, { ink, dash }: Stroke, opacity: number): void {
+    const { scale, inks } = this.#theme;
+    this.#dash[2 * v] = dash ? dash[0] * scale : 0;
+    this.#dash[2 * v + 1] = dash ? (dash[0] + dash[1]) * scale : 0;
+    const color = inks[ink];
+    write3(this.#color, v, color[0] * 255, color[1] * 255, color[2] * 255, 4);
+    this.#color[4 * v + 3] = opacity * 255;
   }
 
   #reserve(vertices: number): void {
@@ -163,29 +147,33 @@ export class Ribbons implements Pen {
     grown.index?.array.set(old.index?.array ?? []);
     old.dispose();
     this.mesh.geometry = grown;
+    this.#open(grown);
+  }
+
+  #open(geometry: BufferGeometry): void {
+    const array = (name: string) => (geometry.attributes[name] as BufferAttribute).array;
+    this.#position = array('position') as Float32Array;
+    this.#across = array('across') as Float32Array;
+    this.#dash = array('dash') as Float32Array;
+    this.#color = array('color') as Uint8ClampedArray;
   }
 }
 
-function allocate(vertices: number): BufferGeometry {
-  const geometry = new BufferGeometry();
-  const add = (name: string, attribute: BufferAttribute) =>
-    geometry.setAttribute(name, attribute.setUsage(DynamicDrawUsage));
-  add('position', new BufferAttribute(new Float32Array(vertices * POSITION), POSITION));
-  add('across', new BufferAttribute(new Float32Array(vertices * ACROSS), ACROSS));
-  add('dash', new BufferAttribute(new Float32Array(vertices * DASH), DASH));
-  add('color', new BufferAttribute(new Uint8ClampedArray(vertices * 4), 4, true));
-  geometry.setIndex(
-    new BufferAttribute(new Uint32Array(vertices * 3), 1).setUsage(DynamicDrawUsage),
-  );
-  return geometry;
+function write3(
+  list: { [k: number]: number },
+  v: number,
+  x: number,
+  y: number,
+  z: number,
+  stride = 3,
+): void {
+  list[stride * v] = x;
+  list[stride * v + 1] = y;
+  list[stride * v + 2] = z;
 }
 
-/** Only the part in use goes to the GPU. */
-function upload(attribute: BufferAttribute, count: number): void {
-  attribute.clearUpdateRanges();
-  if (count === 0) return;
-  attribute.addUpdateRange(0, count);
-  attribute.needsUpdate = true;
+function allocate(vertices: number): BufferGeometry {
+  return roomFor(vertices, 3 * vertices, SIZES);
 }
 
 /** The unit normal of the piece from point i to point j; `sign` −1 when it is walked backwards. */

@@ -1,5 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
+import type { FreeView } from '../state/view.ts';
 import { highlighted, onHighlight } from '../ui/highlight.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { freeOf, poseOf } from './camera.ts';
@@ -17,6 +18,8 @@ import { onThemeChange, readTheme } from './theme.ts';
 
 const NO_WEBGL =
   'This browser has no WebGL: the shading is missing, all lines, numbers, formulas and plots work.';
+
+const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
 
 /**
  * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the frames. The state owns
@@ -49,18 +52,14 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
     if (filled !== scenery.version) gl?.fill(scenery.grids);
     filled = scenery.version;
     aim(now, false);
+    const wasMoving = glide.isMoving;
     const lens = new Lens(glide.pose(now), width, height);
+    // At the end of a move the labels may find their best places anew.
+    if (wasMoving && !glide.isMoving) overlay.forget();
     const lit = highlighted();
     const strokes = scenery.strokes(model, lens, lit);
     painter.paint(strokes, lens, theme);
-    overlay.draw(
-      model,
-      strokes.ray.slice(strokes.ray.length - model.ray.segments.length),
-      space,
-      lens,
-      theme,
-      lit,
-    );
+    overlay.draw(model, strokes.ray, space, lens, theme, lit);
     host.dataset.frames = String(++frames);
     if (glide.isMoving) ask();
   }
@@ -71,6 +70,12 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
     const goal = poseOf(model.view, model.ray, scenery.take(model));
     const how = typeof model.view === 'string' ? 'travel' : 'follow';
     glide.aim(goal, asked ? how : 'jump', now);
+  }
+
+  /** Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the way to a named one, where the camera is. */
+  function currentView(): FreeView {
+    if (model && typeof model.view !== 'string') return model.view;
+    return glide.shown ? freeOf(glide.shown) : FIRST;
   }
 
   function usePainter(next: Painter): void {
@@ -105,8 +110,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
     }),
     onHighlight(ask),
     listenToOrbit(frame.root, {
-      current: () =>
-        freeOf(glide.shown ?? { target: [0, 0, 0], azimuth: 0, elevation: 0, zoom: 1 }),
+      current: currentView,
       turn: (view) => dispatch({ type: 'view', view }),
       home: () => dispatch({ type: 'view', view: 'iso' }),
     }),

@@ -1,21 +1,14 @@
 import {
-  AddEquation,
   BackSide,
-  BufferAttribute,
+  type BufferAttribute,
   BufferGeometry,
-  CustomBlending,
-  DynamicDrawUsage,
   FrontSide,
-  GLSL3,
-  Mesh,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
-  RawShaderMaterial,
   type Side,
   Vector2,
   Vector3,
 } from 'three';
 import type { Lens } from './lens.ts';
+import { roomFor, type ShadedMesh, shadedMesh, uploadPart } from './material.ts';
 import { at } from './stroke.ts';
 import type { Grid } from './tessellation.ts';
 import type { Theme } from './theme.ts';
@@ -42,6 +35,8 @@ void main() {
   result = vec4(ink * a, a);
 }`;
 
+const SIZES = { position: 3, normal: 3, fade: 1 } as const;
+
 /** All patches of a drawing as one mesh, drawn twice: back walls, then front walls. Nothing writes depth. */
 export class Surface {
   readonly back = wall(BackSide);
@@ -66,10 +61,7 @@ export class Surface {
       used = addTriangles(grid, first, index.array, used);
       first += grid.fade.length;
     }
-    for (const attribute of [position, normal, fade, index]) {
-      if (attribute) attribute.needsUpdate = true;
-    }
-    geometry.setDrawRange(0, used);
+    uploadPart(geometry, first, used);
     this.back.visible = used > 0;
     this.front.visible = used > 0;
   }
@@ -97,16 +89,7 @@ export class Surface {
     if ((old.attributes.position?.count ?? 0) >= vertices && (old.index?.count ?? 0) >= indices) {
       return old;
     }
-    const geometry = new BufferGeometry();
-    const add = (name: string, size: number) =>
-      geometry.setAttribute(
-        name,
-        new BufferAttribute(new Float32Array(vertices * size), size).setUsage(DynamicDrawUsage),
-      );
-    add('position', 3);
-    add('normal', 3);
-    add('fade', 1);
-    geometry.setIndex(new BufferAttribute(new Uint32Array(indices), 1).setUsage(DynamicDrawUsage));
+    const geometry = roomFor(vertices, indices, SIZES);
     old.dispose();
     this.back.geometry = geometry;
     this.front.geometry = geometry;
@@ -114,9 +97,8 @@ export class Surface {
   }
 }
 
-function wall(side: Side): Mesh<BufferGeometry, RawShaderMaterial> {
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3,
+function wall(side: Side): ShadedMesh {
+  return shadedMesh(new BufferGeometry(), {
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: {
@@ -125,17 +107,8 @@ function wall(side: Side): Mesh<BufferGeometry, RawShaderMaterial> {
       opacity: { value: new Vector2() },
     },
     side,
-    transparent: true,
     depthWrite: false,
-    blending: CustomBlending,
-    blendEquation: AddEquation,
-    blendSrc: OneFactor,
-    blendDst: OneMinusSrcAlphaFactor,
   });
-  const mesh = new Mesh(new BufferGeometry(), material);
-  mesh.frustumCulled = false;
-  mesh.matrixAutoUpdate = false;
-  return mesh;
 }
 
 /** Returns how many indices are used after this grid. Triangles at a point without a normal are left out. */

@@ -15,7 +15,9 @@ const FONT = 12.5;
 /** So near to a root, to E or to the tip of d, or to the bead, in steps of the ticks, there is no number: their labels stand there. */
 const NEAR_ROOT = 0.6;
 const NEAR_BEAD = 0.25;
-const SIGNIFICANT = 4;
+/** Digits of a number on the ray: as many as tell it from its neighbours. */
+const LEAST_DIGITS = 4;
+const MOST_DIGITS = 12;
 
 /** Small strokes across the ray at round t, with numbers where there is room for them. */
 export function drawTicks(
@@ -47,7 +49,8 @@ export function drawTicks(
     const isNear = (s: number, steps: number) => Math.abs(t - s) < steps * step;
     if (roots.some((root) => isNear(root, NEAR_ROOT))) continue;
     if (model.bead && isNear(model.bead.t, NEAR_BEAD)) continue;
-    const label = display(t, SIGNIFICANT);
+    const digits = Math.ceil(Math.log10(Math.abs(t) / step)) + 2;
+    const label = display(t, Math.min(Math.max(digits, LEAST_DIGITS), MOST_DIGITS));
     const box = {
       x: spot.x + BELOW * scale * nx,
       y: spot.y + BELOW * scale * ny,

@@ -1,0 +1,77 @@
+import {
+  AddEquation,
+  BufferAttribute,
+  BufferGeometry,
+  CustomBlending,
+  DynamicDrawUsage,
+  GLSL3,
+  type IUniform,
+  Mesh,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  RawShaderMaterial,
+  type Side,
+} from 'three';
+
+interface Options {
+  readonly vertexShader: string;
+  readonly fragmentShader: string;
+  readonly uniforms: Record<string, IUniform>;
+  readonly side: Side;
+  readonly depthWrite: boolean;
+}
+
+export type ShadedMesh = Mesh<BufferGeometry, RawShaderMaterial>;
+
+/** A mesh with its own shader, which writes premultiplied colours in sRGB, laid over what is there. */
+export function shadedMesh(geometry: BufferGeometry, options: Options): ShadedMesh {
+  const material = new RawShaderMaterial({
+    ...options,
+    glslVersion: GLSL3,
+    transparent: true,
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+  });
+  const mesh = new Mesh(geometry, material);
+  // Everything is in view, and already where it belongs.
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  return mesh;
+}
+
+/** An empty geometry with room for so many vertices and indices; `sizes` in numbers a vertex. */
+export function roomFor(
+  vertices: number,
+  indices: number,
+  sizes: Readonly<Record<string, number>>,
+): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const [name, size] of Object.entries(sizes)) {
+    // Colours are bytes: four times less to upload.
+    const attribute =
+      name === 'color'
+        ? new BufferAttribute(new Uint8ClampedArray(vertices * size), size, true)
+        : new BufferAttribute(new Float32Array(vertices * size), size);
+    geometry.setAttribute(name, attribute.setUsage(DynamicDrawUsage));
+  }
+  const index = new BufferAttribute(new Uint32Array(indices), 1);
+  geometry.setIndex(index.setUsage(DynamicDrawUsage));
+  return geometry;
+}
+
+/** Sends the part of a geometry that is in use to the GPU, and draws only that. */
+export function uploadPart(geometry: BufferGeometry, vertices: number, indices: number): void {
+  geometry.setDrawRange(0, indices);
+  const send = (attribute: BufferAttribute, count: number) => {
+    attribute.clearUpdateRanges();
+    if (count === 0) return;
+    attribute.addUpdateRange(0, count);
+    attribute.needsUpdate = true;
+  };
+  for (const attribute of Object.values(geometry.attributes) as BufferAttribute[]) {
+    send(attribute, vertices * attribute.itemSize);
+  }
+  if (geometry.index) send(geometry.index, indices);
+}
