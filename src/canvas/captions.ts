@@ -10,10 +10,13 @@ const WIDE = 0.68;
 const NARROW = 0.5;
 const SUB = 0.36;
 const HIGH = 0.82;
+/** A letter of a whole word, which is written small. */
+const WORD = 0.29;
 
 type Symbolic = Pick<Caption, 'letter' | 'sub'>;
 
 export function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: number } {
+  if (letter.length > 1) return { w: WORD * font * letter.length, h: 0.6 * font };
   const wide = letter === letter.toUpperCase() ? WIDE : NARROW;
   return { w: font * (wide + (sub ? SUB : 0)), h: font * (HIGH + (sub ? 0.12 : 0)) };
 }
@@ -77,14 +80,14 @@ function write(
   lit: string | null,
 ): void {
   const isLit = symbol === lit;
-  const element = layer.show(`${key} ${tone}`, 'text', {
-    class: `scene-label scene-tone-${tone}${isLit ? ' lit' : ''}`,
+  const element = layer.show(`${key} ${tone} ${letter}`, 'text', {
+    class: `${letter.length > 1 ? 'scene-label scene-word' : 'scene-label'} scene-tone-${tone}${isLit ? ' lit' : ''}`,
     'data-symbol': symbol,
     x: box.x,
     y: box.y + theme.label * (sub ? 0.2 : 0.27),
   });
   if (element.firstChild) return;
-  element.append(italic(letter));
+  element.append(letter.length > 1 ? letter : italic(letter));
   if (!sub) return;
   const subscript = document.createElementNS(SVG, 'tspan');
   subscript.setAttribute('class', 'scene-sub');

@@ -13,7 +13,7 @@ export interface Caption {
   readonly letter: string;
   readonly sub: string;
   /** Class that gives the colour. */
-  readonly tone: 'E' | 'd' | 'shape' | 'hit' | 'rejected' | 'normal';
+  readonly tone: 'E' | 'd' | 'shape' | 'hit' | 'rejected' | 'normal' | 'ghost' | 'words';
   readonly x: number;
   readonly y: number;
   readonly clear: number;
@@ -47,11 +47,7 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
     captions: [] as List<Caption>,
     pointers: [] as List<Figures['pointers'][number]>,
   };
-  const see = (p: Vec3): Spot | null => {
-    const place = space.place(p);
-    const spot = place && lens.project(place);
-    return spot && isInside(spot, lens) ? spot : null;
-  };
+  const see = (p: Vec3): Spot | null => seen(p, space, lens);
 
   addShape();
   addRay();
@@ -154,6 +150,13 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
       ...{ x: to.x, y: to.y, clear: 6 * scale, angle },
     });
   }
+}
+
+/** Where a point of the world is in the frame; null outside of it. */
+export function seen(p: Vec3, space: Space, lens: Lens): Spot | null {
+  const place = space.place(p);
+  const spot = place && lens.project(place);
+  return spot && isInside(spot, lens) ? spot : null;
 }
 
 function rank(hit: HitMark): number {

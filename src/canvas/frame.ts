@@ -4,6 +4,8 @@ import { viewSwitcher } from './views.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const KEYS = 'Arrow keys turn it, plus and minus zoom, 0 goes back.';
+const HANDLE_KEYS =
+  'Left and right move it along x, up and down along y, Page Up and Page Down along z; with Shift in small steps.';
 
 let count = 0;
 
@@ -12,8 +14,11 @@ export interface SceneFrame {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   /** Lines in place of the canvas, where there is no WebGL. */
-  readonly paths: SVGElement;
-  readonly overlay: SVGElement;
+  readonly paths: SVGSVGElement;
+  readonly overlay: SVGSVGElement;
+  readonly handles: SVGSVGElement;
+  /** Id of the sentence that says what keys do to a handle. */
+  readonly keys: string;
   /** `missing`: a sentence on what the browser cannot show, or ''. */
   tell(model: SceneModel, missing: string): void;
   resize(width: number, height: number): void;
@@ -29,18 +34,24 @@ export function sceneFrame(host: HTMLElement, dispatch: Dispatch): SceneFrame {
   canvas.setAttribute('aria-hidden', 'true');
   const paths = svg('scene-fallback');
   const overlay = svg('scene-overlay');
+  const handles = svg('scene-handles-over');
+  handles.removeAttribute('aria-hidden');
   const notes = document.createElement('div');
   notes.className = 'scene-notes';
   const description = document.createElement('p');
   description.className = 'scene-description';
   description.id = `scene-description-${++count}`;
   root.setAttribute('aria-describedby', description.id);
-  root.append(canvas, paths, overlay, notes, description);
+  const keys = paragraph(HANDLE_KEYS);
+  keys.className = 'scene-description';
+  keys.id = `scene-keys-${count}`;
+  keys.hidden = true;
+  root.append(canvas, paths, overlay, handles, notes, description, keys);
   const press = viewSwitcher(root, dispatch);
   host.append(root);
   let told: readonly string[] = [];
   return {
-    ...{ root, canvas, paths, overlay },
+    ...{ root, canvas, paths, overlay, handles, keys: keys.id },
     tell(model, missing) {
       press(model.view);
       root.setAttribute('aria-label', `${model.shapeTitle} and ray, a picture. ${KEYS}`);
@@ -52,13 +63,13 @@ export function sceneFrame(host: HTMLElement, dispatch: Dispatch): SceneFrame {
       notes.replaceChildren(...told.map(paragraph));
     },
     resize(width, height) {
-      for (const element of [paths, overlay])
+      for (const element of [paths, overlay, handles])
         element.setAttribute('viewBox', `0 0 ${width} ${height}`);
     },
   };
 }
 
-function svg(name: string): SVGElement {
+function svg(name: string): SVGSVGElement {
   const element = document.createElementNS(SVG, 'svg');
   element.setAttribute('class', name);
   element.setAttribute('aria-hidden', 'true');

@@ -22,6 +22,12 @@ export class Glide {
     return this.#shown;
   }
 
+  /** Stands here at once; the next move starts from here. */
+  start(pose: Pose): void {
+    this.#shown = pose;
+    this.#from = null;
+  }
+
   /** `how`: 'travel' to a named view, 'follow' a drag, 'jump' when only the scene changed. */
   aim(goal: Pose, how: 'travel' | 'follow' | 'jump', now: number): void {
     const targetMoved = this.#shown && goal.target.some((x, i) => x !== this.#shown?.target[i]);

@@ -50,8 +50,12 @@ export class GlPainter implements Painter {
     this.#surface.fill(grids);
   }
 
-  paint(strokes: Strokes, lens: Lens, theme: Theme): void {
-    const ratio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
+  paint(
+    strokes: Strokes,
+    lens: Lens,
+    theme: Theme,
+    ratio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+  ): void {
     this.#resize(lens.width, lens.height, ratio);
     for (const [ribbons, list, nearer] of [
       [this.#ground, strokes.ground, 0],

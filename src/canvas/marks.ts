@@ -1,7 +1,16 @@
 import type { Layer, Part } from './layer.ts';
 import type { Spot } from './lens.ts';
 
-export type MarkKind = 'E' | 'head' | 'first' | 'other' | 'rejected' | 'bead' | 'point' | 'end';
+export type MarkKind =
+  | 'E'
+  | 'head'
+  | 'first'
+  | 'other'
+  | 'rejected'
+  | 'bead'
+  | 'point'
+  | 'end'
+  | 'ghost';
 
 /** Something small at a point of the scene that is seen at a fixed size. */
 export interface Mark {
@@ -25,6 +34,7 @@ export const CLEAR: Record<MarkKind, number> = {
   bead: 8,
   point: 8,
   end: 8,
+  ghost: 7,
 };
 
 const disc = (r: number, name: string): Part => ['circle', { r, class: name }];
@@ -44,6 +54,7 @@ const TEMPLATES: Record<MarkKind, readonly Part[]> = {
   rejected: [path(CROSS, 'scene-cross-gap'), path(CROSS, 'scene-cross')],
   bead: [disc(7.5, 'scene-gap'), disc(5, 'scene-ring')],
   point: [disc(5.5, 'scene-gap'), disc(3.5, 'scene-fill')],
+  ghost: [disc(6, 'scene-gap'), disc(4, 'scene-ring')],
   end: [path('M5 0L-6 -4.6L-6 4.6Z', 'scene-fill')],
 };
 

@@ -1,7 +1,8 @@
 import type { SceneModel } from '../state/scene-model.ts';
 import { drawAxes } from './axes.ts';
 import { drawCaptions, drawPointers } from './captions.ts';
-import { figures } from './figures.ts';
+import { type Caption, figures } from './figures.ts';
+import { ghostFigures } from './ghost.ts';
 import type { Box, Segment } from './labels.ts';
 import { Layer } from './layer.ts';
 import type { Lens } from './lens.ts';
@@ -16,6 +17,7 @@ export class Overlay {
   readonly #axes: Layer;
   readonly #ticks: Layer;
   readonly #arrows: Layer;
+  readonly #ghost: Layer;
   readonly #marks: Layer;
   readonly #captions: Layer;
   /** Where each label stood last, so that it stays there. */
@@ -25,6 +27,7 @@ export class Overlay {
     this.#axes = new Layer(svg, 'scene-axes');
     this.#ticks = new Layer(svg, 'scene-tick-layer');
     this.#arrows = new Layer(svg, 'scene-arrow-layer');
+    this.#ghost = new Layer(svg, 'scene-ghost-layer');
     this.#marks = new Layer(svg, 'scene-mark-layer');
     this.#captions = new Layer(svg, 'scene-caption-layer');
   }
@@ -33,6 +36,7 @@ export class Overlay {
     this.#places.clear();
   }
 
+  /** `words`: what is said of the handle in use; `arms`: the arrows that it shows. */
   draw(
     model: SceneModel,
     rays: readonly Stroke[],
@@ -40,12 +44,18 @@ export class Overlay {
     lens: Lens,
     theme: Theme,
     lit: string | null,
+    words: readonly Caption[],
+    arms: readonly Segment[],
   ): void {
     const { scale } = theme;
-    const { marks, arrows, captions, pointers } = figures(model, space, lens, scale);
+    const { arrows, pointers, ...now } = figures(model, space, lens, scale);
+    const before = ghostFigures(model, space, lens, scale);
+    const marks = [...before.marks, ...now.marks];
+    const captions = [...now.captions, ...before.captions, ...words];
     drawAxes(this.#axes, lens, scale, theme.label * 0.8);
     drawArrows(this.#arrows, arrows, scale, lit);
-    drawMarks(this.#marks, marks, scale, lit);
+    drawMarks(this.#ghost, before.marks, scale, lit);
+    drawMarks(this.#marks, now.marks, scale, lit);
     const boxes: Box[] = marks.map(({ spot, kind }) => {
       const size = 2 * CLEAR[kind] * scale;
       return { x: spot.x, y: spot.y, w: size, h: size };
@@ -53,6 +63,7 @@ export class Overlay {
     boxes.push(...furniture(lens, scale));
     const segments = [
       ...onScreen(rays, lens),
+      ...arms,
       ...arrows.map(({ from, to }): Segment => [from.x, from.y, to.x, to.y]),
     ];
     this.#captions.begin();

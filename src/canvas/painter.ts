@@ -11,7 +11,8 @@ export interface Strokes {
 
 /** Puts a frame on the screen, by WebGL or by SVG. */
 export interface Painter {
-  paint(strokes: Strokes, lens: Lens, theme: Theme): void;
+  /** `ratio`: pixels of the picture for one of the page's, where that can be chosen; by default the screen's. */
+  paint(strokes: Strokes, lens: Lens, theme: Theme, ratio?: number): void;
   dispose(): void;
 }
 

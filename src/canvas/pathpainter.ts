@@ -14,7 +14,7 @@ export class PathPainter implements Painter, Pen {
     this.#layer = new Layer(svg, 'scene-paths');
   }
 
-  paint(strokes: Strokes, lens: Lens, theme: Theme): void {
+  paint(strokes: Strokes, lens: Lens, theme: Pick<Theme, 'scale'>): void {
     this.#scale = theme.scale;
     this.#count = 0;
     this.#layer.begin();

@@ -11,8 +11,10 @@ const STRETCHES: Record<Stretch, { width: number; alpha: number; dash: Dash | nu
 
 const HELPER = { ink: 'ink3', width: 1, alpha: 0.75, dash: [4, 4] as Dash } as const;
 
+type Line = Pick<SceneModel['ray'], 'origin' | 'direction'>;
+
 /** R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any size. */
-export function pointAt(ray: SceneModel['ray'], t: number, space: Space): Point | null {
+export function pointAt(ray: Line, t: number, space: Space): Point | null {
   return space.place(along(ray.origin, ray.direction, t));
 }
 

@@ -1,35 +1,44 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import type { FreeView } from '../state/view.ts';
 import { highlighted, onHighlight } from '../ui/highlight.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { freeOf, poseOf } from './camera.ts';
 import { sceneFrame } from './frame.ts';
-import { Glide } from './glide.ts';
 import { GlPainter } from './glpainter.ts';
+import { Grab } from './grab.ts';
+import { armsShown, Grips, sayings } from './grips.ts';
+import { listenToHands } from './hands.ts';
 import { Lens } from './lens.ts';
 import { listenToOrbit } from './orbit.ts';
 import { Overlay } from './overlay.ts';
 import type { Painter } from './painter.ts';
 import { PathPainter } from './pathpainter.ts';
+import { PICTURE_RATIO, takePicture } from './picture.ts';
+import { type Placed, placed } from './placed.ts';
 import './scene.css';
 import { Scenery } from './scenery.ts';
 import { onThemeChange, readTheme } from './theme.ts';
+import { Viewpoint } from './viewpoint.ts';
+
+export { drawThumbnail } from './thumbnail.ts';
+
+export interface MountedScene extends Mounted<SceneModel> {
+  /** What is seen, as a PNG; null before there is anything. */
+  picture(): Promise<Blob | null>;
+}
 
 const NO_WEBGL =
   'This browser has no WebGL: the shading is missing, all lines, numbers, formulas and plots work.';
-
-const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
 
 /**
  * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the frames. The state owns
  * the camera: gestures ask for a view, and the next render brings it.
  */
-export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<SceneModel> {
+export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene {
   const frame = sceneFrame(host, dispatch);
   const overlay = new Overlay(frame.overlay);
   const scenery = new Scenery();
-  const glide = new Glide();
+  const viewpoint = new Viewpoint();
+  const grips = new Grips(frame.handles);
   const gl = GlPainter.on(frame.canvas);
   const paths = new PathPainter(frame.paths);
   let painter: Painter = gl ?? paths;
@@ -39,44 +48,45 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
   let request = 0;
   let frames = 0;
   let filled = 0;
+  let lens = new Lens({ target: [0, 0, 0], ...viewpoint.current(null) }, 1, 1);
+  let handles: readonly Placed[] = [];
   host.dataset.frames = '0';
 
   const ask = () => {
-    request ||= requestAnimationFrame(draw);
+    request ||= requestAnimationFrame((now) => draw(now));
   };
 
-  function draw(now: number): void {
+  function draw(now: number, ratio?: number): void {
     request = 0;
     if (!model || width === 0 || height === 0) return;
-    const space = scenery.take(model);
+    const shown = viewpoint.framed(model);
+    const space = scenery.take(shown);
     if (filled !== scenery.version) gl?.fill(scenery.grids);
     filled = scenery.version;
-    aim(now, false);
-    const wasMoving = glide.isMoving;
-    const lens = new Lens(glide.pose(now), width, height);
+    viewpoint.aim(shown, space, now);
+    const wasMoving = viewpoint.isMoving;
+    lens = new Lens(viewpoint.pose(now), width, height);
     // At the end of a move the labels may find their best places anew.
-    if (wasMoving && !glide.isMoving) overlay.forget();
+    if (wasMoving && !viewpoint.isMoving) overlay.forget();
     const lit = highlighted();
-    const strokes = scenery.strokes(model, lens, lit);
-    painter.paint(strokes, lens, theme);
-    overlay.draw(model, strokes.ray, space, lens, theme, lit);
+    const strokes = scenery.strokes(shown, lens, lit);
+    painter.paint(strokes, lens, theme, ratio);
+    handles = shown.handles.map((handle) => placed(handle, space, lens));
+    const words = sayings(handles, grab.shown, lens, theme.scale);
+    const arms = armsShown(handles, grab.shown, lens, theme);
+    overlay.draw(shown, strokes.ray, space, lens, theme, lit, words, arms);
+    grips.draw(handles, grab.shown, lens, theme, frame.keys);
     host.dataset.frames = String(++frames);
-    if (glide.isMoving) ask();
+    if (viewpoint.isMoving) ask();
   }
 
-  /** Points the camera at the model's view; `asked` when the view itself changed. */
-  function aim(now: number, asked: boolean): void {
-    if (!model) return;
-    const goal = poseOf(model.view, model.ray, scenery.take(model));
-    const how = typeof model.view === 'string' ? 'travel' : 'follow';
-    glide.aim(goal, asked ? how : 'jump', now);
-  }
-
-  /** Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the way to a named one, where the camera is. */
-  function currentView(): FreeView {
-    if (model && typeof model.view !== 'string') return model.view;
-    return glide.shown ? freeOf(glide.shown) : FIRST;
-  }
+  const space = () => scenery.take(viewpoint.framed(model as SceneModel));
+  const grab = new Grab({
+    ...{ space, dispatch, changed: ask },
+    lens: () => lens,
+    hold: () => model && viewpoint.hold(viewpoint.framed(model).stage),
+    release: () => model && viewpoint.release(model, scenery.take(model), performance.now()),
+  });
 
   function usePainter(next: Painter): void {
     painter = next;
@@ -109,8 +119,9 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
       ask();
     }),
     onHighlight(ask),
+    listenToHands(frame.handles, grab, () => handles),
     listenToOrbit(frame.root, {
-      current: currentView,
+      current: () => viewpoint.current(model),
       turn: (view) => dispatch({ type: 'view', view }),
       home: () => dispatch({ type: 'view', view: 'iso' }),
     }),
@@ -120,11 +131,23 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
 
   return {
     render(next) {
-      const viewChanged = model !== null && !sameView(model, next);
       model = next;
       frame.tell(next, painter === gl ? '' : NO_WEBGL);
-      if (viewChanged) aim(performance.now(), true);
+      // Not before the first frame: a view that came with the page is no move.
+      if (frames > 0) viewpoint.aim(next, space(), performance.now());
       ask();
+    },
+    async picture() {
+      cancelAnimationFrame(request);
+      draw(performance.now(), PICTURE_RATIO);
+      const picture = takePicture(
+        frame.root,
+        painter === gl ? frame.canvas : frame.paths,
+        frame.overlay,
+      );
+      // Back to the screen's own resolution.
+      ask();
+      return model && picture;
     },
     dispose() {
       cancelAnimationFrame(request);
@@ -136,9 +159,4 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): Mounted<Scene
       frame.root.remove();
     },
   };
-}
-
-function sameView({ view: a }: SceneModel, { view: b }: SceneModel): boolean {
-  if (typeof a === 'string' || typeof b === 'string') return a === b;
-  return a.azimuth === b.azimuth && a.elevation === b.elevation && a.zoom === b.zoom;
 }

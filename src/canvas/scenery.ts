@@ -1,5 +1,6 @@
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { SceneModel } from '../state/scene-model.ts';
+import { ghostStrokes } from './ghost.ts';
 import { ground } from './ground.ts';
 import type { Lens } from './lens.ts';
 import { outline } from './outline.ts';
@@ -55,7 +56,7 @@ export class Scenery {
     );
     const rays = rayStrokes(model.ray, space, lit === 'E' || lit === 'd' ? LIT_RAY : 1);
     return {
-      ground: [...this.#ground, ...shadowStrokes(model, space)],
+      ground: [...this.#ground, ...shadowStrokes(model, space), ...ghostStrokes(model, space)],
       ray: rays,
       shape: [...outlines, ...silhouettes],
     };

@@ -26,10 +26,13 @@ const MOST_TICKS = 7;
 /** Labels of f stay within the fixed margin: four figures, or a power of ten is taken out of all of them. */
 const [LARGEST_LABEL, SMALLEST_LABEL] = [9999, 0.1];
 
-/** Null when the stretch has no extent that doubles can express. */
+/** Between these a step of d3's ticks and its reciprocal are both doubles; beyond, its count of ticks overflows. */
+const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
+
+/** Null when the stretch has no extent that ticks can be set on. */
 export function scalesOf(model: StripModel, frame: Frame): Scales | null {
   const extents = [model.to - model.from, model.high - model.low];
-  if (!extents.every((extent) => extent > 0 && Number.isFinite(extent))) return null;
+  if (!extents.every((extent) => extent > SMALLEST_EXTENT && extent < LARGEST_EXTENT)) return null;
   const x = scaleLinear([model.from, model.to], [frame.left, frame.right]);
   const y = scaleLinear([model.low, model.high], [frame.floor, frame.top]);
   const fValues = y.ticks(Math.max(2, Math.round((frame.bottom - frame.top) / (3.6 * frame.em))));

@@ -6,6 +6,7 @@ import {
   requireFiniteVector,
   requireNonZero,
 } from './invalid-input.ts';
+import { withoutStart } from './leave.ts';
 import type { Method } from './methods/define.ts';
 import { METHODS } from './methods/index.ts';
 import type { Ray } from './ray.ts';
@@ -15,17 +16,40 @@ import { checkShape } from './shapes/lookup.ts';
 /** The method whose answers the page's verdicts and `intersect` itself stand on. */
 export const DEFAULT_METHOD = 'exact';
 
+export interface IntersectOptions {
+  /**
+   * The shape whose surface the ray is declared to start on, because E was computed as a hit on it. If it is `shape` itself (the
+   * same object, or one with equal numbers), the root nearest to t = 0 is where the ray starts and not a hit: it is dropped by this
+   * rule of identity, at whatever distance, without any epsilon. Two equally near roots: the positive one is dropped.
+   *
+   * `certified` and `exact` decide which root is nearer exactly, the other rungs by comparing their own rounded roots. What
+   * no rule can know: whether E was on the surface at all. A ray declared to leave a surface that it does not start on loses a
+   * true hit; and where E has been rounded so far that the line misses the surface, there is nothing to drop.
+   */
+  readonly from?: Shape | undefined;
+}
+
 /**
  * Where the whole line R(t) = E + t d meets the shape, t of any sign, ascending; t counts in lengths of d.
  * Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an unknown kind or method.
  * What the answer is worth depends on the method: see its `promise`.
  */
-export function intersect(shape: Shape, ray: Ray, method: string = DEFAULT_METHOD): Intersection {
+export function intersect(
+  shape: Shape,
+  ray: Ray,
+  method: string = DEFAULT_METHOD,
+  { from }: IntersectOptions = NO_OPTIONS,
+): Intersection {
   const rung = methodOf(method);
   checkShape(shape);
   checkRay(ray);
-  return rung.intersect(shape, ray);
+  const found = rung.intersect(shape, ray);
+  if (from === undefined) return found;
+  checkShape(from);
+  return withoutStart(found, shape, from);
 }
+
+const NO_OPTIONS: IntersectOptions = {};
 
 /**
  * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape f is the line with
@@ -62,8 +86,10 @@ export function solveQuadratic(
 }
 
 export function findMethod(id: string): Method | undefined {
-  return METHODS.find((method) => method.id === id);
+  return BY_ID.get(id);
 }
+
+const BY_ID: ReadonlyMap<string, Method> = new Map(METHODS.map((method) => [method.id, method]));
 
 function methodOf(id: string): Method {
   const found = findMethod(id);

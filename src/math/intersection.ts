@@ -59,6 +59,8 @@ export interface Intersection {
   readonly method: string;
   readonly decidedBy: DecidedBy;
   readonly details: CurvedDetails | FlatDetails;
+  /** The hit that a ray starting on the shape (`from`) starts at: it is not among `hits`, while `class` is still the whole line's. */
+  readonly dropped?: Hit;
 }
 
 export interface Coefficients {

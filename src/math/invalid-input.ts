@@ -11,7 +11,18 @@ export function requireFinite(name: string, x: unknown): asserts x is number {
   }
 }
 
+const isOrdinary = (x: unknown): boolean => typeof x === 'number' && x - x === 0;
+
 export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3 {
+  // Nearly every vector is in order: words are put together only for one that is not.
+  if (
+    Array.isArray(v) &&
+    v.length === 3 &&
+    isOrdinary(v[0]) &&
+    isOrdinary(v[1]) &&
+    isOrdinary(v[2])
+  )
+    return;
   if (!Array.isArray(v) || v.length !== 3) {
     throw new InvalidInput(`${name} must have three components, got ${quote(v)}`);
   }

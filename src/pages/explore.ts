@@ -5,60 +5,71 @@ import { compactControls, equations } from '../panels/compact-controls.ts';
 import { controls } from '../panels/controls.ts';
 import { shapePicker } from '../panels/shape-picker.ts';
 import type { Dispatch } from '../state/actions.ts';
-import { createDerive } from '../state/derive.ts';
-import type { SceneModel } from '../state/scene-model.ts';
-import type { AppState } from '../state/state.ts';
+import type { ExploreModel } from '../state/derive.ts';
 import type { Mounted } from '../ui/mounted.ts';
+import { lateScene, type Scene } from './late-scene.ts';
+import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import './explore.css';
+import './projector.css';
 
+/** For the bench and the browser's own profiler; only the latest are kept. */
 const KEPT_MEASURES = 200;
 
+export interface ExploreTools extends SceneBarTools {
+  /** The projector shows one parameter at a time, as a phone does. */
+  readonly large: boolean;
+}
+
+export interface Explore {
+  render(model: ExploreModel, tools: ExploreTools): void;
+  dispose(): void;
+  readonly scene: Scene;
+  /** The graph of f, for taking it home. */
+  graph(): SVGSVGElement | null;
+}
+
 /** Scene and graph on the left, parameters and algebra on the right. The scene comes when it has been loaded. */
-export function mountExplore(host: HTMLElement, dispatch: Dispatch): Mounted<AppState> {
-  const derive = createDerive();
+export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () => void): Explore {
   host.classList.add('explore');
-  host.innerHTML = '';
   const picker = section(host, 'picker-area');
-  const scene = section(host, 'scene-area');
+  const stage = section(host, 'scene-area');
   const graph = section(host, 'strip-area');
   const panel = section(host, 'panel-area');
-  const strip = mountStrip(graph, dispatch);
-  const late = lateScene(scene, dispatch);
+  const bar = section(stage, 'scene-bar');
+  const strip: Mounted<ExploreModel['strip']> = mountStrip(section(graph, 'strip-host'), dispatch);
+  const scene = lateScene(section(stage, 'scene-host'), dispatch);
   const narrow = matchMedia('(max-width: 559px)');
-  let latest: AppState | null = null;
-  const relayout = (): void => {
-    if (latest) mounted.render(latest);
-  };
-  narrow.addEventListener('change', relayout);
-  const mounted: Mounted<AppState> = {
-    render(state) {
-      latest = state;
+  narrow.addEventListener('change', changed);
+  return {
+    scene,
+    graph: () => graph.querySelector('svg'),
+    render(model, tools) {
       const begun = performance.now();
-      const model = derive(state);
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch);
+      const compact = narrow.matches || tools.large;
       render(
-        narrow.matches
-          ? html`${equations(model, dispatch)}${card}${compactControls(model, dispatch, relayout)}`
+        compact
+          ? html`${equations(model, dispatch)}${card}${compactControls(model, dispatch, changed)}`
           : html`${card}${controls(model, dispatch)}`,
         panel,
       );
+      render(sceneBar(model, tools), bar);
+      graph.classList.toggle('concealed', !model.shown.hits);
       strip.render(model.strip);
       const drawn = performance.now();
-      late.render(model.scene);
+      scene.render(model.scene);
       measure('graze step', begun, drawn);
       measure('graze scene', drawn, performance.now());
     },
     dispose() {
-      narrow.removeEventListener('change', relayout);
+      narrow.removeEventListener('change', changed);
       strip.dispose();
-      late.dispose();
+      scene.dispose();
     },
   };
-  return mounted;
 }
 
-/** For the bench and the browser's own profiler; only the latest are kept. */
 function measure(name: string, start: number, end: number): void {
   if (performance.getEntriesByName(name).length >= KEPT_MEASURES) performance.clearMeasures(name);
   performance.measure(name, { start, end });
@@ -69,41 +80,4 @@ function section(host: HTMLElement, className: string): HTMLElement {
   element.className = className;
   host.append(element);
   return element;
-}
-
-/** three.js is a chunk of its own: formulas stand on the page before it arrives, and without it if it does not. */
-function lateScene(host: HTMLElement, dispatch: Dispatch): Mounted<SceneModel> {
-  let model: SceneModel | null = null;
-  let mounted: Mounted<SceneModel> | null = null;
-  let disposed = false;
-  const waiting = setTimeout(() => {
-    host.dataset.waiting = 'drawing…';
-  }, 300);
-  const done = (): void => {
-    clearTimeout(waiting);
-    delete host.dataset.waiting;
-  };
-  import('../canvas/scene.ts').then(
-    ({ mountScene }) => {
-      done();
-      if (disposed) return;
-      mounted = mountScene(host, dispatch);
-      if (model) mounted.render(model);
-    },
-    () => {
-      done();
-      host.dataset.waiting =
-        'The picture could not be loaded. All numbers, formulas and the plot work.';
-    },
-  );
-  return {
-    render(next) {
-      model = next;
-      mounted?.render(next);
-    },
-    dispose() {
-      disposed = true;
-      mounted?.dispose();
-    },
-  };
 }

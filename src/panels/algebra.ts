@@ -15,19 +15,24 @@ import './algebra.css';
 
 /** From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the hits. */
 export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
-  const { derivation, title } = model;
+  const { derivation, title, shown } = model;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
       <p class="lead">Put the ray into the ${title}: ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
       ${methodPicker(model, dispatch)}
     </div>
-    <div class="steps">${derivation.steps.map((step) => stepLine(step, derivation))}
-      <div class="conditions" data-count=${derivation.conditions.length}>
-        ${derivation.conditions.map((c) => conditionLine(c, derivation))}
-      </div>
+    <div class="steps">
+      ${derivation.steps.map((step, i) => stepLine(step, derivation, i < shown.steps))}
+      ${
+        shown.conditions
+          ? html`<div class="conditions" data-count=${derivation.conditions.length}>
+              ${derivation.conditions.map((c) => conditionLine(c, derivation))}
+            </div>`
+          : nothing
+      }
     </div>
-    ${verdict(model)}
-    ${hitTable(model)}
+    ${shown.verdict ? verdict(model) : concealed()}
+    ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
   </section>`;
 }
 
@@ -43,7 +48,8 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResu
     </select></label>`;
 }
 
-function stepLine(step: Step, { numbers }: Derivation): TemplateResult {
+/** Hidden, a line keeps its formula and its place, but not its numbers. */
+function stepLine(step: Step, { numbers }: Derivation, shown: boolean): TemplateResult {
   const { id, letter, expr, worked } = step;
   const stacked = id !== 'D' && id !== 't';
   const symbols = formula(typesetSymbols(expr), id === 't');
@@ -53,13 +59,15 @@ function stepLine(step: Step, { numbers }: Derivation): TemplateResult {
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
       <span class="in-symbols">${symbols}</span>
-      ${stacked ? nothing : html`<span class="equals">=</span>`}
-      <span class="in-numbers">${inNumbers}</span>
+      ${stacked || !shown ? nothing : html`<span class="equals">=</span>`}
+      <span class="in-numbers">${shown ? inNumbers : '?'}</span>
     </span>
     ${
-      step.value === null
+      step.value === null || !shown
         ? nothing
-        : html`<span class="equals">=</span><span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, step.value)}</span>`
+        : html`<span class="equals">=</span><span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
+            Number.isNaN(step.value) ? 'no value' : value(id, step.value)
+          }</span>`
     }
   </div>`;
 }
@@ -95,6 +103,10 @@ function verdict({
     <strong>${text}</strong></span>
     ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}</span>` : nothing}
   </p>`;
+}
+
+function concealed(): TemplateResult {
+  return html`<p class="verdict">Hidden. Predict first, then reveal line by line.</p>`;
 }
 
 const COMPARED: Readonly<Record<string, TemplateResult>> = {

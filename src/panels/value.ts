@@ -10,14 +10,15 @@ export function value(
   x: number,
   room = Number.POSITIVE_INFINITY,
 ): TemplateResult {
+  const short = displayWithin(x, room);
   return html`<button
     type="button"
-    class="value"
+    class=${short.length > room ? 'value tight' : 'value'}
     data-quantity=${quantity}
     data-value=${shortest(x)}
     title=${`${displayAll(x)} (click for all digits)`}
     @click=${toggleDigits}
-  ><span class="short">${displayWithin(x, room)}</span><span class="long">${displayAll(x)}</span></button>`;
+  ><span class="short">${short}</span><span class="long">${displayAll(x)}</span></button>`;
 }
 
 /** Which digits are shown is the page's own affair and dies with it. */

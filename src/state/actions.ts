@@ -1,4 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
+import type { AppState } from './state.ts';
 import type { View } from './view.ts';
 
 /** Everything that can happen to the state. A dragged handle and a slider send the same action. */
@@ -13,6 +14,18 @@ export type Action =
   | { readonly type: 'bead'; readonly t: number | null }
   | { readonly type: 'reset'; readonly what: 'E' | 'd' | 'all' | { readonly param: string } }
   | { readonly type: 'link'; readonly hash: string }
-  | { readonly type: 'dismiss' };
+  /** A whole state, from a file. */
+  | { readonly type: 'open'; readonly state: AppState }
+  | { readonly type: 'preset'; readonly id: string }
+  /** The next preset, or the one before. */
+  | { readonly type: 'browse'; readonly by: 1 | -1 }
+  /** How many lines of the result are shown; null for all of them. */
+  | { readonly type: 'reveal'; readonly lines: number | null }
+  /** Keep the ray and its hits as they are now, to compare with; or drop them. */
+  | { readonly type: 'ghost'; readonly on: boolean }
+  | { readonly type: 'say'; readonly problems: readonly string[] }
+  | { readonly type: 'dismiss' }
+  | { readonly type: 'undo' }
+  | { readonly type: 'redo' };
 
 export type Dispatch = (action: Action) => void;

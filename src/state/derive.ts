@@ -5,10 +5,12 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { handlesOf } from './handles.ts';
+import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageOf } from './stage.ts';
-import { type AppState, rayOf, shapeOf } from './state.ts';
+import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
 import { stripOf } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
@@ -28,6 +30,8 @@ export interface ExploreModel {
   readonly hits: readonly HitWords[];
   readonly strip: StripModel;
   readonly scene: SceneModel;
+  /** Which lines of the result are shown, for predicting first. */
+  readonly shown: ReturnType<typeof shownLines>;
 }
 
 /** Keeps the result of the last call while every argument is the same by reference. */
@@ -53,14 +57,35 @@ export function createDerive(): (state: AppState) => ExploreModel {
   const strip = remember(stripOf);
   const stage = keepWhile(sameStage, stageOf);
   const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
+  const handles = remember(
+    (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
+      handlesOf({ shape, E, d, unit, ray, drawing }),
+  );
+  const ghostly = remember((ghost: Ghost | null) =>
+    ghost ? { ray: ghost.ray, found: intersect(ghost.shape, ghost.ray) } : null,
+  );
   return (state) => {
     const shape = shapeOf(state);
     const { title, meaning } = definitionOf(shape);
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
     const exactClass = state.method === DEFAULT_METHOD ? found.class : check(shape, r);
-    const graph = strip(found, r, state.bead);
+    const graph = strip(found, shape, r, state.bead);
     const s = stage(shape, r, found);
+    const picture = drawing(shape, s);
+    const scene = sceneOf({
+      title,
+      ray: r,
+      found,
+      stage: s,
+      drawing: picture,
+      handles: handles(shape, state.E, state.d, state.unit, r, picture),
+      strip: graph,
+      view: state.view,
+      ghost: ghostly(state.ghost),
+    });
+    const derived = steps(shape, r, found);
+    const shown = shownLines({ derivation: derived }, state.revealed);
     return {
       state,
       shape,
@@ -69,19 +94,12 @@ export function createDerive(): (state: AppState) => ExploreModel {
       ray: r,
       found,
       contradicted: exactClass === found.class ? null : exactClass,
-      derivation: steps(shape, r, found),
+      derivation: derived,
       verdict: verdictWords(found, title),
       hits: hitWords(found),
       strip: graph,
-      scene: sceneOf({
-        title,
-        ray: r,
-        found,
-        stage: s,
-        drawing: drawing(shape, s),
-        strip: graph,
-        view: state.view,
-      }),
+      scene: shown.hits ? scene : withoutResults(scene),
+      shown,
     };
   };
 }

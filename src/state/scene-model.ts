@@ -1,5 +1,6 @@
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { Handle } from './handles.ts';
 import type { View } from './view.ts';
 
 /** What a stretch of the ray is, seen from its start: behind E, before the first hit, inside, or after the last. */
@@ -26,6 +27,15 @@ export interface HitMark {
   readonly drawn: boolean;
 }
 
+export interface GhostModel {
+  readonly origin: Vec3;
+  readonly direction: Vec3;
+  /** The stretch of its t that is drawn. */
+  readonly from: number;
+  readonly to: number;
+  readonly hits: readonly Vec3[];
+}
+
 /** Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their identity while they do not change. */
 export interface SceneModel {
   readonly shapeTitle: string;
@@ -41,7 +51,11 @@ export interface SceneModel {
     readonly originDrawn: boolean;
   };
   readonly hits: readonly HitMark[];
+  /** A ray that was kept to compare with, and where it hit; drawn faintly. */
+  readonly ghost: GhostModel | null;
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
+  /** What can be taken and moved. */
+  readonly handles: readonly Handle[];
   readonly view: View;
   /** What the picture cannot show, in words: "t₂ lies outside the drawn part". */
   readonly notes: readonly string[];

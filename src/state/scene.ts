@@ -3,13 +3,15 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import { multiplesWithin, roundStep } from '../math/shapes/steps.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { display, displayTriple } from '../text/format.ts';
+import { displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
-import type { HitMark, RaySegment, SceneModel } from './scene-model.ts';
+import type { Handle } from './handles.ts';
+import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
 import { pointAt, stretchesOf } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
+import { windowOf } from './window.ts';
 import { hitSentence, hitWords, verdictWords } from './words.ts';
 
 interface Parts {
@@ -20,9 +22,12 @@ interface Parts {
   readonly drawing: Drawing;
   readonly strip: StripModel;
   readonly view: View;
+  readonly handles: readonly Handle[];
+  readonly ghost: { readonly ray: Ray; readonly found: Intersection } | null;
 }
 
-export function sceneOf({ title, ray, found, stage, drawing, strip, view }: Parts): SceneModel {
+export function sceneOf(parts: Parts): SceneModel {
+  const { title, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
   const hits = hitMarks(found, stage);
   const reach = clipToStage(ray, stage, strip);
   const originDrawn = isDrawn(ray.origin, stage);
@@ -39,9 +44,11 @@ export function sceneOf({ title, ray, found, stage, drawing, strip, view }: Part
       originDrawn,
     },
     hits,
+    ghost: ghost && ghostOf(ghost.ray, ghost.found, stage),
     bead: point.every(Number.isFinite)
       ? { t: strip.bead.t, point, drawn: isDrawn(point, stage) }
       : null,
+    handles,
     view,
     notes: notesOf(ray, hits, originDrawn),
     description: describe(title, ray, found),
@@ -63,7 +70,7 @@ function hitMarks(found: Intersection, stage: Stage): HitMark[] {
 function clipToStage(
   { origin, direction }: Ray,
   { center, radius }: Stage,
-  strip: StripModel,
+  window: { readonly from: number; readonly to: number },
 ): { from: number; to: number } | null {
   const length = Math.hypot(...direction);
   if (!(length > 0) || !Number.isFinite(length)) return null;
@@ -74,9 +81,16 @@ function clipToStage(
   const ball = 1.5 * radius;
   if (!(off < ball)) return null;
   const half = Math.sqrt((ball - off) * (ball + off));
-  const from = Math.max((along - half) / length, strip.from);
-  const to = Math.min((along + half) / length, strip.to);
+  const from = Math.max((along - half) / length, window.from);
+  const to = Math.min((along + half) / length, window.to);
   return Number.isFinite(from) && Number.isFinite(to) && from < to ? { from, to } : null;
+}
+
+function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null {
+  const reach = clipToStage(ray, stage, windowOf(found));
+  if (!reach) return null;
+  const hits = found.hits.map(({ point }) => point).filter((p) => isDrawn(p, stage));
+  return { origin: ray.origin, direction: ray.direction, ...reach, hits };
 }
 
 function segmentsOf(found: Intersection, reach: { from: number; to: number }): RaySegment[] {
@@ -108,9 +122,4 @@ function describe(title: string, { origin, direction }: Ray, found: Intersection
   });
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
   return [`${from} and a ${title}: ${text}.`, ...hits].join(' ');
-}
-
-/** For the status line of a page without WebGL, and for people who do not see it. */
-export function lengthWords(d: Vec3): string {
-  return display(Math.hypot(...d), 4);
 }

@@ -11,7 +11,7 @@ const HAND = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
 const FAR = 8;
 /** Heights that an unbounded surface is drawn between, in radii from the middle of the stage. */
 const LOW = -0.44;
-const HIGH = 0.64;
+const HIGH = 0.56;
 
 /**
  * The part of the world that is drawn. It grows smoothly with what has to be seen, so that a slider never makes the
@@ -27,12 +27,25 @@ export function stageOf(shape: Shape, ray: Ray, found: Intersection): Stage {
     spread >= HAND.tiny;
   const center = atHand ? HAND.center : anchor.at;
   const own = atHand ? HAND.radius : ownScale(anchor, points);
+  const seen = points.map((p) => followed(p, center, FAR * own));
   const needed = [
     distance(anchor.at, center) + anchor.size,
-    ...points.map((p) => distance(p, center)).filter((d) => d <= FAR * own),
+    ...seen.map((p) => distance(p, center)),
   ];
   const radius = Math.max(own, 1.08 * Math.max(...needed));
-  return withHeights(center, radius, points);
+  return withHeights(center, radius, seen);
+}
+
+/**
+ * The point itself up to `far` from the centre; beyond, the picture lets go of it as gradually as it followed it: the place
+ * to be seen comes back along the same line, and is the centre itself from twice as far.
+ */
+function followed(p: Vec3, center: Vec3, far: number): Vec3 {
+  const away = distance(p, center);
+  if (away <= far) return p;
+  const share = Math.max(0, 2 * far - away) / away;
+  const back = (i: 0 | 1 | 2): number => center[i] + (share > 0 ? (p[i] - center[i]) * share : 0);
+  return [back(0), back(1), back(2)];
 }
 
 function interesting({ hits, details }: Intersection): Vec3[] {
@@ -49,14 +62,14 @@ function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): 
 
 function withHeights(center: Vec3, radius: number, points: readonly Vec3[]): Stage {
   const y = center[1];
-  const inPicture = points.filter((p) => distance(p, center) <= radius).map((p) => p[1]);
+  const heights = points.map((p) => p[1]);
   const margin = 0.05 * radius;
   return {
     center,
     radius,
     ground: y + LOW * radius,
-    low: Math.min(y + LOW * radius, ...inPicture.map((h) => h - margin)),
-    high: Math.max(y + HIGH * radius, ...inPicture.map((h) => h + margin)),
+    low: Math.min(y + LOW * radius, ...heights.map((h) => h - margin)),
+    high: Math.max(y + HIGH * radius, ...heights.map((h) => h + margin)),
   };
 }
 

@@ -23,9 +23,37 @@ export interface AppState {
   readonly view: View;
   /** t of the bead; null lets it rest where the picture is clearest. */
   readonly bead: number | null;
-  /** What was wrong with the link that was opened, in words. */
+  /** What was wrong with the link or file that was opened, in words. */
   readonly problems: readonly string[];
+  /** The preset that was opened last, whatever has been moved since. */
+  readonly preset: string | null;
+  /** How many lines of the result are shown, for predicting first; null shows everything. */
+  readonly revealed: number | null;
+  /** A ray and its hits that were kept to compare with. */
+  readonly ghost: Ghost | null;
 }
+
+export interface Ghost {
+  readonly shape: Shape;
+  readonly ray: Ray;
+}
+
+/** Where each part of the state is kept: in the link, in a saved file, or nowhere. Undo: see history.ts. */
+export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>> = {
+  page: 'link',
+  kind: 'link',
+  shapes: 'file',
+  E: 'link',
+  d: 'link',
+  unit: 'link',
+  method: 'link',
+  view: 'link',
+  bead: 'link',
+  problems: 'session',
+  preset: 'session',
+  revealed: 'session',
+  ghost: 'session',
+};
 
 /** The same for E and d as shapes have for theirs. */
 export const RAY_PARAMS = {
@@ -69,6 +97,9 @@ export const INITIAL: AppState = {
   view: 'iso',
   bead: null,
   problems: [],
+  preset: null,
+  revealed: null,
+  ghost: null,
 };
 
 /** The shape that is shown. */

@@ -1,25 +1,32 @@
 import type { Action, Dispatch } from './actions.ts';
+import { advance, historyOf } from './history.ts';
 import type { AppState } from './state.ts';
-import { update } from './update.ts';
 
 export interface Store {
   get(): AppState;
   dispatch: Dispatch;
+  canUndo(): boolean;
+  canRedo(): boolean;
   subscribe(listener: (state: AppState) => void): () => void;
 }
 
-/** One state, changed by actions only; listeners hear of a change, not of an action that changed nothing. */
-export function createStore(initial: AppState): Store {
-  let state = initial;
+/**
+ * One state, changed by actions only; listeners hear of a change, not of an action that changed nothing.
+ * `gesture` names the drag or run of key presses that is under way, so that it becomes one step of undo.
+ */
+export function createStore(initial: AppState, gesture: () => string | null = () => null): Store {
+  let history = historyOf(initial);
   const listeners = new Set<(state: AppState) => void>();
   return {
-    get: () => state,
+    get: () => history.present,
     dispatch(action: Action) {
-      const next = update(state, action);
-      if (next === state) return;
-      state = next;
-      for (const listener of listeners) listener(state);
+      const before = history.present;
+      history = advance(history, action, gesture());
+      if (history.present === before) return;
+      for (const listener of listeners) listener(history.present);
     },
+    canUndo: () => history.past.length > 0,
+    canRedo: () => history.future.length > 0,
     subscribe(listener) {
       listeners.add(listener);
       return () => listeners.delete(listener);

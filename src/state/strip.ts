@@ -1,5 +1,7 @@
+import { alongRay } from '../math/along.ts';
 import type { Intersection } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
+import type { Shape } from '../math/shapes/index.ts';
 import { display } from '../text/format.ts';
 import type { Stretch } from './scene-model.ts';
 import type { StripModel } from './strip-model.ts';
@@ -7,7 +9,12 @@ import { restingBead, windowOf } from './window.ts';
 import { type HitWords, hitSentence, hitWords } from './words.ts';
 
 /** The graph of f over the window, with the stretches of the ray and the bead. */
-export function stripOf(found: Intersection, ray: Ray, bead: number | null): StripModel {
+export function stripOf(
+  found: Intersection,
+  shape: Shape,
+  ray: Ray,
+  bead: number | null,
+): StripModel {
   const window = windowOf(found);
   const { A, B, C } = quadratic(found);
   const f = (t: number): number => (A * t + B) * t + C;
@@ -26,7 +33,7 @@ export function stripOf(found: Intersection, ray: Ray, bead: number | null): Str
       double: found.class === 'tangent',
     })),
     stretches: stretchesOf(found, window),
-    bead: { t, f: f(t), point: pointAt(ray, t) },
+    bead: { t, ...alongRay(shape, ray, t) },
     contained: found.class === 'contained',
     description: describe(found, roots),
   };
@@ -105,6 +112,7 @@ function describe(found: Intersection, roots: readonly HitWords[]): string {
     A === 0 ? 'a straight line' : A > 0 ? 'a parabola open upwards' : 'a parabola open downwards';
   const at = `f(0) = ${display(C)}`;
   if (found.class === 'contained') return 'f(t) is zero for every t.';
+  if ([A, B, C].some(Number.isNaN)) return 'f(t) is not known: a number overflowed.';
   if (A === 0 && B === 0) return `f(t) is constant: ${at}.`;
   const where = roots.length === 0 ? 'it has no root' : roots.map(hitSentence).join('; ');
   return `f(t) is ${kind}, ${at}; ${where}.`;

@@ -3,7 +3,8 @@ import type { Shape, ShapeKind } from '../math/shapes/index.ts';
 import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Action } from './actions.ts';
-import { type AppState, INITIAL, initialShape, RAY_PARAMS, shapeOf } from './state.ts';
+import { GALLERY } from './gallery/index.ts';
+import { type AppState, INITIAL, initialShape, RAY_PARAMS, rayOf, shapeOf } from './state.ts';
 import { decode } from './url.ts';
 import { isView } from './view.ts';
 
@@ -30,8 +31,24 @@ export function update(state: AppState, action: Action): AppState {
       return reset(state, action.what);
     case 'link':
       return decode(action.hash, state);
+    case 'open':
+      return action.state;
+    case 'preset':
+      return openPreset(state, action.id);
+    case 'browse':
+      return openPreset(state, neighbour(state.preset, action.by));
+    case 'reveal':
+      return { ...state, revealed: action.lines };
+    case 'ghost':
+      return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
+    case 'say':
+      return { ...state, problems: action.problems };
     case 'dismiss':
       return { ...state, problems: [] };
+    case 'undo':
+    case 'redo':
+      // The history answers these; a state alone has no past.
+      return state;
   }
 }
 
@@ -65,4 +82,16 @@ function reset(state: AppState, what: What): AppState {
   }
   const param = findShape(state.kind)?.params.find(({ key }) => key === what.param);
   return param ? withParam(state, param.key, param.initial) : state;
+}
+
+function openPreset(state: AppState, id: string): AppState {
+  const preset = GALLERY.find((entry) => entry.id === id);
+  return preset ? { ...decode(preset.link, state), preset: id } : state;
+}
+
+/** Round the gallery; from nowhere, its first or last entry. */
+function neighbour(id: string | null, by: 1 | -1): string {
+  const at = GALLERY.findIndex((entry) => entry.id === id);
+  const next = at === -1 && by === -1 ? -1 : at + by;
+  return GALLERY.at(next % GALLERY.length)?.id ?? '';
 }

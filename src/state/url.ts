@@ -128,6 +128,9 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
     problems,
+    preset: null,
+    revealed: before.revealed === null ? null : 0,
+    ghost: before.ghost,
   };
   for (const key of given.keys()) {
     if (!known.has(key)) problems.push(`${quote(key)} means nothing for a ${kind}`);

@@ -1,4 +1,10 @@
-import type { CurvedDetails, FlatDetails, Intersection, Sign } from '../math/intersection.ts';
+import type {
+  CurvedDetails,
+  FlatDetails,
+  Intersection,
+  PlaneHit,
+  Sign,
+} from '../math/intersection.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import type { HitRole } from './scene-model.ts';
@@ -65,6 +71,9 @@ function twoPoints({ hits }: Intersection, A: Sign | null): string {
   const inwards = A !== -1;
   if (behindE === 2) return 'two points, both behind E: the ray itself misses';
   if (behindE === 1) {
+    if (inwards && hits[1]?.t === 0) {
+      return 'two points: one behind E, one at E itself, where the ray leaves';
+    }
     return inwards
       ? 'two points: E is inside, the ray leaves'
       : 'two points: one behind E, one where the ray enters';
@@ -119,16 +128,23 @@ function planeVerdict(found: Intersection, { plane }: FlatDetails, title: string
       ? { relations, text: `one point${where}` }
       : { relations, text: `one point, inside the ${title}${where}` };
   }
-  const far = display(plane?.distance ?? 0, 3);
-  return { relations, text: `the plane is met ${far} outside the ${title}${where}: no point` };
+  const far = plane && knownDistance(plane);
+  const by = far === null ? '' : `${far} `;
+  return { relations, text: `the plane is met ${by}outside the ${title}${where}: no point` };
+}
+
+/** A float rung may know that a point is outside and not how far: the squares overflow first. */
+function knownDistance({ distance }: PlaneHit): string | null {
+  return Number.isNaN(distance) ? null : display(distance, 3);
 }
 
 /** Every root with its role; a point of the plane outside the figure is listed too, as rejected. */
 export function hitWords(found: Intersection): HitWords[] {
   const { details } = found;
   if (details.family === 'flat' && details.plane && details.plane.inside === false) {
-    const { t, distance } = details.plane;
-    return [{ index: 1, t, role: 'outside', text: `outside by ${display(distance, 3)}` }];
+    const far = knownDistance(details.plane);
+    const text = far === null ? 'outside' : `outside by ${far}`;
+    return [{ index: 1, t: details.plane.t, role: 'outside', text }];
   }
   const first = found.hits.findIndex(({ t }) => t >= 0);
   return found.hits.map(({ t }, i) => {

@@ -1,46 +1,51 @@
-export type Theme = 'system' | 'light' | 'dark';
+export const THEMES = ['system', 'light', 'dark', 'projector'] as const;
+export type Theme = (typeof THEMES)[number];
 
-const ORDER: readonly Theme[] = ['system', 'light', 'dark'];
 const KEY = 'graze.theme';
 
 export interface ThemeSwitch {
   current(): Theme;
-  next(): void;
+  /** What is on the page: never 'system'. */
+  applied(): Exclude<Theme, 'system'>;
+  set(theme: Theme): void;
 }
 
 /** Follows the system unless the person chose; the choice stays on the device, where the device lets it. */
 export function watchTheme(root: HTMLElement, changed: () => void): ThemeSwitch {
   const dark = matchMedia('(prefers-color-scheme: dark)');
-  let theme = remembered();
+  const stored = recall(KEY) as Theme;
+  let theme: Theme = THEMES.includes(stored) ? stored : 'system';
+  const applied = (): Exclude<Theme, 'system'> =>
+    theme === 'system' ? (dark.matches ? 'dark' : 'light') : theme;
   const apply = (): void => {
-    root.dataset.theme = theme === 'system' ? (dark.matches ? 'dark' : 'light') : theme;
+    root.dataset.theme = applied();
     changed();
   };
   dark.addEventListener('change', apply);
   apply();
   return {
     current: () => theme,
-    next() {
-      theme = ORDER[(ORDER.indexOf(theme) + 1) % ORDER.length] ?? 'system';
-      remember(theme);
+    applied,
+    set(next) {
+      theme = next;
+      remember(KEY, next);
       apply();
     },
   };
 }
 
-function remembered(): Theme {
+/** What the device remembers, or null; storage is denied to files opened from disk in some browsers. */
+export function recall(key: string): string | null {
   try {
-    const found = localStorage.getItem(KEY) as Theme;
-    return ORDER.includes(found) ? found : 'system';
+    return localStorage.getItem(key);
   } catch {
-    // Storage is denied to files opened from disk in some browsers.
-    return 'system';
+    return null;
   }
 }
 
-function remember(theme: Theme): void {
+export function remember(key: string, value: string): void {
   try {
-    localStorage.setItem(KEY, theme);
+    localStorage.setItem(key, value);
   } catch {
     // Then it lasts as long as the page.
   }

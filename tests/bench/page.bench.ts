@@ -1,29 +1,19 @@
 // What the page costs: the size of each built chunk, and the script time of one slider step in a real browser.
-import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname, join } from 'node:path';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { chromium, type Page } from '@playwright/test';
-import { build } from 'vite';
+import { serveSite } from '../serve-site.ts';
 
 const SITE = 'dist/site';
 const STEPS = 60;
-const TYPES: Readonly<Record<string, string>> = {
-  '.html': 'text/html',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.woff2': 'font/woff2',
-};
-
-await build({ logLevel: 'warn' });
+const site = await serveSite();
 sizes();
-const server = serve();
 const browser = await launch();
-const { port } = server.address() as { port: number };
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
-await sliderSteps(page, `http://127.0.0.1:${port}/`);
+await sliderSteps(page, site.url);
 await browser.close();
-server.close();
+site.close();
 
 function sizes(): void {
   console.log('| chunk | kB | kB gz |\n|---|---:|---:|');
@@ -36,23 +26,6 @@ function sizes(): void {
 
 function kB(bytes: number): string {
   return (bytes / 1000).toFixed(1);
-}
-
-function serve() {
-  return createServer((request, response) => {
-    const path = (request.url ?? '/').split('?')[0] ?? '/';
-    const file = join(SITE, path === '/' ? 'index.html' : path);
-    try {
-      statSync(file);
-      response.setHeader('Content-Type', TYPES[extname(file)] ?? 'application/octet-stream');
-      response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
-      response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
-      response.end(readFileSync(file));
-    } catch {
-      response.statusCode = 404;
-      response.end();
-    }
-  }).listen(0, '127.0.0.1');
 }
 
 async function launch() {

@@ -12,15 +12,34 @@ import { nextDown, nextUp } from './ulp.ts';
  * A difference ∞ − ∞ bounds nothing: the answer is the infinity on the safe side.
  */
 
+/**
+ * u(1 + 2u): |x| times this lies above half of the space from x to its neighbours and below one and a half of it, so
+ * adding it rounds to the next double, also where the spacing halves (Rump, Zimmermann, Boldo, Melquiond 2009, Computing
+ * predecessor and successor in rounding to nearest). Far from the ends of the range, where it must not round itself.
+ */
+const STEP = 2 ** -53 * (1 + 2 ** -52);
+const LEAST = 2 ** -960;
+const MOST = 2 ** 1020;
+
+function above(x: number): number {
+  const size = Math.abs(x);
+  return size > LEAST && size < MOST ? x + size * STEP : nextUp(x);
+}
+
+function below(x: number): number {
+  const size = Math.abs(x);
+  return size > LEAST && size < MOST ? x - size * STEP : nextDown(x);
+}
+
 /** The end given by the rounded result and the sign of (true result − rounded result); NaN: unknown. */
 function down(rounded: number, error: number): number {
   if (error >= 0) return rounded;
-  return Number.isNaN(rounded) ? -Infinity : nextDown(rounded);
+  return Number.isNaN(rounded) ? -Infinity : below(rounded);
 }
 
 function up(rounded: number, error: number): number {
   if (error <= 0) return rounded;
-  return Number.isNaN(rounded) ? Infinity : nextUp(rounded);
+  return Number.isNaN(rounded) ? Infinity : above(rounded);
 }
 
 export function addDown(a: number, b: number): number {

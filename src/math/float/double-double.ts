@@ -42,14 +42,11 @@ export function neg(R: Registers, out: number, a: number): void {
  * The accurate addition (their algorithm 6), ≤ 3u²/(1 − 4u) of the sum even when hi's cancel. The "sloppy" one, 9 operations shorter,
  * has no bound at all there, and cancellation is what these numbers are for.
  */
-function addScalars(
-  R: Registers,
-  out: number,
-  aHi: number,
-  aLo: number,
-  bHi: number,
-  bLo: number,
-): void {
+export function add(R: Registers, out: number, a: number, b: number): void {
+  const aHi = get(R, a);
+  const aLo = get(R, a + 1);
+  const bHi = get(R, b);
+  const bLo = get(R, b + 1);
   const s = aHi + bHi;
   const t = aLo + bLo;
   const c = sumError(aHi, bHi, s) + t;
@@ -57,12 +54,17 @@ function addScalars(
   put(R, out, v, sumError(aLo, bLo, t) + fastSumError(s, c, v));
 }
 
-export function add(R: Registers, out: number, a: number, b: number): void {
-  addScalars(R, out, get(R, a), get(R, a + 1), get(R, b), get(R, b + 1));
-}
-
+/** As `add` with b's signs turned. */
 export function sub(R: Registers, out: number, a: number, b: number): void {
-  addScalars(R, out, get(R, a), get(R, a + 1), -get(R, b), -get(R, b + 1));
+  const aHi = get(R, a);
+  const aLo = get(R, a + 1);
+  const bHi = -get(R, b);
+  const bLo = -get(R, b + 1);
+  const s = aHi + bHi;
+  const t = aLo + bLo;
+  const c = sumError(aHi, bHi, s) + t;
+  const v = s + c;
+  put(R, out, v, sumError(aLo, bLo, t) + fastSumError(s, c, v));
 }
 
 /** Their algorithm 10, ≤ 5u²: the error of hi·hi exactly, the two cross terms rounded, lo·lo ≤ u²·hi·hi left out. */
@@ -125,4 +127,25 @@ export function sqrt(R: Registers, out: number, a: number): void {
 export function sign(R: Registers, a: number): number {
   const x = get(R, a);
   return Number.isFinite(x) ? Math.sign(x) + 0 : Number.NaN;
+}
+
+/** The nearest double. */
+export function toNumber(R: Registers, a: number): number {
+  return get(R, a);
+}
+
+export function size(R: Registers, a: number): number {
+  return Math.abs(get(R, a));
+}
+
+/** Puts the lesser one first. Both are normalised, so the first parts decide, and where these are equal the second ones. */
+export function sort(R: Registers, a: number, b: number): void {
+  const x = get(R, a);
+  const y = get(R, b);
+  if (x < y || (x === y && get(R, a + 1) <= get(R, b + 1))) return;
+  const xLo = get(R, a + 1);
+  R[a] = y;
+  R[a + 1] = get(R, b + 1);
+  R[b] = x;
+  R[b + 1] = xLo;
 }

@@ -11,6 +11,7 @@ import {
   plusMinus,
   root,
   scalar,
+  signedSum,
   squared,
   times,
 } from './expr.ts';
@@ -39,3 +40,36 @@ export const F_OF_T: Expr = plus(times(A, squared(scalar('t'))), times(B, scalar
 export const POINT: ExprTriple = alongAxes((axis) =>
   plus(comp('E', axis), times(scalar('t'), comp('d', axis))),
 );
+
+/** a × b, written out. */
+export function cross(a: ExprTriple, b: ExprTriple): ExprTriple {
+  const minor = (i: 0 | 1 | 2, j: 0 | 1 | 2): Expr => minus(times(a[i], b[j]), times(a[j], b[i]));
+  return [minor(1, 2), minor(2, 0), minor(0, 1)];
+}
+
+/** The components of a vector by its symbol. */
+export const components = (vector: string): ExprTriple => alongAxes((axis) => comp(vector, axis));
+
+/** The ray's moment about a point: m = d × (E − C). Sliding E along the ray does not change it. */
+export const momentAbout = (center: string): ExprTriple =>
+  cross(
+    components('d'),
+    alongAxes((axis) => minus(comp('E', axis), comp(center, axis))),
+  );
+
+/**
+ * D = 4(ρA + a(mx² + mz²) − my²) for the surface (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ: Lagrange's identity for the metric
+ * diag(1, −a, 1) turns b² − AC into this. B² and 4AC agree in ever more digits as E moves away; here nothing grows with
+ * the distance but the rounding of m itself.
+ */
+export function momentDiscriminant(a: Expr | null, rho: Expr | null): Expr {
+  const [mx, my, mz] = components('m');
+  return times(
+    num(4),
+    signedSum(
+      ...(rho ? [[1, times(rho, A)] as const] : []),
+      ...(a ? [[1, times(a, plus(squared(mx), squared(mz)))] as const] : []),
+      [-1, squared(my)],
+    ),
+  );
+}

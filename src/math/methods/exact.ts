@@ -1,8 +1,10 @@
 import { exact as exactArithmetic } from '../arithmetic/exact.ts';
+import { exactKernel } from '../batch/exact.ts';
+import type { Method } from './define.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-export const exact = treeMethod(
+const walked = treeMethod(
   {
     id: 'exact',
     title: 'exact',
@@ -16,3 +18,12 @@ export const exact = treeMethod(
   textbookSolver,
   'exact',
 );
+
+export const exact: Method = {
+  ...walked,
+  batch(shape) {
+    const kernel = exactKernel(shape);
+    if (!kernel) throw new RangeError(`no batch kernel for ${shape.kind}`);
+    return kernel;
+  },
+};

@@ -1,5 +1,5 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
-import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, ROOTS } from '../formula/common.ts';
+import { DOUBLE_ROOT, LINEAR_ROOT, ROOTS } from '../formula/common.ts';
 import { evaluate, type Values } from '../formula/evaluate.ts';
 import { type Expr, minus, negative, num, over, plus, root, scalar } from '../formula/expr.ts';
 import type { Verdict } from '../intersection.ts';
@@ -15,16 +15,16 @@ export interface Solved<T> {
 /** Finds both roots of A t² + B t + C, for A ≠ 0 and D > 0, in any order. */
 type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
 
-export type Solver = <T>(A: T, B: T, C: T, ar: Arithmetic<T>) => Solved<T>;
+/** D is given: a rung may know a better one than B² − 4AC. */
+export type Solver = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>) => Solved<T>;
 
 /**
  * The course's case distinction around a formula for the two roots: A = 0 leaves a line, and the sign of D decides.
  * Nothing is compared with an epsilon: where the arithmetic's own value is zero, it is taken for zero.
  */
 function solverWith(rootPair: RootPair): Solver {
-  return (A, B, C, ar) => {
-    const values = { scalars: { A, B, C }, vectors: {} };
-    const D = evaluate(DISCRIMINANT, ar, values);
+  return (A, B, C, D, ar) => {
+    const values = { scalars: { A, B, C, D }, vectors: {} };
     const signA = ar.sign(A);
     const signD = ar.sign(D);
     if (Number.isNaN(signA)) return { class: 'undecided', D, roots: [] };
@@ -32,7 +32,7 @@ function solverWith(rootPair: RootPair): Solver {
     if (Number.isNaN(signD)) return { class: 'undecided', D, roots: [] };
     if (signD < 0) return { class: 'none', D, roots: [] };
     if (signD === 0) return { class: 'tangent', D, roots: [evaluate(DOUBLE_ROOT, ar, values)] };
-    const pair = rootPair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+    const pair = rootPair(values, ar);
     return { class: 'two', D, roots: ascending(pair, ar) };
   };
 }
@@ -49,8 +49,12 @@ function solveLinear<T>(A: T, B: T, C: T, ar: Arithmetic<T>): Pick<Solved<T>, 'c
   return { class: signC === 0 ? 'contained' : 'none', roots: [] };
 }
 
+/** By what is shown of them where t − s overflows. */
 function ascending<T>([t, s]: readonly [T, T], ar: Arithmetic<T>): readonly [T, T] {
-  return ar.sign(ar.sub(t, s)) > 0 ? [s, t] : [t, s];
+  if (ar.sorted) return ar.sorted(t, s);
+  const sign = ar.sign(ar.sub(t, s));
+  const swapped = Number.isNaN(sign) ? ar.toNumber(t) > ar.toNumber(s) : sign > 0;
+  return swapped ? [s, t] : [t, s];
 }
 
 /** t = (−B ± √D) / 2A as it stands. */

@@ -1,8 +1,10 @@
 import { float64 } from '../arithmetic/float64.ts';
+import { direct } from './direct.ts';
 import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-export const stable = treeMethod(
+/** By its trees: what the fast form is tested against. */
+export const stableByTrees = treeMethod(
   {
     id: 'stable',
     title: 'stable root',
@@ -16,3 +18,5 @@ export const stable = treeMethod(
   stableSolver,
   'formula',
 );
+
+export const stable = direct(stableByTrees, true);

@@ -1,8 +1,10 @@
 import { float64 } from '../arithmetic/float64.ts';
+import { direct } from './direct.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-export const textbook = treeMethod(
+/** By its trees: what the fast form is tested against. */
+export const textbookByTrees = treeMethod(
   {
     id: 'textbook',
     title: 'textbook',
@@ -15,3 +17,5 @@ export const textbook = treeMethod(
   textbookSolver,
   'formula',
 );
+
+export const textbook = direct(textbookByTrees, false);

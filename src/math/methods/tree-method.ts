@@ -1,5 +1,5 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
-import { POINT } from '../formula/common.ts';
+import { DISCRIMINANT, POINT } from '../formula/common.ts';
 import {
   evaluate,
   evaluateTriple,
@@ -23,13 +23,15 @@ import type { Ray } from '../ray.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
-import { all, conditionsAt, type FlatFormula, withPoint } from '../shapes/planar.ts';
+import { all, type FlatFormula, withPoint } from '../shapes/planar.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Method } from './define.ts';
+import { courseForm, type Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 
 interface Rung<T> {
   readonly arithmetic: Arithmetic<T>;
+  readonly form: Form;
   readonly solver: Solver;
   readonly decidedBy: DecidedBy;
   readonly id: string;
@@ -38,16 +40,17 @@ interface Rung<T> {
 type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source'>;
 
 /**
- * A method that is an arithmetic and a way to solve the quadratic: the course's trees are evaluated in that arithmetic,
- * and whatever is shown of them is rounded to doubles at the very end.
+ * A method that is an arithmetic, a way to form what decides and a way to solve the quadratic: the trees are evaluated in
+ * that arithmetic, and whatever is shown of them is rounded to doubles at the very end.
  */
 export function treeMethod<T>(
   about: About,
   arithmetic: Arithmetic<T>,
   solver: Solver,
   decidedBy: DecidedBy,
+  form: Form = courseForm,
 ): Method {
-  const rung: Rung<T> = { arithmetic, solver, decidedBy, id: about.id };
+  const rung: Rung<T> = { arithmetic, form, solver, decidedBy, id: about.id };
   return {
     ...about,
     coefficients(shape, ray) {
@@ -91,10 +94,11 @@ function coefficientsOf<T>(shape: Shape, values: Values<T>, ar: Arithmetic<T>): 
 function intersectCurved<T>(
   formula: CurvedFormula,
   values: Values<T>,
-  { arithmetic: ar, solver, decidedBy, id }: Rung<T>,
+  { arithmetic: ar, form, solver, decidedBy, id }: Rung<T>,
 ): Intersection {
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
-  const { class: verdict, D, roots } = solver(A, B, C, ar);
+  const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
+  const { class: verdict, roots } = solver(A, B, C, D, ar);
   const hits = roots.map((t) => hitAt(t, formula.normal, values, ar));
   const { toNumber } = ar;
   const details: CurvedDetails = {
@@ -111,12 +115,12 @@ function intersectCurved<T>(
 function intersectFlat<T>(
   formula: FlatFormula,
   values: Values<T>,
-  { arithmetic: ar, decidedBy, id }: Rung<T>,
+  { arithmetic: ar, form, decidedBy, id }: Rung<T>,
 ): Intersection {
   const rate = evaluate(formula.rate, ar, values);
   const offset = evaluate(formula.offset, ar, values);
   const signs = { offset: signOf(offset, ar), rate: signOf(rate, ar) };
-  const plane = signs.rate ? planeHit(formula, values, ar) : null;
+  const plane = signs.rate ? planeHit(formula, withScalars(values, { rate }), form, ar) : null;
   const contained = signs.rate === 0 && signs.offset === 0;
   const details: FlatDetails = {
     family: 'flat',
@@ -136,11 +140,15 @@ function flatClass({ signs, plane }: FlatDetails): Intersection['class'] {
   return signs.offset === 0 ? 'contained' : 'none';
 }
 
-function planeHit<T>(formula: FlatFormula, values: Values<T>, ar: Arithmetic<T>): PlaneHit {
+function planeHit<T>(
+  formula: FlatFormula,
+  values: Values<T>,
+  form: Form,
+  ar: Arithmetic<T>,
+): PlaneHit {
   const t = evaluate(formula.t, ar, values);
-  const x = evaluateTriple(POINT, ar, withScalars(values, { t }));
+  const { x, holds } = form.meeting(formula, withScalars(values, { t }), ar);
   const { bound } = formula;
-  const holds = bound ? conditionsAt(bound, x, values, ar) : [];
   const inside = all(holds);
   const N = values.vectors.N as Triple<T>;
   return {
@@ -192,15 +200,17 @@ function answer(found: Intersection): Intersection {
   const numbers = found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
   const broken =
     numbers.some(Number.isNaN) ||
-    (found.decidedBy === 'formula' && found.hits.some(({ t }) => !Number.isFinite(t)));
+    (found.decidedBy !== 'exact' && found.hits.some(({ t }) => !Number.isFinite(t)));
   return broken ? { ...found, class: 'undecided', hits: [] } : found;
 }
 
 function solveDoubles<T>(A: number, B: number, C: number, rung: Rung<T>): QuadraticAnswer {
   const { arithmetic: ar, solver } = rung;
-  const solved = solver(ar.of(A), ar.of(B), ar.of(C), ar);
+  const scalars = { A: ar.of(A), B: ar.of(B), C: ar.of(C) };
+  const D = evaluate(DISCRIMINANT, ar, { scalars, vectors: {} });
+  const solved = solver(scalars.A, scalars.B, scalars.C, D, ar);
   const roots = solved.roots.map(ar.toNumber);
   const broken =
-    roots.some(Number.isNaN) || (rung.decidedBy === 'formula' && !roots.every(Number.isFinite));
+    roots.some(Number.isNaN) || (rung.decidedBy !== 'exact' && !roots.every(Number.isFinite));
   return broken ? { class: 'undecided', roots: [] } : { class: solved.class, roots };
 }

@@ -1,3 +1,4 @@
+import { momentAbout, momentDiscriminant } from '../formula/common.ts';
 import {
   comp,
   type Expr,
@@ -19,6 +20,9 @@ export interface CurvedFormula {
   readonly A: Expr;
   readonly B: Expr;
   readonly C: Expr;
+  /** m = d × (E − C), and D from A and m instead of from A, B and C. */
+  readonly moment: ExprTriple;
+  readonly momentD: Expr;
   /** The course's normal at (x, y, z): half the gradient, not normalised. */
   readonly normal: ExprTriple;
 }
@@ -64,6 +68,8 @@ export function axialFormula({ center, a, rho }: AxialQuadric): CurvedFormula {
       ...inY((k) => times(k, squared(p('y')))),
       ...(rho ? [[-1, rho] as const] : []),
     ),
+    moment: momentAbout(center),
+    momentD: momentDiscriminant(a, rho),
     normal: [n('x'), a ? times({ op: 'negative', of: a }, n('y')) : num(0), n('z')],
   };
 }

@@ -1,9 +1,11 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { components } from '../formula/common.ts';
 import { squaredNorm, type Triple, type Values } from '../formula/evaluate.ts';
-import { norm, scalar, vec, vecMinus } from '../formula/expr.ts';
+import { norm, plus, scalar, squared, times, vec, vecMinus } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawDisc } from './flat-drawing.ts';
+import { pointGrip, radiusGrip } from './grips.ts';
 import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
 
 /** The disc about `center` in the plane with this normal; its rim belongs to it. */
@@ -29,6 +31,13 @@ const get = <T>(values: Values<T>) => ({
 
 const BOUND: Bound = {
   conditions: [{ left: norm(vecMinus(vec('X'), vec('C'))), relation: '≤', right: scalar('r') }],
+  momentConditions: [
+    {
+      left: plus(...components('w').map(squared)),
+      relation: '≤',
+      right: times(squared(scalar('r')), squared(scalar('rate'))),
+    },
+  ],
   distance(x, values, ar) {
     const { C, r } = get(values);
     return ar.sub(ar.sqrt(squaredNorm(between(x, C, ar), ar)), r);
@@ -91,5 +100,8 @@ export const circle: ShapeDefinition<Circle> = {
   }),
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
-  draw: ({ normal, center, radius }) => drawDisc(normal, center, radius),
+  draw: ({ normal, center, radius }) => ({
+    ...drawDisc(normal, center, radius),
+    grips: [pointGrip('center', center), radiusGrip('radius', center, radius, normal)],
+  }),
 };

@@ -2,6 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
+import { pointGrip, slopeGrip } from './grips.ts';
 import { drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|. */
@@ -44,6 +45,8 @@ export const cone: ShapeDefinition<Cone> = {
   meaning: ({ slope }) =>
     slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
-  draw: ({ vertex, slope }, stage) =>
-    drawRevolution({ center: vertex, a: slope * slope, rho: 0 }, 'V', stage),
+  draw: ({ vertex, slope }, stage) => ({
+    ...drawRevolution({ center: vertex, a: slope * slope, r: 0 }, 'V', stage),
+    grips: [pointGrip('vertex', vertex), slopeGrip('slope', vertex, slope, stage)],
+  }),
 };

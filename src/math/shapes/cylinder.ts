@@ -2,7 +2,8 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
-import { drawRevolution } from './revolve.ts';
+import { pointGrip, radiusGrip } from './grips.ts';
+import { axisPoint, drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y; the centre's y does not matter. */
 export interface Cylinder {
@@ -44,6 +45,11 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
-  draw: ({ center, radius }, stage) =>
-    drawRevolution({ center, a: 0, rho: radius * radius }, 'C', stage),
+  draw({ center, radius }, stage) {
+    const middle = axisPoint(center, stage);
+    return {
+      ...drawRevolution({ center, a: 0, r: radius }, 'C', stage),
+      grips: [pointGrip('center', middle), radiusGrip('radius', middle, radius)],
+    };
+  },
 };

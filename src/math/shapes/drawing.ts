@@ -34,8 +34,32 @@ export interface Patch {
   readonly stepsV: number;
 }
 
+/**
+ * A place of the shape that can be taken hold of to change a parameter. A point goes where it is dragged. A length, or a
+ * number that follows from one, is read off how far the place is from `from`: along a direction, or, about an axis, on any
+ * radius; the picture takes the one that is seen best.
+ */
+export type Grip =
+  | { readonly type: 'point'; readonly param: string; readonly at: Vec3 }
+  | {
+      readonly type: 'reach';
+      readonly param: string;
+      readonly from: Vec3;
+      readonly direction: { readonly along: Vec3 } | { readonly about: Vec3 };
+      /** A length, not negative. */
+      readonly reach: number;
+      /** The parameter is a length too, and not a slope or the like. */
+      readonly isLength: boolean;
+      value(reach: number): number;
+    };
+
 /** What a shape asks to have drawn, in world coordinates. */
-export interface Drawing {
+export interface Drawing extends Figure {
+  readonly grips: readonly Grip[];
+}
+
+/** The same without what can be taken hold of. */
+export interface Figure {
   readonly patches: readonly Patch[];
   /** Straight helper lines, such as the axis. */
   readonly lines: readonly { readonly from: Vec3; readonly to: Vec3 }[];

@@ -1,5 +1,6 @@
 import type { Axis, Vec3 } from '../vec3.ts';
-import type { Drawing, Patch, Stage } from './drawing.ts';
+import type { Figure, Patch, Stage } from './drawing.ts';
+import { multiplesWithin, roundStep } from './steps.ts';
 
 /** Two unit vectors that span the plane with this normal; doubles, for the picture only. */
 export function spanning(normal: Vec3): { e1: Vec3; e2: Vec3; unit: Vec3 } {
@@ -22,19 +23,21 @@ const along = (p: Vec3, s: number, e1: Vec3, t: number, e2: Vec3): Vec3 => [
 ];
 
 /** A square part of the whole plane, about the point of it that is nearest to the stage's middle. */
-export function drawPlane(normal: Vec3, point: Vec3, stage: Stage): Drawing {
+export function drawPlane(normal: Vec3, point: Vec3, stage: Stage): Figure {
   const { e1, e2, unit } = spanning(normal);
   const gap =
     (point[0] - stage.center[0]) * unit[0] +
     (point[1] - stage.center[1]) * unit[1] +
     (point[2] - stage.center[2]) * unit[2];
   const middle: Vec3 = along(stage.center, gap, unit, 0, unit);
-  const half = stage.radius * 0.85;
+  const half = stage.radius * 0.6;
+  const step = roundStep(stage.radius / 5);
+  const lines = multiplesWithin(-half, half, step).map((x) => (x / half + 1) / 2);
   const patch: Patch = {
     at: (u, v) => along(middle, (2 * u - 1) * half, e1, (2 * v - 1) * half, e2),
     normal: () => unit,
     closed: false,
-    rings: [],
+    rings: lines,
     start: 'goes-on',
     end: 'goes-on',
     sides: 'goes-on',
@@ -43,7 +46,7 @@ export function drawPlane(normal: Vec3, point: Vec3, stage: Stage): Drawing {
   return flat(patch, 'P', point, unit);
 }
 
-export function drawDisc(normal: Vec3, center: Vec3, radius: number): Drawing {
+export function drawDisc(normal: Vec3, center: Vec3, radius: number): Figure {
   const { e1, e2, unit } = spanning(normal);
   const patch: Patch = {
     at(u, v) {
@@ -72,7 +75,7 @@ export function inPlaneAxes(axis: Axis): readonly [Axis, Axis] {
   return axis === 'x' ? ['y', 'z'] : axis === 'y' ? ['z', 'x'] : ['x', 'y'];
 }
 
-export function drawSquare(axis: Axis, corner: Vec3, side: number): Drawing {
+export function drawSquare(axis: Axis, corner: Vec3, side: number): Figure {
   const [first, second] = inPlaneAxes(axis);
   const patch: Patch = {
     at: (u, v) => along(corner, u * side, UNIT[first], v * side, UNIT[second]),
@@ -87,7 +90,7 @@ export function drawSquare(axis: Axis, corner: Vec3, side: number): Drawing {
   return flat(patch, 'P', corner, UNIT[axis]);
 }
 
-function flat(patch: Patch, symbol: string, mark: Vec3, direction: Vec3): Drawing {
+function flat(patch: Patch, symbol: string, mark: Vec3, direction: Vec3): Figure {
   return {
     patches: [patch],
     lines: [],

@@ -2,6 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
+import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
 import { drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²). */
@@ -57,8 +58,14 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   }),
   meaning: ({ flare, radius }) => nameOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
-  draw: ({ center, flare, radius }, stage) =>
-    drawRevolution({ center, a: flare, rho: radius * radius }, 'C', stage),
+  draw: ({ center, flare, radius }, stage) => ({
+    ...drawRevolution({ center, a: flare, r: radius }, 'C', stage),
+    grips: [
+      pointGrip('center', center),
+      flareGrip('flare', { center, a: flare, r: radius }, stage),
+      radiusGrip('radius', center, radius),
+    ],
+  }),
 };
 
 /** What (x−Cx)² + (z−Cz)² = a(y−Cy)² + r² is, as a and r move. */

@@ -1,12 +1,26 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { components, cross, momentAbout } from '../formula/common.ts';
 import {
+  alongAxes,
   evaluate,
   type Triple,
   type Values,
   withScalars,
   withVector,
 } from '../formula/evaluate.ts';
-import { dot, type Expr, negative, over, type Relation, vec, vecMinus } from '../formula/expr.ts';
+import {
+  comp,
+  dot,
+  type Expr,
+  type ExprTriple,
+  negative,
+  over,
+  plus,
+  type Relation,
+  scalar,
+  vec,
+  vecMinus,
+} from '../formula/expr.ts';
 
 /** The trees of a flat shape: t = −N·(E − P) / (N·d), and where the figure ends. */
 export interface FlatFormula {
@@ -16,14 +30,29 @@ export interface FlatFormula {
   /** N·d: how fast t changes that. */
   readonly rate: Expr;
   readonly t: Expr;
+  readonly byMoment: PlaneByMoment;
   /** Null for the whole plane. */
   readonly bound: Bound | null;
+}
+
+/**
+ * The same place without t: X − P = w / (N·d), with m = d × (E − P) and w = m × N, for any N. So that conditions need no
+ * sign of N·d, it and w are both taken times that sign: `rate` is |N·d| in these trees.
+ */
+export interface PlaneByMoment {
+  readonly m: ExprTriple;
+  /** In m and N. */
+  readonly w: ExprTriple;
+  /** In w and rate. */
+  readonly x: ExprTriple;
 }
 
 /** Where a figure ends inside its plane, asked in any arithmetic. Points X = (x, y, z) lie in its plane. */
 export interface Bound {
   /** What the course tests of X; all must hold. Rim and edge are inside. */
   readonly conditions: readonly Relation[];
+  /** The same, one for one, in w and rate (see PlaneByMoment). */
+  readonly momentConditions: readonly Relation[];
   /** Euclidean distance of X from the figure, for an X outside of it. */
   distance<T>(x: Triple<T>, values: Values<T>, arithmetic: Arithmetic<T>): T;
   /** For a ray in the figure's plane: does its line meet the figure? Null where the arithmetic cannot tell. */
@@ -35,16 +64,14 @@ export function withPoint<T>(values: Values<T>, x: Triple<T>): Values<T> {
   return withVector(withScalars(values, { x: x[0], y: x[1], z: x[2] }), 'X', x);
 }
 
-/** Which of the conditions X, in the figure's plane, meets; null where the arithmetic cannot tell. */
-export function conditionsAt<T>(
-  bound: Bound,
-  x: Triple<T>,
+/** Which of the relations left ≤ right hold; null where the arithmetic cannot tell. */
+export function whichHold<T>(
+  relations: readonly Relation[],
   values: Values<T>,
   ar: Arithmetic<T>,
 ): (boolean | null)[] {
-  const at = withPoint(values, x);
-  return bound.conditions.map(({ left, right }) =>
-    notPositive(ar.sign(ar.sub(evaluate(left, ar, at), evaluate(right, ar, at)))),
+  return relations.map(({ left, right }) =>
+    notPositive(ar.sign(ar.sub(evaluate(left, ar, values), evaluate(right, ar, values)))),
   );
 }
 
@@ -66,7 +93,12 @@ export function planarSurface(point: string): Relation {
 export function planarFormula(point: string, bound: Bound | null): FlatFormula {
   const offset = dot(vec('N'), vecMinus(vec('E'), vec(point)));
   const rate = dot(vec('N'), vec('d'));
-  return { family: 'flat', offset, rate, t: over(negative(offset), rate), bound };
+  const byMoment: PlaneByMoment = {
+    m: momentAbout(point),
+    w: cross(components('m'), components('N')),
+    x: alongAxes((axis) => plus(comp(point, axis), over(comp('w', axis), scalar('rate')))),
+  };
+  return { family: 'flat', offset, rate, t: over(negative(offset), rate), byMoment, bound };
 }
 
 /** a ≤ 0 by its sign; null where the sign is unknown. */

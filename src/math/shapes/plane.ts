@@ -1,6 +1,7 @@
 import type { Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawPlane } from './flat-drawing.ts';
+import { pointGrip } from './grips.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
 export interface Plane {
@@ -41,5 +42,8 @@ export const plane: ShapeDefinition<Plane> = {
   values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
   meaning: () => '',
   anchor: ({ point }) => ({ at: point, size: 0 }),
-  draw: ({ normal, point }, stage) => drawPlane(normal, point, stage),
+  draw: ({ normal, point }, stage) => ({
+    ...drawPlane(normal, point, stage),
+    grips: [pointGrip('point', point)],
+  }),
 };

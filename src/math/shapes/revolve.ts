@@ -1,16 +1,19 @@
 import type { Vec3 } from '../vec3.ts';
-import type { Drawing, Patch, PatchEnd, Stage } from './drawing.ts';
+import type { Figure, Patch, PatchEnd, Stage } from './drawing.ts';
 import { multiplesWithin, roundStep } from './steps.ts';
 
-/** (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ, in doubles, for the picture only. */
+/**
+ * (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², in doubles, for the picture only. r is never squared: the square of a very long or
+ * very short length is not a double.
+ */
 export interface Revolution {
   readonly center: Vec3;
   readonly a: number;
-  readonly rho: number;
+  readonly r: number;
 }
 
 /** The drawn part of a surface of revolution: between the stage's heights, and not wider than the stage. */
-export function drawRevolution(surface: Revolution, symbol: string, stage: Stage): Drawing {
+export function drawRevolution(surface: Revolution, symbol: string, stage: Stage): Figure {
   const { center } = surface;
   const pieces = profile(surface, stage).map((piece) => patchOf(surface, piece, stage));
   return {
@@ -27,7 +30,7 @@ export function drawRevolution(surface: Revolution, symbol: string, stage: Stage
 const overshoot = ({ low, high }: Stage): number => high + (high - low) * 0.04;
 
 /** A cylinder's centre has no height of its own that matters: its mark is kept where it can be seen. */
-function axisPoint(center: Vec3, { low, high }: Stage): Vec3 {
+export function axisPoint(center: Vec3, { low, high }: Stage): Vec3 {
   return [center[0], Math.min(Math.max(center[1], low), high), center[2]];
 }
 
@@ -39,17 +42,22 @@ interface Piece {
 }
 
 /** The heights at which the surface has a positive radius, cut to the stage; radius² is a parabola in the height. */
-function profile({ center, a, rho }: Revolution, stage: Stage): Piece[] {
+function profile({ center, a, r }: Revolution, stage: Stage): Piece[] {
   const { low, high } = stage;
   const y = center[1];
-  const widest = (stage.radius * 1.15) ** 2;
-  if (a === 0) return rho > 0 ? [{ from: low, to: high, start: 'rim', end: 'goes-on' }] : [];
-  if (a < 0) return rho > 0 ? ellipsoid(y, Math.sqrt(rho / -a), low, high) : [];
-  const reach = Math.sqrt(Math.max(widest - rho, 0) / a);
+  const widest = stage.radius * 1.15;
+  if (a === 0) return r > 0 ? [{ from: low, to: high, start: 'rim', end: 'goes-on' }] : [];
+  if (a < 0) return r > 0 ? ellipsoid(y, r / Math.sqrt(-a), low, high) : [];
+  const reach = leg(widest, r) / Math.sqrt(a);
   const from = Math.max(low, y - reach);
   const to = Math.min(high, y + reach);
-  if (rho > 0) return from < to ? [{ from, to, start: 'rim', end: 'goes-on' }] : [];
+  if (r > 0) return from < to ? [{ from, to, start: 'rim', end: 'goes-on' }] : [];
   return nappes(y, from, to);
+}
+
+/** √(c² − b²), 0 for b > c: the other leg of a right triangle. */
+function leg(c: number, b: number): number {
+  return c > b ? Math.sqrt(c - b) * Math.sqrt(c + b) : 0;
 }
 
 function ellipsoid(y: number, half: number, low: number, high: number): Piece[] {
@@ -82,10 +90,14 @@ function nappes(y: number, from: number, to: number): Piece[] {
   return [lower, upper].filter((piece) => piece.from < piece.to);
 }
 
-function patchOf({ center, a, rho }: Revolution, piece: Piece, stage: Stage): Patch {
+function patchOf({ center, a, r: waist }: Revolution, piece: Piece, stage: Stage): Patch {
   const [cx, cy, cz] = center;
   const height = heights(piece);
-  const radius = (y: number): number => Math.sqrt(Math.max(a * (y - cy) * (y - cy) + rho, 0));
+  const root = Math.sqrt(Math.abs(a));
+  const radius = (y: number): number => {
+    const h = root * Math.abs(y - cy);
+    return a < 0 ? leg(waist, h) : Math.hypot(h, waist);
+  };
   const step = roundStep(stage.radius / 5);
   const rings = multiplesWithin(piece.from, piece.to, step).map(height.inverse);
   return {
@@ -100,10 +112,9 @@ function patchOf({ center, a, rho }: Revolution, piece: Piece, stage: Stage): Pa
       const angle = 2 * Math.PI * u;
       const r = radius(y);
       // At a cone's vertex the gradient is zero, but each generator still has a side to show.
-      if (r === 0 && rho === 0) {
+      if (r === 0 && waist === 0) {
         const sign = piece.end === 'point' ? 1 : -1;
-        const s = Math.sqrt(a);
-        return [Math.sin(angle), sign * s, Math.cos(angle)];
+        return [Math.sin(angle), sign * root, Math.cos(angle)];
       }
       return [r * Math.sin(angle), -a * (y - cy), r * Math.cos(angle)];
     },
@@ -112,7 +123,7 @@ function patchOf({ center, a, rho }: Revolution, piece: Piece, stage: Stage): Pa
     start: piece.start,
     end: piece.end,
     sides: 'joins',
-    stepsV: rho === 0 || a === 0 ? 1 : 32,
+    stepsV: waist === 0 || a === 0 ? 1 : 32,
   };
 }
 

@@ -1,9 +1,10 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Triple, Values } from '../formula/evaluate.ts';
-import { comp, plus, type Relation, scalar } from '../formula/expr.ts';
+import { comp, num, plus, type Relation, scalar, times } from '../formula/expr.ts';
 import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawSquare, inPlaneAxes, unitAlong } from './flat-drawing.ts';
+import { pointGrip, sideGrip } from './grips.ts';
 import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
 
 /** A square with sides along the axes, from its corner towards larger coordinates; its normal points along +axis. */
@@ -23,6 +24,15 @@ function between(axis: Axis): Relation[] {
   ];
 }
 
+/** 0 ≤ w and w ≤ L |N·d|: Px + L, which need not be a double, does not occur. */
+function betweenByMoment(axis: Axis): Relation[] {
+  const w = comp('w', axis);
+  return [
+    { left: num(0), relation: '≤', right: w },
+    { left: w, relation: '≤', right: times(scalar('L'), scalar('rate')) },
+  ];
+}
+
 /** How far x lies beyond the interval [from, from + length]; 0 inside. */
 function beyond<T>(x: T, from: T, length: T, ar: Arithmetic<T>): T {
   const before = ar.sub(from, x);
@@ -37,6 +47,7 @@ function boundOf(axis: Axis): Bound {
   const j = axisIndex(second);
   return {
     conditions: [first, second].sort().flatMap(between),
+    momentConditions: [first, second].sort().flatMap(betweenByMoment),
     distance(x, values, ar) {
       const { P, L } = get(values);
       const u = beyond(x[i], P[i], L, ar);
@@ -116,7 +127,10 @@ export const square: ShapeDefinition<Square> = {
     at: middle(corner, side, axis),
     size: side * Math.SQRT1_2,
   }),
-  draw: ({ corner, side, axis }) => drawSquare(axis, corner, side),
+  draw: ({ corner, side, axis }) => ({
+    ...drawSquare(axis, corner, side),
+    grips: [pointGrip('corner', corner), sideGrip('side', corner, side, axis)],
+  }),
 };
 
 function middle(corner: Vec3, side: number, axis: Axis): Vec3 {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { coefficients, intersect } from '../../../src/math/index.ts';
-import type { IntersectionClass } from '../../../src/math/intersection.ts';
+import type { Hit, IntersectionClass } from '../../../src/math/intersection.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
@@ -336,6 +336,9 @@ const FLAT: readonly FlatLine[] = [
 const mayDoubt = (method: string, line: Line): boolean =>
   method === 'interval' && !(line.class === 'two' || line.class === 'one');
 
+/** A rung may work out points and normals when they are read: they are compared as values. */
+const plain = ({ t, point, normal, singular }: Hit): Hit => ({ t, point, normal, singular });
+
 const asHits = (hits: readonly HandHit[]) =>
   hits.map(([t, point, normal]) => ({ t, point, normal, singular: false }));
 
@@ -345,8 +348,8 @@ describe.each(METHOD_IDS)('%s', (method) => {
     expect(coefficients(line.shape, line.ray, method)).toEqual({ A, B, C });
     const found = intersect(line.shape, line.ray, method);
     if (found.class === 'undecided' && mayDoubt(method, line)) return;
-    expect(found).toMatchObject({ class: line.class, method });
-    expect(found.hits).toEqual(asHits(line.hits));
+    expect([found.class, found.method]).toEqual([line.class, method]);
+    expect(found.hits.map(plain)).toEqual(asHits(line.hits));
     const details = curvedDetails(found);
     expect([details.A, details.B, details.C, details.D]).toEqual([A, B, C, D]);
     const { signs } = details;
@@ -358,8 +361,8 @@ describe.each(METHOD_IDS)('%s', (method) => {
     expect(coefficients(line.shape, line.ray, method)).toEqual({ A: 0, B: rate, C: offset });
     const found = intersect(line.shape, line.ray, method);
     if (found.class === 'undecided' && mayDoubt(method, line)) return;
-    expect(found).toMatchObject({ class: line.class, method });
-    expect(found.hits).toEqual(asHits(line.hits));
+    expect([found.class, found.method]).toEqual([line.class, method]);
+    expect(found.hits.map(plain)).toEqual(asHits(line.hits));
     expect(flatDetails(found)).toMatchObject({
       offset,
       rate,

@@ -1,0 +1,130 @@
+import type { Handle } from '../state/handles.ts';
+import type { Grab } from './grab.ts';
+import type { Placed } from './placed.ts';
+import type { Modifiers } from './settle.ts';
+
+/** As the hit circles in scene.css. */
+const REACH = { fine: 16, coarse: 22 } as const;
+
+/** Mouse, finger and keys on the handles. `placed`: as they were drawn last. */
+export function listenToHands(
+  svg: SVGElement,
+  grab: Grab,
+  placed: () => readonly Placed[],
+): () => void {
+  const controller = new AbortController();
+  const { signal } = controller;
+  /** The handle that a mouse has just taken: it has the focus, but a presenter's clicker still pages on. */
+  let byMouse: Element | null = null;
+  const setByMouse = (element: Element | null) => {
+    byMouse = element;
+    svg.classList.toggle('by-mouse', element !== null);
+  };
+
+  const where = (event: PointerEvent) => {
+    const box = svg.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  /** Of handles that lie over each other, the one whose middle is nearest. */
+  const under = (event: PointerEvent): Placed | undefined => {
+    const symbol = symbolOf(event.target);
+    const hit = placed().find(({ handle }) => handle.symbol === symbol);
+    if (!hit || axisOf(event.target) !== null) return hit;
+    const { x, y } = where(event);
+    const far = matchMedia('(any-pointer: coarse)').matches ? REACH.coarse : REACH.fine;
+    const distance = ({ spot }: Placed) => (spot ? Math.hypot(spot.x - x, spot.y - y) : Infinity);
+    const nearest = placed().reduce((a, b) => (distance(b) < distance(a) ? b : a), hit);
+    return distance(nearest) <= far ? nearest : hit;
+  };
+  const down = (event: PointerEvent) => {
+    const found = under(event);
+    if (!found || event.button !== 0 || grab.pointer !== null) return;
+    // The page's own focusing would take the handle on top, or scroll.
+    event.preventDefault();
+    const element = elementOf(svg, found.handle);
+    setByMouse(event.pointerType === 'mouse' ? element : null);
+    element?.focus({ preventScroll: true });
+    svg.setPointerCapture(event.pointerId);
+    const { x, y } = where(event);
+    grab.take(found, axisOf(event.target), event.pointerId, x, y);
+  };
+  const move = (event: PointerEvent) => {
+    if (grab.pointer === event.pointerId) {
+      const { x, y } = where(event);
+      grab.move(x, y, modifiers(event));
+    } else if (grab.pointer === null && event.pointerType === 'mouse') {
+      grab.hover(under(event)?.handle.symbol ?? null);
+    }
+  };
+  const up = (event: PointerEvent) => {
+    if (grab.pointer === event.pointerId) grab.end();
+  };
+  const focus = (event: FocusEvent) => {
+    const symbol = symbolOf(event.target);
+    grab.focus(event.target === byMouse ? null : symbol);
+  };
+  const blur = (event: FocusEvent) => {
+    if (event.target === byMouse) setByMouse(null);
+    grab.focus(null);
+  };
+  const key = (event: KeyboardEvent) => {
+    const symbol = symbolOf(event.target);
+    const handle = placed().find((found) => found.handle.symbol === symbol)?.handle;
+    if (!handle || grab.pointer !== null) return;
+    if (event.target === byMouse && event.key.startsWith('Page')) return handOn(event);
+    if (!grab.press(handle, event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    setByMouse(null);
+    grab.focus(symbol);
+  };
+  /** While something is dragged, keys belong to the drag. */
+  const duringDrag = (event: KeyboardEvent) => {
+    if (grab.pointer === null) return;
+    if (event.key === 'Escape' && event.type === 'keydown') grab.cancel();
+    else if (event.key === 'Alt' || event.key === 'Shift') grab.modify(modifiers(event));
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  svg.addEventListener('pointerdown', down, { signal });
+  // A mouse press would move the focus to whatever lies on top.
+  svg.addEventListener('mousedown', (event) => event.preventDefault(), { signal });
+  svg.addEventListener('pointermove', move, { signal });
+  svg.addEventListener('pointerup', up, { signal });
+  svg.addEventListener('pointercancel', up, { signal });
+  svg.addEventListener('lostpointercapture', up, { signal });
+  svg.addEventListener('pointerleave', () => grab.hover(null), { signal });
+  svg.addEventListener('focusin', focus, { signal });
+  svg.addEventListener('focusout', blur, { signal });
+  svg.addEventListener('keydown', key, { signal });
+  window.addEventListener('keydown', duringDrag, { signal, capture: true });
+  window.addEventListener('keyup', duringDrag, { signal, capture: true });
+  return () => controller.abort();
+}
+
+function symbolOf(target: EventTarget | null): string | null {
+  const element = target instanceof Element ? target.closest('[data-handle]') : null;
+  return element?.getAttribute('data-handle') ?? null;
+}
+
+function axisOf(target: EventTarget | null): 0 | 1 | 2 | null {
+  const element = target instanceof Element ? target.closest('[data-axis]') : null;
+  return element ? (Number(element.getAttribute('data-axis')) as 0 | 1 | 2) : null;
+}
+
+function elementOf(svg: SVGElement, { symbol }: Handle): SVGElement | null {
+  return svg.querySelector(`[role=slider][data-handle="${CSS.escape(symbol)}"]`);
+}
+
+function modifiers(event: PointerEvent | KeyboardEvent): Modifiers {
+  return { free: event.altKey, fine: event.shiftKey };
+}
+
+/** Gives a key to the page, as if it had been pressed on nothing in particular. */
+function handOn(event: KeyboardEvent): void {
+  event.preventDefault();
+  event.stopPropagation();
+  document.body.dispatchEvent(new KeyboardEvent(event.type, event));
+}

@@ -1,0 +1,100 @@
+import type { Vec3 } from '../math/vec3.ts';
+import { AXES } from '../math/vec3.ts';
+import type { Handle } from '../state/handles.ts';
+import {
+  ENTER,
+  gridUnit,
+  hair,
+  type Offer,
+  onGrid,
+  take,
+  tangentOffer,
+  type Value,
+} from '../state/snap.ts';
+import type { Lens } from './lens.ts';
+import { slide } from './slide.ts';
+import { along, type Space } from './space.ts';
+import type { Track } from './track.ts';
+
+export interface Modifiers {
+  /** Alt: nothing snaps. */
+  readonly free: boolean;
+  /** Shift: no grid. */
+  readonly fine: boolean;
+}
+
+export interface Settled {
+  readonly value: Value;
+  readonly reason: string | null;
+  /** What it is held by, for the next time. */
+  readonly held: string | null;
+}
+
+/** A number's step is never this many pixels apart: seen from near, its grid is finer. */
+const WIDEST_STEP = 12;
+
+/** Where a drag that has come to (dx, dy) leaves the value: at what it snaps to, or on the grid. */
+export function settle(
+  handle: Handle,
+  track: Track,
+  [dx, dy]: readonly [number, number],
+  { free, fine }: Modifiers,
+  axes: readonly Offer[],
+  held: string | null,
+  stageRadius: number,
+): Settled {
+  const raw = track.to(dx, dy);
+  const least = hair(track.perPixel);
+  const step = handle.isLength
+    ? handle.step * gridUnit(stageRadius, track.perPixel)
+    : Math.min(handle.step, least * 10 * WIDEST_STEP);
+  const grid = (to: number) => (value: Value) => onGrid(value, track.start, to);
+  const plain = grid(free || fine ? least : step)(raw);
+  if (free) return { value: plain, reason: null, held: null };
+  const tangent =
+    handle.tangency &&
+    tangentOffer(track.ways(dx, dy), handle.tangency, [grid(step), grid(step / 10), grid(least)]);
+  const offer = take(tangent ? [...axes, tangent] : axes, held);
+  return offer
+    ? { value: offer.value, reason: offer.reason, held: offer.key }
+    : { value: plain, reason: null, held: null };
+}
+
+/** A direction is taken for parallel to an axis only if it does not lead far out of the screen from it. */
+const WIDEST_ANGLE = 30;
+
+/** The axes through E that the dragged tip of d is near to on the screen, each with the length that is seen there. */
+export function axisOffers(
+  handle: Handle,
+  value: Value,
+  tip: { readonly x: number; readonly y: number },
+  space: Space,
+  lens: Lens,
+): Offer[] {
+  const origin = handle.type === 'point' ? handle.origin : null;
+  const place = origin && space.place(origin);
+  const from = place && lens.project(place);
+  if (!from) return [];
+  const to = value as Vec3;
+  return AXES.flatMap((axis, i) => {
+    const sign = (to[i] ?? 0) < 0 ? -1 : 1;
+    const cosine = Math.abs(to[i] ?? 0) / Math.hypot(...to);
+    if (!(cosine > Math.cos((WIDEST_ANGLE * Math.PI) / 180))) return [];
+    const unit = AXES.map((_, k) => (k === i ? sign : 0)) as unknown as Vec3;
+    const { course, scale, reach } = slide(place, unit, lens);
+    const [x, y] = [tip.x - from.x, tip.y - from.y];
+    const pixels = x * course[0] + y * course[1];
+    if (pixels < ENTER) return [];
+    const { radius } = space.stage;
+    const step = handle.step * gridUnit(radius, radius / scale);
+    const exact = along([0, 0, 0], unit, reach(pixels) * radius);
+    return [
+      {
+        key: `axis ${axis}`,
+        value: onGrid(exact, [0, 0, 0], step),
+        reason: `snapped: parallel to ${axis}`,
+        gap: Math.abs(x * course[1] - y * course[0]),
+      },
+    ];
+  });
+}

@@ -1,0 +1,89 @@
+import type { Stage } from '../math/shapes/drawing.ts';
+import type { SceneModel } from '../state/scene-model.ts';
+import type { FreeView, View } from '../state/view.ts';
+import { freeOf, type Pose, poseOf } from './camera.ts';
+import { Glide } from './glide.ts';
+import type { Space } from './space.ts';
+
+const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
+
+/**
+ * Where the camera stands, and which part of the world it frames: as the model has it, but held still while something is
+ * dragged. A picture that made room for what is dragged out of it would run away from the pointer.
+ */
+export class Viewpoint {
+  readonly #glide = new Glide();
+  #view: View | null = null;
+  #held: { readonly stage: Stage; readonly pose: Pose } | null = null;
+
+  get isMoving(): boolean {
+    return this.#glide.isMoving;
+  }
+
+  /** The model in the part of the world that is shown. */
+  framed(model: SceneModel): SceneModel {
+    const stage = this.#held?.stage ?? model.stage;
+    return stage === model.stage ? model : { ...model, stage };
+  }
+
+  /** Points the camera at the model's view: on the way there when the view itself has changed, at once when only the scene has. */
+  aim(model: SceneModel, space: Space, now: number): void {
+    const { view } = model;
+    const isAsked = this.#view !== null && !sameView(this.#view, view);
+    this.#view = view;
+    const goal = this.#held?.pose ?? poseOf(view, model.ray, space);
+    const how = typeof view === 'string' ? 'travel' : 'follow';
+    this.#glide.aim(goal, isAsked && !this.#held ? how : 'jump', now);
+  }
+
+  pose(now: number): Pose {
+    return this.#glide.pose(now);
+  }
+
+  /** Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the way to a named one, where the camera is. */
+  current(model: SceneModel | null): FreeView {
+    if (model && typeof model.view !== 'string') return model.view;
+    return this.#glide.shown ? freeOf(this.#glide.shown) : FIRST;
+  }
+
+  hold(stage: Stage): void {
+    const pose = this.#glide.shown;
+    if (pose) this.#held ??= { stage, pose };
+  }
+
+  /** Goes on to where the model wants the camera, from where it was held. */
+  release(model: SceneModel, space: Space, now: number): void {
+    if (!this.#held) return;
+    const from = restaged(this.#held.pose, this.#held.stage, model.stage);
+    this.#held = null;
+    const goal = poseOf(model.view, model.ray, space);
+    if (samePose(from, goal)) return;
+    this.#glide.start(from);
+    this.#glide.aim(goal, 'travel', now);
+  }
+}
+
+/** The same camera in the units of another stage. */
+function restaged({ target, azimuth, elevation, zoom }: Pose, from: Stage, to: Stage): Pose {
+  const moved = (i: 0 | 1 | 2): number =>
+    (from.center[i] - to.center[i] + target[i] * from.radius) / to.radius;
+  return {
+    ...{ azimuth, elevation },
+    target: [moved(0), moved(1), moved(2)],
+    zoom: (zoom * to.radius) / from.radius,
+  };
+}
+
+function samePose(a: Pose, b: Pose): boolean {
+  return (
+    a.azimuth === b.azimuth &&
+    a.elevation === b.elevation &&
+    a.zoom === b.zoom &&
+    a.target.every((x, i) => x === b.target[i])
+  );
+}
+
+function sameView(a: View, b: View): boolean {
+  if (typeof a === 'string' || typeof b === 'string') return a === b;
+  return a.azimuth === b.azimuth && a.elevation === b.elevation && a.zoom === b.zoom;
+}

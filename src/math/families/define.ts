@@ -1,0 +1,82 @@
+import { scale } from '../float/bits.ts';
+import type { Ray } from '../ray.ts';
+import { type Random, uniform } from '../rng.ts';
+import type { Shape } from '../shapes/index.ts';
+
+/** A ray and the shape that it is asked about. */
+export interface Question {
+  readonly shape: Shape;
+  readonly ray: Ray;
+}
+
+/** How hard a family's rays are, as one number that can be swept. */
+export interface Dial {
+  /** What the number is: `the distance of E is 10^k radii`. */
+  readonly title: string;
+  readonly range: readonly [number, number];
+  /** Where it is drawn from, uniformly, when nobody says. */
+  readonly usual: readonly [number, number];
+}
+
+/** Rays that are hard (or not) for one reason. */
+export interface Family {
+  readonly id: string;
+  readonly title: string;
+  /** What is in it, in one sentence. */
+  readonly idea: string;
+  /** Null where there is nothing to turn. */
+  readonly dial: Dial | null;
+  make(random: Random, difficulty?: number): Question;
+  /** Many rays for one shape, as a batch kernel wants them. */
+  batch(
+    random: Random,
+    count: number,
+    difficulty?: number,
+  ): { readonly shape: Shape; readonly rays: readonly Ray[] };
+}
+
+/** What a family draws first; its rays may use more of it than the shape's own parameters. */
+export interface Setting {
+  readonly shape: Shape;
+}
+
+export interface FamilyParts<S extends Setting> {
+  readonly id: string;
+  readonly title: string;
+  readonly idea: string;
+  readonly dial: Dial | null;
+  setting(random: Random, difficulty: number): S;
+  ray(random: Random, setting: S, difficulty: number): Ray;
+}
+
+/** `difficulty` is NaN for a family without a dial: it must not be asked. */
+export function family<S extends Setting>({ setting, ray, ...about }: FamilyParts<S>): Family {
+  const { dial } = about;
+  const drawn = (random: Random): number =>
+    dial ? uniform(random, dial.usual[0], dial.usual[1]) : Number.NaN;
+  return {
+    ...about,
+    make(random, difficulty = drawn(random)) {
+      const made = setting(random, difficulty);
+      return { shape: made.shape, ray: ray(random, made, difficulty) };
+    },
+    batch(random, count, difficulty) {
+      const made = setting(random, difficulty ?? drawn(random));
+      const one = (): Ray => ray(random, made, difficulty ?? drawn(random));
+      return { shape: made.shape, rays: Array.from({ length: count }, one) };
+    },
+  };
+}
+
+/** log2 10: dials are in powers of ten, what they turn in powers of two. */
+const BITS_PER_DIGIT = 3.321928094887362;
+
+/** The power of two that is nearest to 10^k. */
+export const bitsOf = (k: number): number => Math.round(k * BITS_PER_DIGIT);
+
+/** 10^k within 6 %, a smooth function of k; the standard lets `**` differ between engines, this does not. */
+export function tenTo(k: number): number {
+  const bits = k * BITS_PER_DIGIT;
+  const whole = Math.floor(bits);
+  return scale(1 + (bits - whole), whole);
+}

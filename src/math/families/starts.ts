@@ -1,0 +1,89 @@
+import type { Ray } from '../ray.ts';
+import { integer, pick, type Random, randomSign } from '../rng.ts';
+import type { Vec3 } from '../vec3.ts';
+import {
+  type Axial,
+  coneOf,
+  cylinderOf,
+  hyperboloidOf,
+  ordinaryAxial,
+  sizeOf,
+  surfacePoint,
+} from './axial.ts';
+import { family, tenTo } from './define.ts';
+import {
+  along,
+  type Draw,
+  type NonEmpty,
+  plus,
+  pythagorean,
+  unit,
+  unitDirection,
+  wholeVector,
+} from './parts.ts';
+
+/** A shape in whole numbers and a point that lies on it exactly. */
+interface Standing {
+  readonly axial: Axial;
+  readonly point: Vec3;
+}
+
+const STANDINGS: NonEmpty<Draw<Standing>> = [
+  (random) => atWaist(random, cylinderOf),
+  (random) => atWaist(random, (center, r) => hyperboloidOf(center, integer(random, -8, 12) / 4, r)),
+  (random) => {
+    const { x, y: z, n } = pythagorean(random);
+    const at = wholeVector(random, 8);
+    const c = integer(random, 1, 20);
+    const h = randomSign(random) * pick(random, [0.125, 0.25, 1, 2]);
+    return { axial: coneOf(at, c), point: plus(at, [c * x * h, n * h, c * z * h]) };
+  },
+];
+
+function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Standing {
+  const { x, y: z, n } = pythagorean(random);
+  const k = pick(random, [0.125, 0.5, 1, 2]);
+  const center = wholeVector(random, 8);
+  return { axial: make(center, n * k), point: plus(center, [x * k, 0, z * k]) };
+}
+
+export const onSurface = family({
+  id: 'on-surface',
+  title: 'on the surface',
+  idea: 'E lies on the surface exactly: C = 0, and t = 0 is a root.',
+  dial: null,
+  setting(random) {
+    const standing = pick(random, STANDINGS)(random);
+    return { shape: standing.axial.shape, point: standing.point };
+  },
+  ray: (random, { point }) => ({ origin: point, direction: unitDirection(random) }),
+});
+
+export const nearSurfaceRay = (random: Random, axial: Axial): Ray => ({
+  origin: surfacePoint(random, axial).point,
+  direction: unitDirection(random),
+});
+
+export const nearSurface = family({
+  id: 'near-surface',
+  title: 'near the surface',
+  idea: 'E is a point of the surface, rounded to doubles, as a reflected ray’s is: C is nothing but rounding.',
+  dial: null,
+  setting: ordinaryAxial,
+  ray: nearSurfaceRay,
+});
+
+export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
+  const { point, normal } = surfacePoint(random, axial);
+  const gap = randomSign(random) * tenTo(-k) * sizeOf(axial);
+  return { origin: along(point, gap, unit(normal)), direction: unitDirection(random) };
+}
+
+export const cancellation = family({
+  id: 'cancellation',
+  title: 'small root',
+  idea: 'E is a hair off the surface: 4AC is tiny against B², and in −B ± √D the smaller root cancels.',
+  dial: { title: 'E is 10^-k radii off the surface', range: [0, 15], usual: [7, 13] },
+  setting: ordinaryAxial,
+  ray: cancellationRay,
+});

@@ -1,0 +1,111 @@
+import { displayParts, MINUS } from '../../../text/format.ts';
+import { float64 } from '../../arithmetic/float64.ts';
+import { AXES, axisIndex } from '../../vec3.ts';
+import { evaluate, type Values } from '../evaluate.ts';
+import { comp, type Expr, minus, type VectorExpr } from '../expr.ts';
+import { type Leaves, type Marks, mathNotation, type Piece, RANK } from './math-notation.ts';
+import { print } from './printer.ts';
+
+/** The formula in its symbols. */
+export function inSymbols<M>(expr: Expr, marks: Marks<M>): M {
+  return print(expr, mathNotation(marks, symbols(marks))).m;
+}
+
+/** The formula with the numbers put in; `worked`: with −B, √D, 2A and N·d already worked out. */
+export function inNumbers<M>(
+  expr: Expr,
+  marks: Marks<M>,
+  values: Values<number>,
+  options: { readonly worked: boolean; readonly digits: number },
+): M {
+  return print(expr, mathNotation(marks, numbers(marks, values, options))).m;
+}
+
+/** A number as it is typeset: true minus, powers of ten raised. */
+export function numberPiece<M>(x: number, marks: Marks<M>, digits = 6): Piece<M> {
+  const { mantissa, exponent } = displayParts(x, digits);
+  const negative = mantissa.startsWith(MINUS);
+  const sign = negative ? [marks.minus] : [];
+  const figures = marks.numeral(negative ? mantissa.slice(MINUS.length) : mantissa);
+  const power =
+    exponent === null
+      ? []
+      : [
+          marks.operator('·'),
+          marks.power(marks.numeral('10'), numberPiece(exponent, marks, digits).m),
+        ];
+  return {
+    m: marks.join([...sign, figures, ...power]),
+    rank: negative || exponent !== null ? RANK.product : RANK.single,
+    starts: negative ? 'minus' : 'numeral',
+  };
+}
+
+/** (3, 1, −0.5) */
+export function triple<M>(parts: readonly M[], marks: Marks<M>): M {
+  return marks.parens(
+    marks.join(parts.flatMap((m, i) => (i > 0 ? [marks.operator(','), m] : [m]))),
+  );
+}
+
+export function numberTriple<M>(v: readonly number[], marks: Marks<M>, digits = 6): M {
+  return triple(
+    v.map((x) => numberPiece(x, marks, digits).m),
+    marks,
+  );
+}
+
+function symbols<M>(marks: Marks<M>): Leaves<M> {
+  const single = (m: M): Piece<M> => ({ m, rank: RANK.single, starts: 'other' });
+  const vector = (expr: VectorExpr): Piece<M> => {
+    if (expr.op === 'vector') return single(marks.symbol(expr.id, 'vector'));
+    const right = vector(expr.right);
+    const inner = right.rank === RANK.sum ? marks.parens(right.m) : right.m;
+    const m = marks.join([vector(expr.left).m, marks.operator('−'), inner]);
+    return { m, rank: RANK.sum, starts: 'other' };
+  };
+  return {
+    number: (value) => numberPiece(value, marks),
+    scalar: (id) => single(marks.symbol(id, 'scalar')),
+    component: (id, axis) => ({
+      ...single(marks.component(id, axis)),
+      squared: marks.componentSquared(id, axis),
+    }),
+    vector,
+    whole: () => null,
+  };
+}
+
+function numbers<M>(
+  marks: Marks<M>,
+  values: Values<number>,
+  { worked, digits }: { readonly worked: boolean; readonly digits: number },
+): Leaves<M> {
+  const put = (x: number | undefined, id: string, sort: 'scalar' | 'vector'): Piece<M> => {
+    const piece = numberPiece(x ?? Number.NaN, marks, digits);
+    return { ...piece, m: marks.put(piece.m, id, sort) };
+  };
+  const leaves: Leaves<M> = {
+    number: (value) => numberPiece(value, marks, digits),
+    scalar: (id) => put(values.scalars[id], id, 'scalar'),
+    component: (id, axis) => put(values.vectors[id]?.[axisIndex(axis)], id, 'vector'),
+    /** (3 − 0, 1 − 1, 1 − 0) */
+    vector: (expr) => {
+      const parts = AXES.map((axis) => print(along(expr, axis), mathNotation(marks, leaves)).m);
+      return { m: triple(parts, marks), rank: RANK.single, starts: 'other' };
+    },
+    whole: (expr) =>
+      worked && isWorked(expr) ? numberPiece(evaluate(expr, float64, values), marks, digits) : null,
+  };
+  return leaves;
+}
+
+/** One component of a vector, as a formula of its own. */
+export function along(expr: VectorExpr, axis: (typeof AXES)[number]): Expr {
+  if (expr.op === 'vector') return comp(expr.id, axis);
+  return minus(along(expr.left, axis), along(expr.right, axis));
+}
+
+function isWorked({ op }: Expr): boolean {
+  return op === 'negative' || op === 'root' || op === 'product' || op === 'dot';
+}

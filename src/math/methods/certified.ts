@@ -1,0 +1,28 @@
+import { planarOf } from '../batch/planar.ts';
+import { quadricOf } from '../batch/quadric.ts';
+import { certifiedPlanar } from './certified/kernel-planar.ts';
+import { certifiedKernel } from './certified/kernel-quadric.ts';
+import { intersectCertified } from './certified/object.ts';
+import type { Method } from './define.ts';
+import { exact } from './exact.ts';
+
+export const certified: Method = {
+  id: 'certified',
+  title: 'certified',
+  idea: 'Floating point with a proven error bound decides nearly every ray; what it leaves open goes to twice the digits, and the rest to whole numbers.',
+  promise:
+    'For every finite input: the class of exact arithmetic, and each root one of the two doubles around the exact one, itself where that is a double. Points and normals are those of the exact rung, worked out when they are read.',
+  source:
+    'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
+  // Coefficients and published triples are asked for one at a time: the exact rung is fast enough there, and its promise is the stronger one.
+  coefficients: exact.coefficients,
+  solve: exact.solve,
+  intersect: intersectCertified,
+  batch(shape) {
+    const q = quadricOf(shape);
+    if (q) return certifiedKernel(q);
+    const s = planarOf(shape);
+    if (s) return certifiedPlanar(s);
+    throw new RangeError(`no batch kernel for ${shape.kind}`);
+  },
+};

@@ -1,0 +1,74 @@
+import {
+  type Answers,
+  type Kernel,
+  list,
+  NONE,
+  type Rays,
+  selectFirst,
+  TWO,
+} from '../../batch/batch.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import { openClasses } from './class-quadric.ts';
+import { bothRoots, type OpenRays } from './roots-quadric.ts';
+import { certifiedQuadric } from './scaled-quadric.ts';
+import { certifiedSlot, solveSlowly } from './slow-quadric.ts';
+
+/** Fast stages over all rays, then what they left open, one by one. */
+export function certifiedKernel(q: Quadric): Kernel {
+  const c = certifiedQuadric(q);
+  const slot = certifiedSlot();
+  const left: OpenRays = { count: 0, open: new Int32Array(0) };
+
+  function leaveAllOpen(rays: Rays): void {
+    left.count = rays.count;
+    for (let i = 0; i < rays.count; i++) left.open[i] = i;
+  }
+
+  function finish(rays: Rays, out: Answers): void {
+    const { Ex, Ey, Ez, dx, dy, dz } = rays;
+    for (let k = 0; k < left.count; k++) {
+      const i = left.open[k] as number;
+      const verdict = solveSlowly(
+        q,
+        Ex[i] as number,
+        Ey[i] as number,
+        Ez[i] as number,
+        dx[i] as number,
+        dy[i] as number,
+        dz[i] as number,
+        slot,
+      );
+      out.t0[i] = verdict === NONE ? Number.NaN : slot.t0;
+      out.t1[i] = verdict === NONE ? Number.NaN : slot.t1;
+      out.margin[i] = verdict === NONE ? -1 : 1;
+      if (verdict !== NONE && verdict !== TWO) list(out, i, verdict);
+    }
+  }
+
+  function prepare(rays: Rays, out: Answers): void {
+    out.rareCount = 0;
+    if (left.open.length < rays.count) left.open = new Int32Array(rays.count);
+  }
+
+  function both(rays: Rays, out: Answers): void {
+    prepare(rays, out);
+    if (c.inBox) bothRoots(q, c, rays, out, left);
+    else leaveAllOpen(rays);
+    finish(rays, out);
+  }
+
+  return {
+    met: 'two',
+    both,
+    first(rays, tMin, tMax, out) {
+      both(rays, out);
+      selectFirst(out, rays.count, tMin, tMax);
+    },
+    classes(rays, out) {
+      prepare(rays, out);
+      if (c.inBox) openClasses(q, c, rays, out, left);
+      else leaveAllOpen(rays);
+      finish(rays, out);
+    },
+  };
+}

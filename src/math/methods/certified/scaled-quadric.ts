@@ -1,0 +1,50 @@
+import type { Quadric } from '../../batch/quadric.ts';
+import { productError, squareError } from '../../float/eft.ts';
+
+/**
+ * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k = √|a|, so that all three
+ * coordinates are alike. k = k1 + k2, k1 with at most 26 bits, off by less than 2^-78 k; for a cone k = |c| exactly.
+ * ρ = rho + rhoLow exactly.
+ */
+export interface CertifiedQuadric {
+  readonly k: number;
+  readonly k1: number;
+  readonly k2: number;
+  /** The sign of a. */
+  readonly sign: number;
+  readonly rho: number;
+  readonly rhoLow: number;
+  /** a rounded to a double. */
+  readonly flare: number;
+  /** Whether the fast stages may be used: see BOX. */
+  readonly inBox: boolean;
+}
+
+/**
+ * The fast stages work on rays and shapes whose numbers lie between 2^-100 and 2^100 (zero where that makes sense): no
+ * product of theirs can overflow, and what underflows is far below their absolute terms. The rest is scaled first.
+ */
+export const BOX = 2 ** 100;
+
+const SPLITTER = 134217729;
+
+export function certifiedQuadric(q: Quadric): CertifiedQuadric {
+  const rho = q.r * q.r;
+  const size = Math.abs(q.flare);
+  const s = q.squared ? size : Math.sqrt(size);
+  // √a to twice the digits: the remainder a − s² is a double, and so is its half over s but for one rounding.
+  const p = s * s;
+  const rest = q.squared || s === 0 ? 0 : (size - p - squareError(s, p)) / (2 * s);
+  const big = SPLITTER * s;
+  const k1 = big - (big - s);
+  return {
+    k: s,
+    k1,
+    k2: s - k1 + rest,
+    sign: q.squared || q.flare > 0 ? 1 : -1,
+    rho,
+    rhoLow: productError(q.r, q.r, rho),
+    flare: q.squared ? q.flare * q.flare : q.flare,
+    inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
+  };
+}

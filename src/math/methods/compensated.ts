@@ -1,0 +1,32 @@
+import { doubleDouble } from '../arithmetic/double-double.ts';
+import { kernelOf } from '../batch/loops.ts';
+import { machinePlanar } from '../batch/machine-planar.ts';
+import { machineQuadric } from '../batch/machine-quadric.ts';
+import { doubleDoubleMachine as machine } from '../batch/machines.ts';
+import { kernelFor } from '../batch/of-shape.ts';
+import type { Method } from './define.ts';
+import { stableSolver } from './solvers.ts';
+import { treeMethod } from './tree-method.ts';
+
+const tree = treeMethod(
+  {
+    id: 'compensated',
+    title: 'compensated',
+    idea: 'A, B, C, D and the roots in double-double: each number is a sum of two doubles, the second one the error of the first.',
+    promise:
+      'What loses up to half of its digits in float64 keeps all of them here; an exact tangent or generator with long fractions is still a matter of luck. Every product must lie between 2^-968 and 2^1020: above, the answer is undecided; below, digits are lost in silence.',
+    source:
+      'Dekker 1971; Knuth, TAOCP 2, 4.2.2; error bounds by Joldes, Muller, Popescu 2017, Tight and rigorous error bounds for basic building blocks of double-word arithmetic.',
+  },
+  doubleDouble,
+  stableSolver,
+  'double-double',
+);
+
+export const compensated: Method = {
+  ...tree,
+  batch: kernelFor(
+    (q) => kernelOf('two', machineQuadric(q, machine, 'course')),
+    (p) => machinePlanar(p, machine, 'course'),
+  ),
+};

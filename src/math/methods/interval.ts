@@ -1,0 +1,34 @@
+import { interval as intervalArithmetic } from '../arithmetic/interval.ts';
+import { kernelOf } from '../batch/loops.ts';
+import { machinePlanar } from '../batch/machine-planar.ts';
+import { machineQuadric } from '../batch/machine-quadric.ts';
+import { intervalMachine as machine } from '../batch/machines.ts';
+import { kernelFor } from '../batch/of-shape.ts';
+import type { Method } from './define.ts';
+import { momentForm } from './forms.ts';
+import { stableSolver } from './solvers.ts';
+import { treeMethod } from './tree-method.ts';
+
+const tree = treeMethod(
+  {
+    id: 'interval',
+    title: 'interval',
+    idea: 'The moment form with a lower and an upper bound for every number, rounded outwards: it knows what it does not know.',
+    promise:
+      'For every finite input: a class that it gives is the right one; where its bounds leave room for another, it answers undecided. Every number it shows is the middle of an interval that holds the exact one.',
+    source:
+      'Moore 1966, Interval analysis; Pharr, Jakob, Humphreys, Physically based rendering 4, section 6.8 (pbrt rejects an uncertain hit, here it is named).',
+  },
+  intervalArithmetic,
+  stableSolver,
+  'formula',
+  momentForm,
+);
+
+export const interval: Method = {
+  ...tree,
+  batch: kernelFor(
+    (q) => kernelOf('two', machineQuadric(q, machine, 'moment')),
+    (p) => machinePlanar(p, machine, 'moment'),
+  ),
+};

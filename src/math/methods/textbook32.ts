@@ -1,0 +1,26 @@
+import { float32 } from '../arithmetic/float32.ts';
+import { kernelFor } from '../batch/of-shape.ts';
+import { textbook32Quadric } from '../batch/textbook32.ts';
+import { textbook32Planar } from '../batch/textbook32-planar.ts';
+import type { Method } from './define.ts';
+import { textbookSolver } from './solvers.ts';
+import { treeMethod } from './tree-method.ts';
+
+const tree = treeMethod(
+  {
+    id: 'textbook32',
+    title: 'textbook, float32',
+    idea: 'The course’s formula with every number and every operation rounded to 24 bits, as on a graphics card.',
+    promise:
+      'None: the class and about seven digits at best, and only within 1e-38 … 3e38 for every intermediate result; overflow is undecided. The ray and the shape are rounded first, so it may answer for a neighbouring ray.',
+    source: 'The course; Math.fround, ECMA-262; Figueroa 1995 on double rounding.',
+  },
+  float32,
+  textbookSolver,
+  'formula',
+);
+
+export const textbook32: Method = {
+  ...tree,
+  batch: kernelFor(textbook32Quadric, textbook32Planar),
+};

@@ -1,0 +1,144 @@
+import { SHAPES } from '../math/shapes/index.ts';
+import type { Store } from '../state/store.ts';
+
+/** What the page itself can do beyond changing the state. */
+export interface PageTools {
+  copyLink(): void;
+  save(): void;
+  openFile(): void;
+  share(): void;
+  gallery(): void;
+  help(): void;
+  fullScreen(): void;
+  theme(): void;
+  play(): void;
+  /** How many lines the result on the page has, and whether all are shown. */
+  lines(): { total: number; shown: number };
+}
+
+/** Something a person can do, by key and by button; the help is written from this table. */
+export interface Command {
+  readonly id: string;
+  readonly title: string;
+  /** As KeyboardEvent.key has them; 'Ctrl+' stands for the command key on a Mac too. */
+  readonly keys: readonly string[];
+  run(): void;
+}
+
+export function commandsOf(store: Store, tools: PageTools): readonly Command[] {
+  const { dispatch } = store;
+  return [
+    ...SHAPES.map(({ kind, title }, i) => ({
+      id: `shape-${kind}`,
+      title,
+      keys: [String(i + 1)],
+      run: () => dispatch({ type: 'shape', kind }),
+    })),
+    {
+      id: 'next',
+      title: 'next: reveal the next line, or the next example',
+      keys: ['PageDown', 'ArrowRight'],
+      run: () => next(store, tools),
+    },
+    {
+      id: 'previous',
+      title: 'the example before',
+      keys: ['PageUp', 'ArrowLeft'],
+      run: () => dispatch({ type: 'browse', by: -1 }),
+    },
+    {
+      id: 'gallery',
+      title: 'examples',
+      keys: ['x'],
+      run: tools.gallery,
+    },
+    {
+      id: 'hide',
+      title: 'hide the results, to predict them; or show them all',
+      keys: ['h'],
+      run: () => dispatch({ type: 'reveal', lines: store.get().revealed === null ? 0 : null }),
+    },
+    {
+      id: 'reveal',
+      title: 'reveal the next line',
+      keys: ['n'],
+      run: () => reveal(store, tools),
+    },
+    {
+      id: 'ghost',
+      title: 'keep this ray as a ghost to compare with; or drop it',
+      keys: ['g'],
+      run: () => dispatch({ type: 'ghost', on: store.get().ghost === null }),
+    },
+    { id: 'play', title: 'play the bead along the ray; or stop it', keys: ['b'], run: tools.play },
+    { id: 'undo', title: 'undo', keys: ['Ctrl+z'], run: () => dispatch({ type: 'undo' }) },
+    {
+      id: 'redo',
+      title: 'redo',
+      keys: ['Ctrl+Shift+z', 'Ctrl+y'],
+      run: () => dispatch({ type: 'redo' }),
+    },
+    {
+      id: 'reset',
+      title: 'reset everything',
+      keys: ['Shift+r'],
+      run: () => dispatch({ type: 'reset', what: 'all' }),
+    },
+    { id: 'link', title: 'copy the link', keys: ['l'], run: tools.copyLink },
+    { id: 'save', title: 'save as a file', keys: ['s'], run: tools.save },
+    { id: 'open', title: 'open a file', keys: ['o'], run: tools.openFile },
+    {
+      id: 'share',
+      title: 'copy or save the derivation, code, picture',
+      keys: ['e'],
+      run: tools.share,
+    },
+    {
+      id: 'theme',
+      title: 'next theme: system, light, dark, projector',
+      keys: ['t'],
+      run: tools.theme,
+    },
+    { id: 'full', title: 'full screen', keys: ['f'], run: tools.fullScreen },
+    { id: 'help', title: 'help', keys: ['?'], run: tools.help },
+  ];
+}
+
+function reveal({ get, dispatch }: Store, tools: PageTools): void {
+  const { revealed } = get();
+  if (revealed === null) return;
+  const { total } = tools.lines();
+  dispatch({ type: 'reveal', lines: Math.min(revealed + 1, total) });
+}
+
+/** A presenter's clicker has one key for "go on": first what is hidden, then the next example. */
+function next(store: Store, tools: PageTools): void {
+  const { total, shown } = tools.lines();
+  if (store.get().revealed !== null && shown < total) reveal(store, tools);
+  else store.dispatch({ type: 'browse', by: 1 });
+}
+
+/** Keys without a modifier can be switched off: speech input and a slip of the hand type letters too. */
+export interface KeySettings {
+  readonly singleKeys: boolean;
+}
+
+/** The command that a key press asks for, if the control it is pressed in does not need it itself. */
+export function commandFor(
+  event: KeyboardEvent,
+  commands: readonly Command[],
+  { singleKeys }: KeySettings,
+): Command | undefined {
+  if (event.defaultPrevented || event.altKey || event.isComposing) return undefined;
+  const control = event.ctrlKey || event.metaKey;
+  const target = event.target instanceof Element ? event.target : null;
+  if (target?.closest('dialog')) return undefined;
+  if (target?.closest('input:not([type=range]):not([type=checkbox]), select, textarea')) {
+    return undefined;
+  }
+  if (!control && !singleKeys && event.key.length === 1) return undefined;
+  const needsKeys = target?.closest('input[type=range], [role=slider], [role=application], .scene');
+  if (needsKeys && /^(Arrow|Page|Home|End)/.test(event.key)) return undefined;
+  const name = `${control ? 'Ctrl+' : ''}${event.shiftKey && /^[a-z]$/i.test(event.key) ? 'Shift+' : ''}${event.key.length === 1 ? event.key.toLowerCase() : event.key}`;
+  return commands.find(({ keys }) => keys.includes(name));
+}

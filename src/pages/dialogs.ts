@@ -1,0 +1,71 @@
+import { html } from 'lit';
+import type { Dispatch } from '../state/actions.ts';
+import type { ExploreModel } from '../state/derive.ts';
+import { copyText } from '../ui/clipboard.ts';
+import { createDialog } from '../ui/dialog.ts';
+import { download } from '../ui/files.ts';
+import type { Command, PageTools } from './commands.ts';
+import type { Explore } from './explore.ts';
+import { galleryContent } from './gallery.ts';
+import { helpContent } from './help.ts';
+import { shareContent, type Takeaway } from './share.ts';
+import { takeaways } from './takeaways.ts';
+
+interface Parts {
+  readonly commands: readonly Command[];
+  readonly page: Explore;
+  readonly model: () => ExploreModel;
+  readonly dispatch: Dispatch;
+  readonly tools: PageTools;
+  readonly say: (words: string) => void;
+  readonly keys: { get(): boolean; set(on: boolean): void };
+}
+
+/** The dialogs of the page, each opened by its command. */
+export function createDialogs(parts: Parts): Record<'gallery' | 'help' | 'share', () => void> {
+  const gallery = createDialog('Examples', () =>
+    galleryContent(parts.model().state.preset, pick, parts.page.scene.thumbnail()),
+  );
+  const pick = (id: string): void => {
+    parts.dispatch({ type: 'preset', id });
+    gallery.close();
+  };
+  const help = createDialog('Help', () =>
+    helpContent(parts.commands, { singleKeys: parts.keys.get(), choose: parts.keys.set }),
+  );
+  return { gallery: gallery.open, help: help.open, share: shareDialog(parts) };
+}
+
+function shareDialog({ page, model, tools, say }: Parts): () => void {
+  let items: readonly Takeaway[] | null = null;
+  const dialog = createDialog('File and export', () =>
+    items ? shareContent(items, { copy, keep, ...actions }) : html`<p>loading…</p>`,
+  );
+  const close = (act: () => void) => () => {
+    dialog.close();
+    act();
+  };
+  const actions = {
+    save: close(tools.save),
+    openFile: close(tools.openFile),
+    print: close(() => window.print()),
+  };
+  const copy = async ({ title, text }: Takeaway): Promise<void> => {
+    const copied = text !== null && (await copyText(text()));
+    dialog.close();
+    say(copied ? `copied: ${title}` : 'it could not be copied: save it instead');
+  };
+  const keep = async ({ file, type, text, blob, title }: Takeaway): Promise<void> => {
+    const content = text ? text() : await blob?.();
+    dialog.close();
+    if (content) download(file, content, type);
+    say(content ? `saved: ${title}` : 'there is no picture to save');
+  };
+  return () => {
+    dialog.open();
+    void takeaways(page, model).then((found) => {
+      items = found;
+      dialog.refresh();
+    });
+  };
+}

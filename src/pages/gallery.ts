@@ -1,0 +1,53 @@
+import { html, type TemplateResult } from 'lit';
+import { ref } from 'lit/directives/ref.js';
+import { SHAPES } from '../math/shapes/index.ts';
+import { createDerive } from '../state/derive.ts';
+import type { Preset } from '../state/gallery/define.ts';
+import { GALLERY } from '../state/gallery/index.ts';
+import type { SceneModel } from '../state/scene-model.ts';
+import { decode } from '../state/url.ts';
+import './gallery.css';
+
+/** Draws a small picture of a scene into an element. */
+export type Thumbnail = (host: HTMLElement, model: SceneModel) => void;
+
+/** Every preset with a small picture and its sentence, shape by shape. */
+export function galleryContent(
+  current: string | null,
+  pick: (id: string) => void,
+  thumbnail: Thumbnail | null,
+): TemplateResult {
+  return html`<div class="gallery">
+    ${SHAPES.map(({ kind, title }) => {
+      const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
+      return html`<section aria-label=${title}>
+        <h3>${title}</h3>
+        <div class="presets">${own.map((preset) => card(preset, preset.id === current, pick, thumbnail))}</div>
+      </section>`;
+    })}
+  </div>`;
+}
+
+function card(
+  preset: Preset,
+  isCurrent: boolean,
+  pick: (id: string) => void,
+  thumbnail: Thumbnail | null,
+): TemplateResult {
+  const draw = (element: Element | undefined): void => {
+    if (element instanceof HTMLElement && thumbnail && element.childElementCount === 0) {
+      thumbnail(element, createDerive()(decode(preset.link)).scene);
+    }
+  };
+  return html`<button
+    type="button"
+    class="preset"
+    data-preset=${preset.id}
+    aria-pressed=${isCurrent}
+    @click=${() => pick(preset.id)}
+  >
+    <span class="thumbnail" aria-hidden="true" ${ref(draw)}></span>
+    <strong>${preset.title}</strong>
+    <span class="preset-look">${preset.look}</span>
+  </button>`;
+}

@@ -1,0 +1,46 @@
+import { numberTriple } from '../../math/formula/print/leaves.ts';
+import type { Marks } from '../../math/formula/print/math-notation.ts';
+import type { Hit, PlaneHit } from '../../math/intersection.ts';
+import type { ExploreModel } from '../derive.ts';
+import type { HitWords } from '../words.ts';
+import { DIGITS, equation, type Line, number } from './line.ts';
+
+/** Every root of the page with its point and normal; a rejected one too. */
+export function hitLines<M>({ hits, found }: ExploreModel, marks: Marks<M>): Line<M>[] {
+  const { details } = found;
+  const plane = details.family === 'flat' ? details.plane : null;
+  return hits.flatMap((words, i) =>
+    words.role === 'outside'
+      ? rejectedLines(words, plane, marks)
+      : rootLines(words, found.hits[i], marks),
+  );
+}
+
+function rootLines<M>(
+  { index, t, text }: HitWords,
+  hit: Hit | undefined,
+  marks: Marks<M>,
+): Line<M>[] {
+  const root = marks.indexed('t', index);
+  const lines = [equation(root, number(t, marks), text)];
+  if (!hit) return lines;
+  const along = marks.join([
+    marks.symbol('E', 'vector'),
+    marks.operator('+'),
+    root,
+    marks.symbol('d', 'vector'),
+  ]);
+  const point = marks.join([along, marks.operator('='), numberTriple(hit.point, marks, DIGITS)]);
+  const normal = hit.singular
+    ? equation(marks.indexed('N', index), number(0, marks), 'no normal at this point')
+    : equation(marks.indexed('N', index), numberTriple(hit.normal, marks, DIGITS));
+  return [...lines, equation(marks.indexed('P', index), point), normal];
+}
+
+/** Where the plane is met outside of the figure: X, and no hit. */
+function rejectedLines<M>({ t, text }: HitWords, hit: PlaneHit | null, marks: Marks<M>): Line<M>[] {
+  return [
+    equation(marks.symbol('t', 'scalar'), number(t, marks), text),
+    ...(hit ? [equation(marks.symbol('X', 'vector'), numberTriple(hit.point, marks, DIGITS))] : []),
+  ];
+}

@@ -1,0 +1,20 @@
+import { numberPiece } from '../../math/formula/print/leaves.ts';
+import type { Marks, Sign } from '../../math/formula/print/math-notation.ts';
+
+/** One line of the derivation: left, a relation, right, and what it means in words. */
+export interface Line<M> {
+  /** Null where the line before goes on, or where there is nothing to align. */
+  readonly left: M | null;
+  readonly relation: Sign | null;
+  readonly right: M | null;
+  readonly words: string;
+}
+
+/** As on the page. */
+export const DIGITS = 6;
+
+export const number = <M>(x: number, marks: Marks<M>): M => numberPiece(x, marks, DIGITS).m;
+
+export function equation<M>(left: M | null, right: M, words = ''): Line<M> {
+  return { left, relation: '=', right, words };
+}

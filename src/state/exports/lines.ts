@@ -1,0 +1,106 @@
+import type { ConditionStep, Step } from '../../math/derivation.ts';
+import type { Expr, Relation } from '../../math/formula/expr.ts';
+import { inNumbers, inSymbols, numberTriple } from '../../math/formula/print/leaves.ts';
+import type { Marks } from '../../math/formula/print/math-notation.ts';
+import type { ExploreModel } from '../derive.ts';
+import { hitLines } from './hit-lines.ts';
+import { DIGITS, equation, type Line, number } from './line.ts';
+
+/** The page's algebra from the ray to the hits: symbols, numbers put in, value; six digits, as on the page. */
+export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
+  const { derivation, contradicted } = model;
+  return [
+    ...given(model, marks),
+    relationLine(derivation.surface, marks),
+    {
+      left: marks.join([marks.symbol('f', 'scalar'), marks.parens(marks.symbol('t', 'scalar'))]),
+      relation: '=',
+      right: marks.join([inSymbols(derivation.f, marks), marks.operator('='), number(0, marks)]),
+      words: '',
+    },
+    ...derivation.steps.flatMap((step) => stepLines(step, model, marks)),
+    ...derivation.conditions.flatMap((condition) => conditionLines(condition, model, marks)),
+    verdictLine(model, marks),
+    ...(contradicted ? [wordsLine<M>(`exact arithmetic says: ${contradicted}`)] : []),
+    ...hitLines(model, marks),
+  ];
+}
+
+const wordsLine = <M>(words: string): Line<M> => ({
+  left: null,
+  relation: null,
+  right: null,
+  words,
+});
+
+/** E, d and the shape's own numbers. A, B, C and D are among the derivation's numbers, but they are its results. */
+function given<M>({ derivation }: ExploreModel, marks: Marks<M>): Line<M>[] {
+  const { scalars, vectors } = derivation.numbers;
+  const results = new Set(derivation.steps.map(({ id }) => id));
+  const { E, d, X: _, ...shape } = vectors;
+  const inOrder = Object.entries({ ...(E && { E }), ...(d && { d }), ...shape });
+  return [
+    ...inOrder.map(
+      ([id, v]): Line<M> => equation(marks.symbol(id, 'vector'), numberTriple(v, marks, DIGITS)),
+    ),
+    ...Object.entries(scalars)
+      .filter(([id]) => !results.has(id) && !/^[xyz]$/.test(id))
+      .map(([id, x]): Line<M> => equation(marks.symbol(id, 'scalar'), number(x, marks))),
+  ];
+}
+
+function relationLine<M>({ left, relation, right }: Relation, marks: Marks<M>): Line<M> {
+  return { left: inSymbols(left, marks), relation, right: inSymbols(right, marks), words: '' };
+}
+
+/** A quantity without a letter of its own is its symbols: they stand on the left. */
+function stepLines<M>(
+  { letter, expr, value, worked }: Step,
+  { derivation }: ExploreModel,
+  marks: Marks<M>,
+): Line<M>[] {
+  const symbols = inSymbols(expr, marks);
+  const put = inNumbers(expr, marks, derivation.numbers, { worked, digits: DIGITS });
+  const right = value === null ? put : marks.join([put, marks.operator('='), number(value, marks)]);
+  return letter
+    ? [equation(inSymbols(letter, marks), symbols), equation(null, right)]
+    : [equation(symbols, right)];
+}
+
+/** The condition in symbols, then in numbers; of a length only the value is told, as on the page. */
+function conditionLines<M>(
+  { relation, left, right, holds }: ConditionStep,
+  { derivation }: ExploreModel,
+  marks: Marks<M>,
+): Line<M>[] {
+  const put = (expr: Expr, value: number): M =>
+    relation.left.op === 'norm'
+      ? number(value, marks)
+      : inNumbers(expr, marks, derivation.numbers, { worked: false, digits: DIGITS });
+  return [
+    relationLine(relation, marks),
+    {
+      left: put(relation.left, left),
+      relation: relation.relation,
+      right: put(relation.right, right),
+      words: holds === null ? 'cannot tell' : holds ? 'holds' : 'fails',
+    },
+  ];
+}
+
+function verdictLine<M>({ verdict, derivation }: ExploreModel, marks: Marks<M>): Line<M> {
+  const comparisons = verdict.relations.flatMap(({ left, relation, right }, i) => [
+    ...(i > 0 ? [marks.operator(',')] : []),
+    quantity(left, derivation.steps, marks),
+    marks.operator(relation),
+    marks.numeral(right),
+  ]);
+  const right = comparisons.length > 0 ? marks.join(comparisons) : null;
+  return { left: null, relation: null, right, words: verdict.text };
+}
+
+/** A quantity by the name of its step: N·(E − P), or N·(E − C) where the shape's point is C. */
+function quantity<M>(id: string, steps: readonly Step[], marks: Marks<M>): M {
+  const step = steps.find((s) => s.id === id);
+  return step ? inSymbols(step.letter ?? step.expr, marks) : marks.symbol(id, 'scalar');
+}

@@ -1,0 +1,29 @@
+import { MATHML, mathmlDocument, mathmlText } from '../../math/formula/print/mathml.ts';
+import type { ExploreModel } from '../derive.ts';
+import type { Export } from './define.ts';
+import type { Line } from './line.ts';
+import { derivationLines } from './lines.ts';
+
+/** The derivation as one MathML table, for a web page or a word processor. */
+export const mathml: Export = {
+  id: 'mathml',
+  title: 'the derivation as MathML',
+  extension: 'mml',
+  mime: 'application/mathml+xml',
+  text: derivationMathml,
+};
+
+export function derivationMathml(model: ExploreModel): string {
+  const rows = derivationLines(model, MATHML).map(row);
+  return `${mathmlDocument(`\n<mtable columnalign="right center left left" displaystyle="true">\n${rows.join('\n')}\n</mtable>\n`)}\n`;
+}
+
+function row({ left, relation, right, words }: Line<string>): string {
+  const cells = [
+    left ?? '',
+    relation === null ? '' : MATHML.operator(relation),
+    right ?? '',
+    words && mathmlText(words),
+  ];
+  return `<mtr>${cells.map((cell) => `<mtd>${cell}</mtd>`).join('')}</mtr>`;
+}

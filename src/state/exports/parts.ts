@@ -1,0 +1,82 @@
+import { float64 } from '../../math/arithmetic/float64.ts';
+import type { Triple } from '../../math/formula/evaluate.ts';
+import type { Names } from '../../math/formula/print/code-notation.ts';
+import { intersect } from '../../math/intersect.ts';
+import { valuesOf } from '../../math/methods/tree-method.ts';
+import { definitionOf } from '../../math/shapes/lookup.ts';
+import { AXES, type Axis } from '../../math/vec3.ts';
+import { shortest } from '../../text/format.ts';
+import type { ExploreModel } from '../derive.ts';
+import { type Program, programOf } from './program.ts';
+
+/** A number or vector of the shape or the ray, as the program calls it. */
+export interface Constant {
+  readonly name: string;
+  readonly value: number | Triple<number>;
+  /** What it is: "vertex". */
+  readonly title: string;
+}
+
+/** What every exported program is made of, whatever its language. */
+export interface Parts {
+  readonly program: Program;
+  readonly shape: readonly Constant[];
+  readonly E: Triple<number>;
+  readonly d: Triple<number>;
+  /** Lines for a comment: what the program is, and what it should answer. */
+  readonly about: readonly string[];
+  names(component: (vector: string, axis: Axis) => string): Names;
+}
+
+export function partsOf(model: ExploreModel): Parts {
+  const definition = definitionOf(model.shape);
+  const { scalars, vectors } = definition.values(model.shape);
+  const program = programOf(definition.formula(model.shape));
+  const taken = program.statements.flatMap((s) => (s.do === 'put' ? [s.name] : []));
+  const param = (symbol: string) => definition.params.find((p) => p.symbol === symbol);
+  // A centre C gives way to the coefficient C.
+  const vectorName = (id: string): string => (taken.includes(id) ? (param(id)?.key ?? id) : id);
+  const title = (id: string): string => param(id)?.title ?? (id === 'N' ? 'normal' : id);
+  const { E, d } = valuesOf(model.shape, model.ray, float64).vectors;
+  if (!E || !d) throw new RangeError('a ray without E or d');
+  return {
+    program,
+    shape: [
+      ...Object.entries(vectors).map(([id, value]) => constant(vectorName(id), value, title(id))),
+      ...Object.entries(scalars).map(([id, value]) => constant(id, value, title(id))),
+    ],
+    E,
+    d,
+    about: [
+      `Where does the ray R(t) = E + t d meet the ${model.title}? By the course's formula, as it is written.`,
+      ...expected(model),
+    ],
+    names: (component) => ({
+      scalar: (id) => (isAxis(id) ? component('X', id) : id),
+      vector: vectorName,
+    }),
+  };
+}
+
+const constant = (name: string, value: Constant['value'], title: string): Constant => ({
+  name,
+  value,
+  title,
+});
+
+/** x, y and z of a formula are the components of the point X. */
+function isAxis(id: string): id is Axis {
+  return (AXES as readonly string[]).includes(id);
+}
+
+/** What the program answers, and what the page says, if that is something else. */
+function expected({ shape, ray, found }: ExploreModel): string[] {
+  const textbook = intersect(shape, ray, 'textbook');
+  const ts = textbook.hits.map(({ t }) => shortest(t)).join(' and ');
+  return [
+    `Expected in doubles: ${textbook.class}${ts && `, t = ${ts}`}.`,
+    ...(found.class === textbook.class
+      ? []
+      : [`(The page's method, ${found.method}: ${found.class}.)`]),
+  ];
+}

@@ -1,0 +1,67 @@
+import { definitionOf } from '../../math/shapes/lookup.ts';
+import { AXES } from '../../math/vec3.ts';
+import { shortest } from '../../text/format.ts';
+import type { ExploreModel } from '../derive.ts';
+import type { Export } from './define.ts';
+
+/** What the page shows as a test of the math module, to the last bit. */
+export const vitest: Export = {
+  id: 'vitest',
+  title: 'the ray as a test case',
+  extension: 'test.ts',
+  mime: 'text/typescript',
+  text: (model) => vitestCase(model),
+};
+
+/** `mathModule`: where the test finds the math module, seen from the file that it is saved as. */
+export function vitestCase(model: ExploreModel, mathModule = './src/math/index.ts'): string {
+  const { shape, ray, found, title, verdict } = model;
+  return `import { expect, test } from 'vitest';
+import { intersect } from ${quoted(mathModule)};
+
+test(${quoted(`${title}: ${verdict.text}`)}, () => {
+  const shape = ${object([['kind', quoted(shape.kind)], ...paramsOf(model)])} as const;
+  const ray = ${object([
+    ['origin', literal(ray.origin)],
+    ['direction', literal(ray.direction)],
+  ])} as const;
+  const found = intersect(shape, ray, ${quoted(found.method)});
+  expect(found.class).toBe(${quoted(found.class)});
+  const hits = found.hits.map(({ t, point, normal, singular }) => ({ t, point, normal, singular }));
+  // toEqual compares numbers by Object.is: every bit counts, and −0 is not 0.
+  expect(hits).toEqual(${hitList(model)});
+});
+`;
+}
+
+function hitList({ found }: ExploreModel): string {
+  if (found.hits.length === 0) return '[]';
+  const lines = found.hits.map(({ t, point, normal, singular }) =>
+    object([
+      ['t', literal(t)],
+      ['point', literal(point)],
+      ['normal', literal(normal)],
+      ['singular', String(singular)],
+    ]),
+  );
+  return `[\n${lines.map((line) => `    ${line},\n`).join('')}  ]`;
+}
+
+function paramsOf({ shape }: ExploreModel): [key: string, value: string][] {
+  const given = shape as unknown as Readonly<Record<string, unknown>>;
+  return definitionOf(shape).params.map(({ key }) => [key, literal(given[key])]);
+}
+
+function object(entries: readonly (readonly [key: string, value: string])[]): string {
+  return `{ ${entries.map(([key, value]) => `${key}: ${value}`).join(', ')} }`;
+}
+
+function literal(value: unknown): string {
+  if (typeof value === 'number') return shortest(value);
+  if (Array.isArray(value)) return `[${AXES.map((_, i) => literal(value[i])).join(', ')}]`;
+  return quoted(String(value));
+}
+
+function quoted(text: string): string {
+  return `'${text.replace(/[\\']/g, '\\$&')}'`;
+}

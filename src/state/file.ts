@@ -1,0 +1,58 @@
+import { quote } from '../math/invalid-input.ts';
+import { SHAPES, type Shape } from '../math/shapes/index.ts';
+import { checkShape } from '../math/shapes/lookup.ts';
+import { type AppState, INITIAL } from './state.ts';
+import { decode, encode } from './url.ts';
+
+/** A saved state: its link, and the shapes that the link does not carry. */
+interface Saved {
+  readonly graze: 1;
+  readonly link: string;
+  readonly shapes: readonly Shape[];
+}
+
+export function toFile(state: AppState): string {
+  const saved: Saved = { graze: 1, link: encode(state), shapes: Object.values(state.shapes) };
+  // JSON has no minus zero: written as a number it would come back as 0.
+  return `${JSON.stringify(saved, (_, x) => (Object.is(x, -0) ? '-0' : x), 2)}\n`;
+}
+
+export type Opened =
+  | { readonly ok: true; readonly state: AppState }
+  | { readonly ok: false; readonly reason: string };
+
+/** The state in a file from anywhere: what is not understood is left out and said, never guessed. */
+export function fromFile(text: string): Opened {
+  let data: unknown;
+  try {
+    data = JSON.parse(text, (_, x) => (x === '-0' ? -0 : x));
+  } catch {
+    return { ok: false, reason: `${quote(text.slice(0, 30))} is not a saved state` };
+  }
+  const { graze, link, shapes } = (data ?? {}) as Partial<Saved>;
+  if (graze !== 1 || typeof link !== 'string') {
+    return { ok: false, reason: 'this file holds no state of Graze' };
+  }
+  const problems: string[] = [];
+  const known = Array.isArray(shapes) ? readShapes(shapes, problems) : {};
+  const base: AppState = { ...INITIAL, shapes: { ...INITIAL.shapes, ...known } };
+  const state = decode(link, base);
+  return { ok: true, state: { ...state, problems: [...problems, ...state.problems] } };
+}
+
+function readShapes(shapes: readonly unknown[], problems: string[]): Record<string, Shape> {
+  const found: Record<string, Shape> = {};
+  for (const shape of shapes.slice(0, SHAPES.length)) {
+    try {
+      const { kind, params } = checkShape(shape as Shape);
+      const given = shape as Readonly<Record<string, unknown>>;
+      const own = params.map(({ key }) => [key, given[key]] as const);
+      found[kind] = { kind, ...Object.fromEntries(own) } as unknown as Shape;
+    } catch (error) {
+      problems.push(
+        `opened without a shape: ${error instanceof Error ? error.message : 'unreadable'}`,
+      );
+    }
+  }
+  return found;
+}

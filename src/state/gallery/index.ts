@@ -1,0 +1,17 @@
+import { CIRCLE } from './circle.ts';
+import { CONE } from './cone.ts';
+import { CYLINDER } from './cylinder.ts';
+import type { Preset } from './define.ts';
+import { HYPERBOLOID } from './hyperboloid.ts';
+import { PLANE } from './plane.ts';
+import { SQUARE } from './square.ts';
+
+/** In the order of the menu of shapes; next and previous walk through it. */
+export const GALLERY: readonly Preset[] = [
+  ...PLANE,
+  ...CYLINDER,
+  ...CONE,
+  ...HYPERBOLOID,
+  ...CIRCLE,
+  ...SQUARE,
+];

@@ -1,0 +1,147 @@
+import { coefficients, intersect } from '../math/intersect.ts';
+import { InvalidInput } from '../math/invalid-input.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Drawing, Grip } from '../math/shapes/drawing.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { checkParam, type NumberParam, type VectorParam } from '../math/shapes/params.ts';
+import { unitVector } from '../math/unit.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { display, displayTriple } from '../text/format.ts';
+import type { Action } from './actions.ts';
+import type { Probe, Tangency, Value } from './snap.ts';
+import { paramValue, RAY_PARAMS } from './state.ts';
+
+interface HandleBase {
+  readonly symbol: string;
+  /** "E, eye, where the ray starts" */
+  readonly label: string;
+  readonly text: string;
+  readonly step: number;
+  /** The step is a length, and grows with the world. */
+  readonly isLength: boolean;
+  /** Why a value is not allowed, in the math module's words; null if it is. */
+  refusal(value: Value): string | null;
+  action(value: Value): Action;
+  /** Null where there is no discriminant, or where it would give away what is to be predicted. */
+  readonly tangency: Tangency | null;
+}
+
+/** A point of the scene that goes where it is dragged. */
+export interface PointHandle extends HandleBase {
+  readonly type: 'point';
+  readonly at: Vec3;
+  readonly value: Vec3;
+  /** What the value is here: E's is the place itself, d's counts from E, and with a unit d its value is longer or shorter. */
+  readonly here: Vec3;
+  /** Where a direction starts; null for a place. */
+  readonly origin: Vec3 | null;
+}
+
+/** A number that is read off a distance. */
+export interface ReachHandle extends HandleBase {
+  readonly type: 'reach';
+  readonly grip: Extract<Grip, { type: 'reach' }>;
+  readonly value: number;
+}
+
+export type Handle = PointHandle | ReachHandle;
+
+interface Given {
+  readonly shape: Shape;
+  readonly E: Vec3;
+  readonly d: Vec3;
+  readonly unit: boolean;
+  /** The kernel's. */
+  readonly ray: Ray;
+  readonly drawing: Drawing;
+}
+
+/** Everything in the scene that can be taken and moved. */
+export function handlesOf({ shape, E, d, unit, ray, drawing }: Given): Handle[] {
+  const { origin, direction } = ray;
+  const pointed = (to: Vec3): Ray => ({ origin, direction: unit ? unitVector(to) : to });
+  const eye: PointHandle = {
+    ...pointOf(RAY_PARAMS.E, E, E),
+    action: (value) => ({ type: 'origin', value: value as Vec3 }),
+    tangency: tangencyOf((value) => [shape, { origin: value as Vec3, direction }]),
+  };
+  const tip: PointHandle = {
+    ...pointOf(RAY_PARAMS.d, d, sum(origin, direction)),
+    here: direction,
+    origin,
+    action: (value) => ({ type: 'direction', value: value as Vec3 }),
+    tangency: tangencyOf((value) => [shape, pointed(value as Vec3)]),
+  };
+  return [eye, tip, ...drawing.grips.flatMap((grip) => gripHandle(grip, shape, ray))];
+}
+
+function gripHandle(grip: Grip, shape: Shape, ray: Ray): Handle[] {
+  const param = definitionOf(shape).params.find(({ key }) => key === grip.param);
+  const value = paramValue(shape, grip.param);
+  const rest = {
+    action: (to: Value): Action => ({ type: 'param', key: grip.param, value: to }),
+    tangency: tangencyOf((to) => [{ ...shape, [grip.param]: to } as Shape, ray]),
+  };
+  if (param?.type === 'vector' && grip.type === 'point') {
+    return [{ ...pointOf(param, value as Vec3, grip.at), ...rest }];
+  }
+  if (param?.type === 'number' && grip.type === 'reach') {
+    const base = baseOf(param, display(value as number), grip.isLength);
+    return [{ type: 'reach', grip, value: value as number, ...base, ...rest }];
+  }
+  return [];
+}
+
+function pointOf(param: VectorParam, value: Vec3, at: Vec3): Omit<PointHandle, 'action'> {
+  const base = baseOf(param, displayTriple(value), true);
+  return { type: 'point', at, value, here: value, origin: null, tangency: null, ...base };
+}
+
+function baseOf(param: VectorParam | NumberParam, text: string, isLength: boolean) {
+  const { symbol, title, step } = param;
+  const refusal = (value: Value) => refusalOf(param, value);
+  return { symbol, label: `${symbol}, ${title}`, text, step, isLength, refusal };
+}
+
+function refusalOf(param: VectorParam | NumberParam, value: Value): string | null {
+  try {
+    checkParam(param, value);
+    return null;
+  } catch (error) {
+    if (error instanceof InvalidInput) return error.message;
+    throw error;
+  }
+}
+
+const NO_PROBE: Probe = { sign: null, size: Number.NaN, isTangent: false };
+
+/** Asks after D of the scene with a value put in. */
+function tangencyOf(scene: (value: Value) => readonly [Shape, Ray]): Tangency {
+  return {
+    quick(value) {
+      try {
+        const [shape, ray] = scene(value);
+        const { A, B, C } = coefficients(shape, ray, 'textbook');
+        return B * B - 4 * A * C;
+      } catch {
+        return Number.NaN;
+      }
+    },
+    exact(value) {
+      try {
+        const found = intersect(...scene(value));
+        if (found.details.family !== 'curved') return NO_PROBE;
+        const { signs, D } = found.details;
+        return { sign: signs.D, size: D, isTangent: found.class === 'tangent' };
+      } catch (error) {
+        if (error instanceof InvalidInput) return NO_PROBE;
+        throw error;
+      }
+    },
+  };
+}
+
+function sum(a: Vec3, b: Vec3): Vec3 {
+  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+}

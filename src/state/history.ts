@@ -1,0 +1,77 @@
+import type { Action } from './actions.ts';
+import type { AppState } from './state.ts';
+import { update } from './update.ts';
+
+/** The state with what it was before. */
+export interface History {
+  readonly past: readonly AppState[];
+  readonly present: AppState;
+  readonly future: readonly AppState[];
+  /** The gesture that made the last step; what belongs to the same one becomes part of that step. */
+  readonly gesture: string | null;
+}
+
+/** Steps that can be taken back. */
+const LONGEST = 200;
+
+/** What undo brings back. Looking around (view, bead, page, what is hidden) is not a step. */
+const UNDOABLE = [
+  'kind',
+  'shapes',
+  'E',
+  'd',
+  'unit',
+  'method',
+] as const satisfies readonly (keyof AppState)[];
+
+export function historyOf(present: AppState): History {
+  return { past: [], present, future: [], gesture: null };
+}
+
+/** The history after an action. Actions of one gesture (a whole drag, a run of key presses) are one step; null is its own. */
+export function advance(history: History, action: Action, gesture: string | null): History {
+  if (action.type === 'undo') return back(history);
+  if (action.type === 'redo') return forth(history);
+  const { past, present } = history;
+  const next = update(present, action);
+  if (next === present) return history;
+  if (sameStep(present, next)) return { ...history, present: next };
+  const goesOn = gesture !== null && gesture === history.gesture;
+  return {
+    past: goesOn ? past : [...past, present].slice(-LONGEST),
+    present: next,
+    future: [],
+    gesture,
+  };
+}
+
+function sameStep(a: AppState, b: AppState): boolean {
+  return UNDOABLE.every((key) => a[key] === b[key]);
+}
+
+function back({ past, present, future }: History): History {
+  const before = past.at(-1);
+  if (!before) return { past, present, future, gesture: null };
+  return {
+    past: past.slice(0, -1),
+    present: restored(present, before),
+    future: [present, ...future],
+    gesture: null,
+  };
+}
+
+function forth({ past, present, future }: History): History {
+  const after = future[0];
+  if (!after) return { past, present, future, gesture: null };
+  return {
+    past: [...past, present],
+    present: restored(present, after),
+    future: future.slice(1),
+    gesture: null,
+  };
+}
+
+function restored(present: AppState, from: AppState): AppState {
+  const { kind, shapes, E, d, unit, method } = from;
+  return { ...present, kind, shapes, E, d, unit, method };
+}

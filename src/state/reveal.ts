@@ -1,0 +1,42 @@
+import type { ExploreModel } from './derive.ts';
+import type { RaySegment, SceneModel } from './scene-model.ts';
+
+/** The lines that can be revealed one after another: each step, the conditions, the verdict, the hits. */
+export function lineCount({ derivation }: Pick<ExploreModel, 'derivation'>): number {
+  return derivation.steps.length + (derivation.conditions.length > 0 ? 1 : 0) + 2;
+}
+
+/** What is shown of the result when `revealed` lines of it are; null shows all. */
+export function shownLines(
+  model: Pick<ExploreModel, 'derivation'>,
+  revealed: number | null,
+): { steps: number; conditions: boolean; verdict: boolean; hits: boolean } {
+  const lines = lineCount(model);
+  const shown = revealed ?? lines;
+  const { steps, conditions } = model.derivation;
+  const afterSteps = steps.length + (conditions.length > 0 ? 1 : 0);
+  return {
+    steps: Math.min(shown, steps.length),
+    conditions: shown > steps.length || conditions.length === 0,
+    verdict: shown > afterSteps,
+    hits: shown > afterSteps + 1,
+  };
+}
+
+/** The scene as it is before anyone has computed anything: the ray and the shape, and nothing that tells where they meet. */
+export function withoutResults(scene: SceneModel): SceneModel {
+  const from = scene.ray.segments[0]?.from ?? 0;
+  const to = scene.ray.segments.at(-1)?.to ?? 0;
+  const behind: RaySegment = { from, to: Math.min(to, 0), stretch: 'behind' };
+  const ahead: RaySegment = { from: Math.max(from, 0), to, stretch: 'before' };
+  return {
+    ...scene,
+    ray: { ...scene.ray, segments: [behind, ahead].filter((part) => part.from < part.to) },
+    hits: [],
+    handles: scene.handles.map((handle) => ({ ...handle, tangency: null })),
+    // At rest the bead lies between the roots.
+    bead: null,
+    notes: scene.ray.originDrawn ? [] : scene.notes.slice(0, 1),
+    description: `${scene.description.split(':')[0]}. The result is hidden: predict it first.`,
+  };
+}

@@ -1,0 +1,48 @@
+import { html, render, type TemplateResult } from 'lit';
+import './dialog.css';
+
+export interface Dialog {
+  open(): void;
+  close(): void;
+  readonly isOpen: boolean;
+  /** Draws the content anew if it is open. */
+  refresh(): void;
+}
+
+/** A modal dialog; its content is made when it is opened, so that a closed one costs nothing. */
+export function createDialog(title: string, content: () => TemplateResult): Dialog {
+  const element = document.createElement('dialog');
+  element.className = 'dialog';
+  element.setAttribute('aria-label', title);
+  document.body.append(element);
+  element.addEventListener('click', (event) => {
+    // A click on the backdrop has the dialog itself as its target.
+    if (event.target === element) element.close();
+  });
+  const draw = (): void => {
+    render(
+      html`<div class="dialog-body">
+        <header class="dialog-head">
+          <h2>${title}</h2>
+          <button type="button" class="button" @click=${() => element.close()}>Close</button>
+        </header>
+        ${content()}
+      </div>`,
+      element,
+    );
+  };
+  return {
+    open() {
+      if (element.open) return;
+      draw();
+      element.showModal();
+    },
+    close: () => element.close(),
+    get isOpen() {
+      return element.open;
+    },
+    refresh() {
+      if (element.open) draw();
+    },
+  };
+}

@@ -1,0 +1,46 @@
+/** Gives a person a file with this content. */
+export function download(name: string, content: string | Blob, type = 'text/plain'): void {
+  const blob = typeof content === 'string' ? new Blob([content], { type }) : content;
+  const url = URL.createObjectURL(blob);
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  // The browser has taken the blob by the next task.
+  setTimeout(() => URL.revokeObjectURL(url));
+}
+
+/** Larger than any state or scene; keeps a film that was dropped by accident from being read. */
+const LARGEST_BYTES = 2_000_000;
+
+/** Asks for a file and gives its text, or null. */
+export function pickFile(accept: string): Promise<string | null> {
+  return new Promise((resolve) => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = accept;
+    input.addEventListener('change', () => resolve(readText(input.files?.[0])));
+    input.addEventListener('cancel', () => resolve(null));
+    input.click();
+  });
+}
+
+/** Calls back with the text of a file that is dropped anywhere on the page. */
+export function watchDrops(root: HTMLElement, opened: (text: string) => void): void {
+  root.addEventListener('dragover', (event) => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+  });
+  root.addEventListener('drop', (event) => {
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    void readText(file).then((text) => {
+      if (text !== null) opened(text);
+    });
+  });
+}
+
+async function readText(file: File | undefined): Promise<string | null> {
+  if (!file) return null;
+  return file.size > LARGEST_BYTES ? '' : file.text();
+}

@@ -1,0 +1,49 @@
+/** What a drawing needs to look the same outside of the page, where its style sheet and its tokens are not. */
+const KEPT = [
+  'fill',
+  'fill-opacity',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'stroke-linecap',
+  'stroke-linejoin',
+  'stroke-opacity',
+  'opacity',
+  'paint-order',
+  'font-family',
+  'font-size',
+  'font-style',
+  'font-weight',
+  'text-anchor',
+  'dominant-baseline',
+  'visibility',
+  'display',
+] as const;
+
+/** An SVG of the page as a file of its own: computed styles written into each element, the background painted. */
+export function svgText(source: SVGSVGElement, background: string): string {
+  const { width, height } = source.getBoundingClientRect();
+  const copy = source.cloneNode(true) as SVGSVGElement;
+  inline(source, copy);
+  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  copy.setAttribute('width', String(width));
+  copy.setAttribute('height', String(height));
+  if (!copy.hasAttribute('viewBox')) copy.setAttribute('viewBox', `0 0 ${width} ${height}`);
+  const paper = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  paper.setAttribute('width', '100%');
+  paper.setAttribute('height', '100%');
+  paper.setAttribute('fill', background);
+  copy.prepend(paper);
+  return new XMLSerializer().serializeToString(copy);
+}
+
+function inline(from: Element, to: Element): void {
+  const style = getComputedStyle(from);
+  // Presentation attributes: a style attribute would be refused by the page's own security policy.
+  for (const name of KEPT) to.setAttribute(name, style.getPropertyValue(name));
+  to.removeAttribute('class');
+  for (let i = 0; i < from.children.length; i++) {
+    const [a, b] = [from.children[i], to.children[i]];
+    if (a && b) inline(a, b);
+  }
+}

@@ -1,0 +1,60 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { SHAPES } from '../../src/math/index.ts';
+import { box, pickShape, slider, typeInto } from './support/controls.ts';
+import { open } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+const SIZES = [
+  { width: 1280, height: 720 },
+  { width: 390, height: 844 },
+] as const;
+
+/** One line a violation: the rule, and the elements that break it. */
+async function violations(page: Page): Promise<string[]> {
+  const { violations: found } = await new AxeBuilder({ page }).setLegacyMode(true).analyze();
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, any }) => `${id}: ${target.join(' ')} (${any[0]?.message ?? ''})`),
+  );
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const viewport of SIZES) {
+    test.describe(`${colorScheme}, ${viewport.width} px`, () => {
+      test.use({ colorScheme, viewport });
+      test('axe finds nothing for any shape, a refused text, a broken link', async ({ page }) => {
+        await open(page, '#/explore?shape=cone&zoom=1');
+        await page.locator('canvas').waitFor();
+        expect.soft(await violations(page), 'a broken link').toEqual([]);
+        await page.getByRole('button', { name: 'Dismiss' }).click();
+        for (const { kind, title } of SHAPES) {
+          await pickShape(page, title);
+          expect.soft(await violations(page), kind).toEqual([]);
+        }
+        await pickShape(page, 'cone');
+        await typeInto(page, 'c', 'abc');
+        await expect(page.getByRole('alert')).toBeVisible();
+        expect.soft(await violations(page), 'a refused text').toEqual([]);
+      });
+    });
+  }
+}
+
+test('everything that can be operated has a name', async ({ page }) => {
+  await open(page, '#/explore?shape=square&method=exact');
+  await page.locator('canvas').waitFor();
+  const operable = page.locator('a, button, input, select, [tabindex="0"], [role="slider"]');
+  for (const element of await operable.all()) await expect(element).toHaveAccessibleName(/\S/);
+  await expect(slider(page, 'E.x')).toHaveAccessibleName(/E\.x/);
+  await expect(box(page, 'L')).toHaveAccessibleName(/side/);
+  await expect(page.locator('.strip-bead')).toHaveAttribute('aria-valuetext', /^t .*f /);
+});
+
+test('the page says its language and has a heading', async ({ page }) => {
+  await open(page, '#/explore');
+  await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+  await expect(page).toHaveTitle(/Graze/);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);
+  await expect(page.getByRole('heading', { name: /ray/i })).not.toHaveCount(0);
+  await expect(page.getByRole('main')).toHaveCount(1);
+});

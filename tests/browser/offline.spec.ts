@@ -1,0 +1,52 @@
+import { resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { expectInLink, slider, typeInto } from './support/controls.ts';
+import { hashOf, quantities, settle } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const FILE = pathToFileURL(
+  resolve(root, process.env.E2E_OFFLINE ?? 'dist/offline/index.html'),
+).href;
+
+test.use({ viewport: { width: 940, height: 700 } });
+
+test('one file, opened from disk, is the whole laboratory', async ({ page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => {
+    if (!request.url().startsWith('data:')) asked.push(request.url());
+  });
+  await page.goto(`${FILE}#/explore?shape=cylinder&E=3,1,0&d=-1,0,0&r=1&method=exact`);
+  await expect(page.locator('canvas')).toBeVisible();
+  await expect(page.locator('[data-frames]')).toHaveAttribute('data-frames', /[1-9]/);
+  expect(await quantities(page)).toMatchObject({
+    A: '1',
+    B: '-6',
+    C: '8',
+    D: '4',
+    t1: '2',
+    t2: '4',
+  });
+  await slider(page, 'E.x').press('ArrowRight');
+  await typeInto(page, 'r', '1/2');
+  expect(await quantities(page)).toMatchObject({ 'E.x': '3.1', r: '0.5', t1: '2.6', t2: '3.6' });
+  await expectInLink(page, { E: '3.1,1,0', r: '0.5' });
+  const link = await hashOf(page);
+  await page.reload();
+  await settle(page);
+  expect(await hashOf(page)).toBe(link);
+  await page.getByRole('button', { name: /^Theme/ }).click();
+  expect(asked.filter((url) => !url.startsWith(FILE))).toEqual([]);
+});
+
+test('the mathematical font is in the file', async ({ page }) => {
+  await page.goto(`${FILE}#/explore?shape=cone`);
+  await page.locator('[data-quantity="class"]').waitFor();
+  const status = await page.evaluate(async () => {
+    await document.fonts.ready;
+    const faces = [...document.fonts].filter(({ family }) => family.includes('STIX Two Math'));
+    return faces.map((face) => face.status);
+  });
+  expect(status.length).toBeGreaterThan(0);
+  expect(new Set(status)).toEqual(new Set(['loaded']));
+});

@@ -1,0 +1,68 @@
+import type { Page } from '@playwright/test';
+import { expect } from './test.ts';
+
+export const SCENE_CHUNK = /\/scene-[^/]*\.js$/;
+/** The browser's own words when the scene is kept away. */
+export const NO_SCENE = /^Failed to load resource: net::ERR_FAILED$/;
+
+/** Leaves the picture out where it is not what a test is about: software rendering would take most of its time. */
+export async function withoutScene(page: Page): Promise<void> {
+  await page.route(SCENE_CHUNK, (route) => route.abort());
+}
+
+export type Shown = Record<string, string>;
+
+/** Until what was asked for stands on the page: the state is drawn in the next animation frame. */
+export async function settle(page: Page): Promise<void> {
+  await page.evaluate(
+    () =>
+      new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))),
+  );
+}
+
+/**
+ * Opens a link: loads the page the first time, later writes the new hash into the address as a person would. The event
+ * is sent at once, so that a list of links does not have to wait for the browser's own.
+ */
+export async function open(page: Page, hash: string): Promise<void> {
+  if (page.url() === 'about:blank') {
+    await page.goto(`./${hash}`);
+    await page.locator('[data-quantity="class"]').waitFor();
+    await page.evaluate(() => document.fonts.ready.then(() => null));
+  } else {
+    await page.evaluate((next) => {
+      location.hash = next;
+      dispatchEvent(new HashChangeEvent('hashchange'));
+    }, hash);
+  }
+  await settle(page);
+}
+
+/** Every quantity on the page with its full value. Throws if one stands there twice. */
+export async function quantities(page: Page): Promise<Shown> {
+  const pairs = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-quantity]')].map((element) => [
+      element.getAttribute('data-quantity') ?? '',
+      element.getAttribute('data-value') ?? '(no data-value)',
+    ]),
+  );
+  const names = pairs.map(([name]) => name);
+  const twice = names.filter((name, i) => names.indexOf(name) !== i);
+  expect(twice, 'quantities that stand on the page more than once').toEqual([]);
+  return Object.fromEntries(pairs) as Shown;
+}
+
+/** What a person can read on the page, in tooltips, and through a screen reader. */
+export async function readable(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    const spoken = ['title', 'aria-label', 'aria-valuetext', 'aria-valuenow', 'aria-valuemin'];
+    const attributes = [...document.querySelectorAll('body *')].flatMap((element) =>
+      spoken.map((name) => element.getAttribute(name) ?? ''),
+    );
+    return [document.body.innerText, ...attributes].join('\n');
+  });
+}
+
+export async function hashOf(page: Page): Promise<string> {
+  return page.evaluate(() => location.hash);
+}

@@ -1,0 +1,76 @@
+import { intersect, SHAPES } from '../../src/math/index.ts';
+import { DEFAULT_METHOD } from '../../src/math/intersect.ts';
+import { unitVector } from '../../src/math/unit.ts';
+import { CASES, cone } from './support/cases.ts';
+import { expected, expectedBead, linkOf } from './support/expected.ts';
+import { NO_SCENE, open, quantities, readable, withoutScene } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+/** Words that only a program would say. ∞ is a number's name, 'Infinity' is not. */
+const NO_WORDS = /\b(NaN|undefined|Infinity|null|true|false)\b|\[object/;
+
+/** The page's own, the answer that all are measured by, and the two whose digits differ from it most. */
+const [FIRST = 'exact', ...OTHERS] = new Set([DEFAULT_METHOD, 'exact', 'textbook', 'stable']);
+
+test('the list has every shape, and every class that a shape can have', () => {
+  const seen = (kind: string) =>
+    [...new Set(CASES.filter(({ shape }) => shape.kind === kind).map((c) => c.class))].sort();
+  for (const { kind } of SHAPES) {
+    const isCurved = ['cone', 'hyperboloid'].includes(kind);
+    const all = isCurved
+      ? ['contained', 'none', 'one', 'tangent', 'two']
+      : ['contained', 'none', 'one'];
+    expect(seen(kind)).toEqual(kind === 'cylinder' ? ['contained', 'none', 'tangent', 'two'] : all);
+  }
+});
+
+for (const { kind } of SHAPES) {
+  const cases = CASES.filter(({ shape }) => shape.kind === kind);
+  const see = (method: string) => {
+    test(`${kind} by ${method}: what is shown is what the math module found`, async ({
+      page,
+      provoked,
+    }) => {
+      if (provoked) await withoutScene(page);
+      for (const { title, shape, ray, class: verdict } of cases) {
+        if (method === 'exact') expect(intersect(shape, ray, method).class, title).toBe(verdict);
+        await open(page, linkOf(shape, ray, { method }));
+        const shown = await quantities(page);
+        const t = shown['bead.t'];
+        const bead = t === undefined ? {} : expectedBead(shape, ray, Number(t));
+        expect.soft(shown, title).toEqual({ ...expected(shape, ray, method), ...bead });
+        const lines = (await readable(page)).split('\n');
+        expect
+          .soft(
+            lines.filter((line) => NO_WORDS.test(line)),
+            title,
+          )
+          .toEqual([]);
+      }
+    });
+  };
+  see(FIRST);
+  test.describe('without the picture', () => {
+    test.use({ provoked: NO_SCENE });
+    OTHERS.forEach(see);
+  });
+}
+
+test('the bead stands where the link says', async ({ page }) => {
+  const shape = cone([0, 3, 0], 0.5);
+  const ray = { origin: [3, 1, 1], direction: [-0.8, -0.2, -0.3] } as const;
+  for (const t of [0, 1 / 3, -2.5, 1e7, 4e-320]) {
+    await open(page, linkOf(shape, ray, { t: String(t), method: 'exact' }));
+    expect(await quantities(page)).toMatchObject(expectedBead(shape, ray, t));
+  }
+});
+
+test('with unit d the kernel gets, and the page shows, the rounded unit vector', async ({
+  page,
+}) => {
+  for (const { title, shape, ray } of CASES.filter((_, i) => i % 6 === 0)) {
+    await open(page, linkOf(shape, ray, { unit: '1', method: 'exact' }));
+    const unit = { origin: ray.origin, direction: unitVector(ray.direction) };
+    expect(await quantities(page), title).toMatchObject(expected(shape, unit, 'exact'));
+  }
+});

@@ -1,0 +1,74 @@
+import type { Page } from '@playwright/test';
+import type { Vec3 } from '../../src/math/vec3.ts';
+import { createDerive } from '../../src/state/derive.ts';
+import { INITIAL } from '../../src/state/state.ts';
+import { decode } from '../../src/state/url.ts';
+import { shortest } from '../../src/text/format.ts';
+
+/** Longer than the page takes to write its link. */
+const SETTLE_MS = 350;
+
+/** Null if the page is whole: no word of NaN, and every number on it is the math module's for the state in its link. */
+export async function pageTruth(page: Page, errors: readonly string[]): Promise<string | null> {
+  if (errors.length > 0) return `errors at ${page.url()}: ${errors.join('\n')}`;
+  await page.waitForTimeout(SETTLE_MS);
+  const { hash, shown, words, boxes, playing } = await page.evaluate(() => ({
+    playing: document.querySelector('.ray-tool[aria-pressed="true"]')?.textContent === 'stop',
+    hash: location.hash,
+    words: (document.querySelector('#app') as HTMLElement).innerText,
+    boxes: [...document.querySelectorAll<HTMLInputElement>('input')].map(({ value }) => value),
+    shown: [...document.querySelectorAll('[data-quantity]')].map((e) => [
+      e.getAttribute('data-quantity') ?? '',
+      e.getAttribute('data-value') ?? '',
+    ]),
+  }));
+  const nonsense = /\bNaN\b|\bundefined\b|\[object/.exec(words);
+  if (nonsense) return `the page says ${nonsense[0]} at ${hash}`;
+  if (boxes.some((value) => /NaN|undefined/.test(value))) return `a box says NaN at ${hash}`;
+  // While the bead plays the link follows a little behind.
+  const still = shown.filter(([name]) => !(playing && name?.startsWith('bead.')));
+  return differences(hash, still as [string, string][]);
+}
+
+function differences(hash: string, shown: readonly [string, string][]): string | null {
+  const state = decode(hash, INITIAL);
+  if (state.problems.length > 0) return `its own link has problems: ${state.problems.join(', ')}`;
+  const truth = quantitiesOf(hash);
+  const seen = new Set<string>();
+  for (const [name, value] of shown) {
+    if (seen.has(name)) return `${name} stands twice at ${hash}`;
+    seen.add(name);
+    const expected = truth.get(name);
+    if (expected !== undefined && expected !== value) {
+      return `${name} is ${value}, should be ${expected} at ${hash}`;
+    }
+  }
+  return null;
+}
+
+/** Every number that is said of a link, by the math module itself. */
+export function quantitiesOf(hash: string): Map<string, string> {
+  const model = createDerive()(decode(hash, INITIAL));
+  const found = new Map<string, string>();
+  const put = (name: string, x: number): void => {
+    found.set(name, shortest(x));
+  };
+  const triple = (name: string, [x, y, z]: Vec3): void => {
+    put(`${name}.x`, x);
+    put(`${name}.y`, y);
+    put(`${name}.z`, z);
+  };
+  found.set('class', model.found.class);
+  triple('E', model.ray.origin);
+  triple('d', model.ray.direction);
+  for (const { id, value } of model.derivation.steps) if (value !== null) put(id, value);
+  model.found.hits.forEach((hit, i) => {
+    put(`t${i + 1}`, hit.t);
+    triple(`P${i + 1}`, hit.point);
+    if (!hit.singular) triple(`N${i + 1}`, hit.normal);
+  });
+  put('bead.t', model.strip.bead.t);
+  put('bead.f', model.strip.bead.f);
+  triple('bead', model.strip.bead.point);
+  return found;
+}

@@ -1,0 +1,383 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, posix } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseSync } from 'vite';
+import { describe, expect, test } from 'vitest';
+import { SHAPES } from '../../src/math/index.ts';
+
+/* DESIGN.md §3: who may import whom. Types count too. */
+
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
+
+const PURE = ['text', 'math', 'scene', 'tracer', 'lab', 'check'];
+const VIEWS = ['canvas', 'panels', 'charts'];
+
+/** Each room, and the rooms it may import from; its own always. A room need not exist yet. */
+const ROOMS: Readonly<Record<string, readonly string[]>> = {
+  text: [],
+  math: ['text'],
+  scene: ['math', 'text'],
+  tracer: ['math', 'scene'],
+  lab: ['math', 'text'],
+  check: ['math', 'lab', 'text'],
+  // Of the tracer only types: see below.
+  state: PURE,
+  workers: PURE,
+  ui: ['text'],
+  canvas: [...PURE, 'state', 'ui'],
+  panels: [...PURE, 'state', 'ui'],
+  charts: [...PURE, 'state', 'ui'],
+  pages: [...PURE, ...VIEWS, 'state', 'ui', 'workers'],
+  // ui for what belongs to the whole window and to no page: theme, gestures, files, the announcer, the styles.
+  main: ['pages', 'state', 'workers', 'ui'],
+};
+
+/** Packages, and the rooms that may know them. */
+const PACKAGES: Readonly<Record<string, readonly string[]>> = {
+  three: ['canvas'],
+  lit: ['ui', 'panels', 'charts', 'pages', 'main'],
+  'd3-scale': ['charts'],
+  'expr-eval-fork': ['text'],
+};
+
+/** What the pure rooms and the state may not touch: a page, a clock, chance. */
+const IMPURE = new Set([
+  ...['document', 'navigator', 'localStorage', 'sessionStorage', 'customElements', 'matchMedia'],
+  ...['HTMLElement', 'SVGElement', 'requestAnimationFrame', 'fetch', 'XMLHttpRequest', 'Worker'],
+  ...['Date', 'performance', 'setTimeout', 'setInterval', 'queueMicrotask', 'Math.random'],
+]);
+/** The math module is to stand on its own, so for it nothing of its surroundings may be named at all. */
+const OUTSIDE_MATH = new Set([
+  ...[...IMPURE, 'window', 'self', 'globalThis', 'location', 'history', 'process', 'console'],
+  ...['crypto', 'Intl', 'postMessage'],
+]);
+
+type Sources = Readonly<Record<string, string>>;
+
+interface AnyNode {
+  readonly type: string;
+  readonly [key: string]: unknown;
+}
+
+const isNode = (value: unknown): value is AnyNode =>
+  typeof value === 'object' && value !== null && 'type' in value && typeof value.type === 'string';
+
+function childrenOf(node: AnyNode): AnyNode[] {
+  return Object.values(node).flat().filter(isNode);
+}
+
+/** The node and all below it, not into functions if `shallow`: those do not run when a module is imported. */
+function within(node: AnyNode, shallow = false): AnyNode[] {
+  if (shallow && /Function|ClassBody/.test(node.type)) return [];
+  return [node, ...childrenOf(node).flatMap((child) => within(child, shallow))];
+}
+
+/** Every rule asks for every node of every file: read them once. */
+const known = new Map<string, readonly AnyNode[]>();
+function nodesOf(path: string, source: string): readonly AnyNode[] {
+  const found = known.get(path + source);
+  if (found) return found;
+  const { program, errors } = parseSync(path, source);
+  if (errors.length > 0) throw new Error(`${path}: ${errors[0]?.message}`);
+  const nodes = within(program as unknown as AnyNode);
+  known.set(path + source, nodes);
+  return nodes;
+}
+
+/** The statements of the file itself. */
+const bodyOf = (path: string, source: string): AnyNode[] =>
+  (nodesOf(path, source)[0]?.body ?? []) as AnyNode[];
+
+interface Import {
+  readonly from: string;
+  readonly typesOnly: boolean;
+}
+
+/** Static and dynamic imports, re-exports, import types, and files named by `new URL(…, import.meta.url)`. */
+function importsOf(path: string, source: string): Import[] {
+  return nodesOf(path, source).flatMap((node): Import[] => {
+    const at = (value: unknown, typesOnly: boolean): Import[] =>
+      isNode(value) && typeof value.value === 'string' ? [{ from: value.value, typesOnly }] : [];
+    switch (node.type) {
+      case 'ImportDeclaration':
+        return at(node.source, node.importKind === 'type');
+      case 'ExportNamedDeclaration':
+      case 'ExportAllDeclaration':
+        return at(node.source, node.exportKind === 'type');
+      case 'ImportExpression':
+        return at(node.source, false);
+      case 'TSImportType':
+        return at(node.source ?? node.argument, true);
+      case 'NewExpression': {
+        const callee = node.callee as AnyNode;
+        const [first, second] = node.arguments as AnyNode[];
+        const isUrl = callee.name === 'URL' && second?.type === 'MemberExpression';
+        return isUrl ? at(first, false) : [];
+      }
+      default:
+        return [];
+    }
+  });
+}
+
+/** src/canvas/scene.ts → canvas; src/main.ts → main. */
+const roomOf = (path: string): string => {
+  const [, room = '', rest] = path.split('/');
+  return rest === undefined ? room.replace(/\.ts$/, '') : room;
+};
+
+const packageOf = (from: string): string =>
+  from
+    .split('/')
+    .slice(0, from.startsWith('@') ? 2 : 1)
+    .join('/');
+
+function wrongImports(sources: Sources): string[] {
+  return Object.entries(sources).flatMap(([path, source]) =>
+    importsOf(path, source).flatMap(({ from, typesOnly }) => {
+      const room = roomOf(path);
+      const allowed = ROOMS[room];
+      if (!allowed) return [`${path}: there is no room ${room}`];
+      if (!from.startsWith('.')) {
+        const ok = PACKAGES[packageOf(from)]?.includes(room);
+        return ok ? [] : [`${path}: ${room} may not know ${from}`];
+      }
+      const target = posix.join(posix.dirname(path), from.replace(/\?.*$/, ''));
+      const there = roomOf(target);
+      if (room === 'state' && there === 'tracer' && !typesOnly) {
+        return [`${path}: state may know only types of ${from}`];
+      }
+      const ok = target.startsWith('src/') && (there === room || allowed.includes(there));
+      return ok ? [] : [`${path}: ${room} may not import ${from}`];
+    }),
+  );
+}
+
+/** Names that stand for themselves: not properties, not keys. `Math.random` is one name. */
+function namesIn(nodes: readonly AnyNode[]): string[] {
+  const notNames = new Set<unknown>();
+  const names: string[] = [];
+  for (const node of nodes) {
+    if (node.type === 'MemberExpression' && !node.computed) {
+      notNames.add(node.property);
+      const { name } = node.object as AnyNode;
+      const { name: property } = node.property as AnyNode;
+      names.push(`${name}.${property}`);
+    }
+    if (/Property|MethodDefinition|TSPropertySignature/.test(node.type) && !node.computed) {
+      if (node.key !== node.value && !node.shorthand) notNames.add(node.key);
+    }
+  }
+  const plain = nodes.filter((node) => node.type === 'Identifier' && !notNames.has(node));
+  return [...names, ...plain.map(({ name }) => String(name))];
+}
+
+function wrongNames(sources: Sources): string[] {
+  return Object.entries(sources).flatMap(([path, source]) => {
+    const room = roomOf(path);
+    const forbidden =
+      room === 'math' ? OUTSIDE_MATH : [...PURE, 'state'].includes(room) ? IMPURE : new Set();
+    const found = namesIn(nodesOf(path, source)).filter((name) => forbidden.has(name));
+    return [...new Set(found)].map((name) => `${path}: ${room} may not name ${name}`);
+  });
+}
+
+const KINDS: ReadonlySet<unknown> = new Set(SHAPES.map(({ kind }) => kind));
+const isKind = (node: unknown): boolean => isNode(node) && KINDS.has(node.value);
+const isOp = (node: unknown): boolean =>
+  isNode(node) && isNode(node.property) && node.property.name === 'op';
+
+/** A switch over shapes, or a comparison of a kind with one, anywhere but in the shapes' own files. */
+function wrongSwitches(sources: Sources): string[] {
+  return Object.entries(sources).flatMap(([path, source]) => {
+    if (path.startsWith('src/math/shapes/')) return [];
+    return nodesOf(path, source).flatMap((node) => {
+      const { discriminant, cases, left, right } = node as { [key: string]: unknown };
+      // A formula's operation may be called 'square' too.
+      const asks = node.type === 'SwitchStatement' && !isOp(discriminant);
+      const overKinds = asks && (cases as AnyNode[]).some((one) => isKind(one.test));
+      const ofKind = (side: unknown): boolean =>
+        isNode(side) &&
+        (side.name === 'kind' || (isNode(side.property) && side.property.name === 'kind'));
+      const compared =
+        node.type === 'BinaryExpression' &&
+        ((ofKind(left) && isKind(right)) || (ofKind(right) && isKind(left)));
+      return overKinds || compared ? [`${path}: a case distinction over shapes`] : [];
+    });
+  });
+}
+
+const PAGE = new Set(['document', 'window', 'navigator', 'location', 'history', 'localStorage']);
+
+const declaredBy = (node: AnyNode): unknown[] =>
+  node.type === 'VariableDeclaration'
+    ? (node.declarations as AnyNode[]).map(({ id }) => (id as AnyNode).name)
+    : [];
+
+/** `rays` for the statement `rays.count = 1;` */
+function filledBy({ expression }: AnyNode): unknown {
+  let target = isNode(expression) && expression.type === 'AssignmentExpression' && expression.left;
+  while (isNode(target) && target.type === 'MemberExpression') target = target.object;
+  return isNode(target) ? target.name : null;
+}
+
+/** What a module does when it is imported, other than declaring, and filling what it declared. */
+function wrongActs(sources: Sources): string[] {
+  return Object.entries(sources).flatMap(([path, source]) => {
+    const mayAct = path === 'src/main.ts' || roomOf(path) === 'workers';
+    if (mayAct) return [];
+    const body = bodyOf(path, source);
+    const own = new Set(body.flatMap(declaredBy));
+    const acts = body.filter(
+      (node) =>
+        !/^(Import|Export|TS)|Declaration$/.test(node.type) &&
+        !own.has(filledBy(node)) &&
+        !namesIn(within(node)).includes('customElements.define'),
+    );
+    const touched = namesIn(body.flatMap((node) => within(node, true))).filter((n) => PAGE.has(n));
+    return [
+      ...acts.map(({ type }) => `${path}: acts at import (${type})`),
+      ...touched.map((name) => `${path}: touches ${name} at import`),
+    ];
+  });
+}
+
+function sourcesUnder(folder: string): Sources {
+  const files = readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' });
+  const paths = files.filter((name) => /\.ts$/.test(name)).map((name) => `${folder}/${name}`);
+  return Object.fromEntries(
+    paths.map((path) => [path.replaceAll('\\', '/'), readFileSync(join(ROOT, path), 'utf8')]),
+  );
+}
+
+const SRC = sourcesUnder('src');
+
+describe('src', () => {
+  test('is all there, and every room has a name in the table', () => {
+    expect(Object.keys(SRC).length).toBeGreaterThan(80);
+    const rooms = new Set(Object.keys(SRC).map(roomOf));
+    expect(Object.keys(ROOMS)).toEqual(expect.arrayContaining([...rooms]));
+    expect([...rooms]).toEqual(expect.arrayContaining(['math', 'state', 'canvas', 'main']));
+  });
+
+  test('imports only along the table', () => {
+    expect(wrongImports(SRC)).toEqual([]);
+  });
+
+  test('imports files that exist, by their full name', () => {
+    const missing = Object.entries(SRC).flatMap(([path, source]) =>
+      importsOf(path, source)
+        .filter(({ from }) => from.startsWith('.'))
+        .map(({ from }) => posix.join(posix.dirname(path), from.replace(/\?.*$/, '')))
+        .filter((target) => !existsSync(join(ROOT, target)))
+        .map((target) => `${path}: ${target}`),
+    );
+    expect(missing).toEqual([]);
+  });
+
+  test('has no page, no clock and no chance in its pure rooms', () => {
+    expect(wrongNames(SRC)).toEqual([]);
+  });
+
+  test('has no case distinction over shapes outside of src/math/shapes', () => {
+    expect(wrongSwitches(SRC)).toEqual([]);
+  });
+
+  test('acts at import only in main, custom elements and workers', () => {
+    expect(wrongActs(SRC)).toEqual([]);
+  });
+});
+
+describe('these rules would notice', () => {
+  const one = (path: string, source: string): Sources => ({ [path]: source });
+
+  test.each([
+    ['math', "import '../state/state.ts';"],
+    ['math', "import type { SceneModel } from '../state/scene-model.ts';"],
+    ['math', "export { render } from 'lit';"],
+    ['math', "import * as THREE from 'three';"],
+    ['math', "import { readFileSync } from 'node:fs';"],
+    ['text', "import type { Vec3 } from '../math/vec3.ts';"],
+    ['tracer', "import { display } from '../text/format.ts';"],
+    ['ui', "import type { Vec3 } from '../math/vec3.ts';"],
+    ['state', "import { theme } from '../ui/theme.ts';"],
+    ['state', "import { trace } from '../tracer/trace.ts';"],
+    ['state', "import { html } from 'lit';"],
+    ['canvas', "import { algebra } from '../panels/algebra.ts';"],
+    ['panels', "const late = () => import('../canvas/scene.ts');"],
+    ['charts', "import { Vector3 } from 'three/src/math/Vector3.js';"],
+    ['charts', "type Late = import('../panels/value.ts').Value;"],
+    ['panels', "import { parse } from '../../tests/unit/helper.ts';"],
+    ['lab', "new Worker(new URL('../workers/lab.ts', import.meta.url));"],
+    ['kitchen', "import { cone } from '../math/index.ts';"],
+  ])('%s: %s', (room, source) => {
+    expect(wrongImports(one(`src/${room}/wrong.ts`, source))).toHaveLength(1);
+  });
+
+  test('and let these pass', () => {
+    const fine: Sources = {
+      'src/state/fine.ts':
+        "import type { Tree } from '../tracer/tree.ts'; import { f } from '../math/index.ts';",
+      'src/math/batch/fine.ts': "import { cone } from '../shapes/cone.ts';",
+      'src/canvas/fine.ts': "import { Mesh } from 'three'; import './scene.css';",
+      'src/main.ts': "import { mountExplore } from './pages/explore.ts';",
+      'src/state/exports/text.ts': "export const code = `\nimport { test } from 'vitest';\n`;",
+    };
+    expect(wrongImports(fine)).toEqual([]);
+  });
+
+  test.each([
+    ['src/math/wrong.ts', 'export const x = () => Math.random();'],
+    ['src/math/wrong.ts', 'export const x = () => Date.now();'],
+    ['src/math/wrong.ts', 'export const x = () => performance.now();'],
+    ['src/math/wrong.ts', 'export const x = () => window.innerWidth;'],
+    ['src/math/wrong.ts', 'export const f = (e: HTMLElement) => e;'],
+    ['src/state/wrong.ts', 'export const x = () => document.title;'],
+    ['src/lab/wrong.ts', 'export const x = () => performance.now();'],
+  ])('%s: %s', (path, source) => {
+    expect(wrongNames(one(path, source))).toHaveLength(1);
+  });
+
+  test('but not a word that only looks like one', () => {
+    const source = 'export const x = { Date: 1, document: 2 }.document; const s = "window";';
+    expect(wrongNames(one('src/math/fine.ts', source))).toEqual([]);
+  });
+
+  test.each([
+    ["export const f = (s: { kind: string }) => { switch (s.kind) { case 'cone': return 1; } };"],
+    ["export const f = (kind: string) => kind === 'plane';"],
+    ["export const f = (s: { kind: string }) => 'circle' !== s.kind;"],
+    ["export const f = (s: { kind: string }) => (s.kind === 'square' ? 1 : 2);"],
+  ])('%s', (source) => {
+    expect(wrongSwitches(one('src/panels/wrong.ts', source))).toHaveLength(1);
+    expect(wrongSwitches(one('src/math/shapes/fine.ts', source))).toEqual([]);
+  });
+
+  test('and a formula’s square is no shape', () => {
+    const source =
+      "const f = (e: { op: string }) => { switch (e.op) { case 'square': return 1; } };";
+    expect(wrongSwitches(one('src/panels/fine.ts', source))).toEqual([]);
+  });
+
+  test.each([
+    ['src/panels/wrong.ts', 'document.body.append("x");'],
+    ['src/ui/wrong.ts', 'export const dark = window.matchMedia("x").matches;'],
+    ['src/pages/wrong.ts', 'if (location.hash) alert(1);'],
+    ['src/charts/wrong.ts', 'export const size = [window.innerWidth];'],
+    ['src/state/wrong.ts', 'start();'],
+    ['src/state/wrong.ts', 'globalThis.x = 1;'],
+    ['src/ui/wrong.ts', 'document.title = "x";'],
+  ])('%s: %s', (path, source) => {
+    expect(wrongActs(one(path, source)).length).toBeGreaterThan(0);
+  });
+
+  test('and let elements and main act', () => {
+    const element = "class X {} customElements.define('graze-x', X as never);";
+    const later = 'export function f() { return document.title; } const g = () => window.name;';
+    expect(wrongActs(one('src/ui/x.ts', element))).toEqual([]);
+    expect(wrongActs(one('src/ui/x.ts', later))).toEqual([]);
+    expect(wrongActs(one('src/math/x.ts', 'const one = { n: 0 }; one.n = 1;'))).toEqual([]);
+    expect(wrongActs(one('src/main.ts', 'document.title = "Graze";'))).toEqual([]);
+    expect(wrongActs(one('src/workers/lab.ts', 'self.onmessage = () => {};'))).toEqual([]);
+  });
+});

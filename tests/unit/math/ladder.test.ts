@@ -1,0 +1,247 @@
+import { describe, expect, test } from 'vitest';
+import { FAMILIES } from '../../../src/math/families.ts';
+import { METHODS } from '../../../src/math/methods/index.ts';
+import { drawJudged, type Judged, judged, medianBits, method, score, worst } from './measure.ts';
+import { rayCases } from './read-vectors.ts';
+
+/*
+ * Every rung held to its own promise, on the vectors and on seeded families. What the rungs get wrong by design is in ladder-facts.test.ts.
+ */
+
+const SEED = 71;
+const COUNT = 80;
+const drawn = new Map(FAMILIES.map(({ id }) => [id, drawJudged(id, COUNT, SEED)]));
+const of = (id: string): Judged[] => drawn.get(id) as Judged[];
+
+const vectors = new Map<string, Judged[]>();
+for (const family of new Set(rayCases.map((c) => c.family))) {
+  vectors.set(family, judged(rayCases.filter((c) => c.family === family)));
+}
+
+test('the ladder, in order', () => {
+  const ids = METHODS.map(({ id }) => id).filter((id) => id !== 'certified');
+  expect(ids).toEqual([
+    'textbook32',
+    'textbook',
+    'stable',
+    'moment',
+    'compensated',
+    'interval',
+    'exact',
+  ]);
+});
+
+describe.each(METHODS)('$id', (rung) => {
+  test('says what it is, what it promises and where it is from', () => {
+    for (const text of [rung.idea, rung.promise, rung.source])
+      expect(text).toMatch(/^\S.{30,}\.$/s);
+  });
+
+  test('never shows a number that is not one, and hits in order', () => {
+    const wrong = [...drawn.values()].flat().filter(({ shape, ray }) => {
+      const { class: verdict, hits } = rung.intersect(shape, ray);
+      const ts = hits.map(({ t }) => t);
+      const shown = hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
+      const beyond = rung.id !== 'exact' && rung.id !== 'certified' && !ts.every(Number.isFinite);
+      const count = { two: 2, tangent: 1, one: 1 }[verdict as string] ?? 0;
+      const inOrder = ts.length < 2 || (ts[0] as number) <= (ts[1] as number);
+      return shown.some(Number.isNaN) || beyond || ts.length !== count || !inOrder;
+    });
+    expect(wrong).toEqual([]);
+  });
+});
+
+/** Where each rung's class is always right: its domain, in families and vectors alike. */
+const RIGHT: Readonly<Record<string, readonly string[]>> = {
+  textbook32: [
+    'typical',
+    'linear',
+    'generator',
+    'on-surface',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'square',
+  ],
+  textbook: [
+    'typical',
+    'exact-tangent',
+    'near-axis',
+    'linear',
+    'generator',
+    'on-surface',
+    'near-surface',
+    'cancellation',
+    'linear-cancellation',
+    'scale-ray',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'square',
+  ],
+  stable: [
+    'typical',
+    'exact-tangent',
+    'near-axis',
+    'linear',
+    'generator',
+    'on-surface',
+    'near-surface',
+    'cancellation',
+    'linear-cancellation',
+    'scale-ray',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'square',
+  ],
+  moment: [
+    'typical',
+    'far-origin',
+    'exact-tangent',
+    'near-axis',
+    'linear',
+    'generator',
+    'on-surface',
+    'near-surface',
+    'cancellation',
+    'linear-cancellation',
+    'scale-ray',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'square',
+  ],
+  compensated: [
+    'typical',
+    'mix',
+    'far-origin',
+    'near-tangent',
+    'near-tangent-far',
+    'exact-tangent',
+    'near-axis',
+    'linear',
+    'generator',
+    'on-surface',
+    'near-surface',
+    'cancellation',
+    'linear-cancellation',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'circle-rim',
+    'square',
+    'square-edge',
+  ],
+};
+
+describe.each(Object.entries(RIGHT))('%s gives the right class on its domain', (id, families) => {
+  test.each(families)('%s', (family) => {
+    for (const questions of [of(family), vectors.get(family) ?? []]) {
+      expect(score(id, questions)).toMatchObject({ wrong: 0, undecided: 0 });
+    }
+  });
+});
+
+describe('interval: whenever it decides, it is right', () => {
+  test.each([...drawn])('family %s', (_, questions) => {
+    expect(score('interval', questions).wrong).toBe(0);
+  });
+  test.each([...vectors])('vectors %s', (_, questions) => {
+    expect(score('interval', questions).wrong).toBe(0);
+  });
+  const sweeps = FAMILIES.flatMap(({ id, dial }) =>
+    dial
+      ? Array.from(
+          { length: 6 },
+          (_, i) => [id, dial.range[0] + ((dial.range[1] - dial.range[0]) * i) / 5] as const,
+        )
+      : [],
+  );
+  test.each(sweeps)('%s at %d', (id, difficulty) => {
+    expect(score('interval', drawJudged(id, 40, SEED + 1, difficulty)).wrong).toBe(0);
+  });
+
+  /** Families that it decides completely: it is not right by keeping silent. */
+  test.each([
+    'typical',
+    'mix',
+    'far-origin',
+    'exact-tangent',
+    'near-axis',
+    'linear',
+    'generator',
+    'on-surface',
+    'near-surface',
+    'cancellation',
+    'linear-cancellation',
+    'scale-ray',
+    'degenerate',
+    'flat-degenerate',
+    'plane',
+    'plane-far',
+    'circle',
+    'square',
+  ])('and it decides all of %s', (id) => {
+    expect(score('interval', of(id)).undecided).toBe(0);
+  });
+});
+
+describe('digits', () => {
+  test('textbook32: some seven on ordinary rays', () => {
+    // A float32 has 29 bits less than a double; two more for what the formula loses.
+    expect(medianBits(score('textbook32', of('typical')))).toBeLessThan(31);
+  });
+
+  test('textbook32 answers for the ray rounded to float32', () => {
+    const { fround } = Math;
+    const single = (x: unknown): unknown =>
+      typeof x === 'number' ? fround(x) : Array.isArray(x) ? x.map(single) : x;
+    const rung = method('textbook32');
+    for (const { shape, ray } of [...of('typical'), ...of('circle'), ...of('square')]) {
+      const near = Object.fromEntries(Object.entries(shape).map(([k, v]) => [k, single(v)]));
+      const rounded = { origin: single(ray.origin), direction: single(ray.direction) };
+      expect(rung.intersect(near as unknown as typeof shape, rounded as typeof ray)).toEqual(
+        rung.intersect(shape, ray),
+      );
+    }
+  });
+
+  test('stable: the class, A, B, C and D of textbook to the last bit', () => {
+    for (const { shape, ray } of [...drawn.values()].flat()) {
+      const a = method('textbook').intersect(shape, ray);
+      const b = method('stable').intersect(shape, ray);
+      expect(b.details).toEqual(a.details);
+      if (a.class !== 'undecided') expect(b.class).toBe(a.class);
+    }
+  });
+
+  test('compensated: correctly rounded but for 1 ulp, where its range and A allow', () => {
+    for (const id of [
+      'typical',
+      'far-origin',
+      'near-tangent',
+      'near-tangent-far',
+      'near-axis',
+      'cancellation',
+      'linear-cancellation',
+      'on-surface',
+      'plane',
+      'plane-far',
+      'circle',
+      'square',
+    ]) {
+      expect([id, worst(score('compensated', of(id))) <= 1]).toEqual([id, true]);
+    }
+  });
+});

@@ -1,0 +1,180 @@
+import { describe, expect, test } from 'vitest';
+import {
+  createAnswers,
+  createRays,
+  packRays,
+  verdictsOfClasses,
+  verdictsOfRoots,
+} from '../../../src/math/batch/batch.ts';
+import { FAMILIES, type Question } from '../../../src/math/families.ts';
+import type { Method } from '../../../src/math/methods/define.ts';
+import { METHODS } from '../../../src/math/methods/index.ts';
+import type { Ray } from '../../../src/math/ray.ts';
+import { integer, seeded, wide } from '../../../src/math/rng.ts';
+import type { Shape } from '../../../src/math/shapes/index.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { rayCases } from './read-vectors.ts';
+
+/* The batch kernels of the rungs below certified: class and roots bit-equal to the trees, ray by ray. */
+
+const RUNGS = METHODS.filter(
+  ({ id, batch }) => batch && ['textbook32', 'moment', 'compensated', 'interval'].includes(id),
+);
+
+interface Answer {
+  readonly class: string;
+  readonly roots: readonly number[];
+}
+
+const tree = (rung: Method, { shape, ray }: Question): Answer => {
+  const found = rung.intersect(shape, ray);
+  return { class: found.class, roots: found.hits.map(({ t }) => t) };
+};
+
+/** By `both` and by `classes`, which must agree. */
+function kernel(rung: Method, shape: Shape, list: readonly Ray[]): Answer[] {
+  const rays = packRays(list);
+  const out = createAnswers(list.length);
+  const asked = rung.batch?.(shape);
+  if (!asked) throw new Error(`no kernel of ${rung.id} for ${shape.kind}`);
+  asked.classes(rays, out);
+  const classes = verdictsOfClasses(out, rays.count, asked.met);
+  asked.both(rays, out);
+  const verdicts = verdictsOfRoots(out, rays.count);
+  return verdicts.map((verdict, i) => {
+    const roots = [out.t0[i] as number, out.t1[i] as number].filter((t) => !Number.isNaN(t));
+    return { class: verdict === classes[i] ? verdict : `${verdict} but ${classes[i]}`, roots };
+  });
+}
+
+const differing = (rung: Method, shape: Shape, rays: readonly Ray[]): unknown[] =>
+  kernel(rung, shape, rays).flatMap((got, i) => {
+    const ray = rays[i] as Ray;
+    const want = tree(rung, { shape, ray });
+    const same =
+      got.class === want.class &&
+      got.roots.length === want.roots.length &&
+      got.roots.every((t, k) => Object.is(t, want.roots[k]));
+    return same ? [] : [{ shape, ray, got, want }];
+  });
+
+/** Shapes and rays of every exponent, and the extremes: overflow and underflow at every step of the formulas. */
+function wild(seed: number, count: number): Question[] {
+  const random = seeded(seed);
+  const extremes = [0, -0, Number.MIN_VALUE, Number.MAX_VALUE, -Number.MAX_VALUE, 1e-160, 1e154, 1];
+  const any = (): number =>
+    random() < 0.3
+      ? (extremes[integer(random, 0, extremes.length - 1)] as number)
+      : wide(
+          random,
+          ...((
+            [
+              [-1074, 1023],
+              [-200, 200],
+              [-8, 8],
+            ] as const
+          )[integer(random, 0, 2)] as [number, number]),
+        );
+  const vector = (): Vec3 => [any(), any(), any()];
+  const nonZero = (): Vec3 => {
+    const v = vector();
+    return v.some((x) => x !== 0) ? v : [1, 0, 0];
+  };
+  const shapes: (() => Shape)[] = [
+    () => ({ kind: 'cylinder', center: vector(), radius: Math.abs(any()) }),
+    () => ({ kind: 'cone', vertex: vector(), slope: any() }),
+    () => ({ kind: 'hyperboloid', center: vector(), flare: any(), radius: Math.abs(any()) }),
+    () => ({ kind: 'plane', normal: nonZero(), point: vector() }),
+    () => ({ kind: 'circle', normal: nonZero(), center: vector(), radius: Math.abs(any()) }),
+    () => ({
+      kind: 'square',
+      corner: vector(),
+      side: Math.abs(any()),
+      axis: (['x', 'y', 'z'] as const)[integer(random, 0, 2)] as 'x',
+    }),
+  ];
+  return Array.from({ length: count }, (_, i) => ({
+    shape: (shapes[i % shapes.length] as () => Shape)(),
+    ray: { origin: vector(), direction: nonZero() },
+  }));
+}
+
+test('all four have kernels', () => expect(RUNGS).toHaveLength(4));
+
+describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
+  test.each(FAMILIES.map(({ id, batch }) => [id, batch] as const))('family %s', (_, batch) => {
+    const random = seeded(121);
+    for (let i = 0; i < 6; i++) {
+      const { shape, rays } = batch(random, 12);
+      expect(differing(rung, shape, rays)).toEqual([]);
+    }
+  });
+
+  test('vectors', () => {
+    const found = rayCases.flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
+    expect(found).toEqual([]);
+  });
+
+  test('every exponent (seed 122)', () => {
+    const found = wild(122, 3000).flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
+    expect(found.slice(0, 2)).toEqual([]);
+  });
+
+  test('two roots that underflow to zeros of both signs', () => {
+    const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 0 };
+    const ray: Ray = { origin: [0, 1e-180, 0], direction: [2e150, 1e150, 0] };
+    expect(differing(rung, shape, [ray])).toEqual([]);
+  });
+
+  test('small whole numbers', () => {
+    const rays: Ray[] = [];
+    for (let k = 0; k < 625; k++) {
+      const digit = (n: number): number => (Math.floor(k / 5 ** n) % 5) - 2;
+      const direction: Vec3 = [digit(0), digit(1), digit(2)];
+      if (direction.some((x) => x !== 0)) rays.push({ origin: [digit(3), 1, -1], direction });
+    }
+    const center: Vec3 = [0, 1, 0];
+    const shapes: Shape[] = [
+      { kind: 'cylinder', center, radius: 1 },
+      { kind: 'cone', vertex: center, slope: 1 },
+      { kind: 'cone', vertex: center, slope: 0 },
+      { kind: 'hyperboloid', center, flare: 1, radius: 1 },
+      { kind: 'hyperboloid', center, flare: 0, radius: 2 },
+      { kind: 'hyperboloid', center, flare: -1, radius: 1 },
+      { kind: 'plane', normal: [1, 1, 0], point: center },
+      { kind: 'circle', normal: [1, 2, 2], center, radius: 1 },
+      { kind: 'square', corner: center, side: 1, axis: 'y' },
+    ];
+    for (const shape of shapes) expect(differing(rung, shape, rays)).toEqual([]);
+  });
+
+  test('first: the least root in the window, of those that both gives', () => {
+    const { shape, rays: list } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(
+      seeded(123),
+      200,
+    );
+    const rays = packRays(list);
+    const out = createAnswers(200);
+    const asked = rung.batch?.(shape);
+    for (const [tMin, tMax] of [
+      [0, Infinity],
+      [0.2, 0.9],
+      [-Infinity, 0],
+    ] as const) {
+      asked?.first(rays, tMin, tMax, out);
+      const want = list.map((ray) => {
+        const { roots } = tree(rung, { shape, ray });
+        return roots.find((t) => t >= tMin && t <= tMax) ?? Number.NaN;
+      });
+      expect([...out.t0]).toEqual(want);
+    }
+  });
+
+  test('no rays, and arrays that are longer than the count', () => {
+    const { shape } = (FAMILIES[0] as (typeof FAMILIES)[number]).make(seeded(124));
+    const out = createAnswers(4);
+    out.t0.fill(7);
+    rung.batch?.(shape).both(createRays(4), out);
+    expect([...out.t0, out.rareCount]).toEqual([7, 7, 7, 7, 0]);
+  });
+});

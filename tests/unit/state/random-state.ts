@@ -1,0 +1,68 @@
+import * as fc from 'fast-check';
+import { METHODS, SHAPES } from '../../../src/math/index.ts';
+import type { Shape } from '../../../src/math/shapes/index.ts';
+import type { Param } from '../../../src/math/shapes/params.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
+import { NAMED_VIEWS, ZOOM_RANGE } from '../../../src/state/view.ts';
+
+/** Every finite double: −0, subnormals and MAX_VALUE come up often, ordinary numbers too. */
+const double = fc.oneof(
+  fc.double({ noNaN: true, noDefaultInfinity: true }),
+  fc.constantFrom(0, -0, 0.1, 1e21, -1e-7, 5e-324, 2 ** -1022, Number.MAX_VALUE, 1 / 3),
+);
+const vector: fc.Arbitrary<Vec3> = fc.tuple(double, double, double);
+const nonZero = vector.filter((v) => v.some((c) => c !== 0));
+
+function arbitraryOf(param: Param): fc.Arbitrary<unknown> {
+  if (param.type === 'axis') return fc.constantFrom('x', 'y', 'z');
+  if (param.type === 'vector') return param.nonZero ? nonZero : vector;
+  return param.least === undefined ? double : double.filter((x) => x >= (param.least ?? 0));
+}
+
+const anyShape: fc.Arbitrary<Shape> = fc.oneof(
+  ...SHAPES.map(({ kind, params }) =>
+    fc.tuple(...(params as readonly Param[]).map(arbitraryOf)).map((values) => {
+      const own = params.map(({ key }, i) => [key, values[i]] as const);
+      return { kind, ...Object.fromEntries(own) } as unknown as Shape;
+    }),
+  ),
+);
+
+const view = fc.oneof(
+  fc.constantFrom(...NAMED_VIEWS.map(({ id }) => id)),
+  fc.record({
+    azimuth: double,
+    elevation: fc.double({ min: -90, max: 90, noNaN: true }),
+    zoom: fc.double({ min: ZOOM_RANGE.least, max: ZOOM_RANGE.most, noNaN: true }),
+  }),
+);
+
+/** Any state that a link can carry in full. */
+export const anyState: fc.Arbitrary<AppState> = fc
+  .record({
+    page: fc.constantFrom(...PAGES.map(({ id }) => id)),
+    shape: anyShape,
+    E: vector,
+    d: nonZero,
+    unit: fc.boolean(),
+    method: fc.constantFrom(...METHODS.map(({ id }) => id as string)),
+    view,
+    bead: fc.option(double, { nil: null }),
+  })
+  .map(({ shape, ...rest }) => ({
+    ...INITIAL,
+    ...rest,
+    kind: shape.kind,
+    shapes: { ...INITIAL.shapes, [shape.kind]: shape },
+  }));
+
+/** A picture has to add a few lengths to one another: numbers with that much room below the largest double. */
+export const PICTURED = 1e300;
+
+/** States whose numbers can be drawn. */
+export const anyPicture = anyState.filter(({ kind, shapes, E, d }) =>
+  [E, d, ...Object.values(shapes[kind])]
+    .flat()
+    .every((x) => typeof x !== 'number' || Math.abs(x) <= PICTURED),
+);
