@@ -109,18 +109,30 @@ function renderAll(): void {
 // Many events fall into one frame; they are drawn once, in that frame.
 let frame = 0;
 function requestRender(): void {
-  frame ||= requestAnimationFrame(() => {
+  if (frame !== 0) return;
+  frame = requestAnimationFrame(() => {
     frame = 0;
     renderAll();
   });
 }
 
 let linkTimer = 0;
+let written = location.hash;
 function writeLink(): void {
   clearTimeout(linkTimer);
   linkTimer = 0;
-  const link = encode(store.get());
-  if (link !== location.hash) history.replaceState(history.state, '', link);
+  // Somebody typed an address while a write was pending: theirs is the later word.
+  if (location.hash !== written) {
+    readLink();
+    return;
+  }
+  written = encode(store.get());
+  if (written !== location.hash) history.replaceState(history.state, '', written);
+}
+
+function readLink(): void {
+  written = location.hash;
+  if (written !== encode(store.get())) store.dispatch({ type: 'link', hash: written });
 }
 
 let saidTimer = 0;
@@ -146,9 +158,7 @@ store.subscribe(() => {
   if (linkTimer === 0) linkTimer = window.setTimeout(writeLink, LINK_DELAY_MS);
 });
 window.addEventListener('pagehide', writeLink);
-window.addEventListener('hashchange', () => {
-  if (location.hash !== encode(store.get())) store.dispatch({ type: 'link', hash: location.hash });
-});
+window.addEventListener('hashchange', readLink);
 document.addEventListener('keydown', (event) => {
   const wanted = commandFor(event, commands, { singleKeys: recall(SINGLE_KEYS) !== 'off' });
   if (!wanted) return;

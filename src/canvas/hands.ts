@@ -91,6 +91,9 @@ export function listenToHands(
   svg.addEventListener('pointerdown', down, { signal });
   // A mouse press would move the focus to whatever lies on top.
   svg.addEventListener('mousedown', (event) => event.preventDefault(), { signal });
+  // Chromium does not heed touch-action inside of an SVG: without this the page would scroll under a dragged handle.
+  const still = (event: TouchEvent) => event.preventDefault();
+  svg.addEventListener('touchstart', still, { signal, passive: false });
   svg.addEventListener('pointermove', move, { signal });
   svg.addEventListener('pointerup', up, { signal });
   svg.addEventListener('pointercancel', up, { signal });

@@ -1,5 +1,5 @@
 import './strip.css';
-import { render } from 'lit';
+import { html, render } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
 import type { StripModel } from '../state/strip-model.ts';
 import type { Mounted } from '../ui/mounted.ts';
@@ -8,6 +8,8 @@ import { watchMetrics } from './strip-metrics.ts';
 import { keyTarget, pointerMoves, type Shown } from './strip-move.ts';
 import { type Handlers, page } from './strip-page.ts';
 import { scalesOf } from './strip-scales.ts';
+
+const CONCEALED = html`<p class="strip-concealed">Hidden. Predict first: where is f zero?</p>`;
 
 let strips = 0;
 
@@ -23,6 +25,11 @@ export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<Strip
   function draw(): void {
     const metrics = watch.metrics();
     if (model === null || metrics === null) return;
+    if (model.concealed) {
+      shown = null;
+      render(CONCEALED, watch.slot);
+      return;
+    }
     const frame = frameOf(metrics);
     const scales = scalesOf(model, frame);
     shown = scales && { model, scales };

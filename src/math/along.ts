@@ -4,8 +4,8 @@ import { evaluate, evaluateTriple, withScalars } from './formula/evaluate.ts';
 import { type Expr, plus, scalar, squared, times } from './formula/expr.ts';
 import { valuesOf } from './methods/tree-method.ts';
 import type { Ray } from './ray.ts';
-import { definitionOf } from './shapes/lookup.ts';
 import type { Shape } from './shapes/index.ts';
+import { definitionOf } from './shapes/lookup.ts';
 import type { Vec3 } from './vec3.ts';
 
 /** What a bead at t sees: R(t) = E + t d and f(t), each correctly rounded from the stored doubles (±Infinity beyond them). */
@@ -26,4 +26,3 @@ function fOf(shape: Shape): Expr {
     ? plus(times(formula.A, squared(t)), times(formula.B, t), formula.C)
     : plus(times(formula.rate, t), formula.offset);
 }
-

@@ -1,4 +1,4 @@
-import { html, render } from 'lit';
+import { html, render, type TemplateResult } from 'lit';
 import { mountStrip } from '../charts/strip.ts';
 import { algebra } from '../panels/algebra.ts';
 import { compactControls, equations } from '../panels/compact-controls.ts';
@@ -39,7 +39,16 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const strip: Mounted<ExploreModel['strip']> = mountStrip(section(graph, 'strip-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
   const narrow = matchMedia('(max-width: 559px)');
+  const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
+  wide.addEventListener('change', changed);
+  // Parameters before the algebra where both are in view at once; the focus goes the way that the eye does.
+  const panelContent = (model: ExploreModel, card: TemplateResult, large: boolean) => {
+    const compact = narrow.matches || (large && wide.matches);
+    const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);
+    const body = compact ? html`${equations(model, dispatch)}${card}` : card;
+    return wide.matches ? html`${params}${body}` : html`${body}${params}`;
+  };
   return {
     scene,
     graph: () => graph.querySelector('svg'),
@@ -47,15 +56,8 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       const begun = performance.now();
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch);
-      const compact = narrow.matches || tools.large;
-      render(
-        compact
-          ? html`${equations(model, dispatch)}${card}${compactControls(model, dispatch, changed)}`
-          : html`${card}${controls(model, dispatch)}`,
-        panel,
-      );
+      render(panelContent(model, card, tools.large), panel);
       render(sceneBar(model, tools), bar);
-      graph.classList.toggle('concealed', !model.shown.hits);
       strip.render(model.strip);
       const drawn = performance.now();
       scene.render(model.scene);
@@ -64,6 +66,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     },
     dispose() {
       narrow.removeEventListener('change', changed);
+      wide.removeEventListener('change', changed);
       strip.dispose();
       scene.dispose();
     },

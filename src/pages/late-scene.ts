@@ -21,13 +21,17 @@ export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
   let code: SceneCode | null = null;
   let mounted: ReturnType<SceneCode['mountScene']> | null = null;
   let disposed = false;
+  const notice = document.createElement('p');
+  notice.className = 'scene-waiting';
+  notice.setAttribute('role', 'status');
   const say = (words: string): void => {
-    host.dataset.waiting = words;
+    notice.textContent = words;
+    host.append(notice);
   };
   const waiting = setTimeout(() => say('drawing…'), PATIENCE_MS);
   const done = (): void => {
     clearTimeout(waiting);
-    delete host.dataset.waiting;
+    notice.remove();
   };
   import('../canvas/scene.ts').then(
     (loaded) => {

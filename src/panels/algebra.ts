@@ -9,7 +9,13 @@ import type { Comparison } from '../state/words.ts';
 import { display } from '../text/format.ts';
 import { formula } from './formula.ts';
 import { hitTable } from './hits.ts';
-import { typesetNumbers, typesetRelation, typesetSymbols } from './typeset.ts';
+import { digitsFor } from './room.ts';
+import {
+  typesetNumbers,
+  typesetNumbersInPieces,
+  typesetRelation,
+  typesetSymbols,
+} from './typeset.ts';
 import { value } from './value.ts';
 import './algebra.css';
 
@@ -18,7 +24,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
   const { derivation, title, shown } = model;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
-      <p class="lead">Put the ray into the ${title}: ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
+      <p class="lead"><span class="words">Put the ray into the ${title}:</span> ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">
@@ -53,14 +59,17 @@ function stepLine(step: Step, { numbers }: Derivation, shown: boolean): Template
   const { id, letter, expr, worked } = step;
   const stacked = id !== 'D' && id !== 't';
   const symbols = formula(typesetSymbols(expr), id === 't');
-  const inNumbers = formula(typesetNumbers(expr, numbers, { worked, digits: 6 }), id === 't');
+  const { digits, long } = digitsFor(expr, numbers);
+  const inNumbers = long
+    ? typesetNumbersInPieces(expr, numbers, digits).map((m) => html`${formula(m)} `)
+    : formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't');
   return html`<div class="step ${stacked ? 'stacked' : 'inline'}" data-step=${id}>
     <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${letter ? formula(typesetSymbols(letter)) : nothing}</span>
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
       <span class="in-symbols">${symbols}</span>
       ${stacked || !shown ? nothing : html`<span class="equals">=</span>`}
-      <span class="in-numbers">${shown ? inNumbers : '?'}</span>
+      <span class=${long ? 'in-numbers long' : 'in-numbers'}>${shown ? inNumbers : '?'}</span>
     </span>
     ${
       step.value === null || !shown

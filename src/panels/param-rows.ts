@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { InvalidInput } from '../math/invalid-input.ts';
 import {
   type AxisParam,
@@ -50,7 +51,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
         <span class="axis" aria-hidden="true">${axis}</span>
         <graze-number
           id=${`box-${label}`}
-          .value=${current[i] ?? 0}
+          .value=${live(current[i] ?? 0)}
           .step=${step}
           .label=${label}
           .symbol=${label}
@@ -58,7 +59,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
           .check=${(x: number) => refusal(param, put(x))}
         ></graze-number>
         <graze-slider
-          .value=${current[i] ?? 0}
+          .value=${live(current[i] ?? 0)}
           .least=${range[0]}
           .most=${range[1]}
           .step=${step}
@@ -81,7 +82,7 @@ function numberCell({ value, send: put, reset }: Handle, param: NumberParam): Te
     <span class="cell">
       <graze-number
         id=${`box-${letter}`}
-        .value=${current}
+        .value=${live(current)}
         .step=${step}
         .label=${`${letter}, ${title}`}
         .symbol=${letter}
@@ -89,7 +90,7 @@ function numberCell({ value, send: put, reset }: Handle, param: NumberParam): Te
         .check=${(x: number) => refusal(param, x)}
       ></graze-number>
       <graze-slider
-        .value=${current}
+        .value=${live(current)}
         .least=${range[0]}
         .most=${range[1]}
         .step=${step}

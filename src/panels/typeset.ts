@@ -38,6 +38,18 @@ export function typesetSymbols(expr: Expr): TemplateResult {
   return set(expr, SYMBOLS).m;
 }
 
+/** The same in pieces between which a line may be broken: the terms of a sum, the two sides of a dot product. */
+export function typesetNumbersInPieces(
+  expr: Expr,
+  values: Values<number>,
+  digits: number,
+): TemplateResult[] {
+  const leaves = numbers(values, { worked: false, digits });
+  if (expr.op === 'sum') return terms(expr, leaves);
+  if (expr.op !== 'dot') return [set(expr, leaves).m];
+  return [leaves.vector(expr.left).m, mathml`<mo>·</mo>${leaves.vector(expr.right).m}`];
+}
+
 /** The formula with the numbers put in, `digits` significant ones each. */
 export function typesetNumbers(
   expr: Expr,
@@ -107,15 +119,20 @@ function atLeast({ m, rank }: Piece, least: number): TemplateResult {
   return rank >= least ? m : parens(m);
 }
 
-function sum(expr: Extract<Expr, { op: 'sum' }>, leaves: Leaves): Piece {
-  const parts = expr.terms.map(({ sign, expr: term }, i) => {
+type Sum = Extract<Expr, { op: 'sum' }>;
+
+function sum(expr: Sum, leaves: Leaves): Piece {
+  return piece(mathml`${terms(expr, leaves)}`, 1);
+}
+
+function terms(expr: Sum, leaves: Leaves): TemplateResult[] {
+  return expr.terms.map(({ sign, expr: term }, i) => {
     const p = set(term, leaves);
     if (i === 0) return sign === 1 ? p.m : mathml`<mo form="prefix">−</mo>${atLeast(p, 2)}`;
     // A term that begins with a minus sign of its own is told apart from the sum's.
     const inner = p.starts === 'minus' ? parens(p.m) : atLeast(p, 2);
-    return mathml`<mo>${sign === 1 ? '+' : '−'}</mo>${inner}`;
+    return mathml`<mo form="infix">${sign === 1 ? '+' : '−'}</mo>${inner}`;
   });
-  return piece(mathml`${parts}`, 1);
 }
 
 function product(factors: readonly Expr[], leaves: Leaves): Piece {

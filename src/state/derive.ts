@@ -66,7 +66,8 @@ export function createDerive(): (state: AppState) => ExploreModel {
   );
   return (state) => {
     const shape = shapeOf(state);
-    const { title, meaning } = definitionOf(shape);
+    const definition = definitionOf(shape);
+    const { title, meaning } = definition;
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
     const exactClass = state.method === DEFAULT_METHOD ? found.class : check(shape, r);
@@ -74,7 +75,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
     const scene = sceneOf({
-      title,
+      shape: definition,
       ray: r,
       found,
       stage: s,
@@ -95,9 +96,9 @@ export function createDerive(): (state: AppState) => ExploreModel {
       found,
       contradicted: exactClass === found.class ? null : exactClass,
       derivation: derived,
-      verdict: verdictWords(found, title),
+      verdict: verdictWords(found, definition),
       hits: hitWords(found),
-      strip: graph,
+      strip: shown.hits ? graph : { ...graph, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene),
       shown,
     };

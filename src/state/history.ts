@@ -37,6 +37,11 @@ export function advance(history: History, action: Action, gesture: string | null
   if (next === present) return history;
   if (sameStep(present, next)) return { ...history, present: next };
   const goesOn = gesture !== null && gesture === history.gesture;
+  const before = past.at(-1);
+  if (goesOn && before && sameValues(before, next)) {
+    // A drag that was given up, or came back to where it began, is no step.
+    return { ...history, past: past.slice(0, -1), present: next, gesture: null };
+  }
   return {
     past: goesOn ? past : [...past, present].slice(-LONGEST),
     present: next,
@@ -47,6 +52,11 @@ export function advance(history: History, action: Action, gesture: string | null
 
 function sameStep(a: AppState, b: AppState): boolean {
   return UNDOABLE.every((key) => a[key] === b[key]);
+}
+
+function sameValues(a: AppState, b: AppState): boolean {
+  const values = (state: AppState): string => JSON.stringify(UNDOABLE.map((key) => state[key]));
+  return values(a) === values(b);
 }
 
 function back({ past, present, future }: History): History {

@@ -12,10 +12,10 @@ import { pointAt, stretchesOf } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
 import { windowOf } from './window.ts';
-import { hitSentence, hitWords, verdictWords } from './words.ts';
+import { hitSentence, hitWords, type Named, verdictWords } from './words.ts';
 
 interface Parts {
-  readonly title: string;
+  readonly shape: Named;
   readonly ray: Ray;
   readonly found: Intersection;
   readonly stage: Stage;
@@ -27,13 +27,13 @@ interface Parts {
 }
 
 export function sceneOf(parts: Parts): SceneModel {
-  const { title, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
+  const { shape, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
   const hits = hitMarks(found, stage);
   const reach = clipToStage(ray, stage, strip);
   const originDrawn = isDrawn(ray.origin, stage);
   const point: Vec3 = strip.bead.point;
   return {
-    shapeTitle: title,
+    shapeTitle: shape.title,
     stage,
     drawing,
     ray: {
@@ -51,7 +51,7 @@ export function sceneOf(parts: Parts): SceneModel {
     handles,
     view,
     notes: notesOf(ray, hits, originDrawn),
-    description: describe(title, ray, found),
+    description: describe(shape, ray, found),
   };
 }
 
@@ -114,12 +114,12 @@ function notesOf(ray: Ray, hits: readonly HitMark[], originDrawn: boolean): stri
   return originDrawn ? outside : [E, ...outside];
 }
 
-function describe(title: string, { origin, direction }: Ray, found: Intersection): string {
-  const { text } = verdictWords(found, title);
+function describe(shape: Named, { origin, direction }: Ray, found: Intersection): string {
+  const { text } = verdictWords(found, shape);
   const hits = hitWords(found).map((words, i) => {
     const hit = found.hits[i];
     return `${hitSentence(words)}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
   });
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
-  return [`${from} and a ${title}: ${text}.`, ...hits].join(' ');
+  return [`${from} and a ${shape.title}: ${text}.`, ...hits].join(' ');
 }

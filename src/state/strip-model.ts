@@ -31,6 +31,8 @@ export interface StripModel {
   };
   /** f vanishes everywhere: the ray lies in the surface. */
   readonly contained: boolean;
+  /** The results are hidden, to be predicted: nothing of the graph is shown. */
+  readonly concealed: boolean;
   /** What cannot be shown at this scale, in words; null when all is shown. */
   readonly note: string | null;
   /** The graph in words. */

@@ -35,6 +35,7 @@ export function stripOf(
     stretches: stretchesOf(found, window),
     bead: { t, ...alongRay(shape, ray, t) },
     contained: found.class === 'contained',
+    concealed: false,
     description: describe(found, roots),
   };
 }

@@ -5,6 +5,8 @@ import type {
   PlaneHit,
   Sign,
 } from '../math/intersection.ts';
+import type { Places, ShapeDefinition } from '../math/shapes/define.ts';
+import type { Shape } from '../math/shapes/index.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import type { HitRole } from './scene-model.ts';
@@ -33,15 +35,22 @@ export interface HitWords {
 
 const zero = (left: string): Comparison => ({ left, relation: '=', right: '0' });
 
+/** What the sentences need to know of a shape. */
+export type Named = Pick<ShapeDefinition<Shape>, 'title' | 'places'>;
+
 /** The case in words, true of the line and of the ray from E. */
-export function verdictWords(found: Intersection, shapeTitle: string): VerdictWords {
+export function verdictWords(found: Intersection, shape: Named): VerdictWords {
   const { details } = found;
   return details.family === 'curved'
-    ? curvedVerdict(found, details, shapeTitle)
-    : flatVerdict(found, details, shapeTitle);
+    ? curvedVerdict(found, details, shape)
+    : flatVerdict(found, details, shape);
 }
 
-function curvedVerdict(found: Intersection, { signs }: CurvedDetails, title: string): VerdictWords {
+function curvedVerdict(
+  found: Intersection,
+  { signs }: CurvedDetails,
+  { places }: Named,
+): VerdictWords {
   const sign = (left: string, relation: '<' | '>'): Comparison[] => [
     { left, relation, right: '0' },
   ];
@@ -49,7 +58,7 @@ function curvedVerdict(found: Intersection, { signs }: CurvedDetails, title: str
     case 'two':
       return { relations: sign('D', '>'), text: twoPoints(found, signs.A) };
     case 'tangent':
-      return { relations: [zero('D')], text: tangent(found, title) };
+      return { relations: [zero('D')], text: tangent(found, places) };
     case 'one':
       return { relations: [zero('A')], text: `parallel to a generator: one point${behind(found)}` };
     case 'contained':
@@ -59,7 +68,7 @@ function curvedVerdict(found: Intersection, { signs }: CurvedDetails, title: str
       };
     case 'none':
       return signs.A === 0
-        ? { relations: [zero('A'), zero('B')], text: noSlope(signs.C, title) }
+        ? { relations: [zero('A'), zero('B')], text: noSlope(signs.C, places) }
         : { relations: sign('D', '<'), text: 'no point: the ray misses' };
     case 'undecided':
       return { relations: [], text: 'cannot decide: a number overflowed' };
@@ -83,26 +92,25 @@ function twoPoints({ hits }: Intersection, A: Sign | null): string {
     : 'two points: the ray leaves, then enters again';
 }
 
-function tangent({ hits }: Intersection, title: string): string {
+function tangent({ hits }: Intersection, places: Places | null): string {
   const [hit] = hits;
   const where = hit && hit.t < 0 ? ', behind E' : '';
   if (!hit?.singular) return `tangent: one double root, the ray touches${where}`;
-  return title === 'cone'
-    ? `through the vertex: one double root, no normal there${where}`
-    : `through a singular point: one double root, no normal there${where}`;
+  const place = places?.singular ?? 'a singular point';
+  return `through ${place}: one double root, no normal there${where}`;
 }
 
 function behind({ hits }: Intersection): string {
   return hits[0] && hits[0].t < 0 ? ', behind E' : '';
 }
 
-function noSlope(C: Sign | null, title: string): string {
-  const where = title === 'cylinder' ? 'parallel to the axis' : 'parallel to a generator';
+function noSlope(C: Sign | null, places: Places | null): string {
+  const where = `parallel to ${places?.straight ?? 'the surface'}`;
   const side = C === -1 ? ', inside for ever' : ', outside for ever';
   return `${where}${side}: no root`;
 }
 
-function flatVerdict(found: Intersection, details: FlatDetails, title: string): VerdictWords {
+function flatVerdict(found: Intersection, details: FlatDetails, { title }: Named): VerdictWords {
   const { plane, signs, meetsFigure } = details;
   if (plane) return planeVerdict(found, details, title);
   if (signs.rate === null || found.class === 'undecided') {
@@ -124,7 +132,7 @@ function planeVerdict(found: Intersection, { plane }: FlatDetails, title: string
   const where = plane && plane.t < 0 ? ', behind E' : '';
   if (found.class === 'undecided') return { relations, text: 'cannot decide: a number overflowed' };
   if (found.class === 'one') {
-    return title === 'plane'
+    return plane?.holds.length === 0
       ? { relations, text: `one point${where}` }
       : { relations, text: `one point, inside the ${title}${where}` };
   }

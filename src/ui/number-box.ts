@@ -161,6 +161,7 @@ export class GrazeNumberBox extends LitElement {
   }
 
   private send(value: number): void {
+    this.value = value;
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
   }
 }

@@ -83,9 +83,9 @@ export class GrazeSlider extends LitElement {
 
   private send(value: number): void {
     if (value === this.value) return;
+    // At once: the next key may come before the page has been drawn again. Who owns the value sets it back if it refuses.
+    this.value = value;
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
-    // A refused value leaves the thumb where the state is.
-    this.requestUpdate();
   }
 }
 

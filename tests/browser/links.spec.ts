@@ -4,13 +4,11 @@ import { checkParam } from '../../src/math/shapes/params.ts';
 import { cone } from './support/cases.ts';
 import { expectInLink, press, slider, typeInto } from './support/controls.ts';
 import { expected, linkOf } from './support/expected.ts';
-import { hashOf, open, quantities, settle } from './support/page.ts';
+import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 const ODD = [-0, 0, 5e-324, -5e-324, 1.7976931348623157e308, 1 / 3, -1e21, 1e-7, 0.1] as const;
 const SEED = 20261;
-/** The page has written its own form of the link after this. */
-const WRITTEN_MS = 250;
 
 function anyNumber(random: Random): number {
   const kinds = [
@@ -62,7 +60,7 @@ for (const [n, { kind }] of SHAPES.entries()) {
       await open(page, given);
       const shown = await quantities(page);
       expect(shown, given).toMatchObject(expected(shape, ray, 'exact'));
-      await page.waitForTimeout(WRITTEN_MS);
+      await linkWritten(page);
       await expectInLink(page, { shape: kind, method: 'exact', view: 'top', t });
       const canonical = await hashOf(page);
       await page.reload();

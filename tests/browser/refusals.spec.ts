@@ -1,5 +1,5 @@
 import { box, expectInLink, slider, typeInto } from './support/controls.ts';
-import { hashOf, open, quantities, settle } from './support/page.ts';
+import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 /** Where, what is typed, and what the reason has to quote. */
@@ -33,7 +33,7 @@ test('what is not allowed stays in its box with the reason below, and changes no
     const [above, below] = [await input.boundingBox(), await alert.boundingBox()];
     expect((below?.y ?? 0) - ((above?.y ?? 0) + (above?.height ?? 0))).toBeGreaterThanOrEqual(0);
     expect(await quantities(page), `${name} = ${typed}`).toEqual(before);
-    await page.waitForTimeout(200);
+    await linkWritten(page);
     expect(await hashOf(page)).toBe(link);
     await input.press('Escape');
     await settle(page);

@@ -2,6 +2,7 @@ import type { Page } from '@playwright/test';
 import { expectInLink, press, slider, typeInto } from './support/controls.ts';
 import {
   hashOf,
+  linkWritten,
   NO_SCENE,
   open,
   quantities,
@@ -17,7 +18,7 @@ test.use({ viewport: { width: 940, height: 700 } });
 const START = '#/explore?shape=cone&method=exact';
 
 async function viewInLink(page: Page): Promise<number[]> {
-  await page.waitForTimeout(200);
+  await linkWritten(page);
   const view = new URLSearchParams((await hashOf(page)).split('?')[1]).get('view') ?? '';
   return view.split(',').map(Number);
 }
@@ -45,7 +46,7 @@ test.describe('without the picture', () => {
   test('numbers and formulas work, and a sentence says what is missing', async ({ page }) => {
     await withoutScene(page);
     await open(page, START);
-    await expect(page.locator('[data-waiting]')).toHaveAttribute('data-waiting', /not be loaded/);
+    await expect(page.locator('.scene-waiting')).toContainText('not be loaded');
     await typeInto(page, 'E.x', '4');
     expect(await quantities(page)).toMatchObject({ 'E.x': '4', 'bead.t': /./ });
     await press(page, page.locator('.strip-bead'), 'ArrowRight');

@@ -1,4 +1,4 @@
-import { integer, pick, type Random } from '../rng.ts';
+import { integer, pick } from '../rng.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
 import { family, type Setting } from './define.ts';

@@ -60,6 +60,7 @@ const formula = planarFormula('C', BOUND);
 export const circle: ShapeDefinition<Circle> = {
   kind: 'circle',
   title: 'circle',
+  places: null,
   icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
   params: [
     {

@@ -18,6 +18,7 @@ const formula = axialFormula(QUADRIC);
 export const cone: ShapeDefinition<Cone> = {
   kind: 'cone',
   title: 'cone',
+  places: { singular: 'the vertex', straight: 'a generator' },
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
   params: [
     {

@@ -18,6 +18,7 @@ const formula = axialFormula(QUADRIC);
 export const cylinder: ShapeDefinition<Cylinder> = {
   kind: 'cylinder',
   title: 'cylinder',
+  places: { singular: 'the axis', straight: 'the axis' },
   icon: 'M6 6v12a6 2.4 0 0 0 12 0V6M6 6a6 2.4 0 0 0 12 0a6 2.4 0 0 0 -12 0',
   params: [
     {

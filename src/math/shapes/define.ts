@@ -8,10 +8,19 @@ import type { FlatFormula } from './planar.ts';
 
 export type Formula = CurvedFormula | FlatFormula;
 
+export interface Places {
+  /** Where its normal is zero: 'the vertex'. */
+  readonly singular: string;
+  /** What a ray with A = 0 is parallel to: 'the axis', 'a generator'. */
+  readonly straight: string;
+}
+
 /** A shape of the registry: name, parameters, formula and picture in one value. */
 export interface ShapeDefinition<S extends { readonly kind: string }> {
   readonly kind: S['kind'];
   readonly title: string;
+  /** How its special places are called in words; a flat shape has none. */
+  readonly places: Places | null;
   /** Its picture in menus: an SVG path in a box of 24 by 24. */
   readonly icon: string;
   readonly params: readonly Param[];

@@ -19,6 +19,7 @@ const formula = axialFormula(QUADRIC);
 export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   kind: 'hyperboloid',
   title: 'hyperboloid',
+  places: { singular: 'a singular point', straight: 'a generator' },
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
   params: [
     {

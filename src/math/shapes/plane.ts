@@ -15,6 +15,7 @@ const formula = planarFormula('P', null);
 export const plane: ShapeDefinition<Plane> = {
   kind: 'plane',
   title: 'plane',
+  places: null,
   icon: 'M6.5 7.5h14l-4.5 9h-14z',
   params: [
     {

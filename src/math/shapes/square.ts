@@ -93,6 +93,7 @@ const FORMULAS: Readonly<Record<Axis, FlatFormula>> = {
 export const square: ShapeDefinition<Square> = {
   kind: 'square',
   title: 'square',
+  places: null,
   icon: 'M12 5.5L21.5 12L12 18.5L2.5 12z',
   params: [
     {

@@ -20,6 +20,12 @@ export async function settle(page: Page): Promise<void> {
   );
 }
 
+/** Until the page has had the time to write its own form of the link; by the page's own clock, which a busy machine slows. */
+export async function linkWritten(page: Page): Promise<void> {
+  await settle(page);
+  await page.evaluate(() => new Promise<void>((done) => setTimeout(done, 200)));
+}
+
 /**
  * Opens a link: loads the page the first time, later writes the new hash into the address as a person would. The event
  * is sent at once, so that a list of links does not have to wait for the browser's own.

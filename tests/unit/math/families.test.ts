@@ -147,7 +147,11 @@ describe('around tangents', () => {
 
   test.each([2, 6, 10, 14])('near-tangent: D shrinks with the gap 10^-%d, both signs', (k) => {
     const asked = draw('near-tangent', k);
-    expect(classesOf(asked)).toEqual(['none', 'two']);
+    // A cylinder curves one way only: both classes mean that the gap is on both sides.
+    expect(classesOf(asked.filter(({ shape }) => shape.kind === 'cylinder'))).toEqual([
+      'none',
+      'two',
+    ]);
     expect(median(asked.map(relativeD)) * 10 ** k).toBeGreaterThan(0.01);
     expect(median(asked.map(relativeD)) * 10 ** k).toBeLessThan(1);
   });

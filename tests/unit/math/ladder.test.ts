@@ -9,7 +9,7 @@ import { rayCases } from './read-vectors.ts';
  */
 
 const SEED = 71;
-const COUNT = 80;
+const COUNT = 60;
 const drawn = new Map(FAMILIES.map(({ id }) => [id, drawJudged(id, COUNT, SEED)]));
 const of = (id: string): Judged[] => drawn.get(id) as Judged[];
 
@@ -169,7 +169,7 @@ describe('interval: whenever it decides, it is right', () => {
       : [],
   );
   test.each(sweeps)('%s at %d', (id, difficulty) => {
-    expect(score('interval', drawJudged(id, 40, SEED + 1, difficulty)).wrong).toBe(0);
+    expect(score('interval', drawJudged(id, 30, SEED + 1, difficulty)).wrong).toBe(0);
   });
 
   /** Families that it decides completely: it is not right by keeping silent. */

@@ -116,13 +116,13 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
   });
 
   test('every exponent (seed 122)', () => {
-    const found = wild(122, 3000).flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
+    const found = wild(122, 2000).flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
     expect(found.slice(0, 2)).toEqual([]);
   });
 
   test('two roots that underflow to zeros of both signs', () => {
     const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 0 };
-    const ray: Ray = { origin: [0, 1e-180, 0], direction: [2e150, 1e150, 0] };
+    const ray: Ray = { origin: [0, -1e-180, 0], direction: [1e150, 2e150, 0] };
     expect(differing(rung, shape, [ray])).toEqual([]);
   });
 

@@ -33,6 +33,21 @@ describe('a step of undo', () => {
   });
 });
 
+describe('a gesture that comes back to where it began', () => {
+  const E = INITIAL.E;
+  test('leaves no step', () => {
+    const history = run(start, [move(1), 'a'], [{ type: 'origin', value: [...E] }, 'a']);
+    expect(history.past).toEqual([]);
+  });
+
+  test('and is one step again when it goes on', () => {
+    const back: Action = { type: 'origin', value: [...E] };
+    const history = run(start, [move(1), 'a'], [back, 'a'], [move(2), 'a'], [move(3), 'a']);
+    expect(history.past).toHaveLength(1);
+    expect(advance(history, undo, null).present.E).toEqual(E);
+  });
+});
+
 describe('redo', () => {
   test('brings back what undo took, in order', () => {
     const back = run(start, [move(1), null], [move(2), null], [undo, null], [undo, null]);

@@ -10,7 +10,7 @@ import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math
 const O: Vec3 = [0, 0, 0];
 const said = (shape: Shape, r: Ray, method = 'exact') => {
   const found = intersect(shape, r, method);
-  const { relations, text } = verdictWords(found, definitionOf(shape).title);
+  const { relations, text } = verdictWords(found, definitionOf(shape));
   const symbols = relations.map(({ left, relation, right }) => `${left} ${relation} ${right}`);
   return { symbols: symbols.join(', '), text, hits: hitWords(found).map(hitSentence) };
 };

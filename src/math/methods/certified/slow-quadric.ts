@@ -147,17 +147,12 @@ export function solveSlowly(
 ): number {
   slot.exact = false;
   const verdict = inDoubleDouble(q, Ex, q.hasY ? Ey : 0, Ez, dx, q.hasY ? dy : 0, dz, slot);
-  if (verdict >= 0) {
-    stats.dd++;
-    return verdict;
-  }
-  stats.exact++;
+  if (verdict >= 0) return verdict;
   slot.exact = true;
   return solveExactly(q, Ex, Ey, Ez, dx, dy, dz, slot);
 }
 
 const UNKNOWN = -1;
-export const stats = { dd: 0, exact: 0 };
 
 /** Fills the registers, scaled where it must be; UNKNOWN where a component would lose bits by that. */
 function inDoubleDouble(

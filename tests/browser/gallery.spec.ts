@@ -1,0 +1,51 @@
+import { intersect } from '../../src/math/index.ts';
+import { GALLERY } from '../../src/state/gallery/index.ts';
+import { rayOf, shapeOf } from '../../src/state/state.ts';
+import { decode } from '../../src/state/url.ts';
+import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+test.use({ viewport: { width: 900, height: 660 } });
+
+test('every preset is in the gallery with its sentence and a small picture', async ({ page }) => {
+  await open(page, '#/explore');
+  await page.locator('canvas').waitFor();
+  await page.getByRole('button', { name: /^example:/ }).click();
+  const dialog = page.getByRole('dialog', { name: 'Examples' });
+  for (const { id, title, look } of GALLERY) {
+    const card = dialog.locator(`[data-preset="${id}"]`);
+    await expect(card).toContainText(title);
+    await expect(card).toContainText(look);
+    expect(await card.locator('svg path').count(), id).toBeGreaterThan(2);
+  }
+  await dialog.locator('[data-preset="cone-vertex"]').click();
+  await expect(dialog).toBeHidden();
+  await expect(page.locator('.example-name')).toContainText('through the vertex');
+  expect((await quantities(page)).class).toBe('tangent');
+});
+
+test.describe('without the picture', () => {
+  test.use({ provoked: NO_SCENE });
+  test.beforeEach(({ page }) => withoutScene(page));
+
+  test('a clicker walks through all of them and round again', async ({ page }) => {
+    await open(page, '#/explore');
+    for (const preset of GALLERY) {
+      await page.keyboard.press('PageDown');
+      await settle(page);
+      const state = decode(preset.link);
+      const found = intersect(shapeOf(state), rayOf(state), state.method);
+      await expect(page.locator('.example-name strong')).toHaveText(preset.title);
+      expect((await quantities(page)).class, preset.id).toBe(found.class);
+    }
+    await page.keyboard.press('PageDown');
+    await expect(page.locator('.example-name strong')).toHaveText(GALLERY[0]?.title ?? '');
+    await page.keyboard.press('PageUp');
+    await expect(page.locator('.example-name strong')).toHaveText(GALLERY.at(-1)?.title ?? '');
+  });
+
+  test('the far one says that the textbook formula is contradicted', async ({ page }) => {
+    await open(page, GALLERY.find(({ id }) => id === 'cylinder-far')?.link ?? '');
+    await expect(page.locator('.contradicted')).toHaveText('exact arithmetic says: two');
+  });
+});
