@@ -1,7 +1,7 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
 import type { Values } from '../math/formula/evaluate.ts';
-import type { Expr } from '../math/formula/expr.ts';
+import { type Expr, plus, scalar } from '../math/formula/expr.ts';
 import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
@@ -29,13 +29,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
     </div>
     <div class="steps">
       ${derivation.steps.map((step, i) => stepLine(step, derivation, i < shown.steps))}
-      ${
-        shown.conditions
-          ? html`<div class="conditions" data-count=${derivation.conditions.length}>
-              ${derivation.conditions.map((c) => conditionLine(c, derivation))}
-            </div>`
-          : nothing
-      }
+      ${shown.conditions ? conditions(derivation) : nothing}
     </div>
     ${shown.verdict ? verdict(model) : concealed()}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
@@ -59,7 +53,7 @@ function stepLine(step: Step, { numbers }: Derivation, shown: boolean): Template
   const { id, letter, expr, worked } = step;
   const stacked = id !== 'D' && id !== 't';
   const symbols = formula(typesetSymbols(expr), id === 't');
-  const { digits, long } = digitsFor(expr, numbers);
+  const { digits, long } = digitsFor(expr, numbers, stacked ? 'below' : 'behind');
   const inNumbers = long
     ? typesetNumbersInPieces(expr, numbers, digits).map((m) => html`${formula(m)} `)
     : formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't');
@@ -81,8 +75,19 @@ function stepLine(step: Step, { numbers }: Derivation, shown: boolean): Template
   </div>`;
 }
 
+/** Two in a line where the numbers are short enough. */
+function conditions(derivation: Derivation): TemplateResult {
+  const { conditions: all, numbers } = derivation;
+  const halves = all.every(
+    ({ relation: { left, right } }) => !digitsFor(plus(left, right), numbers, 'half').long,
+  );
+  return html`<div class=${all.length > 1 && halves ? 'conditions halves' : 'conditions'}>
+    ${all.map((c) => conditionLine(c, derivation))}
+  </div>`;
+}
+
 const putIn = (expr: Expr, numbers: Values<number>): TemplateResult =>
-  typesetNumbers(expr, numbers, { worked: false, digits: 6 });
+  typesetNumbers(expr, numbers, { worked: false, digits: 5 });
 
 function conditionLine(
   { relation, left, right, holds }: ConditionStep,
@@ -106,9 +111,10 @@ function verdict({
   verdict: { relations, text },
   found,
   contradicted,
+  derivation,
 }: ExploreModel): TemplateResult {
   return html`<p class="verdict">
-    <span data-quantity="class" data-value=${found.class}>${relations.map(comparison)}
+    <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
     <strong>${text}</strong></span>
     ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}</span>` : nothing}
   </p>`;
@@ -118,12 +124,13 @@ function concealed(): TemplateResult {
   return html`<p class="verdict">Hidden. Predict first, then reveal line by line.</p>`;
 }
 
-const COMPARED: Readonly<Record<string, TemplateResult>> = {
-  'N.d': mathml`<mi>N</mi><mo>·</mo><mi>d</mi>`,
-  'N.(E-P)': mathml`<mi>N</mi><mo>·</mo><mo stretchy="false">(</mo><mi>E</mi><mo>−</mo><mi>P</mi><mo stretchy="false">)</mo>`,
-};
-
-function comparison({ left, relation, right }: Comparison, i: number): TemplateResult {
-  const side = COMPARED[left] ?? mathml`<mi>${left}</mi>`;
+/** A step's name stands for its own tree: N·(E − P), or N·(E − C) for a circle. */
+function comparison(
+  { left, relation, right }: Comparison,
+  i: number,
+  { steps }: Derivation,
+): TemplateResult {
+  const step = steps.find(({ id }) => id === left);
+  const side = typesetSymbols(step?.letter ?? step?.expr ?? scalar(left));
   return html`${i > 0 ? ', ' : nothing}${formula(mathml`${side}<mo>${relation}</mo><mn>${right}</mn>`)}`;
 }

@@ -1,5 +1,4 @@
 import { html, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { InvalidInput } from '../math/invalid-input.ts';
 import {
   type AxisParam,
@@ -51,7 +50,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
         <span class="axis" aria-hidden="true">${axis}</span>
         <graze-number
           id=${`box-${label}`}
-          .value=${live(current[i] ?? 0)}
+          .value=${current[i] ?? 0}
           .step=${step}
           .label=${label}
           .symbol=${label}
@@ -59,7 +58,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
           .check=${(x: number) => refusal(param, put(x))}
         ></graze-number>
         <graze-slider
-          .value=${live(current[i] ?? 0)}
+          .value=${current[i] ?? 0}
           .least=${range[0]}
           .most=${range[1]}
           .step=${step}
@@ -82,7 +81,7 @@ function numberCell({ value, send: put, reset }: Handle, param: NumberParam): Te
     <span class="cell">
       <graze-number
         id=${`box-${letter}`}
-        .value=${live(current)}
+        .value=${current}
         .step=${step}
         .label=${`${letter}, ${title}`}
         .symbol=${letter}
@@ -90,7 +89,7 @@ function numberCell({ value, send: put, reset }: Handle, param: NumberParam): Te
         .check=${(x: number) => refusal(param, x)}
       ></graze-number>
       <graze-slider
-        .value=${live(current)}
+        .value=${current}
         .least=${range[0]}
         .most=${range[1]}
         .step=${step}

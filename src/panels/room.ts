@@ -3,15 +3,19 @@ import type { Expr, VectorExpr } from '../math/formula/expr.ts';
 import { AXES, axisIndex } from '../math/vec3.ts';
 import { display } from '../text/format.ts';
 
-/** Characters of a line with numbers put in that stand beside each other in the algebra's column. */
-const ROOM = 54;
+/** Characters with numbers put in that fit: under the symbols, behind them in the same line, behind them in half a line. */
+const ROOM = { below: 54, behind: 34, half: 20 };
 
 /** How many digits a line can have without being broken, and whether it has to be broken even with the fewest. */
-export function digitsFor(expr: Expr, values: Values<number>): { digits: number; long: boolean } {
+export function digitsFor(
+  expr: Expr,
+  values: Values<number>,
+  place: keyof typeof ROOM,
+): { digits: number; long: boolean } {
   for (const digits of [6, 5, 4]) {
-    if (charactersOf(expr, values, digits) <= ROOM) return { digits, long: false };
+    if (charactersOf(expr, values, digits) <= ROOM[place]) return { digits, long: false };
   }
-  return { digits: 4, long: true };
+  return { digits: 2, long: true };
 }
 
 /** About as many characters as the typeset line has; a pair of parentheses counts for each negative number. */

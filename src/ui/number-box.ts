@@ -1,6 +1,7 @@
 import { html, LitElement, nothing } from 'lit';
 import { display, shortest } from '../text/format.ts';
 import { looksLikeTriple, parseNumber, parseTriple, type Triple } from '../text/parse.ts';
+import { Ahead } from './ahead.ts';
 import { keyStep, onStep } from './step.ts';
 
 /**
@@ -31,6 +32,7 @@ export class GrazeNumberBox extends LitElement {
   declare private text: string | null;
   declare private reason: string | null;
   declare private focused: boolean;
+  private ahead = new Ahead();
   /** What was typed last and the value it gave: shown again as long as the value is still that one. */
   private typed: { text: string; value: number } | null = null;
 
@@ -138,7 +140,7 @@ export class GrazeNumberBox extends LitElement {
     if (change === null) return;
     event.preventDefault();
     const next = onStep(
-      this.value + change,
+      this.ahead.of(this.value) + change,
       Math.abs(change) < this.step ? this.step / 10 : this.step,
     );
     this.reason = this.check(next);
@@ -161,7 +163,7 @@ export class GrazeNumberBox extends LitElement {
   }
 
   private send(value: number): void {
-    this.value = value;
+    this.ahead.set(value);
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
   }
 }

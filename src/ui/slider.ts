@@ -1,5 +1,7 @@
 import { html, LitElement } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { display } from '../text/format.ts';
+import { Ahead } from './ahead.ts';
 import { keyStep, onStep } from './step.ts';
 
 /**
@@ -21,6 +23,7 @@ export class GrazeSlider extends LitElement {
   declare step: number;
   declare label: string;
   declare symbol: string;
+  private ahead = new Ahead();
 
   constructor() {
     super();
@@ -43,7 +46,7 @@ export class GrazeSlider extends LitElement {
       min=${this.least}
       max=${this.most}
       step="any"
-      .value=${String(this.value)}
+      .value=${live(String(this.value))}
       aria-label=${this.label}
       aria-valuetext=${display(this.value)}
       data-symbol=${this.symbol}
@@ -75,7 +78,7 @@ export class GrazeSlider extends LitElement {
     if (change === null) return;
     event.preventDefault();
     const next = onStep(
-      this.value + change,
+      this.ahead.of(this.value) + change,
       Math.abs(change) < this.step ? this.step / 10 : this.step,
     );
     this.send(Math.min(Math.max(next, this.least), this.most));
@@ -83,9 +86,10 @@ export class GrazeSlider extends LitElement {
 
   private send(value: number): void {
     if (value === this.value) return;
-    // At once: the next key may come before the page has been drawn again. Who owns the value sets it back if it refuses.
-    this.value = value;
+    this.ahead.set(value);
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
+    // A refused value leaves the thumb where the state is.
+    this.requestUpdate();
   }
 }
 

@@ -3,7 +3,9 @@ import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 900, height: 660 }, provoked: /WebGL|THREE/ });
 
-test('without WebGL the lines are drawn, the page says so, and all else works', async ({ page }) => {
+test('without WebGL the lines are drawn, the page says so, and all else works', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const get = HTMLCanvasElement.prototype.getContext as (...all: unknown[]) => unknown;
     HTMLCanvasElement.prototype.getContext = function (this: unknown, ...all: unknown[]) {
@@ -31,7 +33,9 @@ test('a lost context comes back', async ({ page }) => {
     lose?.loseContext();
   });
   await expect(page.locator('.scene-area')).toContainText('no WebGL');
-  await page.evaluate(() => (window as unknown as { lose: WEBGL_lose_context }).lose.restoreContext());
+  await page.evaluate(() =>
+    (window as unknown as { lose: WEBGL_lose_context }).lose.restoreContext(),
+  );
   await expect(page.locator('.scene-area')).not.toContainText('no WebGL');
   const before = await frames();
   await page.keyboard.press('2');

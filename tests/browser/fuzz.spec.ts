@@ -3,7 +3,7 @@ import { prepare, randomUser } from '../fuzz/random-user.ts';
 import { open } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
-test.use({ viewport: { width: 820, height: 620 }, hasTouch: true });
+test.use({ viewport: { width: 720, height: 540 }, hasTouch: true });
 
 // Two users at once; `npm run fuzz:page -- --actions N --seed S` goes on for as long as wanted.
 for (const seed of [11, 12]) {

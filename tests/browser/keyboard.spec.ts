@@ -26,13 +26,16 @@ async function tabThrough(page: Page): Promise<Stop[]> {
         '.controls',
         '.algebra',
       ];
-      const outlined = [at, ...at.querySelectorAll('.strip-focus')].some((element) => {
-        const { outlineStyle, outlineWidth, stroke, opacity, visibility } =
-          getComputedStyle(element);
-        const ring = element.matches('.strip-focus') && stroke !== 'none' && opacity !== '0';
-        const outline = outlineStyle !== 'none' && Number.parseFloat(outlineWidth) >= 1;
-        return (ring && visibility === 'visible') || outline;
-      });
+      const outlined = [at, ...at.querySelectorAll('.strip-focus, .scene-focus')].some(
+        (element) => {
+          const { outlineStyle, outlineWidth, stroke, opacity, visibility } =
+            getComputedStyle(element);
+          const ring =
+            element.matches('.strip-focus, .scene-focus') && stroke !== 'none' && opacity !== '0';
+          const outline = outlineStyle !== 'none' && Number.parseFloat(outlineWidth) >= 1;
+          return (ring && visibility === 'visible') || outline;
+        },
+      );
       return {
         place: areas.find((area) => at.closest(area)) ?? '?',
         name: at.getAttribute('aria-label') ?? at.textContent?.trim() ?? '',

@@ -25,7 +25,9 @@ test('digits and letters typed into a box are text', async ({ page }) => {
   await expect(box(page, 'c')).toHaveValue('1hgt');
 });
 
-test('on a slider Page Down belongs to the slider, and Shift makes a step fine', async ({ page }) => {
+test('on a slider Page Down belongs to the slider, and Shift makes a step fine', async ({
+  page,
+}) => {
   await slider(page, 'c').press('PageDown');
   await slider(page, 'c').press('ArrowRight');
   await slider(page, 'c').press('Shift+ArrowRight');

@@ -44,7 +44,10 @@ test('what is copied is what the page shows, for every text', async ({ page }) =
 test('GLSL compiles in WebGL2, for every preset', async ({ page }) => {
   await open(page, LINK);
   const glsl = EXPORTS.find(({ id }) => id === 'glsl');
-  const programs = GALLERY.map(({ id, link }) => [id, glsl?.text(createDerive()(decode(link))) ?? '']);
+  const programs = GALLERY.map(({ id, link }) => [
+    id,
+    glsl?.text(createDerive()(decode(link))) ?? '',
+  ]);
   const faults = await page.evaluate((list) => {
     const gl = document.createElement('canvas').getContext('webgl2');
     if (!gl) return ['no WebGL2'];

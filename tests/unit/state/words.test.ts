@@ -118,7 +118,7 @@ const CURVED: readonly Case[] = [
     shape: cylinder(O, 0),
     ray: ray([3, 0, 0], [-1, 0, 0]),
     symbols: 'D = 0',
-    text: 'through a singular point: one double root, no normal there',
+    text: 'through the axis: one double root, no normal there',
     hits: ['t₁ = 3, first hit, double, no normal'],
   },
   {
