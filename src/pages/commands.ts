@@ -132,7 +132,7 @@ export function commandFor(
   if (event.defaultPrevented || event.altKey || event.isComposing) return undefined;
   const control = event.ctrlKey || event.metaKey;
   const target = event.target instanceof Element ? event.target : null;
-  if (target?.closest('dialog')) return undefined;
+  if (target?.closest('dialog[open]')) return undefined;
   if (target?.closest('input:not([type=range]):not([type=checkbox]), select, textarea')) {
     return undefined;
   }

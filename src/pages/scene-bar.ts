@@ -30,8 +30,9 @@ export function sceneBar(
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
+      ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}
       ${toggle(hidden ? 'show results' : 'hide results', hidden, run('hide'), 'Hide the results to predict them (h)')}
-      ${hidden ? toggle('reveal next', false, run('reveal'), 'Reveal the next line (n)') : nothing}
+      ${hidden ? action('reveal next', run('reveal'), 'Reveal the next line (n)') : nothing}
     </div>`;
 }
 
@@ -39,6 +40,10 @@ function step(label: string, path: string, run: () => void): TemplateResult {
   return html`<button type="button" class="step-through" aria-label=${label} title=${label} @click=${run}>
     <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${path} /></svg>
   </button>`;
+}
+
+function action(text: string, run: () => void, title: string): TemplateResult {
+  return html`<button type="button" class="ray-tool" title=${title} @click=${run}>${text}</button>`;
 }
 
 function toggle(text: string, pressed: boolean, run: () => void, title: string): TemplateResult {

@@ -4,7 +4,7 @@ import { AXES, axisIndex } from '../math/vec3.ts';
 import { display } from '../text/format.ts';
 
 /** Characters with numbers put in that fit: under the symbols, behind them in the same line, behind them in half a line. */
-const ROOM = { below: 54, behind: 34, half: 20 };
+const ROOM = { below: 58, behind: 32, half: 20 };
 
 /** How many digits a line can have without being broken, and whether it has to be broken even with the fewest. */
 export function digitsFor(

@@ -1,6 +1,5 @@
-import { AxeBuilder } from '@axe-core/playwright';
-import type { Page } from '@playwright/test';
 import { SHAPES } from '../../src/math/index.ts';
+import { violations } from './support/axe.ts';
 import { box, pickShape, slider, typeInto } from './support/controls.ts';
 import { open } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -9,14 +8,6 @@ const SIZES = [
   { width: 1280, height: 720 },
   { width: 390, height: 844 },
 ] as const;
-
-/** One line a violation: the rule, and the elements that break it. */
-async function violations(page: Page): Promise<string[]> {
-  const { violations: found } = await new AxeBuilder({ page }).setLegacyMode(true).analyze();
-  return found.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, any }) => `${id}: ${target.join(' ')} (${any[0]?.message ?? ''})`),
-  );
-}
 
 for (const colorScheme of ['light', 'dark'] as const) {
   for (const viewport of SIZES) {

@@ -1,0 +1,55 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { intersect, METHODS, SHAPES } from '../../src/math/index.ts';
+import { GALLERY } from '../../src/state/gallery/index.ts';
+import { decode } from '../../src/state/url.ts';
+
+const root = new URL('../../', import.meta.url);
+const read = (path: string): string => readFileSync(new URL(path, root), 'utf8');
+const readme = read('README.md');
+const scripts: Readonly<Record<string, string>> = JSON.parse(read('package.json')).scripts;
+
+describe('what the README says', () => {
+  test('every npm command in it exists', () => {
+    const named = [...readme.matchAll(/npm run ([\w:]+)|npm (start|test)/g)].map(
+      (m) => m[1] ?? m[2],
+    );
+    expect(named.length).toBeGreaterThan(5);
+    expect(named.filter((name) => !(name && name in scripts))).toEqual([]);
+  });
+
+  test('every file and folder in it exists', () => {
+    const named = [...readme.matchAll(/`((?:src|tests|docs)\/[\w./-]+)`|\]\((docs\/[\w./-]+)\)/g)]
+      .map((m) => m[1] ?? m[2] ?? '')
+      .concat([...readme.matchAll(/^ {4}(src\/\w+)/gm)].map((m) => m[1] ?? ''));
+    expect(named.length).toBeGreaterThan(10);
+    expect(named.filter((path) => !existsSync(new URL(path, root)))).toEqual([]);
+  });
+
+  test('the example of the math module gives what stands beside it', () => {
+    const { hits } = intersect(
+      { kind: 'cylinder', center: [0, 0, 0], radius: 5 },
+      { origin: [-10, 0, 3], direction: [1, 0, 0] },
+    );
+    expect(readme).toContain(`// [${hits.map(({ t }) => t).join(', ')}]`);
+  });
+
+  test('its link opens without complaint, and its keys are the keys', () => {
+    const link = /^ {4}(#\/explore\S+)/m.exec(readme)?.[1] ?? '';
+    expect(decode(link).problems).toEqual([]);
+    expect(decode(link).E).toEqual([4, 1, 0.5]);
+    for (const { params } of SHAPES) {
+      for (const { symbol } of params) expect(readme).toContain(`\`${symbol}\``);
+    }
+  });
+
+  test('its numbers are right', () => {
+    expect(readme).toContain(`${GALLERY.length} examples`);
+    expect(METHODS.map(({ id }) => id)).toEqual(expect.arrayContaining(['textbook', 'exact']));
+  });
+
+  test('the versions of Node agree', () => {
+    expect(JSON.parse(read('package.json')).engines.node).toBe('>=20.19');
+    expect(readme).toContain('Node 20.19 or newer');
+  });
+});
