@@ -53,7 +53,10 @@ function stepLine(step: Step, { numbers }: Derivation, shown: boolean): Template
   const { id, letter, expr, worked } = step;
   const stacked = id !== 'D' && id !== 't';
   const symbols = formula(typesetSymbols(expr), id === 't');
-  const { digits, long } = digitsFor(expr, numbers, stacked ? 'below' : 'behind');
+  // With −B, √D and 2A worked out there is always room.
+  const { digits, long } = worked
+    ? { digits: 6, long: false }
+    : digitsFor(expr, numbers, stacked ? 'below' : 'behind');
   const inNumbers = long
     ? typesetNumbersInPieces(expr, numbers, digits).map((m) => html`${formula(m)} `)
     : formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't');

@@ -6,6 +6,7 @@ import type { Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawDisc } from './flat-drawing.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
+import { lengthParam, normalParam, pointParam } from './params.ts';
 import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
 
 /** The disc about `center` in the plane with this normal; its rim belongs to it. */
@@ -63,35 +64,9 @@ export const circle: ShapeDefinition<Circle> = {
   places: null,
   icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
   params: [
-    {
-      type: 'vector',
-      key: 'normal',
-      symbol: 'N',
-      title: 'normal',
-      initial: [1, 0.5, 0],
-      range: [-2, 2],
-      step: 0.1,
-      nonZero: true,
-    },
-    {
-      type: 'vector',
-      key: 'center',
-      symbol: 'C',
-      title: 'centre',
-      initial: [0, 1, 0],
-      range: [-5, 5],
-      step: 0.1,
-    },
-    {
-      type: 'number',
-      key: 'radius',
-      symbol: 'r',
-      title: 'radius',
-      initial: 2,
-      range: [0, 4],
-      step: 0.05,
-      least: 0,
-    },
+    normalParam([1, 0.5, 0]),
+    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
+    lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 2 }),
   ],
   surface: planarSurface('C'),
   formula: () => formula,

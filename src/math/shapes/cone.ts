@@ -3,6 +3,7 @@ import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
 import { pointGrip, slopeGrip } from './grips.ts';
+import { pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|. */
@@ -21,15 +22,7 @@ export const cone: ShapeDefinition<Cone> = {
   places: { singular: 'the vertex', straight: 'a generator' },
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
   params: [
-    {
-      type: 'vector',
-      key: 'vertex',
-      symbol: 'V',
-      title: 'vertex',
-      initial: [0, 3, 0],
-      range: [-5, 5],
-      step: 0.1,
-    },
+    pointParam({ key: 'vertex', symbol: 'V', title: 'vertex', initial: [0, 3, 0] }),
     {
       type: 'number',
       key: 'slope',

@@ -3,6 +3,7 @@ import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
+import { lengthParam, pointParam } from './params.ts';
 import { axisPoint, drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y; the centre's y does not matter. */
@@ -21,25 +22,8 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   places: { singular: 'the axis', straight: 'the axis' },
   icon: 'M6 6v12a6 2.4 0 0 0 12 0V6M6 6a6 2.4 0 0 0 12 0a6 2.4 0 0 0 -12 0',
   params: [
-    {
-      type: 'vector',
-      key: 'center',
-      symbol: 'C',
-      title: 'centre of the axis',
-      initial: [0, 1, 0],
-      range: [-5, 5],
-      step: 0.1,
-    },
-    {
-      type: 'number',
-      key: 'radius',
-      symbol: 'r',
-      title: 'radius',
-      initial: 1.5,
-      range: [0, 4],
-      step: 0.05,
-      least: 0,
-    },
+    pointParam({ key: 'center', symbol: 'C', title: 'centre of the axis', initial: [0, 1, 0] }),
+    lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 }),
   ],
   surface: axialSurface(QUADRIC),
   formula: () => formula,

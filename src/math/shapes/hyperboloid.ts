@@ -3,6 +3,7 @@ import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import type { ShapeDefinition } from './define.ts';
 import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
+import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
 /** Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²). */
@@ -22,15 +23,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   places: { singular: 'a singular point', straight: 'a generator' },
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
   params: [
-    {
-      type: 'vector',
-      key: 'center',
-      symbol: 'C',
-      title: 'centre',
-      initial: [0, 1, 0],
-      range: [-5, 5],
-      step: 0.1,
-    },
+    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
     {
       type: 'number',
       key: 'flare',
@@ -40,16 +33,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
       range: [-2, 2],
       step: 0.05,
     },
-    {
-      type: 'number',
-      key: 'radius',
-      symbol: 'r',
-      title: 'radius of the waist',
-      initial: 1,
-      range: [0, 4],
-      step: 0.05,
-      least: 0,
-    },
+    lengthParam({ key: 'radius', symbol: 'r', title: 'radius of the waist', initial: 1 }),
   ],
   surface: axialSurface(QUADRIC),
   formula: () => formula,

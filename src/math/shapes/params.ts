@@ -42,6 +42,24 @@ export interface AxisParam extends ParamBase {
 
 export type Param = VectorParam | NumberParam | AxisParam;
 
+type Named<P extends Param> = Pick<P, 'key' | 'symbol' | 'title' | 'initial'>;
+
+/** A point in space. */
+export function pointParam(about: Named<VectorParam>): VectorParam {
+  return { type: 'vector', ...about, range: [-5, 5], step: 0.1 };
+}
+
+/** The normal of a plane, of any length but zero. */
+export function normalParam(initial: Vec3): VectorParam {
+  const about = { key: 'normal', symbol: 'N', title: 'normal', initial };
+  return { type: 'vector', ...about, range: [-2, 2], step: 0.1, nonZero: true };
+}
+
+/** A length, 0 allowed. */
+export function lengthParam(about: Named<NumberParam>): NumberParam {
+  return { type: 'number', ...about, range: [0, 4], step: 0.05, least: 0 };
+}
+
 /** Throws InvalidInput if `value` is not allowed for the parameter. */
 export function checkParam(param: Param, value: unknown): void {
   if (param.type === 'axis') {

@@ -2,6 +2,7 @@ import type { Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawPlane } from './flat-drawing.ts';
 import { pointGrip } from './grips.ts';
+import { normalParam, pointParam } from './params.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
 export interface Plane {
@@ -18,25 +19,8 @@ export const plane: ShapeDefinition<Plane> = {
   places: null,
   icon: 'M6.5 7.5h14l-4.5 9h-14z',
   params: [
-    {
-      type: 'vector',
-      key: 'normal',
-      symbol: 'N',
-      title: 'normal',
-      initial: [1, 1, 0.5],
-      range: [-2, 2],
-      step: 0.1,
-      nonZero: true,
-    },
-    {
-      type: 'vector',
-      key: 'point',
-      symbol: 'P',
-      title: 'point of the plane',
-      initial: [0, 1, 0],
-      range: [-5, 5],
-      step: 0.1,
-    },
+    normalParam([1, 1, 0.5]),
+    pointParam({ key: 'point', symbol: 'P', title: 'point of the plane', initial: [0, 1, 0] }),
   ],
   surface: planarSurface('P'),
   formula: () => formula,

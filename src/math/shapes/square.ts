@@ -5,6 +5,7 @@ import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawSquare, inPlaneAxes, unitAlong } from './flat-drawing.ts';
 import { pointGrip, sideGrip } from './grips.ts';
+import { lengthParam, pointParam } from './params.ts';
 import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
 
 /** A square with sides along the axes, from its corner towards larger coordinates; its normal points along +axis. */
@@ -96,25 +97,8 @@ export const square: ShapeDefinition<Square> = {
   places: null,
   icon: 'M12 5.5L21.5 12L12 18.5L2.5 12z',
   params: [
-    {
-      type: 'vector',
-      key: 'corner',
-      symbol: 'P',
-      title: 'corner',
-      initial: [0, 0, -1],
-      range: [-5, 5],
-      step: 0.1,
-    },
-    {
-      type: 'number',
-      key: 'side',
-      symbol: 'L',
-      title: 'side',
-      initial: 2,
-      range: [0, 4],
-      step: 0.05,
-      least: 0,
-    },
+    pointParam({ key: 'corner', symbol: 'P', title: 'corner', initial: [0, 0, -1] }),
+    lengthParam({ key: 'side', symbol: 'L', title: 'side', initial: 2 }),
     { type: 'axis', key: 'axis', symbol: 'axis', title: 'axis of the normal', initial: 'x' },
   ],
   surface: planarSurface('P'),
