@@ -18,7 +18,12 @@ export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<Strip
   const id = `strip-${++strips}`;
   let model: StripModel | null = null;
   let shown: Shown | null = null;
-  const handlers = handlersOf(() => shown, dispatch);
+  // The next key may come before the next frame: it goes on from where the last one has sent the bead.
+  const send: Dispatch = (action) => {
+    if (action.type === 'bead' && action.t !== null) shown = shown && moved(shown, action.t);
+    dispatch(action);
+  };
+  const handlers = handlersOf(() => shown, send);
   host.classList.add('strip');
   const watch = watchMetrics(host, draw);
 
@@ -46,6 +51,10 @@ export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<Strip
       host.classList.remove('strip');
     },
   };
+}
+
+function moved({ model, scales }: Shown, t: number): Shown {
+  return { scales, model: { ...model, bead: { ...model.bead, t } } };
 }
 
 function handlersOf(shown: () => Shown | null, dispatch: Dispatch): Handlers {

@@ -19,8 +19,15 @@ export function pickFile(accept: string): Promise<string | null> {
     const input = document.createElement('input');
     input.type = 'file';
     input.accept = accept;
-    input.addEventListener('change', () => resolve(readText(input.files?.[0])));
-    input.addEventListener('cancel', () => resolve(null));
+    // In the page while the dialog is open, so that nothing clears it away.
+    input.hidden = true;
+    document.body.append(input);
+    const done = (text: string | null | Promise<string | null>): void => {
+      input.remove();
+      resolve(text);
+    };
+    input.addEventListener('change', () => done(readText(input.files?.[0])));
+    input.addEventListener('cancel', () => done(null));
     input.click();
   });
 }

@@ -102,10 +102,14 @@ test('a saved state opens again, by dialog and by dropping it on the page', asyn
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
   expect(download.suggestedFilename()).toBe('graze.json');
   const path = await download.path();
+  // Listening from early on: the browser has to be told that a program answers its dialogs.
+  page.on('filechooser', (chooser) => void chooser.setFiles(path));
   await open(page, LINK);
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('o')]);
-  await chooser.setFiles(path);
-  await expect.poll(() => hashOf(page)).toBe(link);
+  await expect.poll(() => hashOf(page)).toContain('method=textbook');
+  await expect(async () => {
+    await page.keyboard.press('o');
+    await expect.poll(() => hashOf(page), { timeout: 4000 }).toBe(link);
+  }).toPass();
   await open(page, LINK);
   await drop(page, readFileSync(path, 'utf8'));
   await expect.poll(() => hashOf(page)).toBe(link);

@@ -1,4 +1,7 @@
 import type { IntersectionClass, Ray, Shape, Vec3 } from '../../../src/math/index.ts';
+import { circle, cone, cylinder, hyperboloid, plane, square } from '../../unit/math/shorthand.ts';
+
+export { circle, cone, cylinder, hyperboloid, plane, square };
 
 /** What a case is about, the answer that the course gives, and the question. */
 export interface Case {
@@ -9,28 +12,6 @@ export interface Case {
 }
 
 type Row = readonly [title: string, verdict: IntersectionClass, shape: Shape, E: Vec3, d: Vec3];
-
-export const plane = (N: Vec3, P: Vec3): Shape => ({ kind: 'plane', normal: N, point: P });
-export const cylinder = (C: Vec3, r: number): Shape => ({ kind: 'cylinder', center: C, radius: r });
-export const cone = (V: Vec3, c: number): Shape => ({ kind: 'cone', vertex: V, slope: c });
-export const hyperboloid = (C: Vec3, a: number, r: number): Shape => ({
-  kind: 'hyperboloid',
-  center: C,
-  flare: a,
-  radius: r,
-});
-export const circle = (N: Vec3, C: Vec3, r: number): Shape => ({
-  kind: 'circle',
-  normal: N,
-  center: C,
-  radius: r,
-});
-export const square = (P: Vec3, L: number, axis: 'x' | 'y' | 'z'): Shape => ({
-  kind: 'square',
-  corner: P,
-  side: L,
-  axis,
-});
 
 const O: Vec3 = [0, 0, 0];
 const LEFT: Vec3 = [-1, 0, 0];
