@@ -20,6 +20,7 @@ const site = await serveSite();
 const { ensureChromium, args } = await import('./browser.mjs');
 const { executablePath } = await ensureChromium();
 const browser = await chromium.launch({ args, ...(executablePath && { executablePath }) });
+let taken = 0;
 for (const { name, theme, width, height } of LOOKS) {
   const page = await browser.newPage({ viewport: { width, height } });
   await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
@@ -30,10 +31,11 @@ for (const { name, theme, width, height } of LOOKS) {
       location.hash = hash;
     }, link);
     await page.waitForTimeout(PATIENCE_MS);
+    taken++;
     await page.screenshot({ path: `test-results/shots/${id}-${name}.png` });
   }
   await page.close();
 }
 await browser.close();
 site.close();
-console.log(`${GALLERY.length * LOOKS.length} pictures in test-results/shots`);
+console.log(`${taken} pictures in test-results/shots`);
