@@ -1,7 +1,7 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageTools } from './pages/commands.ts';
 import { createDesk } from './pages/desk.ts';
-import { createDialogs } from './pages/dialogs.ts';
+import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { type Explore, mountExplore } from './pages/explore.ts';
 import type { PageView } from './pages/page.ts';
 import { createPlayer } from './pages/play.ts';
@@ -55,9 +55,9 @@ const tools: PageTools = {
   },
   save: () => download('graze.json', toFile(store.get()), 'application/json'),
   openFile: async () => openText(await pickFile('.json,application/json')),
-  share: () => dialogs.share(),
-  gallery: () => dialogs.gallery(),
-  help: () => dialogs.help(),
+  share: () => openDialog('share'),
+  gallery: () => openDialog('gallery'),
+  help: () => openDialog('help'),
   fullScreen: () => {
     const done = document.fullscreenElement
       ? document.exitFullscreen()
@@ -77,7 +77,7 @@ const tools: PageTools = {
 };
 const commands = commandsOf(store, tools);
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
-const dialogs = createDialogs({
+const dialogParts: DialogParts = {
   commands,
   thumbnail: () => explore?.scene.thumbnail() ?? null,
   takeaways: async () =>
@@ -90,7 +90,20 @@ const dialogs = createDialogs({
     get: () => recall(SINGLE_KEYS) !== 'off',
     set: (on) => remember(SINGLE_KEYS, on ? 'on' : 'off'),
   },
-});
+};
+
+let dialogs: Promise<Dialogs> | null = null;
+/** Their code is loaded when the first of them is asked for. */
+function openDialog(name: keyof Dialogs): void {
+  dialogs ??= import('./pages/dialogs.ts').then(({ createDialogs }) => createDialogs(dialogParts));
+  dialogs.then(
+    (made) => made[name](),
+    () => {
+      dialogs = null;
+      say('this could not be loaded: try it again');
+    },
+  );
+}
 
 const desk = createDesk(main, {
   dispatch: store.dispatch,

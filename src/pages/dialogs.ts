@@ -8,7 +8,7 @@ import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
 import { shareContent, type Takeaway } from './share.ts';
 
-interface Parts {
+export interface DialogParts {
   readonly commands: readonly Command[];
   /** Draws small pictures, once the scene's code is there. */
   readonly thumbnail: () => Thumbnail | null;
@@ -20,8 +20,10 @@ interface Parts {
   readonly keys: { get(): boolean; set(on: boolean): void };
 }
 
+export type Dialogs = Readonly<Record<'gallery' | 'help' | 'share', () => void>>;
+
 /** The dialogs of the page, each opened by its command. */
-export function createDialogs(parts: Parts): Record<'gallery' | 'help' | 'share', () => void> {
+export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
     galleryContent(parts.preset(), pick, parts.thumbnail()),
   );
@@ -35,7 +37,7 @@ export function createDialogs(parts: Parts): Record<'gallery' | 'help' | 'share'
   return { gallery: gallery.open, help: help.open, share: shareDialog(parts) };
 }
 
-function shareDialog({ takeaways, tools, say }: Parts): () => void {
+function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
   let items: readonly Takeaway[] | null = null;
   const dialog = createDialog('File and export', () =>
     items ? shareContent(items, { copy, keep, ...actions }) : html`<p>loading…</p>`,
