@@ -94,7 +94,10 @@ const aboutRay = (page: PageId): boolean => PAGES.some(({ id, ray }) => id === p
 
 /** What would end the pair, or not come back the same. */
 function escaped(text: string): string {
-  return text.replace(/[^\w.,:;/~!*()'-]/gu, encodeURIComponent);
+  // Half a surrogate pair has no UTF-8, and encodeURIComponent throws at it.
+  return text
+    .replace(/\p{Surrogate}/gu, '\ufffd')
+    .replace(/[^\w.,:;/~!*()'-]/gu, encodeURIComponent);
 }
 
 function rayPairs(state: AppState): [string, string][] {
@@ -214,11 +217,14 @@ function split(
   const page = PAGES.find(({ id }) => id === path)?.id;
   if (!page && path !== '') problems.push(`there is no page ${quote(plain(path))}`);
   const given = new Map<string, string>();
-  for (const pair of rest.join('?').split('&').slice(0, MAX_KEYS)) {
-    if (pair === '') continue;
-    const [key = '', ...value] = pair.split('=');
-    given.set(plain(key), plain(value.join('=')));
+  const pairs = rest.join('?').split('&').filter(Boolean);
+  for (const pair of pairs.slice(0, MAX_KEYS)) {
+    const [key = '', ...value] = pair.split('=').map(plain);
+    if (given.has(key)) problems.push(`${quote(key)} stands there twice: the later one is taken`);
+    given.set(key, value.join('='));
   }
+  if (pairs.length > MAX_KEYS)
+    problems.push(`only the first ${MAX_KEYS} of ${pairs.length} keys are read`);
   return { page: page ?? INITIAL.page, given };
 }
 
