@@ -9,6 +9,7 @@ import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
 import { planarRoots, solvePlanarSlowly } from './kernel-planar.ts';
 import { placeInPlane, placeOnQuadric } from './places.ts';
+import { plainQuadric } from './plain-quadric.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
 import { certifiedQuadric } from './scaled-quadric.ts';
 import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
@@ -22,16 +23,18 @@ const left: OpenRays = { count: 0, open: new Int32Array(1) };
 const slot = certifiedSlot();
 
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {
-  const { origin: E, direction: d } = ray;
-  const copy: Ray = { origin: [E[0], E[1], E[2]], direction: [d[0], d[1], d[2]] };
   const q = quadricOf(shape);
-  if (q) return curved(q, copy);
+  if (q) return plainQuadric(q, ray) ?? curved(q, ray);
   const s = planarOf(shape);
   // A shape without a kernel is answered by the exact rung under this one's name: its promise is the stronger one.
-  return s ? flat(s, copy) : { ...exact.intersect(shape, ray), method: 'certified' };
+  return s ? flat(s, copyOf(ray)) : { ...exact.intersect(shape, ray), method: 'certified' };
 }
 
-const copied = ([x, y, z]: Vec3): Vec3 => [x, y, z];
+const copyOf = ({ origin, direction }: Ray): Ray => ({
+  origin: copied(origin),
+  direction: copied(direction),
+});
+const copied = (v: Vec3): Vec3 => [v[0], v[1], v[2]];
 
 function setRay({ origin: E, direction: d }: Ray): void {
   rays.Ex[0] = E[0];
@@ -42,7 +45,8 @@ function setRay({ origin: E, direction: d }: Ray): void {
   rays.dz[0] = d[2];
 }
 
-function curved(q: Quadric, ray: Ray): Intersection {
+function curved(q: Quadric, asked: Ray): Intersection {
+  const ray = copyOf(asked);
   const { origin: E, direction: d } = ray;
   const c = certifiedQuadric(q);
   if (c.inBox) {

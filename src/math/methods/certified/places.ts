@@ -27,8 +27,8 @@ import type { Vec3 } from '../../vec3.ts';
 const U = 2 ** -53;
 const SHORT = 32 * 2 ** -106;
 const FAITHFUL = 2 ** -55;
-/** Of the normal's longest component; its direction is promised within twice that. */
-const STRAIGHT = 2 ** -31;
+/** Of the normal’s longest component: its direction is promised within 2^-50. */
+const STRAIGHT = 2 ** -52;
 const WIDE = 2 ** 120;
 const SMALLEST = 2 ** -600;
 const LOST = 2 ** -1070;
@@ -120,9 +120,13 @@ export function placeOnQuadric(
   if (!faithful) return null;
 
   const alongX = x + (lowX + stepX);
-  const alongY = y + (lowY + stepY);
+  const restN = lowY + stepY;
+  const alongY = y + restN;
   const alongZ = z + (lowZ + stepZ);
-  const normalY = q.hasY ? -(a * alongY + aLow * alongY) : 0;
+  const down = a * alongY;
+  const normalY = q.hasY
+    ? -(down + (productError(a, alongY, down) + a * (restN - (alongY - y)) + aLow * alongY))
+    : 0;
   const long = Math.max(Math.abs(alongX), Math.abs(normalY), Math.abs(alongZ));
   const offN = offX + offZ + size * offY + 32 * U * (wx + wz + size * wy) + SMALLEST;
   if (!(offN <= STRAIGHT * long)) return null;
