@@ -5,7 +5,7 @@ import { FAMILIES } from '../../../src/math/families.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { integer, pick, type Random, seeded, wide } from '../../../src/math/rng.ts';
+import { integer, pick, type Random, seeded, uniform, wide } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
@@ -82,6 +82,33 @@ describe('agrees with exact on', () => {
     expect(of('hyperboloid')).toEqual(['contained', 'none', 'one', 'tangent', 'two']);
     for (const flat of ['plane', 'circle', 'square'])
       expect(of(flat)).toEqual(['contained', 'none', 'one']);
+  });
+
+  test('points of which a coordinate cancels: E and t d agree in up to all of their digits (seed 24)', () => {
+    const random = seeded(24);
+    const questions = Array.from({ length: 1500 }, (_, k) => {
+      const t = uniform(random, 1, 50);
+      const d: Vec3 = [uniform(random, 1, 3), uniform(random, -1, 1), uniform(random, 1, 3)];
+      const off = (): number => 2 ** -integer(random, 20, 56);
+      const origin: Vec3 = [
+        -t * d[0] * (1 + off()),
+        uniform(random, -1, 1),
+        -t * d[2] * (1 - off()),
+      ];
+      const shape: Shape =
+        k % 3 === 0
+          ? { kind: 'plane', normal: [1, 0, uniform(random, 0.5, 2)], point: [0, 0, 0] }
+          : k % 3 === 1
+            ? {
+                kind: 'cylinder',
+                center: [uniform(random, 0, 1), 0, 0],
+                radius: uniform(random, 0, 1),
+              }
+            : { kind: 'cylinder', center: [1, 0, 0], radius: 1 - off() };
+      return { shape, ray: { origin, direction: d } };
+    });
+    stages(questions);
+    expect(questions.flatMap(misplaced)).toEqual([]);
   });
 
   test('any exponents at all (seed 23)', () => {
