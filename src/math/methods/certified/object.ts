@@ -7,11 +7,12 @@ import type { Shape } from '../../shapes/index.ts';
 import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
-import { planarRoots, solvePlanarSlowly } from './kernel-planar.ts';
+import { planarRoots } from './kernel-planar.ts';
 import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
 import { certifiedQuadric } from './scaled-quadric.ts';
+import { solvePlanarSlowly } from './slow-planar.ts';
 import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
