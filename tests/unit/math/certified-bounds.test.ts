@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { exact } from '../../../src/math/arithmetic/exact.ts';
+import { packRays } from '../../../src/math/batch/batch.ts';
 import { planarOf } from '../../../src/math/batch/planar.ts';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import type { Surd } from '../../../src/math/exact/surd.ts';
@@ -14,7 +15,7 @@ import {
   OFF,
   putAlgebra,
 } from '../../../src/math/methods/certified/algebra.ts';
-import { insideBy, MARGIN } from '../../../src/math/methods/certified/figure.ts';
+import { marginsOf } from '../../../src/math/methods/certified/figure.ts';
 import { R, rootInTwice, T } from '../../../src/math/methods/certified/slow-planar.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -97,9 +98,9 @@ function worstMargin(questions: readonly Flat[]): number {
     const rate = dot(N, d.map(of));
     if (sign(rate) === 0) continue;
     const w = cross(cross(d.map(of), p), N);
-    const [px, py, pz] = E.map((x, i) => x - (s.P[i] as number)) as [number, number, number];
-    const sum = (v: readonly number[]): number => v.reduce((a, x) => a + Math.abs(x), 0);
-    insideBy(s, px, py, pz, ...d, exact.toNumber(rate), sum(d), sum([px, py, pz]));
+    const margin = Float64Array.of(exact.toNumber(rate));
+    const bound = new Float64Array(1);
+    marginsOf(s)(s, packRays([ray]), 0, 1, margin, bound);
     const reach = mul(of(s.size), size(rate));
     const turned = w.map((x) => (sign(rate) < 0 ? exact.neg(x) : x));
     const [u, v] = [turned[s.u] as Surd, turned[s.v] as Surd];
@@ -108,7 +109,7 @@ function worstMargin(questions: readonly Flat[]): number {
       s.bound === 'circle'
         ? sub(sqr(reach), dot(w, w))
         : [u, sub(reach, u), v, sub(reach, v)].reduce(least);
-    worst = Math.max(worst, share([MARGIN[0] as number], truth, MARGIN[1] as number));
+    worst = Math.max(worst, share([...margin], truth, bound[0] as number));
   }
   return worst;
 }
@@ -136,7 +137,7 @@ test('N·p / N·d in double-double, however much of both cancels (seed 52)', () 
     const P: Vec3 = k % 2 ? [0, 0, 0] : [2 ** -60, 0, 2 ** -57];
     const s = planarOf({ kind: 'plane', normal, point: P });
     if (!s) throw new Error('no plane');
-    const off = rootInTwice(s, ...E, ...d);
+    const off = rootInTwice(s, packRays([{ origin: E, direction: d }]), 0);
     const N = normal.map(of);
     const rate = dot(N, d.map(of));
     const offset = dot(

@@ -9,7 +9,7 @@ import {
 } from '../../batch/batch.ts';
 import type { Planar } from '../../batch/planar.ts';
 import { sumError } from '../../float/eft.ts';
-import { insideBy, MARGIN } from './figure.ts';
+import { marginsOf } from './figure.ts';
 import type { OpenRays } from './roots-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
 import { certifiedSlot } from './slow-quadric.ts';
@@ -40,16 +40,7 @@ export function certifiedPlanar(s: Planar): Kernel {
     planarRoots(s, rays, out, left);
     for (let k = 0; k < left.count; k++) {
       const i = left.open[k] as number;
-      const verdict = solvePlanarSlowly(
-        s,
-        rays.Ex[i] as number,
-        rays.Ey[i] as number,
-        rays.Ez[i] as number,
-        rays.dx[i] as number,
-        rays.dy[i] as number,
-        rays.dz[i] as number,
-        slot,
-      );
+      const verdict = solvePlanarSlowly(s, rays, i, out, slot);
       out.t0[i] = verdict === ONE ? slot.t0 : Number.NaN;
       out.t1[i] = Number.NaN;
       out.margin[i] = verdict === ONE ? 1 : -1;
@@ -84,7 +75,6 @@ export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays)
   const mx = Nx - nx;
   const my = Ny - ny;
   const mz = Nz - nz;
-  left.count = 0;
   for (let i = 0; i < count; i++) {
     const x = dx[i] as number;
     const y = dy[i] as number;
@@ -122,23 +112,23 @@ export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays)
     const rhh = rh + gridR - gridR;
     const rest = oh + th * rhh + (ol + th * (rh - rhh + rl));
     const t = th - rest * inverse;
-    MARGIN[0] = 1;
-    MARGIN[1] = 0;
-    if (s.bound !== 'none') insideBy(s, px, py, pz, x, y, z, r, Sd, Sp);
-    const inside = MARGIN[0];
-    if (
+    t0[i] = t;
+    const certain =
       inBox &&
       Sd < BOX &&
       Sd > 1 / BOX &&
       Sp < BOX &&
       Sp > 1 / BOX &&
       Math.abs(r) > LEAST_SHARE * (sizeN * Sd) &&
-      Math.abs(o) > LEAST_SHARE * (sizeN * Sp) &&
-      Math.abs(inside) > MARGIN[1]
-    ) {
-      t0[i] = inside > 0 ? t : Number.NaN;
-      t1[i] = Number.NaN;
-      margin[i] = inside;
-    } else left.open[left.count++] = i;
+      Math.abs(o) > LEAST_SHARE * (sizeN * Sp);
+    margin[i] = certain ? r : Number.NaN;
+  }
+  marginsOf(s)(s, rays, 0, count, margin, t1);
+  left.count = 0;
+  for (let i = 0; i < count; i++) {
+    const inside = margin[i] as number;
+    if (!(Math.abs(inside) > (t1[i] as number))) left.open[left.count++] = i;
+    else if (inside < 0) t0[i] = Number.NaN;
+    t1[i] = Number.NaN;
   }
 }

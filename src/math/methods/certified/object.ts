@@ -85,7 +85,6 @@ const exactHit = (shape: Quadric | Planar, ray: Ray, k: number, t: number): Hit 
 });
 
 function flat(shape: Planar, ray: Ray): Intersection {
-  const { origin: E, direction: d } = ray;
   const s: Planar = { ...shape, N: copied(shape.N), P: copied(shape.P) };
   setRay(ray);
   planarRoots(s, rays, out, left);
@@ -94,7 +93,7 @@ function flat(shape: Planar, ray: Ray): Intersection {
     if (Number.isNaN(t)) return new CertifiedAnswer(NONE, 'filter', [], s, ray);
     return new CertifiedAnswer(ONE, 'filter', [flatHit(s, ray, t)], s, ray);
   }
-  const verdict = solvePlanarSlowly(s, E[0], E[1], E[2], d[0], d[1], d[2], slot);
+  const verdict = solvePlanarSlowly(s, rays, 0, out, slot);
   const hits = verdict === ONE ? [flatHit(s, ray, slot.t0)] : [];
   return new CertifiedAnswer(verdict, stageOf(slot), hits, s, ray);
 }

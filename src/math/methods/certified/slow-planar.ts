@@ -1,9 +1,9 @@
-import { NONE, ONE } from '../../batch/batch.ts';
+import { type Answers, NONE, ONE, type Rays } from '../../batch/batch.ts';
 import { solvePlanarExactly } from '../../batch/exact-planar.ts';
 import type { Planar } from '../../batch/planar.ts';
 import * as dd from '../../float/double-double.ts';
 import { sumError } from '../../float/eft.ts';
-import { insideBy, MARGIN } from './figure.ts';
+import { marginsOf } from './figure.ts';
 import type { CertifiedSlot } from './slow-quadric.ts';
 
 /*
@@ -37,15 +37,13 @@ function addProduct(out: number, n: number, hi: number, lo: number): void {
 }
 
 /** The double-double root at R[T], for ordinary numbers; returns the bound on its relative error, or Infinity where there is none. */
-export function rootInTwice(
-  s: Planar,
-  Ex: number,
-  Ey: number,
-  Ez: number,
-  dx: number,
-  dy: number,
-  dz: number,
-): number {
+export function rootInTwice(s: Planar, rays: Rays, i: number): number {
+  const Ex = rays.Ex[i] as number;
+  const Ey = rays.Ey[i] as number;
+  const Ez = rays.Ez[i] as number;
+  const dx = rays.dx[i] as number;
+  const dy = rays.dy[i] as number;
+  const dz = rays.dz[i] as number;
   const [Nx, Ny, Nz] = s.N;
   const px = Ex - s.P[0];
   const py = Ey - s.P[1];
@@ -75,36 +73,36 @@ export function rootInTwice(
   );
 }
 
+/** Ray i, which the first stage left open; overwrites its margin and t1. */
 export function solvePlanarSlowly(
   s: Planar,
-  Ex: number,
-  Ey: number,
-  Ez: number,
-  dx: number,
-  dy: number,
-  dz: number,
+  rays: Rays,
+  i: number,
+  { margin, t1 }: Answers,
   slot: CertifiedSlot,
 ): number {
   slot.exact = false;
   const ordinarySize = s.size === 0 || ordinary(s.size);
-  const off = ordinarySize ? rootInTwice(s, Ex, Ey, Ez, dx, dy, dz) : Number.POSITIVE_INFINITY;
-  if (off < FAITHFUL) {
-    const px = Ex - s.P[0];
-    const py = Ey - s.P[1];
-    const pz = Ez - s.P[2];
-    MARGIN[0] = 1;
-    MARGIN[1] = 0;
-    if (s.bound !== 'none') {
-      const Sd = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
-      const Sp = Math.abs(px) + Math.abs(py) + Math.abs(pz);
-      insideBy(s, px, py, pz, dx, dy, dz, R[RATE] as number, Sd, Sp);
-    }
-    if (Math.abs(MARGIN[0]) > MARGIN[1]) {
+  if (ordinarySize && rootInTwice(s, rays, i) < FAITHFUL) {
+    margin[i] = R[RATE] as number;
+    marginsOf(s)(s, rays, i, i + 1, margin, t1);
+    const inside = margin[i] as number;
+    if (Math.abs(inside) > (t1[i] as number)) {
       slot.t0 = R[T] as number;
       slot.t1 = Number.NaN;
-      return MARGIN[0] < 0 ? NONE : ONE;
+      return inside < 0 ? NONE : ONE;
     }
   }
   slot.exact = true;
-  return solvePlanarExactly(s, Ex, Ey, Ez, dx, dy, dz, slot);
+  const { Ex, Ey, Ez, dx, dy, dz } = rays;
+  return solvePlanarExactly(
+    s,
+    Ex[i] as number,
+    Ey[i] as number,
+    Ez[i] as number,
+    dx[i] as number,
+    dy[i] as number,
+    dz[i] as number,
+    slot,
+  );
 }
