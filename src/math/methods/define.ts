@@ -15,6 +15,9 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
-  /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
+  /**
+   * The same answers for many rays at once: class and roots bit-equal to `intersect`. Only `certified` may give the other one of the two
+   * doubles around a root, since it comes to it on another way.
+   */
   batch?(shape: Shape): Kernel;
 }
