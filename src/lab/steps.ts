@@ -102,10 +102,10 @@ function flat<T>(
   const { arithmetic: ar } = trace;
   trace.name(formula.rate, formula.rate, values);
   trace.name(formula.offset, formula.offset, values);
-  trace.name(scalar('t'), formula.t, values);
   const rate = evaluate(formula.rate, ar, values);
   evaluate(formula.offset, ar, values);
   if (!ar.sign(rate)) return;
+  trace.name(scalar('t'), formula.t, values);
   const { m, w } = formula.byMoment;
   const named = withScalars(withVector(values, 'm', vectorLetter(trace, 'm')), {
     t: trace.placeholder(scalar('t')),

@@ -56,7 +56,7 @@ describe('marking', () => {
     [1, 16, '1.000000000000000|'],
     [0, 16, '0.000000000000000|'],
     [123456, 6, '123456|.0000000000'],
-    [-1.5e-310, 2, '−1.5|00000000000000e-310'],
+    [-1.5e-310, 2, '−1.5|00000000000020e-310'],
     [1.5e300, 1, '1|.500000000000000e300'],
     [Number.POSITIVE_INFINITY, 16, '∞|'],
     [Number.NEGATIVE_INFINITY, 0, '|−∞'],
@@ -65,7 +65,7 @@ describe('marking', () => {
   });
 
   test('as many digits are marked as the count says, and all places are written', () => {
-    for (const x of [158.50334193847857, -0.0999, 9.999999999999999, 2 ** 70, -1e-5, 1e-4]) {
+    for (const x of [158.50334193847857, -0.0999, 9.999999999999998, 2 ** 70, -1e-5, 1e-4]) {
       for (let count = 0; count <= PLACES; count++) {
         const { right, wrong } = markDigits(x, count);
         const significant = (right + wrong).replace(/[^0-9]/g, '').replace(/^0+/, '');
@@ -97,9 +97,7 @@ describe(`the exact roots of ${rayCases.length} cases`, () => {
         }
         expect(own?.negative).toBe(mantissa.startsWith('-'));
         expect(own?.exponent).toBe(Number(exponent));
-        const wanted = BigInt(mantissa.replace(/[-.]/g, '').padEnd(41, '0'));
-        const gap = BigInt(own?.digits ?? 0) - wanted;
-        expect(gap >= -10n && gap <= 10n).toBe(true);
+        expect(own?.digits).toBe(mantissa.replace(/[-.]/g, ''));
       });
     }
     expect(roots).toBeGreaterThan(1000);
