@@ -4,7 +4,7 @@ import { frontier, steps } from '../lab/pareto.ts';
 import { grouped } from '../lab/sentence.ts';
 import type { Quartiles } from '../lab/stats.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { placeLabels } from './place-labels.ts';
+import { type Box, placeLabels } from './place-labels.ts';
 import {
   axes,
   type Field,
@@ -109,7 +109,13 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
       ...labelSize(nameOf(mark), field.em * (isChosen(mark.id) ? 1.06 : 1)),
     })),
     fieldBox(field),
-    [noteBox],
+    [
+      noteBox,
+      ...lineBoxes(
+        front.map(({ x: cx, y: cy }) => ({ cost: cx, worth: cy })),
+        field,
+      ),
+    ],
   );
   const decades = x.ticks().filter((value) => Math.log10(value) % 1 === 0);
   const labelled = decades.length >= 2 ? decades : x.ticks(4);
@@ -145,6 +151,26 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
     })}
     ${[...ordered].reverse().map(({ mark, x: cx, y: cy }) => dot(mark, cx, cy, best.has(mark.id), isChosen(mark.id), scale, choose))}
   </svg>`;
+}
+
+/** The step line as thin boxes, so that no name lies on it. */
+function lineBoxes(
+  front: readonly { cost: number; worth: number }[],
+  { right, bottom }: Field,
+): Box[] {
+  const [first] = front;
+  const last = front.at(-1);
+  if (!first || !last) return [];
+  const corners = [[first.cost, bottom] as const, ...steps(front), [right, last.worth] as const];
+  return corners.slice(1).map(([x, y], i) => {
+    const [fromX, fromY] = corners[i] ?? [x, y];
+    return {
+      left: Math.min(x, fromX) - 1,
+      top: Math.min(y, fromY) - 1,
+      width: Math.abs(x - fromX) + 2,
+      height: Math.abs(y - fromY) + 2,
+    };
+  });
 }
 
 /** In px: up to the first worth, along the steps, and on to the right. */

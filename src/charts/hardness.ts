@@ -209,29 +209,53 @@ function names(model: HardnessModel, { y }: Scales, field: Field): TemplateResul
   });
 }
 
-/** Beside the cross of a line that ends, with the reason. */
+/** Lines that end at one place for one reason share their words. */
+interface Fall {
+  readonly difficulty: number;
+  readonly reason: string;
+  readonly lines: readonly HardnessLine[];
+}
+
+function fallsOf(lines: readonly HardnessLine[]): Fall[] {
+  const found = new Map<string, { difficulty: number; reason: string; lines: HardnessLine[] }>();
+  for (const line of lines) {
+    if (!line.end) continue;
+    const { difficulty, reason } = line.end;
+    const key = `${difficulty} ${reason}`;
+    const known = found.get(key);
+    if (known) known.lines.push(line);
+    else found.set(key, { difficulty, reason, lines: [line] });
+  }
+  return [...found.values()];
+}
+
+/** Beside the cross of lines that end, a row for each name and one for the reason. */
 function fallNames(model: HardnessModel, { x, y }: Scales, field: Field): TemplateResult[] {
-  const ending = model.lines.flatMap((line) => (line.end ? [{ line, end: line.end }] : []));
-  const text = ({ line, end }: (typeof ending)[number]): string => `${line.name}: ${end.reason}`;
+  const falls = fallsOf(model.lines);
   const frame: Box = { ...fieldBox(field), width: field.width - field.left - 4 };
-  const wishes = ending.map((one) => ({
-    x: x(one.end.difficulty),
-    y: y(0),
-    radius: 6,
-    ...labelSize(text(one), field.em),
-  }));
+  const rows = ({ lines, reason }: Fall): string[] => [...lines.map(({ name }) => name), reason];
+  const wishes = falls.map((fall) => {
+    const sizes = rows(fall).map((row) => labelSize(row, field.em));
+    const width = Math.max(...sizes.map((size) => size.width));
+    const height = sizes.reduce((sum, size) => sum + size.height, 0);
+    return { x: x(fall.difficulty), y: y(0), radius: 6, width, height };
+  });
   const places = placeLabels(wishes, frame);
-  return ending.map((one, i) => {
+  return falls.flatMap((fall, i) => {
     const place = places[i];
     const wish = wishes[i];
-    return place && wish
-      ? nameAt(
-          text(one),
-          place,
-          wish,
-          field.em,
-          one.line.id === model.chosen ? 'is-chosen' : 'quiet',
-        )
-      : svg``;
+    if (!place || !wish) return [];
+    const texts = rows(fall);
+    const height = place.height / texts.length;
+    return texts.map((text, k) => {
+      const chosen = fall.lines[k]?.id === model.chosen;
+      const row = {
+        ...place,
+        top: place.top + k * height,
+        height,
+        led: place.led && k === texts.length - 1,
+      };
+      return nameAt(text, row, wish, field.em, chosen ? 'is-chosen' : 'quiet');
+    });
   });
 }

@@ -1,6 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import type { Box, Placed, Wish } from './place-labels.ts';
 import { LETTER, type Metrics } from './strip-frame.ts';
+import './strip.css';
 import './plot.css';
 
 /** The field of a plot in px, its margins by the size of the type. */

@@ -56,9 +56,10 @@ function listed(names: readonly string[]): string {
 }
 
 /** The same in a few words, for the column "where digits go". */
-export function whereLost({ method, judgement, digits }: MethodRow, losses: Losses): string {
+export function whereLost({ method, found, judgement, digits }: MethodRow, losses: Losses): string {
   if (judgement === 'undecided') return undecidedBy(losses);
-  if (judgement === 'right' && (digits === null || digits >= 15.6)) return noneLost(method, digits);
+  if (judgement === 'right' && found.hits.length === 0) return 'no root, no digits';
+  if (judgement === 'right' && (digits === null || digits >= 15.6)) return noneLost(method);
   const { worst } = losses;
   if (!worst) return judgement === 'right' ? 'a little at every step' : 'in the last comparison';
   if (worst.inputs.length === 0) return 'the inputs: 24 bits';
@@ -68,10 +69,10 @@ export function whereLost({ method, judgement, digits }: MethodRow, losses: Loss
   return equal ? `${shortName(worst)}: nearly equal numbers` : `in ${shortName(worst)}`;
 }
 
-function noneLost(method: Method, digits: number | null): string {
+function noneLost(method: Method): string {
   if (method.id === 'exact') return 'none: correctly rounded';
   if (method.id === 'certified') return 'none: at most 1 unit in the last place';
-  return digits === null ? 'no root, no digits' : 'none here';
+  return 'none here';
 }
 
 const LONGEST = 16;

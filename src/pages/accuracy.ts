@@ -44,7 +44,6 @@ const TIMED: readonly Choice[] = [
   short('typical', 'typical'),
   short('far-origin', 'far away'),
   short('near-tangent', 'near tangent'),
-  short('near-generator', 'near generator'),
   short('near-surface', 'near surface'),
 ];
 const SWEPT: readonly Choice[] = [

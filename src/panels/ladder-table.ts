@@ -67,10 +67,11 @@ function ladderRow(
     @click=${() => choose(method.id)}
   >
     <th role="rowheader" scope="row" class="method">
-      <input type="radio" name="ladder-method" aria-label=${method.title} .checked=${chosen}
-        @change=${() => choose(method.id)} @click=${(event: Event) => event.stopPropagation()} />
-      <span class="title">${method.title}</span>
-      <span class="hint">${HINTS[method.id] ?? method.idea}</span>
+      <label class="method-name">
+        <input type="radio" name="ladder-method" .checked=${chosen} @change=${() => choose(method.id)} />
+        <span class="title">${method.title}</span>
+        <span class="hint">${HINTS[method.id] ?? method.idea}</span>
+      </label>
     </th>
     <td role="cell" class="verdict">${verdict(row)}</td>
     <td role="cell" class="roots">${roots(row)}</td>

@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import type { Measured } from '../lab/session.ts';
 import './measure-bar.css';
 
@@ -25,7 +25,9 @@ export function measureBar(model: MeasureModel, actions: MeasureActions): Templa
         ? html`<button type="button" class="button" @click=${actions.cancel}>Cancel</button>
             <progress class="measure-progress" max="1" .value=${measured?.share ?? 0} aria-label="Measuring"></progress>
             <span class="measure-left">${leftText(measured)}</span>`
-        : html`<button type="button" class="button primary" @click=${actions.measure}>${measured ? 'Measure again' : 'Measure'}</button>`
+        : measured
+          ? html`<button type="button" class="button primary" @click=${actions.measure}>Measure again</button>`
+          : nothing
     }
     <p class="measure-words" role="status">${model.failed || (running ? '' : stateText(measured))}</p>
     <p class="provenance">${model.provenance}</p>
@@ -40,8 +42,7 @@ function leftText(measured: Measured | null): string {
 }
 
 function stateText(measured: Measured | null): string {
-  if (!measured) return 'Not measured yet.';
-  if (measured.complete) return '';
+  if (!measured || measured.complete) return '';
   return measured.round > 0
     ? `Cancelled after ${measured.round} of ${measured.rounds} rounds.`
     : 'Cancelled before the first round was over: digits are counted, no time is measured.';
