@@ -120,6 +120,13 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
     expect(found.slice(0, 2)).toEqual([]);
   });
 
+  test('outside of a figure there is a distance, and it is no less than 0 (seed 125)', () => {
+    const planes = wild(125, 4000).map(({ shape, ray }) => rung.intersect(shape, ray).details);
+    const outside = planes.flatMap((d) => (d.family === 'flat' && d.plane ? [d.plane] : []));
+    expect(outside.filter(({ inside }) => inside === false).length).toBeGreaterThan(20);
+    expect(outside.filter(({ distance }) => !(distance >= 0))).toEqual([]);
+  });
+
   test('two roots that underflow to zeros of both signs', () => {
     const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 0 };
     const ray: Ray = { origin: [0, -1e-180, 0], direction: [1e150, 2e150, 0] };
