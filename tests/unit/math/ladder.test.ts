@@ -1,4 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { createAnswers, packRays, verdictsOfRoots } from '../../../src/math/batch/batch.ts';
+import { exactKernel } from '../../../src/math/batch/exact.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -6,6 +8,7 @@ import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { drawJudged, type Judged, judged, medianBits, method, score, worst } from './measure.ts';
 import { rayCases } from './read-vectors.ts';
+import { wild } from './wild.ts';
 
 /*
  * Every rung held to its own promise, on the vectors and on seeded families. What the rungs get wrong by design is in ladder-facts.test.ts.
@@ -230,6 +233,26 @@ describe('interval: whenever it decides, it is right', () => {
   );
   test.each(sweeps)('%s at %d', (id, difficulty) => {
     expect(score('interval', drawJudged(id, 30, SEED + 1, difficulty)).wrong).toBe(0);
+  });
+
+  test('on every exponent: subnormals, overflow, zeros and the ends of the range (6000 rays, seed 131)', () => {
+    const questions = wild(131, 6000);
+    const out = createAnswers(1);
+    const decided = new Map<string, number>();
+    for (const { shape, ray } of questions) {
+      const { class: verdict, hits } = method('interval').intersect(shape, ray);
+      if (verdict === 'undecided') continue;
+      exactKernel(shape)?.both(packRays([ray]), out);
+      const [truth] = verdictsOfRoots(out, 1);
+      expect([JSON.stringify({ shape, ray }), verdict]).toEqual([
+        JSON.stringify({ shape, ray }),
+        truth,
+      ]);
+      expect(hits.every(({ t }) => Number.isFinite(t))).toBe(true);
+      decided.set(shape.kind, (decided.get(shape.kind) ?? 0) + 1);
+    }
+    // It is not right by keeping silent, on any of the shapes.
+    for (const { kind } of SHAPES) expect(decided.get(kind)).toBeGreaterThan(100);
   });
 
   /** Families that it decides completely: it is not right by keeping silent. */
