@@ -120,6 +120,7 @@ export function sameDirection(v: readonly number[], truth: readonly number[]): b
   const size = Math.hypot(...truth);
   if (size === 0) return true;
   const own = Math.hypot(...v);
+  if (!Number.isFinite(size)) return !Number.isFinite(own);
   if (!(own > 0) || v.length !== truth.length) return false;
   return truth.every((x, i) => Math.abs((v[i] ?? 0) / own - x / size) <= NORMAL_TOLERANCE);
 }

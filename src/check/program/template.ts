@@ -1,13 +1,7 @@
-import type { Random } from '../../math/rng.ts';
-import { seeded } from '../../math/rng.ts';
 import type { ShapeKind } from '../../math/shapes/index.ts';
 import { findShape } from '../../math/shapes/lookup.ts';
 import type { Param } from '../../math/shapes/params.ts';
-import { courseOf } from '../course.ts';
-import { drawShape } from '../exercises/draw.ts';
 import { programOf } from './source.ts';
-
-const NEVER_DRAWN: Random = seeded(1);
 
 const typeOf = (param: Param): string => {
   if (param.type === 'vector') return '[x, y, z]';
@@ -39,17 +33,11 @@ export function template(kinds: readonly ShapeKind[]): string {
 }
 
 /** The textbook program for one shape. */
-export function example(kind: ShapeKind): string {
-  const shape = drawShape(NEVER_DRAWN, kind, 1);
-  return programOf(courseOf(shape), shape);
-}
+export const example = (kind: ShapeKind): string => programOf(kind) ?? '';
 
 /** The textbook method for several shapes, as one function of this name. */
 export function textbookFor(kinds: readonly ShapeKind[], name: string): string {
-  const parts = kinds.map((kind) => {
-    const shape = drawShape(NEVER_DRAWN, kind, 1);
-    return programOf(courseOf(shape), shape, `${name}_${kind}`);
-  });
+  const parts = kinds.map((kind) => programOf(kind, (course) => course, `${name}_${kind}`) ?? '');
   const choose = kinds.map((kind) => `    case '${kind}': return ${name}_${kind}(shape, ray);`);
   return [
     ...parts,

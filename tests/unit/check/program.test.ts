@@ -1,6 +1,4 @@
 import { describe, expect, test } from 'vitest';
-import { courseOf } from '../../../src/check/course.ts';
-import { drawShape } from '../../../src/check/exercises/draw.ts';
 import { MISCONCEPTIONS } from '../../../src/check/misconceptions/index.ts';
 import { casesFor, GROUPS } from '../../../src/check/program/cases.ts';
 import { casesCsv, casesJson, readResults } from '../../../src/check/program/exchange.ts';
@@ -10,7 +8,6 @@ import { reportOf } from '../../../src/check/program/report.ts';
 import { programOf } from '../../../src/check/program/source.ts';
 import { example, template, textbookFor } from '../../../src/check/program/template.ts';
 import { intersect, SHAPES } from '../../../src/math/index.ts';
-import { seeded } from '../../../src/math/rng.ts';
 
 type Case = ReturnType<typeof casesFor>[number];
 const KINDS = SHAPES.map(({ kind }) => kind);
@@ -104,15 +101,21 @@ describe('a report', () => {
   test.each(edits.map((one) => [one.id, one] as const))('%s is found in a program', (id, one) => {
     let tried = 0;
     for (const kind of KINDS) {
-      const shape = drawShape(seeded(1), kind, 1);
-      const course = courseOf(shape);
-      const edited = one.edit(course);
-      const source = edited && programOf(edited, shape);
-      if (!source || source === programOf(course, shape)) continue;
+      const source = programOf(kind, one.edit);
+      if (!source || source === programOf(kind)) continue;
       tried++;
       const cases = casesFor([kind], SEED);
       const report = reportOf(cases, run(source, cases));
-      expect(report.findings[0]?.misconception.id, kind).toBe(id);
+      const most = report.findings[0]?.agrees;
+      const named = report.findings.filter(({ agrees }) => agrees === most);
+      // B for −B and C − E for E − C turn the same sign: a program alone cannot tell them apart.
+      expect(
+        named.map(({ misconception }) => misconception.id),
+        kind,
+      ).toContain(id);
+      expect(named.length, named.map(({ misconception }) => misconception.id).join()).toBeLessThan(
+        3,
+      );
       expect(report.passed).toBeLessThan(report.total);
     }
     expect(tried).toBeGreaterThan(0);
