@@ -105,3 +105,12 @@ const named = (value: unknown): string => (value === undefined ? 'nothing' : quo
 const text = (value: unknown): string => String(value).slice(0, LONGEST_MESSAGE);
 const lineOf = (value: unknown): number | null =>
   Number.isSafeInteger(value) && (value as number) > 0 ? (value as number) : null;
+
+/** A module's `export` has no place in the script that the sandbox makes of it; every line stays where it is. */
+export const asScript = (source: string): string =>
+  source
+    .replace(
+      /^([ \t]*)export[ \t]+(?:default[ \t]+)?(?=async\b|function\b|const\b|let\b|var\b|class\b)/gm,
+      '$1',
+    )
+    .replace(/^[ \t]*export[ \t]*\{[^}\n]*\}[ \t]*;?/gm, '');
