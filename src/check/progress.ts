@@ -83,6 +83,26 @@ export function readProgress(text: string | null): Progress | null {
   }
 }
 
+/** Sessions that a device keeps; the one that was touched longest ago goes first. */
+const MOST_SESSIONS = 12;
+
+/** All stored sessions, the latest last; anything unreadable is left out. */
+export function readSessions(text: string | null): readonly Progress[] {
+  try {
+    const list: unknown = JSON.parse(text ?? '');
+    if (!Array.isArray(list)) return [];
+    return list.slice(-MOST_SESSIONS).flatMap((one) => readProgress(JSON.stringify(one)) ?? []);
+  } catch {
+    return [];
+  }
+}
+
+/** This session put in, last. */
+export function withSession(all: readonly Progress[], progress: Progress): readonly Progress[] {
+  const others = all.filter(({ seed }) => seed !== progress.seed);
+  return [...others, progress].slice(-MOST_SESSIONS);
+}
+
 const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
