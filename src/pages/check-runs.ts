@@ -49,6 +49,7 @@ export interface Runs {
 export function createRuns(host: Element, changed: () => void): Runs {
   let state = NOTHING;
   let close: (() => void) | null = null;
+  let stop = (): void => {};
   const put = (next: Partial<RunState>): void => {
     state = { ...state, ...next };
     changed();
@@ -59,10 +60,10 @@ export function createRuns(host: Element, changed: () => void): Runs {
     trouble: string,
   ) => {
     close = null;
+    stop = () => {};
     const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
     put({ running: null, trouble, report, selected: report && firstFailure(report) });
   };
-  let stop = (): void => {};
   return {
     get: () => state,
     run(source, kinds) {

@@ -54,13 +54,17 @@ export function questionHead(view: QuestionView, tools: QuestionTools): Template
         @click=${() => tools.go(i)}
       ></button></li>`,
     )}</ol>
-    <form class="seed" @submit=${(event: Event) => {
-      event.preventDefault();
-      const text = new FormData(event.target as HTMLFormElement).get('seed');
-      const seed = Number(text);
-      if (Number.isSafeInteger(seed)) tools.seed(seed);
-    }}><label>seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}" title="a whole number of up to nine digits" .value=${String(progress.seed)} @change=${(event: Event) => (event.target as HTMLInputElement).form?.requestSubmit()} /></label></form>
   </div>`;
+}
+
+/** Another seed, other numbers; the same seed, the same ones for everybody. */
+export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
+  return html`<form class="seed" @submit=${(event: Event) => {
+    event.preventDefault();
+    const text = new FormData(event.target as HTMLFormElement).get('seed');
+    const wanted = Number(text);
+    if (Number.isSafeInteger(wanted)) tools.seed(wanted);
+  }}><label>seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}" title="a whole number of up to nine digits" .value=${String(seed)} @change=${(event: Event) => (event.target as HTMLInputElement).form?.requestSubmit()} /></label></form>`;
 }
 
 export function questionText({ posed }: QuestionView): TemplateResult {

@@ -37,6 +37,8 @@ export const example = (kind: ShapeKind): string => programOf(kind) ?? '';
 
 /** The textbook method for several shapes, as one function of this name. */
 export function textbookFor(kinds: readonly ShapeKind[], name: string): string {
+  const [only, ...others] = kinds;
+  if (only && others.length === 0) return programOf(only, (course) => course, name) ?? '';
   const parts = kinds.map((kind) => programOf(kind, (course) => course, `${name}_${kind}`) ?? '');
   const choose = kinds.map((kind) => `    case '${kind}': return ${name}_${kind}(shape, ray);`);
   return [
