@@ -15,6 +15,7 @@ interface PageEntry {
 
 export const PAGES = [
   { id: 'explore', title: 'Explore', ray: true },
+  { id: 'check', title: 'Check', ray: true },
 ] as const satisfies readonly PageEntry[];
 export type PageId = (typeof PAGES)[number]['id'];
 
