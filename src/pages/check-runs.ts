@@ -24,6 +24,8 @@ export interface RunState {
   readonly report: Report | null;
   readonly multiple: number | null;
   readonly selected: Failure | null;
+  /** How many runs have come to their end. */
+  readonly finished: number;
 }
 
 const NOTHING: RunState = {
@@ -33,6 +35,7 @@ const NOTHING: RunState = {
   report: null,
   multiple: null,
   selected: null,
+  finished: 0,
 };
 
 export interface Runs {
@@ -50,6 +53,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
   let state = NOTHING;
   let close: (() => void) | null = null;
   let stop = (): void => {};
+  const fresh = (): RunState => ({ ...NOTHING, finished: state.finished });
   const put = (next: Partial<RunState>): void => {
     state = { ...state, ...next };
     changed();
@@ -62,7 +66,8 @@ export function createRuns(host: Element, changed: () => void): Runs {
     close = null;
     stop = () => {};
     const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
-    put({ running: null, trouble, report, selected: report && firstFailure(report) });
+    const selected = report && firstFailure(report);
+    put({ running: null, trouble, report, selected, finished: state.finished + 1 });
   };
   return {
     get: () => state,
@@ -70,7 +75,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
       close?.();
       const cases = casesFor(kindsFor(kinds), CASES_SEED);
       const outputs: Output[] = [];
-      state = { ...NOTHING, running: { done: 0, total: cases.length } };
+      state = { ...fresh(), running: { done: 0, total: cases.length } };
       changed();
       stop = () => {
         close?.();
@@ -109,11 +114,11 @@ export function createRuns(host: Element, changed: () => void): Runs {
       close?.();
       close = null;
       if (!read.ok) {
-        state = { ...NOTHING, trouble: `These results could not be read: ${read.reason}.` };
+        state = { ...fresh(), trouble: `These results could not be read: ${read.reason}.` };
         changed();
         return false;
       }
-      state = { ...NOTHING, notes: read.problems };
+      state = { ...fresh(), notes: read.problems };
       finish(cases, read.outputs, '');
       return true;
     },

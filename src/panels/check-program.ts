@@ -23,6 +23,8 @@ export interface ProgramView {
   /** Its time in textbook times; null if it was not measured. */
   readonly multiple: number | null;
   readonly selected: Failure | null;
+  /** How many runs have come to their end. */
+  readonly finished: number;
   /** The selected case in Explore. */
   readonly link: string | null;
 }
@@ -89,7 +91,7 @@ function follow(event: Event): void {
 
 export function programReport(view: ProgramView, tools: ProgramTools): TemplateResult {
   const { running, trouble, report, multiple, notes } = view;
-  return html`<div class="program-report">
+  return html`<div class="program-report" data-finished=${view.finished}>
     ${
       running
         ? html`<div class="progress"><progress max=${running.total} value=${running.done} aria-label="cases that came back"></progress> <span>case ${running.done} of ${running.total}</span></div>`
@@ -100,7 +102,7 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
       ${notes.map((note) => html`<p class="tolerance">on the way: ${note}</p>`)}
       ${
         report
-          ? html`<p class="score"><strong data-quantity="passed" data-value=${report.passed}>${report.passed} of ${report.total}</strong> exact cases right${report.left > 0 ? html`, ${report.left} not run` : nothing}${
+          ? html`<p class="score"><strong data-quantity="passed" data-value=${report.passed}>${report.passed} of ${report.total}</strong> exact cases right${report.silent ? '; it never returns a root' : nothing}${report.left > 0 ? html`, ${report.left} not run` : nothing}${
               multiple === null
                 ? nothing
                 : html`; <span data-quantity="multiple" data-value=${multiple}>${display(multiple, 2)}</span> times the textbook method’s time`

@@ -25,6 +25,8 @@ export interface Report {
   readonly total: number;
   /** Cases that were not run, because the run was stopped. */
   readonly left: number;
+  /** It never returned a root. */
+  readonly silent: boolean;
   readonly families: readonly FamilyReport[];
   readonly findings: readonly Finding[];
 }
@@ -48,6 +50,7 @@ export function reportOf(cases: readonly Case[], outputs: readonly (Output | und
     passed: run.filter(({ verdict }) => verdict.passed).length,
     total: run.length,
     left: cases.length - run.length,
+    silent: run.every(({ output }) => output.type === 'value' && output.t.length === 0),
     families,
     findings: findings(
       run.map((one) => one.case),

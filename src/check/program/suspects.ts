@@ -32,6 +32,8 @@ export function findings(cases: readonly Case[], outputs: readonly Output[]): Fi
     if (!one.expected || output?.type !== 'value') return [];
     return [{ one, output, right: listsOf(roughWork(courseOf(one.shape), one)) }];
   });
+  // No root at all fits whatever leaves no roots; it is no sign of anything.
+  if (usable.every(({ output }) => output.t.length === 0)) return [];
   const found = MISCONCEPTIONS.flatMap((misconception): Finding[] => {
     let agrees = 0;
     let of = 0;

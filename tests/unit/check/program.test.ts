@@ -106,6 +106,12 @@ describe('a report', () => {
       tried++;
       const cases = casesFor([kind], SEED);
       const report = reportOf(cases, run(source, cases));
+      if (report.silent) {
+        // Nothing comes out of a cylinder with + r²: that fits too much to be named.
+        expect([id, kind]).toEqual(['plus-r2', 'cylinder']);
+        expect(report.findings).toEqual([]);
+        continue;
+      }
       const most = report.findings[0]?.agrees;
       const named = report.findings.filter(({ agrees }) => agrees === most);
       // B for −B and C − E for E − C turn the same sign: a program alone cannot tell them apart.
