@@ -103,7 +103,7 @@ export function createFinder(
         takeNearer(target.surface, everyone, asker.out.t0, count, wave);
         return;
       }
-      asker.pack(target, wave.rays, wave.from, rays, n);
+      asker.pack(target, wave.rays, wave.from, rays, n, tally);
       asker.firstOf(target, asker.others.rays, least, tally);
       const { others, leaving, out } = asker;
       takeNearer(target.surface, others.index, out.t0, others.rays.count, wave);
@@ -144,7 +144,7 @@ export function createFinder(
     };
     const ask = (target: Target, rays: Int32Array, n: number): void => {
       const { others, leaving } = asker;
-      asker.pack(target, feelers.rays, feelers.from, rays, n);
+      asker.pack(target, feelers.rays, feelers.from, rays, n, tally);
       asker.keepMeeting(target, tally);
       asker.firstOf(target, others.rays, tMin, tally);
       take(target, others.index, others.rays.count);
