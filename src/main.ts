@@ -1,14 +1,17 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageTools } from './pages/commands.ts';
-import { createDialogs } from './pages/dialogs.ts';
-import { mountExplore } from './pages/explore.ts';
+import { createDesk } from './pages/desk.ts';
+import type { DialogParts, Dialogs } from './pages/dialogs.ts';
+import { type Explore, mountExplore } from './pages/explore.ts';
+import type { PageView } from './pages/page.ts';
 import { createPlayer } from './pages/play.ts';
 import { shell } from './pages/shell.ts';
+import { takeaways } from './pages/takeaways.ts';
 import { announcement } from './state/announce.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
 import { fromFile, toFile } from './state/file.ts';
 import { lineCount } from './state/reveal.ts';
-import { INITIAL } from './state/state.ts';
+import { type AppState, INITIAL, PAGES } from './state/state.ts';
 import { createStore } from './state/store.ts';
 import { decode, encode } from './state/url.ts';
 import { createAnnouncer } from './ui/announcer.ts';
@@ -26,6 +29,7 @@ import './ui/print.css';
 const LINK_DELAY_MS = 150;
 const SAID_MS = 2500;
 const SINGLE_KEYS = 'graze.single-keys';
+const TITLE = document.title;
 
 const app = document.getElementById('app') as HTMLElement;
 const header = document.createElement('div');
@@ -35,10 +39,12 @@ app.append(header, main);
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
 const derive = createDerive();
 const announce = createAnnouncer(document.body);
-const page = mountExplore(main, store.dispatch, requestRender);
 const player = createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
 const theme = watchTheme(document.documentElement, requestRender);
-let model: ExploreModel = derive(store.get());
+let explore: Explore | null = null;
+const modelNow = (): ExploreModel => derive(store.get());
+/** What Explore shows. */
+let model: ExploreModel | null = null;
 let said = '';
 
 const tools: PageTools = {
@@ -49,9 +55,9 @@ const tools: PageTools = {
   },
   save: () => download('graze.json', toFile(store.get()), 'application/json'),
   openFile: async () => openText(await pickFile('.json,application/json')),
-  share: () => dialogs.share(),
-  gallery: () => dialogs.gallery(),
-  help: () => dialogs.help(),
+  share: () => openDialog('share'),
+  gallery: () => openDialog('gallery'),
+  help: () => openDialog('help'),
   fullScreen: () => {
     const done = document.fullscreenElement
       ? document.exitFullscreen()
@@ -63,15 +69,20 @@ const tools: PageTools = {
     theme.set(next);
     say(`theme: ${next}`);
   },
-  play: () => player.toggle(model.strip),
-  lines: () => ({ total: lineCount(model), shown: store.get().revealed ?? lineCount(model) }),
+  play: () => player.toggle(modelNow().strip),
+  lines: () => {
+    const total = lineCount(modelNow());
+    return { total, shown: store.get().revealed ?? total };
+  },
 };
 const commands = commandsOf(store, tools);
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
-const dialogs = createDialogs({
+const dialogParts: DialogParts = {
   commands,
-  page,
-  model: () => model,
+  thumbnail: () => explore?.scene.thumbnail() ?? null,
+  takeaways: async () =>
+    desk.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
+  preset: () => store.get().preset,
   dispatch: store.dispatch,
   tools,
   say,
@@ -79,16 +90,54 @@ const dialogs = createDialogs({
     get: () => recall(SINGLE_KEYS) !== 'off',
     set: (on) => remember(SINGLE_KEYS, on ? 'on' : 'off'),
   },
+};
+
+let dialogs: Promise<Dialogs> | null = null;
+/** Their code is loaded when the first of them is asked for. */
+function openDialog(name: keyof Dialogs): void {
+  dialogs ??= import('./pages/dialogs.ts').then(({ createDialogs }) => createDialogs(dialogParts));
+  dialogs.then(
+    (made) => made[name](),
+    () => {
+      dialogs = null;
+      say('this could not be loaded: try it again');
+    },
+  );
+}
+
+const desk = createDesk(main, {
+  dispatch: store.dispatch,
+  changed: requestRender,
+  say,
+  announce,
+  explore: {
+    mount(host) {
+      explore = mountExplore(host, store.dispatch, requestRender);
+    },
+    render: renderExplore,
+  },
+  arrived: readSettings,
 });
 
-function renderAll(): void {
-  const state = store.get();
+function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
-  if (before !== model && !player.playing) {
+  if (before !== null && before !== model && !player.playing) {
     const words = announcement(before, model);
     if (words) announce(words);
   }
+  explore?.render(model, {
+    command,
+    playing: player.playing,
+    large: theme.applied() === 'projector',
+  });
+}
+
+function renderAll(): void {
+  const state = store.get();
+  if (state.page !== 'explore') player.stop();
+  const title = PAGES.find(({ id }) => id === state.page)?.title;
+  document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
   render(
     shell(state, store.dispatch, {
       theme: theme.current(),
@@ -99,11 +148,19 @@ function renderAll(): void {
     }),
     header,
   );
-  page.render(model, {
-    command,
-    playing: player.playing,
-    large: theme.applied() === 'projector',
-  });
+  desk.show(state);
+}
+
+/** A page's settings came from a link or a file: what it cannot use is left out and said. */
+function readSettings(view: PageView): void {
+  const { page, settings, problems } = store.get();
+  const given = settings[page];
+  const read = view.read(given);
+  const dropped = Object.keys(given).filter((key) => !(key in read.settings));
+  const values = { ...Object.fromEntries(dropped.map((key) => [key, null])), ...read.settings };
+  store.dispatch({ type: 'settings', values });
+  const news = read.problems.filter((problem) => !problems.includes(problem));
+  if (news.length > 0) store.dispatch({ type: 'say', problems: [...problems, ...news] });
 }
 
 // Many events fall into one frame; they are drawn once, in that frame.
@@ -126,13 +183,31 @@ function writeLink(): void {
     readLink();
     return;
   }
+  const before = written;
   written = encode(store.get());
-  if (written !== location.hash) history.replaceState(history.state, '', written);
+  if (written === location.hash) return;
+  // Another page is a place that the browser's own Back leads out of; a step on a page is not.
+  if (pathOf(before) === pathOf(written) || before === '') {
+    history.replaceState(history.state, '', written);
+  } else history.pushState(null, '', written);
+}
+
+function pathOf(hash: string): string {
+  return hash.split('?')[0] ?? '';
 }
 
 function readLink(): void {
   written = location.hash;
-  if (written !== encode(store.get())) store.dispatch({ type: 'link', hash: written });
+  if (written === encode(store.get())) return;
+  store.dispatch({ type: 'link', hash: written });
+  readShown();
+}
+
+/** The page of the state is put on the desk first: it is that page which reads its settings. */
+function readShown(): void {
+  desk.show(store.get());
+  const view = desk.current();
+  if (view) readSettings(view);
 }
 
 let saidTimer = 0;
@@ -148,9 +223,12 @@ function say(words: string): void {
 
 function openText(text: string | null): void {
   if (text === null) return;
+  if (desk.current()?.open?.(text)) return;
   const opened = fromFile(text);
-  if (opened.ok) store.dispatch({ type: 'open', state: opened.state });
-  else store.dispatch({ type: 'say', problems: [opened.reason] });
+  if (opened.ok) {
+    store.dispatch({ type: 'open', state: opened.state });
+    readShown();
+  } else store.dispatch({ type: 'say', problems: [opened.reason] });
 }
 
 store.subscribe(() => {
@@ -160,7 +238,10 @@ store.subscribe(() => {
 window.addEventListener('pagehide', writeLink);
 window.addEventListener('hashchange', readLink);
 document.addEventListener('keydown', (event) => {
-  const wanted = commandFor(event, commands, { singleKeys: recall(SINGLE_KEYS) !== 'off' });
+  const wanted = commandFor(event, commands, {
+    singleKeys: recall(SINGLE_KEYS) !== 'off',
+    page: store.get().page,
+  });
   if (!wanted) return;
   event.preventDefault();
   wanted.run();

@@ -22,12 +22,19 @@ export interface Command {
   readonly title: string;
   /** As KeyboardEvent.key has them; 'Ctrl+' stands for the command key on a Mac too. */
   readonly keys: readonly string[];
+  /** Where it means something; everywhere if absent. */
+  readonly pages?: readonly string[];
   run(): void;
 }
 
 export function commandsOf(store: Store, tools: PageTools): readonly Command[] {
+  return [...exploreCommands(store, tools), ...commonCommands(store, tools)];
+}
+
+/** What is done with the one ray that Explore shows. */
+function exploreCommands(store: Store, tools: PageTools): Command[] {
   const { dispatch } = store;
-  return [
+  const commands: Command[] = [
     ...SHAPES.map(({ kind, title }, i) => ({
       id: `shape-${kind}`,
       title,
@@ -71,18 +78,24 @@ export function commandsOf(store: Store, tools: PageTools): readonly Command[] {
       run: () => dispatch({ type: 'ghost', on: store.get().ghost === null }),
     },
     { id: 'play', title: 'play the bead along the ray; or stop it', keys: ['b'], run: tools.play },
+    {
+      id: 'reset',
+      title: 'reset everything',
+      keys: ['Shift+r'],
+      run: () => dispatch({ type: 'reset', what: 'all' }),
+    },
+  ];
+  return commands.map((command) => ({ ...command, pages: ['explore'] }));
+}
+
+function commonCommands({ dispatch }: Store, tools: PageTools): Command[] {
+  return [
     { id: 'undo', title: 'undo', keys: ['Ctrl+z'], run: () => dispatch({ type: 'undo' }) },
     {
       id: 'redo',
       title: 'redo',
       keys: ['Ctrl+Shift+z', 'Ctrl+y'],
       run: () => dispatch({ type: 'redo' }),
-    },
-    {
-      id: 'reset',
-      title: 'reset everything',
-      keys: ['Shift+r'],
-      run: () => dispatch({ type: 'reset', what: 'all' }),
     },
     { id: 'link', title: 'copy the link', keys: ['l'], run: tools.copyLink },
     { id: 'save', title: 'save as a file', keys: ['s'], run: tools.save },
@@ -121,13 +134,14 @@ function next(store: Store, tools: PageTools): void {
 /** Keys without a modifier can be switched off: speech input and a slip of the hand type letters too. */
 export interface KeySettings {
   readonly singleKeys: boolean;
+  readonly page: string;
 }
 
 /** The command that a key press asks for, if the control it is pressed in does not need it itself. */
 export function commandFor(
   event: KeyboardEvent,
   commands: readonly Command[],
-  { singleKeys }: KeySettings,
+  { singleKeys, page }: KeySettings,
 ): Command | undefined {
   if (event.defaultPrevented || event.altKey || event.isComposing) return undefined;
   const control = event.ctrlKey || event.metaKey;
@@ -140,5 +154,5 @@ export function commandFor(
   const needsKeys = target?.closest('input[type=range], [role=slider], [role=application], .scene');
   if (needsKeys && /^(Arrow|Page|Home|End)/.test(event.key)) return undefined;
   const name = `${control ? 'Ctrl+' : ''}${event.shiftKey && /^[a-z]$/i.test(event.key) ? 'Shift+' : ''}${event.key.length === 1 ? event.key.toLowerCase() : event.key}`;
-  return commands.find(({ keys }) => keys.includes(name));
+  return commands.find(({ keys, pages }) => keys.includes(name) && (pages?.includes(page) ?? true));
 }

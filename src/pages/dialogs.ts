@@ -1,30 +1,31 @@
 import { html } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
-import type { ExploreModel } from '../state/derive.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
 import type { Command, PageTools } from './commands.ts';
-import type { Explore } from './explore.ts';
-import { galleryContent } from './gallery.ts';
+import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
 import { shareContent, type Takeaway } from './share.ts';
-import { takeaways } from './takeaways.ts';
 
-interface Parts {
+export interface DialogParts {
   readonly commands: readonly Command[];
-  readonly page: Explore;
-  readonly model: () => ExploreModel;
+  /** Draws small pictures, once the scene's code is there. */
+  readonly thumbnail: () => Thumbnail | null;
+  readonly preset: () => string | null;
+  readonly takeaways: () => Promise<readonly Takeaway[]>;
   readonly dispatch: Dispatch;
   readonly tools: PageTools;
   readonly say: (words: string) => void;
   readonly keys: { get(): boolean; set(on: boolean): void };
 }
 
+export type Dialogs = Readonly<Record<'gallery' | 'help' | 'share', () => void>>;
+
 /** The dialogs of the page, each opened by its command. */
-export function createDialogs(parts: Parts): Record<'gallery' | 'help' | 'share', () => void> {
+export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
-    galleryContent(parts.model().state.preset, pick, parts.page.scene.thumbnail()),
+    galleryContent(parts.preset(), pick, parts.thumbnail()),
   );
   const pick = (id: string): void => {
     parts.dispatch({ type: 'preset', id });
@@ -36,7 +37,7 @@ export function createDialogs(parts: Parts): Record<'gallery' | 'help' | 'share'
   return { gallery: gallery.open, help: help.open, share: shareDialog(parts) };
 }
 
-function shareDialog({ page, model, tools, say }: Parts): () => void {
+function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
   let items: readonly Takeaway[] | null = null;
   const dialog = createDialog('File and export', () =>
     items ? shareContent(items, { copy, keep, ...actions }) : html`<p>loading…</p>`,
@@ -63,7 +64,7 @@ function shareDialog({ page, model, tools, say }: Parts): () => void {
   };
   return () => {
     dialog.open();
-    void takeaways(page, model).then((found) => {
+    void takeaways().then((found) => {
       items = found;
       dialog.refresh();
     });

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
-import { type AppState, PAGES } from '../state/state.ts';
+import { type AppState, PAGES, type PageId } from '../state/state.ts';
+import { encode } from '../state/url.ts';
 import type { Theme } from '../ui/theme.ts';
 import type { Command } from './commands.ts';
 import { ICONS, LOGO } from './icons.ts';
@@ -17,13 +18,19 @@ export interface ShellTools {
 
 /** The header of every page, and what was wrong with the link that was opened. */
 export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): TemplateResult {
+  // The link is there to be copied and opened beside; a plain click keeps what no link carries.
+  const turnTo = (page: PageId) => (event: MouseEvent) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    dispatch({ type: 'page', page });
+  };
   return html`<header class="header">
       <h1 class="visually-hidden">Graze: where does a ray meet a surface?</h1>
       <a class="brand" href="#/explore">${LOGO}<span>Graze</span></a>
       <nav aria-label="Pages">
         ${PAGES.map(
           ({ id, title }) =>
-            html`<a class="tab" href=${`#/${id}`} aria-current=${id === state.page ? 'page' : nothing}>${title}</a>`,
+            html`<a class="tab" href=${encode({ ...state, page: id })} @click=${turnTo(id)} aria-current=${id === state.page ? 'page' : nothing}>${title}</a>`,
         )}
       </nav>
       <div class="tools">

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
-import type { AppState } from './state.ts';
+import type { AppState, PageId } from './state.ts';
 import type { View } from './view.ts';
 
 /** Everything that can happen to the state. A dragged handle and a slider send the same action. */
@@ -13,6 +13,9 @@ export type Action =
   | { readonly type: 'view'; readonly view: View }
   | { readonly type: 'bead'; readonly t: number | null }
   | { readonly type: 'reset'; readonly what: 'E' | 'd' | 'all' | { readonly param: string } }
+  | { readonly type: 'page'; readonly page: PageId }
+  /** Of the page that is shown; null takes a key back to its default. */
+  | { readonly type: 'settings'; readonly values: Readonly<Record<string, string | null>> }
   | { readonly type: 'link'; readonly hash: string }
   /** A whole state, from a file. */
   | { readonly type: 'open'; readonly state: AppState }

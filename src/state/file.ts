@@ -1,18 +1,20 @@
 import { quote } from '../math/invalid-input.ts';
 import { SHAPES, type Shape } from '../math/shapes/index.ts';
 import { checkShape } from '../math/shapes/lookup.ts';
-import { type AppState, INITIAL } from './state.ts';
-import { decode, encode } from './url.ts';
+import { type AppState, INITIAL, PAGES, type Settings } from './state.ts';
+import { decode, encode, MAX_KEYS } from './url.ts';
 
-/** A saved state: its link, and the shapes that the link does not carry. */
+/** A saved state: its link, and the shapes and other pages' settings that the link does not carry. */
 interface Saved {
   readonly graze: 1;
   readonly link: string;
   readonly shapes: readonly Shape[];
+  readonly settings: Readonly<Record<string, Settings>>;
 }
 
 export function toFile(state: AppState): string {
-  const saved: Saved = { graze: 1, link: encode(state), shapes: Object.values(state.shapes) };
+  const { shapes, settings } = state;
+  const saved: Saved = { graze: 1, link: encode(state), shapes: Object.values(shapes), settings };
   // JSON has no minus zero: written as a number it would come back as 0.
   return `${JSON.stringify(saved, (_, x) => (Object.is(x, -0) ? '-0' : x), 2)}\n`;
 }
@@ -29,15 +31,30 @@ export function fromFile(text: string): Opened {
   } catch {
     return { ok: false, reason: `${quote(text.slice(0, 30))} is not a saved state` };
   }
-  const { graze, link, shapes } = (data ?? {}) as Partial<Saved>;
+  const { graze, link, shapes, settings } = (data ?? {}) as Partial<Saved>;
   if (graze !== 1 || typeof link !== 'string') {
     return { ok: false, reason: 'this file holds no state of Graze' };
   }
   const problems: string[] = [];
   const known = Array.isArray(shapes) ? readShapes(shapes, problems) : {};
-  const base: AppState = { ...INITIAL, shapes: { ...INITIAL.shapes, ...known } };
+  const base: AppState = {
+    ...INITIAL,
+    shapes: { ...INITIAL.shapes, ...known },
+    settings: { ...INITIAL.settings, ...readSettings(settings) },
+  };
   const state = decode(link, base);
   return { ok: true, state: { ...state, problems: [...problems, ...state.problems] } };
+}
+
+/** Each page judges its own settings when it is opened; here they only have to be text. */
+function readSettings(given: unknown): Record<string, Settings> {
+  const pages = (given ?? {}) as Readonly<Record<string, unknown>>;
+  return Object.fromEntries(
+    PAGES.map(({ id }) => {
+      const pairs = Object.entries(pages[id] ?? {}).slice(0, MAX_KEYS);
+      return [id, Object.fromEntries(pairs.filter(([, value]) => typeof value === 'string'))];
+    }),
+  );
 }
 
 function readShapes(shapes: readonly unknown[], problems: string[]): Record<string, Shape> {

@@ -14,7 +14,7 @@ export interface History {
 /** Steps that can be taken back. */
 const LONGEST = 200;
 
-/** What undo brings back. Looking around (view, bead, page, what is hidden) is not a step. */
+/** What undo brings back. Looking around (view, bead, page, what is hidden) is not a step, but undo goes where the step was taken. */
 const UNDOABLE = [
   'kind',
   'shapes',
@@ -22,6 +22,7 @@ const UNDOABLE = [
   'd',
   'unit',
   'method',
+  'settings',
 ] as const satisfies readonly (keyof AppState)[];
 
 export function historyOf(present: AppState): History {
@@ -65,7 +66,7 @@ function back({ past, present, future }: History): History {
   return {
     past: past.slice(0, -1),
     present: restored(present, before),
-    future: [present, ...future],
+    future: [{ ...present, page: before.page }, ...future],
     gesture: null,
   };
 }
@@ -82,6 +83,6 @@ function forth({ past, present, future }: History): History {
 }
 
 function restored(present: AppState, from: AppState): AppState {
-  const { kind, shapes, E, d, unit, method } = from;
-  return { ...present, kind, shapes, E, d, unit, method };
+  const { page, kind, shapes, E, d, unit, method, settings } = from;
+  return { ...present, page, kind, shapes, E, d, unit, method, settings };
 }

@@ -6,8 +6,23 @@ import { unitVector } from '../math/unit.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { View } from './view.ts';
 
-export const PAGES = [{ id: 'explore', title: 'Explore' }] as const;
+interface PageEntry {
+  readonly id: string;
+  readonly title: string;
+  /** Whether the page is about the ray and shape of Explore, so that its link carries them. */
+  readonly ray: boolean;
+}
+
+export const PAGES = [
+  { id: 'explore', title: 'Explore', ray: true },
+] as const satisfies readonly PageEntry[];
 export type PageId = (typeof PAGES)[number]['id'];
+
+/**
+ * What a page's link says beyond the ray and the method, as text under each key; only the page's own code, which is
+ * loaded late, knows what it means. Keys are words: the course's single letters are the shapes'.
+ */
+export type Settings = Readonly<Record<string, string>>;
 
 /** Everything that a page shows follows from this; a link carries it, the other shapes' parameters excepted. */
 export interface AppState {
@@ -23,6 +38,8 @@ export interface AppState {
   readonly view: View;
   /** t of the bead; null lets it rest where the picture is clearest. */
   readonly bead: number | null;
+  /** Of each page as it was left. */
+  readonly settings: Readonly<Record<PageId, Settings>>;
   /** What was wrong with the link or file that was opened, in words. */
   readonly problems: readonly string[];
   /** The preset that was opened last, whatever has been moved since. */
@@ -49,6 +66,7 @@ export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>>
   method: 'link',
   view: 'link',
   bead: 'link',
+  settings: 'link',
   problems: 'session',
   preset: 'session',
   revealed: 'session',
@@ -96,6 +114,7 @@ export const INITIAL: AppState = {
   method: DEFAULT_METHOD,
   view: 'iso',
   bead: null,
+  settings: Object.fromEntries(PAGES.map(({ id }) => [id, {}])) as unknown as AppState['settings'],
   problems: [],
   preset: null,
   revealed: null,

@@ -4,7 +4,15 @@ import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Action } from './actions.ts';
 import { GALLERY } from './gallery/index.ts';
-import { type AppState, INITIAL, initialShape, RAY_PARAMS, rayOf, shapeOf } from './state.ts';
+import {
+  type AppState,
+  INITIAL,
+  initialShape,
+  RAY_PARAMS,
+  rayOf,
+  type Settings,
+  shapeOf,
+} from './state.ts';
 import { decode } from './url.ts';
 import { isView } from './view.ts';
 
@@ -29,6 +37,10 @@ export function update(state: AppState, action: Action): AppState {
       return action.t === null || Number.isFinite(action.t) ? { ...state, bead: action.t } : state;
     case 'reset':
       return reset(state, action.what);
+    case 'page':
+      return state.page === action.page ? state : { ...state, page: action.page, problems: [] };
+    case 'settings':
+      return withSettings(state, action.values);
     case 'link':
       return decode(action.hash, state);
     case 'open':
@@ -65,6 +77,17 @@ function withParam(state: AppState, key: string, value: unknown): AppState {
   const param = findShape(state.kind)?.params.find((p) => p.key === key);
   if (!param || !allowed(param, value)) return state;
   return withShape(state, { ...shapeOf(state), [key]: value } as Shape);
+}
+
+function withSettings(
+  state: AppState,
+  values: Extract<Action, { type: 'settings' }>['values'],
+): AppState {
+  const before = state.settings[state.page];
+  if (Object.entries(values).every(([key, value]) => (before[key] ?? null) === value)) return state;
+  const merged = Object.entries({ ...before, ...values });
+  const after = Object.fromEntries(merged.filter(([, value]) => value !== null)) as Settings;
+  return { ...state, settings: { ...state.settings, [state.page]: after } };
 }
 
 function withShape(state: AppState, shape: Shape): AppState {

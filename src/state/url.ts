@@ -1,5 +1,6 @@
 import { DEFAULT_METHOD, findMethod } from '../math/intersect.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
+import type { Ray } from '../math/ray.ts';
 import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
 import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
@@ -14,6 +15,7 @@ import {
   type PageId,
   paramValue,
   RAY_PARAMS,
+  type Settings,
   shapeOf,
 } from './state.ts';
 import { isView, type View } from './view.ts';
@@ -71,6 +73,34 @@ function codecOf(param: Param): Codec<Vec3 | number | string> {
 
 /** The link of a state: readable, and writable by hand. Defaults are left out; the method never is, as its default may change. */
 export function encode(state: AppState): string {
+  const { page } = state;
+  const pairs: [string, string][] = aboutRay(page) ? rayPairs(state) : [];
+  pairs.push(['method', state.method]);
+  if (page === 'explore') pairs.push(...lookPairs(state));
+  for (const [key, value] of Object.entries(state.settings[page])) {
+    pairs.push([escaped(key), escaped(value)]);
+  }
+  return `#/${page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
+}
+
+/** The link of a shape and a ray on Explore, from wherever they are shown. */
+export function exploreLink(shape: Shape, ray: Ray, method: string): string {
+  const shapes = { ...INITIAL.shapes, [shape.kind]: shape };
+  const { origin: E, direction: d } = ray;
+  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method });
+}
+
+const aboutRay = (page: PageId): boolean => PAGES.some(({ id, ray }) => id === page && ray);
+
+/** What would end the pair, or not come back the same. */
+function escaped(text: string): string {
+  // Half a surrogate pair has no UTF-8, and encodeURIComponent throws at it.
+  return text
+    .replace(/\p{Surrogate}/gu, '\ufffd')
+    .replace(/[^\w.,:;/~!*()'-]/gu, encodeURIComponent);
+}
+
+function rayPairs(state: AppState): [string, string][] {
   const shape = shapeOf(state);
   const pairs: [string, string][] = [['shape', state.kind]];
   const add = (key: string, value: string, initial: string): void => {
@@ -83,10 +113,15 @@ export function encode(state: AppState): string {
     const { write } = codecOf(param);
     add(param.symbol, write(paramValue(shape, param.key)), write(param.initial));
   }
-  pairs.push(['method', state.method]);
-  add('view', view.write(state.view), view.write(INITIAL.view));
+  return pairs;
+}
+
+function lookPairs(state: AppState): [string, string][] {
+  const pairs: [string, string][] = [];
+  const looked = view.write(state.view);
+  if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
-  return `#/${state.page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
+  return pairs;
 }
 
 /**
@@ -96,8 +131,8 @@ export function encode(state: AppState): string {
 export function decode(hash: string, before: AppState = INITIAL): AppState {
   const problems: string[] = [];
   const { page, given } = split(hash, problems);
-  const known = new Set(['shape', 'E', 'd', 'unit', 'method', 'view', 't']);
-  const read = <V>(key: string, codec: Codec<V>, initial: V, check?: (v: V) => void): V => {
+  const known = new Set<string>();
+  const read: Read = (key, codec, initial, check) => {
     known.add(key);
     const text = given.get(key);
     if (text === undefined) return initial;
@@ -111,31 +146,58 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
       return initial;
     }
   };
-  const kind = read('shape', word, INITIAL.kind, (v) => oneOf('shape', v, SHAPES)) as ShapeKind;
-  const shape = readShape(kind, (param) =>
-    read(param.symbol, codecOf(param), param.initial, (v) => checkParam(param, v)),
-  );
-  const state: AppState = {
+  const ray = aboutRay(page) ? readRay(read, before) : before;
+  const method = read('method', word, DEFAULT_METHOD, (v) => {
+    if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
+  });
+  const look = page === 'explore' ? readLook(read) : before;
+  const rest = [...given].filter(([key]) => !known.has(key));
+  if (page === 'explore') {
+    for (const [key] of rest) problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
+  }
+  const own: Settings = page === 'explore' ? {} : Object.fromEntries(rest);
+  return {
     page,
-    kind,
-    shapes: { ...before.shapes, [kind]: shape },
-    E: read('E', vector, INITIAL.E, (v) => checkParam(RAY_PARAMS.E, v)),
-    d: read('d', vector, INITIAL.d, (v) => checkParam(RAY_PARAMS.d, v)),
-    unit: read('unit', word, '0', flag) === '1',
-    method: read('method', word, DEFAULT_METHOD, (v) => {
-      if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
-    }),
-    view: read('view', view, INITIAL.view),
-    bead: read<number | null>('t', number, null),
+    kind: ray.kind,
+    shapes: ray.shapes,
+    E: ray.E,
+    d: ray.d,
+    unit: ray.unit,
+    method,
+    view: look.view,
+    bead: look.bead,
+    settings: { ...before.settings, [page]: own },
     problems,
     preset: null,
     revealed: before.revealed === null ? null : 0,
     ghost: before.ghost,
   };
-  for (const key of given.keys()) {
-    if (!known.has(key)) problems.push(`${quote(key)} means nothing for a ${kind}`);
-  }
-  return state;
+}
+
+type Read = <V>(key: string, codec: Codec<V>, initial: V, check?: (v: V) => void) => V;
+
+function readRay(
+  read: Read,
+  before: AppState,
+): Pick<AppState, 'kind' | 'shapes' | 'E' | 'd' | 'unit'> {
+  const kind = read('shape', word, INITIAL.kind, (v) => oneOf('shape', v, SHAPES)) as ShapeKind;
+  const shape = readShape(kind, (param) =>
+    read(param.symbol, codecOf(param), param.initial, (v) => checkParam(param, v)),
+  );
+  return {
+    kind,
+    shapes: { ...before.shapes, [kind]: shape },
+    E: read('E', vector, INITIAL.E, (v) => checkParam(RAY_PARAMS.E, v)),
+    d: read('d', vector, INITIAL.d, (v) => checkParam(RAY_PARAMS.d, v)),
+    unit: read('unit', word, '0', flag) === '1',
+  };
+}
+
+function readLook(read: Read): Pick<AppState, 'view' | 'bead'> {
+  return {
+    view: read('view', view, INITIAL.view),
+    bead: read<number | null>('t', number, null),
+  };
 }
 
 function readShape(kind: ShapeKind, read: (param: Param) => Vec3 | number | string): Shape {
@@ -144,7 +206,7 @@ function readShape(kind: ShapeKind, read: (param: Param) => Vec3 | number | stri
 }
 
 /** A link from a stranger may hold anything; beyond this it is not one of ours. */
-const MAX_KEYS = 40;
+export const MAX_KEYS = 40;
 
 function split(
   hash: string,
@@ -155,11 +217,14 @@ function split(
   const page = PAGES.find(({ id }) => id === path)?.id;
   if (!page && path !== '') problems.push(`there is no page ${quote(plain(path))}`);
   const given = new Map<string, string>();
-  for (const pair of rest.join('?').split('&').slice(0, MAX_KEYS)) {
-    if (pair === '') continue;
-    const [key = '', ...value] = pair.split('=');
-    given.set(plain(key), plain(value.join('=')));
+  const pairs = rest.join('?').split('&').filter(Boolean);
+  for (const pair of pairs.slice(0, MAX_KEYS)) {
+    const [key = '', ...value] = pair.split('=').map(plain);
+    if (given.has(key)) problems.push(`${quote(key)} stands there twice: the later one is taken`);
+    given.set(key, value.join('='));
   }
+  if (pairs.length > MAX_KEYS)
+    problems.push(`only the first ${MAX_KEYS} of ${pairs.length} keys are read`);
   return { page: page ?? INITIAL.page, given };
 }
 

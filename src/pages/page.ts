@@ -1,0 +1,42 @@
+import type { Dispatch } from '../state/actions.ts';
+import type { AppState, PageId, Settings } from '../state/state.ts';
+import type { Takeaway } from './share.ts';
+
+/**
+ * How a page other than Explore is made. It is one entry in PAGES (state/state.ts) and one in LATER below; its code is a
+ * chunk of its own. What its link carries are its settings: texts under keys, which it reads and checks itself and changes
+ * by the action 'settings' (null takes a key back to its default, which is left out of the link). What dies with the page
+ * (hover, results of a measurement, a picture) it keeps in closures, and calls `changed` to be drawn again.
+ */
+export type MountPage = (host: HTMLElement, context: PageContext) => PageView;
+
+export interface PageContext {
+  readonly dispatch: Dispatch;
+  /** Asks for `render` in the next animation frame. */
+  readonly changed: () => void;
+  /** Words beside the header's buttons for a moment: what was just done. */
+  readonly say: (words: string) => void;
+  /** Words for screen readers, after a pause: the value first, the consequence second. */
+  readonly announce: (words: string) => void;
+}
+
+export interface PageView {
+  /** Takes any settings: what `read` would drop has its default. */
+  render(state: AppState): void;
+  /** What of a link's settings is usable, and what was wrong with the rest, in words that quote it. */
+  read(settings: Settings): Readable;
+  /** What can be copied or saved from here, for the dialog 'File and export'. */
+  takeaways(): readonly Takeaway[];
+  /** A file that was opened or dropped and is no saved state: true if the page took it. */
+  open?(text: string): boolean;
+  /** Another page is shown; the element stays as it is, out of the document, until this one is shown again. */
+  rest?(): void;
+}
+
+export interface Readable {
+  readonly settings: Settings;
+  readonly problems: readonly string[];
+}
+
+/** By the id of the page: its code, loaded when it is first shown. */
+export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {};
