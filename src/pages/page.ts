@@ -39,4 +39,6 @@ export interface Readable {
 }
 
 /** By the id of the page: its code, loaded when it is first shown. */
-export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {};
+export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
+  picture: () => import('./picture.ts').then(({ mountPicture }) => mountPicture),
+};

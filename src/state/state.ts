@@ -15,6 +15,7 @@ interface PageEntry {
 
 export const PAGES = [
   { id: 'explore', title: 'Explore', ray: true },
+  { id: 'picture', title: 'Picture', ray: false },
 ] as const satisfies readonly PageEntry[];
 export type PageId = (typeof PAGES)[number]['id'];
 
