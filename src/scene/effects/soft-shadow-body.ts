@@ -1,0 +1,88 @@
+import { type Random, seeded } from '../../math/rng.ts';
+import type { Feelers, LightBody, Lit, Wave } from './body.ts';
+
+/** Feelers a call: enough for the kernels, and they stay in the cache. */
+const AT_ONCE = 4096;
+
+/**
+ * Rays to a square grid of points, each at a random place of its cell, mapped onto the light's disc as it is seen from the hit. The seed is the
+ * camera ray's and its way's: the picture does not depend on the order in which hits are looked at.
+ */
+export const body: LightBody = {
+  at: 'light',
+  run(wave, lit, tools, all) {
+    if (lit.light.radius === 0 && !all) return;
+    const side = Math.max(1, Math.round(Math.sqrt(tools.lightSamples)));
+    const each = side * side;
+    const hits = Math.max(1, Math.floor(AT_ONCE / each));
+    for (let first = 0; first < lit.count; first += hits) {
+      const last = Math.min(first + hits, lit.count);
+      const feelers = tools.feelers((last - first) * each);
+      for (let k = first; k < last; k++) aim(wave, lit, k, side, feelers);
+      tools.feel(feelers, lit.light);
+      count(lit, first, last, each, feelers);
+    }
+  },
+};
+
+function aim(wave: Wave, lit: Lit, k: number, side: number, feelers: Feelers): void {
+  const i = lit.ray[k] as number;
+  const random = seeded(Math.imul((wave.path[i] as number) ^ 0x9e3779b9, lit.light.index + 1));
+  const x = lit.Lx[k] as number;
+  const y = lit.Ly[k] as number;
+  const z = lit.Lz[k] as number;
+  const distance = lit.distance[k] as number;
+  const radius = lit.light.radius;
+  // Two directions across: Duff et al. 2017, Building an orthonormal basis, revisited.
+  const s = z < 0 ? -1 : 1;
+  const a = -1 / (s + z);
+  const b = x * y * a;
+  for (let u = 0; u < side; u++) {
+    for (let v = 0; v < side; v++) {
+      const r = radius * Math.sqrt(cell(random, u, side));
+      const angle = 2 * Math.PI * cell(random, v, side);
+      const p = r * Math.cos(angle);
+      const q = r * Math.sin(angle);
+      const dx = x * distance + p * (1 + s * x * x * a) + q * b;
+      const dy = y * distance + p * s * b + q * (s + y * y * a);
+      const dz = z * distance - p * s * x - q * y;
+      put(wave, i, feelers, radius === 0 ? [x, y, z] : [dx, dy, dz], distance);
+    }
+  }
+}
+
+const cell = (random: Random, k: number, side: number): number => (k + random()) / side;
+
+function put(
+  wave: Wave,
+  i: number,
+  feelers: Feelers,
+  [x, y, z]: readonly [number, number, number],
+  distance: number,
+): void {
+  const { rays } = feelers;
+  const j = feelers.count;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  const far = distance === Number.POSITIVE_INFINITY || length === 1;
+  rays.Ex[j] = wave.Px[i] as number;
+  rays.Ey[j] = wave.Py[i] as number;
+  rays.Ez[j] = wave.Pz[i] as number;
+  rays.dx[j] = far ? x : x / length;
+  rays.dy[j] = far ? y : y / length;
+  rays.dz[j] = far ? z : z / length;
+  feelers.limit[j] = far ? distance : length;
+  feelers.from[j] = wave.surface[i] as number;
+  feelers.node[j] = wave.node[i] as number;
+  feelers.count = j + 1;
+}
+
+/** The share of the points that are seen from above the surface and not blocked. */
+function count(lit: Lit, first: number, last: number, each: number, feelers: Feelers): void {
+  for (let k = first; k < last; k++) {
+    let free = 0;
+    for (let j = (k - first) * each; j < (k - first + 1) * each; j++) {
+      if ((feelers.blocker[j] as number) < 0) free += 1;
+    }
+    lit.reach[k] = (lit.reach[k] as number) * (free / each);
+  }
+}
