@@ -6,6 +6,10 @@ import type { Vec3 } from '../../math/vec3.ts';
  * The tracer finds what they hit, then calls the bodies that the scene needs, each at its place, over the whole wave.
  */
 
+export const CAMERA = 0;
+export const REFLECTED = 1;
+export const REFRACTED = 2;
+
 /** Rays of one generation, and what is known of them so far. */
 export interface Wave {
   count: number;
@@ -20,6 +24,8 @@ export interface Wave {
   readonly from: Int32Array;
   /** A surface of the glass that it runs through, or −1. */
   readonly medium: Int32Array;
+  /** CAMERA, REFLECTED or REFRACTED. */
+  readonly kind: Uint8Array;
   /** The share of its light that arrives at the sample. */
   readonly red: Float64Array;
   readonly green: Float64Array;

@@ -1,6 +1,6 @@
 import { fresnel } from '../optics.ts';
-import type { BounceBody, Look, Wave } from './body.ts';
-import { BENT, follow, mirrored, weightOf } from './bounce.ts';
+import { type BounceBody, type Look, REFRACTED, type Wave } from './body.ts';
+import { follow, mirrored, weightOf } from './bounce.ts';
 
 export const body: BounceBody = {
   at: 'bounce',
@@ -50,7 +50,7 @@ function bent(
   eta: number,
   cosine: number,
 ): void {
-  const j = follow(wave, i, next, weight, BENT);
+  const j = follow(wave, i, next, weight, REFRACTED);
   const inwards = Math.sqrt(Math.max(0, 1 - eta * eta * (1 - cosine * cosine)));
   const along = eta * cosine - inwards;
   next.rays.dx[j] = eta * (wave.rays.dx[i] as number) + along * (wave.Nx[i] as number);

@@ -15,17 +15,25 @@ export const body: LightBody = {
     const side = Math.max(1, Math.round(Math.sqrt(tools.lightSamples)));
     const each = side * side;
     const hits = Math.max(1, Math.floor(AT_ONCE / each));
+    const askedBy = new Int32Array(hits * each);
     for (let first = 0; first < lit.count; first += hits) {
       const last = Math.min(first + hits, lit.count);
       const feelers = tools.feelers((last - first) * each);
-      for (let k = first; k < last; k++) aim(wave, lit, k, side, feelers);
+      for (let k = first; k < last; k++) aim(wave, lit, k, side, feelers, askedBy);
       tools.feel(feelers, lit.light);
-      count(lit, first, last, each, feelers);
+      count(lit, first, last, each, feelers, askedBy);
     }
   },
 };
 
-function aim(wave: Wave, lit: Lit, k: number, side: number, feelers: Feelers): void {
+function aim(
+  wave: Wave,
+  lit: Lit,
+  k: number,
+  side: number,
+  feelers: Feelers,
+  askedBy: Int32Array,
+): void {
   const i = lit.ray[k] as number;
   const random = seeded(Math.imul((wave.path[i] as number) ^ 0x9e3779b9, lit.light.index + 1));
   const x = lit.Lx[k] as number;
@@ -43,44 +51,61 @@ function aim(wave: Wave, lit: Lit, k: number, side: number, feelers: Feelers): v
       const angle = 2 * Math.PI * cell(random, v, side);
       const p = r * Math.cos(angle);
       const q = r * Math.sin(angle);
-      const dx = x * distance + p * (1 + s * x * x * a) + q * b;
-      const dy = y * distance + p * s * b + q * (s + y * y * a);
-      const dz = z * distance - p * s * x - q * y;
-      put(wave, i, feelers, radius === 0 ? [x, y, z] : [dx, dy, dz], distance);
+      askedBy[feelers.count] = k;
+      if (radius === 0) put(wave, i, feelers, x, y, z, distance);
+      else {
+        const dx = x * distance + p * (1 + s * x * x * a) + q * b;
+        const dy = y * distance + p * s * b + q * (s + y * y * a);
+        const dz = z * distance - p * s * x - q * y;
+        const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        put(wave, i, feelers, dx / length, dy / length, dz / length, length);
+      }
     }
   }
 }
 
 const cell = (random: Random, k: number, side: number): number => (k + random()) / side;
 
+/** A point of the light below the surface's horizon gives nothing, and nobody has to ask. */
 function put(
   wave: Wave,
   i: number,
   feelers: Feelers,
-  [x, y, z]: readonly [number, number, number],
-  distance: number,
+  x: number,
+  y: number,
+  z: number,
+  limit: number,
 ): void {
+  const above =
+    x * (wave.Nx[i] as number) + y * (wave.Ny[i] as number) + z * (wave.Nz[i] as number);
+  if (!(above > 0)) return;
   const { rays } = feelers;
   const j = feelers.count;
-  const length = Math.sqrt(x * x + y * y + z * z);
-  const far = distance === Number.POSITIVE_INFINITY || length === 1;
   rays.Ex[j] = wave.Px[i] as number;
   rays.Ey[j] = wave.Py[i] as number;
   rays.Ez[j] = wave.Pz[i] as number;
-  rays.dx[j] = far ? x : x / length;
-  rays.dy[j] = far ? y : y / length;
-  rays.dz[j] = far ? z : z / length;
-  feelers.limit[j] = far ? distance : length;
+  rays.dx[j] = x;
+  rays.dy[j] = y;
+  rays.dz[j] = z;
+  feelers.limit[j] = limit;
   feelers.from[j] = wave.surface[i] as number;
   feelers.node[j] = wave.node[i] as number;
   feelers.count = j + 1;
 }
 
-/** The share of the points that are seen from above the surface and not blocked. */
-function count(lit: Lit, first: number, last: number, each: number, feelers: Feelers): void {
+/** The share of all the points that something arrives from. */
+function count(
+  lit: Lit,
+  first: number,
+  last: number,
+  each: number,
+  feelers: Feelers,
+  askedBy: Int32Array,
+): void {
+  let j = 0;
   for (let k = first; k < last; k++) {
     let free = 0;
-    for (let j = (k - first) * each; j < (k - first + 1) * each; j++) {
+    for (; j < feelers.count && askedBy[j] === k; j++) {
       if ((feelers.blocker[j] as number) < 0) free += 1;
     }
     lit.reach[k] = (lit.reach[k] as number) * (free / each);
