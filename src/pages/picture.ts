@@ -1,13 +1,16 @@
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { pictureBar } from '../panels/picture-bar.ts';
 import { comparisonWords, sidePickers } from '../panels/picture-compare.ts';
+import { editor } from '../panels/picture-editor.ts';
 import { ledger } from '../panels/picture-ledger.ts';
 import { methodPanel } from '../panels/picture-method.ts';
 import { pictureStatus } from '../panels/picture-status.ts';
+import { sceneToJson } from '../scene/json.ts';
 import { findPreset } from '../scene/presets/index.ts';
-import { pictureSettings, readPicture } from '../state/picture/settings.ts';
-import type { AppState } from '../state/state.ts';
-import { download } from '../ui/files.ts';
+import { textOfScene } from '../state/picture/scene-link.ts';
+import { readPicture } from '../state/picture/settings.ts';
+import { type AppState, shapeOf } from '../state/state.ts';
+import { download, pickFile } from '../ui/files.ts';
 import type { MountPage } from './page.ts';
 import { createDarkroom } from './picture/darkroom.ts';
 import { createEasel, type EaselModel } from './picture/easel.ts';
@@ -18,7 +21,7 @@ import { type Sight, sightOf } from './picture/sight.ts';
 import { spawnTracer } from './picture/spawn.ts';
 import { openScene, pictureBlob, pictureTakeaways } from './picture/takeaways.ts';
 import { inkOf } from './picture/theme-ink.ts';
-import { pageTools } from './picture/tools.ts';
+import { type PageTools, pageTools } from './picture/tools.ts';
 import './picture.css';
 
 /** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
@@ -103,8 +106,24 @@ export const mountPicture: MountPage = (host, context) => {
 
   const right = (state: AppState, now: Sight): TemplateResult => {
     const { picture, shots, uncounted } = now;
-    return html`<h2>What this picture needed</h2>
-      ${ledger(now.ledger, {
+    if (picture.beside === 'scene') {
+      return html`${besideTabs(picture.beside, tools)}
+        <div role="tabpanel" aria-label="Scene">${editor(
+          picture.scene,
+          picture.edit,
+          shapeOf(state),
+          {
+            change: (scene, edit) =>
+              tools.set({ scene: textOfScene(scene), ...(edit === undefined ? {} : { edit }) }),
+            edit: (edit) => tools.set({ edit: edit ?? '' }),
+            save: () =>
+              download('graze-scene.json', sceneToJson(picture.scene), 'application/json'),
+            open: () => void openFile(),
+          },
+        )}</div>`;
+    }
+    return html`${besideTabs(picture.beside, tools)}
+      <div role="tabpanel" aria-label="Ledger">${ledger(now.ledger, {
         force: (id, how) => tools.force(picture, id, how),
         measure: () => {
           counting = shots.main.key;
@@ -113,7 +132,13 @@ export const mountPicture: MountPage = (host, context) => {
         unmeasured: now.main?.state === 'finished' ? uncounted.length : 0,
         isMeasuring: counting === shots.main.key && uncounted.length > 0 && tracing(),
       })}
-      ${methodPanel(state.method, picture, dispatch)}`;
+      ${methodPanel(state.method, picture, dispatch)}</div>`;
+  };
+
+  const openFile = async (): Promise<void> => {
+    const text = await pickFile('.json,application/json');
+    if (text === null || openScene(text, dispatch)) return;
+    dispatch({ type: 'say', problems: ['this file holds no scene'] });
   };
 
   const save = async (): Promise<void> => {
@@ -148,6 +173,13 @@ export const mountPicture: MountPage = (host, context) => {
     rest: darkroom.rest,
   };
 };
+
+function besideTabs(current: 'ledger' | 'scene', { set }: PageTools): TemplateResult {
+  const tab = (id: 'ledger' | 'scene', words: string): TemplateResult =>
+    html`<button type="button" role="tab" aria-selected=${id === current} @click=${() => set({ beside: id })}>${words}</button>`;
+  return html`<h2 class="visually-hidden">${current === 'ledger' ? 'What this picture needed' : 'The scene'}</h2>
+    <div class="beside-tabs" role="tablist" aria-label="beside the picture">${tab('ledger', 'What this picture needed')}${tab('scene', 'Scene')}</div>`;
+}
 
 function easelModel(
   { picture, shots, main, other, comparison }: Sight,
