@@ -15,6 +15,7 @@ import type { MountPage } from './page.ts';
 import { createDarkroom } from './picture/darkroom.ts';
 import { createEasel, type EaselModel } from './picture/easel.ts';
 import { errorMap } from './picture/error-map.ts';
+import { lateTree } from './picture/late-tree.ts';
 import { createPixelView } from './picture/pixel-view.ts';
 import { createRecorder } from './picture/recorder.ts';
 import { type Sight, sightOf } from './picture/sight.ts';
@@ -45,6 +46,8 @@ export const mountPicture: MountPage = (host, context) => {
   });
   const status = section('picture-status', work);
   const pixelHost = section('picture-pixel', work);
+  const pixelList = section('pixel-list', pixelHost);
+  const space = lateTree(section('pixel-space', pixelHost));
   const beside = section('picture-beside');
   const pixels = createPixelView(createRecorder(spawnTracer), {
     changed,
@@ -75,7 +78,9 @@ export const mountPicture: MountPage = (host, context) => {
     easel.render(easelModel(now, host));
     render(over(now), easel.over);
     render(below(now), status);
-    render(pixels.panel(now), pixelHost);
+    render(pixels.panel(now), pixelList);
+    pixelHost.classList.toggle('compared', picture.against !== null);
+    space.render(pixels.space(now));
     render(right(state, now), beside);
     host.dataset.trace = main?.state ?? 'waiting';
     host.dataset.compared = String(comparison !== null || (shots.other === null && other === null));

@@ -1,8 +1,10 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import type { TreeModel } from '../../canvas/tree.ts';
 import { pixelPanel } from '../../panels/picture-pixel.ts';
 import { sideWords } from '../../state/picture/against.ts';
 import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';
-import type { RayTree } from '../../tracer/types.ts';
+import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
+import type { RayNode, RayTree } from '../../tracer/types.ts';
 import type { Recorder } from './recorder.ts';
 import type { Shot } from './shot.ts';
 import type { Sight } from './sight.ts';
@@ -10,14 +12,8 @@ import type { Sight } from './sight.ts';
 export interface PixelView {
   /** The list of rays of the pixel that is chosen; nothing if none is. */
   panel(sight: Sight): TemplateResult | typeof nothing;
-  /** The tree that the list shows, for the view in space; null while there is none. */
-  tree(sight: Sight): ChosenTree | null;
-}
-
-export interface ChosenTree {
-  readonly tree: RayTree;
-  readonly sample: number;
-  readonly chosen: string | null;
+  /** The same rays for the view in space; null while there are none. */
+  space(sight: Sight): TreeModel | null;
 }
 
 export interface PixelActions {
@@ -33,6 +29,8 @@ type Known = { readonly tree: RayTree } | { readonly problem: string } | 'asked'
 
 export function createPixelView(recorder: Recorder, actions: PixelActions): PixelView {
   const trees = new Map<string, Known>();
+  /** Kept, so that the view in space is not made anew while nothing changes. */
+  const inSpace = new WeakMap<RayNode, TreeScene>();
   let sample: number | null = null;
   let chosen: string | null = null;
   let opened: ReadonlySet<string> = new Set();
@@ -135,11 +133,15 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
         tools,
       );
     },
-    tree({ picture, shots }) {
+    space({ picture, shots }) {
       if (!picture.pixel) return null;
       const known = treeOf(shots.main, picture.pixel);
       if (known === 'asked' || 'problem' in known) return null;
-      return { tree: known.tree, sample: sampleOf(known.tree), chosen };
+      const root = known.tree.rays[sampleOf(known.tree)];
+      if (!root) return null;
+      const scene = inSpace.get(root) ?? treeScene(picture.scene, root);
+      inSpace.set(root, scene);
+      return { scene, chosen };
     },
   };
 }
