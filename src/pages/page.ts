@@ -40,5 +40,5 @@ export interface Readable {
 
 /** By the id of the page: its code, loaded when it is first shown. */
 export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
-  picture: () => import('./picture.ts').then(({ mountPicture }) => mountPicture),
+  picture: () => import('./picture.ts').then(({ loadPicture }) => loadPicture()),
 };

@@ -11,7 +11,7 @@ import { textOfScene } from '../state/picture/scene-link.ts';
 import { readPicture } from '../state/picture/settings.ts';
 import { type AppState, shapeOf } from '../state/state.ts';
 import { download, pickFile } from '../ui/files.ts';
-import type { MountPage } from './page.ts';
+import type { MountPage, PageContext, PageView } from './page.ts';
 import { createDarkroom } from './picture/darkroom.ts';
 import { createEasel, type EaselModel } from './picture/easel.ts';
 import { errorMap } from './picture/error-map.ts';
@@ -19,14 +19,19 @@ import { lateTree } from './picture/late-tree.ts';
 import { createPixelView } from './picture/pixel-view.ts';
 import { createRecorder } from './picture/recorder.ts';
 import { type Sight, sightOf } from './picture/sight.ts';
-import { spawnTracer } from './picture/spawn.ts';
+import { type Spawn, tracerSpawner } from './picture/spawn.ts';
 import { openScene, pictureBlob, pictureTakeaways } from './picture/takeaways.ts';
 import { inkOf } from './picture/theme-ink.ts';
 import { type PageTools, pageTools } from './picture/tools.ts';
 import './picture.css';
 
 /** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
-export const mountPicture: MountPage = (host, context) => {
+export async function loadPicture(): Promise<MountPage> {
+  const spawn = await tracerSpawner();
+  return (host, context) => mountPicture(host, context, spawn);
+}
+
+function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): PageView {
   host.classList.add('picture');
   const section = (className: string, parent: Element = host): HTMLElement => {
     const element = document.createElement('div');
@@ -37,7 +42,7 @@ export const mountPicture: MountPage = (host, context) => {
   const work = section('picture-work');
   const bar = section('picture-bar', work);
   const { changed, dispatch, announce } = context;
-  const darkroom = createDarkroom(spawnTracer, changed);
+  const darkroom = createDarkroom(spawn, changed);
   const tools = pageTools(dispatch);
   const easel = createEasel(section('easel', work), {
     split: (percent) => tools.set({ split: String(percent) }),
@@ -49,7 +54,7 @@ export const mountPicture: MountPage = (host, context) => {
   const pixelList = section('pixel-list', pixelHost);
   const space = lateTree(section('pixel-space', pixelHost));
   const beside = section('picture-beside');
-  const pixels = createPixelView(createRecorder(spawnTracer), {
+  const pixels = createPixelView(createRecorder(spawn), {
     changed,
     announce,
     close: () => tools.set({ pixel: '' }),
@@ -177,7 +182,7 @@ export const mountPicture: MountPage = (host, context) => {
     open: (text) => openScene(text, dispatch),
     rest: darkroom.rest,
   };
-};
+}
 
 function besideTabs(current: 'ledger' | 'scene', { set }: PageTools): TemplateResult {
   const tab = (id: 'ledger' | 'scene', words: string): TemplateResult =>

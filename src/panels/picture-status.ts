@@ -1,14 +1,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { grouped, msWords, percent } from '../state/picture/ledger.ts';
-import type { TraceProgress } from '../workers/trace-job.ts';
+import type { Progress } from '../state/picture/progress.ts';
 import './picture-status.css';
 
 /** A bar while a picture is traced; its time and who traced it when it is done. */
 export function pictureStatus(
-  progress: TraceProgress | null,
+  progress: Progress | null,
   what: string,
   middle: TemplateResult,
-  left: TraceProgress | null,
+  left: Progress | null,
 ): TemplateResult {
   const runs = progress?.state === 'loading' || progress?.state === 'tracing';
   return html`${runs ? progressBar(progress, what) : html`<div class="progress-rest"></div>`}
@@ -20,7 +20,7 @@ export function pictureStatus(
 }
 
 function progressBar(
-  { done, total, step, msLeft, state }: TraceProgress,
+  { done, total, step, msLeft, state }: Progress,
   what: string,
 ): TemplateResult {
   const share = total > 0 ? done / total : 0;
@@ -36,7 +36,7 @@ function progressBar(
   </div>`;
 }
 
-function outcome(progress: TraceProgress | null): TemplateResult | string {
+function outcome(progress: Progress | null): TemplateResult | string {
   if (!progress) return '';
   if (progress.state === 'failed') return html`<strong>failed</strong>: ${progress.message}`;
   if (progress.state === 'cancelled')
@@ -44,7 +44,7 @@ function outcome(progress: TraceProgress | null): TemplateResult | string {
   return took(progress);
 }
 
-function took({ msSpent, workers }: TraceProgress): TemplateResult {
+function took({ msSpent, workers }: Progress): TemplateResult {
   const by = workers === 1 ? 'one worker' : `${grouped(workers)} workers`;
   return html`<span title=${`from start to end, by ${by}`}>${msWords(msSpent)} ms, ${by}</span>`;
 }
