@@ -95,7 +95,7 @@ export function comparisonWords(
 function counts({ verdicts, holes, ghosts, mostDigits }: Comparison): TemplateResult {
   const lost = Number.isNaN(mostDigits)
     ? nothing
-    : html`, at most <span data-quantity="digits" data-value=${shortest(mostDigits)}>${display(mostDigits, 3)}</span> digits of t lost`;
+    : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
   return html`<span class="counts"><span data-quantity="verdicts" data-value=${verdicts}>${grouped(verdicts)}</span> wrong verdicts${
     verdicts > 0
       ? html` (<span data-quantity="holes" data-value=${holes}>${grouped(holes)}</span> holes on the left, <span data-quantity="ghosts" data-value=${ghosts}>${grouped(ghosts)}</span> on the right)`

@@ -56,7 +56,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
       <span class="pixel-links">${open ? openLink(open, model.method, 'Open this ray in Explore') : nothing}
       <button type="button" class="textual" @click=${tools.close}>close</button></span>
     </div>
-    <table class="rays">
+    <div class="rays-room" tabindex="0" role="region" aria-label="rays of the pixel"><table class="rays">
       <thead><tr>
         <th scope="col"><span class="visually-hidden">ray</span></th>
         ${left ? html`<th scope="col">${model.leftWords}</th>` : nothing}
@@ -66,7 +66,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
       <tbody>
         ${both.map((path) => line(path, find(rows, path), find(left, path), model, tools))}
       </tbody>
-    </table>
+    </table></div>
     ${row ? algebraOf(row, other, model) : nothing}`;
 }
 

@@ -13,16 +13,13 @@ export function pictureStatus(
   const runs = progress?.state === 'loading' || progress?.state === 'tracing';
   return html`${runs ? progressBar(progress, what) : html`<div class="progress-rest"></div>`}
     <div class="status-line">
-      <span class="status-side">${left?.state === 'finished' ? took(left) : nothing}</span>
+      <span class="status-side">${left?.state === 'finished' ? html`${msWords(left.msSpent)} ms` : nothing}</span>
       <div class="status-middle">${middle}</div>
-      <span class="status-side">${runs ? nothing : outcome(progress)}</span>
+      <span class="status-side">${runs ? nothing : outcome(progress, left !== null)}</span>
     </div>`;
 }
 
-function progressBar(
-  { done, total, step, msLeft, state }: Progress,
-  what: string,
-): TemplateResult {
+function progressBar({ done, total, step, msLeft, state }: Progress, what: string): TemplateResult {
   const share = total > 0 ? done / total : 0;
   const blocks = step > 1 ? `blocks of ${step} × ${step}` : 'pixel by pixel';
   const left = Number.isNaN(msLeft) ? '' : `, about ${timeWords(msLeft)} left`;
@@ -36,12 +33,12 @@ function progressBar(
   </div>`;
 }
 
-function outcome(progress: Progress | null): TemplateResult | string {
+function outcome(progress: Progress | null, brief: boolean): TemplateResult | string {
   if (!progress) return '';
   if (progress.state === 'failed') return html`<strong>failed</strong>: ${progress.message}`;
   if (progress.state === 'cancelled')
     return `cancelled at ${percent(progress.done, progress.total)}`;
-  return took(progress);
+  return brief ? `${msWords(progress.msSpent)} ms` : took(progress);
 }
 
 function took({ msSpent, workers }: Progress): TemplateResult {

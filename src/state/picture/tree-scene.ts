@@ -91,7 +91,10 @@ function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[])
   );
   const center = pick((a, b) => (a + b) / 2, box[0], box[1]);
   const spread = Math.hypot(...minus(box[1], box[0])) / 2;
-  const radius = Math.max(1.3 * spread, 1.6 * Math.max(0, ...sizes), far / 50) || 1;
+  // What is large beside the rays, a floor or a wall, is not shown in full.
+  const size = Math.max(0, ...sizes);
+  const wanted = spread > 0 ? Math.min(1.5 * size, 2.4 * spread) : 1.5 * size;
+  const radius = Math.max(1.4 * spread, wanted, far / 50) || 1;
   const floor = Math.min(box[0][1], center[1] - radius / 3);
   return { center, radius, ground: floor, low: center[1] - radius, high: center[1] + radius };
 }
