@@ -25,9 +25,9 @@ interface Groups {
   readonly boxed: readonly Hierarchy[];
 }
 
-function groupsOf(targets: readonly Target[], least: number): Groups {
+function groupsOf(targets: readonly Target[], pays: boolean): Groups {
   const boxed = targets.flatMap(({ box, surface }): Boxed[] => (box ? [{ box, surface }] : []));
-  if (boxed.length < least) return { open: targets, boxed: [] };
+  if (!pays || boxed.length === 0) return { open: targets, boxed: [] };
   return { open: targets.filter(({ box }) => !box), boxed: [hierarchyOf(boxed)] };
 }
 
@@ -49,10 +49,11 @@ export function createFinder(
   heights: HeightsEffect | undefined,
   least = BOXES_PAY,
 ): Finder {
-  const all = groupsOf(targets, least);
+  const pays = targets.filter(({ box }) => box).length >= least;
+  const all = groupsOf(targets, pays);
   const blocking = groupsOf(
     targets.filter(({ blocks }) => blocks),
-    least,
+    pays,
   );
   const tMin = startOf(start);
   let room = roomFor(2048);

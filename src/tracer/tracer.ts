@@ -75,8 +75,6 @@ export function createEngine(
   let kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
   let saved = 0;
   let cut = 0;
-  /** By sample: the weights of the rays that were not fired. */
-  let dropped = new Float64Array(0);
   let feelers = createFeelers(4096);
   let lits: Lit[] = [];
   let first = createWave(0);
@@ -121,14 +119,12 @@ export function createEngine(
         finder.blocked(asked, tally);
         watching?.feelers(asked, about);
       },
-      worth(sample, weight) {
+      worth(weight) {
         if (generation >= MOST_BOUNCES) {
           cut += 1;
           return false;
         }
-        const left = (dropped[sample] as number) + weight;
-        if (left > least) return true;
-        dropped[sample] = left;
+        if (weight > least) return true;
         saved += 1;
         return false;
       },
@@ -187,14 +183,12 @@ export function createEngine(
     cause.ms += clock() - before - others;
   }
 
-  function reset(samples: number): void {
+  function reset(): void {
     own = newTally();
     for (const tally of tallies.values()) Object.assign(tally, newTally());
     kinds = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
     saved = 0;
     cut = 0;
-    if (dropped.length < samples) dropped = new Float64Array(samples);
-    else dropped.fill(0);
   }
 
   function turn(): boolean {
@@ -219,7 +213,7 @@ export function createEngine(
     follow(camera, film, recorder) {
       watching = recorder;
       generation = 0;
-      reset(camera.count);
+      reset();
       for (const cause of causes) clear(cause.next, 1);
       kinds.camera = camera.count;
       own.rays = camera.count;

@@ -133,10 +133,10 @@ export interface Tools {
   /** The wave that the effect's rays of the next generation go to, with room for so many more. */
   next(count: number): Wave;
   /**
-   * Whether a ray with this largest weight may be fired: false beyond the last generation, and where all that such rays have not brought to this
-   * sample is still less than half a level of 255. Keeps count of both.
+   * Whether a ray with this largest weight may be fired: false beyond the last generation, and where it can bring no more than half a level of 255.
+   * Keeps count of both.
    */
-  worth(sample: number, weight: number): boolean;
+  worth(weight: number): boolean;
   /** Counts rays put into `next`. */
   fired(kind: 'reflected' | 'refracted', count: number): void;
   readonly lightSamples: number;

@@ -10,10 +10,7 @@ export const body: BounceBody = {
       const i = wave.hits[h] as number;
       const { mirror } = looks[wave.surface[i] as number] as Look;
       // Forced where nothing is a mirror: one ray of weight 0 for each camera ray that hits.
-      const goes =
-        mirror > 0
-          ? tools.worth(wave.sample[i] as number, mirror * weightOf(wave, i))
-          : all && wave.depth === 0;
+      const goes = mirror > 0 ? tools.worth(mirror * weightOf(wave, i)) : all && wave.depth === 0;
       if (goes) mirrored(wave, i, next, mirror);
     }
     tools.fired('reflected', next.count - before);

@@ -19,12 +19,11 @@ export const body: BounceBody = {
       const cosine = cosineOf(wave, i);
       const back = fresnel(eta, cosine);
       const weight = share * weightOf(wave, i);
-      const sample = wave.sample[i] as number;
-      if (back > 0 && share > 0 && tools.worth(sample, back * weight)) {
+      if (back > 0 && share > 0 && tools.worth(back * weight)) {
         mirrored(wave, i, next, share * back);
         reflected += 1;
       }
-      if (back < 1 && (forced || (share > 0 && tools.worth(sample, (1 - back) * weight)))) {
+      if (back < 1 && (forced || (share > 0 && tools.worth((1 - back) * weight)))) {
         bent(wave, i, next, share * (1 - back), eta, cosine);
         refracted += 1;
       }

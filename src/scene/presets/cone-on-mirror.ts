@@ -1,4 +1,14 @@
-import { ball, clear, GLOSSY, material, PAPER, SAND, type ScenePreset, VIOLET } from './define.ts';
+import {
+  ball,
+  clear,
+  GLINT,
+  GLOSSY,
+  material,
+  PAPER,
+  SAND,
+  type ScenePreset,
+  VIOLET,
+} from './define.ts';
 
 export const coneOnMirror: ScenePreset = {
   id: 'cone-on-mirror',
@@ -17,7 +27,7 @@ export const coneOnMirror: ScenePreset = {
       {
         id: 'glass cone',
         shape: { kind: 'cone', vertex: [0, 2.4, 0], slope: 0.5 },
-        material: material('#ffffff', { glass: clear(1.5), shine: GLOSSY }),
+        material: material('#ffffff', { glass: clear(1.5), shine: GLINT }),
         between: [0.02, 2.4],
         capped: true,
       },

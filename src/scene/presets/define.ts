@@ -28,6 +28,8 @@ export const CAMERA: Camera = { eye: [1.5, 3, 9], target: [0, 1, 0], angle: 34 }
 
 const DULL: Shine = { strength: 0, exponent: 20 };
 export const GLOSSY: Shine = { strength: 0.5, exponent: 60 };
+/** What highlights take, glass does not let through. */
+export const GLINT: Shine = { strength: 0.1, exponent: 200 };
 
 interface Finish {
   readonly shine?: Shine;

@@ -3,6 +3,7 @@ import {
   ball,
   clear,
   floor,
+  GLINT,
   GLOSSY,
   material,
   PAPER,
@@ -30,7 +31,7 @@ export const everything: ScenePreset = {
       {
         id: 'glass cone',
         shape: { kind: 'cone', vertex: [-0.4, 2.3, 1.4], slope: 0.4 },
-        material: material('#ffffff', { glass: clear(1.5), shine: GLOSSY }),
+        material: material('#ffffff', { glass: clear(1.5), shine: GLINT }),
         between: [0.02, 2.3],
         capped: true,
       },
