@@ -117,7 +117,8 @@ export function grouped(n: number): string {
 /** Milliseconds as they are worth reading: 0.42, 7.4, 1 005. */
 export function msWords(ms: number): string {
   if (ms >= 10) return grouped(Math.round(ms));
-  return ms === 0 ? '0' : ms.toFixed(ms >= 1 ? 1 : 2);
+  if (ms === 0) return '0';
+  return ms < 0.005 ? '< 0.01' : ms.toFixed(ms >= 1 ? 1 : 2);
 }
 
 /** A share in percent; what is not nothing is never 0 %, and what is not all is never 100 %. */

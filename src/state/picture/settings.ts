@@ -102,7 +102,7 @@ export function readPicture(settings: Settings): {
   const problems: string[] = [];
   const usable: [string, string][] = [];
   for (const [key, text] of Object.entries(settings)) {
-    if (!(key in KEYS)) {
+    if (!Object.hasOwn(KEYS, key)) {
       problems.push(`${quote(key)} means nothing for a picture`);
       continue;
     }
