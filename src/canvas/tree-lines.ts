@@ -16,8 +16,8 @@ const STYLES: Readonly<Record<RayKind, { ink: Ink; width: number; dash: Dash | n
 const CHOSEN = 2;
 /** A ray of no weight is still seen. */
 const LEAST_ALPHA = 0.45;
-/** Fewer percent are not written at a ray: they would cover those that count. */
-const LEAST_LABEL = 0.02;
+/** Of the rays that carry light so many, the heaviest, get their weight written to them. */
+const MOST_LABELS = 6;
 
 export function lineStrokes(
   lines: readonly TreeLine[],
@@ -52,6 +52,8 @@ export class TreeMarks {
   ): void {
     const layer = this.#layer;
     const named = new Set<string>();
+    const weights = lines.filter(carries).map(({ weight }) => weight);
+    const least = weights.sort((a, b) => b - a)[MOST_LABELS - 1] ?? 0;
     layer.begin();
     for (const line of lines) {
       const { path, kind, end, light, weight } = line;
@@ -70,8 +72,7 @@ export class TreeMarks {
         named.add(light);
         this.#text(`${light} light`, light, spot.x + 6 * scale, spot.y - 6 * scale);
       }
-      const carries = kind === 'reflected' || kind === 'refracted';
-      if (carries && weight >= LEAST_LABEL && start) {
+      if (carries(line) && weight >= least && start) {
         const [x, y] = [(spot.x + start.x) / 2, (spot.y + start.y) / 2];
         this.#text(`${path} weight`, `${Math.round(100 * weight)} %`, x + 5, y - 5);
       }
@@ -84,6 +85,8 @@ export class TreeMarks {
     if (element.textContent !== words) element.textContent = words;
   }
 }
+
+const carries = ({ kind }: TreeLine): boolean => kind === 'reflected' || kind === 'refracted';
 
 function spotOf(p: TreeLine['to'], space: Space, lens: Lens): { x: number; y: number } | null {
   const place = space.place(p);

@@ -100,16 +100,30 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
         })
       : nothing;
 
-  const below = ({ picture, shots, main, other, comparison }: Sight): TemplateResult => {
+  const below = ({
+    picture,
+    shots,
+    main,
+    other,
+    comparison,
+    trustsLeft,
+  }: Sight): TemplateResult => {
     const current = darkroom.current();
     const what = current?.key === shots.main.key ? 'tracing' : current ? 'tracing to compare' : '';
     const running = current && darkroom.seen(current);
     const middle = picture.against
-      ? comparisonWords(shots.main.settings, picture.against, comparison, picture.show, {
-          left: (value) => tools.set({ against: value }),
-          right: tools.right,
-          show: (show) => tools.set({ show }),
-        })
+      ? comparisonWords(
+          shots.main.settings,
+          picture.against,
+          comparison,
+          trustsLeft,
+          picture.show,
+          {
+            left: (value) => tools.set({ against: value }),
+            right: tools.right,
+            show: (show) => tools.set({ show }),
+          },
+        )
       : html`<p>${findPreset(picture.sceneText)?.reason ?? `${picture.scene.title}, edited`}</p>`;
     return pictureStatus(running ?? main, what, middle, other);
   };

@@ -73,6 +73,7 @@ export function comparisonWords(
   settings: TraceSettings,
   against: Against,
   found: Comparison | null,
+  trustsLeft: boolean,
   show: 'both' | 'errors',
   tools: CompareTools,
 ): TemplateResult {
@@ -82,7 +83,7 @@ export function comparisonWords(
       ? html`<strong data-quantity="differing" data-value=${found.differing} title=${`${grouped(found.differing)} of ${grouped(found.pixels)} pixels`}>${found.differing === 0 ? 'None' : percent(found.differing, found.pixels)}</strong> of the pixels differ${found.differing > 0 ? html` (${grouped(found.differing)})` : nothing}. `
       : nothing
   }${cause}</p>
-  <p class="compare-counts">${found ? counts(found) : nothing}
+  <p class="compare-counts">${found ? counts(found, trustsLeft ? 'right' : 'left') : nothing}
     <span class="show-switch" role="group" aria-label="what is shown">${switchTo('both', 'side by side')}${switchTo('errors', 'error map')}</span>
   </p>
   ${show === 'errors' ? html`<p class="compare-key">Black: another surface, or none. Dark grey: another colour. Paler: only digits of t differ. Empty: the same bits.</p>` : nothing}`;
@@ -92,13 +93,19 @@ export function comparisonWords(
   }
 }
 
-function counts({ verdicts, holes, ghosts, mostDigits }: Comparison): TemplateResult {
+/** `side`: the one that is not to be trusted, or on the left if both are. */
+function counts(
+  { verdicts, holes, ghosts, mostDigits }: Comparison,
+  side: 'left' | 'right',
+): TemplateResult {
   const lost = Number.isNaN(mostDigits)
     ? nothing
     : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
-  return html`<span class="counts"><span data-quantity="verdicts" data-value=${verdicts}>${grouped(verdicts)}</span> wrong verdicts${
+  const count = (name: string, n: number): TemplateResult =>
+    html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
+  const kinds =
     verdicts > 0
-      ? html` (<span data-quantity="holes" data-value=${holes}>${grouped(holes)}</span> holes on the left, <span data-quantity="ghosts" data-value=${ghosts}>${grouped(ghosts)}</span> on the right)`
-      : nothing
-  }${lost}</span>`;
+      ? html`: the ${side} misses ${count('holes', holes)} that are hit, hits ${count('ghosts', ghosts)} that miss`
+      : nothing;
+  return html`<span class="counts">${count('verdicts', verdicts)} other verdicts${kinds}${lost}</span>`;
 }

@@ -57,7 +57,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
       <button type="button" class="textual" @click=${tools.close}>close</button></span>
     </div>
     <div class="rays-room" tabindex="0" role="region" aria-label="rays of the pixel"><table class="rays">
-      <thead><tr>
+      <thead class=${left ? '' : 'visually-hidden'}><tr>
         <th scope="col"><span class="visually-hidden">ray</span></th>
         ${left ? html`<th scope="col">${model.leftWords}</th>` : nothing}
         <th scope="col">${left ? model.rightWords : html`<span class="visually-hidden">what became of it</span>`}</th>

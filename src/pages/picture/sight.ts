@@ -1,3 +1,4 @@
+import { METHODS } from '../../math/methods/index.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { EMPTY_LEDGER, type LedgerModel, ledgerModel } from '../../state/picture/ledger.ts';
 import { type PictureSettings, pictureSettings } from '../../state/picture/settings.ts';
@@ -13,8 +14,10 @@ export interface Sight {
   readonly shots: Shots;
   readonly main: TraceProgress | null;
   readonly other: TraceProgress | null;
-  /** Of left against right, once both are finished. */
+  /** Of one side against the one that is rather to be trusted, once both are finished. */
   readonly comparison: Comparison | null;
+  /** Whether that is the left one. */
+  readonly trustsLeft: boolean;
   readonly ledger: LedgerModel;
   /** Pictures that the ledger's last column would still need. */
   readonly uncounted: readonly Shot[];
@@ -25,6 +28,7 @@ export function sightOf(state: AppState, darkroom: Darkroom): Sight {
   const shots = shotsOf(picture, state.method);
   const main = darkroom.seen(shots.main);
   const other = shots.other && darkroom.seen(shots.other);
+  const trustsLeft = trustOf(shots.other ?? shots.main) > trustOf(shots.main);
   const counts: Partial<Record<EffectId, number>> = {};
   const uncounted: Shot[] = [];
   for (const { id } of EFFECTS) {
@@ -38,11 +42,16 @@ export function sightOf(state: AppState, darkroom: Darkroom): Sight {
     shots,
     main,
     other,
-    comparison: compared(other, main),
+    comparison: trustsLeft ? compared(main, other) : compared(other, main),
+    trustsLeft,
     ledger: ledgerModel(picture.scene, shots.main.settings, main?.ledger ?? EMPTY_LEDGER, counts),
     uncounted,
   };
 }
+
+/** The ladder's order: what a rung answers is rather right than what one below it does. */
+const trustOf = ({ settings }: Shot): number =>
+  METHODS.findIndex(({ id }) => id === settings.method);
 
 /** Switched off in the other picture, so it runs in this one. */
 const runsIn = ({ toggled }: Shots, id: EffectId): boolean =>
