@@ -25,8 +25,8 @@ export function numberField({
   const take = (event: CustomEvent<number>): void => {
     if (check(event.detail) === null) send(event.detail);
   };
-  return html`<div class="field" role="group" aria-label=${label} @graze-value=${take}>
-    <span class="field-label">${label}</span>
+  return html`<div class="field" @graze-value=${take}>
+    <span class="field-label" aria-hidden="true">${label}</span>
     <graze-number id=${`field-${slug(label)}`} .value=${value} .step=${step} .label=${label} .check=${check}></graze-number>
     <graze-slider .value=${value} .least=${range[0]} .most=${range[1]} .step=${step} .label=${`${label}, slider`}></graze-slider>
   </div>`;

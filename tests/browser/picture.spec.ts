@@ -32,18 +32,12 @@ async function cell(page: Page, effect: string, quantity: string): Promise<numbe
   return Number(await element.getAttribute('data-value'));
 }
 
-/** The bytes of the picture on the right. */
+/** The picture on the right without loss, as text. */
 async function pixels(page: Page): Promise<string> {
   return page
     .locator('.photo')
     .first()
-    .evaluate((canvas) => {
-      const { width, height } = canvas as HTMLCanvasElement;
-      const data = (canvas as HTMLCanvasElement)
-        .getContext('2d')
-        ?.getImageData(0, 0, width, height);
-      return `${width}x${height}: ${[...(data?.data ?? [])].join()}`;
-    });
+    .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL('image/png'));
 }
 
 const idle = (page: Page, id: string) => page.locator(`.idle [data-effect="${id}"]`);
@@ -57,8 +51,8 @@ test('glass cone on a mirror: a picture and what it cost; without the mirror its
   expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(500);
   expect(await cell(page, 'reflection', 'solves')).toBeGreaterThan(500);
   const before = await cell(page, 'total', 'rays');
-  const colours = new Set((await pixels(page)).split(','));
-  expect(colours.size).toBeGreaterThan(40);
+  // A plain picture of this size has some 300 characters.
+  expect((await pixels(page)).length).toBeGreaterThan(4000);
 
   await page.getByRole('tab', { name: 'Scene' }).click();
   await page.getByRole('button', { name: 'remove mirror' }).click();
@@ -142,7 +136,7 @@ test('the pixels that each effect changes are counted when asked for', async ({ 
   await page.getByRole('button', { name: 'count the pixels that each changes' }).click();
   await expect(
     page.locator('.ledger tbody:not([data-effect=camera]) [data-quantity=pixels]'),
-  ).toHaveCount(6, { timeout: 40_000 });
+  ).toHaveCount(5, { timeout: 40_000 });
   expect(await cell(page, 'reflection', 'pixels')).toBeGreaterThan(100);
   expect(await cell(page, 'reflection', 'pixels')).toBeLessThan(96 * 54);
 });
@@ -279,8 +273,8 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
   await page.getByRole('button', { name: 'add a square' }).click();
   await traced(page);
   await expect(page.locator('[data-part="square"]')).toBeVisible();
-  await page.locator('[data-part="square"] input[data-symbol="L"]').fill('1.25');
-  await page.locator('[data-part="square"] input[data-symbol="L"]').press('Enter');
+  await page.locator('[data-part="square"] input.number[data-symbol="L"]').fill('1.25');
+  await page.locator('[data-part="square"] input.number[data-symbol="L"]').press('Enter');
   await page.getByLabel('mirror', { exact: true }).fill('2');
   await page.getByLabel('mirror', { exact: true }).press('Enter');
   await expect(page.getByText('mirror must be a number from 0 to 1, got 2')).toBeVisible();
@@ -334,7 +328,9 @@ test('the shape of Explore can be put into a scene', async ({ page }) => {
   await page.getByRole('tab', { name: 'Scene' }).click();
   await page.getByRole('button', { name: 'the circle of Explore' }).click();
   await settle(page);
-  await expect(page.locator('[data-part="circle"] input[data-symbol="r"]')).toHaveValue('0.75');
+  await expect(page.locator('[data-part="circle"] input.number[data-symbol="r"]')).toHaveValue(
+    '0.75',
+  );
 });
 
 test('another page is shown: the trace rests, and the picture is there again afterwards', async ({
@@ -352,12 +348,12 @@ test('another page is shown: the trace rests, and the picture is there again aft
 
 test('picture, scene and ledger can be taken away', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=mirror`);
-  await page.getByRole('button', { name: 'File and export' }).click();
   for (const [id, start] of [
     ['picture-png', Buffer.from([0x89, 0x50, 0x4e, 0x47])],
     ['scene-json', Buffer.from('{\n  "graze": "scene"')],
     ['ledger-csv', Buffer.from('effect,needed,')],
   ] as const) {
+    await page.getByRole('button', { name: 'File and export' }).click();
     const saved = page.waitForEvent('download');
     await page.locator(`[data-export="${id}"]`).getByRole('button', { name: 'Save' }).click();
     const content = readFileSync(await (await saved).path());
@@ -396,6 +392,9 @@ test.describe('without WebGL', () => {
     });
     await openPicture(page, `${SMALL}&scene=mirror&pixel=48,30`);
     await expect(page.locator('.rays tbody tr').first()).toBeVisible();
-    expect(await page.locator('.pixel-space .scene-paths path').count()).toBeGreaterThan(5);
+    await expect(async () => {
+      const lines = await page.locator('.pixel-space .scene-paths path').count();
+      expect(lines).toBeGreaterThan(5);
+    }).toPass({ timeout: 10_000 });
   });
 });
