@@ -10,15 +10,22 @@ export const isGlass = ({ material }: Placed): boolean => material.glass !== und
 /** Glass lets light through (without bending a shadow ray: see the README), so it stands in no light's way. */
 export const blocks = (thing: Placed): boolean => !isGlass(thing);
 
+/** Shows light on itself: on its paint, or as a highlight. */
+const isLit = ({ material }: Placed): boolean =>
+  material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
+
 /** Why nothing in the scene can lie in a shadow, or null if something may. */
 export function whyNoShadow(scene: Scene): string | null {
-  const [only, ...others] = scene.things;
-  if (!only) return 'there is nothing in the scene';
-  if (!scene.things.some(blocks)) return 'everything is glass, which lets light through';
-  if (others.length === 0 && shadesNothing(only, scene.camera.eye)) {
-    return 'one shape alone, and the side that is seen cannot shade itself';
-  }
-  return null;
+  if (scene.things.length === 0) return 'there is nothing in the scene';
+  const blockers = scene.things.filter(blocks);
+  const [blocker, another] = blockers;
+  if (!blocker) return 'everything is glass, which lets light through';
+  const lit = scene.things.filter(isLit);
+  if (lit.length === 0) return 'nothing shows light but what it mirrors';
+  const alone = !another && lit.every((thing) => thing === blocker);
+  if (!alone || !shadesNothing(blocker, scene.camera.eye)) return null;
+  const others = scene.things.length > 1 ? 'all else is glass' : 'it is alone';
+  return `${blocker.id} cannot shade itself on the side that is seen, and ${others}`;
 }
 
 /**

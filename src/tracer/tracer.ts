@@ -135,13 +135,16 @@ export function createEngine(
     };
   }
 
-  /** Runs a step and puts its time to its effect; what is left of a wave's time is its cause's. */
+  const heightsMs = (): number => (heights ? tallyOf(heights.id).ms : 0);
+
+  /** Runs a step and puts its time to its effect, but for what choosing by height took within. Returns all of it. */
   function timed({ id }: Part, run: () => void): number {
     const tally = tallyOf(id);
+    const chosen = heightsMs();
     const before = clock();
     run();
     const spent = clock() - before;
-    tally.ms += spent;
+    tally.ms += spent - (heightsMs() - chosen);
     return spent;
   }
 
@@ -167,9 +170,9 @@ export function createEngine(
   /** One wave from its rays to what they bring and the rays that follow. `cause` gets the time that no effect claims. */
   function pass(wave: Wave, cause: Tally, film: Film): void {
     const before = clock();
-    const heightsBefore = heights ? tallyOf(heights.id).ms : 0;
+    const chosen = heightsMs();
     finder.nearest(wave, cause);
-    let others = heights ? tallyOf(heights.id).ms - heightsBefore : 0;
+    let others = heightsMs() - chosen;
     meet(wave, world);
     watching?.wave(wave);
     for (const part of ways) others += timed(part, () => part.body.run(wave, world, part.all));

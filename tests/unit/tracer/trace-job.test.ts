@@ -91,7 +91,7 @@ describe('a picture', () => {
       if (first) expect(now.frame.rgba.every((x, k) => k % 4 !== 3 || x === 255)).toBe(true);
     }
     expect(steps).toEqual([...steps].sort((a, b) => b - a));
-    expect(new Set(steps)).toEqual(new Set([8, 4, 2, 1]));
+    expect([steps[0], steps.at(-1)]).toEqual([8, 1]);
     const done = seen.map((state) => state.done);
     expect(done).toEqual([...done].sort((a, b) => a - b));
   });
