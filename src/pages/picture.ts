@@ -12,7 +12,7 @@ import { readPicture } from '../state/picture/settings.ts';
 import { type AppState, shapeOf } from '../state/state.ts';
 import { download, pickFile } from '../ui/files.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
-import { createDarkroom } from './picture/darkroom.ts';
+import { coresOf, createDarkroom } from './picture/darkroom.ts';
 import { createEasel, type EaselModel } from './picture/easel.ts';
 import { errorMap } from './picture/error-map.ts';
 import { lateTree } from './picture/late-tree.ts';
@@ -42,7 +42,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   const work = section('picture-work');
   const bar = section('picture-bar', work);
   const { changed, dispatch, announce } = context;
-  const darkroom = createDarkroom(spawn, changed);
+  const darkroom = createDarkroom({ spawn, workers: coresOf(navigator), changed });
   const tools = pageTools(dispatch);
   const easel = createEasel(section('easel', work), {
     split: (percent) => tools.set({ split: String(percent) }),

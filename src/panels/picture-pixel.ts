@@ -51,7 +51,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
   const other = chosen === null ? undefined : find(left, chosen);
   const open = row ?? rows[0];
   return html`<div class="pixel-head">
-      <h3><svg class="pixel-sign" viewBox="0 0 14 14" width="13" height="13" aria-hidden="true"><rect x="2" y="2" width="10" height="10" /></svg> Pixel ${x}, ${y}</h3>
+      <h2><svg class="pixel-sign" viewBox="0 0 14 14" width="13" height="13" aria-hidden="true"><rect x="2" y="2" width="10" height="10" /></svg> Pixel ${x}, ${y}</h2>
       ${samplePicker(model, tools)}
       <span class="pixel-links">${open ? openLink(open, model.method, 'Open this ray in Explore') : nothing}
       <button type="button" class="textual" @click=${tools.close}>close</button></span>

@@ -26,7 +26,21 @@ export interface Darkroom {
   rest(): void;
 }
 
-export function createDarkroom(spawn: () => WorkerLike, changed: () => void): Darkroom {
+export interface DarkroomTools {
+  readonly spawn: () => WorkerLike;
+  readonly workers: number;
+  /** Something is to be seen that was not there before. */
+  readonly changed: () => void;
+}
+
+/** The device's cores, as far as there are workers for them. */
+export const coresOf = ({
+  hardwareConcurrency,
+}: {
+  readonly hardwareConcurrency?: number;
+}): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
+
+export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Darkroom {
   const seen = new Map<string, TraceProgress>();
   const stopped = new Set<string>();
   let wanted: readonly Shot[] = [];
@@ -34,7 +48,6 @@ export function createDarkroom(spawn: () => WorkerLike, changed: () => void): Da
   let pool: ReturnType<typeof createTracePool> | null = null;
 
   const open = (): NonNullable<typeof pool> => {
-    const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 1, MOST_WORKERS));
     pool ??= createTracePool({ spawn, workers, clock: () => performance.now() });
     return pool;
   };
