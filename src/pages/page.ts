@@ -42,4 +42,5 @@ export interface Readable {
 export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
   accuracy: async () => (await import('./accuracy.ts')).mountAccuracy,
   check: async () => (await import('./check.ts')).mountCheck,
+  picture: () => import('./picture.ts').then(({ loadPicture }) => loadPicture()),
 };
