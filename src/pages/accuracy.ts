@@ -10,7 +10,7 @@ import { type Choice, tabs } from '../panels/choices.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
 import { ladderTable } from '../panels/ladder-table.ts';
 import { measureBar } from '../panels/measure-bar.ts';
-import { nudges } from '../panels/nudges.ts';
+import { createNudges } from '../panels/nudges.ts';
 import { frontierOf, titleOf } from '../state/accuracy/frontier.ts';
 import { hardnessOf } from '../state/accuracy/hardness.ts';
 import { createRayModel, type RayModel } from '../state/accuracy/ladder.ts';
@@ -57,6 +57,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
+  const nudges = createNudges(dispatch);
   const measuring = measureJob(spawnLab, changed);
   const sweeping = sweepJob(spawnLab, changed);
   let picked: Picked | null = null;
@@ -165,7 +166,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
         </details>
         <details>
           <summary>What does one double more or less change?</summary>
-          ${nudges(state, dispatch)}
+          ${nudges(state)}
         </details>
       </div>`;
   }
