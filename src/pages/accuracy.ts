@@ -8,7 +8,7 @@ import { FAMILIES, findFamily, type Question } from '../math/families.ts';
 import { quote } from '../math/invalid-input.ts';
 import { type Choice, tabs } from '../panels/choices.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
-import { ladderTable } from '../panels/ladder-table.ts';
+import { ladderTable, SAYS } from '../panels/ladder-table.ts';
 import { measureBar } from '../panels/measure-bar.ts';
 import { createNudges } from '../panels/nudges.ts';
 import { frontierOf, titleOf } from '../state/accuracy/frontier.ts';
@@ -53,7 +53,7 @@ const others = (families: readonly Choice[], shown: readonly Choice[]): readonly
   families.filter(({ id }) => !shown.some((one) => one.id === id));
 
 /** What accuracy costs in time: this ray, a family's rays against the clock, and how hard rays can get. */
-export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
+export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) => {
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
@@ -225,6 +225,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
       const before = shown;
       const settings = settingsOf(state);
       const ray = rayModel(state);
+      if (before && before.ray !== ray) announceFlips(before.ray, ray, announce);
       shown = { state, settings, ray };
       const sweepAsked = sweepRequest(settings);
       const asked = sweeping.request;
@@ -309,6 +310,16 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
     },
   };
 };
+
+/** Which methods say something else than before, for those who cannot see the column. */
+function announceFlips(before: RayModel, after: RayModel, announce: (words: string) => void): void {
+  const flipped = after.rows.filter((row, i) => row.found.class !== before.rows[i]?.found.class);
+  if (flipped.length > 0) {
+    announce(
+      flipped.map(({ method, found }) => `${method.title}: ${SAYS[found.class]}`).join('; '),
+    );
+  }
+}
 
 /** The settings of the link, with the defaults of what it does not say. */
 function settingsOf({ settings }: AppState): AccuracySettings {
