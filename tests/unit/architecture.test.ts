@@ -38,6 +38,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   lit: ['ui', 'panels', 'charts', 'pages', 'main'],
   'd3-scale': ['charts'],
   'expr-eval-fork': ['text'],
+  fflate: ['state'],
 };
 
 /** What the pure rooms and the state may not touch: a page, a clock, chance. */

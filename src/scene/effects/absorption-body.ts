@@ -1,0 +1,35 @@
+import type { WayBody } from './body.ts';
+
+export const body: WayBody = {
+  at: 'way',
+  run(wave, { looks }, all) {
+    for (let i = 0; i < wave.count; i++) {
+      const medium = wave.medium[i] as number;
+      const look = looks[medium];
+      if (look) fade(wave.red, wave.green, wave.blue, i, look.absorption, chordOf(wave.t, i));
+      else if (all) fade(wave.red, wave.green, wave.blue, i, CLEAR, chordOf(wave.t, i));
+    }
+  },
+};
+
+const CLEAR = [0, 0, 0] as const;
+
+/** Rays have length 1: t is a length. Glass without an end swallows what is not clear. */
+function chordOf(t: Float64Array, i: number): number {
+  const chord = t[i] as number;
+  return Number.isNaN(chord) ? Number.MAX_VALUE : chord;
+}
+
+/** Beer and Lambert. */
+function fade(
+  red: Float64Array,
+  green: Float64Array,
+  blue: Float64Array,
+  i: number,
+  sigma: readonly [number, number, number],
+  chord: number,
+): void {
+  red[i] = (red[i] as number) * Math.exp(-sigma[0] * chord);
+  green[i] = (green[i] as number) * Math.exp(-sigma[1] * chord);
+  blue[i] = (blue[i] as number) * Math.exp(-sigma[2] * chord);
+}

@@ -1,0 +1,51 @@
+import { REFLECTED, type REFRACTED, type Wave } from './body.ts';
+
+/** The mirrored ray: d − 2(d·N)N, from the stored hit point, with the share `weight` of what the ray brings. Returns its place in `next`. */
+export function mirrored(wave: Wave, i: number, next: Wave, weight: number): number {
+  const j = follow(wave, i, next, weight, REFLECTED);
+  const x = wave.Nx[i] as number;
+  const y = wave.Ny[i] as number;
+  const z = wave.Nz[i] as number;
+  const dx = wave.rays.dx[i] as number;
+  const dy = wave.rays.dy[i] as number;
+  const dz = wave.rays.dz[i] as number;
+  const twice = 2 * (dx * x + dy * y + dz * z);
+  next.rays.dx[j] = dx - twice * x;
+  next.rays.dy[j] = dy - twice * y;
+  next.rays.dz[j] = dz - twice * z;
+  next.medium[j] = wave.medium[i] as number;
+  return j;
+}
+
+/** Any odd numbers will do: each turn of a way gets a seed of its own. */
+const TURNS: readonly number[] = [0, 0x51ed270b, 0x2545f491];
+
+/** A ray of the next generation where ray i has hit, without direction and medium. */
+export function follow(
+  wave: Wave,
+  i: number,
+  next: Wave,
+  weight: number,
+  kind: typeof REFLECTED | typeof REFRACTED,
+): number {
+  const j = next.count;
+  next.count = j + 1;
+  next.rays.count = j + 1;
+  next.rays.Ex[j] = wave.Px[i] as number;
+  next.rays.Ey[j] = wave.Py[i] as number;
+  next.rays.Ez[j] = wave.Pz[i] as number;
+  next.sample[j] = wave.sample[i] as number;
+  const path = Math.imul((wave.path[i] as number) ^ (TURNS[kind] as number), 0x85ebca6b);
+  next.path[j] = path ^ (path >>> 13);
+  next.kind[j] = kind;
+  next.from[j] = wave.surface[i] as number;
+  next.red[j] = (wave.red[i] as number) * weight;
+  next.green[j] = (wave.green[i] as number) * weight;
+  next.blue[j] = (wave.blue[i] as number) * weight;
+  next.node[j] = wave.node[i] as number;
+  return j;
+}
+
+/** The largest of a ray's weights. */
+export const weightOf = (wave: Wave, i: number): number =>
+  Math.max(wave.red[i] as number, wave.green[i] as number, wave.blue[i] as number);

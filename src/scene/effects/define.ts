@@ -1,0 +1,30 @@
+import type { Scene } from '../types.ts';
+import type { EffectBody } from './body.ts';
+
+/** Whether a scene calls for an effect, and why or why not, in words that follow its name. */
+export interface Need {
+  readonly needed: boolean;
+  readonly reason: string;
+}
+
+/** What is known of an effect without its code; `load` fetches that, a chunk of its own. */
+export interface EffectDefinition<Id extends string> {
+  readonly id: Id;
+  readonly title: string;
+  /** What it is, in a sentence. */
+  readonly idea: string;
+  neededBy(scene: Scene): Need;
+  load(): Promise<EffectBody>;
+}
+
+/** Keeps the id's literal type, from which the union of all is derived. */
+export const defineEffect = <const Id extends string>(
+  effect: EffectDefinition<Id>,
+): EffectDefinition<Id> => effect;
+
+export const needed = (reason: string): Need => ({ needed: true, reason });
+export const notNeeded = (reason: string): Need => ({ needed: false, reason });
+
+/** 'one light', '3 lights', … */
+export const counted = (n: number, one: string, many = `${one}s`): string =>
+  n === 1 ? `one ${one}` : `${n} ${many}`;

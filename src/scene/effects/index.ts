@@ -1,0 +1,22 @@
+import { absorption } from './absorption.ts';
+import { heights } from './heights.ts';
+import { highlights } from './highlights.ts';
+import { pattern } from './pattern.ts';
+import { reflection } from './reflection.ts';
+import { refraction } from './refraction.ts';
+import { shadow } from './shadow.ts';
+import { softShadow } from './soft-shadow.ts';
+
+/** All that a picture can simulate beside rays from the camera, in the order of the ledger. A new effect is one new descriptor, its body, and one word here. */
+export const EFFECTS = [
+  shadow,
+  softShadow,
+  reflection,
+  refraction,
+  absorption,
+  pattern,
+  highlights,
+  heights,
+] as const;
+
+export type EffectId = (typeof EFFECTS)[number]['id'];

@@ -1,0 +1,26 @@
+import type { Look, PaintBody, Wave } from './body.ts';
+
+export const body: PaintBody = {
+  at: 'paint',
+  run(wave, { looks }, all) {
+    for (let h = 0; h < wave.hitCount; h++) {
+      const i = wave.hits[h] as number;
+      const look = looks[wave.surface[i] as number] as Look;
+      if (look.pattern.length === 0 && !all) continue;
+      const colour = isOdd(wave, i, look) ? look.other : look.colour;
+      wave.paintR[i] = colour[0];
+      wave.paintG[i] = colour[1];
+      wave.paintB[i] = colour[2];
+    }
+  },
+};
+
+/** Whether the cube or slice of the pattern that the hit lies in is an odd one. */
+function isOdd(wave: Wave, i: number, { pattern, size }: Look): boolean {
+  let sum = 0;
+  for (const axis of pattern) {
+    const at = axis === 0 ? wave.Px[i] : axis === 1 ? wave.Py[i] : wave.Pz[i];
+    sum += Math.floor((at as number) / size);
+  }
+  return sum % 2 !== 0;
+}

@@ -1,0 +1,16 @@
+import { whyNoShadow } from '../facts.ts';
+import { counted, defineEffect, needed, notNeeded } from './define.ts';
+
+export const softShadow = defineEffect({
+  id: 'soft-shadow',
+  title: 'soft shadows',
+  idea: 'Rays to many points of a light that has a size: the share of them that arrives is the light.',
+  neededBy(scene) {
+    const lights = scene.lights.filter(({ light }) => light === 'sphere').length;
+    if (scene.lights.length === 0) return notNeeded('there is no light');
+    if (lights === 0) return notNeeded('no light has a size');
+    const why = whyNoShadow(scene);
+    return why ? notNeeded(why) : needed(`${counted(lights, 'light')} with a size`);
+  },
+  load: () => import('./soft-shadow-body.ts').then(({ body }) => body),
+});

@@ -1,0 +1,44 @@
+import { planarOf } from '../math/batch/planar.ts';
+import { quadricOf } from '../math/batch/quadric.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Placed, Scene } from './types.ts';
+
+/* What effects ask of a scene. */
+
+export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
+
+/** Glass lets light through (without bending a shadow ray: see the README), so it stands in no light's way. */
+export const blocks = (thing: Placed): boolean => !isGlass(thing);
+
+/** Shows light on itself: on its paint, or as a highlight. */
+const isLit = ({ material }: Placed): boolean =>
+  material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
+
+/** Why nothing in the scene can lie in a shadow, or null if something may. */
+export function whyNoShadow(scene: Scene): string | null {
+  if (scene.things.length === 0) return 'there is nothing in the scene';
+  const blockers = scene.things.filter(blocks);
+  const [blocker, another] = blockers;
+  if (!blocker) return 'everything is glass, which lets light through';
+  const lit = scene.things.filter(isLit);
+  if (lit.length === 0) return 'nothing shows light but what it mirrors';
+  const alone = !another && lit.every((thing) => thing === blocker);
+  if (!alone || !shadesNothing(blocker, scene.camera.eye)) return null;
+  const others = scene.things.length > 1 ? 'all else is glass' : 'it is alone';
+  return `${blocker.id} cannot shade itself on the side that is seen, and ${others}`;
+}
+
+/**
+ * A flat shape, or a whole cylinder or ellipsoid seen from outside: convex, so that a line from a seen point to a light on its
+ * outer side does not meet it again.
+ */
+function shadesNothing({ shape, between }: Placed, eye: Vec3): boolean {
+  if (planarOf(shape)) return true;
+  const q = quadricOf(shape);
+  if (!q || between) return false;
+  const convex = !q.hasY || (!q.squared && q.flare < 0);
+  const x = eye[0] - q.Cx;
+  const y = eye[1] - q.Cy;
+  const z = eye[2] - q.Cz;
+  return convex && x * x + z * z - (q.hasY ? q.flare * y * y : 0) > q.r * q.r;
+}

@@ -1,0 +1,35 @@
+import { InvalidInput, quote } from '../math/invalid-input.ts';
+import type { Scene } from './types.ts';
+import { validateScene } from './validate.ts';
+
+/** A file longer than this is not one of ours: 250 things take about 80,000 characters. */
+const LONGEST = 400_000;
+
+/** The text of a saved scene. */
+export function sceneToJson(scene: Scene): string {
+  // JSON has no minus zero: written as a number it would come back as 0.
+  const text = JSON.stringify(
+    { graze: 'scene', scene },
+    (_, x) => (Object.is(x, -0) ? '-0' : x),
+    2,
+  );
+  return `${text}\n`;
+}
+
+/** The scene in a text, with or without its wrapping. Throws InvalidInput with what is wrong. */
+export function sceneFromJson(text: string): Scene {
+  if (text.length > LONGEST) {
+    throw new InvalidInput(`a scene has at most ${LONGEST} characters, got ${text.length}`);
+  }
+  const data = parsed(text);
+  const wrapped = typeof data === 'object' && data !== null && 'graze' in data;
+  return validateScene(wrapped && 'scene' in data ? data.scene : data);
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text, (_, x) => (x === '-0' ? -0 : x));
+  } catch {
+    throw new InvalidInput(`${quote(text.slice(0, 30))} is not a saved scene`);
+  }
+}

@@ -1,0 +1,62 @@
+import type {
+  Background,
+  Camera,
+  Colour,
+  Glass,
+  Material,
+  Paint,
+  Placed,
+  Scene,
+  Shine,
+} from '../types.ts';
+
+/** A scene with a reason to exist. */
+export interface ScenePreset {
+  readonly id: string;
+  /** What there is to see, in a sentence. */
+  readonly reason: string;
+  readonly scene: Scene;
+}
+
+export const PAPER: Background = { low: '#e9e4da', high: '#f4f3ef' };
+export const VIOLET: Colour = '#7b5ea7';
+export const SAND: Colour = '#d8ae6c';
+export const BLUE: Colour = '#6d97c4';
+export const TEAL: Colour = '#3f9c8f';
+export const STONE: Colour = '#d6d0c4';
+export const CAMERA: Camera = { eye: [1.5, 3, 9], target: [0, 1, 0], angle: 34 };
+
+const DULL: Shine = { strength: 0, exponent: 20 };
+export const GLOSSY: Shine = { strength: 0.5, exponent: 60 };
+/** What highlights take, glass does not let through. */
+export const GLINT: Shine = { strength: 0.1, exponent: 200 };
+
+interface Finish {
+  readonly shine?: Shine;
+  readonly mirror?: number;
+  readonly glass?: Glass;
+}
+
+export const material = (paint: Colour | Paint, finish: Finish = {}): Material => ({
+  paint: typeof paint === 'string' ? { pattern: 'plain', colour: paint } : paint,
+  shine: finish.shine ?? DULL,
+  mirror: finish.mirror ?? 0,
+  ...(finish.glass ? { glass: finish.glass } : {}),
+});
+
+export const clear = (index: number): Glass => ({ index, absorption: [0, 0, 0] });
+
+/** A floor at height y. */
+export const floor = (paint: Colour | Paint, y = 0): Placed => ({
+  id: 'floor',
+  shape: { kind: 'plane', normal: [0, 1, 0], point: [0, y, 0] },
+  material: material(paint),
+});
+
+/** A hyperboloid with a = −1 is a sphere. */
+export const ball = (
+  id: string,
+  center: readonly [number, number, number],
+  radius: number,
+  of: Material,
+): Placed => ({ id, shape: { kind: 'hyperboloid', center, flare: -1, radius }, material: of });

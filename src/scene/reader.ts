@@ -1,0 +1,121 @@
+import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { AXES, type Axis, type Vec3 } from '../math/vec3.ts';
+
+/** Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`. Throws InvalidInput. */
+export type Read<T> = (value: unknown, path: string) => T;
+
+export const number =
+  (low: number, high: number): Read<number> =>
+  (value, path) => {
+    if (typeof value !== 'number' || !(value >= low && value <= high)) {
+      throw new InvalidInput(
+        `${path} must be a number from ${low} to ${high}, got ${quote(value)}`,
+      );
+    }
+    return value;
+  };
+
+export const vector =
+  (component: Read<number>): Read<Vec3> =>
+  (value, path) => {
+    if (!Array.isArray(value) || value.length !== 3) {
+      throw new InvalidInput(`${path} must have three components, got ${quote(value)}`);
+    }
+    const at = (i: 0 | 1 | 2): number => component(value[i], `${path}.${AXES[i]}`);
+    return [at(0), at(1), at(2)];
+  };
+
+export const nonZero =
+  (read: Read<Vec3>): Read<Vec3> =>
+  (value, path) => {
+    const v = read(value, path);
+    if (v.every((x) => x === 0)) throw new InvalidInput(`${path} must not be zero, got (0, 0, 0)`);
+    return v;
+  };
+
+export const text =
+  (longest: number): Read<string> =>
+  (value, path) => {
+    if (typeof value !== 'string' || value === '' || value.length > longest) {
+      throw new InvalidInput(
+        `${path} must be a text of 1 to ${longest} characters, got ${quote(value)}`,
+      );
+    }
+    return value;
+  };
+
+export const colour: Read<string> = (value, path) => {
+  if (typeof value !== 'string' || !/^#[0-9a-f]{6}$/i.test(value)) {
+    throw new InvalidInput(`${path} must be a colour like '#8a5cc2', got ${quote(value)}`);
+  }
+  return value.toLowerCase();
+};
+
+export const flag: Read<boolean> = (value, path) => {
+  if (typeof value !== 'boolean') {
+    throw new InvalidInput(`${path} must be true or false, got ${quote(value)}`);
+  }
+  return value;
+};
+
+export const oneOf =
+  <W extends string>(words: readonly W[]): Read<W> =>
+  (value, path) => {
+    const found = words.find((word) => word === value);
+    if (found === undefined) {
+      throw new InvalidInput(`${path} must be ${words.join(', ')}, got ${quote(value)}`);
+    }
+    return found;
+  };
+
+export const axis: Read<Axis> = oneOf(AXES);
+
+export const listOf =
+  <T>(item: Read<T>, most: number): Read<readonly T[]> =>
+  (value, path) => {
+    if (!Array.isArray(value))
+      throw new InvalidInput(`${path} must be a list, got ${quote(value)}`);
+    if (value.length > most) {
+      throw new InvalidInput(`${path} may have at most ${most} entries, got ${value.length}`);
+    }
+    return value.map((one, i) => item(one, `${path}[${i}]`));
+  };
+
+type Fields<T> = { readonly [K in keyof T]-?: Read<Exclude<T[K], undefined>> };
+
+/** Just these keys, all but the optional ones: any other is refused, since leaving it out would change what was meant. */
+export function record<T extends object>(
+  fields: Fields<T>,
+  optional: readonly (keyof T)[] = [],
+): Read<T> {
+  const known = Object.entries<Read<unknown>>(fields);
+  return (value, path) => {
+    const given = fieldsOf(value, path);
+    const dot = path === '' ? '' : `${path}.`;
+    for (const key of Object.keys(given)) {
+      if (!Object.hasOwn(fields, key)) {
+        throw new InvalidInput(`${quote(key)} means nothing in ${path || 'a scene'}`);
+      }
+    }
+    const entries = known
+      .filter(([key]) => Object.hasOwn(given, key) || !optional.includes(key as keyof T))
+      .map(([key, read]) => [key, read(given[key], `${dot}${key}`)] as const);
+    return Object.fromEntries(entries) as T;
+  };
+}
+
+/** One of several records, told apart by the word under `key`. */
+export function variant<T>(key: string, variants: Readonly<Record<string, Read<T>>>): Read<T> {
+  const word = oneOf(Object.keys(variants));
+  return (value, path) => {
+    const which = word(fieldsOf(value, path)[key], `${path}.${key}`);
+    return (variants[which] as Read<T>)(value, path);
+  };
+}
+
+export function fieldsOf(value: unknown, path: string): Readonly<Record<string, unknown>> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    throw new InvalidInput(`${path || 'a scene'} must be an object, got ${quote(value)}`);
+  }
+  return value as Readonly<Record<string, unknown>>;
+}

@@ -1,0 +1,136 @@
+import { InvalidInput, quote } from '../math/invalid-input.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { checkShape } from '../math/shapes/lookup.ts';
+import {
+  axis,
+  colour,
+  fieldsOf,
+  flag,
+  listOf,
+  nonZero,
+  number,
+  oneOf,
+  type Read,
+  record,
+  text,
+  variant,
+  vector,
+} from './reader.ts';
+import type {
+  Background,
+  Camera,
+  CheckerPaint,
+  Glass,
+  Light,
+  Material,
+  Paint,
+  Placed,
+  PlainPaint,
+  PointLight,
+  Scene,
+  Shine,
+  SphereLight,
+  StripesPaint,
+  SunLight,
+} from './types.ts';
+
+/** What a stranger's file may hold. Coordinates this far out still square without trouble in float32. */
+export const LIMITS = {
+  things: 250,
+  lights: 8,
+  coordinate: 1e12,
+  name: 60,
+} as const;
+
+const coordinate = number(-LIMITS.coordinate, LIMITS.coordinate);
+const point = vector(coordinate);
+const direction = nonZero(point);
+const share = number(0, 1);
+const size = number(1e-6, LIMITS.coordinate);
+const name = text(LIMITS.name);
+
+const paint = variant<Paint>('pattern', {
+  plain: record<PlainPaint>({ pattern: oneOf(['plain']), colour }),
+  checker: record<CheckerPaint>({ pattern: oneOf(['checker']), colour, other: colour, size }),
+  stripes: record<StripesPaint>({ pattern: oneOf(['stripes']), colour, other: colour, size, axis }),
+});
+
+const material = record<Material>(
+  {
+    paint,
+    shine: record<Shine>({ strength: share, exponent: number(1, 10_000) }),
+    mirror: share,
+    glass: record<Glass>({ index: number(1, 5), absorption: vector(number(0, 1e6)) }),
+  },
+  ['glass'],
+);
+
+const shape: Read<Shape> = (value, path) => {
+  const given = fieldsOf(value, path);
+  try {
+    const { kind, params } = checkShape(value as Shape);
+    for (const key of Object.keys(given)) {
+      if (key !== 'kind' && !params.some((param) => param.key === key)) {
+        throw new InvalidInput(`${quote(key)} means nothing for a ${kind}`);
+      }
+    }
+    const own = params.map(({ key, type }) => {
+      const read: Read<unknown> =
+        type === 'vector' ? point : type === 'number' ? coordinate : (x) => x;
+      return [key, read(given[key], key)] as const;
+    });
+    return { kind, ...Object.fromEntries(own) } as unknown as Shape;
+  } catch (error) {
+    if (!(error instanceof InvalidInput)) throw error;
+    throw new InvalidInput(`${path}: ${error.message}`);
+  }
+};
+
+const heights: Read<readonly [number, number]> = (value, path) => {
+  if (!Array.isArray(value) || value.length !== 2) {
+    throw new InvalidInput(`${path} must be two heights, got ${quote(value)}`);
+  }
+  const low = coordinate(value[0], `${path}[0]`);
+  const high = coordinate(value[1], `${path}[1]`);
+  if (!(low < high)) throw new InvalidInput(`${path} must go up, got (${low}, ${high})`);
+  return [low, high];
+};
+
+const thing = record<Placed>({ id: name, shape, material, between: heights, capped: flag }, [
+  'between',
+  'capped',
+]);
+
+const common = { id: name, colour, strength: number(0, 100) };
+const light = variant<Light>('light', {
+  point: record<PointLight>({ light: oneOf(['point']), ...common, at: point }),
+  sun: record<SunLight>({ light: oneOf(['sun']), ...common, towards: direction }),
+  sphere: record<SphereLight>({ light: oneOf(['sphere']), ...common, at: point, radius: size }),
+});
+
+const scene = record<Scene>({
+  title: name,
+  camera: record<Camera>({ eye: point, target: point, angle: number(0.000001, 170) }),
+  background: record<Background>({ low: colour, high: colour }),
+  ambient: share,
+  things: listOf(thing, LIMITS.things),
+  lights: listOf(light, LIMITS.lights),
+});
+
+/**
+ * A value from anywhere as a Scene of its own, nothing of it shared. Throws InvalidInput with where it stands and what it was:
+ * `things[0].material.mirror must be a number from 0 to 1, got 2`.
+ */
+export function validateScene(value: unknown): Scene {
+  const found = scene(value, '');
+  const { eye, target } = found.camera;
+  if (eye.every((x, i) => x === target[i])) {
+    throw new InvalidInput(`camera.target must not be the eye, got (${target.join(', ')})`);
+  }
+  const ids = new Set<string>();
+  for (const { id } of [...found.things, ...found.lights]) {
+    if (ids.has(id)) throw new InvalidInput(`two things are called ${quote(id)}`);
+    ids.add(id);
+  }
+  return found;
+}

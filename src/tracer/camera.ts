@@ -1,0 +1,85 @@
+import type { Vec3 } from '../math/vec3.ts';
+import { CAMERA, type Wave } from '../scene/effects/body.ts';
+import type { Camera } from '../scene/types.ts';
+import type { Tile, TraceSettings } from './types.ts';
+import { unit } from './world.ts';
+
+/** The camera's three directions, the sideways ones as long as half the picture's width and height at distance 1. */
+export interface Lens {
+  readonly eye: Vec3;
+  readonly ahead: Vec3;
+  readonly right: Vec3;
+  readonly up: Vec3;
+}
+
+export function lensOf({ eye, target, angle }: Camera, aspect: number): Lens {
+  const ahead = unit([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
+  // Looking straight up or down, the picture's top is where z points away.
+  const steep = ahead[0] === 0 && ahead[2] === 0;
+  const right = unit(steep ? [1, 0, 0] : [-ahead[2], 0, ahead[0]]);
+  const up = cross(right, ahead);
+  const half = Math.tan((angle * Math.PI) / 360);
+  return { eye, ahead, right: times(right, half * aspect), up: times(up, half) };
+}
+
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const times = (v: Vec3, k: number): Vec3 => [v[0] * k, v[1] * k, v[2] * k];
+
+/** The pixels of a tile as y · width + x, row by row. */
+export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32Array {
+  const found: number[] = [];
+  for (let y = Math.ceil(y0 / step) * step; y < y1; y += step) {
+    const known = refines && y % (2 * step) === 0;
+    for (let x = known ? step : 0; x < width; x += known ? 2 * step : step)
+      found.push(y * width + x);
+  }
+  return Int32Array.from(found);
+}
+
+/** Puts the camera rays of these pixels into the wave, a pixel's rays one after the other. */
+export function fireCamera(
+  lens: Lens,
+  { width, height, samples }: TraceSettings,
+  pixels: ArrayLike<number>,
+  wave: Wave,
+): void {
+  const { eye, ahead, right, up } = lens;
+  const side = Math.round(Math.sqrt(samples));
+  const { rays } = wave;
+  let j = 0;
+  for (let k = 0; k < pixels.length; k++) {
+    const pixel = pixels[k] as number;
+    const x = pixel % width;
+    const y = (pixel - x) / width;
+    for (let s = 0; s < side * side; s++) {
+      const u = (2 * (x + ((s % side) + 0.5) / side)) / width - 1;
+      const v = 1 - (2 * (y + (Math.floor(s / side) + 0.5) / side)) / height;
+      const dx = ahead[0] + u * right[0] + v * up[0];
+      const dy = ahead[1] + u * right[1] + v * up[1];
+      const dz = ahead[2] + u * right[2] + v * up[2];
+      const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+      rays.Ex[j] = eye[0];
+      rays.Ey[j] = eye[1];
+      rays.Ez[j] = eye[2];
+      rays.dx[j] = dx / length;
+      rays.dy[j] = dy / length;
+      rays.dz[j] = dz / length;
+      wave.sample[j] = j;
+      wave.path[j] = Math.imul(pixel * side * side + s + 1, 0x9e3779b1);
+      wave.from[j] = -1;
+      wave.medium[j] = -1;
+      wave.kind[j] = CAMERA;
+      wave.red[j] = 1;
+      wave.green[j] = 1;
+      wave.blue[j] = 1;
+      wave.node[j] = -1;
+      j += 1;
+    }
+  }
+  wave.count = j;
+  rays.count = j;
+}

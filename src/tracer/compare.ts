@@ -1,0 +1,120 @@
+import { METHODS } from '../math/methods/index.ts';
+import { EFFECTS } from '../scene/effects/index.ts';
+import type { StartRule, TraceSettings } from './types.ts';
+import { NOTHING } from './types.ts';
+
+/** A finished picture with what its camera rays met; a Frame of the driver is one. */
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8ClampedArray;
+  readonly surface: Int32Array;
+  readonly t: Float64Array;
+}
+
+/** What a pixel of an error map says, the worst that holds. */
+export const SAME = 0;
+export const OTHER_COLOUR = 1;
+/** One ray hits where the other misses, or another surface. */
+export const OTHER_VERDICT = 2;
+
+export interface Comparison {
+  /** SAME, OTHER_COLOUR or OTHER_VERDICT for each pixel. */
+  readonly map: Uint8Array;
+  /** The largest difference of a channel, 0 … 255. */
+  readonly levels: Uint8Array;
+  /** Decimal digits in which the two t differ, of the 15.95 that a double has; NaN where the verdicts differ or nothing is met. */
+  readonly digits: Float32Array;
+  readonly pixels: number;
+  /** Pixels that have another colour. */
+  readonly differing: number;
+  /** Pixels with another verdict, whatever their colours. */
+  readonly verdicts: number;
+  /** Of those: where `a` misses and `b` hits (holes, if b is right), and where only `a` hits. */
+  readonly holes: number;
+  readonly ghosts: number;
+  /** Of the pixels where both hit the same surface; NaN if there are none. */
+  readonly medianDigits: number;
+  readonly mostDigits: number;
+  readonly largestLevel: number;
+}
+
+/** `a` against `b`; where one of them is to be trusted it is `b`. The pictures must be of one size: RangeError. */
+export function comparePictures(a: Picture, b: Picture): Comparison {
+  if (a.width !== b.width || a.height !== b.height) {
+    throw new RangeError(`${a.width} × ${a.height} cannot be laid on ${b.width} × ${b.height}`);
+  }
+  const pixels = a.width * a.height;
+  const map = new Uint8Array(pixels);
+  const levels = new Uint8Array(pixels);
+  const digits = new Float32Array(pixels);
+  let holes = 0;
+  let ghosts = 0;
+  for (let i = 0; i < pixels; i++) {
+    levels[i] = levelsApart(a.rgba, b.rgba, 4 * i);
+    const mine = a.surface[i] as number;
+    const right = b.surface[i] as number;
+    map[i] = mine !== right ? OTHER_VERDICT : levels[i] ? OTHER_COLOUR : SAME;
+    digits[i] = mine === right ? digitsLost(a.t[i] as number, b.t[i] as number) : Number.NaN;
+    if (mine === NOTHING && right !== NOTHING) holes += 1;
+    if (mine !== NOTHING && right === NOTHING) ghosts += 1;
+  }
+  const known = digits.filter((x) => !Number.isNaN(x)).sort();
+  return {
+    map,
+    levels,
+    digits,
+    pixels,
+    differing: levels.reduce((n, level) => n + (level > 0 ? 1 : 0), 0),
+    verdicts: map.reduce((n, kind) => n + (kind === OTHER_VERDICT ? 1 : 0), 0),
+    holes,
+    ghosts,
+    medianDigits: known[known.length >> 1] ?? Number.NaN,
+    mostDigits: known.at(-1) ?? Number.NaN,
+    largestLevel: levels.reduce((most, level) => Math.max(most, level), 0),
+  };
+}
+
+function levelsApart(a: Uint8ClampedArray, b: Uint8ClampedArray, at: number): number {
+  const channel = (k: number): number => Math.abs((a[at + k] as number) - (b[at + k] as number));
+  return Math.max(channel(0), channel(1), channel(2));
+}
+
+/** log10(2^53): all that a double has. */
+export const ALL_DIGITS = 53 * Math.log10(2);
+
+/** How many of a double's digits are wrong: 0 for equal or neighbouring numbers. */
+export function digitsLost(t: number, right: number): number {
+  if (t === right) return 0;
+  const relative = Math.abs(t - right) / Math.abs(right);
+  const lost = ALL_DIGITS + Math.log10(relative);
+  return Number.isNaN(lost) ? Number.NaN : Math.min(Math.max(lost, 0), ALL_DIGITS);
+}
+
+/** Everything in which two settings differ, in words: a fair comparison names one thing. */
+export function namedDifferences(a: TraceSettings, b: TraceSettings): readonly string[] {
+  const found: string[] = [];
+  const differ = (what: string, left: string, right: string): void => {
+    if (left !== right) found.push(`${what}: ${left} | ${right}`);
+  };
+  differ('method', titleOf(a.method), titleOf(b.method));
+  differ('start rule', startInWords(a.start), startInWords(b.start));
+  for (const { id, title } of EFFECTS) {
+    const forced = (settings: TraceSettings): string => wordFor(settings.forced[id]);
+    differ(title, forced(a), forced(b));
+  }
+  differ('size', `${a.width} × ${a.height}`, `${b.width} × ${b.height}`);
+  differ('camera rays a pixel', `${a.samples}`, `${b.samples}`);
+  differ('rays to a light with a size', `${a.lightSamples}`, `${b.lightSamples}`);
+  return found;
+}
+
+const titleOf = (id: string): string => METHODS.find((method) => method.id === id)?.title ?? id;
+
+const wordFor = (forced: 'on' | 'off' | undefined): string =>
+  forced === undefined ? 'as the scene calls for it' : `forced ${forced}`;
+
+export function startInWords(start: StartRule): string {
+  if (start.rule === 'from') return 'the root where a ray starts is dropped';
+  return start.rule === 'none' ? 'none' : `t ≥ ${start.epsilon}`;
+}

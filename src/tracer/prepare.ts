@@ -1,0 +1,102 @@
+import { EFFECTS } from '../scene/effects/index.ts';
+import { planEffects, shownScene } from '../scene/effects/plan.ts';
+import type { Scene } from '../scene/types.ts';
+import { fireCamera, lensOf, pixelsOf } from './camera.ts';
+import { level } from './colour.ts';
+import { addLedgers, EMPTY_LEDGER } from './ledger.ts';
+import { createRecorder } from './record.ts';
+import type { Film } from './shade.ts';
+import { createEngine, type Engine, type Part } from './tracer.ts';
+import type { RayTree, Tile, TileResult, TraceSettings } from './types.ts';
+
+export interface Tracer {
+  /** The effects that take part. */
+  readonly parts: readonly Part[];
+  trace(tile: Tile): TileResult;
+  /** By the same code as a picture, for the camera rays of one pixel. */
+  record(x: number, y: number): RayTree;
+}
+
+/** Samples followed at once: enough for the kernels to be fast, few enough to stay in the cache. */
+const AT_ONCE = 4096;
+
+/** Loads the code of the effects that the scene calls for (or the user forces), and of no others. `clock` in milliseconds. */
+export async function prepareTracer(
+  scene: Scene,
+  settings: TraceSettings,
+  clock: () => number,
+): Promise<Tracer> {
+  const plan = planEffects(scene, settings.forced).filter(({ runs }) => runs);
+  const parts = await Promise.all(
+    plan.map(async ({ id, needed }): Promise<Part> => {
+      const effect = EFFECTS.find((one) => one.id === id);
+      if (!effect) throw new RangeError(`no effect ${id}`);
+      return { id, all: !needed, body: await effect.load() };
+    }),
+  );
+  return tracerOf(shownScene(scene, settings.forced), settings, parts, clock);
+}
+
+/** The same with the effects' code at hand. */
+export function tracerOf(
+  scene: Scene,
+  settings: TraceSettings,
+  parts: readonly Part[],
+  clock: () => number,
+): Tracer {
+  const engine = createEngine(scene, settings, parts, clock);
+  const lens = lensOf(scene.camera, settings.width / settings.height);
+  return {
+    parts,
+    trace: (tile) => traceTile(engine, lens, settings, tile),
+    record(x, y) {
+      const recorder = createRecorder(scene);
+      const wave = engine.camera(settings.samples);
+      fireCamera(lens, settings, [y * settings.width + x], wave);
+      engine.follow(wave, new Float64Array(3 * settings.samples), recorder);
+      return recorder.treeOf(x, y);
+    },
+  };
+}
+
+function traceTile(
+  engine: Engine,
+  lens: ReturnType<typeof lensOf>,
+  settings: TraceSettings,
+  tile: Tile,
+): TileResult {
+  const pixels = pixelsOf(tile, settings.width);
+  const { samples } = settings;
+  const rgba = new Uint8ClampedArray(4 * pixels.length);
+  const surface = new Int32Array(pixels.length);
+  const t = new Float64Array(pixels.length);
+  const each = Math.max(1, Math.floor(AT_ONCE / samples));
+  const film = new Float64Array(3 * each * samples);
+  let ledger = EMPTY_LEDGER;
+  for (let first = 0; first < pixels.length; first += each) {
+    const some = pixels.subarray(first, first + each);
+    const wave = engine.camera(some.length * samples);
+    fireCamera(lens, settings, some, wave);
+    film.fill(0);
+    ledger = addLedgers(ledger, engine.follow(wave, film));
+    develop(film, samples, some.length, rgba.subarray(4 * first));
+    for (let k = 0; k < some.length; k++) {
+      const middle = k * samples + (samples >> 1);
+      surface[first + k] = wave.surface[middle] as number;
+      t[first + k] = wave.t[middle] as number;
+    }
+  }
+  return { tile, rgba, surface, t, ledger };
+}
+
+/** A pixel is the mean of its samples, in linear light, as sRGB bytes. */
+function develop(film: Film, samples: number, pixels: number, rgba: Uint8ClampedArray): void {
+  for (let k = 0; k < pixels; k++) {
+    for (let channel = 0; channel < 3; channel++) {
+      let sum = 0;
+      for (let s = 0; s < samples; s++) sum += film[3 * (k * samples + s) + channel] as number;
+      rgba[4 * k + channel] = level(sum / samples);
+    }
+    rgba[4 * k + 3] = 255;
+  }
+}

@@ -1,0 +1,141 @@
+import type { Ray } from '../math/ray.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { EffectId } from '../scene/effects/index.ts';
+import type { Forced } from '../scene/effects/plan.ts';
+
+/*
+ * How to use the tracer.
+ *
+ *   const tracer = await prepareTracer(scene, settings, clock);      // prepare.ts: loads the bodies of the effects that run, no others
+ *   const result = tracer.trace(tile);                               // a TileResult: pixels, what the camera rays hit, a ledger
+ *   const tree = tracer.record(x, y);                                // the ray tree of one pixel, by the same code
+ *
+ * On the page nobody calls these: workers/trace-job.ts splits a picture over workers, coarse to fine, and puts a Frame together.
+ * What is simulated and why is scene/effects/plan.ts, before any ray is fired. Two finished frames are compared by compare.ts.
+ * A picture depends on scene and settings alone: not on tiles, workers, or time.
+ */
+
+/** Where the rays that leave a surface begin. */
+export type StartRule =
+  /** The surface's root nearest to 0 is dropped: the rule of identity of math/leave.ts. */
+  | { readonly rule: 'from' }
+  /** Any t > 0 counts: the stored point is taken at its word. */
+  | { readonly rule: 'none' }
+  /** Any t ≥ epsilon counts, in world lengths. */
+  | { readonly rule: 'epsilon'; readonly epsilon: number };
+
+export interface TraceSettings {
+  readonly width: number;
+  readonly height: number;
+  /** Camera rays a pixel, on a square grid: 1, 4, 9 or 16. */
+  readonly samples: number;
+  /** Shadow rays to a light with a size, on a square grid with seeded jitter: 4, 9, 16, 25, … */
+  readonly lightSamples: number;
+  /** The rung that answers every question, of METHODS. */
+  readonly method: string;
+  readonly start: StartRule;
+  readonly forced: Forced;
+}
+
+export const DEFAULT_SETTINGS: TraceSettings = {
+  width: 640,
+  height: 360,
+  samples: 1,
+  lightSamples: 16,
+  method: 'certified',
+  start: { rule: 'from' },
+  forced: {},
+};
+
+/**
+ * Pixels of the rows y0 ≤ y < y1 whose x and y are multiples of `step`, without those that a pass with twice the step had
+ * traced before (`refines`). Row by row.
+ */
+export interface Tile {
+  readonly y0: number;
+  readonly y1: number;
+  readonly step: number;
+  readonly refines: boolean;
+}
+
+/** What camera rays met, for comparing methods: −1 nothing, else an index of `surfacesOf(scene)`. */
+export const NOTHING = -1;
+
+export interface TileResult {
+  readonly tile: Tile;
+  /** sRGB, opaque, four bytes a pixel of the tile. */
+  readonly rgba: Uint8ClampedArray;
+  /** For the middle one of a pixel's camera rays. */
+  readonly surface: Int32Array;
+  /** NaN where it met nothing. */
+  readonly t: Float64Array;
+  readonly ledger: Ledger;
+}
+
+export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
+export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
+
+/**
+ * What something cost. `questions`: how often a surface was asked about a ray. `roots`: the roots that were worked out for that; "does its line meet
+ * you at all?" and "does it come back to you?" need none.
+ */
+export interface Cost {
+  readonly rays: number;
+  readonly questions: number;
+  readonly roots: number;
+  readonly ms: number;
+}
+
+export interface Ledger {
+  /** Camera rays with the shading that every picture has. */
+  readonly camera: Cost;
+  /**
+   * Each effect that runs, with the rays that it fired and what following them cost; an effect that does not run is not in here. Shadow rays
+   * fired from what a mirror shows count for shadows, not for the mirror.
+   */
+  readonly effects: Readonly<Partial<Record<EffectId, Cost>>>;
+  readonly kinds: Readonly<Record<RayKind, number>>;
+  /** Rays that were not fired because all that they could bring is less than half a level of 255 (see weight.ts). */
+  readonly saved: number;
+  /** Rays that were not fired because MOST_BOUNCES was reached. */
+  readonly cut: number;
+}
+
+/** A ray and what came of it. */
+export interface RayNode {
+  readonly kind: RayKind;
+  readonly ray: Ray;
+  /** The surface that it leaves, an index of `surfacesOf(scene)`; NOTHING for a camera ray. */
+  readonly from: number;
+  /** The largest share of a colour of its light in the pixel's sample. */
+  readonly weight: number;
+  readonly end: RayEnd;
+  readonly children: readonly RayNode[];
+}
+
+export type RayEnd =
+  | { readonly end: 'background' }
+  | {
+      readonly end: 'hit';
+      readonly t: number;
+      readonly point: Vec3;
+      /** Of length 1, on the side that the ray comes from. */
+      readonly normal: Vec3;
+      readonly surface: number;
+    }
+  /** A shadow ray that reaches its light at t. */
+  | { readonly end: 'light'; readonly light: string; readonly t: number }
+  /** A shadow ray that does not: the first surface asked that stands in the way, which need not be the nearest. */
+  | {
+      readonly end: 'blocked';
+      readonly light: string;
+      readonly t: number;
+      readonly surface: number;
+    };
+
+export interface RayTree {
+  readonly x: number;
+  readonly y: number;
+  /** The pixel's camera rays, one per sample. */
+  readonly rays: readonly RayNode[];
+}

@@ -1,0 +1,56 @@
+import { pixelsOf } from '../tracer/camera.ts';
+import { NOTHING, type TileResult } from '../tracer/types.ts';
+
+/** The picture so far: coarse blocks are filled, so it can be shown at any time. The arrays are written on as tiles arrive. */
+export interface Frame {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8ClampedArray<ArrayBuffer>;
+  /** What each pixel's middle camera ray met, and where (NaN: nothing); right for pixels that are traced. */
+  readonly surface: Int32Array;
+  readonly t: Float64Array;
+  /** The size of the block that gave a pixel its colour; 0 for its own, 255 for none yet. */
+  readonly block: Uint8Array;
+}
+
+/** Nothing traced yet: transparent. */
+export function newFrame(width: number, height: number): Frame {
+  const pixels = width * height;
+  return {
+    width,
+    height,
+    rgba: new Uint8ClampedArray(4 * pixels),
+    surface: new Int32Array(pixels).fill(NOTHING),
+    t: new Float64Array(pixels).fill(Number.NaN),
+    block: new Uint8Array(pixels).fill(255),
+  };
+}
+
+/**
+ * Puts a tile into the picture. A pixel of a coarse pass fills the block that finer ones are still to trace; tiles may come in any order, so it
+ * leaves alone what is finer already.
+ */
+export function paintTile(frame: Frame, { tile, rgba, surface, t }: TileResult): void {
+  const { width, height, block } = frame;
+  const { step } = tile;
+  const colours = new Uint32Array(frame.rgba.buffer);
+  const given = new Uint32Array(rgba.buffer, rgba.byteOffset, rgba.length / 4);
+  const pixels = pixelsOf(tile, width);
+  for (let k = 0; k < pixels.length; k++) {
+    const pixel = pixels[k] as number;
+    frame.surface[pixel] = surface[k] as number;
+    frame.t[pixel] = t[k] as number;
+    const x = pixel % width;
+    const y = (pixel - x) / width;
+    const right = Math.min(x + step, width);
+    for (let row = y; row < Math.min(y + step, height); row++) {
+      for (let at = row * width + x; at < row * width + right; at++) {
+        if ((block[at] as number) < step) continue;
+        colours[at] = given[k] as number;
+        block[at] = step;
+      }
+    }
+    colours[pixel] = given[k] as number;
+    block[pixel] = 0;
+  }
+}

@@ -1,0 +1,285 @@
+import type { EffectId } from '../scene/effects/index.ts';
+import type { Scene } from '../scene/types.ts';
+import { addLedgers, EMPTY_LEDGER } from '../tracer/ledger.ts';
+import type { Ledger, RayTree, TraceSettings } from '../tracer/types.ts';
+import { type Frame, newFrame, paintTile } from './frame.ts';
+import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
+import { createTiles } from './tiles.ts';
+
+/**
+ * What the driver needs of a worker; the browser's own Worker fits, and so does a fake one:
+ *
+ *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock: () => performance.now() });
+ *   const job = pool.start(scene, settings, { progress: (state) => … });
+ *   job.cancel();                     // or pool.start(…) again: the old job says nothing more
+ *   const tree = await job.record(x, y);
+ */
+export interface WorkerLike {
+  postMessage(message: ToTraceWorker): void;
+  addEventListener(
+    type: 'message',
+    listen: (event: { readonly data: FromTraceWorker }) => void,
+  ): void;
+  addEventListener(type: 'error', listen: (event: { readonly message?: string }) => void): void;
+  terminate(): void;
+}
+
+export interface TracePoolOptions {
+  readonly spawn: () => WorkerLike;
+  /** The device's cores, at most MOST_WORKERS of them. */
+  readonly workers: number;
+  /** Milliseconds. */
+  readonly clock: () => number;
+}
+
+export const MOST_WORKERS = 8;
+
+export type TraceState = 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
+
+/** Re-exported for those who show it. */
+export type { Frame } from './frame.ts';
+
+export interface TraceProgress {
+  readonly state: TraceState;
+  readonly frame: Frame;
+  readonly ledger: Ledger;
+  /** Pixels. */
+  readonly done: number;
+  readonly total: number;
+  /** The size of the blocks: 1 when the finest pass runs. */
+  readonly step: number;
+  /** Since the start, and to the end by what has been measured so far (NaN before the first tile). */
+  readonly msSpent: number;
+  readonly msLeft: number;
+  readonly workers: number;
+  /** The bodies that the workers have loaded. */
+  readonly effects: readonly EffectId[];
+  /** Why it failed; '' otherwise. */
+  readonly message: string;
+}
+
+export interface TraceJob {
+  readonly id: number;
+  cancel(): void;
+  /** The ray tree of one pixel; rejects if the job is cancelled or replaced before the answer. */
+  record(x: number, y: number): Promise<RayTree>;
+}
+
+export interface TraceListener {
+  /** At every tile, and at the end. */
+  progress(state: TraceProgress): void;
+}
+
+export interface TracePool {
+  /** Starts at once; what ran before is cancelled. */
+  start(scene: Scene, settings: TraceSettings, listener: TraceListener): TraceJob;
+  /** Ends the workers. */
+  dispose(): void;
+}
+
+/** A worker of the pool and what it is at. */
+interface Hand {
+  readonly worker: WorkerLike;
+  /** It has loaded this job's scene. */
+  ready: boolean;
+  /** Tiles of this job that it has been given. */
+  tiles: number;
+  /** It has ever said anything: it may take long to load. */
+  spoken: boolean;
+  /** When it last said something, or was given something while it had nothing to do. */
+  heard: number;
+}
+
+/** One in work and one waiting: a worker need not wait for the page to be free. */
+const TILES_A_HAND = 2;
+
+/** A worker that is silent for longer when the job ends is replaced: it would make the next one wait. Milliseconds. */
+const PATIENCE = 250;
+
+interface Run {
+  readonly id: number;
+  readonly listener: TraceListener;
+  readonly frame: Frame;
+  readonly tiles: ReturnType<typeof createTiles>;
+  readonly started: number;
+  ledger: Ledger;
+  done: number;
+  effects: readonly EffectId[];
+  state: TraceState;
+  message: string;
+  readonly questions: Question[];
+}
+
+interface Question {
+  readonly x: number;
+  readonly y: number;
+  readonly answer: (tree: RayTree) => void;
+  readonly refuse: (why: Error) => void;
+}
+
+export function createTracePool({ spawn, workers, clock }: TracePoolOptions): TracePool {
+  let hands: Hand[] = [];
+  let run: Run | undefined;
+  let jobs = 0;
+
+  function newHand(): Hand {
+    const hand: Hand = { worker: spawn(), ready: true, tiles: 0, spoken: false, heard: clock() };
+    hand.worker.addEventListener('message', ({ data }) => hear(hand, data));
+    hand.worker.addEventListener('error', ({ message }) => {
+      fail(message || 'a worker could not be started');
+    });
+    return hand;
+  }
+
+  /** As many hands as wanted, none of them stuck at something that nobody asks for any longer. */
+  function gather(): void {
+    const wanted = Math.min(Math.max(1, Math.floor(workers)), MOST_WORKERS);
+    const kept = hands.filter(
+      (hand) => !owes(hand) || !hand.spoken || clock() - hand.heard < PATIENCE,
+    );
+    for (const hand of hands) if (!kept.includes(hand)) hand.worker.terminate();
+    hands = kept;
+    while (hands.length < wanted) hands.push(newHand());
+  }
+
+  const owes = ({ ready, tiles }: Hand): boolean => !ready || tiles > 0;
+  const runs = ({ state }: Run): boolean => state === 'loading' || state === 'tracing';
+
+  function hear(hand: Hand, data: FromTraceWorker): void {
+    hand.heard = clock();
+    hand.spoken = true;
+    if (!run || data.job !== run.id) return;
+    if (data.type === 'tree') settle(run, data.tree);
+    else if (data.type === 'failed') fail(data.message);
+    else if (data.type === 'ready') begin(run, hand, data.effects);
+    else take(run, hand, data);
+  }
+
+  function begin(current: Run, hand: Hand, effects: readonly EffectId[]): void {
+    hand.ready = true;
+    current.effects = effects;
+    if (!runs(current)) return;
+    current.state = 'tracing';
+    report(current);
+    feed(current, hand);
+  }
+
+  function take(
+    current: Run,
+    hand: Hand,
+    { result, ms }: Extract<FromTraceWorker, { readonly type: 'tile' }>,
+  ): void {
+    hand.tiles -= 1;
+    if (!runs(current)) return;
+    const pixels = result.surface.length;
+    current.ledger = addLedgers(current.ledger, result.ledger);
+    current.done += pixels;
+    current.tiles.took(pixels, ms);
+    paintTile(current.frame, result);
+    if (current.done === current.tiles.total) current.state = 'finished';
+    else feed(current, hand);
+    report(current);
+  }
+
+  function feed({ id, tiles }: Run, hand: Hand): void {
+    while (hand.ready && hand.tiles < TILES_A_HAND) {
+      const tile = tiles.next();
+      if (!tile) return;
+      if (hand.tiles === 0) hand.heard = clock();
+      hand.tiles += 1;
+      hand.worker.postMessage({ type: 'tile', job: id, tile });
+    }
+  }
+
+  function report({ listener, frame, ledger, done, tiles, started, effects, state, message }: Run) {
+    const msSpent = clock() - started;
+    listener.progress({
+      state,
+      frame,
+      ledger,
+      done,
+      total: tiles.total,
+      step: tiles.step(),
+      msSpent,
+      msLeft: done === 0 ? Number.NaN : (msSpent * (tiles.total - done)) / done,
+      workers: hands.length,
+      effects,
+      message,
+    });
+  }
+
+  function settle({ questions }: Run, tree: RayTree): void {
+    const at = questions.findIndex(({ x, y }) => x === tree.x && y === tree.y);
+    const [question] = at < 0 ? [] : questions.splice(at, 1);
+    question?.answer(tree);
+  }
+
+  function end(state: TraceState, message: string): void {
+    if (!run) return;
+    for (const { refuse } of run.questions.splice(0)) refuse(new Error(message || 'cancelled'));
+    if (!runs(run)) return;
+    run.state = state;
+    run.message = message;
+    report(run);
+  }
+
+  /** Nothing more is to be had of these workers: the next job gets new ones. */
+  function fail(message: string): void {
+    close();
+    end('failed', message);
+  }
+
+  function close(): void {
+    for (const { worker } of hands) worker.terminate();
+    hands = [];
+  }
+
+  return {
+    start(scene, settings, listener) {
+      end('cancelled', '');
+      gather();
+      jobs += 1;
+      const id = jobs;
+      const started: Run = {
+        id,
+        listener,
+        frame: newFrame(settings.width, settings.height),
+        tiles: createTiles(settings.width, settings.height, hands.length),
+        started: clock(),
+        ledger: EMPTY_LEDGER,
+        done: 0,
+        effects: [],
+        state: 'loading',
+        message: '',
+        questions: [],
+      };
+      run = started;
+      for (const hand of hands) {
+        if (!owes(hand)) hand.heard = clock();
+        hand.ready = false;
+        hand.tiles = 0;
+        hand.worker.postMessage({ type: 'scene', job: id, scene, settings });
+      }
+      report(started);
+      return {
+        id,
+        cancel() {
+          if (run?.id === id) end('cancelled', '');
+        },
+        record(x, y) {
+          const [hand] = hands;
+          if (run?.id !== id || !hand) return Promise.reject(new Error('cancelled'));
+          return new Promise((answer, refuse) => {
+            started.questions.push({ x, y, answer, refuse });
+            hand.worker.postMessage({ type: 'record', job: id, x, y });
+          });
+        },
+      };
+    },
+    dispose() {
+      end('cancelled', '');
+      close();
+      run = undefined;
+    },
+  };
+}
