@@ -1,4 +1,5 @@
 import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
+import { Ahead } from '../ui/ahead.ts';
 import { wrapped } from './camera.ts';
 
 /** Degrees a pixel of drag turns the scene by; a key press; what a wheel pixel and a key multiply the zoom by. */
@@ -25,6 +26,12 @@ interface Orbit {
  * camera. A gesture counts from where it began, so a view that comes back rounded or late cannot make it drift.
  */
 export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
+  const ahead = new Ahead<FreeView>();
+  const step = (turn: number, lift: number, factor: number): void => {
+    const view = limited(ahead.of(orbit.current()), turn, lift, factor);
+    ahead.set(view);
+    orbit.turn(view);
+  };
   const pointers = new Map<number, { x: number; y: number }>();
   let start: { view: FreeView; x: number; y: number; spread: number } | null = null;
   let isDragging = false;
@@ -74,22 +81,24 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     const pixels = event.deltaY * WHEEL_UNITS[event.deltaMode as 0 | 1 | 2];
     // A pinch on a touchpad arrives as a wheel with ctrl and small steps.
     const factor = PER_WHEEL_PIXEL ** (-pixels * (event.ctrlKey ? 6 : 1));
-    orbit.turn(limited(orbit.current(), 0, 0, factor));
+    step(0, 0, factor);
   };
   const key = (event: KeyboardEvent) => {
     if (event.target !== element || event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = event.shiftKey ? PER_FINE_KEY : PER_KEY;
-    const view = orbit.current();
+    const by = event.shiftKey ? PER_FINE_KEY : PER_KEY;
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => orbit.turn(limited(view, -step, 0, 1)),
-      ArrowRight: () => orbit.turn(limited(view, step, 0, 1)),
-      ArrowUp: () => orbit.turn(limited(view, 0, step, 1)),
-      ArrowDown: () => orbit.turn(limited(view, 0, -step, 1)),
-      '+': () => orbit.turn(limited(view, 0, 0, PER_ZOOM_KEY)),
-      '=': () => orbit.turn(limited(view, 0, 0, PER_ZOOM_KEY)),
-      '-': () => orbit.turn(limited(view, 0, 0, 1 / PER_ZOOM_KEY)),
-      '\u2212': () => orbit.turn(limited(view, 0, 0, 1 / PER_ZOOM_KEY)),
-      '0': () => orbit.home(),
+      ArrowLeft: () => step(-by, 0, 1),
+      ArrowRight: () => step(by, 0, 1),
+      ArrowUp: () => step(0, by, 1),
+      ArrowDown: () => step(0, -by, 1),
+      '+': () => step(0, 0, PER_ZOOM_KEY),
+      '=': () => step(0, 0, PER_ZOOM_KEY),
+      '-': () => step(0, 0, 1 / PER_ZOOM_KEY),
+      '\u2212': () => step(0, 0, 1 / PER_ZOOM_KEY),
+      '0': () => {
+        ahead.forget();
+        orbit.home();
+      },
     };
     const action = actions[event.key];
     if (!action) return;

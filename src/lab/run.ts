@@ -1,3 +1,5 @@
+import { quartiles } from './stats.ts';
+
 /** Something to be timed; one call works through a whole batch, so that the call itself costs nothing. */
 export interface Task {
   readonly id: string;
@@ -8,6 +10,7 @@ export interface Task {
 export type Clock = () => number;
 
 export interface Plan {
+  /** At most so many. */
   readonly rounds: number;
   /** A sample takes at least this many milliseconds, … */
   readonly least: number;
@@ -15,10 +18,31 @@ export interface Plan {
   readonly steps: number;
   /** Untimed rounds before, in which the engine compiles and forgets its first guesses. */
   readonly warmUp: number;
+  /** When fewer rounds will do; absent: never. */
+  readonly settles?: Settling | undefined;
+}
+
+/** Enough is measured when every task's quartiles lie within a share `spread` of its median, and not before so many rounds. */
+export interface Settling {
+  readonly rounds: number;
+  readonly spread: number;
 }
 
 /** What the design asks for: 15 rounds of samples of 10 ms and 100 steps. */
 export const USUAL: Plan = { rounds: 15, least: 10, steps: 100, warmUp: 3 };
+
+/** Milliseconds a call, by task, one for each round. */
+export type Times = ReadonlyMap<string, readonly number[]>;
+
+/** The state of a measurement after one more sample. */
+export interface Progress {
+  /** Rounds that are complete; below 0 in the warm-up. */
+  readonly round: number;
+  /** Samples taken, and how many there will be at most. */
+  readonly done: number;
+  readonly total: number;
+  readonly times: Times;
+}
 
 /** The smallest difference that the clock shows, of a few tries. */
 export function clockStep(clock: Clock): number {
@@ -33,25 +57,47 @@ export function clockStep(clock: Clock): number {
 }
 
 /**
- * Milliseconds a call, per task and round. The tasks take turns within each round, so that whatever else the machine does meets
- * all of them alike; only ratios within one round say much.
+ * Measures sample by sample: whoever asks for the next one may do other work between, or stop. The tasks take turns within each round, so
+ * that whatever else the machine does meets all of them alike; only ratios within one round say much.
  */
-export function measure(
+export function* measuring(
   tasks: readonly Task[],
   clock: Clock,
-  plan: Plan = USUAL,
-): Map<string, number[]> {
-  const least = Math.max(plan.least, plan.steps * clockStep(clock));
+  plan: Plan,
+  step: number,
+): Generator<Progress, Times> {
+  const least = Math.max(plan.least, plan.steps * step);
   const times = new Map(tasks.map(({ id }) => [id, [] as number[]]));
   const repeats = new Map<string, number>();
+  const total = tasks.length * (plan.rounds + plan.warmUp);
+  let done = 0;
   for (let round = -plan.warmUp; round < plan.rounds; round++) {
-    for (const task of tasks) {
+    for (const [k, task] of tasks.entries()) {
       const { spent, calls } = sample(task, clock, least, repeats.get(task.id) ?? 1);
       repeats.set(task.id, calls);
       if (round >= 0) times.get(task.id)?.push(spent / calls);
+      done += 1;
+      yield { round: k + 1 === tasks.length ? round + 1 : round, done, total, times };
     }
+    if (plan.settles && hasSettled(times, plan.settles)) break;
   }
   return times;
+}
+
+/** The same in one go. */
+export function measure(tasks: readonly Task[], clock: Clock, plan: Plan = USUAL): Times {
+  const samples = measuring(tasks, clock, plan, clockStep(clock));
+  for (;;) {
+    const { done, value } = samples.next();
+    if (done) return value;
+  }
+}
+
+export function hasSettled(times: Times, { rounds, spread }: Settling): boolean {
+  return [...times.values()].every((all) => {
+    const { low, median, high } = quartiles(all);
+    return all.length >= rounds && high - low <= spread * median;
+  });
 }
 
 /** Calls the task until the sample is long enough, with twice as many calls at each try. */

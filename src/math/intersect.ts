@@ -13,8 +13,11 @@ import type { Ray } from './ray.ts';
 import type { Shape } from './shapes/index.ts';
 import { checkShape } from './shapes/lookup.ts';
 
-/** The method whose answers the page's verdicts and `intersect` itself stand on. */
-export const DEFAULT_METHOD = 'exact';
+/**
+ * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each root one of the two doubles around it, at a price that
+ * a picture can pay. The page still compares every class that it shows with the exact rung's.
+ */
+export const DEFAULT_METHOD = 'certified';
 
 export interface IntersectOptions {
   /**
@@ -53,7 +56,7 @@ const NO_OPTIONS: IntersectOptions = {};
 
 /**
  * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape f is the line with
- * A = 0, B = N·d and C = N·(E − P). By 'exact' each is correctly rounded (±Infinity where it is beyond the doubles);
+ * A = 0, B = N·d and C = N·(E − P). By 'exact' and 'certified' each is correctly rounded (±Infinity where it is beyond the doubles);
  * by 'textbook' it is the course's own float64 evaluation. Throws InvalidInput as `intersect` does.
  */
 export function coefficients(

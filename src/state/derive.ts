@@ -1,5 +1,5 @@
 import { type Derivation, derivation } from '../math/derivation.ts';
-import { DEFAULT_METHOD, intersect } from '../math/intersect.ts';
+import { intersect } from '../math/intersect.ts';
 import type { Intersection, Verdict } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
@@ -52,7 +52,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     rayOf({ E, d, unit } as AppState),
   );
   const solve = remember((shape: Shape, r: Ray, method: string) => intersect(shape, r, method));
-  const check = remember((shape: Shape, r: Ray) => intersect(shape, r, DEFAULT_METHOD).class);
+  const check = remember((shape: Shape, r: Ray) => intersect(shape, r, 'exact').class);
   const steps = remember(derivation);
   const strip = remember(stripOf);
   const stage = keepWhile(sameStage, stageOf);
@@ -70,7 +70,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const { title, meaning } = definition;
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
-    const exactClass = state.method === DEFAULT_METHOD ? found.class : check(shape, r);
+    const exactClass = state.method === 'exact' ? found.class : check(shape, r);
     const graph = strip(found, shape, r, state.bead);
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);

@@ -1,6 +1,7 @@
 import { type Answers, createAnswers, createRays, NONE, type Rays } from '../math/batch/batch.ts';
 import type { RootsBody } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
+import { departs } from './departs.ts';
 import type { Tally } from './ledger.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
@@ -17,7 +18,14 @@ export interface Asker {
   readonly leaving: Packed;
   readonly out: Answers;
   /** Packs rays list[0 … count − 1] for the target. Under a rule other than `from` nobody is said to leave. */
-  pack(target: Target, rays: Rays, from: Int32Array, list: Int32Array, count: number): void;
+  pack(
+    target: Target,
+    rays: Rays,
+    from: Int32Array,
+    list: Int32Array,
+    count: number,
+    tally: Tally,
+  ): void;
   /** Of the packed others only those whose whole line meets the target are kept: no root is worked out. */
   keepMeeting(target: Target, tally: Tally): void;
   /** The first root that counts into out.t0, NaN where there is none, for packed others (or any rays that do not leave). */
@@ -35,8 +43,9 @@ export const startOf = (start: StartRule): number =>
 
 export interface HeightsEffect {
   readonly body: RootsBody;
-  readonly tally: Tally;
   readonly clock: () => number;
+  /** Told of the second roots that it took, and of its time. */
+  readonly spend: (roots: number, ms: number) => void;
 }
 
 /** Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where no target is cut. */
@@ -57,25 +66,31 @@ export function createAsker(
     const second = target.flat ? 0 : rays.count;
     tally.roots += rays.count + (leaves ? second : 0);
     if (!heights) return;
-    if (!leaves) heights.tally.roots += second;
     const before = heights.clock();
     heights.body.choose(rays, out, target.low, target.high, tMin, leaves);
-    heights.tally.ms += heights.clock() - before;
+    heights.spend(leaves ? 0 : second, heights.clock() - before);
   }
 
   return {
     others,
     leaving,
     out,
-    pack(target, rays, from, list, count) {
+    pack(target, rays, from, list, count, tally) {
       const self = byIdentity ? target.surface : -2;
+      const { proven } = target;
+      const { a } = target.normal;
       let n = 0;
       let m = 0;
+      let gone = 0;
       for (let k = 0; k < count; k++) {
         const i = list[k] as number;
         if (from[i] === self) {
           // A flat shape is met only once, and there the ray starts.
           if (target.flat) continue;
+          if (proven && departs(proven, a, rays, i)) {
+            gone += 1;
+            continue;
+          }
           copyRay(rays, i, leaving.rays, m);
           leaving.index[m++] = i;
         } else {
@@ -85,6 +100,7 @@ export function createAsker(
       }
       others.rays.count = n;
       leaving.rays.count = m;
+      tally.questions += gone;
     },
     keepMeeting(target, tally) {
       const { rays, index } = others;

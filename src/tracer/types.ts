@@ -75,7 +75,10 @@ export interface TileResult {
 export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
 export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
 
-/** What something cost. `roots`: roots that were worked out; a question that only asks "hit or not?" has none. */
+/**
+ * What something cost. `questions`: how often a surface was asked about a ray. `roots`: the roots that were worked out for that; "does its line meet
+ * you at all?" and "does it come back to you?" need none.
+ */
 export interface Cost {
   readonly rays: number;
   readonly questions: number;

@@ -1,6 +1,6 @@
 import type { Kernel } from '../math/batch/batch.ts';
 import { planarOf } from '../math/batch/planar.ts';
-import { quadricOf } from '../math/batch/quadric.ts';
+import { type Quadric, quadricOf } from '../math/batch/quadric.ts';
 import { findMethod } from '../math/intersect.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
 import type { Shape } from '../math/shapes/index.ts';
@@ -10,6 +10,7 @@ import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
 import { type Box, boxOf } from './boxes.ts';
 import { linear } from './colour.ts';
+import { PROVEN } from './departs.ts';
 
 /** A surface as the tracer asks it. */
 export interface Target {
@@ -26,6 +27,8 @@ export interface Target {
   /** Stands in the way of light. */
   readonly blocks: boolean;
   readonly normal: NormalOf;
+  /** A curved shape's numbers, where the method's answers are those of exact arithmetic: see departs.ts. */
+  readonly proven: Quadric | null;
 }
 
 /** The unit normal N of a flat shape, or the gradient (x − Cx, −a(y − Cy), z − Cz) of a curved one. */
@@ -69,6 +72,7 @@ export function worldOf(
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
         normal: normalOf(surface.shape),
+        proven: PROVEN.has(method) ? quadricOf(surface.shape) : null,
       };
     }),
   };

@@ -47,3 +47,19 @@ function inline(from: Element, to: Element): void {
     if (a && b) inline(a, b);
   }
 }
+
+/** Twice the size on the page, so that it prints well. */
+const PNG_SCALE = 2;
+
+/** The same as pixels; null where the browser refuses to draw it. */
+export async function svgPng(source: SVGSVGElement, background: string): Promise<Blob | null> {
+  const { width, height } = source.getBoundingClientRect();
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(svgText(source, background))}`;
+  await image.decode();
+  const canvas = document.createElement('canvas');
+  canvas.width = width * PNG_SCALE;
+  canvas.height = height * PNG_SCALE;
+  canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return new Promise((resolve) => canvas.toBlob(resolve));
+}

@@ -1,14 +1,13 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
-import { measure, type Task } from '../../src/lab/run.ts';
+import { batchesOf, rayAt, tasksOf } from '../../src/lab/plan.ts';
+import { qualityOf } from '../../src/lab/quality.ts';
+import { measure, type Times } from '../../src/lab/run.ts';
 import { quantile, quartiles } from '../../src/lab/stats.ts';
-import { createAnswers } from '../../src/math/batch/batch.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/intersect.ts';
 import type { Method } from '../../src/math/methods/define.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
-import type { Ray } from '../../src/math/ray.ts';
-import { type Batch, batchesOf, qualityOf } from './ladder-plan.ts';
 
 /*
  * What each rung costs, as a ratio to the textbook batch on the same rays in the same round, and what it gets wrong. Rays are drawn from seed
@@ -17,6 +16,7 @@ import { type Batch, batchesOf, qualityOf } from './ladder-plan.ts';
 const SEED = 2026;
 const SHAPES = 6;
 const COUNT = 512;
+const SAMPLE = { seed: SEED, shapes: SHAPES, count: COUNT };
 const PLAN = { rounds: 15, least: 4, steps: 100, warmUp: 4 };
 /** The processor's time of this process: on a shared machine the wall clock mostly measures the neighbours. */
 function clock(): number {
@@ -36,33 +36,18 @@ const print = (line: string): void => {
   lines.push(line);
 };
 
-type Form = 'both' | 'classes';
-
-function tasksOf(batches: readonly Batch[], form: Form): Task[] {
-  const out = createAnswers(COUNT);
-  return methods.map((method) => {
-    const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch?.(shape), rays }));
-    return {
-      id: method.id,
-      run() {
-        for (const { kernel, rays } of kernels) kernel?.[form](rays, out);
-      },
-    };
-  });
-}
-
 /** Ratios to textbook, round by round. */
-function ratios(times: ReadonlyMap<string, readonly number[]>, id: string): string {
+function ratios(times: Times, id: string): string {
   const base = times.get('textbook') ?? [];
   const { low, median, high } = quartiles((times.get(id) ?? []).map((x, k) => x / (base[k] ?? 1)));
   return `${median.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})`;
 }
 
 function table(family: Family): void {
-  const batches = batchesOf(family, SEED, SHAPES, COUNT);
+  const batches = batchesOf(family, SAMPLE);
   const rays = SHAPES * COUNT;
-  const roots = measure(tasksOf(batches, 'both'), clock, PLAN);
-  const classes = measure(tasksOf(batches, 'classes'), clock, PLAN);
+  const roots = measure(tasksOf(methods, batches, 'both'), clock, PLAN);
+  const classes = measure(tasksOf(methods, batches, 'classes'), clock, PLAN);
   print(`\n### ${family.title}\n\n${family.idea}\n`);
   print(
     '| rung | both roots | ns | class only | ns | wrong class | undecided | ulps: 99.9 % | max |',
@@ -70,7 +55,7 @@ function table(family: Family): void {
   print('|---|---|---|---|---|---|---|---|---|');
   for (const method of methods) {
     const { wrong, undecided, ulps } = qualityOf(method, batches);
-    const ns = (times: ReadonlyMap<string, readonly number[]>): string =>
+    const ns = (times: Times): string =>
       ((quartiles(times.get(method.id) ?? []).median / rays) * 1e6).toPrecision(3);
     const worst = ulps.at(-1) ?? 0;
     const cells = [
@@ -91,15 +76,9 @@ function table(family: Family): void {
 /** One ray at a time, as objects: t and class, which is what a caller who asks "where is it hit?" reads. */
 function objects(): void {
   const typical = FAMILIES.find(({ id }) => id === 'typical') as Family;
-  const asked = batchesOf(typical, SEED, SHAPES, COUNT).map(({ shape, rays }) => ({
-    shape,
-    rays: Array.from(
-      { length: rays.count },
-      (_, i): Ray => ({
-        origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
-        direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
-      }),
-    ),
+  const asked = batchesOf(typical, SAMPLE).map((batch) => ({
+    shape: batch.shape,
+    rays: Array.from({ length: batch.rays.count }, (_, i) => rayAt(batch, i)),
   }));
   let sum = 0;
   const byTextbook = (): void => {

@@ -1,5 +1,13 @@
 import { slider } from './support/controls.ts';
-import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import {
+  hashOf,
+  linkWritten,
+  NO_SCENE,
+  open,
+  quantities,
+  settle,
+  withoutScene,
+} from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ provoked: NO_SCENE });
@@ -35,4 +43,12 @@ test('no key is lost, however fast they come: slider, box and bead', async ({ pa
   await pressAtOnce(page.locator('.strip-bead'), 'ArrowRight', 6);
   await settle(page);
   expect(Number((await quantities(page))['bead.t'])).toBeCloseTo(before + 7 * step, 9);
+});
+
+test('and none of those that turn the scene', async ({ page }) => {
+  await open(page, '#/explore?shape=cone&method=exact&view=10,20,1');
+  await page.locator('canvas').waitFor();
+  await pressAtOnce(page.locator('.scene-root'), 'ArrowRight', 9);
+  await linkWritten(page);
+  expect(await hashOf(page)).toContain('view=55,20,1');
 });

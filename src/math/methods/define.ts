@@ -1,7 +1,13 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Kernel } from '../batch/batch.ts';
 import type { Coefficients, Intersection, QuadraticAnswer } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
+import type { Form } from './forms.ts';
+import type { Solver } from './solvers.ts';
+
+/** What a rung that walks trees is made of, whatever its numbers are: their arithmetic, its form and its solver. */
+export type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
 
 /** A rung of the ladder. Its functions expect input that was checked before. */
 export interface Method {
@@ -15,6 +21,11 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
-  /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
+  /**
+   * The same answers for many rays at once: class and roots bit-equal to `intersect`. Only `certified` may give the other one of the two
+   * doubles around a root, since it comes to it on another way.
+   */
   batch?(shape: Shape): Kernel;
+  /** So that its own operations can be followed one by one; a rung that is not made of trees has none. */
+  readonly parts?: Parts;
 }

@@ -66,6 +66,7 @@ export function treeMethod<T>(
         : intersectFlat(formula, values, rung);
     },
     solve: (A, B, C) => solveDoubles(A, B, C, rung),
+    parts: (use) => use(arithmetic, form, solver),
   };
 }
 

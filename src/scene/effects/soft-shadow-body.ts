@@ -1,12 +1,36 @@
-import { type Random, seeded } from '../../math/rng.ts';
+import { seeded } from '../../math/rng.ts';
 import type { Feelers, LightBody, Lit, Wave } from './body.ts';
 
 /** Feelers a call: enough for the kernels, and they stay in the cache. */
 const AT_ONCE = 4096;
 
+/** So many different sets of points are drawn, once; each hit takes one of them, turned by an angle of its own. */
+const SETS = 64;
+const SEED = 2026;
+
+/** By points a side: x and y of each point of a unit disc, set after set. */
+const drawn = new Map<number, Float64Array>();
+
+/** A square grid, each point at a random place of its cell, mapped onto the disc: every ring gets its share. */
+function pointsOf(side: number): Float64Array {
+  const known = drawn.get(side);
+  if (known) return known;
+  const random = seeded(SEED);
+  const points = new Float64Array(2 * SETS * side * side);
+  for (let k = 0; k < SETS * side * side; k++) {
+    const u = Math.floor(k / side) % side;
+    const r = Math.sqrt((u + random()) / side);
+    const angle = (2 * Math.PI * ((k % side) + random())) / side;
+    points[2 * k] = r * Math.cos(angle);
+    points[2 * k + 1] = r * Math.sin(angle);
+  }
+  drawn.set(side, points);
+  return points;
+}
+
 /**
- * Rays to a square grid of points, each at a random place of its cell, mapped onto the light's disc as it is seen from the hit. The seed is the
- * camera ray's and its way's: the picture does not depend on the order in which hits are looked at.
+ * Rays to points of the light's disc as it is seen from the hit. Which points is up to the camera ray and its way: the picture does not depend on
+ * the order in which hits are looked at.
  */
 export const body: LightBody = {
   at: 'light',
@@ -35,36 +59,46 @@ function aim(
   askedBy: Int32Array,
 ): void {
   const i = lit.ray[k] as number;
-  const random = seeded(Math.imul((wave.path[i] as number) ^ 0x9e3779b9, lit.light.index + 1));
+  const chance = mixed(Math.imul((wave.path[i] as number) ^ 0x9e3779b9, lit.light.index + 1));
+  const points = pointsOf(side);
+  const each = 2 * side * side;
+  const first = (chance & (SETS - 1)) * each;
+  const turn = (2 * Math.PI * (chance >>> 6)) / 2 ** 26;
+  const { radius } = lit.light;
+  const c = radius * Math.cos(turn);
+  const w = radius * Math.sin(turn);
   const x = lit.Lx[k] as number;
   const y = lit.Ly[k] as number;
   const z = lit.Lz[k] as number;
   const distance = lit.distance[k] as number;
-  const radius = lit.light.radius;
   // Two directions across: Duff et al. 2017, Building an orthonormal basis, revisited.
   const s = z < 0 ? -1 : 1;
   const a = -1 / (s + z);
   const b = x * y * a;
-  for (let u = 0; u < side; u++) {
-    for (let v = 0; v < side; v++) {
-      const r = radius * Math.sqrt(cell(random, u, side));
-      const angle = 2 * Math.PI * cell(random, v, side);
-      const p = r * Math.cos(angle);
-      const q = r * Math.sin(angle);
-      askedBy[feelers.count] = k;
-      if (radius === 0) put(wave, i, feelers, x, y, z, distance);
-      else {
-        const dx = x * distance + p * (1 + s * x * x * a) + q * b;
-        const dy = y * distance + p * s * b + q * (s + y * y * a);
-        const dz = z * distance - p * s * x - q * y;
-        const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        put(wave, i, feelers, dx / length, dy / length, dz / length, length);
-      }
+  for (let at = first; at < first + each; at += 2) {
+    const u = points[at] as number;
+    const v = points[at + 1] as number;
+    const p = c * u - w * v;
+    const q = w * u + c * v;
+    askedBy[feelers.count] = k;
+    if (radius === 0) put(wave, i, feelers, x, y, z, distance);
+    else {
+      const dx = x * distance + p * (1 + s * x * x * a) + q * b;
+      const dy = y * distance + p * s * b + q * (s + y * y * a);
+      const dz = z * distance - p * s * x - q * y;
+      const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+      put(wave, i, feelers, dx / length, dy / length, dz / length, length);
     }
   }
 }
 
-const cell = (random: Random, k: number, side: number): number => (k + random()) / side;
+/** 32 bits, each of which depends on all that are given (the finisher of MurmurHash3, Appleby, public domain). */
+function mixed(bits: number): number {
+  let h = bits ^ (bits >>> 16);
+  h = Math.imul(h, 0x85ebca6b);
+  h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+  return (h ^ (h >>> 16)) >>> 0;
+}
 
 /** A point of the light below the surface's horizon gives nothing, and nobody has to ask. */
 function put(

@@ -3,10 +3,10 @@ import { BLUE, ball, material, SAND, type ScenePreset, VIOLET } from './define.t
 export const far: ScenePreset = {
   id: 'far',
   reason:
-    'A camera twenty million lengths away, and light that grazes: what the digits are for. float32 and the textbook lose the silhouettes.',
+    'A camera a hundred million lengths away, and light that grazes: what the digits are for. float32 sees nothing, the textbook loses the silhouettes.',
   scene: {
     title: 'seen from very far',
-    camera: { eye: [0, 4_000_000, 20_000_000], target: [0, 1, 0], angle: 0.000015 },
+    camera: { eye: [0, 20_000_000, 100_000_000], target: [0, 1, 0], angle: 0.000003 },
     background: { low: '#d9dee4', high: '#f4f3ef' },
     ambient: 0.2,
     things: [

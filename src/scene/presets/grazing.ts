@@ -6,7 +6,7 @@ export const grazing: ScenePreset = {
     'Camera rays and light run along the surfaces: D is nearly 0, and a few wrong digits decide hit or miss.',
   scene: {
     title: 'grazing rays',
-    camera: { eye: [0, 1000.9, 60_000], target: [0, 1000, 0], angle: 0.006 },
+    camera: { eye: [0, 1000.9, 300_000_000], target: [0, 1000, 0], angle: 0.0000012 },
     background: { low: '#d9dee4', high: '#f4f3ef' },
     ambient: 0.3,
     things: [

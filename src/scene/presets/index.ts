@@ -13,6 +13,7 @@ import { selfIntersection } from './self-intersection.ts';
 import { shadows } from './shadows.ts';
 import { sixShapes } from './six-shapes.ts';
 import { softLight } from './soft-light.ts';
+import { twoScales } from './two-scales.ts';
 
 /** Scenes to begin with, from what needs least to what needs all. A new one is one new file and one word here. */
 export const PRESETS: readonly ScenePreset[] = [
@@ -28,6 +29,7 @@ export const PRESETS: readonly ScenePreset[] = [
   far,
   grazing,
   selfIntersection,
+  twoScales,
   everything,
   hundred,
 ];

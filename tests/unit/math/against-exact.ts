@@ -1,34 +1,45 @@
-import { createAnswers, packRays, verdictsOfRoots } from '../../../src/math/batch/batch.ts';
-import { exactKernel } from '../../../src/math/batch/exact.ts';
-import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
+import {
+  createAnswers,
+  packRays,
+  verdictsOfClasses,
+  verdictsOfRoots,
+} from '../../../src/math/batch/batch.ts';
+import { bracket } from '../../../src/math/exact/faithful.ts';
 import { intersect } from '../../../src/math/intersect.ts';
+import { certified } from '../../../src/math/methods/certified.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
+import { type ExactHit, exactHits, faithful } from './exact-hits.ts';
 
 const out = createAnswers(1);
 
-/** What certified gets wrong on this ray, in words, or null. */
+/**
+ * What certified gets wrong on this ray, in words, or null: as an object, in a batch by roots, and in a batch by class only. Each root must be one of
+ * the doubles around the exact one.
+ */
 export function disagreement(shape: Shape, ray: Ray): string | null {
-  const kernel = exactKernel(shape);
-  if (!kernel) return 'no exact kernel';
-  kernel.both(packRays([ray]), out);
-  const [verdict] = verdictsOfRoots(out, 1);
-  const roots = [out.t0[0] as number, out.t1[0] as number].filter((t) => !Number.isNaN(t));
+  const truth = exactHits(shape, ray);
   const found = intersect(shape, ray, 'certified');
-  const ts = found.hits.map(({ t }) => t);
-  const wrong =
-    found.class !== verdict ||
-    ts.length !== roots.length ||
-    ts.some((t, k) => !neighbours(t, roots[k] as number)) ||
-    (ts.length === 2 && !((ts[0] as number) <= (ts[1] as number)));
-  if (!wrong) return null;
-  return `${JSON.stringify({ shape, ray })}: ${found.class} ${ts.map(String)} by ${found.decidedBy}, exactly ${verdict} ${roots.map(String)}`;
+  const kernel = certified.batch?.(shape);
+  if (!kernel) return `no kernel for ${shape.kind}`;
+  const rays = packRays([ray]);
+  kernel.classes(rays, out);
+  const [byClass] = verdictsOfClasses(out, 1, kernel.met);
+  kernel.both(rays, out);
+  const [byRoots] = verdictsOfRoots(out, 1);
+  const object = found.hits.map(({ t }) => t);
+  const batch = [out.t0[0] as number, out.t1[0] as number].filter((t) => !Number.isNaN(t));
+  const right =
+    found.class === truth.class &&
+    byClass === truth.class &&
+    byRoots === truth.class &&
+    allFaithful(object, truth.hits) &&
+    allFaithful(batch, truth.hits);
+  if (right) return null;
+  return `${JSON.stringify({ shape, ray })}: object ${found.class} ${object.map(String)} by ${found.decidedBy}, batch ${byClass} ${byRoots} ${batch.map(String)}, exactly ${truth.class} ${truth.hits.map(({ t }) => bracket(t).join(' … '))}`;
 }
 
-/**
- * A faithful root is the correctly rounded one or a neighbour of it. (That it is on the right side is left to the vectors, whose `faithful` has
- * both; and a root that is a double is checked there too.) The sign of zero counts.
- */
-function neighbours(t: number, rounded: number): boolean {
-  return Object.is(t, rounded) || (t !== 0 && (t === nextUp(rounded) || t === nextDown(rounded)));
-}
+const allFaithful = (ts: readonly number[], truth: readonly ExactHit[]): boolean =>
+  ts.length === truth.length &&
+  ts.every((t, k) => faithful((truth[k] as ExactHit).t, t)) &&
+  (ts.length < 2 || (ts[0] as number) <= (ts[1] as number));

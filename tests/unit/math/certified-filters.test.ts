@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { doubleDouble } from '../../../src/math/arithmetic/double-double.ts';
 import {
   createAnswers,
   packRays,
@@ -123,6 +124,107 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
       const q = grazing(r, 0, 3);
       const origin: Vec3 = [q.ray.origin[0], wide(r, -1074, -20), q.ray.origin[2]];
       return { shape: q.shape, ray: { origin, direction: q.ray.direction } };
+    },
+  ],
+  [
+    'a plane nearly along the ray: N·d cancels to any share of its terms',
+    (r) => {
+      // ax + by with 52 bits and less is a double, so the third term makes up for it but for `off`.
+      const [a, b, x] = [1, 2, 3].map(() => integer(r, 2 ** 25, 2 ** 26)) as [
+        number,
+        number,
+        number,
+      ];
+      const y = -Math.round(((a * x) / b) * (1 + 2 ** -integer(r, 1, 20)));
+      const off = 2 ** -integer(r, 5, 52);
+      const origin: Vec3 = [uniform(r, -9, 9), uniform(r, -9, 9), uniform(r, -9, 9)];
+      return {
+        shape: { kind: 'plane', normal: [a, b, 1], point: [0, uniform(r, -9, 9), 0] },
+        ray: { origin, direction: [x, y, -(a * x + b * y) * (1 + off)] },
+      };
+    },
+  ],
+  [
+    'the same with full fractions: the last of three products cancels the others to 2^-60',
+    (r) => {
+      const { of, add, mul, toNumber } = doubleDouble;
+      const [a, b, x, y] = [1, 2, 3, 4].map(() => uniform(r, 0.5, 1)) as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      const sum = add(mul(of(a), of(x)), mul(of(b), of(y)));
+      let best = { c: 1, z: 1, rest: 1 };
+      for (let k = 0; k < 64; k++) {
+        const c = uniform(r, 0.5, 1);
+        const z = -toNumber(sum) / c;
+        const rest = Math.abs(toNumber(add(sum, mul(of(c), of(z)))));
+        if (rest < best.rest) best = { c, z, rest };
+      }
+      const origin: Vec3 = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, -1, 1)];
+      return {
+        shape: { kind: 'plane', normal: [a, b, best.c], point: [0, uniform(r, -1, 1), 0] },
+        ray: { origin, direction: [x, y, best.z] },
+      };
+    },
+  ],
+  [
+    'N·p cancels, and the root is a double just below a power of two',
+    (r) => {
+      const t = 1 - 2 ** -integer(r, 4, 20);
+      const d: Vec3 = [Math.fround(uniform(r, 0.5, 1)), Math.fround(uniform(r, 0.5, 1)), 0];
+      const bits = 2 ** integer(r, 10, 24);
+      const level = Math.round(uniform(r, 0.5, 1) * bits) / bits;
+      const normal: Vec3 = [uniform(r, 0.5, 1), 0, 0];
+      const third = -Math.round(((normal[0] * d[0]) / level) * bits) / bits;
+      const direction: Vec3 = [d[0], d[1] * 2 ** -integer(r, 1, 40), third];
+      return {
+        shape: { kind: 'plane', normal: [normal[0], uniform(r, 0.5, 1), level], point: [0, 0, 0] },
+        ray: { origin: direction.map((c) => -t * c) as unknown as Vec3, direction },
+      };
+    },
+  ],
+  [
+    'a circle and a square far beside E: w cancels',
+    (r) => {
+      const direction: Vec3 = [uniform(r, 0.5, 1), uniform(r, 0.5, 1), uniform(r, 0.5, 1)];
+      const t = 2 ** uniform(r, 5, 45);
+      const origin = direction.map((x) => -t * x) as unknown as Vec3;
+      const side = 2 ** -uniform(r, 5, 50) * t;
+      return {
+        shape:
+          r() < 0.5
+            ? { kind: 'circle', normal: [1, uniform(r, 0, 1), 2], center: [0, 0, 0], radius: side }
+            : { kind: 'square', corner: [0, -side / 2, -side / 2], side, axis: 'x' },
+        ray: { origin, direction },
+      };
+    },
+  ],
+  [
+    'the squares of d lose bits in the subnormals, and lengths make up for it',
+    (r) => {
+      const phi = uniform(r, 0, 6.3);
+      const speed = 2 ** -integer(r, 525, 538);
+      const far = 2 ** (r() < 0.5 ? integer(r, 90, 99) : integer(r, 99, 480));
+      const [c, s] = [Math.cos(phi), Math.sin(phi)];
+      const beside = 1 + uniform(r, -0.3, 0.3);
+      const [x, z] = [far * (c * 2 - s * beside), far * (s * 2 + c * beside)];
+      const hyperboloid = r() < 0.5;
+      return {
+        shape: hyperboloid
+          ? {
+              kind: 'hyperboloid',
+              center: [x, 0, z],
+              flare: uniform(r, -2, 2),
+              radius: Math.min(far, 2 ** 99),
+            }
+          : { kind: 'cylinder', center: [x, 0, z], radius: Math.min(far, 2 ** 99) },
+        ray: {
+          origin: [0, 0, 0],
+          direction: [speed * c, r() < 0.5 ? 0 : speed * uniform(r, -1, 1), speed * s],
+        },
+      };
     },
   ],
   [

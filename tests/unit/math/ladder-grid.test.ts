@@ -1,13 +1,23 @@
 import { describe, expect, test } from 'vitest';
+import {
+  createAnswers,
+  packRays,
+  verdictsOfClasses,
+  verdictsOfRoots,
+} from '../../../src/math/batch/batch.ts';
+import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
+import { certified } from '../../../src/math/methods/certified.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { interval } from '../../../src/math/methods/interval.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { disagreement } from './against-exact.ts';
 
 /*
  * Small whole numbers, all of them: E from (0, 0, −2) to (3, 3, 3), every d from −2 to 2 up to its sign, about a centre
- * that is not 0; each shape takes every seventh of these rays, the next shape the next ones. What the answer must be is found here in whole numbers that doubles hold exactly, so `exact` is not
+ * that is not 0; `exact` is asked every seventh of these rays by each shape, the next shape the next
+ * ones, and `certified` all of them. What the answer must be is found here in whole numbers that doubles hold exactly, so `exact` is not
  * compared with anything of its own. No rounding anywhere also means that `interval` must decide, and rightly.
  */
 
@@ -173,6 +183,57 @@ const FLAT: [name: string, shape: Shape, N: Vec3, inside: Inside][] = [
     ]),
   ),
 ];
+
+describe(`certified at every one of ${rays.length} rays`, () => {
+  const packed = packRays(rays);
+  const out = createAnswers(rays.length);
+
+  /** What the batch gets wrong: each class, by roots and by `classes`, and each root that is a quotient of whole numbers. */
+  function wrongInBatch(shape: Shape, expected: (ray: Ray) => Expected): unknown[] {
+    const kernel = certified.batch?.(shape);
+    if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
+    kernel.classes(packed, out);
+    const byClass = verdictsOfClasses(out, rays.length, kernel.met);
+    kernel.both(packed, out);
+    const byRoots = verdictsOfRoots(out, rays.length);
+    return rays.filter((ray, i) => {
+      const { class: verdict, roots, rational } = expected(ray);
+      const got = [out.t0[i] as number, out.t1[i] as number].slice(0, roots.length);
+      const right = got.every((t, k) => !rational || besides(t, roots[k] as number));
+      return byClass[i] !== verdict || byRoots[i] !== verdict || !right;
+    });
+  }
+
+  /** A quotient of whole numbers below 2^20, rounded, and the neighbours of it: unless it is a double, and that it is if it has few bits. */
+  function besides(t: number, rounded: number): boolean {
+    if (Math.fround(rounded) === rounded) return Object.is(t, rounded + 0);
+    return t === rounded || t === nextUp(rounded) || t === nextDown(rounded);
+  }
+
+  test.each(CURVED.map((one, k) => [...one, k] as const))(
+    '%s: every class, and a seventh of the roots to the two doubles around each',
+    (_, shape, a4, r, k) => {
+      expect(wrongInBatch(shape, (ray) => curved(a4, r, ray))).toEqual([]);
+      expect(
+        thin(k)
+          .map((ray) => disagreement(shape, ray))
+          .filter(Boolean),
+      ).toEqual([]);
+    },
+  );
+
+  test.each(FLAT.map((one, k) => [...one, k] as const))(
+    '%s: every class, and a seventh of the roots to the two doubles around each',
+    (_, shape, N, inside, k) => {
+      expect(wrongInBatch(shape, (ray) => flat(N, ray, inside))).toEqual([]);
+      expect(
+        thin(k)
+          .map((ray) => disagreement(shape, ray))
+          .filter(Boolean),
+      ).toEqual([]);
+    },
+  );
+});
 
 describe(`a seventh of ${rays.length} rays at each flat shape`, () => {
   test.each(FLAT.map((one, k) => [...one, k] as const))('%s', (_, shape, N, inside, k) => {

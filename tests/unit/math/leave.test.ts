@@ -1,6 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { FAMILIES, findFamily } from '../../../src/math/families.ts';
 import { intersect } from '../../../src/math/intersect.ts';
+import type { Hit, Sign } from '../../../src/math/intersection.ts';
+import { withoutStart } from '../../../src/math/leave.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';
@@ -55,6 +57,31 @@ test('which of two roots is nearer is decided exactly, though both round to the 
     expect(from(off(2 ** -200), method).dropped?.t).toBe(1);
     expect(from(off(-(2 ** -200)), method).dropped?.t).toBe(-1);
   }
+});
+
+test('faithful roots that are one neighbour off on either side do not mislead', () => {
+  // Exactly −(1 + 0.4 · 2^-52) and 1 + 0.6 · 2^-52: the first one is nearer, though its faithful double may be the larger one.
+  const hit = (t: number): Hit => ({ t, point: [t, 0, 0], normal: [t, 0, 0], singular: false });
+  const signs = { A: 1, B: -1, C: -1, D: 1 } as const;
+  const told = (near: number, far: number, B: Sign) =>
+    withoutStart(
+      {
+        class: 'two',
+        hits: [hit(near), hit(far)],
+        method: 'certified',
+        decidedBy: 'filter',
+        details: { family: 'curved', A: 1, B: 0, C: -1, D: 4, signs: { ...signs, B } },
+      },
+      cylinder,
+      cylinder,
+    ).dropped?.t;
+  const up = 1 + 2 ** -52;
+  expect(told(-up, 1, -1)).toBe(-up);
+  expect(told(-1, up, 1)).toBe(up);
+  // Two and three steps of the subnormals.
+  expect(told(-3 * Number.MIN_VALUE, 2 * Number.MIN_VALUE, -1)).toBe(-3 * Number.MIN_VALUE);
+  // Beyond that the sizes alone tell, whatever is said of A and B.
+  expect(told(-1 - 2 ** -48, 1, -1)).toBe(1);
 });
 
 /** What goes wrong without it, and that it does not with it (2000 outward rays, seed 5). */

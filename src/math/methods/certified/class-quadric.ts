@@ -15,7 +15,7 @@ import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
  * rounded themselves (at most 10u together). SMALLEST covers underflow: inside the box what a lost product (2^-1074) is multiplied by
  * is below 2^800.
  */
-const DIRECT_ERROR = 27 * 2 ** -53;
+export const DIRECT_ERROR = 27 * 2 ** -53;
 const SMALLEST = 2 ** -200;
 /** Am and Cm below this: squares of the box's numbers, six of them and a. */
 const LARGEST = BOX ** 4;

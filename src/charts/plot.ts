@@ -1,0 +1,93 @@
+import { svg, type TemplateResult } from 'lit';
+import type { Box, Placed, Wish } from './place-labels.ts';
+import { LETTER, type Metrics } from './strip-frame.ts';
+import './strip.css';
+import './plot.css';
+
+/** The field of a plot in px, its margins by the size of the type. */
+export interface Field extends Metrics {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+export interface PlotTick {
+  readonly at: number;
+  readonly label: string;
+}
+
+/** `names`: room at the right for the names of lines, in em. */
+export function fieldOf(metrics: Metrics, names = 0): Field {
+  const { width, height, em } = metrics;
+  return {
+    ...metrics,
+    left: Math.round(3.4 * em),
+    right: Math.round(width - 1 * em - names * em),
+    top: Math.round(2.6 * em),
+    bottom: Math.round(height - 3.6 * em),
+  };
+}
+
+/** A label's size, by the count of its letters. */
+export const labelSize = (text: string, em: number): Pick<Wish, 'width' | 'height'> => ({
+  width: text.length * LETTER * em + 4,
+  height: 1.3 * em,
+});
+
+export const fieldBox = ({ left, right, top, bottom, em }: Field): Box => ({
+  left: left + 2,
+  top: top - 1.4 * em,
+  width: right - left - 2,
+  height: bottom - top + 1.4 * em - 4,
+});
+
+export const px = (x: number): string => x.toFixed(1);
+
+/** Lines at the y ticks, and the axis at the bottom with its ticks and title. */
+export function axes(
+  field: Field,
+  x: {
+    readonly ticks: readonly PlotTick[];
+    readonly minor?: readonly number[];
+    readonly title: string;
+  },
+  y: { readonly ticks: readonly PlotTick[]; readonly title: string },
+): TemplateResult {
+  const { left, right, top, bottom, em } = field;
+  return svg`<g class="plot-axes">
+    ${x.ticks.map(({ at }) => svg`<line class="plot-grid" x1=${px(at)} x2=${px(at)} y1=${top} y2=${bottom}></line>`)}
+    ${y.ticks.map(
+      ({
+        at,
+        label,
+      }) => svg`<line class="plot-grid" x1=${left} x2=${right} y1=${px(at)} y2=${px(at)}></line>
+      <text class="plot-tick" text-anchor="end" x=${px(left - 0.7 * em)} y=${px(at + 0.35 * em)}>${label}</text>`,
+    )}
+    <line class="plot-axis" x1=${left} x2=${right} y1=${bottom} y2=${bottom}></line>
+    ${(x.minor ?? []).map((at) => svg`<line class="plot-nick" x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 4}></line>`)}
+    ${x.ticks.map(
+      ({
+        at,
+        label,
+      }) => svg`<line class="plot-nick" x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 6}></line>
+      <text class="plot-tick" text-anchor="middle" x=${px(at)} y=${px(bottom + 1.5 * em)}>${label}</text>`,
+    )}
+    <text class="plot-title" text-anchor="end" x=${right} y=${px(bottom + 3 * em)}>${x.title}</text>
+    <text class="plot-title" x="0" y=${px(0.9 * em)}>${y.title}</text>
+  </g>`;
+}
+
+/** A name at its place, with a line to its mark where it stands far off. */
+export function nameAt(
+  text: string,
+  { left, top, width, height, led }: Placed,
+  mark: { readonly x: number; readonly y: number },
+  em: number,
+  cls = '',
+): TemplateResult {
+  const nearX = Math.max(left, Math.min(mark.x, left + width));
+  const nearY = Math.max(top, Math.min(mark.y, top + height));
+  return svg`${led ? svg`<line class="plot-leader" x1=${px(mark.x)} y1=${px(mark.y)} x2=${px(nearX)} y2=${px(nearY)}></line>` : ''}
+    <text class=${`plot-name ${cls}`} x=${px(left + 2)} y=${px(top + 0.98 * em)}>${text}</text>`;
+}

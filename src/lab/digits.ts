@@ -1,0 +1,79 @@
+import { div, fromNumber, isZero, type Surd, sub, toNumber } from '../math/exact/surd.ts';
+import { MINUS } from '../text/format.ts';
+
+/** A double has 53 bits: log10 2^53. No number that is rounded to one has more right digits to show. */
+export const MOST_DIGITS = 15.95;
+/** The places in which a number is written out to be marked. */
+export const PLACES = 16;
+/** So that the most that a double can have counts as all of its places, and 7.9 as 7. */
+const SLACK = 0.05;
+
+/** −log10 of a relative error, between 0 and MOST_DIGITS; NaN errors leave no digit standing. */
+export function digitsOfError(relative: number): number {
+  if (relative === 0) return MOST_DIGITS;
+  return relative < 1 ? Math.min(MOST_DIGITS, Math.max(0, -Math.log10(relative))) : 0;
+}
+
+/**
+ * How many digits of x are right, against the exact number. The double nearest to it has all of them by definition: none is nearer, even
+ * where doubles are sparse (subnormals) or end (±Infinity).
+ */
+export function rightDigits(x: number, exact: Surd): number {
+  const nearest = toNumber(exact);
+  if (x === nearest) return MOST_DIGITS;
+  if (!Number.isFinite(x) || isZero(exact)) return 0;
+  return digitsOfError(Math.abs(toNumber(div(sub(fromNumber(x), exact), exact))));
+}
+
+/** The same against the correctly rounded number, for many at a time: at most half a unit in the last place apart from `rightDigits`. */
+export function rightDigitsOfDouble(x: number, nearest: number): number {
+  if (x === nearest) return MOST_DIGITS;
+  if (!Number.isFinite(x) || !Number.isFinite(nearest) || nearest === 0) return 0;
+  return digitsOfError(Math.abs((x - nearest) / nearest));
+}
+
+/** Right digits as a whole number, 0 … 16: what a table says and what is printed bold. */
+export const digitCount = (digits: number): number =>
+  Math.min(PLACES, Math.max(0, Math.floor(digits + SLACK)));
+
+/** A number in 16 places, cut where its digits stop being right. */
+export interface Marked {
+  /** With sign and leading zeros. */
+  readonly right: string;
+  readonly wrong: string;
+  /** Of the power of ten behind it; null when the number is written out. */
+  readonly exponent: number | null;
+}
+
+const FIXED_BELOW = 6;
+const FIXED_FROM = -4;
+
+/** x in 16 places with `count` digits marked as right: exactly so many digits are in `right`, leading zeros not counted. */
+export function markDigits(x: number, count: number): Marked {
+  if (!Number.isFinite(x)) {
+    const text = `${x < 0 ? MINUS : ''}∞`;
+    return count > 0
+      ? { right: text, wrong: '', exponent: null }
+      : { right: '', wrong: text, exponent: null };
+  }
+  const [figures, power] = scientific(Math.abs(x));
+  const outright = x === 0 || (power >= FIXED_FROM && power < FIXED_BELOW);
+  const zeros = outright && power < 0 ? `0.${'0'.repeat(-power - 1)}` : '';
+  const pointAfter = outright ? (power < 0 ? 0 : power + 1) : 1;
+  const lead = (x < 0 || Object.is(x, -0) ? MINUS : '') + zeros;
+  const written = (from: number, to: number): string =>
+    [...figures.slice(from, to)]
+      .map((figure, i) =>
+        from + i === pointAfter && from + i > 0 && !zeros ? `.${figure}` : figure,
+      )
+      .join('');
+  const right = count > 0 ? lead + written(0, count) : '';
+  const wrong = (count > 0 ? '' : lead) + written(count, PLACES);
+  return { right, wrong, exponent: outright ? null : power };
+}
+
+/** toExponential rounds the exact value of the double. */
+function scientific(x: number): [figures: string, exponent: number] {
+  const [mantissa = '', exponent = ''] = x.toExponential(PLACES - 1).split('e');
+  return [mantissa.replace('.', ''), Number(exponent)];
+}

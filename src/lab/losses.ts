@@ -1,0 +1,85 @@
+import { type Surd, toNumber } from '../math/exact/surd.ts';
+import type { Expr } from '../math/formula/expr.ts';
+import type { Method } from '../math/methods/define.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { MOST_DIGITS } from './digits.ts';
+import { plainText } from './plain.ts';
+import { operationsOf } from './steps.ts';
+import type { Operation } from './trace.ts';
+
+/** A line of "where did the digits go?". */
+export interface Step extends Operation {
+  /** In plain text: what is computed. */
+  readonly text: string;
+  /** How many digits fewer than the worst of its inputs has; 0 if none. */
+  readonly lost: number;
+}
+
+export interface Losses {
+  readonly steps: readonly Step[];
+  /** The step that lost most digits; null where none lost half a digit. */
+  readonly worst: Step | null;
+}
+
+/** Below this, rounding is what it always is. */
+const WORTH_TELLING = 0.5;
+
+/** The steps that a person would write down, in order, each once, with the digits that each one has lost. */
+export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
+  const all = operationsOf(method, shape, ray);
+  const absorbed = new Set(all.flatMap(absorbedBy));
+  const seen = new Set<string>();
+  const steps: Step[] = [];
+  for (const operation of all) {
+    if (absorbed.has(operation) || isTrivial(operation)) continue;
+    const text = plainText(operation.expr);
+    const key = operation.letter === null ? text : `${plainText(operation.letter)} = ${text}`;
+    // Both roots are t, and both are told.
+    if (seen.has(key)) continue;
+    seen.add(key);
+    steps.push({ ...operation, text, lost: lostBy(operation) });
+  }
+  const worst = steps.reduce<Step | null>(
+    (most, step) => (step.lost > (most?.lost ?? WORTH_TELLING) ? step : most),
+    null,
+  );
+  return { steps, worst };
+}
+
+/** A sum that only became a longer sum has no line of its own, nor a product that became a longer product. */
+function absorbedBy({ expr, inputs }: Operation): readonly Operation[] {
+  const [first] = inputs;
+  const grew = first && first.letter === null && first.expr.op === expr.op;
+  return grew && (expr.op === 'sum' || expr.op === 'product') ? [first] : [];
+}
+
+/** Changes of sign and doublings are exact, and an input is worth a line only where it had to be rounded. */
+function isTrivial({ expr, letter, inputs, digits }: Operation): boolean {
+  if (inputs.length === 0) return digits === null || digits >= MOST_DIGITS;
+  if (letter !== null) return false;
+  // Which of two roots is the lesser.
+  if (inputs.every((input) => input.letter?.op === 'scalar' && input.letter.id === 't'))
+    return true;
+  if (expr.op === 'negative') return true;
+  return expr.op === 'product' && expr.factors.length === 2 && expr.factors.some(isNumber);
+}
+
+const isNumber = ({ op }: Expr): boolean => op === 'number';
+
+/** What really went in: the terms or factors, not the partial sums. */
+export function inputsOf(operation: Operation): readonly Operation[] {
+  const [first, ...rest] = operation.inputs;
+  return first && absorbedBy(operation).includes(first)
+    ? [...inputsOf(first), ...rest]
+    : operation.inputs;
+}
+
+function lostBy(operation: Operation): number {
+  if (operation.digits === null) return 0;
+  const before = Math.min(MOST_DIGITS, ...inputsOf(operation).map(({ digits }) => digits ?? 0));
+  return Math.max(0, before - operation.digits);
+}
+
+export const magnitude = (x: Surd | null): number =>
+  x === null ? Number.NaN : Math.abs(toNumber(x));

@@ -1,0 +1,70 @@
+import { createAnswers, packRays, type Rays, verdictsOfRoots } from '../math/batch/batch.ts';
+import { exactKernel } from '../math/batch/exact.ts';
+import type { Family } from '../math/families.ts';
+import type { Verdict } from '../math/intersection.ts';
+import type { Method } from '../math/methods/define.ts';
+import type { Ray } from '../math/ray.ts';
+import { type Random, seeded } from '../math/rng.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import type { Task } from './run.ts';
+
+/** Shapes of a family with rays for each, and what is exactly right. */
+export interface Batch {
+  readonly shape: Shape;
+  readonly rays: Rays;
+  readonly verdicts: readonly Verdict[];
+  readonly t0: Float64Array;
+  readonly t1: Float64Array;
+}
+
+/** How many of a family's rays: `shapes` shapes with `count` rays each, drawn in order from `seed`. */
+export interface Sample {
+  readonly seed: number;
+  readonly shapes: number;
+  readonly count: number;
+  /** Where the family's dial stands; absent: as the family itself draws it. */
+  readonly difficulty?: number | undefined;
+}
+
+export function batchesOf(family: Family, { seed, shapes, count, difficulty }: Sample): Batch[] {
+  const random: Random = seeded(seed);
+  return Array.from({ length: shapes }, () => {
+    const { shape, rays: list } = family.batch(random, count, difficulty);
+    const rays = packRays(list);
+    const out = createAnswers(count);
+    exactKernel(shape)?.both(rays, out);
+    return { shape, rays, verdicts: verdictsOfRoots(out, count), t0: out.t0, t1: out.t1 };
+  });
+}
+
+/** Both roots, or only "is it hit?" */
+export type Form = 'both' | 'classes';
+
+/** One task a method, with the method's own loops inside. What they write is read, so that no engine may leave it out. */
+export function tasksOf(
+  methods: readonly Method[],
+  batches: readonly Batch[],
+  form: Form,
+): readonly (Task & { readonly checksum: () => number })[] {
+  const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)));
+  return methods.map((method) => {
+    const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch?.(shape), rays }));
+    let seen = 0;
+    return {
+      id: method.id,
+      run() {
+        for (const { kernel, rays } of kernels) {
+          kernel?.[form](rays, out);
+          seen += out.rareCount + ((out.t0[0] as number) > (out.margin[0] as number) ? 1 : 0);
+        }
+      },
+      checksum: () => seen,
+    };
+  });
+}
+
+/** Ray i of a batch as an object again. */
+export const rayAt = ({ rays }: Batch, i: number): Ray => ({
+  origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
+  direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
+});

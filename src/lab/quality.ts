@@ -1,0 +1,101 @@
+import {
+  type Answers,
+  createAnswers,
+  verdictsOfClasses,
+  verdictsOfRoots,
+} from '../math/batch/batch.ts';
+import { ulpDistance } from '../math/float/ulp.ts';
+import type { Method } from '../math/methods/define.ts';
+import { rightDigitsOfDouble } from './digits.ts';
+import type { Batch } from './plan.ts';
+import { quantile, sorted } from './stats.ts';
+import { type Judgement, judge } from './verdict.ts';
+
+/** A ray of a batch. */
+export interface Place {
+  readonly batch: number;
+  readonly ray: number;
+}
+
+/** What a method gets right and wrong on every ray of some batches, told beside its price. */
+export interface Quality {
+  readonly rays: number;
+  readonly judged: Readonly<Record<Judgement, number>>;
+  /** Every verdict but the right ones and the undecided. */
+  readonly wrong: number;
+  readonly undecided: number;
+  /** Of the roots of rays whose class is right, ascending. */
+  readonly ulps: readonly number[];
+  /** Right digits that 9 rays of 10 have at least; NaN where no ray has a root. A wrong or missing verdict has none. */
+  readonly digits: number;
+  /** Of the worst ray. */
+  readonly leastDigits: number;
+  /** The first ray with the wrong verdict, else the one with the fewest digits. */
+  readonly worst: Place | null;
+}
+
+const ONE_IN_TEN = 0.1;
+
+export function qualityOf(method: Method, batches: readonly Batch[]): Quality {
+  const judged: Record<Judgement, number> = {
+    right: 0,
+    misses: 0,
+    invents: 0,
+    misnames: 0,
+    undecided: 0,
+  };
+  const ulps: number[] = [];
+  const digits: number[] = [];
+  let least = Number.POSITIVE_INFINITY;
+  let worst: Place | null = null;
+  batches.forEach((batch, b) => {
+    const { shape, rays, verdicts } = batch;
+    const kernel = method.batch?.(shape);
+    const out = createAnswers(rays.count);
+    kernel?.classes(rays, out);
+    const byClasses = verdictsOfClasses(out, rays.count, kernel?.met ?? 'two');
+    kernel?.both(rays, out);
+    verdictsOfRoots(out, rays.count).forEach((verdict, i) => {
+      const truth = verdicts[i] ?? 'none';
+      const said = judge(verdict, truth);
+      // A verdict counts as right only if both questions got it.
+      const judgement = said === 'right' ? judge(byClasses[i] ?? 'undecided', truth) : said;
+      judged[judgement] += 1;
+      const found = judgement === 'right' ? digitsAt(batch, out, i, ulps) : 0;
+      if (Number.isNaN(found)) return;
+      digits.push(found);
+      // A wrong verdict is worse than no digit at all.
+      const rank = judgement === 'right' ? found : judgement === 'undecided' ? -1 : -2;
+      if (rank < least) {
+        least = rank;
+        worst = { batch: b, ray: i };
+      }
+    });
+  });
+  const ascending = sorted(digits);
+  return {
+    rays: batches.reduce((sum, { rays }) => sum + rays.count, 0),
+    judged,
+    wrong: judged.misses + judged.invents + judged.misnames,
+    undecided: judged.undecided,
+    ulps: sorted(ulps),
+    digits: quantile(ascending, ONE_IN_TEN),
+    leastDigits: ascending[0] ?? Number.NaN,
+    worst,
+  };
+}
+
+/** The fewer digits of the two roots; NaN where there is none to have any. Notes their distances in ulps. */
+function digitsAt({ t0, t1 }: Batch, out: Answers, i: number, ulps: number[]): number {
+  let fewest = Number.NaN;
+  for (const [own, nearest] of [
+    [out.t0[i] as number, t0[i] as number],
+    [out.t1[i] as number, t1[i] as number],
+  ] as const) {
+    if (Number.isNaN(nearest)) continue;
+    ulps.push(ulpDistance(own, nearest));
+    const digits = rightDigitsOfDouble(own, nearest);
+    fewest = fewest <= digits ? fewest : digits;
+  }
+  return fewest;
+}

@@ -1,0 +1,118 @@
+import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
+import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, POINT, ROOTS } from '../math/formula/common.ts';
+import {
+  alongAxes,
+  evaluate,
+  evaluateTriple,
+  type Triple,
+  type Values,
+  withScalars,
+  withVector,
+} from '../math/formula/evaluate.ts';
+import { comp, type Expr, type ExprTriple, scalar } from '../math/formula/expr.ts';
+import type { Method } from '../math/methods/define.ts';
+import { exact } from '../math/methods/exact.ts';
+import { courseForm, type Form } from '../math/methods/forms.ts';
+import { type Solver, STABLE_Q, STABLE_ROOTS } from '../math/methods/solvers.ts';
+import type { Ray } from '../math/ray.ts';
+import type { CurvedFormula } from '../math/shapes/axial-quadric.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import type { FlatFormula } from '../math/shapes/planar.ts';
+import { AXES } from '../math/vec3.ts';
+import { type Operation, type Trace, type Traced, traceIn } from './trace.ts';
+
+/**
+ * Every operation of the method on this ray, beside the exact one, with the letters of the course put in. A rung that is not made of trees
+ * (certified) is told by the exact one, whose class is its own.
+ */
+export function operationsOf(method: Method, shape: Shape, ray: Ray): readonly Operation[] {
+  const parts = method.parts ?? exact.parts;
+  return parts
+    ? parts((arithmetic, form, solver) => run(arithmetic, form, solver, shape, ray))
+    : [];
+}
+
+function run<T>(
+  own: Arithmetic<T>,
+  form: Form,
+  solver: Solver,
+  shape: Shape,
+  ray: Ray,
+): readonly Operation[] {
+  const trace = traceIn(own);
+  const definition = definitionOf(shape);
+  const given = definition.values(shape);
+  const vectors = { ...given.vectors, E: ray.origin, d: ray.direction };
+  const values = trace.symbols({ scalars: given.scalars, vectors });
+  const formula = definition.formula(shape);
+  if (formula.family === 'curved') curved(trace, form, solver, formula, values);
+  else flat(trace, form, formula, values);
+  return [...trace.inputs, ...trace.operations];
+}
+
+/** What a letter stands for must not matter where it is named: only what is written is compared. */
+const letters = <T>(trace: Trace<T>, ...ids: readonly string[]): Record<string, Traced<T>> =>
+  Object.fromEntries(ids.map((id) => [id, trace.placeholder(scalar(id))]));
+
+const vectorLetter = <T>(trace: Trace<T>, id: string): Triple<Traced<T>> =>
+  alongAxes((axis) => trace.placeholder(comp(id, axis)));
+
+function curved<T>(
+  trace: Trace<T>,
+  form: Form,
+  solver: Solver,
+  formula: CurvedFormula,
+  values: Values<Traced<T>>,
+): void {
+  const { arithmetic: ar } = trace;
+  const { A, B, C, moment, momentD } = formula;
+  const solved = letters(trace, 'A', 'B', 'C', 'D', 'q');
+  const named = withScalars(withVector(values, 'm', vectorLetter(trace, 'm')), solved);
+  for (const [id, tree] of Object.entries({ A, B, C })) trace.name(scalar(id), tree, values);
+  nameVector(trace, 'm', moment, values);
+  trace.name(scalar('D'), form === courseForm ? DISCRIMINANT : momentD, named);
+  for (const q of STABLE_Q) trace.name(scalar('q'), q, named);
+  for (const t of [DOUBLE_ROOT, LINEAR_ROOT, ...STABLE_ROOTS, ROOTS]) {
+    trace.name(scalar('t'), t, named);
+  }
+  trace.name(scalar('t'), ROOTS, named, -1);
+  const [a, b, c] = evaluateTriple([A, B, C], ar, values);
+  const withABC = withScalars(values, { A: a, B: b, C: c });
+  solver(a, b, c, form.discriminant(formula, withABC, ar), ar);
+}
+
+function nameVector<T>(
+  trace: Trace<T>,
+  id: string,
+  trees: ExprTriple,
+  values: Values<Traced<T>>,
+): void {
+  AXES.forEach((axis, i) => {
+    trace.name(comp(id, axis), trees[i] as Expr, values);
+  });
+}
+
+function flat<T>(
+  trace: Trace<T>,
+  form: Form,
+  formula: FlatFormula,
+  values: Values<Traced<T>>,
+): void {
+  const { arithmetic: ar } = trace;
+  trace.name(formula.rate, formula.rate, values);
+  trace.name(formula.offset, formula.offset, values);
+  const rate = evaluate(formula.rate, ar, values);
+  evaluate(formula.offset, ar, values);
+  if (!ar.sign(rate)) return;
+  trace.name(scalar('t'), formula.t, values);
+  const { m, w } = formula.byMoment;
+  const named = withScalars(withVector(values, 'm', vectorLetter(trace, 'm')), {
+    t: trace.placeholder(scalar('t')),
+  });
+  nameVector(trace, 'm', m, values);
+  nameVector(trace, 'w', w, named);
+  nameVector(trace, 'X', POINT, named);
+  const t = evaluate(formula.t, ar, values);
+  form.meeting(formula, withScalars(values, { t, rate }), ar);
+}

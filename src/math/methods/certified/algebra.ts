@@ -1,0 +1,173 @@
+import type { Quadric } from '../../batch/quadric.ts';
+import { squareError, sumError } from '../../float/eft.ts';
+import type { Ray } from '../../ray.ts';
+
+/*
+ * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles are split without loss (eft.ts); p = E − C is
+ * two doubles exactly, so are c² and r². Only the lower halves are rounded when they are added up, and their own small products left out:
+ *
+ *   A  lower halves ≤ 6u Am in all, added up in 5 steps: 30u²; their products 8u², a's lower half times y²'s: u²        < 64u² Am
+ *   b  ≤ 6u bm, 6 steps: 36u²; 9u²                                                                                     < 64u² bm
+ *   C  ≤ 12u Cm, 6 steps: 72u²; 14u²                                                                                   < 96u² Cm
+ *   D/4  2|b|δb + |A|δC + |C|δA ≤ 222u² AmCm, and 23u² (b² + |AC|)                                                     < 320u² AmCm
+ *
+ * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
+ * ≤ 2^-1073; with Am, Cm and |a| below LARGE that is far below SMALLEST in A, b, C and below SMALLEST_D in D.
+ */
+const UU = 2 ** -106;
+const ERROR_A = 64 * UU;
+const ERROR_B = 64 * UU;
+const ERROR_C = 96 * UU;
+const ERROR_D = 320 * UU;
+const SMALLEST = 2 ** -600;
+const SMALLEST_D = 2 ** -300;
+const LARGE = 2 ** 200;
+export const SPLITTER = 134217729;
+
+/** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */
+export const ALGEBRA = new Float64Array(21);
+export const A = 0;
+export const B = 2;
+export const C = 4;
+export const D = 6;
+export const OFF = 8;
+export const P = 12;
+export const FLARE = 18;
+export const SIZE = 20;
+
+/** a·b − p for a = ah + al, b = bh + bl cut in halves (Dekker). */
+export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
+  al * bl - (p - ah * bh - al * bh - ah * bl);
+
+/** Puts A, b, C and D/4 of a ray. In one piece: a call that is not inlined boxes its doubles. */
+export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray): void {
+  const x = d[0];
+  const y = q.hasY ? d[1] : 0;
+  const z = d[2];
+  const ex = E[0];
+  const ey = q.hasY ? E[1] : 0;
+  const ez = E[2];
+  const cy = q.hasY ? q.Cy : 0;
+  const px = ex - q.Cx;
+  const py = ey - cy;
+  const pz = ez - q.Cz;
+  const pxl = sumError(ex, -q.Cx, px);
+  const pyl = sumError(ey, -cy, py);
+  const pzl = sumError(ez, -q.Cz, pz);
+  const a = q.squared ? q.flare * q.flare : q.flare;
+  const aLow = q.squared ? squareError(q.flare, a) : 0;
+  const rho = q.r * q.r;
+  const rhoLow = squareError(q.r, rho);
+  let big = SPLITTER * x;
+  const xh = big - (big - x);
+  const xl = x - xh;
+  big = SPLITTER * y;
+  const yh = big - (big - y);
+  const yl = y - yh;
+  big = SPLITTER * z;
+  const zh = big - (big - z);
+  const zl = z - zh;
+  big = SPLITTER * px;
+  const pxh = big - (big - px);
+  const pxm = px - pxh;
+  big = SPLITTER * py;
+  const pyh = big - (big - py);
+  const pym = py - pyh;
+  big = SPLITTER * pz;
+  const pzh = big - (big - pz);
+  const pzm = pz - pzh;
+  big = SPLITTER * a;
+  const ah = big - (big - a);
+  const al = a - ah;
+
+  const xx = x * x;
+  const yy = y * y;
+  const zz = z * z;
+  const ayy = a * yy;
+  big = SPLITTER * yy;
+  const yyh = big - (big - yy);
+  const round = xx + zz;
+  const A0 = round - ayy;
+  const A1 =
+    sumError(xx, zz, round) +
+    sumError(round, -ayy, A0) +
+    (lost(xh, xl, xh, xl, xx) + lost(zh, zl, zh, zl, zz)) -
+    (lost(ah, al, yyh, yy - yyh, ayy) + (a * lost(yh, yl, yh, yl, yy) + aLow * yy));
+  const Ah = A0 + A1;
+  const Al = sumError(A0, A1, Ah);
+
+  const xp = x * px;
+  const yp = y * py;
+  const zp = z * pz;
+  const ayp = a * yp;
+  big = SPLITTER * yp;
+  const yph = big - (big - yp);
+  const sum = xp + zp;
+  const b0 = sum - ayp;
+  const b1 =
+    sumError(xp, zp, sum) +
+    sumError(sum, -ayp, b0) +
+    (lost(xh, xl, pxh, pxm, xp) + x * pxl + (lost(zh, zl, pzh, pzm, zp) + z * pzl)) -
+    (lost(ah, al, yph, yp - yph, ayp) + (a * (lost(yh, yl, pyh, pym, yp) + y * pyl) + aLow * yp));
+  const bh = b0 + b1;
+  const bl = sumError(b0, b1, bh);
+
+  const pp = px * px;
+  const qq = py * py;
+  const rr = pz * pz;
+  const aqq = a * qq;
+  big = SPLITTER * qq;
+  const qqh = big - (big - qq);
+  const wide = pp + rr;
+  const less = wide - aqq;
+  const C0 = less - rho;
+  const C1 =
+    sumError(pp, rr, wide) +
+    sumError(wide, -aqq, less) +
+    sumError(less, -rho, C0) -
+    rhoLow +
+    (lost(pxh, pxm, pxh, pxm, pp) + 2 * px * pxl + (lost(pzh, pzm, pzh, pzm, rr) + 2 * pz * pzl)) -
+    (lost(ah, al, qqh, qq - qqh, aqq) +
+      (a * (lost(pyh, pym, pyh, pym, qq) + 2 * py * pyl) + aLow * qq));
+  const Ch = C0 + C1;
+  const Cl = sumError(C0, C1, Ch);
+
+  const bb = bh * bh;
+  const AC = Ah * Ch;
+  big = SPLITTER * Ah;
+  const Ahh = big - (big - Ah);
+  big = SPLITTER * Ch;
+  const Chh = big - (big - Ch);
+  big = SPLITTER * bh;
+  const bhh = big - (big - bh);
+  const D0 = bb - AC;
+  const D1 =
+    sumError(bb, -AC, D0) +
+    (lost(bhh, bh - bhh, bhh, bh - bhh, bb) + 2 * bh * bl) -
+    (lost(Ahh, Ah - Ahh, Chh, Ch - Chh, AC) + (Ah * Cl + Al * Ch));
+  const Dh = D0 + D1;
+  const size = Math.abs(a);
+  const Am = round + size * yy;
+  const Cm = wide + size * qq + rho;
+  ALGEBRA[A] = Ah;
+  ALGEBRA[A + 1] = Al;
+  ALGEBRA[B] = bh;
+  ALGEBRA[B + 1] = bl;
+  ALGEBRA[C] = Ch;
+  ALGEBRA[C + 1] = Cl;
+  ALGEBRA[D] = Dh;
+  ALGEBRA[D + 1] = sumError(D0, D1, Dh);
+  ALGEBRA[OFF] = ERROR_A * Am + SMALLEST;
+  ALGEBRA[OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST;
+  ALGEBRA[OFF + 2] = ERROR_C * Cm + SMALLEST;
+  ALGEBRA[OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_D;
+  ALGEBRA[P] = px;
+  ALGEBRA[P + 1] = pxl;
+  ALGEBRA[P + 2] = py;
+  ALGEBRA[P + 3] = pyl;
+  ALGEBRA[P + 4] = pz;
+  ALGEBRA[P + 5] = pzl;
+  ALGEBRA[FLARE] = a;
+  ALGEBRA[FLARE + 1] = aLow;
+  ALGEBRA[SIZE] = Am < LARGE && Cm < LARGE && size < LARGE ? Am * Cm : Number.NaN;
+}

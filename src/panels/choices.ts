@@ -1,0 +1,33 @@
+import { html, type TemplateResult } from 'lit';
+import './choices.css';
+
+export interface Choice {
+  readonly id: string;
+  readonly title: string;
+}
+
+/** A few choices as words, the chosen one underlined; `more` of them behind a list. */
+export function tabs(
+  label: string,
+  all: readonly Choice[],
+  chosen: string,
+  choose: (id: string) => void,
+  more: readonly Choice[] = [],
+): TemplateResult {
+  const other = more.some(({ id }) => id === chosen);
+  return html`<div class="choices" role="group" aria-label=${label}>
+    ${all.map(
+      ({ id, title }) =>
+        html`<button type="button" class="choice" aria-pressed=${id === chosen} @click=${() => choose(id)}>${title}</button>`,
+    )}
+    ${
+      more.length > 0
+        ? html`<select class=${other ? 'choice-more chosen' : 'choice-more'} aria-label=${`${label}: more`}
+            @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
+            ${other ? '' : html`<option value="" selected disabled>more …</option>`}
+            ${more.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
+          </select>`
+        : ''
+    }
+  </div>`;
+}

@@ -1,0 +1,34 @@
+import { html, svg, type TemplateResult } from 'lit';
+import { digitCount, type Marked, MOST_DIGITS, PLACES } from '../lab/digits.ts';
+import { shortest } from '../text/format.ts';
+import { superscript } from '../text/scripts.ts';
+import './digit-bar.css';
+
+/** A number with its right digits bold and the others faded; the words say it for those who cannot see it. */
+export function markedNumber({ right, wrong, exponent }: Marked): TemplateResult {
+  return html`<span class="marked">${right ? html`<b>${right}</b>` : ''}${
+    wrong ? html`<span class="wrong-digits">${wrong}</span>` : ''
+  }${exponent === null ? '' : html`<span class="power"> · 10${superscript(exponent)}</span>`}</span>`;
+}
+
+/** Sixteen cells, as many of them filled as digits are right. */
+export function digitBar(count: number): TemplateResult {
+  const cells = Array.from(
+    { length: PLACES },
+    (_, i) =>
+      svg`<rect class=${i < count ? 'cell full' : 'cell'} x=${9 * i} width="7" height="14"></rect>`,
+  );
+  return html`<svg class="digit-bar" viewBox="0 0 142 14" aria-hidden="true">${cells}</svg>`;
+}
+
+/** The count and the bar; a dash where there is no digit to count. */
+export function digitCell(digits: number | null, quantity = 'digits'): TemplateResult {
+  if (digits === null || Number.isNaN(digits)) {
+    return html`<span class="digit-cell"><span class="count">–</span>${digitBar(0)}</span>`;
+  }
+  const count = digitCount(digits);
+  return html`<span class="digit-cell">
+    <b class="count" data-quantity=${quantity} data-value=${shortest(Math.min(digits, MOST_DIGITS))}>${count}</b>
+    ${digitBar(count)}
+  </span>`;
+}

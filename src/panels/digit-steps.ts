@@ -1,0 +1,43 @@
+import { html, mathml, nothing, type TemplateResult } from 'lit';
+import { digitCount, markDigits } from '../lab/digits.ts';
+import { whyLost } from '../lab/explain.ts';
+import type { Losses, Step } from '../lab/losses.ts';
+import { type Surd, toNumber } from '../math/exact/surd.ts';
+import { display, shortest } from '../text/format.ts';
+import { digitCell, markedNumber } from './digit-bar.ts';
+import { formula } from './formula.ts';
+import { typesetSymbols } from './typeset.ts';
+import './digit-steps.css';
+
+/** "Where did the digits go?": a method's intermediate values in order, each with the digits that can still be trusted. */
+export function digitSteps(title: string, { steps, worst }: Losses): TemplateResult {
+  return html`<div class="steps">
+    <p class="steps-verdict" role="status">
+      ${worst ? html`<b>${title}</b>: ${whyLost(worst)}` : html`<b>${title}</b>: no step loses digits worth telling.`}
+    </p>
+    <div class="steps-scroll">
+      <table aria-label=${`Intermediate values of ${title}`}>
+        <thead>
+          <tr><th scope="col">step</th><th scope="col">value</th><th scope="col">digits that are right</th><th scope="col">exactly</th><th scope="col">lost here</th></tr>
+        </thead>
+        <tbody>${steps.map((step) => stepRow(step, step === worst))}</tbody>
+      </table>
+    </div>
+  </div>`;
+}
+
+function stepRow(step: Step, isWorst: boolean): TemplateResult {
+  const { letter, expr, own, digits, exact, lost } = step;
+  const name = letter && letter !== expr ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : '';
+  const count = digits === null ? 0 : digitCount(digits);
+  return html`<tr class=${isWorst ? 'worst' : ''} data-step=${step.text}>
+    <th scope="row">${formula(mathml`${name}${typesetSymbols(expr)}`)}</th>
+    <td data-value=${shortest(own)}>${Number.isNaN(own) ? 'undefined' : markedNumber(markDigits(own, count))}</td>
+    <td>${digitCell(digits, 'step-digits')}</td>
+    <td class="exactly">${exactly(exact)}</td>
+    <td class="lost">${lost >= 0.5 ? html`${isWorst ? html`<b>◀ ${display(lost, 2)} digits</b>` : `${display(lost, 2)}`}` : nothing}</td>
+  </tr>`;
+}
+
+const exactly = (exact: Surd | null): string =>
+  exact === null ? 'no real number' : display(toNumber(exact), 16);

@@ -1,0 +1,136 @@
+import { html, nothing, svg, type TemplateResult } from 'lit';
+import { HINTS } from '../lab/hints.ts';
+import { grouped, multiple } from '../lab/sentence.ts';
+import type { Timing } from '../lab/session.ts';
+import type { MethodRow, RootRow } from '../lab/this-ray.ts';
+import { JUDGEMENTS } from '../lab/verdict.ts';
+import type { Verdict } from '../math/intersection.ts';
+import { display, shortest } from '../text/format.ts';
+import { digitCell, markedNumber } from './digit-bar.ts';
+import { symbol } from './formula.ts';
+import './ladder-table.css';
+
+export interface LadderModel {
+  readonly rows: readonly MethodRow[];
+  /** In a few words, by method. */
+  readonly where: ReadonlyMap<string, string>;
+  /** By method; empty until something is measured. */
+  readonly timings: ReadonlyMap<string, Timing>;
+  readonly chosen: string;
+}
+
+const SAYS: Readonly<Record<Verdict, string>> = {
+  two: 'two points',
+  tangent: 'touches once',
+  one: 'one point',
+  none: 'no point',
+  contained: 'lies in it',
+  undecided: 'cannot decide',
+};
+
+/** This ray through every method: a row each. */
+export function ladderTable(model: LadderModel, choose: (id: string) => void): TemplateResult {
+  const heads = [
+    'verdict',
+    'roots',
+    'digits that are right',
+    'error',
+    'ns',
+    'time',
+    'where digits go',
+  ];
+  return html`<table class="ladder" role="table" aria-label="This ray by every method">
+    <thead role="rowgroup">
+      <tr role="row">
+        <th role="columnheader" scope="col" class="name-head">method</th>
+        ${heads.map((head) => html`<th role="columnheader" scope="col" class="head-${head.split(' ')[0]}">${head}</th>`)}
+      </tr>
+    </thead>
+    <tbody role="rowgroup">
+      ${model.rows.map((row) => ladderRow(row, model, choose))}
+    </tbody>
+  </table>`;
+}
+
+function ladderRow(
+  row: MethodRow,
+  model: LadderModel,
+  choose: (id: string) => void,
+): TemplateResult {
+  const { method } = row;
+  const chosen = method.id === model.chosen;
+  const timing = model.timings.get(method.id);
+  return html`<tr
+    role="row"
+    data-method=${method.id}
+    class=${chosen ? 'is-chosen' : ''}
+    @click=${() => choose(method.id)}
+  >
+    <th role="rowheader" scope="row" class="method">
+      <label class="method-name">
+        <input type="radio" name="ladder-method" .checked=${chosen} @change=${() => choose(method.id)} />
+        <span class="title">${method.title}</span>
+        <span class="hint">${HINTS[method.id] ?? method.idea}</span>
+      </label>
+    </th>
+    <td role="cell" class="verdict">${verdict(row)}</td>
+    <td role="cell" class="roots">${roots(row)}</td>
+    <td role="cell" class="digits">${digitCell(row.digits)}</td>
+    <td role="cell" class="errors">${errors(row.roots)}</td>
+    <td role="cell" class="ns">${timing ? number('ns', timing.ns.median, nanoseconds(timing.ns.median)) : '–'}</td>
+    <td role="cell" class="time">${timing ? number('ratio', timing.ratio.median, `${multiple(timing.ratio.median)}×`) : '–'}</td>
+    <td role="cell" class="where">${model.where.get(method.id) ?? ''}</td>
+  </tr>`;
+}
+
+const number = (quantity: string, x: number, text: string): TemplateResult =>
+  html`<span data-quantity=${quantity} data-value=${shortest(x)}>${text}</span>`;
+
+/** 19.3, 102, 4 245: three figures, and no decimals that nobody measured. */
+export const nanoseconds = (ns: number): string =>
+  ns >= 99.95 ? grouped(Math.round(ns)) : String(Number(ns.toPrecision(3)));
+
+function verdict({ found, judgement }: MethodRow): TemplateResult {
+  const right = judgement === 'right';
+  return html`<span class=${right ? 'says' : 'says wrong'}>
+      ${mark(found.class, judgement === 'undecided')}
+      <span data-quantity="class" data-value=${found.class}>${SAYS[found.class]}</span>
+    </span>
+    <span class="hint" data-quantity="judgement" data-value=${judgement}>${JUDGEMENTS[judgement]}</span>`;
+}
+
+/** The disc of a hit, the cross of a miss, the dashed ring of what cannot be told. */
+function mark(verdict: Verdict, open: boolean): TemplateResult {
+  const drawn = open
+    ? svg`<circle r="5.6" class="open" />`
+    : verdict === 'none'
+      ? svg`<path d="M-5-5L5 5M-5 5L5-5" class="cross" />`
+      : svg`<circle r="6" class="hit" />`;
+  return html`<svg class="mark" viewBox="-8 -8 16 16" width="15" height="15" aria-hidden="true">${drawn}</svg>`;
+}
+
+function roots({ roots, judgement }: MethodRow): TemplateResult {
+  if (roots.length === 0) {
+    return html`<span class="no-root">${judgement === 'undecided' ? 'no claim' : 'no root'}</span>`;
+  }
+  return html`${roots.map(
+    ({ t, marked }, i) => html`<span class="root">
+      <span class="letter">${symbol('t', roots.length > 1 ? String(i + 1) : null, 'sym', `t${i + 1}`)}</span>
+      <span data-quantity=${`t${i + 1}`} data-value=${shortest(t)}>${markedNumber(marked)}</span>
+    </span>`,
+  )}`;
+}
+
+/** Steps from double to double, and how far the point is off: of the worse root. */
+function errors(roots: readonly RootRow[]): TemplateResult | typeof nothing {
+  const ulps = roots.flatMap((root) => (root.ulps === null ? [] : [root.ulps]));
+  const off = roots.flatMap(({ pointError }) => (pointError === null ? [] : [pointError]));
+  if (ulps.length === 0) return nothing;
+  const most = Math.max(...ulps);
+  const farthest = Math.max(...off);
+  return html`<span>${number('ulps', most, ulpsText(most))} ulp</span>
+    <span class="hint">point off by ${number('pointError', farthest, display(farthest, 2))}</span>`;
+}
+
+const ulpsText = (ulps: number): string =>
+  ulps < 100_000 ? grouped(Math.round(ulps)) : display(ulps, 2);

@@ -1,0 +1,103 @@
+import { digitCount } from '../../lab/digits.ts';
+import { grouped, multiple } from '../../lab/sentence.ts';
+import type { Measured, MeasuredRow } from '../../lab/session.ts';
+import type { Quartiles } from '../../lab/stats.ts';
+import { findMethod } from '../../math/intersect.ts';
+import { display } from '../../text/format.ts';
+import type { Cost, Worth } from './settings.ts';
+
+export interface FrontierData {
+  readonly marks: readonly {
+    readonly id: string;
+    readonly name: string;
+    readonly words: string;
+    readonly cost: Quartiles;
+    readonly worth: number;
+  }[];
+  readonly chosen: string;
+  readonly costTitle: string;
+  readonly worthTitle: string;
+  readonly worthTicks: readonly { readonly value: number; readonly label: string }[];
+}
+
+export const titleOf = (id: string): string => findMethod(id)?.title ?? id;
+
+/** The plot of what was measured, in the chosen units. Null before there is a time, or where no ray has a root to have digits. */
+export function frontierOf(
+  { rows }: Pick<Measured, 'rows'>,
+  { worth, cost }: { readonly worth: Worth; readonly cost: Cost },
+  chosen: string,
+): FrontierData | null {
+  const marks = rows.flatMap((row) => {
+    const timing = row.roots;
+    const value = worthOf(row, worth);
+    if (!timing || Number.isNaN(value)) return [];
+    const { id } = row;
+    return [
+      {
+        id,
+        name: `${titleOf(id)}${failures(row)}`,
+        words: wordsOf(row),
+        cost: cost === 'ns' ? timing.ns : timing.ratio,
+        worth: value,
+      },
+    ];
+  });
+  if (marks.length === 0) return null;
+  return {
+    marks,
+    chosen,
+    costTitle: cost === 'ns' ? 'ns per ray, median' : 'times the textbook method, median',
+    worthTitle: WORTH_TITLES[worth],
+    worthTicks: worth === 'wrong' ? shareTicks(marks) : DIGIT_TICKS,
+  };
+}
+
+const WORTH_TITLES: Readonly<Record<Worth, string>> = {
+  digits: 'digits right, in 9 rays of 10',
+  worst: 'digits right, in the worst ray',
+  wrong: 'wrong verdicts, or none',
+};
+
+const DIGIT_TICKS = [0, 4, 8, 12, 16].map((value) => ({ value, label: String(value) }));
+
+/** More is better: a share of failures counts below zero. */
+function worthOf({ quality }: MeasuredRow, worth: Worth): number {
+  if (worth === 'wrong') return 0 - (quality.wrong + quality.undecided) / quality.rays;
+  return worth === 'digits' ? quality.digits : quality.leastDigits;
+}
+
+/** 0 % on top, and round shares down to the worst. */
+function shareTicks(marks: readonly { readonly worth: number }[]) {
+  const worst = Math.max(0.001, ...marks.map(({ worth }) => -worth));
+  const step =
+    [0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.25].find((s) => worst / s <= 4) ??
+    0.25;
+  return Array.from({ length: Math.ceil(worst / step - 1e-9) + 1 }, (_, i) => ({
+    value: 0 - i * step,
+    label: `${display(100 * i * step, 3)} %`,
+  }));
+}
+
+function failures({ quality }: MeasuredRow): string {
+  const { wrong, undecided } = quality;
+  const parts = [
+    ...(wrong > 0 ? [`${grouped(wrong)} wrong`] : []),
+    ...(undecided > 0 ? [`${grouped(undecided)} undecided`] : []),
+  ];
+  return parts.length > 0 ? `: ${parts.join(', ')}` : '';
+}
+
+function wordsOf(row: MeasuredRow): string {
+  const { quality, roots } = row;
+  const digits = Number.isNaN(quality.digits)
+    ? 'no roots to compare'
+    : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
+  const wrong = `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ${grouped(quality.undecided)} undecided`;
+  const { ns, ratio } = roots ?? { ns: null, ratio: null };
+  const time =
+    ns && ratio
+      ? `${display(ns.median, 3)} ns a ray, ${multiple(ratio.median)} times textbook`
+      : 'no time yet';
+  return `${titleOf(row.id)}: ${digits}; ${wrong}; ${time}`;
+}

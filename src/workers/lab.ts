@@ -1,0 +1,12 @@
+import { answer } from '../lab/answer.ts';
+import type { LabRequest } from '../lab/messages.ts';
+
+/* The laboratory off the page's own thread: it may work without a pause, and is ended from outside. */
+
+addEventListener('message', ({ data }: MessageEvent<LabRequest>) => {
+  answer(
+    data,
+    () => performance.now(),
+    (reply) => postMessage(reply),
+  );
+});

@@ -1,0 +1,115 @@
+import { describe, expect, test } from 'vitest';
+import { multiple } from '../../../src/lab/sentence.ts';
+import { measureSession } from '../../../src/lab/session.ts';
+import { sweepSession } from '../../../src/lab/sweep.ts';
+import { findFamily } from '../../../src/math/families.ts';
+import { SHAPES } from '../../../src/math/shapes/index.ts';
+import { frontierOf } from '../../../src/state/accuracy/frontier.ts';
+import { hardnessOf, tickOf } from '../../../src/state/accuracy/hardness.ts';
+import { createRayModel } from '../../../src/state/accuracy/ladder.ts';
+import { INITIAL } from '../../../src/state/state.ts';
+import { decode } from '../../../src/state/url.ts';
+
+const PLAN = { rounds: 2, least: 10, steps: 1, warmUp: 0 };
+const ticking = () => {
+  let now = 0;
+  return () => {
+    now += 10;
+    return now;
+  };
+};
+const measured = (family: string) =>
+  [...measureSession({ family, seed: 7, shapes: 2, count: 64, plan: PLAN }, ticking())].at(-1) ?? {
+    rows: [],
+  };
+
+describe('the frontier', () => {
+  const rows = measured('far-origin');
+
+  test('has a mark a method, with the numbers of the rows', () => {
+    const data = frontierOf(rows, { worth: 'digits', cost: 'ns' }, 'exact');
+    expect(data?.marks.map(({ id }) => id)).toEqual(rows.rows.map(({ id }) => id));
+    for (const row of rows.rows) {
+      const mark = data?.marks.find(({ id }) => id === row.id);
+      expect(mark?.cost).toEqual(row.roots?.ns);
+      expect(mark?.worth).toBe(row.quality.digits);
+      expect(mark?.words).toContain(`${multiple(row.roots?.ratio.median ?? 0)} times textbook`);
+    }
+    expect(frontierOf(rows, { worth: 'digits', cost: 'times' }, 'exact')?.marks[0]?.cost).toEqual(
+      rows.rows[0]?.roots?.ratio,
+    );
+  });
+
+  test('puts no failure on top, and its ticks reach the worst', () => {
+    const data = frontierOf(rows, { worth: 'wrong', cost: 'ns' }, 'exact');
+    expect(data?.marks.find(({ id }) => id === 'exact')?.worth).toBe(0);
+    const lowest = Math.min(...(data?.worthTicks ?? []).map(({ value }) => value));
+    expect(lowest).toBeLessThanOrEqual(Math.min(...(data?.marks ?? []).map(({ worth }) => worth)));
+    expect(data?.worthTicks[0]?.label).toBe('0 %');
+  });
+
+  test('is not there before there is a time', () => {
+    const untimed = { rows: rows.rows.map(({ id, quality }) => ({ id, quality })) };
+    expect(frontierOf(untimed, { worth: 'digits', cost: 'ns' }, 'exact')).toBeNull();
+  });
+});
+
+describe('how hard', () => {
+  test.each([
+    ['far-origin', 4, '10⁴'],
+    ['near-tangent', 4, '10⁻⁴'],
+    ['near-generator', 3, '2³'],
+    ['mix', 40, '40'],
+    ['scale-world', 0, '1'],
+  ])('%s: %d is written %s', (id, k, text) => {
+    const dial = findFamily(id)?.dial;
+    expect(dial && tickOf(dial)(k)).toBe(text);
+  });
+
+  test('lines carry the sweep’s numbers and say in words what fails', () => {
+    const points = [
+      ...sweepSession({ family: 'far-origin', seed: 7, shapes: 2, count: 64, points: 13 }),
+    ];
+    const dial = findFamily('far-origin')?.dial;
+    if (!dial) throw new Error('a dial was expected');
+    const { lines, dialTitle } = hardnessOf(points, dial, 'digits');
+    expect(dialTitle).toBe('E is 10ᵏ radii away');
+    const textbook = lines.find(({ id }) => id === 'textbook');
+    expect(textbook?.end?.reason).toBe('loses hits');
+    expect(textbook?.end?.words).toMatch(/of 128 rays \d+ lose a hit/);
+    expect(textbook?.points[0]?.digits).toBe(
+      points[0]?.rows.find(({ id }) => id === 'textbook')?.quality.digits,
+    );
+    expect(lines.find(({ id }) => id === 'certified')?.end).toBeUndefined();
+  });
+});
+
+describe('the ray', () => {
+  const model = createRayModel();
+
+  test.each(SHAPES.map(({ kind }) => kind))('%s: eight rows, words for each', (kind) => {
+    const { rows, where, words, losses } = model({ ...INITIAL, kind });
+    expect(rows).toHaveLength(8);
+    expect([...where.values()].every((text) => text.length > 3)).toBe(true);
+    expect(words).toMatch(/^The \w+ of Explore, with E [\d.]+ away\. /);
+    expect(losses.steps.length).toBeGreaterThan(3);
+  });
+
+  test.each([
+    ['#/explore?shape=cylinder&E=2,0,0&d=0,1,0&C=0,0,0&r=2', 'The whole line lies in it'],
+    ['#/explore?shape=cone&E=-3,1.5,0&d=2,1,0&V=0,3,0&c=2', 'The whole line lies in it'],
+    ['#/explore?shape=cylinder&E=2,0,-5&d=0,0,1&C=0,0,0&r=2', 'It touches in exactly one point'],
+    ['#/explore?shape=cylinder&E=9,0,0&d=0,1,0&C=0,0,0&r=2', 'no point of it'],
+    ['#/explore?shape=plane&E=0,5,0&d=1,0,0&N=0,1,0&P=0,0,0', 'no point of it'],
+    ['#/explore?shape=circle&E=0,0,0&d=1,0,0&N=0,1,0&C=0,0,0&r=1', 'The whole line lies in it'],
+    ['#/explore?shape=cone&E=0,3,-5&d=0,0,1&V=0,3,0&c=0.5', 'It touches in exactly one point'],
+  ])('%s', (link, words) => {
+    expect(model(decode(link, INITIAL)).words).toContain(words);
+  });
+
+  test('keeps its answer while nothing of it changes', () => {
+    const first = model(INITIAL);
+    expect(model({ ...INITIAL, view: 'top' })).toBe(first);
+    expect(model({ ...INITIAL, method: 'moment' })).not.toBe(first);
+  });
+});
