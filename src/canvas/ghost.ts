@@ -33,7 +33,7 @@ export function ghostFigures(
   const named = E ?? (start && lens.project(start));
   if (!named) return { marks, captions: [] };
   const caption: Caption = {
-    ...{ key: 'ghost', symbol: '', letter: 'before', sub: '', tone: 'ghost' },
+    ...{ key: 'ghost', symbol: '', letter: ghost.title, sub: '', tone: 'ghost' },
     ...{ x: named.x, y: named.y, clear: (CLEAR.ghost + 2) * scale, angle: BELOW },
   };
   return { marks, captions: [caption] };

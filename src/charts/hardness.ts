@@ -119,7 +119,7 @@ function lineOf(
     ${end && last ? svg`<path class=${`plot-fall ${cls}`} d=${`M${px(last[0])},${px(last[1])}L${px(end[0])},${px(end[1])}`}></path>` : ''}
     ${at.map(([cx, cy]) => svg`<path class=${style.full ? 'plot-shape full' : 'plot-shape'} transform=${`translate(${px(cx)},${px(cy)}) scale(${field.mark})`} d=${style.shape}></path>`)}
     ${end ? svg`<path class="plot-cross" transform=${`translate(${px(end[0])},${px(end[1])})`} d="M-4.5,-4.5L4.5,4.5M-4.5,4.5L4.5,-4.5"></path>` : ''}
-    ${first ? svg`<circle class="plot-first" cx=${px(x(first.difficulty))} cy=${px(y(first.digits))} r=${7 * field.mark}></circle>` : ''}
+    ${first ? svg`<path class="plot-first" transform=${`translate(${px(x(first.difficulty))},${px(y(first.digits))})`} d="M-3.5,-13L3.5,-6M-3.5,-6L3.5,-13"></path>` : ''}
     ${picked === null ? '' : pickedRing(line, picked, x, y, field)}
     <path class="plot-hit" d=${path + (end ? `${path ? 'L' : 'M'}${px(end[0])},${px(end[1])}` : '')}></path>
     ${last || end ? svg`<circle class="plot-focus" cx=${px((at[0] ?? end ?? [0, 0])[0])} cy=${px((at[0] ?? end ?? [0, 0])[1])} r="9"></circle>` : ''}

@@ -5,6 +5,7 @@ import { sentenceOf } from '../lab/sentence.ts';
 import type { MeasuredRow } from '../lab/session.ts';
 import { DIAL_FAMILIES } from '../lab/sweep.ts';
 import { FAMILIES, findFamily, type Question } from '../math/families.ts';
+import { quote } from '../math/invalid-input.ts';
 import { type Choice, tabs } from '../panels/choices.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
 import { ladderTable } from '../panels/ladder-table.ts';
@@ -13,31 +14,27 @@ import { nudges } from '../panels/nudges.ts';
 import { frontierOf, titleOf } from '../state/accuracy/frontier.ts';
 import { hardnessOf } from '../state/accuracy/hardness.ts';
 import { createRayModel, type RayModel } from '../state/accuracy/ladder.ts';
-import { type AccuracySettings, COSTS, WORTHS } from '../state/accuracy/settings.ts';
-import type { Dispatch } from '../state/actions.ts';
-import type { AppState } from '../state/state.ts';
+import {
+  ACCURACY_KEYS,
+  type AccuracySettings,
+  COSTS,
+  readAccuracy,
+  WORTHS,
+  writeAccuracy,
+} from '../state/accuracy/settings.ts';
+import type { AppState, Settings } from '../state/state.ts';
+import { exploreLink } from '../state/url.ts';
 import { display } from '../text/format.ts';
 import { download } from '../ui/files.ts';
 import { svgPng, svgText } from '../ui/svg-text.ts';
 import { type Findings, toCsv, toJson } from './accuracy-exports.ts';
-import { measureJob, type Spawn, spawnLab, sweepJob } from './accuracy-jobs.ts';
+import { measureJob, spawnLab, sweepJob } from './accuracy-jobs.ts';
 import { measureRequest, provenanceOf, sameRays, sweepRequest } from './accuracy-plans.ts';
+import type { MountPage } from './page.ts';
+import type { Takeaway } from './share.ts';
 import '../ui/dialog.css';
 import '../ui/slider.ts';
 import './accuracy.css';
-
-export interface AccuracyTools {
-  readonly dispatch: Dispatch;
-  /** Something has come in that the next frame is to show. */
-  readonly changed: () => void;
-  readonly set: (settings: Partial<AccuracySettings>) => void;
-  readonly spawn?: Spawn;
-}
-
-export interface AccuracyPage {
-  render(state: AppState, settings: AccuracySettings): void;
-  dispose(): void;
-}
 
 const short = (id: string, title: string): Choice => ({ id, title });
 const TIMED: readonly Choice[] = [
@@ -56,11 +53,12 @@ const others = (families: readonly Choice[], shown: readonly Choice[]): readonly
   families.filter(({ id }) => !shown.some((one) => one.id === id));
 
 /** What accuracy costs in time: this ray, a family's rays against the clock, and how hard rays can get. */
-export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): AccuracyPage {
-  const { dispatch, changed, set, spawn = spawnLab } = tools;
+export const mountAccuracy: MountPage = (host, { dispatch, changed }) => {
+  const set = (settings: Partial<AccuracySettings>): void =>
+    dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
-  const measuring = measureJob(spawn, changed);
-  const sweeping = sweepJob(spawn, changed);
+  const measuring = measureJob(spawnLab, changed);
+  const sweeping = sweepJob(spawnLab, changed);
   let picked: Picked | null = null;
   let shown: { state: AppState; settings: AccuracySettings; ray: RayModel } | null = null;
 
@@ -114,29 +112,29 @@ export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): Accuracy
     };
   }
 
-  function save(kind: 'csv' | 'json'): void {
+  const textOf = (write: (found: Findings) => string) => (): string => {
     const found = findings();
-    if (!found) return;
-    const text = kind === 'csv' ? toCsv(found) : toJson(found);
-    download(`graze-accuracy.${kind}`, text, kind === 'csv' ? 'text/csv' : 'application/json');
-  }
+    return found ? write(found) : '';
+  };
+  const saves = [
+    {
+      id: 'table-csv',
+      title: 'table as CSV',
+      file: 'graze-accuracy.csv',
+      type: 'text/csv',
+      text: textOf(toCsv),
+    },
+    {
+      id: 'all-json',
+      title: 'everything as JSON',
+      file: 'graze-accuracy.json',
+      type: 'application/json',
+      text: textOf(toJson),
+    },
+  ] as const;
 
   function open({ shape, ray }: Question): void {
-    if (!shown) return;
-    const { state } = shown;
-    dispatch({
-      type: 'open',
-      state: {
-        ...state,
-        page: 'explore',
-        kind: shape.kind,
-        shapes: { ...state.shapes, [shape.kind]: shape },
-        E: ray.origin,
-        d: ray.direction,
-        unit: false,
-        bead: null,
-      },
-    });
+    if (shown) dispatch({ type: 'link', hash: exploreLink(shape, ray, shown.state.method) });
   }
 
   function pickedSummary() {
@@ -172,21 +170,24 @@ export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): Accuracy
       </div>`;
   }
 
-  function plotTools(name: string, svgOf: HTMLElement): TemplateResult {
-    const svg = (): SVGSVGElement | null => svgOf.querySelector('svg');
-    const paper = (): string => getComputedStyle(document.body).getPropertyValue('--bg');
-    return html`<span class="acc-save">
-      <button type="button" class="acc-link" aria-label=${`Save ${name} as SVG`} @click=${() => {
-        const drawn = svg();
-        if (drawn) download(`graze-${name}.svg`, svgText(drawn, paper()), 'image/svg+xml');
-      }}>SVG</button>
-      <button type="button" class="acc-link" aria-label=${`Save ${name} as PNG`} @click=${async () => {
-        const drawn = svg();
-        const blob = drawn && (await svgPng(drawn, paper()));
-        if (blob) download(`graze-${name}.png`, blob, 'image/png');
-      }}>PNG</button>
-    </span>`;
-  }
+  const plotTools = (
+    name: string,
+    plot: HTMLElement,
+  ): TemplateResult => html`<span class="acc-save">
+    ${plotSaves(name, plot).map(
+      ({
+        title,
+        file,
+        type,
+        text,
+        blob,
+      }) => html`<button type="button" class="acc-link" aria-label=${`Save ${title}`}
+        @click=${async () => {
+          const content = text?.() ?? (await blob?.());
+          if (content) download(file, content, type);
+        }}>${file.split('.').at(-1)?.toUpperCase()}</button>`,
+    )}
+  </span>`;
 
   function drawLeft(settings: AccuracySettings, sentence: string): TemplateResult {
     const dial = findFamily(settings.family)?.dial;
@@ -219,8 +220,9 @@ export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): Accuracy
   }
 
   return {
-    render(state, settings) {
+    render(state) {
       const before = shown;
+      const settings = settingsOf(state);
       const ray = rayModel(state);
       shown = { state, settings, ray };
       const sweepAsked = sweepRequest(settings);
@@ -229,7 +231,7 @@ export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): Accuracy
         picked = null;
         sweeping.start(sweepAsked);
       }
-      if (before && before.settings !== settings && measuring.running) {
+      if (before && measuring.running) {
         if (!sameRays(measuring.request, measureRequest(settings))) measuring.cancel();
       }
       render(drawRay(state, ray), top);
@@ -269,21 +271,77 @@ export function mountAccuracy(host: HTMLElement, tools: AccuracyTools): Accuracy
           { measure, cancel: measuring.cancel },
         )}
         <p class="acc-take">Take home:
-          <button type="button" class="acc-link" @click=${() => save('csv')}>table as CSV</button>
-          <button type="button" class="acc-link" @click=${() => save('json')}>everything as JSON</button>
+          ${saves.map(
+            ({ title, file, type, text }) =>
+              html`<button type="button" class="acc-link" @click=${() => download(file, text(), type)}>${title}</button>`,
+          )}
         </p>`,
         foot,
       );
     },
-    dispose() {
-      measuring.cancel();
-      sweeping.cancel();
-      frontier.dispose();
-      hardness.dispose();
-      host.classList.remove('accuracy');
-      host.replaceChildren();
+    read(given) {
+      const { values, problems } = readAccuracy(given);
+      const usable = Object.entries(writeAccuracy(values)).filter(([, text]) => text !== null);
+      const unknown = Object.keys(given).filter((key) => !ACCURACY_KEYS.some((one) => one === key));
+      return {
+        settings: Object.fromEntries(usable) as Settings,
+        problems: [
+          ...problems,
+          ...unknown.map((key) => `${quote(key)} means nothing on this page`),
+        ],
+      };
+    },
+    takeaways: () => [
+      ...saves.map(({ id, title, file, type, text }) => ({
+        id,
+        title,
+        file,
+        type,
+        text,
+        blob: null,
+      })),
+      ...plotSaves('frontier', leftPlot),
+      ...plotSaves('difficulty', rightPlot),
+    ],
+    rest() {
+      if (measuring.running) measuring.cancel();
     },
   };
+};
+
+/** The settings of the link, with the defaults of what it does not say. */
+function settingsOf({ settings }: AppState): AccuracySettings {
+  return readAccuracy(settings.accuracy).values;
+}
+
+/** A plot as a vector drawing and as pixels, as it stands on the page. */
+function plotSaves(name: string, plot: HTMLElement): Takeaway[] {
+  const drawn = (): SVGSVGElement | null => plot.querySelector('svg');
+  const paper = (): string => getComputedStyle(document.body).getPropertyValue('--bg');
+  return [
+    {
+      id: `${name}-svg`,
+      title: `the ${name} plot as SVG`,
+      file: `graze-${name}.svg`,
+      type: 'image/svg+xml',
+      text: () => {
+        const svg = drawn();
+        return svg ? svgText(svg, paper()) : '';
+      },
+      blob: null,
+    },
+    {
+      id: `${name}-png`,
+      title: `the ${name} plot as PNG`,
+      file: `graze-${name}.png`,
+      type: 'image/png',
+      text: null,
+      blob: async () => {
+        const svg = drawn();
+        return svg ? svgPng(svg, paper()) : null;
+      },
+    },
+  ];
 }
 
 function emptyFrontier(

@@ -28,6 +28,8 @@ export interface HitMark {
 }
 
 export interface GhostModel {
+  /** The word beside it. */
+  readonly title: string;
   readonly origin: Vec3;
   readonly direction: Vec3;
   /** The stretch of its t that is drawn. */

@@ -53,6 +53,8 @@ export const anyState: fc.Arbitrary<AppState> = fc
   .map(({ shape, ...rest }) => ({
     ...INITIAL,
     ...rest,
+    // The look is Explore's own.
+    ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null }),
     kind: shape.kind,
     shapes: { ...INITIAL.shapes, [shape.kind]: shape },
   }));
