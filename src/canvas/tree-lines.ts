@@ -18,6 +18,7 @@ const CHOSEN = 2;
 const LEAST_ALPHA = 0.45;
 /** Of the rays that carry light so many, the heaviest, get their weight written to them. */
 const MOST_LABELS = 6;
+const ALONG = 0.62;
 
 export function lineStrokes(
   lines: readonly TreeLine[],
@@ -52,6 +53,7 @@ export class TreeMarks {
   ): void {
     const layer = this.#layer;
     const named = new Set<string>();
+    const written: { readonly x: number; readonly y: number }[] = [];
     const weights = lines.filter(carries).map(({ weight }) => weight);
     const least = weights.sort((a, b) => b - a)[MOST_LABELS - 1] ?? 0;
     layer.begin();
@@ -73,7 +75,11 @@ export class TreeMarks {
         this.#text(`${light} light`, light, spot.x + 6 * scale, spot.y - 6 * scale);
       }
       if (carries(line) && weight >= least && start) {
-        const [x, y] = [(spot.x + start.x) / 2, (spot.y + start.y) / 2];
+        // Nearer to its end: several rays begin in one point.
+        const [x, y] = [start.x + ALONG * (spot.x - start.x), start.y + ALONG * (spot.y - start.y)];
+        const isFree = written.every((p) => Math.abs(p.x - x) > 34 || Math.abs(p.y - y) > 13);
+        if (!isFree) continue;
+        written.push({ x, y });
         this.#text(`${path} weight`, `${Math.round(100 * weight)} %`, x + 5, y - 5);
       }
     }

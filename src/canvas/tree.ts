@@ -18,7 +18,8 @@ import './scene.css';
 import './tree.css';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const FIRST = { elevation: 16, zoom: 1 } as const;
+/** Nearer than Explore's: what is large beside the rays need not be seen in full. */
+const FIRST = { elevation: 16, zoom: 1.4 } as const;
 const TOUCHED = { ink: 'shape', width: 1.8, alpha: 0.9, dash: null } as const;
 const OTHER = { ink: 'edge', width: 1.2, alpha: 0.75, dash: null } as const;
 /** The walls stand behind the rays: fainter than on Explore. */

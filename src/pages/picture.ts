@@ -1,173 +1,102 @@
-import { html, nothing, render, type TemplateResult } from 'lit';
+import { nothing, render } from 'lit';
 import { pictureBar } from '../panels/picture-bar.ts';
-import { comparisonWords, sidePickers } from '../panels/picture-compare.ts';
-import { editor } from '../panels/picture-editor.ts';
-import { ledger } from '../panels/picture-ledger.ts';
-import { methodPanel } from '../panels/picture-method.ts';
-import { pictureStatus } from '../panels/picture-status.ts';
-import { sceneToJson } from '../scene/json.ts';
-import { findPreset } from '../scene/presets/index.ts';
-import { textOfScene } from '../state/picture/scene-link.ts';
+import { type CompareTools, sidePickers } from '../panels/picture-compare.ts';
 import { readPicture } from '../state/picture/settings.ts';
-import { type AppState, shapeOf } from '../state/state.ts';
-import { download, pickFile } from '../ui/files.ts';
+import { download } from '../ui/files.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
+import { below } from './picture/below.ts';
+import { createBeside } from './picture/beside.ts';
 import { coresOf, createDarkroom } from './picture/darkroom.ts';
-import { createEasel, type EaselModel } from './picture/easel.ts';
-import { errorMap } from './picture/error-map.ts';
+import { createEasel } from './picture/easel.ts';
+import { easelModel } from './picture/easel-model.ts';
 import { lateTree } from './picture/late-tree.ts';
+import { createLoupe } from './picture/loupe.ts';
 import { createPixelView } from './picture/pixel-view.ts';
 import { createRecorder } from './picture/recorder.ts';
 import { type Sight, sightOf } from './picture/sight.ts';
 import { type Spawn, tracerSpawner } from './picture/spawn.ts';
 import { openScene, pictureBlob, pictureTakeaways } from './picture/takeaways.ts';
-import { inkOf } from './picture/theme-ink.ts';
-import { type PageTools, pageTools } from './picture/tools.ts';
+import { pageTools } from './picture/tools.ts';
 import './picture.css';
 
-/** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
+/** The page, once it is known how its workers are started. */
 export async function loadPicture(): Promise<MountPage> {
   const spawn = await tracerSpawner();
   return (host, context) => mountPicture(host, context, spawn);
 }
 
+/** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
 function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): PageView {
-  host.classList.add('picture');
-  const section = (className: string, parent: Element = host): HTMLElement => {
-    const element = document.createElement('div');
-    element.className = className;
-    parent.append(element);
-    return element;
-  };
-  const work = section('picture-work');
-  const bar = section('picture-bar', work);
   const { changed, dispatch, announce } = context;
-  const darkroom = createDarkroom({ spawn, workers: coresOf(navigator), changed });
+  const parts = sections(host);
   const tools = pageTools(dispatch);
-  const easel = createEasel(section('easel', work), {
+  const darkroom = createDarkroom({ spawn, workers: coresOf(navigator), changed });
+  const easel = createEasel(parts.easel, {
     split: (percent) => tools.set({ split: String(percent) }),
     pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
     cursor: (x, y) => announce(`pixel ${x}, ${y}`),
   });
-  const status = section('picture-status', work);
-  const pixelHost = section('picture-pixel', work);
-  const pixelList = section('pixel-list', pixelHost);
-  const space = lateTree(section('pixel-space', pixelHost));
-  const beside = section('picture-beside');
+  const loupe = createLoupe(parts.loupes);
+  const space = lateTree(parts.space);
   const pixels = createPixelView(createRecorder(spawn), {
     changed,
     announce,
     close: () => tools.set({ pixel: '' }),
   });
-  let sight: Sight | null = null;
   /** The picture for which the ledger's last column was asked. */
   let counting = '';
   let told = '';
-
-  const tracing = (): boolean => darkroom.current() !== null;
-
-  const draw = (state: AppState, now: Sight): void => {
-    const { picture, shots, main, other, comparison } = now;
-    render(
-      pictureBar(picture, {
-        set: tools.set,
-        compare: () => tools.set({ against: picture.against ? '' : 'start:none', show: 'both' }),
-        again: () => darkroom.again([shots.main, ...(shots.other ? [shots.other] : [])]),
-        cancel: darkroom.cancel,
-        save: () => void save(),
-        isTracing: tracing(),
-        hasSoftLight: picture.scene.lights.some(({ light }) => light === 'sphere'),
-      }),
-      bar,
-    );
-    easel.render(easelModel(now, host));
-    render(over(now), easel.over);
-    render(below(now), status);
-    render(pixels.panel(now), pixelList);
-    pixelHost.classList.toggle('compared', picture.against !== null);
-    space.render(pixels.space(now));
-    render(right(state, now), beside);
-    host.dataset.trace = main?.state ?? 'waiting';
-    host.dataset.compared = String(comparison !== null || (shots.other === null && other === null));
-  };
-
-  const over = ({ picture, shots }: Sight): TemplateResult | typeof nothing =>
-    picture.against && shots.other
-      ? sidePickers(picture.scene, shots.main.settings, shots.other.settings, picture.against, {
-          left: (value) => tools.set({ against: value }),
-          right: tools.right,
-          show: (show) => tools.set({ show }),
-        })
-      : nothing;
-
-  const below = ({
-    picture,
-    shots,
-    main,
-    other,
-    comparison,
-    trustsLeft,
-  }: Sight): TemplateResult => {
-    const current = darkroom.current();
-    const what = current?.key === shots.main.key ? 'tracing' : current ? 'tracing to compare' : '';
-    const running = current && darkroom.seen(current);
-    const middle = picture.against
-      ? comparisonWords(
-          shots.main.settings,
-          picture.against,
-          comparison,
-          trustsLeft,
-          picture.show,
-          {
-            left: (value) => tools.set({ against: value }),
-            right: tools.right,
-            show: (show) => tools.set({ show }),
-          },
-        )
-      : html`<p>${findPreset(picture.sceneText)?.reason ?? `${picture.scene.title}, edited`}</p>`;
-    return pictureStatus(running ?? main, what, middle, other);
-  };
-
-  const right = (state: AppState, now: Sight): TemplateResult => {
-    const { picture, shots, uncounted } = now;
-    if (picture.beside === 'scene') {
-      return html`${besideTabs(picture.beside, tools)}
-        <div role="tabpanel" aria-label="Scene">${editor(
-          picture.scene,
-          picture.edit,
-          shapeOf(state),
-          {
-            change: (scene, edit) =>
-              tools.set({ scene: textOfScene(scene), ...(edit === undefined ? {} : { edit }) }),
-            edit: (edit) => tools.set({ edit: edit ?? '' }),
-            save: () =>
-              download('graze-scene.json', sceneToJson(picture.scene), 'application/json'),
-            open: () => void openFile(),
-          },
-        )}</div>`;
-    }
-    return html`${besideTabs(picture.beside, tools)}
-      <div role="tabpanel" aria-label="Ledger">${ledger(now.ledger, {
-        force: (id, how) => tools.force(picture, id, how),
-        measure: () => {
-          counting = shots.main.key;
-          changed();
-        },
-        unmeasured: now.main?.state === 'finished' ? uncounted.length : 0,
-        isMeasuring: counting === shots.main.key && uncounted.length > 0 && tracing(),
-      })}
-      ${methodPanel(state.method, picture, dispatch)}</div>`;
-  };
-
-  const openFile = async (): Promise<void> => {
-    const text = await pickFile('.json,application/json');
-    if (text === null || openScene(text, dispatch)) return;
-    dispatch({ type: 'say', problems: ['this file holds no scene'] });
+  let sight: Sight | null = null;
+  const beside = createBeside(parts.beside, {
+    dispatch,
+    changed,
+    tools,
+    count() {
+      counting = sight?.shots.main.key ?? '';
+      changed();
+    },
+    isCounting: () => counting === sight?.shots.main.key && darkroom.current() !== null,
+  });
+  const compareTools: CompareTools = {
+    left: (value) => tools.set({ against: value }),
+    right: tools.right,
+    show: (show) => tools.set({ show }),
   };
 
   const save = async (): Promise<void> => {
     const blob = await pictureBlob(sight);
     if (blob) download('graze-picture.png', blob);
+  };
+
+  const bar = ({ picture, shots }: Sight) =>
+    pictureBar(picture, {
+      set: tools.set,
+      compare: () => tools.set({ against: picture.against ? '' : 'start:none', show: 'both' }),
+      again: () => darkroom.again([shots.main, ...(shots.other ? [shots.other] : [])]),
+      cancel: darkroom.cancel,
+      save: () => void save(),
+      isTracing: darkroom.current() !== null,
+      hasSoftLight: picture.scene.lights.some(({ light }) => light === 'sphere'),
+    });
+
+  const over = ({ picture: { scene, against }, shots: { main, other } }: Sight) =>
+    against && other
+      ? sidePickers(scene, main.settings, other.settings, against, compareTools)
+      : nothing;
+
+  const drawPixel = (now: Sight): void => {
+    const { picture, main, other } = now;
+    render(pixels.panel(now), parts.rays);
+    parts.pixel.classList.toggle('compared', picture.against !== null);
+    loupe.render(
+      picture.pixel && {
+        pixel: picture.pixel,
+        left: other?.frame ?? null,
+        right: main?.frame ?? null,
+        comparing: picture.against !== null,
+      },
+    );
+    space.render(pixels.space(now));
   };
 
   /** Said once, when the picture that is asked for is done. */
@@ -188,7 +117,13 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
         ...(counting === shots.main.key ? uncounted : []),
       ]);
       sight = sightOf(state, darkroom);
-      draw(state, sight);
+      render(bar(sight), parts.bar);
+      easel.render(easelModel(sight, host));
+      render(over(sight), easel.over);
+      render(below(sight, darkroom, compareTools), parts.status);
+      drawPixel(sight);
+      beside.render(state, sight);
+      host.dataset.trace = sight.main?.state ?? 'waiting';
       tell(sight);
     },
     read: readPicture,
@@ -198,33 +133,21 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   };
 }
 
-function besideTabs(current: 'ledger' | 'scene', { set }: PageTools): TemplateResult {
-  const tab = (id: 'ledger' | 'scene', words: string): TemplateResult =>
-    html`<button type="button" role="tab" aria-selected=${id === current} @click=${() => set({ beside: id })}>${words}</button>`;
-  return html`<h2 class="visually-hidden">${current === 'ledger' ? 'What this picture needed' : 'The scene'}</h2>
-    <div class="beside-tabs" role="tablist" aria-label="beside the picture">${tab('ledger', 'What this picture needed')}${tab('scene', 'Scene')}</div>`;
-}
-
-function easelModel(
-  { picture, shots, main, other, comparison }: Sight,
-  host: HTMLElement,
-): EaselModel {
-  const { width, height, against, split, show, pixel } = picture;
-  const traced = (progress: typeof main) => (progress && progress.done > 0 ? progress.frame : null);
-  const mapped = against !== null && show === 'errors' && comparison !== null;
-  const [paper, ink] = mapped ? inkOf(host) : [null, null];
-  return {
-    width,
-    height,
-    right: traced(main),
-    left: traced(other),
-    errors: mapped && paper && ink ? errorMap(comparison, width, height, paper, ink) : null,
-    comparing: against !== null,
-    split,
-    pixel,
-    version: [
-      ...[shots.main.key, main?.done, main?.state, shots.other?.key, other?.done, other?.state],
-      ...[mapped, paper],
-    ].join('|'),
+function sections(host: HTMLElement) {
+  host.classList.add('picture');
+  const section = (className: string, parent: Element = host): HTMLElement => {
+    const element = document.createElement('div');
+    element.className = className;
+    parent.append(element);
+    return element;
   };
+  const work = section('picture-work');
+  const bar = section('picture-bar', work);
+  const easel = section('easel', work);
+  const status = section('picture-status', work);
+  const pixel = section('picture-pixel', work);
+  const rays = section('pixel-list', pixel);
+  const loupes = section('loupes', pixel);
+  const space = section('pixel-space', pixel);
+  return { bar, easel, status, pixel, rays, loupes, space, beside: section('picture-beside') };
 }

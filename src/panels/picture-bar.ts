@@ -28,7 +28,7 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
   const sizes: readonly string[] = SIZES.includes(size as never) ? SIZES : [...SIZES, size];
   return html`<div class="bar-choices">
       <label class="choice-scene">scene:
-        <select @change=${(e: Event) => tools.set({ scene: chosenIn(e), pixel: '', edit: '', on: '', off: '' })}>
+        <select @change=${(e: Event) => tools.set({ scene: chosenIn(e), pixel: '', on: '', off: '' })}>
           ${isPacked(sceneText) ? html`<option value=${sceneText} selected>${scene.title}, edited</option>` : nothing}
           ${PRESETS.map(({ id, scene: preset }) => html`<option value=${id} ?selected=${id === sceneText}>${preset.title}</option>`)}
         </select></label>

@@ -68,13 +68,18 @@ function side(
   </select>`;
 }
 
+export interface ComparisonShown {
+  /** Null until both pictures are finished. */
+  readonly found: Comparison | null;
+  readonly trustsLeft: boolean;
+  readonly show: 'both' | 'errors';
+}
+
 /** How much differs, and why; then what kinds of difference there are. */
 export function comparisonWords(
   settings: TraceSettings,
   against: Against,
-  found: Comparison | null,
-  trustsLeft: boolean,
-  show: 'both' | 'errors',
+  { found, trustsLeft, show }: ComparisonShown,
   tools: CompareTools,
 ): TemplateResult {
   const cause = causeWords(settings, against);

@@ -17,7 +17,7 @@ import './picture-editor.css';
 
 export interface EditorTools {
   /** The scene as it is to be; with what is to be edited next, if that changes. */
-  change(scene: Scene, edit?: string): void;
+  change(scene: Scene, edit?: string | null): void;
   edit(id: string | null): void;
   save(): void;
   open(): void;
@@ -47,7 +47,7 @@ export function editor(
           materialWords(thing.material),
           edit === thing.id ? thingForm(scene, thing, tools.change) : null,
           tools,
-          () => tools.change(remove(scene, thing.id), ''),
+          () => tools.change(remove(scene, thing.id), null),
         ),
       )}
       ${scene.lights.map((light) =>
@@ -61,7 +61,7 @@ export function editor(
               : 'light',
           edit === light.id ? lightForm(scene, light, tools.change) : null,
           tools,
-          () => tools.change(remove(scene, light.id), ''),
+          () => tools.change(remove(scene, light.id), null),
         ),
       )}
       ${part(CAMERA, EYE, `${scene.camera.angle}°`, edit === CAMERA ? cameraForm(scene, tools.change) : null, tools, null)}

@@ -67,6 +67,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
         ${both.map((path) => line(path, find(rows, path), find(left, path), model, tools))}
       </tbody>
     </table></div>
+    ${left && both.some((path) => isAcne(find(left, path), find(rows, path))) ? LESSON : nothing}
     ${row ? algebraOf(row, other, model) : nothing}`;
 }
 
@@ -91,6 +92,15 @@ function line(
     <td class="weight" data-quantity="weight" data-value=${shortest(row.weight)}>${weightWords(row.weight)}</td>
   </tr>`;
 }
+
+/** On one side the surface stands in its own light, on the other it does not. */
+function isAcne(a: TreeRow | undefined, b: TreeRow | undefined): boolean {
+  const own = (row: TreeRow | undefined): boolean =>
+    row?.node.end.end === 'blocked' && row.node.end.surface === row.node.from;
+  return a?.kind === 'shadow' && b?.kind === 'shadow' && own(a) !== own(b);
+}
+
+const LESSON = html`<p class="pixel-lesson">More digits do not cure this: the stored point is rounded, and lies a little inside.</p>`;
 
 const text = (row: TreeRow): string => row.verdict + row.rest;
 const none = (): TemplateResult => html`<span class="none">no such ray</span>`;

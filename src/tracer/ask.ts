@@ -43,8 +43,9 @@ export const startOf = (start: StartRule): number =>
 
 export interface HeightsEffect {
   readonly body: RootsBody;
-  readonly tally: Tally;
   readonly clock: () => number;
+  /** Told of the second roots that it took, and of its time. */
+  readonly spend: (roots: number, ms: number) => void;
 }
 
 /** Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where no target is cut. */
@@ -65,10 +66,9 @@ export function createAsker(
     const second = target.flat ? 0 : rays.count;
     tally.roots += rays.count + (leaves ? second : 0);
     if (!heights) return;
-    if (!leaves) heights.tally.roots += second;
     const before = heights.clock();
     heights.body.choose(rays, out, target.low, target.high, tMin, leaves);
-    heights.tally.ms += heights.clock() - before;
+    heights.spend(leaves ? 0 : second, heights.clock() - before);
   }
 
   return {

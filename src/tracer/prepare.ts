@@ -1,12 +1,13 @@
 import { EFFECTS } from '../scene/effects/index.ts';
 import { planEffects, shownScene } from '../scene/effects/plan.ts';
 import type { Scene } from '../scene/types.ts';
+import type { Part } from './book.ts';
 import { fireCamera, lensOf, pixelsOf } from './camera.ts';
 import { level } from './colour.ts';
 import { addLedgers, EMPTY_LEDGER } from './ledger.ts';
 import { createRecorder } from './record.ts';
 import type { Film } from './shade.ts';
-import { createEngine, type Engine, type Part } from './tracer.ts';
+import { createEngine, type Engine } from './tracer.ts';
 import type { RayTree, Tile, TileResult, TraceSettings } from './types.ts';
 
 export interface Tracer {
@@ -37,14 +38,15 @@ export async function prepareTracer(
   return tracerOf(shownScene(scene, settings.forced), settings, parts, clock);
 }
 
-/** The same with the effects' code at hand. */
+/** The same with the effects' code at hand, and another bound for what is not worth a ray. */
 export function tracerOf(
   scene: Scene,
   settings: TraceSettings,
   parts: readonly Part[],
   clock: () => number,
+  unseen?: number,
 ): Tracer {
-  const engine = createEngine(scene, settings, parts, clock);
+  const engine = createEngine(scene, settings, parts, clock, unseen);
   const lens = lensOf(scene.camera, settings.width / settings.height);
   return {
     parts,

@@ -1,33 +1,13 @@
-import type {
-  BounceBody,
-  EffectBody,
-  Feelers,
-  GlossBody,
-  LightBody,
-  Lit,
-  PaintBody,
-  RootsBody,
-  Tools,
-  Wave,
-  WayBody,
-  WorldLight,
-} from '../scene/effects/body.ts';
-import type { EffectId } from '../scene/effects/index.ts';
+import type { EffectBody, Feelers, Lit, Tools, Wave, WorldLight } from '../scene/effects/body.ts';
 import type { Scene } from '../scene/types.ts';
+import { type Book, openBook, type Part } from './book.ts';
 import { createFinder } from './find.ts';
-import { newTally, type Tally } from './ledger.ts';
+import type { Tally } from './ledger.ts';
 import { type Film, face, gather, light, meet, paint } from './shade.ts';
-import type { Cost, Ledger, RayKind, TraceSettings } from './types.ts';
+import type { Ledger, TraceSettings } from './types.ts';
 import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
 import { worldOf } from './world.ts';
-
-/** An effect that takes part: its code, and whether it was forced on where nothing calls for it. */
-export interface Part<B extends EffectBody = EffectBody> {
-  readonly id: EffectId;
-  readonly body: B;
-  readonly all: boolean;
-}
 
 /** Sees every ray; for ray trees. */
 export interface Recorder {
@@ -45,50 +25,59 @@ export interface Engine {
 
 type At<K extends EffectBody['at']> = Extract<EffectBody, { readonly at: K }>;
 
-/** The tracer of a scene, put together from the effects that take part: for the others there is no branch in it. */
+/** The rays that one effect fires: one wave is followed while the next generation is put into the other. */
+interface Cause {
+  readonly part: Part<At<'bounce'>>;
+  readonly tools: Tools;
+  now: Wave;
+  next: Wave;
+}
+
+/**
+ * The tracer of a scene, put together from the effects that take part: for the others there is no branch in it. A ray is dropped when it can bring
+ * no more than `unseen` of linear light.
+ */
 export function createEngine(
   scene: Scene,
   settings: TraceSettings,
   parts: readonly Part[],
   clock: () => number,
+  unseen = HALF_A_LEVEL,
 ): Engine {
   const those = <K extends EffectBody['at']>(at: K): Part<At<K>>[] =>
     parts.filter((part): part is Part<At<K>> => part.body.at === at);
-  const tallies = new Map<EffectId, Tally>(parts.map(({ id }) => [id, newTally()]));
-  const tallyOf = (id: EffectId): Tally => tallies.get(id) as Tally;
-  const [heights] = those<'roots'>('roots') as Part<RootsBody>[];
-  const ways = those('way') as Part<WayBody>[];
-  const paints = those('paint') as Part<PaintBody>[];
-  const lights = those('light') as Part<LightBody>[];
-  const glosses = those('gloss') as Part<GlossBody>[];
-  const bounces = those('bounce') as Part<BounceBody>[];
+  const [heights] = those('roots');
+  const ways = those('way');
+  const paints = those('paint');
+  const lights = those('light');
+  const glosses = those('gloss');
 
-  const world = worldOf(scene, settings.method, heights ? (heights.all ? 'all' : 'needed') : 'off');
+  const cutting = heights ? (heights.all ? 'all' : 'needed') : 'off';
+  const world = worldOf(scene, settings.method, cutting);
+  const least = unseen / brightest(world, scene.ambient);
+
+  let book: Book = openBook(parts, clock);
   const finder = createFinder(
     world.targets,
     settings.start,
-    heights && { body: heights.body, tally: tallyOf(heights.id), clock },
+    heights && {
+      body: heights.body,
+      clock,
+      spend: (roots, ms) => {
+        const tally = book.tallyOf(heights.id);
+        tally.roots += roots;
+        tally.ms += ms;
+      },
+    },
   );
-  const least = HALF_A_LEVEL / brightest(world, scene.ambient);
-
-  let own = newTally();
-  let kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
-  let saved = 0;
-  let cut = 0;
   let feelers = createFeelers(4096);
   let lits: Lit[] = [];
   let first = createWave(0);
   let generation = 0;
   let watching: Recorder | undefined;
 
-  /** Waves of one cause: one is read while the next generation is put into the other. */
-  interface Cause {
-    readonly part: Part<BounceBody>;
-    readonly tools: Tools;
-    now: Wave;
-    next: Wave;
-  }
-  const causes = bounces.map((part): Cause => {
+  const lighting = lights.map((part) => ({ part, tools: toolsOf(part, () => first) }));
+  const causes = those('bounce').map((part): Cause => {
     const cause: Cause = {
       part,
       now: createWave(256),
@@ -100,7 +89,6 @@ export function createEngine(
     };
     return cause;
   });
-  const lighting = lights.map((part) => ({ part, tools: toolsOf(part, () => first) }));
 
   function toolsOf({ id }: Part, next: (count: number) => Wave): Tools {
     return {
@@ -112,56 +100,40 @@ export function createEngine(
         return feelers;
       },
       feel(asked, about) {
-        const tally = tallyOf(id);
+        const tally = book.tallyOf(id);
         asked.rays.count = asked.count;
         tally.rays += asked.count;
-        kinds.shadow += asked.count;
+        book.count('shadow', asked.count);
         finder.blocked(asked, tally);
         watching?.feelers(asked, about);
       },
       worth(weight) {
-        if (generation >= MOST_BOUNCES) {
-          cut += 1;
-          return false;
-        }
-        if (weight > least) return true;
-        saved += 1;
+        if (generation >= MOST_BOUNCES) book.cut();
+        else if (weight > least) return true;
+        else book.save();
         return false;
       },
       fired(kind, count) {
-        kinds[kind] += count;
-        tallyOf(id).rays += count;
+        book.count(kind, count);
+        book.tallyOf(id).rays += count;
       },
     };
   }
 
-  const heightsMs = (): number => (heights ? tallyOf(heights.id).ms : 0);
-
-  /** Runs a step and puts its time to its effect, but for what choosing by height took within. Returns all of it. */
-  function timed({ id }: Part, run: () => void): number {
-    const tally = tallyOf(id);
-    const chosen = heightsMs();
-    const before = clock();
-    run();
-    const spent = clock() - before;
-    tally.ms += spent - (heightsMs() - chosen);
-    return spent;
-  }
-
   function illuminate(wave: Wave): number {
     let others = 0;
-    if (lits.length === 0 || (lits[0] as Lit).reach.length < wave.hitCount) {
+    if ((lits[0]?.reach.length ?? 0) < wave.hitCount) {
       lits = world.lights.map((one) => createLit(one, capacityOf(wave)));
     }
     for (const lit of lits) {
       face(wave, world, lit.light, lit);
       if (lit.count === 0) continue;
       for (const { part, tools } of lighting) {
-        others += timed(part, () => part.body.run(wave, lit, tools, part.all));
+        others += book.timed(part, () => part.body.run(wave, lit, tools, part.all));
       }
       light(wave, lit);
       for (const part of glosses) {
-        others += timed(part, () => part.body.run(wave, lit, world, part.all));
+        others += book.timed(part, () => part.body.run(wave, lit, world, part.all));
       }
     }
     return others;
@@ -170,39 +142,35 @@ export function createEngine(
   /** One wave from its rays to what they bring and the rays that follow. `cause` gets the time that no effect claims. */
   function pass(wave: Wave, cause: Tally, film: Film): void {
     const before = clock();
-    const chosen = heightsMs();
+    const chosen = book.heightsMs();
     finder.nearest(wave, cause);
-    let others = heightsMs() - chosen;
+    let others = book.heightsMs() - chosen;
     meet(wave, world);
     watching?.wave(wave);
-    for (const part of ways) others += timed(part, () => part.body.run(wave, world, part.all));
+    for (const part of ways) {
+      others += book.timed(part, () => part.body.run(wave, world, part.all));
+    }
     paint(wave, world, scene.ambient);
-    for (const part of paints) others += timed(part, () => part.body.run(wave, world, part.all));
+    for (const part of paints) {
+      others += book.timed(part, () => part.body.run(wave, world, part.all));
+    }
     others += illuminate(wave);
     gather(wave, world, scene.background, film);
     for (const { part, tools } of causes) {
-      others += timed(part, () => part.body.run(wave, world, tools, part.all));
+      others += book.timed(part, () => part.body.run(wave, world, tools, part.all));
     }
     cause.ms += clock() - before - others;
   }
 
-  function reset(): void {
-    own = newTally();
-    for (const tally of tallies.values()) Object.assign(tally, newTally());
-    kinds = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
-    saved = 0;
-    cut = 0;
-  }
-
+  /** The rays that were fired become those to follow; false if there are none. */
   function turn(): boolean {
     let any = false;
     for (const cause of causes) {
       const { now, next } = cause;
       cause.now = next;
       cause.next = now;
-      clear(cause.next, generation + 1);
-      cause.now.depth = generation;
-      if (cause.now.count > 0) any = true;
+      clear(now, generation + 1);
+      if (next.count > 0) any = true;
     }
     return any;
   }
@@ -216,21 +184,20 @@ export function createEngine(
     follow(camera, film, recorder) {
       watching = recorder;
       generation = 0;
-      reset();
+      book = openBook(parts, clock);
       for (const cause of causes) clear(cause.next, 1);
-      kinds.camera = camera.count;
-      own.rays = camera.count;
-      pass(camera, own, film);
+      book.count('camera', camera.count);
+      book.camera.rays = camera.count;
+      pass(camera, book.camera, film);
       generation = 1;
       while (turn()) {
+        // In the order of the effects, so that what a pixel gets is added in one order, however the picture is cut.
         for (const cause of causes) {
-          if (cause.now.count > 0) pass(cause.now, tallyOf(cause.part.id), film);
+          if (cause.now.count > 0) pass(cause.now, book.tallyOf(cause.part.id), film);
         }
         generation += 1;
       }
-      const effects: Partial<Record<EffectId, Cost>> = {};
-      for (const [id, tally] of tallies) effects[id] = { ...tally };
-      return { camera: { ...own }, effects, kinds: { ...kinds }, saved, cut };
+      return book.ledger();
     },
   };
 }

@@ -6,7 +6,6 @@ const STATES = [
   'scene=cone-on-mirror&pixel=48,25',
   'scene=self-intersection&against=start:none&pixel=30,30',
   'scene=far&against=method:textbook32&show=errors',
-  'scene=coloured-glass&beside=scene&edit=green%20cylinder',
   'scene=soft-light&on=reflection&off=shadow',
   'scene=~broken',
 ];
@@ -23,6 +22,12 @@ for (const theme of ['light', 'dark', 'projector']) {
         await expect(page.locator('.progress')).toHaveCount(0);
         await settle(page);
         expect.soft(await violations(page), state).toEqual([]);
+      }
+      await page.getByRole('tab', { name: 'Scene' }).click();
+      for (const part of ['glass cone', 'lamp', 'camera', 'background']) {
+        await page.getByRole('button', { name: part }).first().click();
+        await settle(page);
+        expect.soft(await violations(page), `the form of the ${part}`).toEqual([]);
       }
     });
   }

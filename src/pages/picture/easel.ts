@@ -7,7 +7,7 @@ export interface EaselModel {
   readonly right: Picture | null;
   readonly left: Picture | null;
   /** Drawn over both, if it is to be seen. */
-  readonly errors: ImageData | null;
+  readonly errors: (() => ImageData) | null;
   readonly comparing: boolean;
   /** Percent of the width that the left picture takes. */
   readonly split: number;
@@ -154,7 +154,7 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
         drawn = next.version;
         paint(right, next.right);
         paint(left, next.left);
-        if (next.errors) put(errors, next.errors);
+        if (next.errors) put(errors, next.errors());
       }
       place();
     },

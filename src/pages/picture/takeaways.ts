@@ -60,7 +60,7 @@ export function openScene(text: string, dispatch: Dispatch): boolean {
     const scene = textOfScene(sceneFromJson(text));
     dispatch({
       type: 'settings',
-      values: changed({ scene, pixel: '', edit: '', on: '', off: '' }),
+      values: changed({ scene, pixel: '', on: '', off: '' }),
     });
     dispatch({ type: 'dismiss' });
   } catch (error) {

@@ -27,10 +27,6 @@ export interface PictureSettings {
   readonly show: 'both' | 'errors';
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
-  /** What stands beside the picture: what it cost, or the scene to be edited. */
-  readonly beside: 'ledger' | 'scene';
-  /** The thing or light whose form is open. */
-  readonly edit: string | null;
 }
 
 export const SIZES = ['160x90', '320x180', '640x360', '752x424', '960x540', '1280x720'] as const;
@@ -56,8 +52,6 @@ const KEYS = {
   split: { initial: '50', read: readPercent },
   show: { initial: 'both', read: word(['both', 'errors']) },
   pixel: { initial: '', read: readPixel },
-  beside: { initial: 'ledger', read: word(['ledger', 'scene']) },
-  edit: { initial: '', read: (text: string) => text || null },
 } as const satisfies Record<string, Key>;
 
 export type PictureKey = keyof typeof KEYS;
@@ -89,8 +83,6 @@ export function pictureSettings(settings: Settings): PictureSettings {
     split: value('split'),
     show: value('show') as 'both' | 'errors',
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
-    beside: value('beside') as 'ledger' | 'scene',
-    edit: value('edit'),
   };
 }
 

@@ -183,8 +183,8 @@ describe('shots', () => {
     expect(new Set(keys).size).toBe(keys.length);
   });
 
-  test('divider, pixel and tab do not', () => {
-    const more = { split: '10', pixel: '3,4', beside: 'scene', edit: 'x', show: 'errors' };
+  test('divider, pixel and error map do not', () => {
+    const more = { split: '10', pixel: '3,4', show: 'errors' };
     expect(shots(more).main.key).toBe(shots().main.key);
   });
 });

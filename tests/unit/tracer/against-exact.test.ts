@@ -121,7 +121,7 @@ describe('boxes', () => {
     wave.rays.count = 2000;
     feelers.count = 2000;
     feelers.rays.count = 2000;
-    const effect = { body: heights, tally: newTally(), clock: () => 0 };
+    const effect = { body: heights, clock: () => 0, spend: () => {} };
     const answers = [0, Number.POSITIVE_INFINITY].map((least) => {
       const finder = createFinder(targets, { rule: 'from' }, effect, least);
       finder.nearest(wave, newTally());

@@ -1,0 +1,80 @@
+import type { Feelers } from '../scene/effects/body.ts';
+import { type Hierarchy, meetBox } from './boxes.ts';
+import type { Groups } from './groups.ts';
+import type { Tally } from './ledger.ts';
+import type { Room } from './room.ts';
+import { NOTHING } from './types.ts';
+import type { Target } from './world.ts';
+
+/**
+ * Whether anything is hit before the limit, into blocker: whatever is found first, and then the ray is asked no more. First "does the whole line meet
+ * you?", for which no root is worked out; only of those that do, where.
+ */
+export function findBlocked(
+  feelers: Feelers,
+  { open, boxed }: Groups,
+  targets: readonly Target[],
+  tMin: number,
+  room: Room,
+  tally: Tally,
+): void {
+  const { count, rays, from, blocker, limit, t } = feelers;
+  room.need(count);
+  const asker = room.asker();
+  const everyone = room.everyone();
+  blocker.fill(NOTHING, 0, count);
+  t.set(limit.subarray(0, count));
+
+  function take(target: Target, index: Int32Array, n: number): void {
+    const { t0 } = asker.out;
+    for (let k = 0; k < n; k++) {
+      const i = index[k] as number;
+      if (!((t0[k] as number) < (limit[i] as number))) continue;
+      blocker[i] = target.surface;
+      t[i] = t0[k] as number;
+    }
+  }
+
+  function ask(target: Target, list: Int32Array, n: number): void {
+    const { others, leaving } = asker;
+    asker.pack(target, rays, from, list, n, tally);
+    asker.keepMeeting(target, tally);
+    asker.firstOf(target, others.rays, tMin, tally);
+    take(target, others.index, others.rays.count);
+    asker.firstOfLeaving(target, tally);
+    take(target, leaving.index, leaving.rays.count);
+  }
+
+  /** Those of the list that nothing blocks so far. */
+  function free(list: Int32Array, n: number, kept: Int32Array): number {
+    let m = 0;
+    for (let k = 0; k < n; k++) {
+      const i = list[k] as number;
+      kept[m] = i;
+      m += blocker[i] === NOTHING ? 1 : 0;
+    }
+    return m;
+  }
+
+  const slopes = boxed.length > 0 ? room.slopes(rays, count) : undefined;
+
+  function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
+    if (!slopes) return;
+    const kept = room.list(depth);
+    const m = meetBox(node.box, rays, slopes, limit, list, n, kept);
+    const left = free(kept, m, kept);
+    if (left === 0) return;
+    if (node.leaf) ask(targets[node.surface] as Target, kept, left);
+    else {
+      descend(node.near, kept, left, depth + 1);
+      descend(node.far, kept, left, depth + 1);
+    }
+  }
+
+  for (const node of boxed) descend(node, everyone, count, 0);
+  for (const target of open) {
+    const kept = room.list(0);
+    const left = free(everyone, count, kept);
+    if (left > 0) ask(target, kept, left);
+  }
+}

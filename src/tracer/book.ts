@@ -1,0 +1,68 @@
+import type { EffectBody } from '../scene/effects/body.ts';
+import type { EffectId } from '../scene/effects/index.ts';
+import { newTally, type Tally } from './ledger.ts';
+import type { Cost, Ledger, RayKind } from './types.ts';
+
+/** An effect that takes part: its code, and whether it was forced on where nothing calls for it. */
+export interface Part<B extends EffectBody = EffectBody> {
+  readonly id: EffectId;
+  readonly body: B;
+  readonly all: boolean;
+}
+
+/** Keeps count while rays are followed. */
+export interface Book {
+  /** Of camera rays. */
+  readonly camera: Tally;
+  tallyOf(id: EffectId): Tally;
+  count(kind: RayKind, rays: number): void;
+  save(): void;
+  cut(): void;
+  /** Runs a step of an effect and puts its time to it, but for what choosing by height took within. Returns all of it. */
+  timed(part: Part, run: () => void): number;
+  /** What finite heights took so far. */
+  heightsMs(): number;
+  /** All that was counted, as values. */
+  ledger(): Ledger;
+}
+
+export function openBook(parts: readonly Part[], clock: () => number): Book {
+  const camera = newTally();
+  const tallies = new Map<EffectId, Tally>(parts.map(({ id }) => [id, newTally()]));
+  const kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
+  const heights = parts.find(({ body }) => body.at === 'roots');
+  let saved = 0;
+  let cut = 0;
+
+  const tallyOf = (id: EffectId): Tally => tallies.get(id) ?? camera;
+  const heightsMs = (): number => (heights ? tallyOf(heights.id).ms : 0);
+
+  return {
+    camera,
+    tallyOf,
+    heightsMs,
+    count(kind, rays) {
+      kinds[kind] += rays;
+    },
+    save() {
+      saved += 1;
+    },
+    cut() {
+      cut += 1;
+    },
+    timed({ id }, run) {
+      const tally = tallyOf(id);
+      const chosen = heightsMs();
+      const before = clock();
+      run();
+      const spent = clock() - before;
+      tally.ms += spent - (heightsMs() - chosen);
+      return spent;
+    },
+    ledger() {
+      const effects: Partial<Record<EffectId, Cost>> = {};
+      for (const [id, tally] of tallies) effects[id] = { ...tally };
+      return { camera: { ...camera }, effects, kinds: { ...kinds }, saved, cut };
+    },
+  };
+}

@@ -1,0 +1,81 @@
+import type { Wave } from '../scene/effects/body.ts';
+import { AHEAD } from './ask.ts';
+import { type Hierarchy, meetBox } from './boxes.ts';
+import type { Groups } from './groups.ts';
+import type { Tally } from './ledger.ts';
+import type { Room } from './room.ts';
+import { NOTHING } from './types.ts';
+import type { Target } from './world.ts';
+
+/** The nearest hit of each ray of the wave, into t and surface. `tMin` is the least t for rays that leave a surface. */
+export function findNearest(
+  wave: Wave,
+  { open, boxed }: Groups,
+  targets: readonly Target[],
+  tMin: number,
+  room: Room,
+  tally: Tally,
+): void {
+  const { count, t, surface, rays, from } = wave;
+  room.need(count);
+  const asker = room.asker();
+  const everyone = room.everyone();
+  t.fill(Number.POSITIVE_INFINITY, 0, count);
+  surface.fill(NOTHING, 0, count);
+  // Camera rays leave nothing: any t > 0 counts for them, and they need not be packed.
+  const camera = wave.depth === 0;
+  const least = camera ? AHEAD : tMin;
+
+  function ask(target: Target, list: Int32Array, n: number): void {
+    if (camera && list === everyone) {
+      asker.firstOf(target, rays, least, tally);
+      takeNearer(target.surface, everyone, asker.out.t0, count, wave);
+      return;
+    }
+    const { others, leaving, out } = asker;
+    asker.pack(target, rays, from, list, n, tally);
+    asker.firstOf(target, others.rays, least, tally);
+    takeNearer(target.surface, others.index, out.t0, others.rays.count, wave);
+    asker.firstOfLeaving(target, tally);
+    takeNearer(target.surface, leaving.index, out.t0, leaving.rays.count, wave);
+  }
+
+  const slopes = boxed.length > 0 ? room.slopes(rays, count) : undefined;
+
+  function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
+    if (!slopes) return;
+    const kept = room.list(depth);
+    const m = meetBox(node.box, rays, slopes, t, list, n, kept);
+    if (m === 0) return;
+    if (node.leaf) ask(targets[node.surface] as Target, kept, m);
+    else {
+      descend(node.near, kept, m, depth + 1);
+      descend(node.far, kept, m, depth + 1);
+    }
+  }
+
+  for (const target of open) ask(target, everyone, count);
+  for (const node of boxed) descend(node, everyone, count, 0);
+  for (let i = 0; i < count; i++) {
+    if (surface[i] === NOTHING) t[i] = Number.NaN;
+  }
+}
+
+/** Of two surfaces at the same t the first of the scene counts, in whatever order they are asked. */
+function takeNearer(
+  target: number,
+  index: Int32Array,
+  found: Float64Array,
+  count: number,
+  { t, surface }: Wave,
+): void {
+  for (let k = 0; k < count; k++) {
+    const i = index[k] as number;
+    const x = found[k] as number;
+    const best = t[i] as number;
+    if (x < best || (x === best && target < (surface[i] as number))) {
+      t[i] = x;
+      surface[i] = target;
+    }
+  }
+}

@@ -1,0 +1,124 @@
+import { describe, expect, test } from 'vitest';
+import { planEffects } from '../../../src/scene/effects/plan.ts';
+import { coneOnMirror } from '../../../src/scene/presets/cone-on-mirror.ts';
+import { everything } from '../../../src/scene/presets/everything.ts';
+import { glass } from '../../../src/scene/presets/glass.ts';
+import { shadows } from '../../../src/scene/presets/shadows.ts';
+import { surfacesOf } from '../../../src/scene/surfaces.ts';
+import type { Scene } from '../../../src/scene/types.ts';
+import { addLedgers, EMPTY_LEDGER, ledgerCsv, totalOf } from '../../../src/tracer/ledger.ts';
+import { tracerOf } from '../../../src/tracer/prepare.ts';
+import { NOTHING, RAY_KINDS, type TileResult } from '../../../src/tracer/types.ts';
+import { HALF_A_LEVEL } from '../../../src/tracer/weight.ts';
+import { flatten, picture, TINY, tracerFor } from './tracing.ts';
+
+describe('a ray tree is what the picture did', () => {
+  test('all pixels’ trees together hold as many rays of each kind as the ledger', async () => {
+    const tracer = await tracerFor(everything.scene);
+    const { kinds } = (await picture(everything.scene)).ledger;
+    const counted = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
+    for (let pixel = 0; pixel < TINY.width * TINY.height; pixel++) {
+      const x = pixel % TINY.width;
+      const tree = tracer.record(x, (pixel - x) / TINY.width);
+      for (const { kind } of flatten(tree.rays)) counted[kind] += 1;
+    }
+    expect(counted).toEqual(kinds);
+    expect(RAY_KINDS.every((kind) => counted[kind] > 100)).toBe(true);
+  });
+
+  test('its first hit is the frame’s, and each child starts where its parent hit', async () => {
+    const { scene } = everything;
+    const tracer = await tracerFor(scene);
+    const { surface, t } = await picture(scene);
+    const surfaces = surfacesOf(scene);
+    for (let pixel = 0; pixel < surface.length; pixel += 17) {
+      const x = pixel % TINY.width;
+      const { rays } = tracer.record(x, (pixel - x) / TINY.width);
+      const [camera] = rays;
+      expect(rays).toHaveLength(1);
+      if (camera?.end.end === 'hit') {
+        expect([camera.end.surface, camera.end.t]).toEqual([surface[pixel], t[pixel]]);
+      } else expect([surface[pixel], t[pixel]]).toEqual([NOTHING, Number.NaN]);
+      for (const node of flatten(rays)) {
+        for (const child of node.children) {
+          if (node.end.end !== 'hit') throw new Error('a ray from nowhere');
+          expect(child.ray.origin).toEqual(node.end.point);
+          expect(child.from).toBe(node.end.surface);
+          expect(surfaces[child.from]).toBeDefined();
+          expect(child.weight).toBeLessThanOrEqual(node.weight);
+        }
+      }
+    }
+  });
+
+  test('with four samples a pixel has four camera rays, and the picture is smoother', async () => {
+    const tracer = await tracerFor(shadows.scene, { samples: 4 });
+    const { rays } = tracer.record(24, 13);
+    expect(rays.map(({ kind }) => kind)).toEqual(['camera', 'camera', 'camera', 'camera']);
+    expect(new Set(rays.map(({ ray }) => ray.direction.join())).size).toBe(4);
+    const one = await picture(shadows.scene);
+    const four = await picture(shadows.scene, { samples: 4 });
+    const levels = (rgba: Uint8ClampedArray): number => new Set(rgba).size;
+    expect(levels(four.rgba)).toBeGreaterThan(levels(one.rgba));
+    expect(four.ledger.kinds.camera).toBe(4 * one.ledger.kinds.camera);
+  });
+
+  test('recording does not disturb the picture', async () => {
+    const tracer = await tracerFor(everything.scene);
+    const tile = { y0: 0, y1: TINY.height, step: 1, refines: false };
+    const before = tracer.trace(tile);
+    tracer.record(20, 20);
+    expect([...tracer.trace(tile).rgba]).toEqual([...before.rgba]);
+  });
+});
+
+describe('the weight bound', () => {
+  const whole = { y0: 0, y1: TINY.height, step: 1, refines: false };
+  const with_ = async (scene: Scene, unseen?: number): Promise<TileResult> => {
+    const { parts } = await tracerFor(scene);
+    return tracerOf(scene, TINY, parts, () => 0, unseen).trace(whole);
+  };
+
+  test.each([glass, coneOnMirror, everything])(
+    'changes no pixel of $id by more than a level, and saves rays',
+    async ({ scene }) => {
+      const usual = await with_(scene);
+      const finer = await with_(scene, HALF_A_LEVEL / 64);
+      const apart = usual.rgba.map((x, k) => Math.abs(x - (finer.rgba[k] as number)));
+      expect(Math.max(...apart)).toBeLessThanOrEqual(1);
+      expect(totalOf(usual.ledger).rays).toBeLessThan(totalOf(finer.ledger).rays);
+    },
+  );
+
+  test('a bound a hundred times as coarse would be seen', async () => {
+    const coarse = await with_(glass.scene, 100 * HALF_A_LEVEL);
+    const usual = await with_(glass.scene);
+    const apart = usual.rgba.map((x, k) => Math.abs(x - (coarse.rgba[k] as number)));
+    expect(Math.max(...apart)).toBeGreaterThan(1);
+  });
+});
+
+describe('the ledger as a table', () => {
+  test('a line for each effect, run or not, and the kinds of rays', async () => {
+    const { ledger } = await picture(shadows.scene);
+    const lines = ledgerCsv(ledger, planEffects(shadows.scene)).trim().split('\n');
+    expect(lines[0]).toBe('effect,state,reason,rays,questions,roots,ms,share');
+    expect(lines.filter((line) => line.includes(',not needed,'))).toHaveLength(7);
+    expect(lines).toContain('reflection,not needed,"no material is a mirror",,,,,');
+    const shadow = lines.find((line) => line.startsWith('shadow,needed'));
+    expect(shadow).toContain(`,${ledger.kinds.shadow},`);
+    expect(lines).toContain(`shadow rays,,,${ledger.kinds.shadow},,,,`);
+    // A reason with a comma or a quote stays one cell.
+    const plan = planEffects(shadows.scene).map((one) => ({ ...one, reason: 'a "b", c' }));
+    expect(ledgerCsv(ledger, plan)).toContain('"a ""b"", c"');
+  });
+
+  test('adding ledgers adds all that they hold', async () => {
+    const { ledger } = await picture(everything.scene);
+    expect(addLedgers(EMPTY_LEDGER, ledger)).toEqual(ledger);
+    const twice = addLedgers(ledger, ledger);
+    expect(totalOf(twice).rays).toBe(2 * totalOf(ledger).rays);
+    expect(twice.saved).toBe(2 * ledger.saved);
+    expect(twice.kinds.refracted).toBe(2 * ledger.kinds.refracted);
+  });
+});
