@@ -36,6 +36,7 @@ const header = document.createElement('div');
 const main = document.createElement('main');
 app.append(header, main);
 
+let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
 const derive = createDerive();
 const announce = createAnnouncer(document.body);
@@ -164,7 +165,6 @@ function readSettings(view: PageView): void {
 }
 
 // Many events fall into one frame; they are drawn once, in that frame.
-let frame = 0;
 function requestRender(): void {
   if (frame !== 0) return;
   frame = requestAnimationFrame(() => {

@@ -1,5 +1,5 @@
 /** The colours that lines and surfaces are drawn in; marks and labels take theirs from the same custom properties by CSS. */
-export type Ink = 'shape' | 'd' | 'ink3' | 'edge';
+export type Ink = 'shape' | 'd' | 'hit' | 'normal' | 'ink3' | 'edge';
 
 export type Rgb = readonly [number, number, number];
 
@@ -35,6 +35,8 @@ export function readTheme(element: Element): Theme {
     inks: {
       shape: rgb(text('--shape')),
       d: rgb(text('--d')),
+      hit: rgb(text('--hit')),
+      normal: rgb(text('--normal')),
       ink3: rgb(text('--ink3')),
       edge: rgb(text('--edge')),
     },

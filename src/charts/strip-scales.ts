@@ -1,4 +1,4 @@
-import { scaleLinear } from 'd3-scale';
+import { ticks as niceTicks } from 'd3-array';
 import type { StripModel } from '../state/strip-model.ts';
 import { display } from '../text/format.ts';
 import type { Frame } from './strip-frame.ts';
@@ -33,8 +33,8 @@ const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
 export function scalesOf(model: StripModel, frame: Frame): Scales | null {
   const extents = [model.to - model.from, model.high - model.low];
   if (!extents.every((extent) => extent > SMALLEST_EXTENT && extent < LARGEST_EXTENT)) return null;
-  const x = scaleLinear([model.from, model.to], [frame.left, frame.right]);
-  const y = scaleLinear([model.low, model.high], [frame.floor, frame.top]);
+  const x = linear([model.from, model.to], [frame.left, frame.right]);
+  const y = linear([model.low, model.high], [frame.floor, frame.top]);
   const fValues = y.ticks(Math.max(2, Math.round((frame.bottom - frame.top) / (3.6 * frame.em))));
   const power = commonPower(fValues);
   return {
@@ -48,7 +48,25 @@ export function scalesOf(model: StripModel, frame: Frame): Scales | null {
   };
 }
 
-type Linear = ReturnType<typeof scaleLinear<number, number>>;
+interface Linear {
+  (value: number): number;
+  invert(position: number): number;
+  ticks(count: number): number[];
+}
+
+type Pair = readonly [number, number];
+
+/** d3-scale's own would bring its colours along into the first chunk; the ticks, where the thought is, are d3's. */
+function linear(domain: Pair, range: Pair): Linear {
+  const scale = (value: number): number => between(range, share(domain, value));
+  return Object.assign(scale, {
+    invert: (position: number): number => between(domain, share(range, position)),
+    ticks: (count: number): number[] => niceTicks(...domain, count),
+  });
+}
+
+const share = ([from, to]: Pair, value: number): number => (value - from) / (to - from);
+const between = ([from, to]: Pair, part: number): number => from * (1 - part) + to * part;
 
 /** As many as their labels leave room for; far from 0 the labels are long. */
 function tValues(x: Linear, { left, right, em }: Frame): number[] {

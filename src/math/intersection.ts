@@ -36,7 +36,7 @@ export interface PlaneHit extends Hit {
   readonly holds: readonly (boolean | null)[];
   /** Rim and edge are inside; null where the method cannot tell. Always true for a plane. */
   readonly inside: boolean | null;
-  /** Euclidean distance from the figure; 0 inside. */
+  /** Euclidean distance from the figure; 0 inside, Infinity where the method cannot count so far. */
   readonly distance: number;
 }
 

@@ -39,4 +39,8 @@ export interface Readable {
 }
 
 /** By the id of the page: its code, loaded when it is first shown. */
-export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {};
+export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
+  accuracy: async () => (await import('./accuracy.ts')).mountAccuracy,
+  check: async () => (await import('./check.ts')).mountCheck,
+  picture: () => import('./picture.ts').then(({ loadPicture }) => loadPicture()),
+};

@@ -15,14 +15,14 @@ export function tabs(
   more: readonly Choice[] = [],
 ): TemplateResult {
   const other = more.some(({ id }) => id === chosen);
-  return html`<div class="choices" role="group" aria-label=${label}>
+  return html`<div class="tabs" role="group" aria-label=${label}>
     ${all.map(
       ({ id, title }) =>
-        html`<button type="button" class="choice" aria-pressed=${id === chosen} @click=${() => choose(id)}>${title}</button>`,
+        html`<button type="button" class="tab-choice" aria-pressed=${id === chosen} @click=${() => choose(id)}>${title}</button>`,
     )}
     ${
       more.length > 0
-        ? html`<select class=${other ? 'choice-more chosen' : 'choice-more'} aria-label=${`${label}: more`}
+        ? html`<select class=${other ? 'tab-more chosen' : 'tab-more'} aria-label=${`${label}: more`}
             @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
             ${other ? '' : html`<option value="" selected disabled>more …</option>`}
             ${more.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}

@@ -16,7 +16,7 @@ export function digitBar(count: number): TemplateResult {
   const cells = Array.from(
     { length: PLACES },
     (_, i) =>
-      svg`<rect class=${i < count ? 'cell full' : 'cell'} x=${9 * i} width="7" height="14"></rect>`,
+      svg`<rect class=${i < count ? 'one-digit full' : 'one-digit'} x=${9 * i} width="7" height="14"></rect>`,
   );
   return html`<svg class="digit-bar" viewBox="0 0 142 14" aria-hidden="true">${cells}</svg>`;
 }

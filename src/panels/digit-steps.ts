@@ -2,6 +2,7 @@ import { html, mathml, nothing, type TemplateResult } from 'lit';
 import { digitCount, markDigits } from '../lab/digits.ts';
 import { whyLost } from '../lab/explain.ts';
 import type { Losses, Step } from '../lab/losses.ts';
+import { plainText } from '../lab/plain.ts';
 import { type Surd, toNumber } from '../math/exact/surd.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';
@@ -15,7 +16,7 @@ export function digitSteps(title: string, { steps, worst }: Losses): TemplateRes
     <p class="steps-verdict" role="status">
       ${worst ? html`<b>${title}</b>: ${whyLost(worst)}` : html`<b>${title}</b>: no step loses digits worth telling.`}
     </p>
-    <div class="steps-scroll">
+    <div class="steps-scroll" role="region" tabindex="0" aria-label="Steps">
       <table aria-label=${`Intermediate values of ${title}`}>
         <thead>
           <tr><th scope="col">step</th><th scope="col">value</th><th scope="col">digits that are right</th><th scope="col">exactly</th><th scope="col">lost here</th></tr>
@@ -31,7 +32,9 @@ function stepRow(step: Step, isWorst: boolean): TemplateResult {
   const name = letter && letter !== expr ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : '';
   const count = digits === null ? 0 : digitCount(digits);
   return html`<tr class=${isWorst ? 'worst' : ''} data-step=${step.text}>
-    <th scope="row">${formula(mathml`${name}${typesetSymbols(expr)}`)}</th>
+    <th scope="row">
+      <span class="visually-hidden">${letter && letter !== expr ? `${plainText(letter)} = ` : ''}${step.text}</span>
+      <span aria-hidden="true">${formula(mathml`${name}${typesetSymbols(expr)}`)}</span></th>
     <td data-value=${shortest(own)}>${Number.isNaN(own) ? 'undefined' : markedNumber(markDigits(own, count))}</td>
     <td>${digitCell(digits, 'step-digits')}</td>
     <td class="exactly">${exactly(exact)}</td>

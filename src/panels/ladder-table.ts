@@ -19,7 +19,7 @@ export interface LadderModel {
   readonly chosen: string;
 }
 
-const SAYS: Readonly<Record<Verdict, string>> = {
+export const SAYS: Readonly<Record<Verdict, string>> = {
   two: 'two points',
   tangent: 'touches once',
   one: 'one point',
@@ -66,14 +66,14 @@ function ladderRow(
     class=${chosen ? 'is-chosen' : ''}
     @click=${() => choose(method.id)}
   >
-    <th role="rowheader" scope="row" class="method">
-      <label class="method-name">
+    <th role="rowheader" scope="row" class="ladder-method">
+      <label class="ladder-name">
         <input type="radio" name="ladder-method" .checked=${chosen} @change=${() => choose(method.id)} />
         <span class="title">${method.title}</span>
         <span class="hint">${HINTS[method.id] ?? method.idea}</span>
       </label>
     </th>
-    <td role="cell" class="verdict">${verdict(row)}</td>
+    <td role="cell" class="ladder-verdict">${verdict(row)}</td>
     <td role="cell" class="roots">${roots(row)}</td>
     <td role="cell" class="digits">${digitCell(row.digits)}</td>
     <td role="cell" class="errors">${errors(row.roots)}</td>
@@ -102,11 +102,11 @@ function verdict({ found, judgement }: MethodRow): TemplateResult {
 /** The disc of a hit, the cross of a miss, the dashed ring of what cannot be told. */
 function mark(verdict: Verdict, open: boolean): TemplateResult {
   const drawn = open
-    ? svg`<circle r="5.6" class="open" />`
+    ? svg`<circle r="5.6" class="is-open" />`
     : verdict === 'none'
-      ? svg`<path d="M-5-5L5 5M-5 5L5-5" class="cross" />`
-      : svg`<circle r="6" class="hit" />`;
-  return html`<svg class="mark" viewBox="-8 -8 16 16" width="15" height="15" aria-hidden="true">${drawn}</svg>`;
+      ? svg`<path d="M-5-5L5 5M-5 5L5-5" class="is-cross" />`
+      : svg`<circle r="6" class="is-hit" />`;
+  return html`<svg class="ladder-mark" viewBox="-8 -8 16 16" width="15" height="15" aria-hidden="true">${drawn}</svg>`;
 }
 
 function roots({ roots, judgement }: MethodRow): TemplateResult {
@@ -115,7 +115,7 @@ function roots({ roots, judgement }: MethodRow): TemplateResult {
   }
   return html`${roots.map(
     ({ t, marked }, i) => html`<span class="root">
-      <span class="letter">${symbol('t', roots.length > 1 ? String(i + 1) : null, 'sym', `t${i + 1}`)}</span>
+      <span class="root-letter">${symbol('t', roots.length > 1 ? String(i + 1) : null, 'sym', `t${i + 1}`)}</span>
       <span data-quantity=${`t${i + 1}`} data-value=${shortest(t)}>${markedNumber(marked)}</span>
     </span>`,
   )}`;

@@ -28,12 +28,16 @@ export interface HitMark {
 }
 
 export interface GhostModel {
+  /** The word beside it. */
+  readonly title: string;
   readonly origin: Vec3;
   readonly direction: Vec3;
   /** The stretch of its t that is drawn. */
   readonly from: number;
   readonly to: number;
   readonly hits: readonly Vec3[];
+  /** What its word stands beside; null for its E. */
+  readonly beside: Vec3 | null;
 }
 
 /** Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their identity while they do not change. */

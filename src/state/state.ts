@@ -15,6 +15,9 @@ interface PageEntry {
 
 export const PAGES = [
   { id: 'explore', title: 'Explore', ray: true },
+  { id: 'accuracy', title: 'Accuracy', ray: true },
+  { id: 'picture', title: 'Picture', ray: false },
+  { id: 'check', title: 'Check', ray: true },
 ] as const satisfies readonly PageEntry[];
 export type PageId = (typeof PAGES)[number]['id'];
 

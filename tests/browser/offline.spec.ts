@@ -50,3 +50,13 @@ test('the mathematical font is in the file', async ({ page }) => {
   expect(status.length).toBeGreaterThan(0);
   expect(new Set(status)).toEqual(new Set(['loaded']));
 });
+
+test('it traces pictures too, with the workers that it holds inside', async ({ page }) => {
+  await page.goto(
+    `${FILE}#/picture?scene=everything&size=64x36&light=4&method=certified&pixel=30,22`,
+  );
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+  const rays = page.locator('[data-effect="camera"] [data-quantity="rays"]');
+  await expect(rays).toHaveAttribute('data-value', String(64 * 36));
+  await expect(page.locator('.rays tbody tr').first()).toBeVisible();
+});

@@ -36,8 +36,10 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
 const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['canvas'],
   lit: ['ui', 'panels', 'charts', 'pages', 'main'],
+  'd3-array': ['charts'],
   'd3-scale': ['charts'],
   'expr-eval-fork': ['text'],
+  fflate: ['state'],
 };
 
 /** What the pure rooms and the state may not touch: a page, a clock, chance. */

@@ -2,8 +2,9 @@ import type { Verdict } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 
 /**
- * The batch form of a method: rays as a structure of arrays in, numbers out, nothing allocated per ray. Every rung
- * implements Kernel with loops of its own: a loop shared between methods through a callback is fast for the first one
+ * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made per ray. (`exact` makes big integers, and so does
+ * `certified` for what its fast stages leave open; the register machines of `compensated` and `interval` box a double now and then, up to some
+ * 50 bytes a ray.) Every rung implements Kernel with loops of its own: a loop shared between methods through a callback is fast for the first one
  * that it inlines and slow for all as soon as there is a second.
  */
 export interface Rays {

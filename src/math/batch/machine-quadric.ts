@@ -1,32 +1,29 @@
 import { type Answers, CONTAINED, NONE, ONE, type Rays, TANGENT, TWO, UNDECIDED } from './batch.ts';
 import { type SolveRay, withoutRoots } from './loops.ts';
+import {
+  A,
+  B,
+  C,
+  CX,
+  CY,
+  CZ,
+  coefficients,
+  D,
+  discriminant,
+  discriminantByMoment,
+  FLARE,
+  loadShape,
+  MINUS_FLARE,
+  REGISTERS,
+  T0,
+  T1,
+  TWO_,
+  X,
+  Y,
+  Z,
+} from './machine-forms.ts';
 import type { Quadric } from './quadric.ts';
-import { DX, DY, DZ, EX, EY, EZ, FREE, type Machine, ROOMY } from './register-machine.ts';
-
-/* The registers of a curved shape, two doubles each. */
-const place = (k: number): number => FREE + 2 * k;
-const TWO_ = place(0);
-const FOUR = place(1);
-const CX = place(2);
-const CY = place(3);
-const CZ = place(4);
-const FLARE = place(5);
-const RHO = place(6);
-const PX = place(7);
-const PY = place(8);
-const PZ = place(9);
-const A = place(10);
-const B = place(11);
-const C = place(12);
-const D = place(13);
-const T0 = place(14);
-const T1 = place(15);
-const X = place(16);
-const Y = place(17);
-const Z = place(18);
-const W = place(19);
-const MINUS_FLARE = place(20);
-const REGISTERS = place(21);
+import { DX, DY, DZ, EX, EY, EZ, type Machine, ROOMY } from './register-machine.ts';
 
 /** D by B² − 4AC, or by the moment; everything else is one program. */
 export type DiscriminantBy = 'course' | 'moment';
@@ -37,7 +34,7 @@ export type DiscriminantBy = 'course' | 'moment';
  */
 export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy): SolveRay {
   const R = new Float64Array(REGISTERS);
-  load(q, machine, R);
+  loadShape(q, machine, R);
   // A hit's place and normal are only looked at where they might be no numbers.
   const slopes = 1 + machine.size(R, FLARE);
   const reach = Math.abs(q.Cx) + Math.abs(q.Cy) + Math.abs(q.Cz);
@@ -52,97 +49,13 @@ export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy)
   };
 }
 
-function load(q: Quadric, m: Machine, R: Float64Array): void {
-  m.set(R, TWO_, 2);
-  m.set(R, FOUR, 4);
-  m.set(R, CX, q.Cx);
-  m.set(R, CY, q.Cy);
-  m.set(R, CZ, q.Cz);
-  m.set(R, FLARE, q.flare);
-  if (q.squared) m.sqr(R, FLARE, FLARE);
-  m.neg(R, MINUS_FLARE, FLARE);
-  m.set(R, RHO, q.r);
-  m.sqr(R, RHO, RHO);
-}
-
 export function loadRay(rays: Rays, i: number, m: Machine, R: Float64Array): void {
-  m.set(R, EX, rays.Ex[i] as number);
-  m.set(R, EY, rays.Ey[i] as number);
-  m.set(R, EZ, rays.Ez[i] as number);
-  m.set(R, DX, rays.dx[i] as number);
-  m.set(R, DY, rays.dy[i] as number);
-  m.set(R, DZ, rays.dz[i] as number);
-}
-
-function coefficients(q: Quadric, m: Machine, R: Float64Array): void {
-  m.sub(R, PX, EX, CX);
-  m.sub(R, PZ, EZ, CZ);
-  m.sqr(R, A, DX);
-  m.sqr(R, X, DZ);
-  m.add(R, A, A, X);
-  m.mul(R, B, TWO_, DX);
-  m.mul(R, B, B, PX);
-  m.mul(R, X, TWO_, DZ);
-  m.mul(R, X, X, PZ);
-  m.add(R, B, B, X);
-  m.sqr(R, C, PX);
-  m.sqr(R, X, PZ);
-  m.add(R, C, C, X);
-  if (q.hasY) {
-    m.sub(R, PY, EY, CY);
-    m.sqr(R, X, DY);
-    m.mul(R, X, FLARE, X);
-    m.sub(R, A, A, X);
-    m.mul(R, X, TWO_, FLARE);
-    m.mul(R, X, X, DY);
-    m.mul(R, X, X, PY);
-    m.sub(R, B, B, X);
-    m.sqr(R, X, PY);
-    m.mul(R, X, FLARE, X);
-    m.sub(R, C, C, X);
-  }
-  if (q.hasR) m.sub(R, C, C, RHO);
-}
-
-/** B² − 4AC. */
-function discriminant(m: Machine, R: Float64Array): void {
-  m.sqr(R, D, B);
-  m.mul(R, X, FOUR, A);
-  m.mul(R, X, X, C);
-  m.sub(R, D, D, X);
-}
-
-/** ab − cd into out. */
-function minor(
-  m: Machine,
-  R: Float64Array,
-  out: number,
-  a: number,
-  b: number,
-  c: number,
-  d: number,
-): void {
-  m.mul(R, out, a, b);
-  m.mul(R, W, c, d);
-  m.sub(R, out, out, W);
-}
-
-/** 4(ρA + a(mx² + mz²) − my²). */
-function discriminantByMoment(q: Quadric, m: Machine, R: Float64Array): void {
-  minor(m, R, Y, DZ, PX, DX, PZ);
-  m.sqr(R, Y, Y);
-  if (q.hasY) {
-    minor(m, R, X, DY, PZ, DZ, PY);
-    minor(m, R, Z, DX, PY, DY, PX);
-    m.sqr(R, X, X);
-    m.sqr(R, Z, Z);
-    m.add(R, X, X, Z);
-    m.mul(R, X, FLARE, X);
-  }
-  if (q.hasR) m.mul(R, D, RHO, A);
-  if (q.hasR && q.hasY) m.add(R, D, D, X);
-  m.sub(R, D, q.hasR ? D : X, Y);
-  m.mul(R, D, FOUR, D);
+  m.load(R, EX, rays.Ex, i);
+  m.load(R, EY, rays.Ey, i);
+  m.load(R, EZ, rays.Ez, i);
+  m.load(R, DX, rays.dx, i);
+  m.load(R, DY, rays.dy, i);
+  m.load(R, DZ, rays.dz, i);
 }
 
 /** methods/solvers.ts: the class, with one root in T0 or both in T0 and T1. */
@@ -201,8 +114,9 @@ function keep(
   const roomy = slopes * (start + (1 + t) * (1 + d)) < ROOMY;
   if (!roomy && !isWhole(q, m, R, T0)) return withoutRoots(out, i, UNDECIDED);
   if (!roomy && verdict === TWO && !isWhole(q, m, R, T1)) return withoutRoots(out, i, UNDECIDED);
-  out.t0[i] = m.toNumber(R, T0);
-  out.t1[i] = verdict === TWO ? m.toNumber(R, T1) : Number.NaN;
+  m.store(R, T0, out.t0, i);
+  if (verdict === TWO) m.store(R, T1, out.t1, i);
+  else out.t1[i] = Number.NaN;
   return verdict;
 }
 

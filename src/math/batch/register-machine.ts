@@ -5,6 +5,9 @@
  */
 export interface Machine {
   set(R: Float64Array, out: number, x: number): void;
+  /** `set` with xs[i], and `toNumber` into xs[i]. */
+  load(R: Float64Array, out: number, xs: Float64Array, i: number): void;
+  store(R: Float64Array, a: number, xs: Float64Array, i: number): void;
   neg(R: Float64Array, out: number, a: number): void;
   add(R: Float64Array, out: number, a: number, b: number): void;
   sub(R: Float64Array, out: number, a: number, b: number): void;

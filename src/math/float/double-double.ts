@@ -28,6 +28,17 @@ export function set(R: Registers, out: number, x: number): void {
   R[out + 1] = 0;
 }
 
+/** As `set` with xs[i]: a double that is handed to a call may be boxed. */
+export function load(R: Registers, out: number, xs: Float64Array, i: number): void {
+  R[out] = xs[i] as number;
+  R[out + 1] = 0;
+}
+
+/** Puts the nearest double into xs[i]. */
+export function store(R: Registers, a: number, xs: Float64Array, i: number): void {
+  xs[i] = get(R, a);
+}
+
 export function copy(R: Registers, out: number, a: number): void {
   R[out] = get(R, a);
   R[out + 1] = get(R, a + 1);

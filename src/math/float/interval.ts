@@ -14,6 +14,18 @@ export function set(R: Registers, out: number, x: number): void {
   R[out + 1] = x;
 }
 
+/** As `set` with xs[i]: a double that is handed to a call may be boxed. */
+export function load(R: Registers, out: number, xs: Float64Array, i: number): void {
+  const x = xs[i] as number;
+  R[out] = x;
+  R[out + 1] = x;
+}
+
+/** Puts the middle into xs[i]. */
+export function store(R: Registers, a: number, xs: Float64Array, i: number): void {
+  xs[i] = toNumber(R, a);
+}
+
 export function neg(R: Registers, out: number, a: number): void {
   const lo = get(R, a);
   R[out] = -get(R, a + 1);

@@ -1,4 +1,6 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { exact } from '../arithmetic/exact.ts';
+import type { Surd } from '../exact/surd.ts';
 import { DISCRIMINANT, POINT } from '../formula/common.ts';
 import {
   evaluate,
@@ -23,7 +25,7 @@ import type { Ray } from '../ray.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
-import { all, type FlatFormula, withPoint } from '../shapes/planar.ts';
+import { all, type Bound, type FlatFormula, withPoint } from '../shapes/planar.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Method } from './define.ts';
 import { courseForm, type Form } from './forms.ts';
@@ -63,7 +65,7 @@ export function treeMethod<T>(
       const values = valuesOf(shape, ray, arithmetic);
       return formula.family === 'curved'
         ? intersectCurved(formula, values, rung)
-        : intersectFlat(formula, values, rung);
+        : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
     },
     solve: (A, B, C) => solveDoubles(A, B, C, rung),
     parts: (use) => use(arithmetic, form, solver),
@@ -117,11 +119,14 @@ function intersectFlat<T>(
   formula: FlatFormula,
   values: Values<T>,
   { arithmetic: ar, form, decidedBy, id }: Rung<T>,
+  exactValues: () => Values<Surd>,
 ): Intersection {
   const rate = evaluate(formula.rate, ar, values);
   const offset = evaluate(formula.offset, ar, values);
   const signs = { offset: signOf(offset, ar), rate: signOf(rate, ar) };
-  const plane = signs.rate ? planeHit(formula, withScalars(values, { rate }), form, ar) : null;
+  const plane = signs.rate
+    ? planeHit(formula, withScalars(values, { rate }), form, ar, exactValues)
+    : null;
   const contained = signs.rate === 0 && signs.offset === 0;
   const details: FlatDetails = {
     family: 'flat',
@@ -146,21 +151,43 @@ function planeHit<T>(
   values: Values<T>,
   form: Form,
   ar: Arithmetic<T>,
+  exactValues: () => Values<Surd>,
 ): PlaneHit {
   const t = evaluate(formula.t, ar, values);
   const { x, holds } = form.meeting(formula, withScalars(values, { t }), ar);
   const { bound } = formula;
   const inside = all(holds);
   const N = values.vectors.N as Triple<T>;
+  const point = rounded(x, ar);
   return {
     t: ar.toNumber(t),
-    point: rounded(x, ar),
+    point,
     normal: rounded(N, ar),
     singular: false,
     holds,
     inside,
-    distance: bound && inside === false ? ar.toNumber(bound.distance(x, values, ar)) : 0,
+    distance:
+      bound && inside === false
+        ? distanceOf(bound, ar.toNumber(bound.distance(x, values, ar)), point, exactValues)
+        : 0,
   };
+}
+
+/**
+ * The rung's own distance where that is one. Its squares may leave its range though the place does not, and a place beside the rim may be rounded
+ * into the figure: then that of the point which it shows. Without such a point the distance is beyond what the rung can count.
+ */
+function distanceOf(
+  bound: Bound,
+  own: number,
+  point: Vec3,
+  exactValues: () => Values<Surd>,
+): number {
+  if (own >= 0) return own;
+  if (!point.every(Number.isFinite)) return Number.POSITIVE_INFINITY;
+  const [x, y, z] = point;
+  const place: Triple<Surd> = [exact.of(x), exact.of(y), exact.of(z)];
+  return Math.max(0, exact.toNumber(bound.distance(place, exactValues(), exact)));
 }
 
 const withoutPlace = ({ t, point, normal, singular }: PlaneHit): Hit => ({

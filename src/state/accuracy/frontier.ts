@@ -1,6 +1,6 @@
 import { digitCount } from '../../lab/digits.ts';
 import { grouped, multiple } from '../../lab/sentence.ts';
-import type { Measured, MeasuredRow } from '../../lab/session.ts';
+import type { Measured, MeasuredRow, Timing } from '../../lab/session.ts';
 import type { Quartiles } from '../../lab/stats.ts';
 import { findMethod } from '../../math/intersect.ts';
 import { display } from '../../text/format.ts';
@@ -29,7 +29,8 @@ export function frontierOf(
   chosen: string,
 ): FrontierData | null {
   const marks = rows.flatMap((row) => {
-    const timing = row.roots;
+    // A verdict alone costs less than roots do.
+    const timing = worth === 'wrong' ? row.classes : row.roots;
     const value = worthOf(row, worth);
     if (!timing || Number.isNaN(value)) return [];
     const { id } = row;
@@ -37,7 +38,7 @@ export function frontierOf(
       {
         id,
         name: `${titleOf(id)}${failures(row)}`,
-        words: wordsOf(row),
+        words: wordsOf(row, timing),
         cost: cost === 'ns' ? timing.ns : timing.ratio,
         worth: value,
       },
@@ -47,7 +48,7 @@ export function frontierOf(
   return {
     marks,
     chosen,
-    costTitle: cost === 'ns' ? 'ns per ray, median' : 'times the textbook method, median',
+    costTitle: `${cost === 'ns' ? 'ns per ray' : 'times the textbook method'}, ${worth === 'wrong' ? 'verdict only' : 'both roots'}, median`,
     worthTitle: WORTH_TITLES[worth],
     worthTicks: worth === 'wrong' ? shareTicks(marks) : DIGIT_TICKS,
   };
@@ -88,16 +89,11 @@ function failures({ quality }: MeasuredRow): string {
   return parts.length > 0 ? `: ${parts.join(', ')}` : '';
 }
 
-function wordsOf(row: MeasuredRow): string {
-  const { quality, roots } = row;
+function wordsOf({ id, quality }: MeasuredRow, { ns, ratio }: Timing): string {
   const digits = Number.isNaN(quality.digits)
     ? 'no roots to compare'
     : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
   const wrong = `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ${grouped(quality.undecided)} undecided`;
-  const { ns, ratio } = roots ?? { ns: null, ratio: null };
-  const time =
-    ns && ratio
-      ? `${display(ns.median, 3)} ns a ray, ${multiple(ratio.median)} times textbook`
-      : 'no time yet';
-  return `${titleOf(row.id)}: ${digits}; ${wrong}; ${time}`;
+  const time = `${display(ns.median, 3)} ns a ray, ${multiple(ratio.median)} times textbook`;
+  return `${titleOf(id)}: ${digits}; ${wrong}; ${time}`;
 }

@@ -1,4 +1,6 @@
-import { FAMILIES, findFamily } from '../../math/families.ts';
+import { findFamily } from '../../math/families.ts';
+import { quote } from '../../math/invalid-input.ts';
+import type { Settings } from '../state.ts';
 
 /** What the two plots of the Accuracy page show; a link carries it. */
 export interface AccuracySettings {
@@ -35,15 +37,66 @@ export const INITIAL_ACCURACY: AccuracySettings = {
   seed: 7,
 };
 
-/** The families that stand above the plots; the rest are in a list. */
-export const USUAL_FAMILIES = [
-  'typical',
-  'mix',
-  'far-origin',
-  'near-tangent',
-  'near-generator',
-  'near-surface',
-];
+interface Read<T> {
+  readonly value: T;
+  readonly problem: string | null;
+}
 
-export const familyTitle = (id: string): string => findFamily(id)?.title ?? id;
-export const families = FAMILIES;
+/** What each key of the link may say; null for what it may not. */
+const READERS: {
+  readonly [K in keyof AccuracySettings]: (text: string) => AccuracySettings[K] | null;
+} = {
+  family: (text) => findFamily(text)?.id ?? null,
+  dial: (text) => finite(text),
+  worth: (text) => WORTHS.find(({ id }) => id === text)?.id ?? null,
+  cost: (text) => COSTS.find(({ id }) => id === text)?.id ?? null,
+  hard: (text) => (findFamily(text)?.dial ? text : null),
+  seed: (text) => (/^\d{1,9}$/.test(text) ? Number(text) : null),
+};
+
+const finite = (text: string): number | null => {
+  const x = text.trim() === '' ? Number.NaN : Number(text);
+  return Number.isFinite(x) ? x : null;
+};
+
+export const ACCURACY_KEYS = Object.keys(READERS) as readonly (keyof AccuracySettings)[];
+
+function read<K extends keyof AccuracySettings>(
+  key: K,
+  text: string | undefined,
+): Read<AccuracySettings[K]> {
+  if (text === undefined) return { value: INITIAL_ACCURACY[key], problem: null };
+  const value = READERS[key](text);
+  return value === null
+    ? { value: INITIAL_ACCURACY[key], problem: `opened without ${key}: ${quote(text)} is not one` }
+    : { value, problem: null };
+}
+
+/** The settings that texts of a link stand for, defaults where they say nothing usable; and what was not. */
+export function readAccuracy(given: Settings): {
+  readonly values: AccuracySettings;
+  readonly problems: readonly string[];
+} {
+  const all = ACCURACY_KEYS.map((key) => [key, read(key, given[key])] as const);
+  const values = Object.fromEntries(
+    all.map(([key, { value }]) => [key, value]),
+  ) as unknown as AccuracySettings;
+  const problems = all.flatMap(([, { problem }]) => (problem === null ? [] : [problem]));
+  return { values: { ...values, dial: withinDial(values) }, problems };
+}
+
+/** A dial has ends, and some families have none. */
+function withinDial({ family, dial }: AccuracySettings): number | null {
+  const range = findFamily(family)?.dial?.range;
+  return range && dial !== null ? Math.min(Math.max(dial, range[0]), range[1]) : null;
+}
+
+/** The texts under which a link keeps them; null for what is as it is anyway. */
+export function writeAccuracy(values: Partial<AccuracySettings>): Record<string, string | null> {
+  return Object.fromEntries(
+    Object.entries(values).map(([key, value]) => {
+      const usual = INITIAL_ACCURACY[key as keyof AccuracySettings];
+      return [key, value === null || value === usual ? null : String(value)];
+    }),
+  );
+}

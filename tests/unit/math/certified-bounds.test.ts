@@ -78,7 +78,7 @@ function figures(random: Random, kind: 'circle' | 'square', count: number): Flat
           : {
               kind,
               corner: at,
-              side: uniform(random, 0, 2),
+              side: 2 ** (i % 4 ? uniform(random, -2, 1) : uniform(random, 1, 50)),
               axis: (['x', 'y', 'z'] as const)[i % 3] ?? 'x',
             },
       ray: { origin, direction },
@@ -120,6 +120,15 @@ describe('how far inside a figure', () => {
     expect(worst).toBeLessThan(1);
     expect(worst).toBeGreaterThan(1 / 7);
   });
+});
+
+test('a square of which a product falls below the doubles', () => {
+  const shape: Shape = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'x' };
+  const direction: Vec3 = [2 ** -500 * 1.1, 0, 0];
+  const low = Array.from({ length: 50 }, (_, k) => 2 ** -560 * (1 + k / 7));
+  expect(
+    worstMargin(low.map((y) => ({ shape, ray: { origin: [1, y, y], direction } }))),
+  ).toBeLessThan(1);
 });
 
 test('N·p / N·d in double-double, however much of both cancels (seed 52)', () => {

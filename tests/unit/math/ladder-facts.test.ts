@@ -148,3 +148,33 @@ describe('rims', () => {
     expect(undecided / count).toBeLessThan(0.35);
   });
 });
+
+describe('B = 0: −d turns the roots around', () => {
+  /** Rays past the axis of a cylinder at right angles to E − C, and how many change a root's size with the sign of d. */
+  const turned = (id: string): number => {
+    const random = seeded(84);
+    let changed = 0;
+    for (let k = 0; k < 400; k++) {
+      const shape = { kind: 'cylinder', center: [0, 0, 0], radius: uniform(random, 1, 2) } as const;
+      const origin = [0, 1, uniform(random, -1, 1)] as const;
+      const [x, y] = [uniform(random, 0.1, 2), uniform(random, -1, 1)];
+      const ts = (direction: Ray['direction']) =>
+        method(id)
+          .intersect(shape, { origin, direction })
+          .hits.map(({ t }) => t);
+      const back = ts([-x, -y, 0])
+        .map((t) => -t)
+        .reverse();
+      if (ts([x, y, 0]).some((t, i) => t !== back[i])) changed += 1;
+    }
+    return changed / 400;
+  };
+
+  test.each(['textbook', 'compensated', 'certified', 'exact'])('%s: to the last bit', (id) => {
+    expect(turned(id)).toBe(0);
+  });
+  // q = −√D/2 for both, so one root is q/A and the other one C/q, whichever way d points.
+  test.each(['stable', 'moment', 'interval'])('%s: but for a bit on some rays', (id) => {
+    expect(turned(id)).toBeGreaterThan(0.2);
+  });
+});

@@ -1,8 +1,14 @@
 import { describe, expect, test } from 'vitest';
+import { createAnswers, packRays, verdictsOfRoots } from '../../../src/math/batch/batch.ts';
+import { exactKernel } from '../../../src/math/batch/exact.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
+import type { Ray } from '../../../src/math/ray.ts';
+import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
+import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { drawJudged, type Judged, judged, medianBits, method, score, worst } from './measure.ts';
 import { rayCases } from './read-vectors.ts';
+import { wild } from './wild.ts';
 
 /*
  * Every rung held to its own promise, on the vectors and on seeded families. What the rungs get wrong by design is in ladder-facts.test.ts.
@@ -19,19 +25,76 @@ for (const family of new Set(rayCases.map((c) => c.family))) {
 }
 
 test('the ladder, in order', () => {
-  const ids = METHODS.map(({ id }) => id).filter((id) => id !== 'certified');
-  expect(ids).toEqual([
+  expect(METHODS.map(({ id }) => id)).toEqual([
     'textbook32',
     'textbook',
     'stable',
     'moment',
     'compensated',
     'interval',
+    'certified',
     'exact',
   ]);
 });
 
+/** A hit at t = 2 exactly and a miss of each shape, in small numbers that float32 holds too. */
+const PLAIN: readonly [shape: Shape, hit: Ray, miss: Ray][] = [
+  [
+    { kind: 'plane', normal: [0, 2, 0], point: [5, 1, 0] },
+    { origin: [0, 3, 0], direction: [0.5, -1, 0] },
+    { origin: [0, 3, 0], direction: [1, 0, 1] },
+  ],
+  [
+    { kind: 'cylinder', center: [0, 9, 0], radius: 1 },
+    { origin: [-3, 0, 0], direction: [1, 0.5, 0] },
+    { origin: [-3, 0, 2], direction: [1, 0.5, 0] },
+  ],
+  [
+    { kind: 'cone', vertex: [0, 0, 0], slope: 0.5 },
+    { origin: [-3, 2, 0], direction: [1, 0, 0] },
+    { origin: [-3, 2, 2], direction: [1, 0, 0] },
+  ],
+  [
+    { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 1 },
+    { origin: [-3, 0, 0], direction: [1, 0, 0] },
+    { origin: [-3, 0, 2], direction: [1, 0, 0] },
+  ],
+  [
+    { kind: 'circle', normal: [0, 1, 0], center: [0, 0, 0], radius: 1 },
+    { origin: [0, 2, 0], direction: [0.25, -1, 0] },
+    { origin: [0, 2, 0], direction: [0.75, -1, 0] },
+  ],
+  [
+    { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' },
+    { origin: [0.5, 0.5, 2], direction: [0.125, 0.25, -1] },
+    { origin: [0.5, 0.5, 2], direction: [0.125, 0.5, -1] },
+  ],
+];
+
+test('all six shapes are among the plain questions', () => {
+  expect(PLAIN.map(([{ kind }]) => kind).sort()).toEqual(SHAPES.map(({ kind }) => kind).sort());
+});
+
 describe.each(METHODS)('$id', (rung) => {
+  test.each(PLAIN.map((one) => [one[0].kind, ...one] as const))(
+    'meets a %s where it is, and misses it where it is not',
+    (_, shape, hit, miss) => {
+      const found = rung.intersect(shape, hit);
+      expect(found.class).toBe(
+        definitionOf(shape).formula(shape).family === 'flat' ? 'one' : 'two',
+      );
+      expect(found.hits[0]?.t).toBe(2);
+      expect(found.hits[0]?.point).toEqual(
+        hit.origin.map((x, i) => x + 2 * (hit.direction[i] ?? 0)),
+      );
+      expect(rung.intersect(shape, miss)).toMatchObject({
+        class: 'none',
+        hits: [],
+        method: rung.id,
+      });
+    },
+  );
+
   test('says what it is, what it promises and where it is from', () => {
     for (const text of [rung.idea, rung.promise, rung.source])
       expect(text).toMatch(/^\S.{30,}\.$/s);
@@ -170,6 +233,26 @@ describe('interval: whenever it decides, it is right', () => {
   );
   test.each(sweeps)('%s at %d', (id, difficulty) => {
     expect(score('interval', drawJudged(id, 30, SEED + 1, difficulty)).wrong).toBe(0);
+  });
+
+  test('on every exponent: subnormals, overflow, zeros and the ends of the range (6000 rays, seed 131)', () => {
+    const questions = wild(131, 6000);
+    const out = createAnswers(1);
+    const decided = new Map<string, number>();
+    for (const { shape, ray } of questions) {
+      const { class: verdict, hits } = method('interval').intersect(shape, ray);
+      if (verdict === 'undecided') continue;
+      exactKernel(shape)?.both(packRays([ray]), out);
+      const [truth] = verdictsOfRoots(out, 1);
+      expect([JSON.stringify({ shape, ray }), verdict]).toEqual([
+        JSON.stringify({ shape, ray }),
+        truth,
+      ]);
+      expect(hits.every(({ t }) => Number.isFinite(t))).toBe(true);
+      decided.set(shape.kind, (decided.get(shape.kind) ?? 0) + 1);
+    }
+    // It is not right by keeping silent, on any of the shapes.
+    for (const { kind } of SHAPES) expect(decided.get(kind)).toBeGreaterThan(100);
   });
 
   /** Families that it decides completely: it is not right by keeping silent. */

@@ -10,10 +10,11 @@ import { FAMILIES, type Question } from '../../../src/math/families.ts';
 import type { Method } from '../../../src/math/methods/define.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { integer, seeded, wide } from '../../../src/math/rng.ts';
+import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { rayCases } from './read-vectors.ts';
+import { wild } from './wild.ts';
 
 /* The batch kernels of the rungs below certified: class and roots bit-equal to the trees, ray by ray. */
 
@@ -58,47 +59,6 @@ const differing = (rung: Method, shape: Shape, rays: readonly Ray[]): unknown[] 
     return same ? [] : [{ shape, ray, got, want }];
   });
 
-/** Shapes and rays of every exponent, and the extremes: overflow and underflow at every step of the formulas. */
-function wild(seed: number, count: number): Question[] {
-  const random = seeded(seed);
-  const extremes = [0, -0, Number.MIN_VALUE, Number.MAX_VALUE, -Number.MAX_VALUE, 1e-160, 1e154, 1];
-  const any = (): number =>
-    random() < 0.3
-      ? (extremes[integer(random, 0, extremes.length - 1)] as number)
-      : wide(
-          random,
-          ...((
-            [
-              [-1074, 1023],
-              [-200, 200],
-              [-8, 8],
-            ] as const
-          )[integer(random, 0, 2)] as [number, number]),
-        );
-  const vector = (): Vec3 => [any(), any(), any()];
-  const nonZero = (): Vec3 => {
-    const v = vector();
-    return v.some((x) => x !== 0) ? v : [1, 0, 0];
-  };
-  const shapes: (() => Shape)[] = [
-    () => ({ kind: 'cylinder', center: vector(), radius: Math.abs(any()) }),
-    () => ({ kind: 'cone', vertex: vector(), slope: any() }),
-    () => ({ kind: 'hyperboloid', center: vector(), flare: any(), radius: Math.abs(any()) }),
-    () => ({ kind: 'plane', normal: nonZero(), point: vector() }),
-    () => ({ kind: 'circle', normal: nonZero(), center: vector(), radius: Math.abs(any()) }),
-    () => ({
-      kind: 'square',
-      corner: vector(),
-      side: Math.abs(any()),
-      axis: (['x', 'y', 'z'] as const)[integer(random, 0, 2)] as 'x',
-    }),
-  ];
-  return Array.from({ length: count }, (_, i) => ({
-    shape: (shapes[i % shapes.length] as () => Shape)(),
-    ray: { origin: vector(), direction: nonZero() },
-  }));
-}
-
 test('all four have kernels', () => expect(RUNGS).toHaveLength(4));
 
 describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
@@ -118,6 +78,13 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
   test('every exponent (seed 122)', () => {
     const found = wild(122, 2000).flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
     expect(found.slice(0, 2)).toEqual([]);
+  });
+
+  test('outside of a figure there is a distance, and it is no less than 0 (seed 125)', () => {
+    const planes = wild(125, 4000).map(({ shape, ray }) => rung.intersect(shape, ray).details);
+    const outside = planes.flatMap((d) => (d.family === 'flat' && d.plane ? [d.plane] : []));
+    expect(outside.filter(({ inside }) => inside === false).length).toBeGreaterThan(20);
+    expect(outside.filter(({ distance }) => !(distance >= 0))).toEqual([]);
   });
 
   test('two roots that underflow to zeros of both signs', () => {

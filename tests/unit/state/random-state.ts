@@ -41,7 +41,7 @@ const view = fc.oneof(
 /** Any state that a link can carry in full. */
 export const anyState: fc.Arbitrary<AppState> = fc
   .record({
-    page: fc.constantFrom(...PAGES.map(({ id }) => id)),
+    page: fc.constantFrom(...PAGES.filter(({ ray }) => ray).map(({ id }) => id)),
     shape: anyShape,
     E: vector,
     d: nonZero,
@@ -53,6 +53,8 @@ export const anyState: fc.Arbitrary<AppState> = fc
   .map(({ shape, ...rest }) => ({
     ...INITIAL,
     ...rest,
+    // The look is Explore's own.
+    ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null }),
     kind: shape.kind,
     shapes: { ...INITIAL.shapes, [shape.kind]: shape },
   }));

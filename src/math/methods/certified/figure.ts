@@ -10,7 +10,8 @@ import type { Planar } from '../../batch/planar.ts';
  *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (2u S + 3u max|mi|)                          =: e
  *   |w|² − (r·N·d)²:  2|w|₁e + 3e²;  3u of |w|² and 2·(2 + 1)u + u of (r·N·d)² for themselves, u of both for the difference
  * Square, wu and wv against 0 and L|dn|, where n is its normal's axis:
- *   wu = dn pu − du pn:   2u Su + u|wu|, Su = |dn pu| + |du pn|;   L|dn| u;   the difference u of both:          4u Su + 2u L|dn|
+ *   wu = dn pu − du pn:   2u Su + u|wu|, Su = |dn pu| + |du pn|
+ *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less than wu, so L|dn| ≤ 2|wu|:     6u Su
  *
  * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are
  * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for it.
@@ -19,8 +20,7 @@ const U = 2 ** -53;
 const CIRCLE_S = 3 * U;
 const CIRCLE_M = 4 * U;
 const CIRCLE_SQUARES = 9 * U;
-const SQUARE_S = 5 * U;
-const SQUARE_REACH = 3 * U;
+const SQUARE_S = 7 * U;
 const SMALLEST = 2 ** -900;
 
 /**
@@ -96,7 +96,7 @@ const square: Margins = (s, { Ex, Ey, Ez, dx, dy, dz }, from, to, margin, bound)
     const S = Math.max(Math.abs(a) + Math.abs(b), Math.abs(f) + Math.abs(g));
     // Adds nothing, but lets a rate that is not known through as NaN.
     margin[i] = inside + 0 * (margin[i] as number);
-    bound[i] = SQUARE_S * S + SQUARE_REACH * reach + SMALLEST;
+    bound[i] = SQUARE_S * S + SMALLEST;
   }
 };
 

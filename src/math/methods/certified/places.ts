@@ -22,6 +22,7 @@ import type { Vec3 } from '../../vec3.ts';
  * Either way δ is off by Δ ≤ 2|δF|/|F'| + 2η·2u|t| + 5u|δ| for η ≤ 1/4. Then Ei + t di + δ di is off by Δ|di| + SHORT(|Ei + t di| + |t di|) before it
  * is rounded: faithful, if that is below u/4 of it. gi + δ di is off by Δ|di| + 32u Wi.
  *
+ * A t below the normal doubles is off by 2^-1074 more, and so may δ be: that is TINY, and counts where d is huge.
  * Underflow: with |p|₁, |t||d|₁, r, √|a| < WIDE and a lost product ≤ 2^-1073, what is lost in F and h is below SMALLEST.
  */
 const U = 2 ** -53;
@@ -32,6 +33,7 @@ const STRAIGHT = 2 ** -52;
 const WIDE = 2 ** 120;
 const SMALLEST = 2 ** -600;
 const LOST = 2 ** -1070;
+const TINY = 2 ** -1072;
 
 /** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. In one piece: a call would box its doubles. */
 export function placeOnQuadric(
@@ -94,9 +96,12 @@ export function placeOnQuadric(
   const inverse = 0.5 / (x * dx + z * dz - a * (y * dy));
   const steep = Math.abs(inverse);
   const eta =
-    steep * (20 * (wx * Math.abs(dx) + wz * Math.abs(dz) + size * (wy * Math.abs(dy))) + SMALLEST);
+    steep *
+    (20 * (wx * Math.abs(dx) + wz * Math.abs(dz) + size * (wy * Math.abs(dy))) +
+      TINY * (dx * dx + dz * dz + size * (dy * dy)) +
+      SMALLEST);
   const delta = -F * inverse;
-  const off = 2 * offF * steep + U * (4 * eta * Math.abs(t) + 5 * Math.abs(delta));
+  const off = 2 * offF * steep + U * (4 * eta * Math.abs(t) + 5 * Math.abs(delta)) + TINY;
   const sure = eta <= 0.25 && wx + wy + wz < U * WIDE && size < WIDE * WIDE && q.r < WIDE;
 
   if (!sure) return null;
@@ -178,7 +183,7 @@ export function placeInPlane(
   if (!(eta <= 0.25 && reach < U * WIDE && size < WIDE)) return null;
   const delta = -whole / rate;
   const offF = U * (64 * sharp + Math.abs(whole)) + SMALLEST;
-  const off = 2 * offF * inverse + U * (4 * eta * Math.abs(t) + 5 * Math.abs(delta));
+  const off = 2 * offF * inverse + U * (4 * eta * Math.abs(t) + 5 * Math.abs(delta)) + TINY;
   const point = [0, 0, 0] satisfies Vec3 as [number, number, number];
   for (let i = 0; i < 3; i++) {
     const e = E[i] as number;

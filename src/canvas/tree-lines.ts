@@ -1,0 +1,100 @@
+import type { TreeLine } from '../state/picture/tree-scene.ts';
+import type { RayKind } from '../tracer/types.ts';
+import { Layer } from './layer.ts';
+import type { Lens } from './lens.ts';
+import type { Space } from './space.ts';
+import { type Dash, type Stroke, straight } from './stroke.ts';
+import type { Ink, Theme } from './theme.ts';
+
+/** The same as in the list's swatches: colour and dash say the kind. */
+const STYLES: Readonly<Record<RayKind, { ink: Ink; width: number; dash: Dash | null }>> = {
+  camera: { ink: 'd', width: 3, dash: null },
+  shadow: { ink: 'd', width: 1.6, dash: [2, 5] },
+  reflected: { ink: 'normal', width: 2.4, dash: [10, 5] },
+  refracted: { ink: 'hit', width: 2.4, dash: [6, 3] },
+};
+const CHOSEN = 2;
+/** A ray of no weight is still seen. */
+const LEAST_ALPHA = 0.45;
+/** Of the rays that carry light so many, the heaviest, get their weight written to them. */
+const MOST_LABELS = 6;
+const ALONG = 0.62;
+
+export function lineStrokes(
+  lines: readonly TreeLine[],
+  chosen: string | null,
+  space: Space,
+): Stroke[] {
+  return lines.flatMap(({ kind, from, to, path, weight }) => {
+    const a = space.place(from);
+    const b = space.place(to);
+    if (!a || !b) return [];
+    const { ink, width, dash } = STYLES[kind];
+    const isChosen = path === chosen;
+    const alpha = isChosen ? 1 : LEAST_ALPHA + (1 - LEAST_ALPHA) * Math.min(weight, 1);
+    return [straight(a, b, { ink, dash, alpha, width: isChosen ? CHOSEN * width : width })];
+  });
+}
+
+/** Where rays end, the weights of those that carry light, the names of lights. */
+export class TreeMarks {
+  readonly #layer: Layer;
+
+  constructor(svg: Element) {
+    this.#layer = new Layer(svg, 'tree-marks');
+  }
+
+  draw(
+    lines: readonly TreeLine[],
+    chosen: string | null,
+    space: Space,
+    lens: Lens,
+    { scale }: Pick<Theme, 'scale'>,
+  ): void {
+    const layer = this.#layer;
+    const named = new Set<string>();
+    const written: { readonly x: number; readonly y: number }[] = [];
+    const weights = lines.filter(carries).map(({ weight }) => weight);
+    const least = weights.sort((a, b) => b - a)[MOST_LABELS - 1] ?? 0;
+    layer.begin();
+    for (const line of lines) {
+      const { path, kind, end, light, weight } = line;
+      const spot = spotOf(line.to, space, lens);
+      const start = spotOf(line.from, space, lens);
+      if (!spot) continue;
+      const r = (path === chosen ? 6 : 4.2) * scale;
+      if (end === 'hit') {
+        layer.show(path, 'circle', { class: `tree-hit tree-${kind}`, cx: spot.x, cy: spot.y, r });
+      }
+      if (end === 'blocked') {
+        const d = `M${spot.x - r} ${spot.y - r}l${2 * r} ${2 * r}m0 ${-2 * r}l${-2 * r} ${2 * r}`;
+        layer.show(path, 'path', { class: 'tree-cross', d });
+      }
+      if (end === 'light' && light !== null && !named.has(light)) {
+        named.add(light);
+        this.#text(`${light} light`, light, spot.x + 6 * scale, spot.y - 6 * scale);
+      }
+      if (carries(line) && weight >= least && start) {
+        // Nearer to its end: several rays begin in one point.
+        const [x, y] = [start.x + ALONG * (spot.x - start.x), start.y + ALONG * (spot.y - start.y)];
+        const isFree = written.every((p) => Math.abs(p.x - x) > 34 || Math.abs(p.y - y) > 13);
+        if (!isFree) continue;
+        written.push({ x, y });
+        this.#text(`${path} weight`, `${Math.round(100 * weight)} %`, x + 5, y - 5);
+      }
+    }
+    layer.end();
+  }
+
+  #text(key: string, words: string, x: number, y: number): void {
+    const element = this.#layer.show(key, 'text', { class: 'tree-label', x, y });
+    if (element.textContent !== words) element.textContent = words;
+  }
+}
+
+const carries = ({ kind }: TreeLine): boolean => kind === 'reflected' || kind === 'refracted';
+
+function spotOf(p: TreeLine['to'], space: Space, lens: Lens): { x: number; y: number } | null {
+  const place = space.place(p);
+  return place && lens.project(place);
+}

@@ -1,0 +1,63 @@
+import { type Random, seeded } from '../math/rng.ts';
+import type { ShapeKind } from '../math/shapes/index.ts';
+import { courseOf } from './course.ts';
+import type { Draft, Exercise, Level } from './exercises/define.ts';
+import { alike } from './grade.ts';
+import type { Suspect } from './judge.ts';
+import { findMisconception } from './misconceptions/index.ts';
+import type { Answers, Field } from './types.ts';
+import { work } from './work.ts';
+
+/** A question with its numbers, what is right, and what each known mistake would give. */
+export interface Posed {
+  readonly exercise: Exercise;
+  readonly draft: Draft;
+  readonly fields: readonly Field[];
+  readonly truth: Answers;
+  /** What is told beside ray and shape. */
+  readonly given: Answers;
+  readonly suspects: readonly Suspect[];
+}
+
+/** Far more draws than any exercise was seen to need; a generator that needs more is broken. */
+const MAX_DRAWS = 200_000;
+
+/** The same question for the same seed everywhere. */
+export function pose(exercise: Exercise, kind: ShapeKind, seed: number, level: Level): Posed {
+  const random = seeded(seed);
+  for (let i = 0; i < MAX_DRAWS; i++) {
+    const posed = tryPose(exercise, kind, level, random);
+    if (posed) return posed;
+  }
+  throw new RangeError(`no input for ${exercise.id}, ${kind}, seed ${seed}`);
+}
+
+function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Random): Posed | null {
+  const draft = exercise.draw(random, kind, level);
+  return draft && posedOf(exercise, draft);
+}
+
+/** The question about this input; null unless all that is watched gives answers that differ from the truth and from each other. */
+function posedOf(exercise: Exercise, draft: Draft): Posed | null {
+  const course = courseOf(draft.shape);
+  const truth = exercise.answers(course, draft);
+  const fields = exercise.fields(draft, truth);
+  const complete = (answers: Answers): boolean =>
+    fields.length > 0 && fields.every(({ id }) => answers[id] !== undefined);
+  if (!complete(truth)) return null;
+  const suspects = draft.watch.flatMap((id): Suspect[] => {
+    const misconception = findMisconception(id);
+    const edited = misconception?.edit(course);
+    if (!misconception || !edited) return [];
+    const answers = exercise.answers(edited, draft);
+    return complete(answers) ? [{ misconception, answers }] : [];
+  });
+  const told = [truth, ...suspects.map(({ answers }) => answers)];
+  const apart = told.every((a, i) => told.slice(0, i).every((b) => !alike(fields, a, b)));
+  if (!apart) return null;
+  const all = exercise.given.length > 0 ? work(course, draft) : {};
+  const given = Object.fromEntries(
+    exercise.given.flatMap((id) => (all[id] === undefined ? [] : [[id, all[id]] as const])),
+  );
+  return { exercise, draft, fields, truth, given, suspects };
+}

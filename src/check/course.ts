@@ -1,0 +1,95 @@
+import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, POINT, ROOTS } from '../math/formula/common.ts';
+import type { Expr, ExprTriple, Relation } from '../math/formula/expr.ts';
+import type { Formula } from '../math/shapes/define.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+
+/** The choices that the course makes around its formulas. A misconception may make one of them otherwise. */
+export interface Rules {
+  /** D = 0 is one point (a tangent), or taken for a miss; or |D| below 10⁻⁶ is taken for 0. */
+  readonly tangent: 'counts' | 'lost' | 'epsilon';
+  /** A root with t < 0 is no visible hit, or is taken for one. */
+  readonly behind: 'rejected' | 'accepted';
+  /** t1 is the smaller root, or the larger one. */
+  readonly order: 'ascending' | 'descending';
+  /** Which of the roots in front of E is the first visible hit. */
+  readonly first: 'nearest' | 'farthest';
+  /** A = 0 is a case of its own, or put into the formula for the roots; or |A| below 10⁻⁶ is taken for 0. */
+  readonly linear: 'handled' | 'ignored' | 'epsilon';
+  /** A cone has two nappes, or only the upper one. */
+  readonly nappes: 'both' | 'upper';
+  /** For N·d = 0: asked whether E is in the plane, or one answer for all. */
+  readonly parallel: 'asked' | 'always beside' | 'always in';
+  /** A light at t = 1 is hidden by what lies before it, or by anything on the ray. */
+  readonly light: 'bounds' | 'forgotten';
+  /** Where digits go is measured line by line, or always laid on the formula for the roots. */
+  readonly loss: 'measured' | 'always t';
+}
+
+const RULES: Rules = {
+  tangent: 'counts',
+  behind: 'rejected',
+  order: 'ascending',
+  first: 'nearest',
+  linear: 'handled',
+  nappes: 'both',
+  parallel: 'asked',
+  light: 'bounds',
+  loss: 'measured',
+};
+
+/** Every line that a student writes for a curved shape, as trees. */
+export interface CurvedCourse {
+  readonly family: 'curved';
+  readonly A: Expr;
+  readonly B: Expr;
+  readonly C: Expr;
+  readonly D: Expr;
+  readonly roots: Expr;
+  readonly double: Expr;
+  readonly linear: Expr;
+  readonly P: ExprTriple;
+  readonly N: ExprTriple;
+  readonly rules: Rules;
+}
+
+/** The same for a flat one. */
+export interface FlatCourse {
+  readonly family: 'flat';
+  readonly rate: Expr;
+  readonly offset: Expr;
+  readonly t: Expr;
+  readonly P: ExprTriple;
+  readonly conditions: readonly Relation[];
+  readonly rules: Rules;
+}
+
+export type Course = CurvedCourse | FlatCourse;
+
+/** A shape's trees are the same objects each time (the square's, per axis): its course is made once. */
+const made = new WeakMap<Formula, Course>();
+
+/** What the course teaches about this shape, without an error. */
+export function courseOf(shape: Shape): Course {
+  const formula = definitionOf(shape).formula(shape);
+  const known = made.get(formula);
+  if (known) return known;
+  const course = courseWith(formula);
+  made.set(formula, course);
+  return course;
+}
+
+function courseWith(formula: Formula): Course {
+  if (formula.family === 'flat') {
+    const { family, rate, offset, t, bound } = formula;
+    return { family, rate, offset, t, P: POINT, conditions: bound?.conditions ?? [], rules: RULES };
+  }
+  const { family, A, B, C, normal } = formula;
+  return {
+    family,
+    ...{ A, B, C, D: DISCRIMINANT, roots: ROOTS, double: DOUBLE_ROOT, linear: LINEAR_ROOT },
+    P: POINT,
+    N: normal,
+    rules: RULES,
+  };
+}

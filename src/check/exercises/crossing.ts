@@ -1,0 +1,63 @@
+import { pick } from '../../math/rng.ts';
+import { display } from '../../text/format.ts';
+import { type Course, courseOf } from '../course.ts';
+import { type Answers, choiceField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import { CASES, type Draft, type Exercise } from './define.ts';
+import { drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { numberParams, withParam } from './params.ts';
+
+/** "A little": both must agree, so that nothing else happens in between. */
+const LITTLE = 1 / 64;
+const MORE = 1 / 8;
+
+export const crossing: Exercise = {
+  id: 'crossing',
+  topic: 'a parameter crosses a value',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const bySlope = random() < 0.5;
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => {
+        const found = roughWork(courseOf(drawn.shape), drawn);
+        return bySlope ? numberOf(found, 'A') === 0 : found.case === 'tangent';
+      },
+    );
+    if (!input) return null;
+    const { shape, ray } = input;
+    const course = courseOf(shape);
+    const [first, ...others] = numberParams(shape);
+    const param = first && pick(random, [first, ...others]);
+    if (!param) return null;
+    const draft: Draft = { shape, ray, param, watch: [bySlope ? 'a-zero' : 'strict'] };
+    const near = answersAt(course, draft, LITTLE);
+    const wide = answersAt(course, draft, MORE);
+    // Something must change, and in one way only.
+    if (near.before !== wide.before || near.after !== wide.after) return null;
+    return near.before === near.at && near.at === near.after ? null : draft;
+  },
+  ask: ({ param }) =>
+    `Now ${param?.symbol} crosses ${display(param?.value ?? 0)}, and all else stays. In how many points does the line meet the surface?`,
+  given: [],
+  fields: ({ param }) => [
+    choiceField('before', `${param?.symbol} a little below`, CASES),
+    choiceField('at', `${param?.symbol} = ${display(param?.value ?? 0)}`, CASES),
+    choiceField('after', `${param?.symbol} a little above`, CASES),
+  ],
+  answers: (course, draft) => answersAt(course, draft, LITTLE),
+  clue: 'Write D, and A, as functions of the parameter, and see where they change their sign.',
+  lines: ['A', 'D'],
+};
+
+function answersAt(course: Course, { shape, ray, param }: Draft, by: number): Answers {
+  if (!param) return {};
+  const caseAt = (value: number): string =>
+    String(work(course, { shape: withParam(shape, param, value), ray }).case);
+  return {
+    before: caseAt(param.value - by),
+    at: caseAt(param.value),
+    after: caseAt(param.value + by),
+  };
+}

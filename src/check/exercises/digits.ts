@@ -1,0 +1,99 @@
+import { nearAxis } from '../../math/families/asymptotes.ts';
+import { farOrigin, typical } from '../../math/families/ordinary.ts';
+import { cancellation } from '../../math/families/starts.ts';
+import { nearTangent } from '../../math/families/tangents.ts';
+import { findMethod } from '../../math/intersect.ts';
+import type { CurvedDetails } from '../../math/intersection.ts';
+import { pick } from '../../math/rng.ts';
+import { type Answers, choiceField, type Input } from '../types.ts';
+import type { Exercise } from './define.ts';
+import { drawUntil, kindsOf } from './draw.ts';
+
+const LINES = [
+  { id: 'A', title: 'A: its terms cancel' },
+  { id: 'B', title: 'B: its terms cancel' },
+  { id: 'C', title: 'C: its terms cancel, E is near the surface' },
+  { id: 'D', title: 'D: B² and 4AC cancel' },
+  { id: 't', title: 't: −B and √D cancel' },
+  { id: 'nowhere', title: 'nowhere: all lines keep their digits' },
+];
+
+/** From the cheapest to the dearest. */
+const CURES = [
+  { id: 'textbook', title: 'nothing: the textbook formula will do' },
+  { id: 'stable', title: 'another formula for the smaller root (stable)' },
+  { id: 'moment', title: 'D from the moment d × (E − C) (moment)' },
+  { id: 'compensated', title: 'twice the digits on the way (compensated)' },
+];
+
+const FAMILIES = [typical, farOrigin, cancellation, nearTangent, nearAxis] as const;
+
+/** Clearly lost, and clearly kept; what lies between is not asked. */
+const LOST = 9;
+const KEPT = 13;
+
+export const digits: Exercise = {
+  id: 'digits',
+  topic: 'where the digits go',
+  paper: false,
+  kinds: kindsOf('curved'),
+  draw(random, kind) {
+    const family = pick(random, FAMILIES);
+    const made = drawUntil(
+      () => family.make(random),
+      (drawn) => sameKind(drawn, kind) && measured(drawn) !== null,
+    );
+    if (!made) return null;
+    return { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
+  },
+  ask: () =>
+    'In doubles, on which line does the textbook method first lose digits here (fewer than nine left)? And what is the cheapest cure?',
+  given: ['A', 'B', 'C', 'D'],
+  fields: () => [
+    choiceField('line', 'first lost on', LINES),
+    choiceField('cure', 'cured by', CURES),
+  ],
+  answers: (course, draft) =>
+    course.rules.loss === 'measured' ? (measured(draft) ?? {}) : { line: 't', cure: 'stable' },
+  clue: 'Two nearly equal numbers that are subtracted leave only the digits in which they differ.',
+  lines: ['A', 'B', 'C', 'D', 't'],
+};
+
+const sameKind = ({ shape }: Input, kind: string): boolean => Object.is(shape.kind, kind);
+
+/** Right decimal digits of x, 0 to 16. */
+export function digitsRight(x: number, truth: number): number {
+  if (x === truth) return 16;
+  const error = Math.abs(x - truth) / Math.abs(truth);
+  return Number.isFinite(error) ? Math.min(16, Math.max(0, -Math.log10(error))) : 0;
+}
+
+/** Null where it is not clear-cut. */
+function measured({ shape, ray }: Input): Answers | null {
+  const of = (id: string) => findMethod(id)?.intersect(shape, ray);
+  const exact = of('exact');
+  const textbook = of('textbook');
+  if (exact?.class !== 'two' || !textbook) return null;
+  const truth = exact.details as CurvedDetails;
+  const own = textbook.details as CurvedDetails;
+  const rootDigits = (id: string): number => {
+    const found = of(id);
+    if (found?.hits.length !== 2) return 0;
+    return Math.min(
+      ...found.hits.map(({ t }, i) => digitsRight(t, exact.hits[i]?.t ?? Number.NaN)),
+    );
+  };
+  const lines: [string, number][] = (['A', 'B', 'C', 'D'] as const).map((id) => [
+    id,
+    digitsRight(own[id], truth[id]),
+  ]);
+  lines.push(['t', rootDigits('textbook')]);
+  const at = lines.findIndex(([, kept]) => kept < KEPT);
+  const line = lines[at];
+  if (line && line[1] > LOST) return null;
+  const cures = CURES.map(({ id }) => ({ id, kept: rootDigits(id) }));
+  const best = cures.findIndex(({ kept }) => kept >= KEPT);
+  const cure = cures[best];
+  if (!cure || cures.slice(0, best).some(({ kept }) => kept > LOST)) return null;
+  return { line: line?.[0] ?? 'nowhere', cure: cure.id };
+}

@@ -1,0 +1,32 @@
+import { pick } from '../../math/rng.ts';
+import { courseOf } from '../course.ts';
+import { choiceField, numberField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import { CASES, type Exercise } from './define.ts';
+import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+
+export const discriminant: Exercise = {
+  id: 'discriminant',
+  topic: 'the discriminant and its case',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const wanted = pick(random, ['none', 'tangent', 'two']);
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => {
+        const found = roughWork(courseOf(drawn.shape), drawn);
+        if (found.case !== wanted || numberOf(found, 'A') === 0) return false;
+        return allClean(found, ['A', 'B', 'C', 'D']);
+      },
+    );
+    const strict = wanted === 'tangent' ? ['strict'] : [];
+    return input && { ...input, watch: ['b2-ac', 'b2-plus-4ac', ...strict] };
+  },
+  ask: () => 'Find the discriminant D, and say in how many points the line of the ray meets it.',
+  given: ['A', 'B', 'C'],
+  fields: () => [numberField('D'), choiceField('case', 'the line has', CASES)],
+  answers: (course, draft) => chosen(work(course, draft), ['D', 'case']),
+  clue: 'The sign of D decides: two roots, one double root, or none.',
+  lines: ['D'],
+};

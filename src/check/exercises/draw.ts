@@ -1,0 +1,104 @@
+import { integer, pick, type Random } from '../../math/rng.ts';
+import { SHAPES, type Shape, type ShapeKind } from '../../math/shapes/index.ts';
+import { findShape } from '../../math/shapes/lookup.ts';
+import type { Param } from '../../math/shapes/params.ts';
+import { AXES, type Axis, type Vec3 } from '../../math/vec3.ts';
+import { courseOf } from '../course.ts';
+import type { Answers, Input } from '../types.ts';
+import type { Level } from './define.ts';
+
+/** A whole number, or from level 3 on sometimes a half. */
+const coordinate = (random: Random, size: number, level: Level): number =>
+  integer(random, -size, size) + (level === 3 && random() < 0.2 ? 0.5 : 0);
+
+const vector = (random: Random, size: number, level: Level): Vec3 => [
+  coordinate(random, size, level),
+  coordinate(random, size, level),
+  coordinate(random, size, level),
+];
+
+const isZero = (v: Vec3): boolean => v.every((x) => x === 0);
+
+function nonZero(random: Random, size: number, level: Level): Vec3 {
+  for (;;) {
+    const v = vector(random, size, level);
+    if (!isZero(v)) return v;
+  }
+}
+
+function paramValue(random: Random, param: Param, level: Level): Vec3 | number | Axis {
+  if (param.type === 'axis') return pick(random, AXES as [Axis, ...Axis[]]);
+  if (param.type === 'vector') {
+    return param.nonZero ? nonZero(random, 2, 1) : vector(random, level + 1, level);
+  }
+  // Lengths are whole, ratios in halves; neither is 0.
+  const [low, high] = param.range;
+  for (;;) {
+    const x =
+      param.least === undefined ? integer(random, 2 * low, 2 * high) / 2 : integer(random, 1, 5);
+    if (x !== 0) return x;
+  }
+}
+
+/** The shape with small clean numbers. */
+export function drawShape(random: Random, kind: ShapeKind, level: Level): Shape {
+  const params = (findShape(kind)?.params ?? []).map(
+    (param) => [param.key, paramValue(random, param, level)] as const,
+  );
+  return { kind, ...Object.fromEntries(params) } as unknown as Shape;
+}
+
+export function drawInput(random: Random, kind: ShapeKind, level: Level): Input {
+  const origin = vector(random, 3 + 2 * level, level);
+  const direction = nonZero(random, 1 + level, 1);
+  return { shape: drawShape(random, kind, level), ray: { origin, direction } };
+}
+
+/** Draws until one will do; null after so many that another wish should be tried. */
+export function drawUntil<T>(draw: () => T, accept: (drawn: T) => boolean): T | null {
+  for (let i = 0; i < 4000; i++) {
+    const drawn = draw();
+    if (accept(drawn)) return drawn;
+  }
+  return null;
+}
+
+/** Every shape's kind of one family of formulas, in the order of the menu. */
+export function kindsOf(family: 'curved' | 'flat'): ShapeKind[] {
+  return SHAPES.map(({ kind }) => kind).filter((kind) => {
+    const params = findShape(kind)?.params ?? [];
+    const initial = Object.fromEntries(params.map((p) => [p.key, p.initial] as const));
+    return courseOf({ kind, ...initial } as unknown as Shape).family === family;
+  });
+}
+
+const DENOMINATORS = [1, 2, 3, 4, 5, 6, 8, 10];
+
+/** A fraction that is easy on paper; float64 noise is far below this and fractions that are not clean far above. */
+const NOISE = 1e-9;
+
+export function isClean(x: unknown): boolean {
+  if (typeof x === 'object' && Array.isArray(x)) return x.every(isClean);
+  if (typeof x !== 'number' || Math.abs(x) > 500) return false;
+  return DENOMINATORS.some((k) => Math.abs(x * k - Math.round(x * k)) < NOISE);
+}
+
+export const allClean = (answers: Answers, ids: readonly string[]): boolean =>
+  ids.every((id) => isClean(answers[id]));
+
+/** A number among the answers, NaN if it is not there. */
+export const numberOf = (answers: Answers, id: string): number => {
+  const x = answers[id];
+  return typeof x === 'number' ? x : Number.NaN;
+};
+
+export const chosen = (answers: Answers, ids: readonly string[]): Answers =>
+  Object.fromEntries(
+    ids.flatMap((id) => {
+      const answer = answers[id];
+      return answer === undefined ? [] : [[id, answer] as const];
+    }),
+  );
+
+/** |d| = 1 would hide a t taken for a distance. */
+export const hasUnitLength = ([x, y, z]: Vec3): boolean => x * x + y * y + z * z === 1;

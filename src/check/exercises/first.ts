@@ -1,0 +1,50 @@
+import { pick } from '../../math/rng.ts';
+import { courseOf } from '../course.ts';
+import { choiceField, type Input } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import type { Exercise } from './define.ts';
+import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+
+const WHICH = [
+  { id: 't1', title: 't₁' },
+  { id: 't2', title: 't₂' },
+  { id: 'none', title: 'neither' },
+];
+
+const WHY = [
+  { id: 'farther', title: 'the other one is farther along the ray' },
+  { id: 'behind', title: 'what is left out is behind E' },
+];
+
+/** Of two clean roots; null for others. */
+function whereRootsAre(input: Input): 'in front' | 'around' | 'behind' | null {
+  const found = roughWork(courseOf(input.shape), input);
+  if (found.case !== 'two' || !allClean(found, ['t1', 't2'])) return null;
+  const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
+  if (t1 === 0 || t2 === 0) return null;
+  return t1 > 0 ? 'in front' : t2 > 0 ? 'around' : 'behind';
+}
+
+export const first: Exercise = {
+  id: 'first',
+  topic: 'the first visible hit',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const wanted = pick(random, ['in front', 'in front', 'around', 'around', 'behind']);
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => whereRootsAre(drawn) === wanted,
+    );
+    return input && { ...input, watch: [wanted === 'in front' ? 'far-root' : 'behind'] };
+  },
+  ask: () => 'Which of the two roots is the first visible hit, and why not the other?',
+  given: ['t1', 't2'],
+  fields: () => [
+    choiceField('first', 'first visible hit', WHICH),
+    choiceField('why', 'because', WHY),
+  ],
+  answers: (course, draft) => chosen(work(course, draft), ['first', 'why']),
+  clue: 'A ray starts at E, where t = 0, and runs towards larger t.',
+  lines: ['t'],
+};

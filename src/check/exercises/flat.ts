@@ -1,0 +1,72 @@
+import { courseOf } from '../course.ts';
+import { findMisconception } from '../misconceptions/index.ts';
+import { choiceField, type Input, numberField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import type { Exercise } from './define.ts';
+import {
+  allClean,
+  chosen,
+  drawInput,
+  drawUntil,
+  hasUnitLength,
+  kindsOf,
+  numberOf,
+} from './draw.ts';
+
+export const INSIDE = [
+  { id: 'inside', title: 'inside (rim and edge count)' },
+  { id: 'outside', title: 'outside' },
+];
+
+const hasBound = ({ shape }: Input): boolean => {
+  const course = courseOf(shape);
+  return course.family === 'flat' && course.conditions.length > 0;
+};
+
+const LINES = ['flat-no-P', 'flat-inverted', 'flat-lost-minus', 'flat-distance'];
+const BOUNDS = ['rim-squared', 'corner-as-middle'];
+
+/** Clean, and where a figure's bound is watched, such that mistaking it matters. */
+function isFit(input: Input, plain: boolean): boolean {
+  const course = courseOf(input.shape);
+  const found = roughWork(course, input);
+  const t = numberOf(found, 't');
+  if (!(Math.abs(t) > 0 && Math.abs(t) <= 12) || hasUnitLength(input.ray.direction)) return false;
+  if (!allClean(found, ['t', 'P1'])) return false;
+  if (!hasBound(input)) return true;
+  if (plain) return found.inside === 'outside';
+  return BOUNDS.some((id) => {
+    const edited = findMisconception(id)?.edit(course);
+    return edited && roughWork(edited, input).inside !== found.inside;
+  });
+}
+
+export const flat: Exercise = {
+  id: 'flat',
+  topic: 'N·d, t and the figure',
+  paper: true,
+  kinds: kindsOf('flat'),
+  draw(random, kind, level) {
+    // Now and then just a point outside, so that the answer is not always the surprising one.
+    const plain = random() < 0.25;
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => isFit(drawn, plain),
+    );
+    const bounds = plain ? [] : BOUNDS;
+    return input && { ...input, watch: [...LINES, ...bounds] };
+  },
+  ask: (draft) =>
+    hasBound(draft)
+      ? 'Find N·d, the t at which the ray meets the plane, and whether the point is inside.'
+      : 'Find N·d, and the t at which the ray meets the plane.',
+  given: [],
+  fields: (draft) => [
+    numberField('N.d', 'N·d'),
+    numberField('t', 't'),
+    ...(hasBound(draft) ? [choiceField('inside', 'the point is', INSIDE)] : []),
+  ],
+  answers: (course, draft) => chosen(work(course, draft), ['N.d', 't', 'inside']),
+  clue: 'Put R(t) = E + t d into the equation of the plane and solve for t.',
+  lines: ['N.d', 'N.(E-P)', 't', 'inside'],
+};

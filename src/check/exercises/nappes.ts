@@ -1,0 +1,36 @@
+import { seeded } from '../../math/rng.ts';
+import { courseOf } from '../course.ts';
+import { findMisconception } from '../misconceptions/index.ts';
+import { choiceField, numberField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import { CASES, type Exercise } from './define.ts';
+import { allClean, chosen, drawInput, drawShape, kindsOf, numberOf } from './draw.ts';
+
+/** The shapes that have a second nappe to forget. */
+const kinds = () =>
+  kindsOf('curved').filter((kind) =>
+    findMisconception('one-nappe')?.edit(courseOf(drawShape(seeded(1), kind, 1))),
+  );
+
+export const nappes: Exercise = {
+  id: 'nappes',
+  topic: 'both nappes of a cone',
+  paper: true,
+  kinds: kinds(),
+  draw(random, kind, level) {
+    const input = drawInput(random, kind, level);
+    const course = courseOf(input.shape);
+    const found = roughWork(course, input);
+    if (found.case !== 'two' || !allClean(found, ['A', 'B', 'C', 't1', 't2'])) return null;
+    const forgetful = findMisconception('one-nappe')?.edit(course);
+    if (!forgetful || roughWork(forgetful, input).case !== 'one') return null;
+    if (!(numberOf(found, 't1') > 0)) return null;
+    return { ...input, watch: ['one-nappe', 'far-root'] };
+  },
+  ask: () => 'In how many points does the line meet the cone, and at which t does the ray first?',
+  given: ['A', 'B', 'C'],
+  fields: () => [choiceField('case', 'the line has', CASES), numberField('t', 't')],
+  answers: (course, draft) => chosen(work(course, draft), ['case', 't']),
+  clue: 'At height h the radius is |c·h|, also below the vertex.',
+  lines: ['D', 't'],
+};

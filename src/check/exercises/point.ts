@@ -1,0 +1,27 @@
+import { courseOf } from '../course.ts';
+import { tripleField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import type { Exercise } from './define.ts';
+import { allClean, chosen, drawInput, hasUnitLength, kindsOf, numberOf } from './draw.ts';
+
+export const point: Exercise = {
+  id: 'point',
+  topic: 'the hit point',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const input = drawInput(random, kind, level);
+    const found = roughWork(courseOf(input.shape), input);
+    if (found.case !== 'two' || !allClean(found, ['t1', 't2', 'P1', 'P2'])) return null;
+    const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
+    if (t1 === 0 || !(t2 > 0) || hasUnitLength(input.ray.direction)) return null;
+    const which = t1 > 0 ? 'far-root' : 'behind';
+    return { ...input, watch: [which, 'from-origin', 'backwards', 'unit-d'] };
+  },
+  ask: () => 'At which point P does the ray first meet the surface?',
+  given: ['t1', 't2'],
+  fields: () => [tripleField('P')],
+  answers: (course, draft) => chosen(work(course, draft), ['P']),
+  clue: 'Choose the root that is seen first, and go that many lengths of d from E.',
+  lines: ['P'],
+};

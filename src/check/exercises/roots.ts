@@ -1,0 +1,32 @@
+import { courseOf } from '../course.ts';
+import { numberField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import type { Exercise } from './define.ts';
+import { allClean, chosen, drawInput, hasUnitLength, kindsOf, numberOf } from './draw.ts';
+
+export const roots: Exercise = {
+  id: 'roots',
+  topic: 'both roots',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const input = drawInput(random, kind, level);
+    const found = roughWork(courseOf(input.shape), input);
+    if (found.case !== 'two' || !allClean(found, ['A', 'B', 'C', 't1', 't2'])) return null;
+    if (hasUnitLength(input.ray.direction)) return null;
+    // With B² + 4AC < 0 there would be no roots to compare with.
+    const B = numberOf(found, 'B');
+    const otherD = B * B + 4 * numberOf(found, 'A') * numberOf(found, 'C');
+    const plus = otherD > 0 ? ['b2-plus-4ac'] : [];
+    return {
+      ...input,
+      watch: ['b2-ac', ...plus, 'over-a', 'lost-minus', 'distance', 'swapped-roots'],
+    };
+  },
+  ask: () => 'Find both roots, the smaller one first.',
+  given: ['A', 'B', 'C'],
+  fields: () => [numberField('t1', 't₁'), numberField('t2', 't₂')],
+  answers: (course, draft) => chosen(work(course, draft), ['t1', 't2']),
+  clue: 'Work out D first. Then both signs of ± give a root each; where A < 0 the order turns.',
+  lines: ['D', 't'],
+};

@@ -1,0 +1,43 @@
+import { pick } from '../../math/rng.ts';
+import { courseOf } from '../course.ts';
+import { choiceField, type Input } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import type { Exercise } from './define.ts';
+import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+
+export const SHADOW = [
+  { id: 'lit', title: 'E is lit' },
+  { id: 'dark', title: 'E is in the shadow' },
+];
+
+/** The mistake that this input invites, if the numbers are clean. */
+function tempting(input: Input): string | null {
+  const found = roughWork(courseOf(input.shape), input);
+  if (found.case !== 'two' || !allClean(found, ['t1', 't2'])) return null;
+  const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
+  if ([t1, t2].some((t) => t === 0 || t === 1)) return null;
+  if (t2 < 0) return 'behind';
+  if (t1 > 1) return 'no-light-bound';
+  return t1 > 0 && t2 > 1 ? 'far-root' : null;
+}
+
+export const shadow: Exercise = {
+  id: 'shadow',
+  topic: 'a shadow ray',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const watched = pick(random, ['behind', 'no-light-bound', 'far-root']);
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => tempting(drawn) === watched,
+    );
+    return input && { ...input, watch: [watched] };
+  },
+  ask: () => 'A light stands at E + d. Does the surface hide it from E?',
+  given: ['t1', 't2'],
+  fields: () => [choiceField('shadow', 'then', SHADOW)],
+  answers: (course, draft) => chosen(work(course, draft), ['shadow']),
+  clue: 'The light is at t = 1. Only what lies between E and the light can hide it.',
+  lines: ['t'],
+};

@@ -1,0 +1,69 @@
+import { courseOf } from '../course.ts';
+import { choiceField, numberField } from '../types.ts';
+import { roughWork, work } from '../work.ts';
+import { CASES, type Exercise } from './define.ts';
+import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+
+/** A = 0 for a curved shape: a line, with one root or none. */
+export const linear: Exercise = {
+  id: 'linear',
+  topic: 'A = 0',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => {
+        const found = roughWork(courseOf(drawn.shape), drawn);
+        if (numberOf(found, 'A') !== 0 || !allClean(found, ['B', 'C'])) return false;
+        return found.case !== 'one' || allClean(found, ['t1']);
+      },
+    );
+    // Rays that meet nothing are common among drawn ones, and a cylinder has no others.
+    const { case: verdict } = input ? roughWork(courseOf(input.shape), input) : {};
+    return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
+  },
+  ask: () =>
+    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t?',
+  given: ['A', 'B', 'C'],
+  fields: (_, truth) => [
+    choiceField('case', 'the line has', CASES),
+    ...(truth.t1 === undefined ? [] : [numberField('t1', 't₁')]),
+  ],
+  answers: (course, draft) => chosen(work(course, draft), ['case', 't1']),
+  clue: 'With A = 0 no square is left: B t + C = 0.',
+  lines: ['A', 'linear'],
+};
+
+export const PLACES = [
+  { id: 'meets', title: 'meets the plane in one point' },
+  { id: 'beside', title: 'is parallel, beside the plane' },
+  { id: 'in', title: 'lies in the plane' },
+];
+
+/** N·d = 0 for a flat one. */
+export const parallel: Exercise = {
+  id: 'parallel',
+  topic: 'N·d = 0',
+  paper: true,
+  kinds: kindsOf('flat'),
+  draw(random, kind, level) {
+    const inPlane = random() < 0.5;
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => roughWork(courseOf(drawn.shape), drawn).place === (inPlane ? 'in' : 'beside'),
+    );
+    return input && { ...input, watch: [inPlane ? 'parallel-misses' : 'parallel-lies-in'] };
+  },
+  ask: () =>
+    'How does the line of the ray lie to the plane of the figure? Find N·d and N·(E − P), too.',
+  given: [],
+  fields: () => [
+    numberField('N.d', 'N·d'),
+    numberField('N.(E-P)', 'N·(E − P)'),
+    choiceField('place', 'the line', PLACES),
+  ],
+  answers: (course, draft) => chosen(work(course, draft), ['N.d', 'N.(E-P)', 'place']),
+  clue: 'N·d says how fast the ray nears the plane, N·(E − P) where it starts.',
+  lines: ['N.d', 'N.(E-P)'],
+};

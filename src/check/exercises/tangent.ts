@@ -1,0 +1,87 @@
+import { float64 } from '../../math/arithmetic/float64.ts';
+import { evaluate, evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
+import { valuesOf } from '../../math/methods/tree-method.ts';
+import { pick } from '../../math/rng.ts';
+import { type Course, courseOf } from '../course.ts';
+import { type Answers, type Input, numberField } from '../types.ts';
+import { roughWork } from '../work.ts';
+import type { Draft, Exercise } from './define.ts';
+import { drawInput, kindsOf, numberOf } from './draw.ts';
+import { numberParams, withParam } from './params.ts';
+
+const WATCH = ['r-for-r2', 'c-for-c2', 'a2-for-a', 'plus-y', 'b2-ac', 'plus-r2'];
+
+export const tangent: Exercise = {
+  id: 'tangent',
+  topic: 'make the ray tangent',
+  paper: true,
+  kinds: kindsOf('curved'),
+  draw(random, kind, level) {
+    const { shape, ray } = drawInput(random, kind, level);
+    const course = courseOf(shape);
+    const found = roughWork(course, { shape, ray });
+    if (found.case !== 'tangent' || numberOf(found, 'C') === 0) return null;
+    const [first, ...others] = numberParams(shape).filter(({ value }) => value > 0);
+    const param = first && pick(random, [first, ...others]);
+    if (!param) return null;
+    const draft: Draft = { shape, ray, param, watch: [] };
+    const [root, another] = tangentValues(course, draft);
+    if (root === undefined || another !== undefined) return null;
+    return { ...draft, watch: WATCH };
+  },
+  ask: ({ param }) =>
+    `Which positive ${param?.symbol} makes the ray’s line tangent to the surface? (The value is to be found; all else stays.)`,
+  given: [],
+  fields: ({ param }) => [numberField('value', param?.symbol)],
+  answers(course, draft): Answers {
+    const [value, another] = tangentValues(course, draft);
+    return value === undefined || another !== undefined ? {} : { value };
+  },
+  clue: 'Tangent means D = 0. Write D with the parameter as the unknown.',
+  lines: ['A', 'B', 'C', 'D'],
+};
+
+const LARGEST = 27;
+/** An odd count of steps to the whole, so that no step ends on the values that are likely to be roots. */
+const STEPS = 367;
+const HALVINGS = 52;
+
+/** The positive values of the parameter, up to 27, where D of these formulas changes its sign and A is not 0. */
+function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
+  if (!param) return [];
+  const at = (value: number) =>
+    coefficientsAt(course, { shape: withParam(shape, param, value), ray });
+  const D = (value: number): number => at(value).D;
+  const found: number[] = [];
+  let before = D(LARGEST / STEPS / 2);
+  for (let i = 1; i <= STEPS; i++) {
+    const [low, high] = [(LARGEST * (i - 0.5)) / STEPS, (LARGEST * (i + 0.5)) / STEPS];
+    const after = D(high);
+    if (before * after < 0) found.push(bisect(D, low, high));
+    before = after;
+  }
+  return found.filter((value) => Math.abs(at(value).A) > NO_LINE);
+}
+
+/** A root at which A vanishes, too, is where the quadratic becomes a line, not a tangent. Other A are of size 1. */
+const NO_LINE = 1e-6;
+
+function coefficientsAt(course: Course, { shape, ray }: Input): { A: number; D: number } {
+  if (course.family === 'flat') return { A: Number.NaN, D: Number.NaN };
+  const values = valuesOf(shape, ray, float64);
+  const [A, B, C] = evaluateTriple([course.A, course.B, course.C], float64, values);
+  return { A, D: evaluate(course.D, float64, withScalars(values, { A, B, C })) };
+}
+
+function bisect(f: (x: number) => number, from: number, to: number): number {
+  let [low, high] = [from, to];
+  const rising = f(low) < 0;
+  for (let i = 0; i < HALVINGS; i++) {
+    const middle = (low + high) / 2;
+    const value = f(middle);
+    if (value === 0) return middle;
+    if (value < 0 === rising) low = middle;
+    else high = middle;
+  }
+  return (low + high) / 2;
+}

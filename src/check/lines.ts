@@ -1,0 +1,130 @@
+import { float64 } from '../math/arithmetic/float64.ts';
+import { type Values, withScalars } from '../math/formula/evaluate.ts';
+import { type Expr, type Relation, scalar } from '../math/formula/expr.ts';
+import { valuesOf } from '../math/methods/tree-method.ts';
+import { withPoint } from '../math/shapes/planar.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Course, CurvedCourse, FlatCourse } from './course.ts';
+import { courseOf } from './course.ts';
+import type { Misconception } from './misconceptions/define.ts';
+import type { Answers, Input } from './types.ts';
+import { work } from './work.ts';
+
+/** One line of a derivation, right or edited, with the numbers that go into it. */
+export interface Line {
+  readonly id: string;
+  /** What stands left of the equals sign; null where the tree itself is the name (N·d). */
+  readonly letter: Expr | null;
+  /** One tree, or three for a point or normal. */
+  readonly exprs: readonly Expr[];
+  /** For a condition of a figure, in place of a value. */
+  readonly relation: Relation | null;
+  /** Both roots of the line t; the components of a triple. */
+  readonly values: readonly number[];
+  readonly numbers: Values<number>;
+  /** −B, √D and 2A worked out before they are put in. */
+  readonly worked: boolean;
+}
+
+/** From the coefficients to the first visible hit's point and normal, as far as they exist. */
+export function linesOf(course: Course, input: Input): readonly Line[] {
+  const found = work(course, input);
+  const values = valuesOf(input.shape, input.ray, float64);
+  return course.family === 'curved'
+    ? curvedLines(course, found, values)
+    : flatLines(course, found, values);
+}
+
+const number = (found: Answers, id: string): number | undefined => {
+  const x = found[id];
+  return typeof x === 'number' ? x : undefined;
+};
+
+const triple = (found: Answers, id: string): Vec3 | undefined => {
+  const x = found[id];
+  return typeof x === 'object' ? x : undefined;
+};
+
+function line(
+  id: string,
+  letter: Expr | null,
+  exprs: readonly Expr[],
+  values: readonly number[],
+  numbers: Values<number>,
+): Line {
+  return { id, letter, exprs, relation: null, values, numbers, worked: id === 't' };
+}
+
+function curvedLines(course: CurvedCourse, found: Answers, values: Values<number>): Line[] {
+  const letters = ['A', 'B', 'C', 'D'] as const;
+  const scalars = Object.fromEntries(letters.map((id) => [id, number(found, id) ?? Number.NaN]));
+  const numbers = withScalars(values, scalars);
+  const coefficients = letters.map((id) =>
+    line(id, scalar(id), [course[id]], [scalars[id] ?? Number.NaN], numbers),
+  );
+  const roots = ['t1', 't2'].flatMap((id) => number(found, id) ?? []);
+  if (roots.length === 0) return coefficients;
+  const tree = { one: course.linear, tangent: course.double }[String(found.case)] ?? course.roots;
+  const t = line('t', scalar('t'), [tree], roots, numbers);
+  return [...coefficients, t, ...hitLines(course.P, course.N, found, numbers)];
+}
+
+function hitLines(
+  P: readonly Expr[],
+  N: readonly Expr[] | null,
+  found: Answers,
+  numbers: Values<number>,
+): Line[] {
+  const [t, point, normal] = [number(found, 't'), triple(found, 'P'), triple(found, 'N')];
+  if (t === undefined || !point) return [];
+  const withT = withScalars(numbers, { t });
+  const lines = [line('P', scalar('P'), P, point, withT)];
+  return N && normal
+    ? [...lines, line('N', scalar('N'), N, normal, withPoint(withT, point))]
+    : lines;
+}
+
+function flatLines(course: FlatCourse, found: Answers, values: Values<number>): Line[] {
+  const value = (id: string): number => number(found, id) ?? Number.NaN;
+  const lines = [
+    line('N.(E-P)', null, [course.offset], [value('N.(E-P)')], values),
+    line('N.d', null, [course.rate], [value('N.d')], values),
+  ];
+  const t = number(found, 't');
+  const point = triple(found, 'P1');
+  if (t === undefined || !point) return lines;
+  const withT = withScalars(values, { t });
+  const conditions = course.conditions.map(
+    (relation): Line => ({
+      ...line('inside', null, [], [], withPoint(withT, point)),
+      relation,
+    }),
+  );
+  return [
+    ...lines,
+    line('t', scalar('t'), [course.t], [t], values),
+    line('P', scalar('P'), course.P, point, withT),
+    ...conditions,
+  ];
+}
+
+/** The lines that a misconception changes: its own edited one, and those whose values follow from it. At most three. */
+export function editedLines(misconception: Misconception, input: Input): readonly Line[] {
+  const course = courseOf(input.shape);
+  const edited = misconception.edit(course);
+  if (!edited) return [];
+  const right = linesOf(course, input);
+  const wrong = linesOf(edited, input);
+  const changed = wrong.filter((one) => {
+    const twin = right.find(({ id, relation }) => id === one.id && !relation === !one.relation);
+    return !twin || twin.values.join() !== one.values.join() || differs(twin, one);
+  });
+  return changed.some((one) => right.some((twin) => twin.id === one.id && differs(twin, one)))
+    ? changed.slice(0, 3)
+    : [];
+}
+
+const differs = (a: Line, b: Line): boolean =>
+  a.exprs.some((expr, i) => expr !== b.exprs[i]) ||
+  a.relation?.left !== b.relation?.left ||
+  a.relation?.right !== b.relation?.right;

@@ -1,0 +1,23 @@
+import { alongRay } from '../math/along.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { display, displayTriple } from '../text/format.ts';
+import { courseOf } from './course.ts';
+import type { Answers, Input } from './types.ts';
+
+/** How far f may be from 0 where the student's t was rounded to four digits, in parts of the sizes that make f up. */
+const NEARLY = 2e-3;
+
+/** What an answer means in the scene: where its t leads to, and on which side of the surface that is. '' if it has none. */
+export function meaningOf(input: Input, answers: Answers): string {
+  const t = ['t', 't1', 't2'].map((id) => answers[id]).find((x) => typeof x === 'number');
+  if (typeof t !== 'number' || !Number.isFinite(t)) return '';
+  const { point, f } = alongRay(input.shape, input.ray, t);
+  const { title } = definitionOf(input.shape);
+  const at = `At t = ${display(t)} the ray is at ${displayTriple(point, 4)}`;
+  const curved = courseOf(input.shape).family === 'curved';
+  const size = Math.abs(alongRay(input.shape, input.ray, 0).f) + Math.abs(f);
+  if (Math.abs(f) <= NEARLY * size) return `${at}, on the ${curved ? title : 'plane'}.`;
+  const value = curved ? `f(t) = ${display(f, 4)}` : `N·(X − P) = ${display(f, 4)}`;
+  const side = curved ? (f < 0 ? `inside the ${title}` : `outside the ${title}`) : 'off the plane';
+  return `${at}. There ${value}, not 0: that is ${side}.`;
+}

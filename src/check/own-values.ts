@@ -1,0 +1,22 @@
+import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
+import type { Triple } from '../math/formula/evaluate.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Answers } from './types.ts';
+
+/** A student's own value of a quantity, if there is a usable one. */
+export function ownNumber<T>(own: Answers, id: string, ar: Arithmetic<T>): T | undefined {
+  const x = own[id];
+  return typeof x === 'number' && Number.isFinite(x) ? ar.of(x) : undefined;
+}
+
+export function ownTriple<T>(own: Answers, id: string, ar: Arithmetic<T>): Triple<T> | undefined {
+  const v = own[id];
+  if (typeof v !== 'object' || !v.every(Number.isFinite)) return undefined;
+  return [ar.of(v[0]), ar.of(v[1]), ar.of(v[2])];
+}
+
+export const roundedTriple = <T>([x, y, z]: Triple<T>, { toNumber }: Arithmetic<T>): Vec3 => [
+  toNumber(x),
+  toNumber(y),
+  toNumber(z),
+];

@@ -1,0 +1,166 @@
+import { findFamily } from '../../math/families.ts';
+import { intersect } from '../../math/intersect.ts';
+import type { Intersection } from '../../math/intersection.ts';
+import { pick, type Random, seeded } from '../../math/rng.ts';
+import type { ShapeKind } from '../../math/shapes/index.ts';
+import { findShape } from '../../math/shapes/lookup.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Input } from '../types.ts';
+
+/** What a right program returns: every root of the whole line, ascending, a tangent's once. */
+export interface Expected {
+  readonly class: Intersection['class'];
+  readonly t: readonly number[];
+  readonly normal: readonly Vec3[];
+}
+
+export interface Case extends Input {
+  /** Stays the same for the same shapes and seed: results from elsewhere are matched by it. */
+  readonly id: string;
+  readonly group: GroupId;
+  /** What is special about it, in a few words. */
+  readonly family: string;
+  /** Null for an invalid input: the program must throw, or return no t. */
+  readonly expected: Expected | null;
+}
+
+/** Each group is graded by itself. A family of src/math/families belongs to one. */
+export const GROUPS = [
+  {
+    id: 'ordinary',
+    title: 'ordinary',
+    families: ['typical', 'plane', 'circle', 'square'],
+    each: 14,
+  },
+  {
+    id: 'special',
+    title: 'special',
+    families: [
+      ...['exact-tangent', 'linear', 'generator', 'on-surface', 'degenerate'],
+      ...['flat-degenerate', 'circle-rim exactly', 'square-edge exactly'],
+    ],
+    each: 6,
+  },
+  {
+    id: 'hard',
+    title: 'hard',
+    families: [
+      ...['far-origin', 'near-tangent', 'near-axis', 'near-generator', 'near-surface'],
+      ...['vertex', 'cancellation', 'scale-ray', 'plane-grazing', 'plane-far'],
+      ...['circle-rim', 'square-edge'],
+    ],
+    each: 6,
+  },
+  { id: 'invalid', title: 'invalid', families: [], each: 0 },
+] as const;
+
+export type GroupId = (typeof GROUPS)[number]['id'];
+
+/** A family may be about other shapes: this many draws without one of the wanted kind, and it is. */
+const MAX_DRAWS = 60;
+
+/** The exact cases for these shapes, the same for the same seed everywhere. */
+export function casesFor(kinds: readonly ShapeKind[], seed: number): readonly Case[] {
+  return kinds.flatMap((kind) => [
+    ...GROUPS.flatMap((group) =>
+      group.families.flatMap((id) => {
+        const [name = '', exactly] = id.split(' ');
+        const family = findFamily(name);
+        if (!family) return [];
+        const draw = (random: Random): Input =>
+          exactly ? family.make(random, NOT_NUDGED) : family.make(random);
+        const title = exactly ? `${family.title}, exactly` : family.title;
+        return familyCases(kind, group, { id, title, draw }, seed);
+      }),
+    ),
+    ...invalidCases(kind),
+  ]);
+}
+
+interface Source {
+  readonly id: string;
+  readonly title: string;
+  draw(random: Random): Input;
+}
+
+function familyCases(
+  kind: ShapeKind,
+  { id: group, each }: (typeof GROUPS)[number],
+  { id: family, title, draw }: Source,
+  seed: number,
+): Case[] {
+  const random = seeded(Math.imul(seed + 1, 0x9e3779b1) ^ hash(`${kind}/${family}`));
+  const found: Case[] = [];
+  for (let misses = 0; found.length < each && misses < MAX_DRAWS; ) {
+    const input = group === 'ordinary' ? stretched(draw(random), random) : draw(random);
+    if (!Object.is(input.shape.kind, kind)) {
+      misses++;
+      continue;
+    }
+    const { class: verdict, hits } = intersect(input.shape, input.ray, 'exact');
+    // Beyond the doubles there is nothing that a program could return.
+    if (hits.some(({ t }) => !Number.isFinite(t))) {
+      misses++;
+      continue;
+    }
+    found.push({
+      ...input,
+      id: `${kind}/${family.replace(' ', '-')}/${found.length + 1}`,
+      group,
+      family: title,
+      expected: {
+        class: verdict,
+        t: hits.map(({ t }) => t),
+        normal: hits.map(({ normal }) => normal),
+      },
+    });
+  }
+  return found;
+}
+
+/** Rims and edges exactly, moved by 2^-2000, that is by no double: to which side a rounding falls is no fair question. */
+const NOT_NUDGED = -2000;
+
+/** Some families draw |d| = 1, where a t taken for a distance would not show. Powers of two round nothing. */
+function stretched({ shape, ray }: Input, random: Random): Input {
+  const k = pick(random, [0.5, 2, 4]);
+  const [x, y, z] = ray.direction;
+  return { shape, ray: { origin: ray.origin, direction: [k * x, k * y, k * z] } };
+}
+
+/** So that each family has numbers of its own, whatever stands before it. */
+const hash = (text: string): number =>
+  [...text].reduce((h, c) => Math.imul(h ^ (c.codePointAt(0) ?? 0), 0x01000193), 0x811c9dc5);
+
+/** One wrong number at a time, all else in order. */
+function invalidCases(kind: ShapeKind): Case[] {
+  const params = findShape(kind)?.params ?? [];
+  const initial = Object.fromEntries(
+    params.map(({ key, initial: value }) => [key, value] as const),
+  );
+  const ray = { origin: [3, 1, 1] as Vec3, direction: [-1, 0, 0] as Vec3 };
+  const wrong: [string, Record<string, unknown>, unknown][] = [
+    ['d = (0, 0, 0)', {}, { ...ray, direction: [0, 0, 0] }],
+    ['d with NaN', {}, { ...ray, direction: [Number.NaN, 0, 1] }],
+    ['E with an infinity', {}, { ...ray, origin: [Number.POSITIVE_INFINITY, 0, 0] }],
+  ];
+  for (const param of params) {
+    if (param.type === 'number' && param.least !== undefined) {
+      wrong.push([`${param.symbol} = −1`, { [param.key]: -1 }, ray]);
+    }
+    if (param.type === 'vector' && param.nonZero) {
+      wrong.push([`${param.symbol} = (0, 0, 0)`, { [param.key]: [0, 0, 0] }, ray]);
+    }
+    if (param.type === 'number') {
+      wrong.push([`${param.symbol} not a number`, { [param.key]: Number.NaN }, ray]);
+    }
+  }
+  return wrong.map(([family, own, itsRay], i) => ({
+    id: `${kind}/invalid/${i + 1}`,
+    group: 'invalid',
+    family,
+    shape: { kind, ...initial, ...own } as unknown as Case['shape'],
+    ray: itsRay as Case['ray'],
+    expected: null,
+  }));
+}

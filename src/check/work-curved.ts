@@ -1,0 +1,136 @@
+import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
+import {
+  evaluate,
+  evaluateTriple,
+  type Triple,
+  type Values,
+  withScalars,
+} from '../math/formula/evaluate.ts';
+import { valuesOf } from '../math/methods/tree-method.ts';
+import { withPoint } from '../math/shapes/planar.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { CurvedCourse, Rules } from './course.ts';
+import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
+import type { Answer, Answers, Input } from './types.ts';
+
+/** A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. */
+export function curvedWork<T>(
+  course: CurvedCourse,
+  { shape, ray }: Input,
+  own: Answers,
+  ar: Arithmetic<T>,
+): Answers {
+  const values = valuesOf(shape, ray, ar);
+  const coefficient = (id: 'A' | 'B' | 'C'): T =>
+    ownNumber(own, id, ar) ?? evaluate(course[id], ar, values);
+  const letters = { A: coefficient('A'), B: coefficient('B'), C: coefficient('C') };
+  const D = ownNumber(own, 'D', ar) ?? evaluate(course.D, ar, withScalars(values, letters));
+  const all = withScalars(values, { ...letters, D });
+  const solved = solve(course, all, ar);
+  const ordered = course.rules.order === 'ascending' ? solved.roots : [...solved.roots].reverse();
+  const known = ordered.map((t) => onKnownNappe(course, values, t, ar));
+  const count = known.filter(Boolean).length;
+  const verdict = count < ordered.length ? (COUNTED[count] ?? '') : solved.case;
+  const { toNumber } = ar;
+  const found: Record<string, Answer> = {
+    ...{ A: toNumber(letters.A), B: toNumber(letters.B), C: toNumber(letters.C), D: toNumber(D) },
+    case: verdict,
+  };
+  const hits = ordered.map((root, i): Hit => {
+    const t = ownNumber(own, `t${i + 1}`, ar) ?? root;
+    return { t: toNumber(t), known: known[i] ?? true, ...hit(course, all, t, i + 1, own, ar) };
+  });
+  hits
+    .filter((one) => one.known)
+    .forEach(({ t, P, N }, i) => {
+      Object.assign(found, { [`t${i + 1}`]: t, [`P${i + 1}`]: P, [`N${i + 1}`]: N });
+    });
+  return { ...found, ...firstVisible(hits, verdict, course.rules) };
+}
+
+interface Hit {
+  readonly t: number;
+  readonly P: Vec3;
+  readonly N: Vec3;
+  /** Not on a nappe that was forgotten. */
+  readonly known: boolean;
+}
+
+const COUNTED = ['none', 'one', 'two'];
+
+/** The absolute threshold that many programs compare with. It is right at one scale only: that is the misconception. */
+const EPSILON = 1e-6;
+
+function solve<T>(
+  { rules, linear, double, roots }: CurvedCourse,
+  values: Values<T>,
+  ar: Arithmetic<T>,
+): { readonly case: string; readonly roots: readonly T[] } {
+  const { A, B, C, D } = values.scalars as Readonly<Record<'A' | 'B' | 'C' | 'D', T>>;
+  const isZero = (x: T, epsilon: boolean): boolean =>
+    ar.sign(x) === 0 || (epsilon && Math.abs(ar.toNumber(x)) < EPSILON);
+  if (rules.linear !== 'ignored' && isZero(A, rules.linear === 'epsilon')) {
+    if (ar.sign(B) !== 0) return { case: 'one', roots: [evaluate(linear, ar, values)] };
+    return { case: ar.sign(C) === 0 ? 'contained' : 'none', roots: [] };
+  }
+  const sign = isZero(D, rules.tangent === 'epsilon') ? 0 : ar.sign(D);
+  if (sign < 0 || (sign === 0 && rules.tangent === 'lost')) return { case: 'none', roots: [] };
+  if (sign === 0) return { case: 'tangent', roots: [evaluate(double, ar, values)] };
+  const pair = [evaluate(roots, ar, values, -1), evaluate(roots, ar, values, 1)] as const;
+  const swapped = ar.toNumber(pair[0]) > ar.toNumber(pair[1]);
+  return { case: 'two', roots: swapped ? [pair[1], pair[0]] : pair };
+}
+
+/** Only where the second nappe is forgotten does this drop a root. */
+function onKnownNappe<T>(
+  { rules, P }: CurvedCourse,
+  values: Values<T>,
+  t: T,
+  ar: Arithmetic<T>,
+): boolean {
+  const vertex = values.vectors.V;
+  if (rules.nappes === 'both' || !vertex) return true;
+  const y = evaluate(P[1], ar, withScalars(values, { t }));
+  return ar.sign(ar.sub(y, vertex[1])) >= 0;
+}
+
+function hit<T>(
+  { P, N }: CurvedCourse,
+  values: Values<T>,
+  t: T,
+  index: number,
+  own: Answers,
+  ar: Arithmetic<T>,
+): Pick<Hit, 'P' | 'N'> {
+  const computed: Triple<T> = evaluateTriple(P, ar, withScalars(values, { t }));
+  const point = ownTriple(own, `P${index}`, ar) ?? computed;
+  const normal = evaluateTriple(N, ar, withPoint(values, point));
+  return { P: roundedTriple(point, ar), N: roundedTriple(normal, ar) };
+}
+
+/** Of one or two roots, as the student has them. A tangent's one root is t1. */
+function firstVisible(
+  hits: readonly Hit[],
+  verdict: string,
+  { behind, first, light }: Rules,
+): Answers {
+  const seen = hits.filter(({ t, known }) => known && (behind === 'accepted' || t >= 0));
+  const ts = seen.map(({ t }) => t);
+  const t = first === 'nearest' ? Math.min(...ts) : Math.max(...ts);
+  const found = seen.find((one) => Object.is(one.t, t));
+  const why = reason(hits, found, verdict);
+  if (!found) return { first: 'none', why, shadow: 'lit' };
+  const hidden = (t > 0 || behind === 'accepted') && (light === 'forgotten' || t < 1);
+  const shadow = hidden ? 'dark' : 'lit';
+  return { first: `t${hits.indexOf(found) + 1}`, why, shadow, t, P: found.P, N: found.N };
+}
+
+/** Why the other root is not the first visible hit. */
+function reason(hits: readonly Hit[], found: Hit | undefined, verdict: string): string {
+  if (hits.length === 0) return 'no-root';
+  if (!found) return 'behind';
+  const other = hits.find((one) => one !== found);
+  if (!other) return verdict === 'tangent' ? 'double' : 'alone';
+  if (!other.known) return 'behind';
+  return other.t < 0 && found.t >= 0 ? 'behind' : 'farther';
+}

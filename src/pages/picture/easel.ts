@@ -1,0 +1,208 @@
+import type { Picture } from '../../tracer/compare.ts';
+
+export interface EaselModel {
+  readonly width: number;
+  readonly height: number;
+  /** What is traced so far; null shows what was there before. */
+  readonly right: Picture | null;
+  readonly left: Picture | null;
+  /** Drawn over both, if it is to be seen. */
+  readonly errors: (() => ImageData) | null;
+  readonly comparing: boolean;
+  /** Percent of the width that the left picture takes. */
+  readonly split: number;
+  readonly pixel: readonly [number, number] | null;
+  /** Counts up when the pictures' pixels have changed. */
+  readonly version: string;
+}
+
+export interface EaselActions {
+  split(percent: number): void;
+  pixel(x: number, y: number): void;
+  /** The pixel cursor is here, not chosen yet. */
+  cursor(x: number, y: number): void;
+}
+
+export interface Easel {
+  /** For what lies over the pictures. */
+  readonly over: HTMLElement;
+  render(model: EaselModel): void;
+}
+
+/** Percent that an arrow key moves the divider; with Shift a tenth of it. */
+const STEP = 5;
+const FAR_STEP = 10;
+
+/** One picture, or two under each other of which a divider shows one part each; a square marks a pixel. */
+export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
+  host.className = 'easel';
+  const plate = element('div', 'plate', host);
+  plate.tabIndex = 0;
+  plate.setAttribute('role', 'application');
+  const right = canvas('photo', plate);
+  const left = canvas('photo photo-left', plate);
+  const errors = canvas('photo photo-errors', plate);
+  const mark = element('div', 'pixel-mark', plate);
+  const over = element('div', 'easel-over', host);
+  const divider = element('div', 'split', host);
+  divider.tabIndex = 0;
+  divider.setAttribute('role', 'slider');
+  divider.setAttribute('aria-label', 'divider between left and right picture');
+  divider.setAttribute('aria-valuemin', '0');
+  divider.setAttribute('aria-valuemax', '100');
+  element('span', 'split-grip', divider).setAttribute('aria-hidden', 'true');
+  let model: EaselModel | null = null;
+  let drawn = '';
+  let cursor: readonly [number, number] | null = null;
+
+  const place = (): void => {
+    if (!model) return;
+    const at = cursor ?? model.pixel;
+    mark.hidden = at === null;
+    if (at) {
+      mark.style.left = `${(100 * (at[0] + 0.5)) / model.width}%`;
+      mark.style.top = `${(100 * (at[1] + 0.5)) / model.height}%`;
+    }
+  };
+
+  const pixelAt = ({ clientX, clientY }: MouseEvent): readonly [number, number] | null => {
+    if (!model) return null;
+    const box = plate.getBoundingClientRect();
+    const x = Math.floor(((clientX - box.left) / box.width) * model.width);
+    const y = Math.floor(((clientY - box.top) / box.height) * model.height);
+    return inside(x, y, model);
+  };
+
+  plate.addEventListener('click', (event) => {
+    const at = pixelAt(event);
+    cursor = null;
+    if (at) actions.pixel(...at);
+  });
+  plate.addEventListener('keydown', (event) => {
+    if (!model || event.altKey || event.metaKey) return;
+    const here = cursor ?? model.pixel ?? [model.width >> 1, model.height >> 1];
+    if (event.key === 'Enter' || event.key === ' ') {
+      event.preventDefault();
+      cursor = null;
+      actions.pixel(...here);
+      return;
+    }
+    const move = MOVES[event.key];
+    if (!move) return;
+    event.preventDefault();
+    const far = event.ctrlKey || event.key.startsWith('Page') ? FAR_STEP : 1;
+    cursor = inside(here[0] + far * move[0], here[1] + far * move[1], model);
+    place();
+    actions.cursor(...cursor);
+  });
+  plate.addEventListener('blur', () => {
+    cursor = null;
+    place();
+  });
+
+  const toPercent = (clientX: number): number => {
+    const box = plate.getBoundingClientRect();
+    return between((100 * (clientX - box.left)) / box.width);
+  };
+  divider.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    divider.setPointerCapture(event.pointerId);
+    event.preventDefault();
+    divider.focus({ preventScroll: true });
+  });
+  divider.addEventListener('pointermove', (event) => {
+    if (divider.hasPointerCapture(event.pointerId)) actions.split(toPercent(event.clientX));
+  });
+  divider.addEventListener('keydown', (event) => {
+    if (!model || event.ctrlKey || event.altKey || event.metaKey) return;
+    const step = event.shiftKey ? STEP / 10 : STEP;
+    const targets: Readonly<Record<string, number>> = {
+      ArrowLeft: model.split - step,
+      ArrowDown: model.split - step,
+      ArrowRight: model.split + step,
+      ArrowUp: model.split + step,
+      Home: 0,
+      End: 100,
+    };
+    const target = targets[event.key];
+    if (target === undefined) return;
+    event.preventDefault();
+    actions.split(between(target));
+  });
+
+  return {
+    over,
+    render(next) {
+      const same = model?.width === next.width && model.height === next.height;
+      if (!same) cursor = null;
+      model = next;
+      const { width, height, comparing, split } = next;
+      host.style.setProperty('--ratio', `${width} / ${height}`);
+      host.style.setProperty('--split', `${split}%`);
+      plate.setAttribute(
+        'aria-label',
+        `Picture, ${width} by ${height} pixels. Arrow keys move a pixel cursor, with Control by ten; Enter follows the rays of that pixel.`,
+      );
+      host.classList.toggle('coarse', plate.clientWidth > 1.6 * width);
+      const two = comparing && next.errors === null;
+      divider.hidden = !two;
+      left.hidden = !two;
+      errors.hidden = next.errors === null;
+      divider.setAttribute('aria-valuenow', String(split));
+      divider.setAttribute('aria-valuetext', `${split} % left picture`);
+      if (next.version !== drawn) {
+        drawn = next.version;
+        paint(right, next.right);
+        paint(left, next.left);
+        if (next.errors) put(errors, next.errors());
+      }
+      place();
+    },
+  };
+}
+
+const MOVES: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+  PageUp: [0, -1],
+  PageDown: [0, 1],
+};
+
+function inside(x: number, y: number, { width, height }: EaselModel): readonly [number, number] {
+  return [Math.min(Math.max(x, 0), width - 1), Math.min(Math.max(y, 0), height - 1)];
+}
+
+/** A tenth of a percent is less than a pixel, and short to read in a link. */
+const between = (percent: number): number =>
+  Math.round(Math.min(Math.max(percent, 0), 100) * 10) / 10;
+
+function paint(target: HTMLCanvasElement, picture: Picture | null): void {
+  if (!picture) return;
+  const { width, height } = picture;
+  put(target, new ImageData(new Uint8ClampedArray(picture.rgba), width, height));
+}
+
+function put(target: HTMLCanvasElement, data: ImageData): void {
+  if (target.width !== data.width || target.height !== data.height) {
+    target.width = data.width;
+    target.height = data.height;
+  }
+  target.getContext('2d')?.putImageData(data, 0, 0);
+}
+
+function canvas(className: string, parent: Element): HTMLCanvasElement {
+  const made = document.createElement('canvas');
+  made.className = className;
+  made.setAttribute('aria-hidden', 'true');
+  parent.append(made);
+  return made;
+}
+
+function element(tag: string, className: string, parent: Element): HTMLElement {
+  const made = document.createElement(tag);
+  made.className = className;
+  parent.append(made);
+  return made;
+}

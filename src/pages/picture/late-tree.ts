@@ -1,0 +1,34 @@
+import type { TreeModel } from '../../canvas/tree.ts';
+import type { Mounted } from '../../ui/mounted.ts';
+
+/** The view in space, whose code is loaded with the first pixel that is chosen. The list stands without it. */
+export interface LateTree {
+  /** Null takes the view away. */
+  render(model: TreeModel | null): void;
+}
+
+export function lateTree(host: HTMLElement): LateTree {
+  let model: TreeModel | null = null;
+  let mounted: Mounted<TreeModel> | null = null;
+  let asked = false;
+  const load = (): void => {
+    asked = true;
+    import('../../canvas/tree.ts').then(
+      ({ mountTree }) => {
+        mounted = mountTree(host);
+        if (model) mounted.render(model);
+      },
+      () => {
+        host.textContent = 'The view in space could not be loaded. The list has every ray.';
+      },
+    );
+  };
+  return {
+    render(next) {
+      model = next;
+      host.hidden = next === null;
+      if (next && !asked) load();
+      if (next) mounted?.render(next);
+    },
+  };
+}

@@ -1,0 +1,78 @@
+import type { Picture } from '../../tracer/compare.ts';
+
+/** Pixels to each side of the one that is chosen. */
+const ACROSS = 17;
+const DOWN = 4;
+
+export interface LoupeModel {
+  readonly pixel: readonly [number, number];
+  readonly left: Picture | null;
+  readonly right: Picture | null;
+  readonly comparing: boolean;
+}
+
+export interface Loupe {
+  /** Null takes it away. */
+  render(model: LoupeModel | null): void;
+}
+
+/** The chosen pixel among its neighbours, large, from each picture, with its colour in figures. */
+export function createLoupe(host: HTMLElement): Loupe {
+  const sides = [glass(host), glass(host)] as const;
+  return {
+    render(model) {
+      host.hidden = model === null;
+      if (!model) return;
+      const [left, right] = sides;
+      left.root.hidden = !model.comparing;
+      show(left, model.left, model.pixel);
+      show(right, model.right, model.pixel);
+    },
+  };
+}
+
+interface Glass {
+  readonly root: HTMLElement;
+  readonly canvas: HTMLCanvasElement;
+  readonly colour: HTMLElement;
+}
+
+function glass(host: HTMLElement): Glass {
+  const root = document.createElement('figure');
+  root.className = 'loupe';
+  const canvas = document.createElement('canvas');
+  canvas.width = 2 * ACROSS + 1;
+  canvas.height = 2 * DOWN + 1;
+  canvas.setAttribute('aria-hidden', 'true');
+  const frame = document.createElement('span');
+  frame.className = 'loupe-frame';
+  const colour = document.createElement('figcaption');
+  root.append(canvas, frame, colour);
+  host.append(root);
+  return { root, canvas, colour };
+}
+
+function show(
+  { canvas, colour }: Glass,
+  picture: Picture | null,
+  [x, y]: LoupeModel['pixel'],
+): void {
+  const context = canvas.getContext('2d');
+  if (!context) return;
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  colour.textContent = '';
+  if (!picture) return;
+  const data = context.createImageData(canvas.width, canvas.height);
+  for (let j = 0; j < data.height; j++) {
+    for (let i = 0; i < data.width; i++) {
+      const [px, py] = [x - ACROSS + i, y - DOWN + j];
+      if (px < 0 || py < 0 || px >= picture.width || py >= picture.height) continue;
+      const from = 4 * (py * picture.width + px);
+      data.data.set(picture.rgba.subarray(from, from + 4), 4 * (j * data.width + i));
+    }
+  }
+  context.putImageData(data, 0, 0);
+  const at = 4 * (y * picture.width + x);
+  const figures = [...picture.rgba.subarray(at, at + 3)];
+  colour.textContent = `#${figures.map((n) => n.toString(16).padStart(2, '0')).join('')}`;
+}

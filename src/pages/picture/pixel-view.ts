@@ -1,0 +1,147 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { TreeModel } from '../../canvas/tree.ts';
+import { pixelPanel } from '../../panels/picture-pixel.ts';
+import { sideWords } from '../../state/picture/against.ts';
+import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';
+import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
+import type { RayNode, RayTree } from '../../tracer/types.ts';
+import type { Recorder } from './recorder.ts';
+import type { Shot } from './shot.ts';
+import type { Sight } from './sight.ts';
+
+export interface PixelView {
+  /** The list of rays of the pixel that is chosen; nothing if none is. */
+  panel(sight: Sight): TemplateResult | typeof nothing;
+  /** The same rays for the view in space; null while there are none. */
+  space(sight: Sight): TreeModel | null;
+}
+
+export interface PixelActions {
+  readonly changed: () => void;
+  readonly announce: (words: string) => void;
+  readonly close: () => void;
+}
+
+/** Trees of the pixels that were looked at lately. */
+const MOST_TREES = 24;
+
+type Known = { readonly tree: RayTree } | { readonly problem: string } | 'asked';
+
+export function createPixelView(recorder: Recorder, actions: PixelActions): PixelView {
+  const trees = new Map<string, Known>();
+  /** Kept, so that the view in space is not made anew while nothing changes. */
+  const inSpace = new WeakMap<RayNode, TreeScene>();
+  let sample: number | null = null;
+  let chosen: string | null = null;
+  let opened: ReadonlySet<string> = new Set();
+  let shown = '';
+
+  const treeOf = (shot: Shot, [x, y]: readonly [number, number]): Known => {
+    const key = `${x},${y} ${shot.key}`;
+    const known = trees.get(key);
+    if (known) return known;
+    trees.set(key, 'asked');
+    const [oldest] = trees.keys();
+    if (trees.size > MOST_TREES && oldest !== undefined) trees.delete(oldest);
+    recorder.record(shot, x, y).then(
+      (tree) => {
+        trees.set(key, { tree });
+        actions.changed();
+      },
+      (error: Error) => {
+        trees.set(key, { problem: error.message });
+        actions.changed();
+      },
+    );
+    return 'asked';
+  };
+
+  const rowsOf = (known: Known | null, sight: Sight): readonly TreeRow[] | null => {
+    if (known === null || known === 'asked' || 'problem' in known) return null;
+    const root = known.tree.rays[sampleOf(known.tree)];
+    return root ? treeRows(sight.picture.scene, root, opened) : null;
+  };
+
+  /** The middle one, unless another was chosen: it is the one that comparisons count. */
+  const sampleOf = ({ rays }: RayTree): number =>
+    sample !== null && sample < rays.length ? sample : rays.length >> 1;
+
+  const start = (pixel: readonly [number, number]): void => {
+    if (shown === pixel.join()) return;
+    shown = pixel.join();
+    sample = null;
+    chosen = null;
+    opened = new Set();
+  };
+
+  const tools = {
+    sample(index: number): void {
+      sample = index;
+      chosen = null;
+      actions.changed();
+    },
+    choose(path: string): void {
+      chosen = chosen === path ? null : path;
+      actions.changed();
+    },
+    toggle(path: string): void {
+      const next = new Set(opened);
+      if (!next.delete(path)) next.add(path);
+      opened = next;
+      actions.changed();
+    },
+    close: actions.close,
+  };
+
+  return {
+    panel(sight) {
+      const { pixel, against } = sight.picture;
+      if (!pixel) {
+        shown = '';
+        return nothing;
+      }
+      const isNew = shown !== pixel.join();
+      start(pixel);
+      const { main, other } = sight.shots;
+      const known = treeOf(main, pixel);
+      if (known === 'asked')
+        return html`<p class="pixel-problem" role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
+      if ('problem' in known)
+        return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem}</p>`;
+      const rows = rowsOf(known, sight) ?? [];
+      const first = rows[0];
+      if (isNew && first)
+        actions.announce(
+          `pixel ${pixel.join(', ')}: ${first.verdict}${first.rest}, ${rows.length} rays`,
+        );
+      const left = other ? rowsOf(treeOf(other, pixel), sight) : null;
+      return pixelPanel(
+        {
+          x: pixel[0],
+          y: pixel[1],
+          sample: sampleOf(known.tree),
+          samples: known.tree.rays.length,
+          rows,
+          left,
+          leftWords: other ? sideWords(other.settings, against) : '',
+          rightWords: sideWords(main.settings, against),
+          method: main.settings.method,
+          leftMethod: other?.settings.method ?? main.settings.method,
+          chosen,
+          opened,
+        },
+        tools,
+      );
+    },
+    space({ picture, shots }) {
+      if (!picture.pixel) return null;
+      const known = treeOf(shots.main, picture.pixel);
+      if (known === 'asked' || 'problem' in known) return null;
+      const root = known.tree.rays[sampleOf(known.tree)];
+      if (!root) return null;
+      const scene = inSpace.get(root) ?? treeScene(picture.scene, root);
+      inSpace.set(root, scene);
+      return { scene, chosen };
+    },
+  };
+}

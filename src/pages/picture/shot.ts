@@ -1,0 +1,53 @@
+import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
+import { planEffects } from '../../scene/effects/plan.ts';
+import type { Scene } from '../../scene/types.ts';
+import { otherSide } from '../../state/picture/against.ts';
+import type { PictureSettings } from '../../state/picture/settings.ts';
+import type { TraceSettings } from '../../tracer/types.ts';
+
+/** A picture that can be traced. Two of one key are the same, bit by bit. */
+export interface Shot {
+  readonly key: string;
+  readonly scene: Scene;
+  readonly settings: TraceSettings;
+}
+
+export interface Shots {
+  readonly main: Shot;
+  /** The other side of the comparison. */
+  readonly other: Shot | null;
+  /** By effect, the picture in which that effect is as it is not in the main one. */
+  readonly toggled: Readonly<Partial<Record<EffectId, Shot>>>;
+  /** Of those, the ones that the ledger needs for what was forced. */
+  readonly baselines: readonly Shot[];
+}
+
+export function shotsOf(picture: PictureSettings, method: string): Shots {
+  const { scene, sceneText, width, height, samples, lightSamples, start, forced } = picture;
+  const settings = { width, height, samples, lightSamples, method, start, forced };
+  const shot = (changed: TraceSettings): Shot => ({
+    key: JSON.stringify([sceneText, { ...changed, forced: differing(scene, changed) }]),
+    scene,
+    settings: changed,
+  });
+  const plan = planEffects(scene, forced);
+  const toggled = plan.map(({ id, runs, forced: how }) => {
+    const without = { ...forced, [id]: runs ? 'off' : 'on' } as const;
+    const { [id]: _, ...left } = forced;
+    return [id, shot({ ...settings, forced: how === 'no' ? without : left })] as const;
+  });
+  const own: Shots['toggled'] = Object.fromEntries(toggled);
+  return {
+    main: shot(settings),
+    other: picture.against && shot(otherSide(settings, picture.against)),
+    toggled: own,
+    baselines: plan.flatMap(({ id, forced: how }) => (how === 'no' ? [] : (own[id] ?? []))),
+  };
+}
+
+/** What forcing changes in this scene: 'on' for what is needed anyway is the same picture. */
+function differing(scene: Scene, { forced }: TraceSettings): string {
+  const plan = planEffects(scene, forced);
+  const order = EFFECTS.map(({ id }) => plan.find((effect) => effect.id === id)?.forced ?? 'no');
+  return order.join();
+}

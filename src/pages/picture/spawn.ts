@@ -1,0 +1,15 @@
+import type { WorkerLike } from '../../workers/trace-job.ts';
+
+export type Spawn = () => WorkerLike;
+
+/**
+ * How a tracer is started. One file that needs no other holds the worker inside; the site's own is a file, and loads the
+ * effects' code when a scene needs it. Of the two imports a build keeps one.
+ */
+export async function tracerSpawner(): Promise<Spawn> {
+  const { default: TraceWorker } =
+    import.meta.env.MODE === 'single'
+      ? await import('../../workers/trace.ts?worker&inline')
+      : await import('../../workers/trace.ts?worker');
+  return () => new TraceWorker();
+}

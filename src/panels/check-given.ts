@@ -1,0 +1,49 @@
+import { html, type TemplateResult } from 'lit';
+import type { Input } from '../check/types.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { display, displayTriple, MINUS } from '../text/format.ts';
+import { symbol } from './formula.ts';
+import { classOf } from './symbols.ts';
+
+/** More digits than the page's usual six: these numbers are to be copied onto paper. */
+const DIGITS = 8;
+
+const text = (value: unknown): string => {
+  if (Array.isArray(value)) return displayTriple(value as unknown as Vec3, DIGITS);
+  return typeof value === 'number' ? display(value, DIGITS) : String(value);
+};
+
+/** E, d and the shape's parameters, each in its symbol's colour; `unknown` is the one that is asked for. */
+export function inputRow({ shape, ray }: Input, unknown: string | null = null): TemplateResult {
+  const { params, title } = definitionOf(shape);
+  const given = shape as unknown as Readonly<Record<string, unknown>>;
+  return html`<ul class="given" aria-label=${`The ray and the ${title}`}>
+    ${item('E', 'vector', text(ray.origin))} ${item('d', 'vector', text(ray.direction))}
+    ${params.map(({ symbol: letter, key, type }) =>
+      item(
+        letter,
+        type === 'vector' ? 'vector' : 'scalar',
+        key === unknown ? '?' : text(given[key]),
+      ),
+    )}
+  </ul>`;
+}
+
+function item(letter: string, sort: 'vector' | 'scalar', words: string): TemplateResult {
+  const cls = classOf(letter, sort);
+  const name = /^[a-zA-Z]$/.test(letter)
+    ? symbol(letter, null, cls, letter)
+    : html`<span>normal along</span>`;
+  return html`<li>${name}${/^[a-zA-Z]$/.test(letter) ? ' = ' : ' '}<span class=${cls}>${words}</span></li>`;
+}
+
+/** "E = (6, 1, 2), d = (−1, 0, 0), C = …" in one line of plain text. */
+export function inputWords({ shape, ray }: Input): string {
+  const given = shape as unknown as Readonly<Record<string, unknown>>;
+  const own = definitionOf(shape).params.map(({ symbol: s, key }) => `${s} = ${text(given[key])}`);
+  return [`E = ${text(ray.origin)}`, `d = ${text(ray.direction)}`, ...own]
+    .join(', ')
+    .replaceAll('NaN', 'not a number')
+    .replaceAll(`${MINUS}Infinity`, `${MINUS}∞`);
+}

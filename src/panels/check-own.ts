@@ -1,0 +1,79 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Texts } from '../check/grade.ts';
+import { FOUR_DIGITS_WORDS } from '../check/grade.ts';
+import { editedLines } from '../check/lines.ts';
+import { type OwnLine, type OwnReport, ownFields } from '../check/own-numbers.ts';
+import type { Input } from '../check/types.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { fieldRow } from './check-field.ts';
+import { inputRow } from './check-given.ts';
+import { derivationLines } from './check-lines.ts';
+import { lineName } from './check-question.ts';
+
+export interface OwnView {
+  readonly input: Input;
+  readonly texts: Texts;
+  /** Null until the student asks. */
+  readonly report: OwnReport | null;
+}
+
+export interface OwnTools {
+  type(field: string, text: string): void;
+  check(): void;
+  clear(): void;
+}
+
+const MARKS: Readonly<Record<OwnLine['verdict'], readonly [FieldGlyph, string]>> = {
+  correct: ['=', 'right'],
+  absent: ['=', 'right: it does not exist'],
+  wrong: ['≠', 'not right'],
+  follows: ['→', 'right for your earlier values'],
+  invalid: ['?', ''],
+};
+
+type FieldGlyph = '=' | '≠' | '?' | '→';
+
+/** What the mark's own words do not say yet. */
+const says = (line: OwnLine | undefined): string =>
+  line?.verdict === 'wrong' || line?.verdict === 'invalid' ? line.note : '';
+
+/** A student's own derivation, line by line; whatever is empty is not asked for. */
+export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): TemplateResult {
+  const lineOf = (id: string): OwnLine | undefined =>
+    report?.lines.find(({ field }) => field.id === id);
+  return html`<form class="answers own" @submit=${(event: Event) => {
+    event.preventDefault();
+    tools.check();
+  }}>
+    <p class="ask">Type what you have for this ${definitionOf(input.shape).title} and ray, as far as you got. A dash says that a quantity does not exist.</p>
+    ${inputRow(input)}
+    <div class="own-fields">${ownFields(input).map((field) => {
+      const line = lineOf(field.id);
+      const [glyph, words] = line ? MARKS[line.verdict] : ['' as const, ''];
+      return fieldRow({
+        field,
+        id: `own-${field.id}`,
+        text: texts[field.id] ?? '',
+        mark: [words, says(line)].filter(Boolean).join(': '),
+        glyph,
+        invalid: line?.verdict === 'invalid',
+        onText: (text) => tools.type(field.id, text),
+      });
+    })}</div>
+    <div class="commit">
+      <button type="submit" class="button primary">Check my numbers</button>
+      <button type="button" class="button" @click=${tools.clear}>Clear</button>
+      <span class="tolerance">${FOUR_DIGITS_WORDS}</span>
+    </div>
+    <div role="status" aria-live="polite">${report ? verdict(report, input) : nothing}</div>
+  </form>`;
+}
+
+function verdict({ says, firstWrong, cause }: OwnReport, input: Input): TemplateResult {
+  const edited = cause ? editedLines(cause, input) : [];
+  return html`<div class="feedback" data-verdict=${firstWrong ? 'wrong' : 'correct'} data-cause=${cause?.id ?? nothing}>
+    <p class="verdict"><span class="glyph" aria-hidden="true">${firstWrong ? '≠' : '='}</span> ${says}</p>
+    ${cause ? html`<p>This is what comes out with ${cause.says}. It happens on ${lineName(cause.line)}. ${cause.remedy}</p>` : nothing}
+    ${edited.length > 0 ? derivationLines(edited, 'numbers') : nothing}
+  </div>`;
+}

@@ -1,0 +1,40 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Summary } from '../check/summary.ts';
+import './check-summary.css';
+
+export interface SummaryTools {
+  save(): void;
+  print(): void;
+  restart(): void;
+}
+
+/** Per topic, what was right at which try. */
+export function summaryTable(
+  { seed, right, total, lines }: Summary,
+  tools: SummaryTools,
+): TemplateResult {
+  return html`<details class="summary">
+    <summary>Summary: ${right} of ${total} right, seed ${seed}</summary>
+    <div class="table-area" tabindex="0" role="region" aria-label="Summary of the session">
+    <table>
+      <thead><tr><th scope="col">#</th><th scope="col">topic</th><th scope="col">shape</th><th scope="col">result</th><th scope="col">hints</th><th scope="col">named on the way</th></tr></thead>
+      <tbody>${lines.map(
+        (line) => html`<tr>
+          <td>${line.question}</td>
+          <th scope="row">${line.topic}</th>
+          <td>${line.shape}</td>
+          <td>${line.says}</td>
+          <td>${line.hints || nothing}</td>
+          <td>${line.misconceptions.join('; ')}</td>
+        </tr>`,
+      )}</tbody>
+    </table>
+    </div>
+    <p class="tolerance">Nothing is sent anywhere; it stays on this device.</p>
+    <div class="buttons">
+      <button type="button" class="button" @click=${tools.print}>Print</button>
+      <button type="button" class="button" @click=${tools.save}>Save as JSON</button>
+      <button type="button" class="button" @click=${tools.restart}>Start this seed anew</button>
+    </div>
+  </details>`;
+}

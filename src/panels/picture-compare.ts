@@ -1,0 +1,116 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Scene } from '../scene/types.ts';
+import { AGAINST, type Against, sideWords } from '../state/picture/against.ts';
+import {
+  causeWords,
+  mainOptions,
+  type SideOption,
+  sideOptions,
+} from '../state/picture/compare-words.ts';
+import { grouped, percent } from '../state/picture/ledger.ts';
+import { display, shortest } from '../text/format.ts';
+import type { Comparison } from '../tracer/compare.ts';
+import type { TraceSettings } from '../tracer/types.ts';
+import './picture-compare.css';
+
+export interface CompareTools {
+  /** What the left side is to differ in; '' ends the comparison. */
+  left(value: string): void;
+  /** 'method:…' or 'start:…' */
+  right(value: string): void;
+  show(what: 'both' | 'errors'): void;
+}
+
+/** A picker over each side, which names all that differs. */
+export function sidePickers(
+  scene: Scene,
+  settings: TraceSettings,
+  other: TraceSettings,
+  against: Against,
+  tools: CompareTools,
+): TemplateResult {
+  const current = AGAINST.write(against);
+  return html`${side(
+    'left',
+    sideOptions(scene, settings, against),
+    current,
+    tools.left,
+    [{ value: '', words: 'no comparison' }],
+    sideWords(other, against),
+  )}
+  ${side(
+    'right',
+    mainOptions(settings),
+    '=',
+    tools.right,
+    [{ value: '=', words: sideWords(settings, against) }],
+    sideWords(settings, against),
+  )}`;
+}
+
+function side(
+  name: 'left' | 'right',
+  options: readonly SideOption[],
+  current: string,
+  pick: (value: string) => void,
+  more: readonly SideOption[],
+  words: string,
+): TemplateResult {
+  const changed = (event: Event): void => {
+    const { value } = event.target as HTMLSelectElement;
+    if (value !== '=') pick(value);
+  };
+  return html`<select class="side side-${name}" aria-label=${`${name} side`} title=${words} @change=${changed}>
+    ${[...more, ...options].map(
+      ({ value, words: text }) =>
+        html`<option value=${value} ?selected=${value === current}>${text}</option>`,
+    )}
+  </select>`;
+}
+
+export interface ComparisonShown {
+  /** Null until both pictures are finished. */
+  readonly found: Comparison | null;
+  readonly trustsLeft: boolean;
+  readonly show: 'both' | 'errors';
+}
+
+/** How much differs, and why; then what kinds of difference there are. */
+export function comparisonWords(
+  settings: TraceSettings,
+  against: Against,
+  { found, trustsLeft, show }: ComparisonShown,
+  tools: CompareTools,
+): TemplateResult {
+  const cause = causeWords(settings, against);
+  return html`<p class="compare-sentence">${
+    found
+      ? html`<strong data-quantity="differing" data-value=${found.differing} title=${`${grouped(found.differing)} of ${grouped(found.pixels)} pixels`}>${found.differing === 0 ? 'None' : percent(found.differing, found.pixels)}</strong> of the pixels differ${found.differing > 0 ? html` (${grouped(found.differing)})` : nothing}. `
+      : nothing
+  }${cause}</p>
+  <p class="compare-counts">${found ? counts(found, trustsLeft ? 'right' : 'left') : nothing}
+    <span class="show-switch" role="group" aria-label="what is shown">${switchTo('both', 'side by side')}${switchTo('errors', 'error map')}</span>
+  </p>
+  ${show === 'errors' ? html`<p class="compare-key">Black: another surface, or none. Dark grey: another colour. Paler: only digits of t differ. Empty: the same bits.</p>` : nothing}`;
+
+  function switchTo(what: 'both' | 'errors', words: string): TemplateResult {
+    return html`<button type="button" aria-pressed=${show === what} @click=${() => tools.show(what)}>${words}</button>`;
+  }
+}
+
+/** `side`: the one that is not to be trusted, or on the left if both are. */
+function counts(
+  { verdicts, holes, ghosts, mostDigits }: Comparison,
+  side: 'left' | 'right',
+): TemplateResult {
+  const lost = Number.isNaN(mostDigits)
+    ? nothing
+    : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
+  const count = (name: string, n: number): TemplateResult =>
+    html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
+  const kinds =
+    verdicts > 0
+      ? html`: the ${side} misses ${count('holes', holes)} that are hit, hits ${count('ghosts', ghosts)} that miss`
+      : nothing;
+  return html`<span class="counts">${count('verdicts', verdicts)} other verdicts${kinds}${lost}</span>`;
+}

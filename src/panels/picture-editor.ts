@@ -1,0 +1,114 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import { SHAPES, type Shape } from '../math/shapes/index.ts';
+import { findShape } from '../math/shapes/lookup.ts';
+import { addLight, addShape, addThing, freeId, remove } from '../scene/edit.ts';
+import type { Scene } from '../scene/types.ts';
+import {
+  LIGHT_KINDS,
+  LIGHT_WORDS,
+  materialWords,
+  newLight,
+  newThing,
+} from '../state/picture/edits.ts';
+import { lightForm } from './picture-light.ts';
+import { thingForm } from './picture-thing.ts';
+import { cameraForm, worldForm } from './picture-world.ts';
+import './picture-editor.css';
+
+export interface EditorTools {
+  /** The scene as it is to be; with what is to be edited next, if that changes. */
+  change(scene: Scene, edit?: string | null): void;
+  edit(id: string | null): void;
+  save(): void;
+  open(): void;
+}
+
+/** Forms that are no thing's and no light's; no name begins like this in a scene of ours. */
+export const CAMERA = '@camera';
+export const WORLD = '@world';
+
+/** Everything in the scene, each with its form; what can be added. */
+export function editor(
+  scene: Scene,
+  edit: string | null,
+  explored: Shape,
+  tools: EditorTools,
+): TemplateResult {
+  return html`<p class="editor-acts">
+      <button type="button" class="plain-button" @click=${tools.save}>Save scene</button>
+      <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
+      <span>A scene's file can also be dropped on the page.</span>
+    </p>
+    <ul class="parts">
+      ${scene.things.map((thing) =>
+        part(
+          thing.id,
+          html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d=${findShape(thing.shape.kind)?.icon ?? ''} /></svg>`,
+          materialWords(thing.material),
+          edit === thing.id ? thingForm(scene, thing, tools.change) : null,
+          tools,
+          () => tools.change(remove(scene, thing.id), null),
+        ),
+      )}
+      ${scene.lights.map((light) =>
+        part(
+          light.id,
+          LAMP,
+          light.light === 'sun'
+            ? 'sun'
+            : light.light === 'sphere'
+              ? `light of radius ${light.radius}`
+              : 'light',
+          edit === light.id ? lightForm(scene, light, tools.change) : null,
+          tools,
+          () => tools.change(remove(scene, light.id), null),
+        ),
+      )}
+      ${part(CAMERA, EYE, `${scene.camera.angle}°`, edit === CAMERA ? cameraForm(scene, tools.change) : null, tools, null)}
+      ${part(WORLD, nothing, 'what a ray sees that meets nothing', edit === WORLD ? worldForm(scene, tools.change) : null, tools, null)}
+    </ul>
+    <div class="adding" role="group" aria-label="Add a shape">
+      <span>Add</span>
+      ${SHAPES.map(
+        ({ kind, title, icon }) =>
+          html`<button type="button" class="add" title=${`add a ${title}`} aria-label=${`add a ${title}`} @click=${() => {
+            const thing = newThing(scene, kind);
+            tools.change(addThing(scene, thing), thing.id);
+          }}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon} /></svg></button>`,
+      )}
+      <button type="button" class="textual" @click=${() => tools.change(addShape(scene, explored), freeId(scene, explored.kind))}>the ${findShape(explored.kind)?.title} of Explore</button>
+    </div>
+    <div class="adding" role="group" aria-label="Add a light">
+      <span>Add</span>
+      ${LIGHT_KINDS.map(
+        (kind) =>
+          html`<button type="button" class="textual" @click=${() => {
+            const light = newLight(scene, kind);
+            tools.change(addLight(scene, light), light.id);
+          }}>${LIGHT_WORDS[kind]}</button>`,
+      )}
+    </div>`;
+}
+
+function part(
+  id: string,
+  icon: TemplateResult | typeof nothing,
+  words: string,
+  form: TemplateResult | null,
+  tools: EditorTools,
+  take: (() => void) | null,
+): TemplateResult {
+  const name = id === CAMERA ? 'camera' : id === WORLD ? 'background' : id;
+  return html`<li class="part" data-part=${id}>
+    <div class="part-line">
+      <button type="button" class="part-name" aria-expanded=${form !== null} @click=${() => tools.edit(form ? null : id)}>
+        <span class="part-icon">${icon}</span><strong>${name}</strong><span class="part-words">${words}</span>
+      </button>
+      ${take ? html`<button type="button" class="textual" aria-label=${`remove ${name}`} @click=${take}>remove</button>` : nothing}
+    </div>
+    ${form ? html`<div class="part-form">${form}</div>` : nothing}
+  </li>`;
+}
+
+const LAMP = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d="M12 3v3M12 18v3M3 12h3M18 12h3M5.6 5.6l2.2 2.2M16.200 16.200l2.200 2.200M5.600 18.400l2.200-2.200M16.200 7.800l2.200-2.200M15.500 12a3.500 3.500 0 1 1-7 0a3.500 3.500 0 1 1 7 0" /></svg>`;
+const EYE = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d="M3 12C6 7 9 5.500 12 5.500S18 7 21 12C18 17 15 18.500 12 18.500S6 17 3 12M15 12a3 3 0 1 1-6 0a3 3 0 1 1 6 0" /></svg>`;

@@ -1,0 +1,98 @@
+import { html, type TemplateResult } from 'lit';
+import { AXES, type Vec3 } from '../math/vec3.ts';
+import '../ui/number-box.ts';
+import '../ui/slider.ts';
+import './picture-fields.css';
+
+export interface NumberField {
+  readonly label: string;
+  readonly value: number;
+  readonly range: readonly [number, number];
+  readonly step: number;
+  readonly check: (value: number) => string | null;
+  readonly send: (value: number) => void;
+}
+
+/** A word, a box and a slider. */
+export function numberField({
+  label,
+  value,
+  range,
+  step,
+  check,
+  send,
+}: NumberField): TemplateResult {
+  const take = (event: CustomEvent<number>): void => {
+    if (check(event.detail) === null) send(event.detail);
+  };
+  return html`<div class="field" @graze-value=${take}>
+    <span class="field-label" aria-hidden="true">${label}</span>
+    <graze-number id=${`field-${slug(label)}`} .value=${value} .step=${step} .label=${label} .check=${check}></graze-number>
+    <graze-slider .value=${value} .least=${range[0]} .most=${range[1]} .step=${step} .label=${`${label}, slider`}></graze-slider>
+  </div>`;
+}
+
+export interface TripleField {
+  readonly label: string;
+  readonly value: Vec3;
+  readonly names?: readonly [string, string, string];
+  readonly step: number;
+  readonly check: (value: Vec3) => string | null;
+  readonly send: (value: Vec3) => void;
+}
+
+/** A word and three boxes; three numbers can be pasted into any of them. */
+export function tripleField({
+  label,
+  value,
+  names,
+  step,
+  check,
+  send,
+}: TripleField): TemplateResult {
+  const put = (i: number, x: number): Vec3 =>
+    value.map((old, k) => (k === i ? x : old)) as unknown as Vec3;
+  const take = (next: Vec3): void => {
+    if (check(next) === null) send(next);
+  };
+  return html`<div class="field triple" role="group" aria-label=${label} @graze-triple=${(e: CustomEvent<Vec3>) => take(e.detail)}>
+    <span class="field-label">${label}</span>
+    ${AXES.map((axis, i) => {
+      const name = `${label}, ${names?.[i] ?? axis}`;
+      return html`<span class="field-part" @graze-value=${(e: CustomEvent<number>) => take(put(i, e.detail))}>
+        <span class="axis" aria-hidden="true">${names?.[i] ?? axis}</span>
+        <graze-number id=${`field-${slug(name)}`} .value=${value[i] ?? 0} .step=${step} .label=${name} .check=${(x: number) => check(put(i, x))}></graze-number>
+      </span>`;
+    })}
+  </div>`;
+}
+
+export function colourField(
+  label: string,
+  value: string,
+  send: (value: string) => void,
+): TemplateResult {
+  return html`<label class="field-colour"><input type="color" .value=${value} @input=${(e: Event) => send((e.target as HTMLInputElement).value)} /> ${label}</label>`;
+}
+
+export function checkField(
+  label: string,
+  value: boolean,
+  send: (value: boolean) => void,
+): TemplateResult {
+  return html`<label class="field-check"><input type="checkbox" .checked=${value} @change=${(e: Event) => send((e.target as HTMLInputElement).checked)} /> ${label}</label>`;
+}
+
+export function choiceField<W extends string>(
+  label: string,
+  options: readonly (readonly [value: W, words: string])[],
+  value: W,
+  send: (value: W) => void,
+): TemplateResult {
+  return html`<label class="field-choice">${label}
+    <select @change=${(e: Event) => send((e.target as HTMLSelectElement).value as W)}>
+      ${options.map(([id, words]) => html`<option value=${id} ?selected=${id === value}>${words}</option>`)}
+    </select></label>`;
+}
+
+const slug = (label: string): string => label.replace(/\W+/g, '-');

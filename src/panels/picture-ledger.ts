@@ -1,0 +1,151 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { EffectId } from '../scene/effects/index.ts';
+import {
+  grouped,
+  type LedgerModel,
+  type LedgerRow,
+  msWords,
+  percent,
+} from '../state/picture/ledger.ts';
+import { shortest } from '../text/format.ts';
+import type { Cost } from '../tracer/types.ts';
+import './picture-ledger.css';
+
+export interface LedgerTools {
+  force(id: EffectId, how: 'on' | 'off' | 'no'): void;
+  /** Traces the picture once more without each effect, to count the pixels that it changes. */
+  measure(): void;
+  /** What `measure` would still do; 0 when all is counted. */
+  readonly unmeasured: number;
+  readonly isMeasuring: boolean;
+}
+
+const SAMPLE_WORDS: Readonly<Record<number, string>> = {
+  1: 'one through every pixel',
+  4: 'four through every pixel',
+  9: 'nine through every pixel',
+  16: 'sixteen through every pixel',
+};
+
+/** What was simulated, why, and what it cost; then what was not, and why not. */
+export function ledger(model: LedgerModel, tools: LedgerTools): TemplateResult {
+  const { camera, simulated, idle, total, pixels } = model;
+  return html`<table class="ledger">
+      <thead>
+        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th scope="col">rays</th><th scope="col">roots</th><th scope="col">ms</th><th scope="col">pixels it changes</th></tr>
+      </thead>
+      <tbody class="entry" data-effect="camera">
+        <tr>
+          <th scope="row">camera rays</th>
+          ${costCells(camera.cost)}
+          <td>all</td>
+        </tr>
+        ${under(SAMPLE_WORDS[model.samples] ?? '', nothing, camera)}
+      </tbody>
+      ${simulated.map((row) => simulatedRow(row, pixels, tools))}
+      <tbody class="entry total" data-effect="total">
+        <tr>
+          <th scope="row">picture</th>
+          ${costCells(total.rays > 0 ? total : null)}
+          <td></td>
+        </tr>
+      </tbody>
+    </table>
+    <p class="ledger-kinds">${kinds(model)}</p>
+    ${measureLine(tools)}
+    <h3 class="ledger-title">Not simulated</h3>
+    <ul class="idle">
+      ${idle.map((row) => idleRow(row, pixels, tools))}
+      <li class="idle-row" data-effect="radiosity">
+        ${DASH}<span class="idle-name">light from other surfaces</span>
+        <span class="idle-reason">never: a constant stands in for it</span>
+      </li>
+    </ul>`;
+}
+
+function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateResult {
+  const forcedOn = row.forced === 'on';
+  const reason = forcedOn
+    ? html`<strong>forced on</strong>; not needed: ${row.reason}`
+    : row.reason;
+  const toggle = forcedOn
+    ? button(row, 'no', 'let the scene decide', tools)
+    : button(row, 'off', 'force off', tools);
+  return html`<tbody class="entry" data-effect=${row.id}>
+    <tr>
+      <th scope="row">${row.title}${needed(row)}</th>
+      ${costCells(row.cost)}
+      <td>${changed(row, pixels)}</td>
+    </tr>
+    ${under(reason, toggle, row)}
+  </tbody>`;
+}
+
+/** The reason, and the bar: placed where its share begins. */
+function under(
+  reason: TemplateResult | string,
+  toggle: TemplateResult | typeof nothing,
+  { cost, share, from }: Pick<LedgerRow, 'cost' | 'share' | 'from'>,
+): TemplateResult {
+  const words = cost ? `${percent(share, 1)} of the time` : '';
+  return html`<tr class="why"><td colspan="5">
+      <span class="reason-line"><span>${reason}</span>${toggle}</span>
+      <svg class="bar" viewBox="0 0 1000 8" preserveAspectRatio="none" role="img" aria-label=${words || 'not traced yet'} data-quantity="share" data-value=${shortest(share)}><title>${words}</title><rect class="part" x=${1000 * from} y="0" width=${1000 * share} height="8" /></svg>
+    </td></tr>`;
+}
+
+function costCells(cost: Cost | null): TemplateResult {
+  if (!cost) return html`<td></td><td></td><td></td>`;
+  return html`<td data-quantity="rays" data-value=${cost.rays}>${grouped(cost.rays)}</td>
+    <td data-quantity="solves" data-value=${cost.roots} title=${`${grouped(cost.questions)} questions to a surface`}>${grouped(cost.roots)}</td>
+    <td data-quantity="ms" data-value=${shortest(cost.ms)}>${msWords(cost.ms)}</td>`;
+}
+
+function needed({ needed: is }: LedgerRow): TemplateResult {
+  return html`<span class="visually-hidden" data-quantity="needed" data-value=${String(is)}>${is ? ', needed' : ', not needed'}</span>`;
+}
+
+function changed({ pixels }: LedgerRow, all: number): TemplateResult | string {
+  if (pixels === null) return '';
+  const title = `${grouped(pixels)} of ${grouped(all)} pixels`;
+  const words = pixels === 0 ? 'none' : percent(pixels, all);
+  return html`<span data-quantity="pixels" data-value=${pixels} title=${title}>${words}</span>`;
+}
+
+const DASH = html`<span class="idle-dash" aria-hidden="true"></span>`;
+
+function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateResult {
+  const off = row.forced === 'off';
+  const lost = row.pixels === null ? nothing : html`; ${changed(row, pixels)} of the pixels differ`;
+  return html`<li class="idle-row" data-effect=${row.id}>
+    ${DASH}<span class="idle-name">${row.title}${needed(row)}<span class="visually-hidden" data-quantity="rays" data-value="0">, 0 rays</span></span>
+    <span class="idle-reason">${off ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}` : row.reason}</span>
+    ${off ? button(row, 'no', 'let the scene decide', tools) : button(row, 'on', 'force on', tools)}
+  </li>`;
+}
+
+function button(
+  { id, title }: LedgerRow,
+  how: 'on' | 'off' | 'no',
+  words: string,
+  tools: LedgerTools,
+): TemplateResult {
+  return html`<button type="button" class="textual" aria-label=${`${title}: ${words}`} @click=${() => tools.force(id, how)}>${words}</button>`;
+}
+
+function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | typeof nothing {
+  if (total.rays === 0) return nothing;
+  const count = (kind: keyof typeof of): TemplateResult =>
+    html`<span data-quantity="rays.${kind}" data-value=${of[kind]}>${grouped(of[kind])} ${kind}</span>`;
+  return html`${count('camera')} · ${count('shadow')} · ${count('reflected')} · ${count('refracted')};
+    <span data-quantity="rays.saved" data-value=${saved} title="what they could bring is less than half a level of 255">${grouped(saved)} saved by the weight bound</span>${
+      cut > 0 ? html`, ${grouped(cut)} cut off after the last bounce` : nothing
+    }`;
+}
+
+function measureLine({ measure, unmeasured, isMeasuring }: LedgerTools): TemplateResult {
+  if (isMeasuring)
+    return html`<p class="measure" role="status">counting the pixels that each effect changes…</p>`;
+  if (unmeasured === 0) return html`<p class="measure"></p>`;
+  return html`<p class="measure"><button type="button" class="textual" @click=${measure}>count the pixels that each changes</button>, by tracing once without it</p>`;
+}

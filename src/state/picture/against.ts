@@ -1,0 +1,52 @@
+import { findMethod } from '../../math/intersect.ts';
+import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
+import type { StartRule, TraceSettings } from '../../tracer/types.ts';
+import { readStart, startText, startWords } from './start.ts';
+
+/** The one thing in which the other side of a comparison differs. */
+export type Against =
+  | { readonly change: 'method'; readonly method: string }
+  | { readonly change: 'start'; readonly start: StartRule }
+  | { readonly change: 'effect'; readonly effect: EffectId; readonly force: 'on' | 'off' };
+
+/** In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection'; '' for no comparison. */
+export const AGAINST = {
+  read(text: string): Against | null {
+    if (text === '') return null;
+    const [word = '', ...rest] = text.split(':');
+    const value = rest.join(':');
+    if (word === 'method' && findMethod(value)) return { change: 'method', method: value };
+    if (word === 'start') return { change: 'start', start: readStart(value) };
+    const effect = EFFECTS.find(({ id }) => id === value)?.id;
+    if ((word === 'on' || word === 'off') && effect) {
+      return { change: 'effect', effect, force: word };
+    }
+    throw new InvalidInput(`${quote(text)} is nothing to compare with`);
+  },
+  write(against: Against | null): string {
+    if (!against) return '';
+    if (against.change === 'method') return `method:${against.method}`;
+    if (against.change === 'start') return `start:${startText(against.start)}`;
+    return `${against.force}:${against.effect}`;
+  },
+} as const;
+
+/** The settings of the other side. */
+export function otherSide(settings: TraceSettings, against: Against): TraceSettings {
+  if (against.change === 'method') return { ...settings, method: against.method };
+  if (against.change === 'start') return { ...settings, start: against.start };
+  const forced = { ...settings.forced, [against.effect]: against.force };
+  return { ...settings, forced };
+}
+
+/** What a side is, in the words of a picker: method and start rule, and an effect if that is the cause. */
+export function sideWords(settings: TraceSettings, against: Against | null): string {
+  const method = findMethod(settings.method)?.title ?? settings.method;
+  const start = startWords(settings.start);
+  if (against?.change !== 'effect') return `${method}, ${start}`;
+  const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
+  const forced = settings.forced[against.effect];
+  const words = forced === undefined ? `${title} as called for` : `${title} forced ${forced}`;
+  return `${method}, ${words}`;
+}

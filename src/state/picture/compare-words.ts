@@ -1,0 +1,72 @@
+import { findMethod } from '../../math/intersect.ts';
+import { METHODS } from '../../math/methods/index.ts';
+import { EFFECTS } from '../../scene/effects/index.ts';
+import { planEffects } from '../../scene/effects/plan.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { TraceSettings } from '../../tracer/types.ts';
+import { AGAINST, type Against, otherSide, sideWords } from './against.ts';
+import { readStart, START_TEXTS, startText } from './start.ts';
+
+export interface SideOption {
+  readonly value: string;
+  readonly words: string;
+}
+
+/** Everything that one side can differ in: another method, another start rule, one effect the other way. */
+export function sideOptions(
+  scene: Scene,
+  settings: TraceSettings,
+  current: Against | null,
+): readonly SideOption[] {
+  const methods = METHODS.filter(({ id }) => id !== settings.method).map(
+    ({ id }): Against => ({ change: 'method', method: id }),
+  );
+  const starts = START_TEXTS.filter((text) => text !== startText(settings.start)).map(
+    (text): Against => ({ change: 'start', start: readStart(text) }),
+  );
+  const effects = planEffects(scene, settings.forced).map(
+    ({ id, runs }): Against => ({ change: 'effect', effect: id, force: runs ? 'off' : 'on' }),
+  );
+  const all = [...starts, ...methods, ...effects];
+  const known = all.map(AGAINST.write);
+  if (current && !known.includes(AGAINST.write(current))) all.unshift(current);
+  return all.map((against) => ({
+    value: AGAINST.write(against),
+    words: sideWords(otherSide(settings, against), against),
+  }));
+}
+
+/** What the right side can be changed to. */
+export function mainOptions(settings: TraceSettings): readonly SideOption[] {
+  return sideOptions({ ...NO_SCENE }, settings, null).filter(
+    ({ value }) => value.startsWith('method') || value.startsWith('start'),
+  );
+}
+
+const NO_SCENE: Scene = {
+  title: '',
+  camera: { eye: [0, 0, 1], target: [0, 0, 0], angle: 30 },
+  background: { low: '#000000', high: '#000000' },
+  ambient: 0,
+  things: [],
+  lights: [],
+};
+
+/** What is the same on both sides, and the one thing that is not. */
+export function causeWords(settings: TraceSettings, against: Against): string {
+  if (AGAINST.write(against) === AGAINST.write(sameAs(settings, against))) {
+    return 'Both sides are the same picture.';
+  }
+  if (against.change === 'start') return 'The method is the same; only the start rule is not.';
+  if (against.change === 'method') return 'The start rule is the same; only the method is not.';
+  const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
+  const method = findMethod(settings.method)?.title ?? settings.method;
+  return `Both by ${method}; only ${title} ${against.force === 'off' ? 'is missing' : 'is forced on'} on the left.`;
+}
+
+/** What a side would have to be to be no change. */
+function sameAs(settings: TraceSettings, against: Against): Against | null {
+  if (against.change === 'method') return { change: 'method', method: settings.method };
+  if (against.change === 'start') return { change: 'start', start: settings.start };
+  return null;
+}

@@ -1,0 +1,131 @@
+import type { EffectId } from '../../scene/effects/index.ts';
+import { type PlannedEffect, planEffects } from '../../scene/effects/plan.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { Cost, Ledger, RayKind, TraceSettings } from '../../tracer/types.ts';
+
+/** One effect in the ledger. */
+export interface LedgerRow extends PlannedEffect {
+  /** Null while nothing has been traced, and for what does not run. */
+  readonly cost: Cost | null;
+  /** Which part of the time it took, 0 … 1, and where its part begins behind those above it. */
+  readonly share: number;
+  readonly from: number;
+  /** Pixels that are another colour without it (or, forced off, with it); null if nobody has counted. */
+  readonly pixels: number | null;
+}
+
+export interface LedgerModel {
+  readonly camera: Omit<LedgerRow, keyof PlannedEffect>;
+  /** What runs, in the order of the registry, then what does not. */
+  readonly simulated: readonly LedgerRow[];
+  readonly idle: readonly LedgerRow[];
+  readonly total: Cost;
+  readonly kinds: Readonly<Record<RayKind, number>>;
+  readonly saved: number;
+  readonly cut: number;
+  /** Of the picture. */
+  readonly pixels: number;
+  readonly samples: number;
+}
+
+const NOTHING_SPENT: Cost = { rays: 0, questions: 0, roots: 0, ms: 0 };
+export const EMPTY_LEDGER: Ledger = {
+  camera: NOTHING_SPENT,
+  effects: {},
+  kinds: { camera: 0, shadow: 0, reflected: 0, refracted: 0 },
+  saved: 0,
+  cut: 0,
+};
+
+/** What the page's ledger says of a scene, its settings, and what has been measured so far. */
+export function ledgerModel(
+  scene: Scene,
+  settings: TraceSettings,
+  { camera, effects, kinds, saved, cut }: Ledger,
+  pixels: Readonly<Partial<Record<EffectId, number>>>,
+): LedgerModel {
+  const plan = planEffects(scene, settings.forced);
+  const costs = plan.map(({ id }) => effects[id] ?? NOTHING_SPENT);
+  const total = [camera, ...costs].reduce(sum, NOTHING_SPENT);
+  const shareOf = ({ ms }: Cost): number => (total.ms > 0 ? ms / total.ms : 0);
+  const traced = camera.rays > 0;
+  let from = shareOf(camera);
+  const rows = plan.map((effect, i): LedgerRow => {
+    const cost = costs[i] ?? NOTHING_SPENT;
+    const share = effect.runs ? shareOf(cost) : 0;
+    const row = {
+      ...effect,
+      cost: traced && effect.runs ? cost : null,
+      share,
+      from,
+      pixels: pixels[effect.id] ?? null,
+    };
+    from += share;
+    return row;
+  });
+  return {
+    camera: {
+      cost: traced ? camera : null,
+      share: shareOf(camera),
+      from: 0,
+      pixels: settings.width * settings.height,
+    },
+    simulated: rows.filter(({ runs }) => runs),
+    idle: rows.filter(({ runs }) => !runs),
+    total,
+    kinds,
+    saved,
+    cut,
+    pixels: settings.width * settings.height,
+    samples: settings.samples,
+  };
+}
+
+const sum = (a: Cost, b: Cost): Cost => ({
+  rays: a.rays + b.rays,
+  questions: a.questions + b.questions,
+  roots: a.roots + b.roots,
+  ms: a.ms + b.ms,
+});
+
+/** The ledger for a table program, one effect a line; what did not run is there too, with its reason. */
+export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): string {
+  const head = 'effect,needed,forced,reason,rays,questions,roots,ms,share,pixels changed';
+  const costs = (cost: Cost | null): string =>
+    cost ? [cost.rays, cost.questions, cost.roots, cost.ms].join(',') : '0,0,0,0';
+  const line = (row: LedgerRow): string =>
+    [
+      ...[row.id, row.needed, row.forced, quoted(row.reason), costs(row.cost)],
+      ...[row.share, row.pixels ?? ''],
+    ].join(',');
+  return `${[
+    head,
+    `camera rays,true,no,,${costs(camera.cost)},${camera.share},${camera.pixels}`,
+    ...simulated.map(line),
+    ...idle.map(line),
+    `picture,,,,${costs(total)},1,`,
+  ].join('\n')}\n`;
+}
+
+const quoted = (text: string): string => `"${text.replaceAll('"', '""')}"`;
+
+/** 1 491 968: groups of three, apart by a space that does not break. */
+export function grouped(n: number): string {
+  return String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+}
+
+/** Milliseconds as they are worth reading: 0.42, 7.4, 1 005. */
+export function msWords(ms: number): string {
+  if (ms >= 10) return grouped(Math.round(ms));
+  if (ms === 0) return '0';
+  return ms < 0.005 ? '< 0.01' : ms.toFixed(ms >= 1 ? 1 : 2);
+}
+
+/** A share in percent; what is not nothing is never 0 %, and what is not all is never 100 %. */
+export function percent(part: number, whole: number): string {
+  if (whole === 0 || part === 0) return '0 %';
+  const p = (100 * part) / whole;
+  if (p < 0.05) return '< 0.1 %';
+  if (p > 99.9 && part < whole) return '> 99.9 %';
+  return `${p >= 99.95 ? '100' : p.toFixed(1)} %`;
+}

@@ -1,0 +1,50 @@
+import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
+import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { sceneFromJson, sceneToJson } from '../../scene/json.ts';
+import { PRESETS } from '../../scene/presets/index.ts';
+import type { Scene } from '../../scene/types.ts';
+
+/*
+ * A scene in a link: a preset by its id, any other one as its JSON, deflated, in the letters that a link may hold
+ * (base64url, RFC 4648), after a tilde, which no id has.
+ */
+
+const MARK = '~';
+/** Deflate makes at most 1032 bytes of one: this keeps a stranger's link from filling the memory. */
+const LONGEST = 30_000;
+
+export const DEFAULT_SCENE = 'cone-on-mirror';
+
+/** Throws InvalidInput with what is wrong with it. */
+export function sceneFromText(text: string): Scene {
+  if (text.startsWith(MARK)) return sceneFromJson(unpacked(text.slice(MARK.length)));
+  const preset = PRESETS.find(({ id }) => id === text);
+  if (!preset) throw new InvalidInput(`there is no scene ${quote(text.slice(0, 40))}`);
+  return preset.scene;
+}
+
+/** The id of a preset's own scene, else the packed one. */
+export function textOfScene(scene: Scene): string {
+  const preset = PRESETS.find((entry) => entry.scene === scene);
+  return preset?.id ?? MARK + packed(JSON.stringify(JSON.parse(sceneToJson(scene)).scene));
+}
+
+/** Whether a text stands for an edited scene and not for a preset. */
+export const isPacked = (text: string): boolean => text.startsWith(MARK);
+
+function packed(json: string): string {
+  const bytes = deflateSync(strToU8(json), { level: 9 });
+  return btoa(strFromU8(bytes, true)).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
+}
+
+function unpacked(text: string): string {
+  if (text.length > LONGEST) {
+    throw new InvalidInput(`a scene in a link has at most ${LONGEST} letters, got ${text.length}`);
+  }
+  try {
+    const bytes = strToU8(atob(text.replace(/-/g, '+').replace(/_/g, '/')), true);
+    return strFromU8(inflateSync(bytes));
+  } catch {
+    throw new InvalidInput(`${quote(`${MARK}${text.slice(0, 20)}`)} is not a packed scene`);
+  }
+}

@@ -1,0 +1,124 @@
+import type { Ray } from '../../math/ray.ts';
+import type { Shape } from '../../math/shapes/index.ts';
+import { type Surface, surfacesOf } from '../../scene/surfaces.ts';
+import type { Scene } from '../../scene/types.ts';
+import { display } from '../../text/format.ts';
+import type { RayKind, RayNode } from '../../tracer/types.ts';
+
+/** A ray of a pixel's tree as a line of the list. */
+export interface TreeRow {
+  /** Which child of which: '0', '0.2', '0.2.1'; the same ray in two trees has one path. */
+  readonly path: string;
+  readonly depth: number;
+  readonly kind: RayKind;
+  readonly ray: Ray;
+  readonly weight: number;
+  /** What became of it; the first part is the verdict. */
+  readonly verdict: string;
+  readonly rest: string;
+  /** Where it ended: its t on that surface, with the shape to open it with. */
+  readonly shape: Shape | null;
+  readonly t: number | null;
+  readonly node: RayNode;
+  /** So many shadow rays to one light are one line; those that are blocked. */
+  readonly group: { readonly count: number; readonly blocked: number } | null;
+}
+
+/** Fewer shadow rays to one light than this stand each on its own line. */
+const GROUP_FROM = 3;
+
+/** The lines of a tree, each ray before those that it fires. `open`: paths of groups that are shown ray by ray. */
+export function treeRows(scene: Scene, root: RayNode, open: ReadonlySet<string>): TreeRow[] {
+  const surfaces = surfacesOf(scene);
+  const walk = (node: RayNode, path: string, depth: number): TreeRow[] => {
+    const own = rowOf(node, path, depth, scene, surfaces);
+    return [own, ...children(node, path, depth + 1)];
+  };
+  const children = (node: RayNode, path: string, depth: number): TreeRow[] => {
+    const rows: TreeRow[] = [];
+    node.children.forEach((child, i) => {
+      const mates = node.children.filter((other) => sameLight(child, other));
+      const first = mates[0] === child;
+      if (mates.length < GROUP_FROM) rows.push(...walk(child, `${path}.${i}`, depth));
+      else if (first) rows.push(groupOf(mates, `${path}.${i}`, depth, rowTools));
+      if (mates.length >= GROUP_FROM && open.has(groupPath(node, child, path))) {
+        rows.push(...walk(child, `${path}.${i}`, depth + 1));
+      }
+    });
+    return rows;
+  };
+  const rowTools = (node: RayNode, path: string, depth: number): TreeRow =>
+    rowOf(node, path, depth, scene, surfaces);
+  return walk(root, '0', 0);
+}
+
+/** The path of the group's own line: its first ray's. */
+function groupPath(parent: RayNode, child: RayNode, path: string): string {
+  return `${path}.${parent.children.findIndex((other) => sameLight(child, other))}`;
+}
+
+function sameLight(a: RayNode, b: RayNode): boolean {
+  return a.kind === 'shadow' && b.kind === 'shadow' && lightOf(a) === lightOf(b);
+}
+
+const lightOf = ({ end }: RayNode): string | null => ('light' in end ? end.light : null);
+
+function groupOf(
+  mates: readonly RayNode[],
+  path: string,
+  depth: number,
+  rowOfNode: (node: RayNode, path: string, depth: number) => TreeRow,
+): TreeRow {
+  const [first] = mates as readonly [RayNode];
+  const blocked = mates.filter(({ end }) => end.end === 'blocked').length;
+  const words = `of ${mates.length} to ${lightOf(first) ?? 'a light'}`;
+  const verdict = blocked === 0 ? 'all free' : `${blocked} blocked`;
+  return {
+    ...rowOfNode(first, path, depth),
+    verdict,
+    rest: ` ${words}`,
+    group: { count: mates.length, blocked },
+  };
+}
+
+function rowOf(
+  node: RayNode,
+  path: string,
+  depth: number,
+  scene: Scene,
+  surfaces: readonly Surface[],
+): TreeRow {
+  const { kind, ray, weight, end } = node;
+  const from = surfaces[node.from];
+  const met = 'surface' in end ? surfaces[end.surface] : undefined;
+  return {
+    ...{ path, depth, kind, ray, weight, node },
+    ...verdictOf(node, scene, surfaces),
+    // A ray that meets nothing is asked of the surface that it leaves.
+    shape: (met ?? from ?? surfaces[0])?.shape ?? null,
+    t: 't' in end ? end.t : null,
+    group: null,
+  };
+}
+
+function verdictOf(
+  { end, from }: RayNode,
+  scene: Scene,
+  surfaces: readonly Surface[],
+): Pick<TreeRow, 'verdict' | 'rest'> {
+  if (end.end === 'background') return { verdict: 'meets nothing', rest: ': the background' };
+  const at = Number.isFinite(end.t) ? ` at t = ${display(end.t)}` : '';
+  if (end.end === 'light') return { verdict: 'free', rest: `: reaches ${end.light}` };
+  const name = surfaceName(scene, surfaces[end.surface]);
+  if (end.end === 'hit') return { verdict: name, rest: at };
+  const own = end.surface === from ? 'the surface it starts on' : name;
+  return { verdict: 'blocked', rest: ` by ${own},${at}` };
+}
+
+/** 'glass cone', 'glass cone, its lower cap' */
+export function surfaceName(scene: Scene, surface: Surface | undefined): string {
+  const name = surface && scene.things[surface.thing]?.id;
+  if (!surface || name === undefined) return 'nothing';
+  if (surface.part === 'shape') return name;
+  return `${name}, its ${surface.part === 'low cap' ? 'lower' : 'upper'} end`;
+}

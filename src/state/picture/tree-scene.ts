@@ -1,0 +1,154 @@
+import type { Figure, Patch, Stage } from '../../math/shapes/drawing.ts';
+import { definitionOf } from '../../math/shapes/lookup.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { surfacesOf } from '../../scene/surfaces.ts';
+import type { Placed, Scene } from '../../scene/types.ts';
+import type { RayKind, RayNode } from '../../tracer/types.ts';
+
+/** A ray of the tree in space, cut to what the picture shows. */
+export interface TreeLine {
+  readonly path: string;
+  readonly kind: RayKind;
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly weight: number;
+  /** What stands at its end: a point of a surface, what blocks it, the light; nothing where it goes on. */
+  readonly end: 'hit' | 'blocked' | 'light' | 'background';
+  readonly light: string | null;
+}
+
+/** The pixel's rays among the scene's shapes, in world coordinates. */
+export interface TreeScene {
+  readonly stage: Stage;
+  /** What the rays touch, and the rest of the scene. */
+  readonly touched: Figure;
+  readonly others: Figure;
+  readonly lines: readonly TreeLine[];
+  /** Degrees about the vertical at which the view begins: beside the camera, from where its ray is seen as a line. */
+  readonly azimuth: number;
+  readonly description: string;
+}
+
+const BESIDE_CAMERA = 50;
+/** Rays are drawn so many stage radii long where nothing ends them, or where their end is farther away. */
+const LONG = 1.9;
+const OPEN_END = 1.1;
+
+export function treeScene(scene: Scene, root: RayNode): TreeScene {
+  const surfaces = surfacesOf(scene);
+  const nodes = flat(root, '0');
+  const things = new Set(
+    nodes.flatMap(({ node: { end } }) =>
+      'surface' in end ? (surfaces[end.surface]?.thing ?? []) : [],
+    ),
+  );
+  const near = scene.things.filter((_, i) => things.has(i));
+  const stage = stageOf(scene, nodes, near);
+  const { eye, target } = scene.camera;
+  return {
+    stage,
+    touched: figureOf(near, stage),
+    others: figureOf(
+      scene.things.filter((_, i) => !things.has(i)),
+      stage,
+    ),
+    lines: nodes.map(({ node, path }) => lineOf(node, path, stage)),
+    azimuth: (180 / Math.PI) * Math.atan2(eye[0] - target[0], eye[2] - target[2]) + BESIDE_CAMERA,
+    description: `${nodes.length} rays of one pixel in space`,
+  };
+}
+
+interface Named {
+  readonly node: RayNode;
+  readonly path: string;
+}
+
+const flat = (node: RayNode, path: string): Named[] => [
+  { node, path },
+  ...node.children.flatMap((child, i) => flat(child, `${path}.${i}`)),
+];
+
+/** About the points that are hit, with what is hit in full where that is no larger than a few times as much. */
+function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[]): Stage {
+  const hits = nodes.flatMap(({ node: { end, ray } }) =>
+    end.end === 'hit' ? [end.point] : end.end === 'blocked' ? [along(ray, end.t)] : [],
+  );
+  const { eye, target } = scene.camera;
+  const far = Math.hypot(...minus(eye, target));
+  const points = hits.filter((p) => p.every(Number.isFinite));
+  const all = points.length > 0 ? points : [target];
+  const sizes = near.map(({ shape, between }) => {
+    const { size } = definitionOf(shape).anchor(shape);
+    return Math.max(
+      Math.min(size, far),
+      between ? Math.min((between[1] - between[0]) / 2, far) : 0,
+    );
+  });
+  const low = all[0] as Vec3;
+  const box = all.reduce(
+    ([least, most], p) => [pick(Math.min, least, p), pick(Math.max, most, p)] as const,
+    [low, low] as readonly [Vec3, Vec3],
+  );
+  const center = pick((a, b) => (a + b) / 2, box[0], box[1]);
+  const spread = Math.hypot(...minus(box[1], box[0])) / 2;
+  // What is large beside the rays, a floor or a wall, is not shown in full.
+  const size = Math.max(0, ...sizes);
+  const wanted = spread > 0 ? Math.min(1.5 * size, 2.4 * spread) : 1.5 * size;
+  const radius = Math.max(1.4 * spread, wanted, far / 50) || 1;
+  const floor = Math.min(box[0][1], center[1] - radius / 3);
+  return { center, radius, ground: floor, low: center[1] - radius, high: center[1] + radius };
+}
+
+function lineOf(node: RayNode, path: string, stage: Stage): TreeLine {
+  const { kind, ray, weight, end } = node;
+  const unit = scaled(ray.direction, 1 / (Math.hypot(...ray.direction) || 1));
+  const reach = stage.radius;
+  const from = kind === 'camera' ? null : ray.origin;
+  const atEnd = end.end === 'hit' ? end.point : end.end === 'background' ? null : along(ray, end.t);
+  const start =
+    from ?? (atEnd ? plus(atEnd, unit, -LONG * reach) : nearest(ray.origin, unit, stage));
+  const isNear = atEnd !== null && Math.hypot(...minus(atEnd, start)) <= LONG * reach * 1.001;
+  const to = isNear
+    ? atEnd
+    : plus(start, unit, kind === 'camera' ? 2 * LONG * reach : OPEN_END * reach);
+  const light = 'light' in end ? end.light : null;
+  return { path, kind, from: start, to, weight, end: end.end, light };
+}
+
+/** A camera ray that meets nothing, from before where it passes the middle of the picture. */
+function nearest(origin: Vec3, unit: Vec3, { center, radius }: Stage): Vec3 {
+  const [x, y, z] = minus(center, origin);
+  const t = x * unit[0] + y * unit[1] + z * unit[2];
+  return plus(origin, unit, t - LONG * radius);
+}
+
+function figureOf(things: readonly Placed[], stage: Stage): Figure {
+  const patches = things.flatMap(({ shape, between }) => {
+    const own = between ? { ...stage, low: between[0], high: between[1] } : stage;
+    const drawn = definitionOf(shape).draw(shape, own).patches;
+    return between ? drawn.map(cut) : drawn;
+  });
+  return { patches, lines: [], marks: [], normals: [] };
+}
+
+/** It does not go on beyond the heights. */
+const cut = (patch: Patch): Patch => ({
+  ...patch,
+  start: patch.start === 'goes-on' ? 'rim' : patch.start,
+  end: patch.end === 'goes-on' ? 'rim' : patch.end,
+});
+
+const along = ({ origin, direction }: RayNode['ray'], t: number): Vec3 =>
+  plus(origin, direction, t);
+const plus = (a: Vec3, b: Vec3, s: number): Vec3 => [
+  a[0] + s * b[0],
+  a[1] + s * b[1],
+  a[2] + s * b[2],
+];
+const minus = (a: Vec3, b: Vec3): Vec3 => plus(a, b, -1);
+const scaled = (a: Vec3, s: number): Vec3 => [s * a[0], s * a[1], s * a[2]];
+const pick = (f: (a: number, b: number) => number, a: Vec3, b: Vec3): Vec3 => [
+  f(a[0], b[0]),
+  f(a[1], b[1]),
+  f(a[2], b[2]),
+];

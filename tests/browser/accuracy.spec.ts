@@ -1,0 +1,204 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { METHODS } from '../../src/math/index.ts';
+import { THEMES } from '../../src/ui/theme.ts';
+import { violations } from './support/axe.ts';
+import { expect, test } from './support/test.ts';
+
+test.use({ viewport: { width: 1280, height: 900 } });
+
+/** A cone that is nearly grazed from afar. */
+const RAY = 'shape=cone&E=153,34,31.75&d=-.93,-.206,-.1901&V=0,3,0&c=0.5';
+const row = (page: Page, id: string) => page.locator(`.ladder [data-method="${id}"]`);
+const marks = (page: Page) => page.locator('.plot-mark');
+
+async function open(page: Page, settings = ''): Promise<void> {
+  await page.goto(`./#/accuracy?${RAY}&method=textbook${settings}`);
+  await expect(page.locator('.ladder tbody tr')).toHaveCount(METHODS.length);
+}
+
+const value = async (page: Page, id: string, quantity: string): Promise<string | null> =>
+  row(page, id).locator(`[data-quantity="${quantity}"]`).getAttribute('data-value');
+
+test('this ray, before anything is measured: verdicts, digits, and where they go', async ({
+  page,
+}) => {
+  await open(page);
+  await expect(page.getByText('Not measured yet.')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Measure' })).toHaveCount(1);
+  expect(await value(page, 'textbook', 'class')).toBe('two');
+  const t1 = Number(await value(page, 'exact', 't1'));
+  const own = Number(await value(page, 'textbook', 't1'));
+  const digits = Number(await value(page, 'textbook', 'digits'));
+  expect(own).not.toBe(t1);
+  expect(digits).toBeLessThan(14);
+  // As many bold digits as the count says, for the root with the fewest.
+  for (const { id } of METHODS) {
+    const count = Number(await row(page, id).locator('.count').textContent());
+    const bold = await row(page, id).locator('.marked b').allTextContents();
+    const counts = bold.map((text) => text.replace(/[^0-9]/g, '').length);
+    expect(Math.min(...counts), id).toBe(count);
+  }
+  await expect(row(page, 'textbook')).toContainText('nearly equal numbers');
+  await page.getByText('Where did the digits go?').click();
+  await expect(page.locator('.steps tr.worst')).toContainText('digits');
+  await expect(page.locator('.steps-verdict')).toContainText('D = B² − 4 A C');
+});
+
+test('a short run ends, shows every method, and the sentence has the table’s numbers', async ({
+  page,
+}) => {
+  await open(page, '&family=far-origin');
+  await page.getByRole('button', { name: 'Measure' }).click();
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible({
+    timeout: 45_000,
+  });
+  await expect(marks(page)).toHaveCount(METHODS.length);
+  for (const { id } of METHODS) expect(Number(await value(page, id, 'ns')), id).toBeGreaterThan(0);
+  expect(Number(await value(page, 'textbook', 'ratio'))).toBe(1);
+  const words = await page.locator('.acc-sentence').textContent();
+  expect(words).toMatch(/the textbook formula misjudges \d+ of 3.072/);
+  const faithful = /faithful roots ([\d.]+) times .*\((\w+)\)/.exec(words ?? '');
+  expect(faithful).not.toBeNull();
+  const cell = await row(page, faithful?.[2] ?? '')
+    .locator('[data-quantity="ratio"]')
+    .textContent();
+  expect(cell).toBe(`${faithful?.[1]}×`);
+  // Nothing certified or exact is wrong; the textbook formula is.
+  await expect(
+    page.getByRole('button', { name: /^certified: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
+  ).toBeVisible();
+  await expect(
+    page.getByRole('button', { name: /^exact: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
+  ).toBeVisible();
+  await expect(
+    page.getByRole('button', { name: /^textbook: .* [1-9]\d* of 3.072 verdicts wrong/ }),
+  ).toBeVisible();
+  // A mark is a choice of method, for the row and for Explore.
+  await marks(page).and(page.locator('[data-method="moment"]')).focus();
+  await page.keyboard.press('Enter');
+  await expect(row(page, 'moment')).toHaveClass(/is-chosen/);
+  await expect(page).toHaveURL(/method=moment/);
+  const csv = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'table as CSV' }).click(),
+  ]);
+  const lines = readFileSync(await csv[0].path(), 'utf8')
+    .trim()
+    .split('\n');
+  expect(lines).toHaveLength(METHODS.length + 1);
+  expect(lines[2]?.startsWith('textbook,two,right,')).toBe(true);
+  for (const line of lines) expect(line.split(',')).toHaveLength(lines[0]?.split(',').length ?? 0);
+  const svg = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save the frontier plot as SVG' }).click(),
+  ]);
+  expect(readFileSync(await svg[0].path(), 'utf8')).toMatch(/^<svg[\s\S]*certified[\s\S]*<\/svg>$/);
+  const png = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save the frontier plot as PNG' }).click(),
+  ]);
+  expect(
+    readFileSync(await png[0].path())
+      .subarray(1, 4)
+      .toString(),
+  ).toBe('PNG');
+});
+
+test('cancelling ends it at once, what was found stays, and the page moves while it measures', async ({
+  page,
+}) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Measure' }).click();
+  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
+  // A slider still moves.
+  const slider = page.locator('.acc-dial input');
+  await page.getByText('What does one double more or less change?').click();
+  await page.getByRole('button', { name: 'E.x one double up' }).click();
+  await expect(page.locator('.nudge [data-quantity="E.x"]')).toHaveAttribute(
+    'data-value',
+    '153.00000000000003',
+  );
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible();
+  await expect(page.getByText(/Cancelled after \d+ of 15 rounds/)).toBeVisible();
+  await expect(marks(page)).toHaveCount(METHODS.length);
+  const before = await value(page, 'exact', 'ns');
+  await page.waitForTimeout(300);
+  expect(await value(page, 'exact', 'ns')).toBe(before);
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page).toHaveURL(/dial=/);
+  // Other rays: what was measured does not belong to them.
+  await expect(page.getByText('Not measured yet.')).toBeVisible();
+});
+
+test('how hard: textbook ends in lost hits, and its worst ray opens in Explore', async ({
+  page,
+}) => {
+  await open(page, '&hard=far-origin');
+  const line = page.locator('.plot-line[data-method="textbook"]');
+  await expect(page.locator('.plot-line')).toHaveCount(METHODS.length);
+  await expect(page.locator('.acc-plot').nth(1)).toContainText('loses hits');
+  // The lines grow point by point.
+  await expect(page.locator('.plot-line[data-method="certified"] .plot-shape')).toHaveCount(13);
+  await line.focus();
+  await page.keyboard.press('End');
+  await expect(line).toHaveAttribute('aria-valuetext', /^textbook at 10.+ lose a hit/);
+  await page.getByRole('button', { name: 'Open its worst ray in Explore' }).click();
+  await expect(page).toHaveURL(/#\/explore\?/);
+  await expect(page.getByRole('link', { name: 'Explore', exact: true })).toHaveAttribute(
+    'aria-current',
+    'page',
+  );
+});
+
+test('one double more flips a verdict, with the keys', async ({ page }) => {
+  // Tangent in whole numbers: one double nearer is two points, one farther none.
+  await page.goto('./#/accuracy?shape=cylinder&E=2,0,-5&d=0,0,1&C=0,0,0&r=2&method=exact');
+  await expect(row(page, 'exact')).toContainText('touches once');
+  await page.getByText('What does one double more or less change?').click();
+  await page.getByRole('button', { name: 'E.x one double up' }).focus();
+  await page.keyboard.press('ArrowUp');
+  await expect(row(page, 'exact')).toContainText('no point');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await expect(row(page, 'exact')).toContainText('two points');
+  await expect(row(page, 'textbook32')).toContainText('misses a hit');
+});
+
+test('a link restores the settings, and says what it cannot use', async ({ page }) => {
+  await page.goto('./#/accuracy?family=near-tangent&worth=wrong&cost=times&hard=near-axis&seed=9');
+  for (const name of ['near tangent', 'wrong verdicts', '× textbook', 'generator angle']) {
+    await expect(page.getByRole('button', { name, exact: true })).toHaveAttribute(
+      'aria-pressed',
+      'true',
+    );
+  }
+  await expect(page.locator('.provenance')).toContainText('seed 9');
+  await page.getByRole('button', { name: 'far away' }).click();
+  await expect(page).not.toHaveURL(/family=/);
+  await page.goto('about:blank');
+  await page.goto('./#/accuracy?family=nowhere&zoom=3');
+  await expect(page.getByRole('alert')).toContainText("opened without family: 'nowhere'");
+  await expect(page.getByRole('alert')).toContainText("'zoom' means nothing");
+});
+
+for (const theme of THEMES) {
+  for (const width of [1280, 390]) {
+    test(`axe finds nothing, ${theme}, ${width} px, and nothing is wider than the page`, async ({
+      page,
+    }) => {
+      await page.setViewportSize({ width, height: 844 });
+      await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
+      await open(page);
+      await expect(page.locator('.plot-line')).toHaveCount(METHODS.length);
+      for (const summary of await page.locator('summary').all()) await summary.click();
+      expect(await violations(page)).toEqual([]);
+      const reach = await page.locator('main').evaluate((main) => main.scrollWidth);
+      expect(reach).toBeLessThanOrEqual(width);
+    });
+  }
+}

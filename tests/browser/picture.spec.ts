@@ -1,0 +1,407 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { findPreset } from '../../src/scene/presets/index.ts';
+import { expectInLink } from './support/controls.ts';
+import { linkWritten, settle } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+const SMALL = 'size=96x54&method=certified';
+
+/** Opens the page with these settings and waits until all that they ask for is traced. */
+async function openPicture(page: Page, settings: string): Promise<void> {
+  if (page.url() === 'about:blank') await page.goto(`./#/picture?${settings}`);
+  else {
+    await page.evaluate((hash) => {
+      location.hash = hash;
+      dispatchEvent(new HashChangeEvent('hashchange'));
+    }, `#/picture?${settings}`);
+  }
+  await traced(page);
+}
+
+async function traced(page: Page): Promise<void> {
+  await settle(page);
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+  await expect(page.locator('.progress')).toHaveCount(0);
+}
+
+/** A quantity in an effect's row; null where it is not. */
+async function cell(page: Page, effect: string, quantity: string): Promise<number | null> {
+  const element = page.locator(`[data-effect="${effect}"] [data-quantity="${quantity}"]`);
+  if ((await element.count()) === 0) return null;
+  return Number(await element.getAttribute('data-value'));
+}
+
+/** The picture on the right without loss, as text. */
+async function pixels(page: Page): Promise<string> {
+  return page
+    .locator('.photo')
+    .first()
+    .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL('image/png'));
+}
+
+const idle = (page: Page, id: string) => page.locator(`.idle [data-effect="${id}"]`);
+const row = (page: Page, id: string) => page.locator(`.ledger [data-effect="${id}"]`);
+
+test('glass cone on a mirror: a picture and what it cost; without the mirror its rays are gone', async ({
+  page,
+}) => {
+  await openPicture(page, SMALL);
+  expect(await cell(page, 'camera', 'rays')).toBe(96 * 54);
+  expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(500);
+  expect(await cell(page, 'reflection', 'solves')).toBeGreaterThan(500);
+  const before = await cell(page, 'total', 'rays');
+  // A plain picture of this size has some 300 characters.
+  expect((await pixels(page)).length).toBeGreaterThan(4000);
+
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  await page.getByRole('button', { name: 'remove mirror' }).click();
+  await page.getByRole('tab', { name: 'What this picture needed' }).click();
+  await traced(page);
+  await expect(row(page, 'reflection')).toHaveCount(0);
+  await expect(idle(page, 'reflection')).toContainText('no material is a mirror');
+  expect(await cell(page, 'reflection', 'rays')).toBe(0);
+  expect(await cell(page, 'total', 'rays')).toBeLessThan(before ?? 0);
+
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await traced(page);
+  expect(await cell(page, 'total', 'rays')).toBe(before);
+});
+
+test('rows add up: rays and roots of camera and effects are the picture’s', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=everything&light=4`);
+  for (const quantity of ['rays', 'solves']) {
+    const parts = await page
+      .locator(`.ledger .entry:not(.total) [data-quantity="${quantity}"]`)
+      .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
+    expect(parts.length).toBe(9);
+    expect(parts.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', quantity));
+  }
+  const kinds = await page
+    .locator('.ledger-kinds [data-quantity^="rays."]:not([data-quantity="rays.saved"])')
+    .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
+  expect(kinds).toHaveLength(4);
+  expect(kinds.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', 'rays'));
+});
+
+test('only what a scene needs is loaded', async ({ page }) => {
+  const asked: string[] = [];
+  page.context().on('request', (request) => asked.push(request.url()));
+  const bodies = () =>
+    [...new Set(asked.flatMap((url) => /([a-z-]+)-body/.exec(url)?.[1] ?? []))].sort();
+  await openPicture(page, `${SMALL}&scene=plain`);
+  const { simulated } = await page.evaluate(() => ({
+    simulated: [...document.querySelectorAll('.ledger tbody.entry')].map(
+      (e) => e.getAttribute('data-effect') ?? '',
+    ),
+  }));
+  const effects = simulated.filter((id) => id !== 'camera' && id !== 'total').sort();
+  expect(bodies()).toEqual(effects);
+  expect(bodies()).not.toContain('reflection');
+  await openPicture(page, `${SMALL}&scene=mirror`);
+  expect(bodies()).toContain('reflection');
+  expect(bodies()).not.toContain('refraction');
+});
+
+test('forced on, an effect costs rays and changes no bit; forced off, the picture is another one', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=shadows`);
+  const before = await pixels(page);
+  await idle(page, 'reflection').getByRole('button').click();
+  await traced(page);
+  await expect(row(page, 'reflection')).toContainText(
+    'forced on; not needed: no material is a mirror',
+  );
+  expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(100);
+  expect(await cell(page, 'reflection', 'pixels')).toBe(0);
+  expect(await pixels(page)).toBe(before);
+  await row(page, 'reflection').getByRole('button', { name: 'let the scene decide' }).click();
+  await traced(page);
+  await expect(row(page, 'reflection')).toHaveCount(0);
+
+  await row(page, 'shadow').getByRole('button', { name: 'force off' }).click();
+  await traced(page);
+  await expect(idle(page, 'shadow')).toContainText('forced off; needed');
+  expect(await cell(page, 'shadow', 'pixels')).toBeGreaterThan(50);
+  expect(await pixels(page)).not.toBe(before);
+  await expectInLink(page, { off: 'shadow', on: null });
+});
+
+test('the pixels that each effect changes are counted when asked for', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
+  expect(await cell(page, 'reflection', 'pixels')).toBeNull();
+  await page.getByRole('button', { name: 'count the pixels that each changes' }).click();
+  await expect(
+    page.locator('.ledger tbody:not([data-effect=camera]) [data-quantity=pixels]'),
+  ).toHaveCount(5, { timeout: 40_000 });
+  expect(await cell(page, 'reflection', 'pixels')).toBeGreaterThan(100);
+  expect(await cell(page, 'reflection', 'pixels')).toBeLessThan(96 * 54);
+});
+
+test('a trace can be cancelled, and goes on at a change', async ({ page }) => {
+  await page.goto('./#/picture?size=1280x720&samples=16&scene=everything&method=exact');
+  await expect(page.getByRole('progressbar')).toBeVisible();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'cancelled');
+  await expect(page.locator('.picture-status')).toContainText('cancelled at');
+  await expect(page.getByRole('button', { name: 'Trace again' })).toBeVisible();
+  await page.getByLabel('size', { exact: true }).selectOption('160x90');
+  await page.getByLabel('rays a pixel').selectOption('1');
+  await page
+    .getByRole('group', { name: 'Method for every ray' })
+    .getByRole('button', { name: 'moment' })
+    .click();
+  await traced(page);
+});
+
+test('acne: no method cures it, the start rule does', async ({ page }) => {
+  const scene = 'size=160x90&scene=self-intersection';
+  const differing = async (): Promise<number> =>
+    Number(await page.locator('[data-quantity="differing"]').getAttribute('data-value'));
+  for (const method of ['moment', 'exact']) {
+    await openPicture(page, `${scene}&method=${method}&against=start:none`);
+    expect(await differing(), `${method}: rule against none`).toBeGreaterThan(1000);
+  }
+  await openPicture(page, `${scene}&method=moment&against=method:exact`);
+  expect(await differing(), 'with the rule, moment against exact').toBeLessThan(20);
+  await expect(page.locator('.compare-sentence')).toContainText('only the method is not');
+});
+
+test('holes and wrong silhouettes come from the method', async ({ page }) => {
+  const verdicts = async (): Promise<number> =>
+    Number(await page.locator('[data-quantity="verdicts"]').getAttribute('data-value'));
+  await openPicture(page, 'size=160x90&scene=far&method=certified&against=method:textbook32');
+  expect(await verdicts()).toBeGreaterThan(500);
+  await openPicture(page, 'size=160x90&scene=far&method=certified&against=method:exact');
+  expect(await verdicts()).toBe(0);
+});
+
+test('the divider is moved by keys and by the pointer; one drag is one step of undo', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=shadows&against=start:none`);
+  const divider = page.getByRole('slider', { name: /divider/ });
+  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await divider.press('ArrowRight');
+  await settle(page);
+  await expect(divider).toHaveAttribute('aria-valuenow', '55');
+  await divider.press('Shift+ArrowLeft');
+  await settle(page);
+  await expect(divider).toHaveAttribute('aria-valuenow', '54.5');
+  const box = await divider.boundingBox();
+  if (!box) throw new Error('no divider');
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (const dx of [-20, -60, -120]) await page.mouse.move(x + dx, y);
+  await page.mouse.up();
+  await settle(page);
+  expect(Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(45);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await settle(page);
+  await expect(divider).toHaveAttribute('aria-valuenow', '54.5');
+  await page.getByRole('button', { name: 'error map' }).click();
+  await settle(page);
+  await expect(divider).toBeHidden();
+  await expect(page.locator('.photo-errors')).toBeVisible();
+});
+
+test('a pixel’s rays: the list, the algebra, and the same ray in Explore', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror&pixel=48,25`);
+  const list = page.locator('.rays tbody tr');
+  await expect(list.first()).toContainText('glass cone');
+  expect(await list.count()).toBeGreaterThan(3);
+  await expect(page.locator('.rays [data-kind="refracted"]').first()).toBeVisible();
+  const t = await list.first().locator('[data-quantity="t"]').getAttribute('data-value');
+  await page.getByRole('button', { name: 'camera ray' }).click();
+  await settle(page);
+  await expect(page.locator('.hit-step[data-step="D"]')).toBeVisible();
+  await expect(page.locator('.pixel-space canvas')).toBeVisible();
+  const link = await page
+    .getByRole('link', { name: 'Open this ray in Explore' })
+    .getAttribute('href');
+  await page.getByRole('link', { name: 'Open this ray in Explore' }).click();
+  await page.locator('[data-quantity="class"]').waitFor();
+  await settle(page);
+  expect(await page.evaluate(() => location.hash)).toBe(link);
+  const roots = await page
+    .locator('[data-quantity="t1"], [data-quantity="t2"]')
+    .evaluateAll((cells) => cells.map((c) => c.getAttribute('data-value')));
+  expect(roots).toContain(t);
+});
+
+test('the picture is used by keys alone', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=mirror`);
+  const plate = page.getByRole('application', { name: /Picture, 96 by 54/ });
+  await plate.focus();
+  await plate.press('ArrowRight');
+  await plate.press('ArrowDown');
+  await plate.press('Control+ArrowDown');
+  await plate.press('Enter');
+  await settle(page);
+  await expectInLink(page, { pixel: '49,38' });
+  await expect(page.getByRole('heading', { name: 'Pixel 49, 38' })).toBeVisible();
+  await expect(page.locator('.announcer')).toContainText('pixel 49, 38');
+  await page.getByRole('button', { name: 'close' }).click();
+  await expectInLink(page, { pixel: null });
+});
+
+test('a click chooses the pixel under it', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=mirror`);
+  const plate = page.getByRole('application');
+  const box = await plate.boundingBox();
+  if (!box) throw new Error('no picture');
+  await plate.click({ position: { x: (box.width * 10.5) / 96, y: (box.height * 20.5) / 54 } });
+  await expectInLink(page, { pixel: '10,20' });
+});
+
+test('a broken link opens what can be opened, and says what was wrong', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=~nonsense&against=method:none&zoom=3`);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('opened without scene:');
+  await expect(alert).toContainText("'~nonsense'");
+  await expect(alert).toContainText("'method:none' is nothing to compare with");
+  await expect(alert).toContainText("'zoom' means nothing for a picture");
+  await expect(page.getByLabel('scene:')).toHaveValue('cone-on-mirror');
+});
+
+test('a scene is edited, saved, opened again, and travels in the link', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=plain`);
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  await page.getByRole('button', { name: 'add a square' }).click();
+  await traced(page);
+  await expect(page.locator('[data-part="square"]')).toBeVisible();
+  await page.locator('[data-part="square"] input.number[data-symbol="L"]').fill('1.25');
+  await page.locator('[data-part="square"] input.number[data-symbol="L"]').press('Enter');
+  await page.getByLabel('mirror', { exact: true }).fill('2');
+  await page.getByLabel('mirror', { exact: true }).press('Enter');
+  await expect(page.getByText('mirror must be a number from 0 to 1, got 2')).toBeVisible();
+  await page.getByLabel('mirror', { exact: true }).fill('0.5');
+  await page.getByLabel('mirror', { exact: true }).press('Enter');
+  await traced(page);
+  const saved = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save scene' }).click();
+  const file = await (await saved).path();
+  const { scene } = JSON.parse(readFileSync(file, 'utf8'));
+  const square = scene.things.at(-1);
+  expect(square).toMatchObject({ id: 'square', shape: { side: 1.25 }, material: { mirror: 0.5 } });
+  await linkWritten(page);
+  const link = await page.evaluate(() => location.hash);
+  expect(link).toContain('scene=~');
+
+  await openPicture(page, `${SMALL}&scene=plain`);
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  await expect(page.locator('[data-part="square"]')).toHaveCount(0);
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open a scene' }).click();
+  await (await chooser).setFiles(file);
+  await expect(page.locator('[data-part="square"]')).toBeVisible();
+  await traced(page);
+  await linkWritten(page);
+  const scenes = [link, await page.evaluate(() => location.hash)].map((hash) =>
+    new URLSearchParams(hash.split('?')[1]).get('scene'),
+  );
+  expect(scenes[1]).toBe(scenes[0]);
+});
+
+test('a file that is no scene says why, and changes nothing', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=plain`);
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  const scene = { ...findPreset('plain')?.scene, ambient: 7 };
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open a scene' }).click();
+  await (await chooser).setFiles({
+    name: 'scene.json',
+    mimeType: 'application/json',
+    buffer: Buffer.from(JSON.stringify(scene)),
+  });
+  await expect(page.getByRole('alert')).toContainText(
+    'ambient must be a number from 0 to 1, got 7',
+  );
+  await expect(page.getByLabel('scene:')).toHaveValue('plain');
+});
+
+test('the shape of Explore can be put into a scene', async ({ page }) => {
+  await page.goto('./#/explore?shape=circle&r=0.75');
+  await page.locator('[data-quantity="class"]').waitFor();
+  await page.getByRole('link', { name: 'Picture' }).click();
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  await page.getByRole('button', { name: 'the circle of Explore' }).click();
+  await settle(page);
+  await expect(page.locator('[data-part="circle"] input.number[data-symbol="r"]')).toHaveValue(
+    '0.75',
+  );
+});
+
+test('another page is shown: the trace rests, and the picture is there again afterwards', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=mirror`);
+  const before = await pixels(page);
+  await page.getByRole('link', { name: 'Explore' }).click();
+  await page.locator('[data-quantity="class"]').waitFor();
+  await expect(page.locator('.picture')).toHaveCount(0);
+  await page.getByRole('link', { name: 'Picture' }).click();
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+  expect(await pixels(page)).toBe(before);
+});
+
+test('picture, scene and ledger can be taken away', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=mirror`);
+  for (const [id, start] of [
+    ['picture-png', Buffer.from([0x89, 0x50, 0x4e, 0x47])],
+    ['scene-json', Buffer.from('{\n  "graze": "scene"')],
+    ['ledger-csv', Buffer.from('effect,needed,')],
+  ] as const) {
+    await page.getByRole('button', { name: 'File and export' }).click();
+    const saved = page.waitForEvent('download');
+    await page.locator(`[data-export="${id}"]`).getByRole('button', { name: 'Save' }).click();
+    const content = readFileSync(await (await saved).path());
+    expect(content.subarray(0, start.length), id).toEqual(start);
+  }
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 } });
+  test('nothing sticks out to the side', async ({ page }) => {
+    for (const settings of [
+      `${SMALL}&scene=everything&light=4&pixel=48,30`,
+      `${SMALL}&scene=self-intersection&against=start:none&pixel=30,30`,
+    ]) {
+      await openPicture(page, settings);
+      const width = await page.evaluate(() => document.scrollingElement?.scrollWidth);
+      expect(width, settings).toBe(390);
+    }
+    await page.getByRole('tab', { name: 'Scene' }).click();
+    for (const part of ['cone', 'lamp', 'camera', 'background']) {
+      await page.getByRole('button', { name: part }).first().click();
+      await settle(page);
+      const width = await page.evaluate(() => document.scrollingElement?.scrollWidth);
+      expect(width, part).toBe(390);
+    }
+  });
+});
+
+test.describe('without WebGL', () => {
+  test('the list of rays and their lines in space are there', async ({ page }) => {
+    await page.addInitScript(() => {
+      const get = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (
+        this: HTMLCanvasElement,
+        kind: string,
+        ...rest: never[]
+      ) {
+        return kind === 'webgl2'
+          ? null
+          : (get as never as (...all: unknown[]) => unknown).call(this, kind, ...rest);
+      } as never;
+    });
+    await openPicture(page, `${SMALL}&scene=mirror&pixel=48,30`);
+    await expect(page.locator('.rays tbody tr').first()).toBeVisible();
+    await expect(async () => {
+      const lines = await page.locator('.pixel-space .scene-paths path').count();
+      expect(lines).toBeGreaterThan(5);
+    }).toPass({ timeout: 10_000 });
+  });
+});

@@ -1,0 +1,189 @@
+import { describe, expect, test } from 'vitest';
+import { type Posed, pose } from '../../../src/check/compose.ts';
+import type { Level } from '../../../src/check/exercises/define.ts';
+import { isClean } from '../../../src/check/exercises/draw.ts';
+import { EXERCISES } from '../../../src/check/exercises/index.ts';
+import { alike, type Texts } from '../../../src/check/grade.ts';
+import { judge } from '../../../src/check/judge.ts';
+import { plan, question } from '../../../src/check/session.ts';
+import type { Answer, Answers, Field } from '../../../src/check/types.ts';
+import { intersect, SHAPES } from '../../../src/math/index.ts';
+import { shortest } from '../../../src/text/format.ts';
+
+const SEEDS = 200;
+
+const asText = (answer: Answer | undefined): string => {
+  if (typeof answer === 'number') return Number.isNaN(answer) ? '1/0' : shortest(answer);
+  return typeof answer === 'object' ? answer.map(shortest).join('; ') : (answer ?? '');
+};
+
+const texts = (fields: readonly Field[], answers: Answers): Texts =>
+  Object.fromEntries(fields.map(({ id }) => [id, asText(answers[id])] as const));
+
+const answered = (posed: Posed, answers: Answers) =>
+  judge(posed.fields, texts(posed.fields, answers), posed.truth, posed.suspects);
+
+/** The truth again, by the exact rung and nothing of src/check. */
+function byExactRung({ draft, fields }: Posed): Answers {
+  const { class: verdict, hits, details } = intersect(draft.shape, draft.ray, 'exact');
+  const first = hits.find(({ t }) => t >= 0);
+  const flat = details.family === 'flat' ? details : null;
+  const known: Record<string, Answer | undefined> = {
+    ...(details.family === 'curved'
+      ? { A: details.A, B: details.B, C: details.C, D: details.D }
+      : {}),
+    ...(flat ? { 'N.d': flat.rate, 'N.(E-P)': flat.offset } : {}),
+    case: verdict,
+    t1: hits[0]?.t,
+    t2: hits[1]?.t,
+    t: flat ? flat.plane?.t : first?.t,
+    P: first?.point,
+    N: first?.normal,
+    inside: flat?.plane?.inside ? 'inside' : 'outside',
+    place: flat?.plane ? 'meets' : verdict === 'contained' ? 'in' : 'beside',
+    first: first ? `t${hits.indexOf(first) + 1}` : 'none',
+    why: first && hits.indexOf(first) === 0 ? 'farther' : 'behind',
+    shadow: first && first.t > 0 && first.t < 1 ? 'dark' : 'lit',
+    value: draft.param?.value,
+  };
+  const at = (by: number): string => {
+    if (!draft.param) return '';
+    const shape = { ...draft.shape, [draft.param.key]: draft.param.value + by };
+    return intersect(shape, draft.ray, 'exact').class;
+  };
+  Object.assign(known, { before: at(-1 / 64), at: at(0), after: at(1 / 64) });
+  return Object.fromEntries(
+    fields.flatMap(({ id }) => {
+      const answer = known[id];
+      return answer === undefined ? [] : [[id, answer] as const];
+    }),
+  );
+}
+
+describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
+  '%s',
+  (_, exercise) => {
+    const all: Posed[] = [];
+    for (let seed = 1; seed <= SEEDS; seed++) {
+      const kind = exercise.kinds[seed % exercise.kinds.length];
+      if (!kind) throw new RangeError('an exercise without shapes');
+      all.push(pose(exercise, kind, seed * 7919, ((seed % 3) + 1) as Level));
+    }
+
+    test(`the true answer is accepted, seeds 1 to ${SEEDS}`, () => {
+      for (const posed of all) expect(answered(posed, posed.truth).verdict).toBe('correct');
+    });
+
+    test('and it is what the exact rung says', () => {
+      if (exercise.id === 'digits') return;
+      for (const posed of all) {
+        const truth = byExactRung(posed);
+        expect(Object.keys(truth)).toEqual(posed.fields.map(({ id }) => id));
+        expect(alike(posed.fields, truth, posed.truth), JSON.stringify([posed.draft, truth])).toBe(
+          true,
+        );
+      }
+    });
+
+    test('each misconception is rejected and named', () => {
+      let named = 0;
+      for (const posed of all) {
+        for (const { misconception, answers } of posed.suspects) {
+          const judged = answered(posed, answers);
+          expect(judged.verdict).toBe('wrong');
+          expect(judged.cause?.id).toBe(misconception.id);
+          named++;
+        }
+      }
+      expect(named).toBeGreaterThanOrEqual(SEEDS / 2);
+    });
+
+    test('no two misconceptions coincide', () => {
+      for (const { suspects, fields } of all) {
+        suspects.forEach((a, i) => {
+          for (const b of suspects.slice(0, i)) {
+            expect(alike(fields, a.answers, b.answers)).toBe(false);
+          }
+        });
+      }
+    });
+
+    test('numbers are clean enough for paper where it is for paper', () => {
+      if (!exercise.paper) return;
+      for (const { given, truth, draft } of all) {
+        const numbers = [...Object.values(given), ...Object.values(truth)];
+        for (const x of numbers) if (typeof x !== 'string') expect(isClean(x), `${x}`).toBe(true);
+        expect(
+          [...draft.ray.origin, ...draft.ray.direction].every((x) => Number.isInteger(2 * x)),
+        ).toBe(true);
+      }
+    });
+
+    test('nothing is right for everybody: the right choices differ from seed to seed', () => {
+      for (const field of all[0]?.fields ?? []) {
+        if (field.kind !== 'choice') continue;
+        const right = new Set(all.map(({ truth }) => truth[field.id]));
+        const always = exercise.id === 'nappes' || exercise.id === 'tangent';
+        if (!always) expect(right.size, field.id).toBeGreaterThan(1);
+      }
+    });
+  },
+);
+
+describe('the opposite ray and the swapped roots', () => {
+  const posedAs = (id: string): Posed[] => {
+    const exercise = EXERCISES.find((one) => one.id === id);
+    if (!exercise) throw new RangeError(id);
+    return Array.from({ length: 60 }, (_, i) => {
+      const kind = exercise.kinds[i % exercise.kinds.length];
+      return pose(exercise, kind as (typeof exercise.kinds)[number], i + 1, 2);
+    });
+  };
+
+  test('the roots of the opposite ray, seeds 1 to 60', () => {
+    for (const posed of posedAs('roots')) {
+      const { origin, direction } = posed.draft.ray;
+      const back = { origin, direction: direction.map((x) => -x) as unknown as typeof direction };
+      const [a, b] = intersect(posed.draft.shape, back, 'exact').hits;
+      const judged = answered(posed, { t1: a?.t ?? 0, t2: b?.t ?? 0 });
+      expect(judged.verdict).toBe('wrong');
+      expect(judged.cause?.id).toBe('lost-minus');
+    }
+  });
+
+  test('the point of the opposite ray', () => {
+    for (const posed of posedAs('point')) {
+      const { origin: E, direction: d } = posed.draft.ray;
+      const { hits } = intersect(posed.draft.shape, posed.draft.ray, 'exact');
+      const t = hits.find((hit) => hit.t >= 0)?.t ?? 0;
+      const judged = answered(posed, { P: [E[0] - t * d[0], E[1] - t * d[1], E[2] - t * d[2]] });
+      expect(judged.cause?.id).toBe('backwards');
+    }
+  });
+
+  test('the roots swapped', () => {
+    for (const posed of posedAs('roots')) {
+      const { t1 = 0, t2 = 0 } = posed.truth;
+      const judged = answered(posed, { t1: t2, t2: t1 });
+      expect(judged.verdict).toBe('wrong');
+      expect(judged.cause?.id).toBe('swapped-roots');
+    }
+  });
+});
+
+describe('a session', () => {
+  test.each([1, 2, 41, 1000])('of seed %i has every shape and rises', (seed) => {
+    const slots = plan(seed);
+    expect(new Set(slots.map(({ kind }) => kind))).toEqual(new Set(SHAPES.map(({ kind }) => kind)));
+    const levels = slots.map(({ level }) => level);
+    expect(levels).toEqual([...levels].sort());
+    expect(new Set(slots.map(({ exercise }) => exercise)).size).toBe(EXERCISES.length);
+  });
+
+  test('is the same for the same seed, and another for another', () => {
+    const of = (seed: number) => plan(seed).map((_, i) => JSON.stringify(question(seed, i).draft));
+    expect(of(41)).toEqual(of(41));
+    const [a, b] = [of(41), of(42)];
+    expect(a.filter((draft, i) => draft === b[i])).toEqual([]);
+  });
+});

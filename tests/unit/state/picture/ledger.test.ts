@@ -1,0 +1,133 @@
+import { describe, expect, test } from 'vitest';
+import { remove } from '../../../../src/scene/edit.ts';
+import { EFFECTS } from '../../../../src/scene/effects/index.ts';
+import { findPreset } from '../../../../src/scene/presets/index.ts';
+import type { Scene } from '../../../../src/scene/types.ts';
+import {
+  EMPTY_LEDGER,
+  grouped,
+  ledgerCsv,
+  ledgerModel,
+  msWords,
+  percent,
+} from '../../../../src/state/picture/ledger.ts';
+import { DEFAULT_SETTINGS, type Ledger } from '../../../../src/tracer/types.ts';
+
+function scene(id: string): Scene {
+  const preset = findPreset(id);
+  if (!preset) throw new Error(`no preset ${id}`);
+  return preset.scene;
+}
+
+const LEDGER: Ledger = {
+  camera: { rays: 100, questions: 500, roots: 50, ms: 2 },
+  effects: {
+    shadow: { rays: 60, questions: 90, roots: 5, ms: 1 },
+    reflection: { rays: 30, questions: 60, roots: 7, ms: 5 },
+  },
+  kinds: { camera: 100, shadow: 60, reflected: 30, refracted: 0 },
+  saved: 3,
+  cut: 1,
+};
+
+describe('the ledger', () => {
+  const model = ledgerModel(scene('mirror'), DEFAULT_SETTINGS, LEDGER, { reflection: 77 });
+
+  test('has every effect once, with what runs apart from what does not', () => {
+    const ids = [...model.simulated, ...model.idle].map(({ id }) => id);
+    expect(ids.toSorted()).toEqual(EFFECTS.map(({ id }) => id).toSorted());
+    expect(model.simulated.every(({ needed }) => needed)).toBe(true);
+    expect(model.idle.every(({ needed, cost }) => !needed && cost === null)).toBe(true);
+  });
+
+  test('bars follow each other and fill the whole', () => {
+    let end = model.camera.share;
+    expect(model.camera).toMatchObject({ share: 0.25, from: 0 });
+    for (const { from, share } of model.simulated) {
+      expect(from).toBeCloseTo(end, 12);
+      end = from + share;
+    }
+    expect(end).toBeCloseTo(1, 12);
+  });
+
+  test('the total is the sum of its rows', () => {
+    expect(model.total).toEqual({ rays: 190, questions: 650, roots: 62, ms: 8 });
+  });
+
+  test('a count of pixels stands at its effect', () => {
+    const counts = model.simulated.map(({ id, pixels }) => [id, pixels]);
+    expect(counts).toContainEqual(['reflection', 77]);
+    expect(counts.filter(([, pixels]) => pixels !== null)).toHaveLength(1);
+  });
+
+  test('without the mirror there is no reflection, and why', () => {
+    const before = scene('cone-on-mirror');
+    const ids = (s: Scene) =>
+      ledgerModel(s, DEFAULT_SETTINGS, EMPTY_LEDGER, {}).simulated.map(({ id }) => id);
+    expect(ids(before)).toContain('reflection');
+    const after = ledgerModel(remove(before, 'mirror'), DEFAULT_SETTINGS, EMPTY_LEDGER, {});
+    expect(after.idle.find(({ id }) => id === 'reflection')).toMatchObject({
+      reason: 'no material is a mirror',
+      needed: false,
+    });
+  });
+
+  test('nothing traced: no shares, no costs, nothing is not a number', () => {
+    const empty = ledgerModel(scene('everything'), DEFAULT_SETTINGS, EMPTY_LEDGER, {});
+    expect(empty.camera.cost).toBeNull();
+    for (const { share, from, cost } of empty.simulated) {
+      expect([share, from, cost]).toEqual([0, 0, null]);
+    }
+  });
+
+  test('forced on it stands among what runs, forced off among what does not', () => {
+    const settings = {
+      ...DEFAULT_SETTINGS,
+      forced: { refraction: 'on', reflection: 'off' },
+    } as const;
+    const forced = ledgerModel(scene('mirror'), settings, LEDGER, {});
+    expect(forced.simulated.find(({ id }) => id === 'refraction')?.forced).toBe('on');
+    expect(forced.idle.find(({ id }) => id === 'reflection')?.forced).toBe('off');
+  });
+
+  test('as CSV: a line for each, reasons in quotes, every line as long', () => {
+    const lines = ledgerCsv(model).trimEnd().split('\n');
+    expect(lines).toHaveLength(EFFECTS.length + 3);
+    for (const line of lines) {
+      expect(line.replace(/"(?:[^"]|"")*"/g, '').split(',')).toHaveLength(10);
+    }
+    expect(lines.find((line) => line.startsWith('reflection'))).toMatch(
+      /^reflection,true,no,"[^"]+",30,60,7,5,0\.625,77$/,
+    );
+  });
+});
+
+test.each([
+  [0, '0'],
+  [999, '999'],
+  [1000, '1 000'],
+  [1491968, '1 491 968'],
+])('%d in groups of three', (n, text) => {
+  expect(grouped(n).replace(/\u202f/g, ' ')).toBe(text);
+});
+
+test.each([
+  [0, '0'],
+  [0.004, '< 0.01'],
+  [0.42, '0.42'],
+  [7.43, '7.4'],
+  [1005.4, '1 005'],
+])('%d ms', (ms, text) => {
+  expect(msWords(ms).replace(/\u202f/g, ' ')).toBe(text);
+});
+
+test.each([
+  [0, 100, '0 %'],
+  [1, 1_000_000, '< 0.1 %'],
+  [23, 1000, '2.3 %'],
+  [999_999, 1_000_000, '> 99.9 %'],
+  [5, 5, '100 %'],
+  [0, 0, '0 %'],
+])('%d of %d is %s', (part, whole, text) => {
+  expect(percent(part, whole)).toBe(text);
+});

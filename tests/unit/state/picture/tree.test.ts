@@ -1,0 +1,137 @@
+import { describe, expect, test } from 'vitest';
+import { intersect } from '../../../../src/math/index.ts';
+import { PRESETS } from '../../../../src/scene/presets/index.ts';
+import { surfaceSteps } from '../../../../src/state/picture/hit-steps.ts';
+import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
+import { treeScene } from '../../../../src/state/picture/tree-scene.ts';
+import { decode, exploreLink } from '../../../../src/state/url.ts';
+import type { RayNode } from '../../../../src/tracer/types.ts';
+import { flatten, TINY, tracerFor } from '../../tracer/tracing.ts';
+
+const NONE: ReadonlySet<string> = new Set();
+
+/** Every 37th pixel's tree of every preset, with the rows that the list shows. */
+async function trees(): Promise<{ id: string; root: RayNode; rows: TreeRow[]; all: TreeRow[] }[]> {
+  const found = [];
+  for (const { id, scene } of PRESETS) {
+    const tracer = await tracerFor(scene);
+    for (let pixel = 0; pixel < TINY.width * TINY.height; pixel += 37) {
+      const x = pixel % TINY.width;
+      const [root] = tracer.record(x, (pixel - x) / TINY.width).rays;
+      if (!root) throw new Error('no ray');
+      const rows = treeRows(scene, root, NONE);
+      const groups = new Set(rows.filter(({ group }) => group).map(({ path }) => path));
+      found.push({ id, root, rows, all: treeRows(scene, root, groups) });
+    }
+  }
+  return found;
+}
+
+const FOUND = await trees();
+
+describe('the rays of a pixel as a list', () => {
+  test('with all groups opened every ray stands in it once, before those that it fires', () => {
+    for (const { root, all } of FOUND) {
+      const single = all.filter(({ group }) => group === null);
+      expect(single.map(({ node }) => node)).toEqual(flatten([root]));
+      expect(new Set(single.map(({ path }) => path)).size).toBe(single.length);
+    }
+  });
+
+  test('a group counts its rays, and those that are blocked', () => {
+    let groups = 0;
+    for (const { rows, all } of FOUND) {
+      for (const { path, group, depth } of rows) {
+        if (!group) continue;
+        groups++;
+        const parent = path.slice(0, path.lastIndexOf('.'));
+        const members = all.filter(
+          (row) =>
+            !row.group &&
+            row.depth === depth + 1 &&
+            row.kind === 'shadow' &&
+            row.path.startsWith(`${parent}.`),
+        );
+        expect(members.length).toBeGreaterThanOrEqual(group.count);
+        expect(group.blocked).toBeLessThanOrEqual(group.count);
+      }
+    }
+    expect(groups).toBeGreaterThan(20);
+  });
+
+  test('every verdict is said in words, and all kinds of rays occur', () => {
+    const kinds = new Set<string>();
+    const ends = new Set<string>();
+    for (const { all } of FOUND) {
+      for (const { kind, node, verdict, rest } of all) {
+        kinds.add(kind);
+        ends.add(node.end.end);
+        expect(`${verdict}${rest}`).not.toMatch(/undefined|NaN|null|Infinity/);
+        expect(verdict).not.toBe('');
+      }
+    }
+    expect([...kinds].toSorted()).toEqual(['camera', 'reflected', 'refracted', 'shadow']);
+    expect([...ends].toSorted()).toEqual(['background', 'blocked', 'hit', 'light']);
+  });
+
+  test('a ray opens in Explore bit by bit, and where it hits is a root there', () => {
+    let hits = 0;
+    for (const { all } of FOUND) {
+      for (const { shape, ray, node } of all) {
+        if (!shape) continue;
+        const state = decode(exploreLink(shape, ray, 'certified'));
+        expect(state.problems).toEqual([]);
+        expect(state.E).toEqual(ray.origin);
+        expect(state.d).toEqual(ray.direction);
+        expect(state.shapes[state.kind]).toEqual(shape);
+        if (node.end.end !== 'hit') continue;
+        const roots = intersect(shape, ray, 'certified').hits.map(({ t }) => t);
+        expect(roots).toContain(node.end.t);
+        hits++;
+      }
+    }
+    expect(hits).toBeGreaterThan(300);
+  });
+
+  test('its algebra has the numbers of the method', () => {
+    for (const { all } of FOUND.filter((_, i) => i % 9 === 0)) {
+      for (const { shape, ray } of all) {
+        const steps = shape && surfaceSteps(shape, ray, 'certified');
+        expect(steps?.lines.length).toBeGreaterThan(0);
+        expect(steps?.verdict).not.toBe('');
+      }
+    }
+  });
+});
+
+describe('the rays in space', () => {
+  test('one line each, finite, not longer than the picture is large', () => {
+    for (const { id, root } of FOUND) {
+      const preset = PRESETS.find((entry) => entry.id === id);
+      if (!preset) throw new Error(id);
+      const { lines, stage, touched, others } = treeScene(preset.scene, root);
+      expect(lines).toHaveLength(flatten([root]).length);
+      expect(stage.radius).toBeGreaterThan(0);
+      for (const { from, to } of lines) {
+        const length = Math.hypot(...to.map((x, i) => x - (from[i] ?? 0)));
+        expect(length, id).toBeLessThan(4 * stage.radius);
+      }
+      expect(touched.patches.length + others.patches.length).toBeGreaterThan(0);
+    }
+  });
+
+  test('a ray that hits ends at the hit', () => {
+    for (const { id, root } of FOUND) {
+      const preset = PRESETS.find((entry) => entry.id === id);
+      if (!preset) throw new Error(id);
+      const { lines, stage } = treeScene(preset.scene, root);
+      const nodes = flatten([root]);
+      lines.forEach(({ to }, i) => {
+        const end = nodes[i]?.end;
+        if (end?.end !== 'hit') return;
+        const off = Math.hypot(...to.map((x, k) => x - (end.point[k] ?? 0)));
+        expect(off, id).toBeLessThan(1e-9 * stage.radius);
+      });
+    }
+  });
+});
