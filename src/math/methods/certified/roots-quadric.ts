@@ -1,5 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
+import { count, doubtful, ordinaryRoots } from './lattice-roots.ts';
+import { BLOCK, DOUBTS } from './lattice-scratch.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
 /*
@@ -103,7 +105,6 @@ const BOUNDS = Float64Array.of(
   STEP,
 );
 
-const BLOCK = 256;
 const hitIndex = new Int32Array(BLOCK);
 const near = new Float64Array(BLOCK);
 const far = new Float64Array(BLOCK);
@@ -111,8 +112,6 @@ const halfOverRoot = new Float64Array(BLOCK);
 const sizeA = new Float64Array(BLOCK);
 const sizeD = new Float64Array(BLOCK);
 const overSpeed = new Float64Array(BLOCK);
-const doubtful = new Int32Array(BLOCK);
-let doubts = 0;
 let hits = 0;
 
 /** Rays that the fast stages leave open, in `open[0 … count − 1]`. */
@@ -131,122 +130,20 @@ export function bothRoots(
   left.count = 0;
   for (let from = 0; from < rays.count; from += BLOCK) {
     const to = Math.min(from + BLOCK, rays.count);
-    if (q.hasY) filterInSpace(q, c, rays, out, from, to);
-    else filterAroundAxis(q, c, rays, out, from, to);
-    if (doubts > 0) filterSharply(q, c, rays, out, left);
+    if (c.lattice) ordinaryRoots(c.lattice, q.hasY, rays, out, from, to);
+    else leaveAll(from, to);
+    const doubts = count[DOUBTS] as number;
+    if (doubts === 0) continue;
+    hits = 0;
+    filterSharply(q, c, rays, out, left, doubts);
     if (q.hasY) refineInSpace(q, c, rays, out, left);
     else refineAroundAxis(q, c, rays, out, left);
   }
 }
 
-function filterInSpace(
-  { Cx, Cy, Cz }: Quadric,
-  { k, sign, rho }: CertifiedQuadric,
-  { Ex, Ey, Ez, dx, dy, dz }: Rays,
-  { t0, t1 }: Answers,
-  from: number,
-  to: number,
-): void {
-  const plainClear = FILTER[0] as number;
-  const smallestD = FILTER[1] as number;
-  const plainError = FILTER[2] as number;
-  const largest = FILTER[3] as number;
-  const leastA = FILTER[4] as number;
-  const smallest = 3 / largest;
-  const largestP = largest / 9;
-  let found = 0;
-  let unsure = 0;
-  for (let i = from; i < to; i++) {
-    const x = dx[i] as number;
-    const y = k * (dy[i] as number);
-    const z = dz[i] as number;
-    const px = (Ex[i] as number) - Cx;
-    const py = k * ((Ey[i] as number) - Cy);
-    const pz = (Ez[i] as number) - Cz;
-    const mx = y * pz - z * py;
-    const my = z * px - x * pz;
-    const mz = x * py - y * px;
-    const round = x * x + z * z;
-    const yy = y * y;
-    const A = round - sign * yy;
-    const D = rho * A + sign * (mx * mx + mz * mz) - my * my;
-    const Am = round + yy;
-    const Pm = px * px + py * py + pz * pz;
-    const Q = Am * (Pm + rho);
-    const inside = Am < largest && Am > smallest && Pm < largestP;
-    if (D > plainClear * Q + smallestD && inside && Math.abs(A) > leastA * Am) {
-      const b = x * px + z * pz - sign * (y * py);
-      const s = Math.sqrt(D);
-      const speed = Math.abs(x) + Math.abs(y) + Math.abs(z);
-      const As = A * s;
-      const inverse = 1 / (As * speed);
-      const overA = inverse * (s * speed);
-      near[found] = (-b - s) * overA;
-      far[found] = (s - b) * overA;
-      halfOverRoot[found] = 0.5 * inverse * (A * speed);
-      overSpeed[found] = inverse * As;
-      sizeA[found] = Math.abs(A);
-      sizeD[found] = D;
-      hitIndex[found] = i;
-      found += 1;
-    } else if (D < -(plainError * Q) - smallestD && inside) {
-      t0[i] = Number.NaN;
-      t1[i] = Number.NaN;
-    } else doubtful[unsure++] = i;
-  }
-  hits = found;
-  doubts = unsure;
-}
-
-function filterAroundAxis(
-  { Cx, Cz }: Quadric,
-  { rho }: CertifiedQuadric,
-  { Ex, Ez, dx, dz }: Rays,
-  { t0, t1 }: Answers,
-  from: number,
-  to: number,
-): void {
-  const plainClear = FILTER[0] as number;
-  const smallestD = FILTER[1] as number;
-  const plainError = FILTER[2] as number;
-  const largest = FILTER[3] as number;
-  const smallest = 3 / largest;
-  const largestP = largest / 9;
-  let found = 0;
-  let unsure = 0;
-  for (let i = from; i < to; i++) {
-    const x = dx[i] as number;
-    const z = dz[i] as number;
-    const px = (Ex[i] as number) - Cx;
-    const pz = (Ez[i] as number) - Cz;
-    const A = x * x + z * z;
-    const m = z * px - x * pz;
-    const D = rho * A - m * m;
-    const Pm = px * px + pz * pz;
-    const Q = A * (Pm + rho);
-    const inside = A < largest && A > smallest && Pm < largestP;
-    if (D > plainClear * Q + smallestD && inside) {
-      const b = x * px + z * pz;
-      const s = Math.sqrt(D);
-      const speed = Math.abs(x) + Math.abs(z);
-      const As = A * s;
-      const inverse = 1 / (As * speed);
-      const overA = inverse * (s * speed);
-      near[found] = (-b - s) * overA;
-      far[found] = (s - b) * overA;
-      halfOverRoot[found] = 0.5 * inverse * (A * speed);
-      overSpeed[found] = inverse * As;
-      sizeA[found] = A;
-      sizeD[found] = D;
-      hitIndex[found] = i;
-      found += 1;
-    } else if (D < -(plainError * Q) - smallestD && inside) {
-      t0[i] = Number.NaN;
-      t1[i] = Number.NaN;
-    } else doubtful[unsure++] = i;
-  }
-  hits = found;
-  doubts = unsure;
+function leaveAll(from: number, to: number): void {
+  for (let i = from; i < to; i++) doubtful[i - from] = i;
+  count[DOUBTS] = to - from;
 }
 
 /** The doubtful rays with the sharp bound, for both kinds of shapes: about an axis Y and PY are 0. */
@@ -256,8 +153,9 @@ function filterSharply(
   { Ex, Ey, Ez, dx, dy, dz }: Rays,
   { t0, t1 }: Answers,
   left: OpenRays,
+  doubts: number,
 ): void {
-  let found = hits;
+  let found = 0;
   for (let j = 0; j < doubts; j++) {
     const i = doubtful[j] as number;
     const x = dx[i] as number;

@@ -1,5 +1,6 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import { productError, squareError } from '../../float/eft.ts';
+import { type Lattice, latticeOf } from './lattice.ts';
 
 /**
  * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k = √|a|, so that all three
@@ -18,6 +19,8 @@ export interface CertifiedQuadric {
   readonly flare: number;
   /** Whether the fast stages may be used: see BOX. */
   readonly inBox: boolean;
+  /** The shape in units of its own, if it is an ordinary one. */
+  readonly lattice: Lattice | null;
 }
 
 /**
@@ -46,5 +49,6 @@ export function certifiedQuadric(q: Quadric): CertifiedQuadric {
     rhoLow: productError(q.r, q.r, rho),
     flare: q.squared ? q.flare * q.flare : q.flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
+    lattice: latticeOf(q),
   };
 }
