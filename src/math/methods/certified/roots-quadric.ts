@@ -2,6 +2,7 @@ import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { count, doubtful, ordinaryRoots } from './lattice-roots.ts';
 import { BLOCK, DOUBTS } from './lattice-scratch.ts';
+import { recentredAroundAxis, recentredInSpace } from './recentred.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
 /*
@@ -132,7 +133,8 @@ export function bothRoots(
     const to = Math.min(from + BLOCK, rays.count);
     if (c.lattice) ordinaryRoots(c.lattice, q.hasY, rays, out, from, to);
     else leaveAll(from, to);
-    const doubts = count[DOUBTS] as number;
+    const recentred = q.hasY ? recentredInSpace : recentredAroundAxis;
+    const doubts = recentred(c.numbers, rays, out, doubtful, count[DOUBTS] as number);
     if (doubts === 0) continue;
     hits = 0;
     filterSharply(q, c, rays, out, left, doubts);

@@ -19,6 +19,8 @@ export interface CertifiedQuadric {
   readonly flare: number;
   /** Whether the fast stages may be used: see BOX. */
   readonly inBox: boolean;
+  /** What the loops need of all that, as doubles for certain. */
+  readonly numbers: Float64Array;
   /** The shape in units of its own, if it is an ordinary one. */
   readonly lattice: Lattice | null;
 }
@@ -28,6 +30,19 @@ export interface CertifiedQuadric {
  * product of theirs can overflow, and what underflows is far below their absolute terms. The rest is scaled first.
  */
 export const BOX = 2 ** 100;
+
+/** Where in `numbers` each is. */
+export const AT_SCALED = {
+  Cx: 0,
+  Cy: 1,
+  Cz: 2,
+  k: 3,
+  k1: 4,
+  k2: 5,
+  sign: 6,
+  rho: 7,
+  rhoLow: 8,
+} as const;
 
 const SPLITTER = 134217729;
 
@@ -40,13 +55,17 @@ export function certifiedQuadric(q: Quadric): CertifiedQuadric {
   const rest = q.squared || s === 0 ? 0 : (size - p - squareError(s, p)) / (2 * s);
   const big = SPLITTER * s;
   const k1 = big - (big - s);
+  const k2 = s - k1 + rest;
+  const sign = q.squared || q.flare > 0 ? 1 : -1;
+  const rhoLow = productError(q.r, q.r, rho);
   return {
     k: s,
     k1,
-    k2: s - k1 + rest,
-    sign: q.squared || q.flare > 0 ? 1 : -1,
+    k2,
+    sign,
     rho,
-    rhoLow: productError(q.r, q.r, rho),
+    rhoLow,
+    numbers: Float64Array.of(q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow),
     flare: q.squared ? q.flare * q.flare : q.flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
     lattice: latticeOf(q),
