@@ -19,7 +19,7 @@ const SMALLEST_SQUARE = 2 ** 8;
 /**
  * The relative error of A, 1/A and what is divided by it is charged as (12 Am/|A| + 26)u where it is used, see lattice-solve.ts.
  */
-const SLACK_A = 3 * 2 ** -53;
+const SLACK_A = 4 * 2 ** -53;
 const SLACK_M = 2 * 2 ** -53;
 const SLACK = 15 * 2 ** -53;
 
@@ -58,7 +58,6 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const Cz = lattice[AT.Cz] as number;
     const a = lattice[AT.a] as number;
     const rho = lattice[AT.rho] as number;
-    const size = Math.abs(a);
     const clear = BOUNDS[0] as number;
     const certain = BOUNDS[1] as number;
     const smallest = BOUNDS[2] as number;
@@ -85,13 +84,18 @@ export function coarseInSpace(s: Scratch): CoarsePass {
       const wide = px * px + pz * pz;
       const pp = py * py;
       const A = round - a * yy;
-      const Am = round + size * yy;
+      const Am = round + yy;
       const b = x * px + z * pz - a * (y * py);
       const D = b * b - A * (wide - a * pp - rho);
-      const Cm = wide + size * pp + rho;
+      const Cm = wide + pp + rho;
       const Q = Am * Cm;
-      const inside = Am < largestSquare && round + yy > smallestSquare && Cm < largestSquare;
-      if (D > clear * Q + smallest && inside && Math.abs(A) > least * Am) {
+      if (
+        D > clear * Q + smallest &&
+        Am < largestSquare &&
+        Am > smallestSquare &&
+        Cm < largestSquare &&
+        Math.abs(A) > least * Am
+      ) {
         // One division beside the root, not after it: 1/(A·D) gives 1/A and 1/√D.
         const root = Math.sqrt(D);
         const inverse = 1 / (A * D);
@@ -114,7 +118,7 @@ export function coarseInSpace(s: Scratch): CoarsePass {
         slack[hits] =
           slackA * (Am * Math.abs(over)) + slackM * (Math.abs(middle) * quarter) + slack0;
         hits += 1;
-      } else if (D < -(certain * Q) - smallest && inside) {
+      } else if (D < -(certain * Q) - smallest && Am < largestSquare && Cm < largestSquare) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else doubtful[doubts++] = i;
@@ -158,8 +162,12 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
       const D = b * b - A * (wide - rho);
       const Cm = wide + rho;
       const Q = A * Cm;
-      const inside = A < largestSquare && A > smallestSquare && Cm < largestSquare;
-      if (D > clear * Q + smallest && inside) {
+      if (
+        D > clear * Q + smallest &&
+        A < largestSquare &&
+        A > smallestSquare &&
+        Cm < largestSquare
+      ) {
         const root = Math.sqrt(D);
         const inverse = 1 / (A * D);
         const over = inverse * D;
@@ -178,7 +186,7 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
         overGap[hits] = quarter;
         slack[hits] = slackM * (Math.abs(middle) * quarter) + (slackA + slack0);
         hits += 1;
-      } else if (D < -(certain * Q) - smallest && inside) {
+      } else if (D < -(certain * Q) - smallest && A < largestSquare && Cm < largestSquare) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else doubtful[doubts++] = i;

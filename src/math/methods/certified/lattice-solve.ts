@@ -2,21 +2,12 @@ import type { Answers } from '../../batch/batch.ts';
 import { AT, type Lattice, ROUND } from './lattice.ts';
 import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
 
-const LARGEST_SPREAD = 11e6;
+export const LARGEST_SPREAD = 11e6;
 const RESIDUAL_ERROR = 2.5 * 2 ** -53;
-const ROUNDING = 4.5;
-const FIXED = 9;
-const SMALL = 2 ** -12;
+export const ROUNDING = 5;
+export const SMALL = 2 ** -12;
 const FAITHFUL = 0.9 * 2 ** -54;
-const CONSTANTS = Float64Array.of(
-  ROUND,
-  RESIDUAL_ERROR,
-  ROUNDING,
-  FIXED,
-  SMALL,
-  FAITHFUL,
-  LARGEST_SPREAD,
-);
+const CONSTANTS = Float64Array.of(ROUND, RESIDUAL_ERROR, ROUNDING, SMALL, FAITHFUL, LARGEST_SPREAD);
 
 export type SolvePass = (lattice: Lattice, out: Answers) => void;
 
@@ -30,10 +21,9 @@ export function solvePass(s: Scratch): SolvePass {
     const cut = CONSTANTS[0] as number;
     const residualError = CONSTANTS[1] as number;
     const rounding = CONSTANTS[2] as number;
-    const fixed = CONSTANTS[3] as number;
-    const small = CONSTANTS[4] as number;
-    const faithful = CONSTANTS[5] as number;
-    const largest = CONSTANTS[6] as number;
+    const small = CONSTANTS[3] as number;
+    const faithful = CONSTANTS[4] as number;
+    const largest = CONSTANTS[5] as number;
     for (let j = 0; j < hits; j++) {
       const ta = near[j] as number;
       const tb = far[j] as number;
@@ -52,16 +42,16 @@ export function solvePass(s: Scratch): SolvePass {
       const stepB = (2 * phiB) / (sum - gap - r);
       const rootA = a + stepA;
       const rootB = b + stepB;
-      const sizeA = spread[j] as number;
-      const sizeB = spreadFar[j] as number;
+      const liftA = Math.abs(a) + 2;
+      const liftB = Math.abs(b) + 2;
+      const sizeA = (spread[j] as number) + liftA;
+      const sizeB = (spreadFar[j] as number) + liftB;
       const unit = residualError * Math.abs(inverse);
       const loss = slack[j] as number;
       const lostA = Math.abs(stepA);
       const lostB = Math.abs(stepB);
-      const errorA =
-        unit * (sizeA * (rounding * Math.abs(a) + fixed + small * sizeA) + 2) + loss * lostA;
-      const errorB =
-        unit * (sizeB * (rounding * Math.abs(b) + fixed + small * sizeB) + 2) + loss * lostB;
+      const errorA = unit * (sizeA * (rounding * liftA + small * sizeA)) + loss * lostA;
+      const errorB = unit * (sizeB * (rounding * liftB + small * sizeB)) + loss * lostB;
       const i = index[j] as number;
       if (
         errorA <= faithful * Math.abs(rootA) &&
