@@ -3,25 +3,26 @@ import { AT, LARGEST_LENGTH, type Lattice } from './lattice.ts';
 import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
 
 /*
- * Pass 1: is it hit, and roughly where. D/4 = b² − AC and its error bound 27u·Am·Cm are those of class-quadric.ts; in units nothing
- * overflows, and what underflows is far below SMALLEST.
- *   D > CLEAR·Q   (Q = Am·Cm): D is known to 27u·2^20 < 2^-28 of itself, and the distance of the coarse roots to 2^-28;
- *   |A| > LEAST·Am: A is known to 5u·Am/|A| of itself: squares u, a·y² 3u, two sums 2u.
+ * Pass 1: is it hit, and roughly where. u = 2^-53. D = b² − AC, in halves, is off by 27u·Q at most, Q = Am·Cm (class-quadric.ts, with
+ * Am = x² + y² + z² and Cm = |p|² + ρ, which are no smaller than there since |a| ≤ 1). In units nothing overflows, and what underflows is
+ * far below SMALLEST.
+ *
+ * D > CLEAR·Q: √D is known to 27u·2^13 < 2^-35 of itself. Then |b|/√D < 2^7, so that the rounding of the rough roots, a few u(|b| + √D)/|A|, is
+ * below 2^-42 of their distance, and this is known to 2^-34.
+ * |A| > LEAST·Am: |δA| ≤ 3u·Am + u|A| (squares u, their sum u; a·y² 3u; the difference), so A is known to 200u, and not 0.
  */
 const CLEAR = 2 ** -14;
 const CERTAIN = 28 * 2 ** -53;
 const SMALLEST = 2 ** -100;
 const LEAST = 2 ** -6;
 const LARGEST_SQUARE = LARGEST_LENGTH ** 2;
-/** Some component of d has then at least 2^3 units, so that a huge t shows in t·d. */
+/** Some component of d has then at least 2^3 units, so that t·d shows it when t is too large to be cut. */
 const SMALLEST_SQUARE = 2 ** 8;
 
-/**
- * The relative error of A, 1/A and what is divided by it is charged as (12 Am/|A| + 26)u where it is used, see lattice-solve.ts.
- */
-const SLACK_A = 4 * 2 ** -53;
-const SLACK_M = 2 * 2 ** -53;
-const SLACK = 15 * 2 ** -53;
+/** The relative error of a step in lattice-solve.ts is (4 Am/|A| + |b|/(2√D) + 15)u at most; pass 1 has these numbers at hand. */
+export const SLACK_A = 4 * 2 ** -53;
+export const SLACK_M = 2 * 2 ** -53;
+export const SLACK = 15 * 2 ** -53;
 
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
 const BOUNDS = Float64Array.of(
@@ -141,7 +142,6 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const clear = BOUNDS[0] as number;
     const certain = BOUNDS[1] as number;
     const smallest = BOUNDS[2] as number;
-    const least = BOUNDS[3] as number;
     const largestSquare = BOUNDS[4] as number;
     const smallestSquare = BOUNDS[5] as number;
     const slackA = BOUNDS[6] as number;

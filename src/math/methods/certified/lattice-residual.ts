@@ -1,6 +1,22 @@
 import { AT, type Lattice, ROUND } from './lattice.ts';
 import { HITS, type Scratch } from './lattice-scratch.ts';
 
+/*
+ * Pass 2: f/2 = (q·q − ρ)/2 at the whole numbers next to the rough roots, q = p + t d. For lift = |t| + 2, l = lift/2 and
+ * S = Σ|qh + ql/2| + lift ≥ Σ|q|:
+ *
+ *   d = dh + dl, E = eh + el, |dl|, |el| ≤ 1/2, exactly; ph = eh − Ch and qh = ph + t·dh are exact;
+ *   ql = (el − Cl) + t·dl: |ql| ≤ |t|/2 + 1 = l; roundings u, u|t|/2 and u·l:                |δql| ≤ 2u·l
+ *   H = Σqh² − ρh − …: S < 2^23.4 keeps all of it below 2^46.8. x² + z² − a1·y² − ρh counts in 64ths, and a2·y² is
+ *   a whole number of 2^-13 below 2^53: exact but for the last subtraction,                   u|H| ≤ u(2|f/2| + 2|L|)
+ *   L = Σ ql(qh + ql/2), |L| ≤ l·S: from δql 2, the bracket 1, the product 1, for y a's rounding 1 and its product 1, and four sums:
+ *   10u·l·S with the share of H;
+ *   a3: |a3|/2 ≤ 2^-15, its rounding, the product and a sum:                                  3u·2^-15 S² < u·2^-13.4 S²
+ *   the sum of both and halves:                                                               3u|f/2| in all.
+ *
+ * So |δ(f/2)| ≤ u·S(5·lift + 2^-12 S) + 3u|f/2|. Math.abs is taken of numbers with a fraction: of whole ones V8 expects int32.
+ */
+
 export type ResidualPass = (lattice: Lattice) => void;
 
 export function residualsInSpace(s: Scratch): ResidualPass {

@@ -1,5 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
-import { AT_SCALED } from './scaled-quadric.ts';
+import { LEAST_A } from './moment-bound.ts';
+import { AT_SCALED, BOX } from './scaled-quadric.ts';
 
 /*
  * Rays that come from far away or graze the shape: both roots lie close together, so the origin is moved to a short t between
@@ -7,7 +8,7 @@ import { AT_SCALED } from './scaled-quadric.ts';
  * and D' = b'² − A f, which is D/4. What cancels is q, b' and f, and these are taken on grids. (x + σ) − σ is x rounded to a whole
  * multiple of ulp(σ)/2; for |x| ≤ S and σ = 2^m S what is left over is ≤ 2^(m−52) S, exactly (Rump, Ogita, Oishi 2008).
  *
- * The grids of roots-quadric.ts, with t itself on its grid: for the reach L = |t||d|₁ + |p|₁ and W = |q|₁ + L,
+ * The grids of refined.ts, with t itself on its grid: for the reach L = |t||d|₁ + |p|₁ and W = |q|₁ + L,
  *   |δq| ≤ 2^-71 L in all;  |δf| ≤ 2^-69 W|q|₁ + 2u|f|;
  *   b' = Σ qh dh (exact: 26 by 25 bits) + Σ (ql d + qh dl): |ql| ≤ 2^-21 W and dl ≤ 2^-23 |d|₁ lose 2^-74 W|d|₁ at each of up to six
  *   operations, and δq·d 2^-71 L|d|₁:     |δb'| ≤ 2^-70 W|d|₁ + u|b'|;
@@ -31,13 +32,10 @@ const CLOSED = 8 * 2 ** -53;
 const FAITHFUL = 0.9 * 2 ** -54;
 /** Where the parts of the bound underflow: inside the box nothing that matters is smaller. */
 const SMALLEST_D = 2 ** -200;
-const LEAST_A = 2 ** -20;
-const BOX = 2 ** 100;
-const SPREAD = 2 ** 40;
 
 const BOUNDS = Float64Array.of(
   ...[GRID_25, GRID_26, GRID_P, SPLITTER, CROSS_ERROR, SQUARE_ERROR, RESIDUAL_ERROR, SLOPE_ERROR],
-  ...[CLOSED_A, CLOSED, FAITHFUL, SMALLEST_D, LEAST_A, BOX, SPREAD],
+  ...[CLOSED_A, CLOSED, FAITHFUL, SMALLEST_D, LEAST_A, BOX],
 );
 
 /** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
@@ -79,7 +77,6 @@ export const recentredInSpace: RecentredPass = (
   const smallestD = BOUNDS[11] as number;
   const leastA = BOUNDS[12] as number;
   const box = BOUNDS[13] as number;
-  const spread = BOUNDS[14] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -167,7 +164,7 @@ export const recentredInSpace: RecentredPass = (
       sizeB * (crossError * width * speed + squareError * sizeB) +
       square * (crossError * width * size + residualError * Math.abs(f)) +
       smallestD;
-    const inside = speed < box && speed * box > 1 && Sp < box && reach < spread * Sp;
+    const inside = speed < box && speed * box > 1 && Sp < box;
     if (D > 2 * error && inside && Math.abs(A) > leastA * (round + yy)) {
       const root = Math.sqrt(D);
       const overSize = Math.abs(overA);
@@ -213,7 +210,6 @@ export const recentredAroundAxis: RecentredPass = (
   const faithful = BOUNDS[10] as number;
   const smallestD = BOUNDS[11] as number;
   const box = BOUNDS[13] as number;
-  const spread = BOUNDS[14] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -266,7 +262,7 @@ export const recentredAroundAxis: RecentredPass = (
       sizeB * (crossError * width * speed + squareError * sizeB) +
       square * (crossError * width * size + residualError * Math.abs(f)) +
       smallestD;
-    const inside = speed < box && speed * box > 1 && Sp < box && reach < spread * Sp;
+    const inside = speed < box && speed * box > 1 && Sp < box;
     if (D > 2 * error && inside) {
       const root = Math.sqrt(D);
       const overSize = Math.abs(overA);
