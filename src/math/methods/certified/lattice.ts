@@ -53,6 +53,8 @@ export const AT = {
   halfRestRho: 20,
 } as const;
 
+const COUNT = 21;
+
 /** x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction. Math.round would make V8 convert to int32 and back. */
 export const ROUND = 1.5 * 2 ** 52;
 
@@ -74,32 +76,27 @@ export function latticeOf(q: Quadric): Lattice | null {
   const r = length * q.r;
   const rho = r * r;
   const wholeRho = Math.round(rho);
-  const lattice = new Float64Array(Object.keys(AT).length);
-  const put = (values: Readonly<Record<keyof typeof AT, number>>): void => {
-    for (const name of Object.keys(AT) as (keyof typeof AT)[]) lattice[AT[name]] = values[name];
-  };
-  put({
-    direction: DIRECTION,
-    directionY: DIRECTION * up,
-    length,
-    lengthY: length * up,
-    back: DIRECTION / length,
-    Cx,
-    Cy,
-    Cz,
-    wholeX,
-    wholeY,
-    wholeZ,
-    restX: Cx - wholeX,
-    restY: Cy - wholeY,
-    restZ: Cz - wholeZ,
-    a,
-    a1,
-    a2,
-    halfA3: (a - a1 - a2 + flareLow / up / up) / 2,
-    rho,
-    wholeRho,
-    halfRestRho: (rho - wholeRho + productError(r, r, rho)) / 2,
-  });
+  const lattice = new Float64Array(COUNT);
+  lattice[AT.direction] = DIRECTION;
+  lattice[AT.directionY] = DIRECTION * up;
+  lattice[AT.length] = length;
+  lattice[AT.lengthY] = length * up;
+  lattice[AT.back] = DIRECTION / length;
+  lattice[AT.Cx] = Cx;
+  lattice[AT.Cy] = Cy;
+  lattice[AT.Cz] = Cz;
+  lattice[AT.wholeX] = wholeX;
+  lattice[AT.wholeY] = wholeY;
+  lattice[AT.wholeZ] = wholeZ;
+  lattice[AT.restX] = Cx - wholeX;
+  lattice[AT.restY] = Cy - wholeY;
+  lattice[AT.restZ] = Cz - wholeZ;
+  lattice[AT.a] = a;
+  lattice[AT.a1] = a1;
+  lattice[AT.a2] = a2;
+  lattice[AT.halfA3] = (a - a1 - a2 + flareLow / up / up) / 2;
+  lattice[AT.rho] = rho;
+  lattice[AT.wholeRho] = wholeRho;
+  lattice[AT.halfRestRho] = (rho - wholeRho + productError(r, r, rho)) / 2;
   return lattice;
 }

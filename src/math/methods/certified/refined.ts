@@ -124,9 +124,10 @@ export function refine(
 
     const Sd = Math.abs(x) + Math.abs(y) + Math.abs(z);
     const Sp = Math.abs(px) + Math.abs(leadP) + Math.abs(pz);
-    const mx = y * pz - z * leadP;
+    const pk = k * py;
+    const mx = y * pz - z * pk;
     const my = z * px - x * pz;
-    const mz = x * leadP - y * px;
+    const mz = x * pk - y * px;
     const round = x * x + z * z;
     const yy = y * y;
     const A = round - sign * yy;
@@ -139,7 +140,7 @@ export function refine(
       places[left++] = i;
       continue;
     }
-    const slope = x * px + z * pz - sign * (y * leadP);
+    const slope = x * px + z * pz - sign * (y * pk);
     const s = Math.sqrt(D);
     const As = A * s;
     const inverse = 1 / (As * Sd);

@@ -46,7 +46,29 @@ export const AT_SCALED = {
 
 const SPLITTER = 134217729;
 
+const KEPT = 8;
+const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];
+let oldest = 0;
+
+/** One ray at a time, the same few shapes are asked about again and again: the latest ones are kept. */
 export function certifiedQuadric(q: Quadric): CertifiedQuadric {
+  for (const { q: known, c } of kept) if (same(known, q)) return c;
+  const c = prepared(q);
+  kept[oldest] = { q, c };
+  oldest = (oldest + 1) % KEPT;
+  return c;
+}
+
+const same = (a: Quadric, b: Quadric): boolean =>
+  a.Cx === b.Cx &&
+  a.Cy === b.Cy &&
+  a.Cz === b.Cz &&
+  a.r === b.r &&
+  a.flare === b.flare &&
+  a.hasY === b.hasY &&
+  a.squared === b.squared;
+
+function prepared(q: Quadric): CertifiedQuadric {
   const rho = q.r * q.r;
   const size = Math.abs(q.flare);
   const s = q.squared ? size : Math.sqrt(size);
