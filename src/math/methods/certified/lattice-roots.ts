@@ -10,9 +10,9 @@ const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;
 const residuals = [residualsAroundAxis(scratch), residualsInSpace(scratch)] as const;
 const solve = solvePass(scratch);
 
-export const { doubtful, count } = scratch;
+export const { doubtful, unsettled, count } = scratch;
 
-/** Both roots of rays `from` to `to`; the places of those that are left open are in doubtful[0 … count[DOUBTS] − 1]. */
+/** Both roots of rays `from` to `to`, but for count[DOUBTS] `doubtful` and count[UNSETTLED] `unsettled` ones. */
 export function ordinaryRoots(
   lattice: Lattice,
   hasY: boolean,

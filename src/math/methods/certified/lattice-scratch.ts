@@ -29,14 +29,16 @@ export interface Scratch {
   readonly overAH: Float64Array;
   readonly spread: Float64Array;
   readonly spreadFar: Float64Array;
-  /** Places of rays that a pass could not settle. */
+  /** Places of rays that pass 1 could not judge, and of clear hits that pass 3 could not settle. */
   readonly doubtful: Int32Array;
-  /** How many there are: hits, doubtful. */
+  readonly unsettled: Int32Array;
+  /** How many there are: hits, doubtful, unsettled. */
   readonly count: Int32Array;
 }
 
 export const HITS = 0;
 export const DOUBTS = 1;
+export const UNSETTLED = 2;
 
 export function createScratch(): Scratch {
   const array = (): Float64Array => new Float64Array(BLOCK);
@@ -60,6 +62,7 @@ export function createScratch(): Scratch {
     spread: array(),
     spreadFar: array(),
     doubtful: new Int32Array(BLOCK),
-    count: new Int32Array(2),
+    unsettled: new Int32Array(BLOCK),
+    count: new Int32Array(3),
   };
 }

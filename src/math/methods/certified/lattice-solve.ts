@@ -1,6 +1,6 @@
 import type { Answers } from '../../batch/batch.ts';
 import { AT, type Lattice, ROUND } from './lattice.ts';
-import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
+import { HITS, type Scratch, UNSETTLED } from './lattice-scratch.ts';
 
 /*
  * Pass 3. The quadratic A(t − ta)(t − tb) is known by A and its values at the whole numbers a and b. With φ = f/A there, gap = b − a, and the
@@ -46,12 +46,12 @@ const CONSTANTS = Float64Array.of(
 export type SolvePass = (lattice: Lattice, out: Answers) => void;
 
 export function solvePass(s: Scratch): SolvePass {
-  const { index, A: As, overA, near, far, overGap, slack, doubtful, count } = s;
+  const { index, A: As, overA, near, far, overGap, slack, unsettled, count } = s;
   const { fNear, fFar, overAH, spread, spreadFar } = s;
   return (lattice, { t0, t1 }) => {
     const back = lattice[AT.back] as number;
     const hits = count[HITS] as number;
-    let doubts = count[DOUBTS] as number;
+    let left = 0;
     const cut = CONSTANTS[0] as number;
     const residualError = CONSTANTS[1] as number;
     const rounding = CONSTANTS[2] as number;
@@ -97,8 +97,8 @@ export function solvePass(s: Scratch): SolvePass {
       ) {
         t0[i] = back * rootA;
         t1[i] = back * rootB;
-      } else doubtful[doubts++] = i;
+      } else unsettled[left++] = i;
     }
-    count[DOUBTS] = doubts;
+    count[UNSETTLED] = left;
   };
 }

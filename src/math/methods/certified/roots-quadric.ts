@@ -1,7 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { count, doubtful, ordinaryRoots } from './lattice-roots.ts';
-import { BLOCK, DOUBTS } from './lattice-scratch.ts';
+import { count, doubtful, ordinaryRoots, unsettled } from './lattice-roots.ts';
+import { BLOCK, DOUBTS, UNSETTLED } from './lattice-scratch.ts';
 import { recentredAroundAxis, recentredInSpace } from './recentred.ts';
 import { refine } from './refined.ts';
 import type { CertifiedQuadric } from './scaled-quadric.ts';
@@ -15,8 +15,8 @@ export interface OpenRays {
 }
 
 /**
- * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary rays in units, then what that leaves
- * about a point near both roots, for far and grazing rays, and then root by root. Each stage certifies what it answers.
+ * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary rays in units, far and grazing ones about a
+ * point near both roots, and what these leave root by root. Each stage certifies what it answers.
  */
 export function bothRoots(
   q: Quadric,
@@ -31,14 +31,29 @@ export function bothRoots(
     const to = Math.min(from + BLOCK, rays.count);
     if (c.lattice) ordinaryRoots(c.lattice, q.hasY, rays, out, from, to);
     else leaveAll(from, to);
-    let doubts = count[DOUBTS] as number;
-    if (doubts > 0) doubts = recentred(c.numbers, rays, out, doubtful, doubts);
-    if (doubts > 0) doubts = refine(c.numbers, q.hasY, rays, out, doubtful, doubts);
-    for (let j = 0; j < doubts; j++) left.open[left.count++] = doubtful[j] as number;
+    const doubts = count[DOUBTS] as number;
+    const far = doubts > 0 ? recentred(c.numbers, rays, out, doubtful, doubts) : 0;
+    refineAndList(q, c, rays, out, left, doubtful, far);
+    refineAndList(q, c, rays, out, left, unsettled, count[UNSETTLED] as number);
   }
+}
+
+function refineAndList(
+  q: Quadric,
+  c: CertifiedQuadric,
+  rays: Rays,
+  out: Answers,
+  left: OpenRays,
+  places: Int32Array,
+  count: number,
+): void {
+  if (count === 0) return;
+  const rest = refine(c.numbers, q.hasY, rays, out, places, count);
+  for (let j = 0; j < rest; j++) left.open[left.count++] = places[j] as number;
 }
 
 function leaveAll(from: number, to: number): void {
   for (let i = from; i < to; i++) doubtful[i - from] = i;
   count[DOUBTS] = to - from;
+  count[UNSETTLED] = 0;
 }
