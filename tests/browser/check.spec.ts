@@ -244,6 +244,15 @@ test.describe('programs of other languages', () => {
       buffer: Buffer.from('nonsense'),
     });
     await expect(report(page)).toContainText('could not be read');
+    // The same file, dropped on the page.
+    await page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], 'results.csv', { type: 'text/csv' }));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
+    }, lines.join('\n'));
+    await expect(page.locator('[data-quantity="passed"]')).toHaveText(
+      `${cases.length} of ${cases.length}`,
+    );
   });
 
   test('a failing case opens in Explore', async ({ page }) => {
