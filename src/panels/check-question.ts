@@ -228,7 +228,7 @@ function helps(asked: Asked, { posed }: QuestionView): TemplateResult | typeof n
         ? html`<section class="solution" aria-label="Solution">
           <h3>Solution</h3>
           <p>${fields.map((field, i) => html`${i > 0 ? ', ' : nothing}${field.label} ${field.kind === 'choice' ? '' : '= '}${solved(field, truth[field.id])}`)}</p>
-          ${exercise.id === 'tangent' || exercise.paper ? derivationLines(lines, 'numbers') : derivationLines(lines, 'symbols')}
+          ${derivationLines(lines, 'numbers')}
         </section>`
         : nothing
     }

@@ -260,7 +260,6 @@ test.describe('programs of other languages', () => {
 const STATES = ['seed=41&question=1', 'part=own', 'part=program&cases=cylinder'];
 for (const [width, height] of [
   [1280, 800],
-  [820, 1180],
   [390, 844],
 ] as const) {
   for (const theme of ['light', 'dark', 'projector']) {
