@@ -190,6 +190,14 @@ describe('rays at glass', () => {
   });
 });
 
+test('a camera inside of coloured glass begins in it: aT / (1 − Ra²) in the middle of a ball', async () => {
+  const inside = furnace([ball(glassOf(1.5, 0.8))], looking([0, 0, 0], [0, 0, -1]));
+  const { rgba } = await picture(inside, { width: 1, height: 1 });
+  const a = Math.exp(-0.8);
+  const right = level((0.96 * a) / (1 - 0.04 * a * a));
+  expect(Math.abs((rgba[0] as number) - right)).toBeLessThanOrEqual(1);
+});
+
 test('each colour fades by its own σ', async () => {
   const sigma: Vec3 = [0.2, 0.9, 2.5];
   const coloured = slab(1.5, 0.7).map((side) => ({
