@@ -1,10 +1,13 @@
 import { nearAxis } from '../../math/families/asymptotes.ts';
 import { farOrigin, typical } from '../../math/families/ordinary.ts';
+import type { NonEmpty } from '../../math/families/parts.ts';
 import { cancellation } from '../../math/families/starts.ts';
 import { nearTangent } from '../../math/families/tangents.ts';
 import { findMethod } from '../../math/intersect.ts';
 import type { CurvedDetails } from '../../math/intersection.ts';
-import { pick } from '../../math/rng.ts';
+import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
+import type { Shape } from '../../math/shapes/index.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
 import type { Exercise } from './define.ts';
 import { drawUntil, kindsOf } from './draw.ts';
@@ -26,7 +29,35 @@ const CURES = [
   { id: 'compensated', title: 'twice the digits on the way (compensated)' },
 ];
 
-const FAMILIES = [typical, farOrigin, cancellation, nearTangent, nearAxis] as const;
+/**
+ * Nearly along a generator of slope 1, in numbers that make A, B and C exact: (1 + 2^-26)² needs just 53 bits. 4AC is tiny
+ * against B², and only −B ± √D is left to lose the digits.
+ */
+const SLIGHTLY_MORE = 1 + 2 ** -26;
+
+function alongGenerator(random: Random): Input {
+  const quarters = (size: number): Vec3 => [
+    integer(random, -4 * size, 4 * size) / 4,
+    integer(random, -4 * size, 4 * size) / 4,
+    integer(random, -4 * size, 4 * size) / 4,
+  ];
+  const at = quarters(2);
+  const shape: Shape =
+    random() < 0.5
+      ? { kind: 'cone', vertex: at, slope: 1 }
+      : { kind: 'hyperboloid', center: at, flare: 1, radius: integer(random, 1, 8) / 4 };
+  const direction: Vec3 = [randomSign(random) * SLIGHTLY_MORE, randomSign(random), 0];
+  return { shape, ray: { origin: quarters(6), direction } };
+}
+
+const DRAWS: NonEmpty<(random: Random) => Input> = [
+  (random) => typical.make(random),
+  (random) => farOrigin.make(random),
+  (random) => cancellation.make(random),
+  (random) => nearTangent.make(random),
+  (random) => nearAxis.make(random),
+  alongGenerator,
+];
 
 /** Clearly lost, and clearly kept; what lies between is not asked. */
 const LOST = 9;
@@ -38,9 +69,9 @@ export const digits: Exercise = {
   paper: false,
   kinds: kindsOf('curved'),
   draw(random, kind) {
-    const family = pick(random, FAMILIES);
+    const make = pick(random, DRAWS);
     const made = drawUntil(
-      () => family.make(random),
+      () => make(random),
       (drawn) => sameKind(drawn, kind) && measured(drawn) !== null,
     );
     if (!made) return null;
@@ -95,5 +126,7 @@ function measured({ shape, ray }: Input): Answers | null {
   const best = cures.findIndex(({ kept }) => kept >= KEPT);
   const cure = cures[best];
   if (!cure || cures.slice(0, best).some(({ kept }) => kept > LOST)) return null;
+  // A line may lose digits that the roots do not need: that is no question to learn from.
+  if ((line === undefined) !== (cure.id === 'textbook')) return null;
   return { line: line?.[0] ?? 'nowhere', cure: cure.id };
 }

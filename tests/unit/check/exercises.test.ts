@@ -171,6 +171,19 @@ describe('the opposite ray and the swapped roots', () => {
   });
 });
 
+test('digits are lost on every line but B, and every cure is the right one somewhere', () => {
+  const exercise = EXERCISES.find(({ id }) => id === 'digits');
+  if (!exercise) throw new RangeError('digits');
+  const truths = Array.from({ length: 120 }, (_, i) => {
+    const kind = exercise.kinds[i % exercise.kinds.length];
+    return pose(exercise, kind as (typeof exercise.kinds)[number], i + 1, 3).truth;
+  });
+  const right = (id: string) => [...new Set(truths.map((truth) => truth[id]))].sort();
+  expect(right('line')).toEqual(['A', 'C', 'D', 'nowhere', 't']);
+  expect(right('cure')).toEqual(['compensated', 'moment', 'stable', 'textbook']);
+  for (const { line, cure } of truths) expect(line === 'nowhere').toBe(cure === 'textbook');
+});
+
 describe('a session', () => {
   test.each([1, 2, 41, 1000])('of seed %i has every shape and rises', (seed) => {
     const slots = plan(seed);
