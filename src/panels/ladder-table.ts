@@ -75,7 +75,7 @@ function ladderRow(
     </th>
     <td role="cell" class="ladder-verdict">${verdict(row)}</td>
     <td role="cell" class="roots">${roots(row)}</td>
-    <td role="cell" class="digits">${digitCell(row.digits)}</td>
+    <td role="cell" class="digits">${digitCell(row.digits, 'digits')}</td>
     <td role="cell" class="errors">${errors(row.roots)}</td>
     <td role="cell" class="ns">${timing ? number('ns', timing.ns.median, nanoseconds(timing.ns.median)) : '–'}</td>
     <td role="cell" class="time">${timing ? number('ratio', timing.ratio.median, `${multiple(timing.ratio.median)}×`) : '–'}</td>
