@@ -19,6 +19,8 @@ const LEAST_ALPHA = 0.45;
 /** Of the rays that carry light so many, the heaviest, get their weight written to them. */
 const MOST_LABELS = 6;
 const ALONG = 0.62;
+/** Less than a percent is not told at a ray: the list has it in full. */
+const LEAST_LABEL = 0.01;
 
 export function lineStrokes(
   lines: readonly TreeLine[],
@@ -55,7 +57,7 @@ export class TreeMarks {
     const named = new Set<string>();
     const written: { readonly x: number; readonly y: number }[] = [];
     const weights = lines.filter(carries).map(({ weight }) => weight);
-    const least = weights.sort((a, b) => b - a)[MOST_LABELS - 1] ?? 0;
+    const least = Math.max(weights.sort((a, b) => b - a)[MOST_LABELS - 1] ?? 0, LEAST_LABEL);
     layer.begin();
     for (const line of lines) {
       const { path, kind, end, light, weight } = line;

@@ -9,6 +9,7 @@ import { createBeside } from './picture/beside.ts';
 import { coresOf, createDarkroom } from './picture/darkroom.ts';
 import { createEasel } from './picture/easel.ts';
 import { easelModel } from './picture/easel-model.ts';
+import { dragged, type Grabbed, grabAt } from './picture/grab.ts';
 import { lateTree } from './picture/late-tree.ts';
 import { createLoupe } from './picture/loupe.ts';
 import { createPixelView } from './picture/pixel-view.ts';
@@ -35,6 +36,16 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
     split: (percent) => tools.set({ split: String(percent) }),
     pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
     cursor: (x, y) => announce(`pixel ${x}, ${y}`),
+    grab(x, y) {
+      const frame = beside.isEditing() ? sight?.main?.frame : undefined;
+      held = sight && frame ? grabAt(sight.picture.scene, frame, x, y) : null;
+      if (held) beside.edit(held.id);
+      return held !== null;
+    },
+    drag(x, y) {
+      const scene = held && dragged(held, x, y);
+      if (scene) tools.scene(scene);
+    },
   });
   const loupe = createLoupe(parts.loupes);
   const space = lateTree(parts.space);
@@ -45,6 +56,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   });
   /** The picture for which the ledger's last column was asked. */
   let counting = '';
+  let held: Grabbed | null = null;
   let told = '';
   let sight: Sight | null = null;
   const beside = createBeside(parts.beside, {
@@ -123,6 +135,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
       render(below(sight, darkroom, compareTools), parts.status);
       drawPixel(sight);
       beside.render(state, sight);
+      host.classList.toggle('editing', beside.isEditing());
       host.dataset.trace = sight.main?.state ?? 'waiting';
       tell(sight);
     },

@@ -5,10 +5,10 @@ import { editedLines } from '../check/lines.ts';
 import { type OwnLine, type OwnReport, ownFields } from '../check/own-numbers.ts';
 import type { Input } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { lineName } from './check-feedback.ts';
 import { fieldRow } from './check-field.ts';
 import { inputRow } from './check-given.ts';
 import { derivationLines } from './check-lines.ts';
-import { lineName } from './check-question.ts';
 
 export interface OwnView {
   readonly input: Input;

@@ -37,7 +37,7 @@ export function editor(
   return html`<p class="editor-acts">
       <button type="button" class="plain-button" @click=${tools.save}>Save scene</button>
       <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
-      <span>A scene's file can also be dropped on the page.</span>
+      <span>Shapes can be dragged in the picture.</span>
     </p>
     <ul class="parts">
       ${scene.things.map((thing) =>

@@ -69,7 +69,7 @@ function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): Templ
     ? html`<strong>forced on</strong>; not needed: ${row.reason}`
     : row.reason;
   const toggle = forcedOn
-    ? button(row, 'no', 'let the scene decide', tools)
+    ? button(row, 'no', RELEASE, tools)
     : button(row, 'off', 'force off', tools);
   return html`<tbody class="entry" data-effect=${row.id}>
     <tr>
@@ -112,6 +112,8 @@ function changed({ pixels }: LedgerRow, all: number): TemplateResult | string {
   return html`<span data-quantity="pixels" data-value=${pixels} title=${title}>${words}</span>`;
 }
 
+/** Back to what the scene calls for. */
+const RELEASE = 'as called for';
 const DASH = html`<span class="idle-dash" aria-hidden="true"></span>`;
 
 function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateResult {
@@ -120,7 +122,7 @@ function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateRe
   return html`<li class="idle-row" data-effect=${row.id}>
     ${DASH}<span class="idle-name">${row.title}${needed(row)}<span class="visually-hidden" data-quantity="rays" data-value="0">, 0 rays</span></span>
     <span class="idle-reason">${off ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}` : row.reason}</span>
-    ${off ? button(row, 'no', 'let the scene decide', tools) : button(row, 'on', 'force on', tools)}
+    ${off ? button(row, 'no', RELEASE, tools) : button(row, 'on', 'force on', tools)}
   </li>`;
 }
 

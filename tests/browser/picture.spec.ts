@@ -116,7 +116,7 @@ test('forced on, an effect costs rays and changes no bit; forced off, the pictur
   expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(100);
   expect(await cell(page, 'reflection', 'pixels')).toBe(0);
   expect(await pixels(page)).toBe(before);
-  await row(page, 'reflection').getByRole('button', { name: 'let the scene decide' }).click();
+  await row(page, 'reflection').getByRole('button', { name: 'as called for' }).click();
   await traced(page);
   await expect(row(page, 'reflection')).toHaveCount(0);
 
@@ -303,6 +303,35 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
     new URLSearchParams(hash.split('?')[1]).get('scene'),
   );
   expect(scenes[1]).toBe(scenes[0]);
+});
+
+test('a shape is dragged in the picture, and its heights go along; one drag is one step of undo', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  const box = await page.getByRole('application').boundingBox();
+  if (!box) throw new Error('no picture');
+  const [x, y] = [box.x + box.width * 0.5, box.y + box.height * 0.4];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await settle(page);
+  const form = page.locator('[data-part="glass cone"] .part-form');
+  await expect(form).toBeVisible();
+  const number = async (label: string): Promise<number> =>
+    Number(await form.getByRole('textbox', { name: label, exact: true }).getAttribute('title'));
+  const before = [await number('V.x'), await number('V.y'), await number('from y')] as const;
+  for (const step of [1, 2, 3]) await page.mouse.move(x + 20 * step, y - 10 * step);
+  await page.mouse.up();
+  await traced(page);
+  const [Vx, Vy, low] = [await number('V.x'), await number('V.y'), await number('from y')];
+  expect(Vx - before[0]).toBeGreaterThan(0.3);
+  expect(Vy - before[1]).toBeGreaterThan(0.1);
+  expect(low - before[2]).toBeCloseTo(Vy - before[1], 9);
+  await expectInLink(page, { pixel: null });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await traced(page);
+  await expect(page.getByLabel('scene:')).toHaveValue('cone-on-mirror');
 });
 
 test('a file that is no scene says why, and changes nothing', async ({ page }) => {

@@ -2,7 +2,11 @@ import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { FAMILIES } from '../../src/math/families.ts';
 import { intersect, METHODS, SHAPES } from '../../src/math/index.ts';
+import { readSettings } from '../../src/pages/check-settings.ts';
+import { readAccuracy } from '../../src/state/accuracy/settings.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { readPicture } from '../../src/state/picture/settings.ts';
+import type { Settings } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 
 const root = new URL('../../', import.meta.url);
@@ -41,6 +45,21 @@ describe('what the README says', () => {
     expect(decode(link).E).toEqual([4, 1, 0.5]);
     for (const { params } of SHAPES) {
       for (const { symbol } of params) expect(readme).toContain(`\`${symbol}\``);
+    }
+  });
+
+  test('the links to the other pages open without complaint', () => {
+    const readers: Readonly<Record<string, (given: Settings) => { problems: readonly string[] }>> =
+      {
+        accuracy: readAccuracy,
+        picture: readPicture,
+        check: readSettings,
+      };
+    const links = [...readme.matchAll(/^ {4}(#\/(accuracy|picture|check)\S+)/gm)];
+    expect(links.map(([, , page]) => page)).toEqual(Object.keys(readers));
+    for (const [, link = ''] of links) {
+      const { page, settings, problems } = decode(link);
+      expect([...problems, ...(readers[page]?.(settings[page]).problems ?? [])]).toEqual([]);
     }
   });
 

@@ -32,7 +32,7 @@ export const linear: Exercise = {
   ],
   answers: (course, draft) => chosen(work(course, draft), ['case', 't1']),
   clue: 'With A = 0 no square is left: B t + C = 0.',
-  lines: ['A', 'linear'],
+  lines: ['A', 'B', 'C', 't'],
 };
 
 export const PLACES = [

@@ -11,6 +11,10 @@ import { openScene } from './takeaways.ts';
 import type { PageTools } from './tools.ts';
 
 export interface Beside {
+  /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
+  isEditing(): boolean;
+  /** Opens the form of a thing or light. */
+  edit(id: string): void;
   render(state: AppState, sight: Sight): void;
 }
 
@@ -62,6 +66,11 @@ export function createBeside(
     html`<div role="tabpanel" aria-label="Scene">${editor(picture.scene, edited, shapeOf(state), editorTools(picture))}</div>`;
 
   return {
+    isEditing: () => tab === 'scene',
+    edit(id) {
+      edited = id;
+      changed();
+    },
     render(state, sight) {
       const turn = (next: Tab): void => {
         tab = next;

@@ -21,6 +21,9 @@ export interface EaselActions {
   pixel(x: number, y: number): void;
   /** The pixel cursor is here, not chosen yet. */
   cursor(x: number, y: number): void;
+  /** A press on the picture, in pixels and parts of them: true if something was taken hold of, which `drag` then moves. */
+  grab(x: number, y: number): boolean;
+  drag(x: number, y: number): void;
 }
 
 export interface Easel {
@@ -65,18 +68,26 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
     }
   };
 
-  const pixelAt = ({ clientX, clientY }: MouseEvent): readonly [number, number] | null => {
-    if (!model) return null;
+  const placeAt = ({ clientX, clientY }: MouseEvent): readonly [number, number] => {
     const box = plate.getBoundingClientRect();
-    const x = Math.floor(((clientX - box.left) / box.width) * model.width);
-    const y = Math.floor(((clientY - box.top) / box.height) * model.height);
-    return inside(x, y, model);
+    const { width, height } = model ?? { width: 1, height: 1 };
+    const x = ((clientX - box.left) / box.width) * width;
+    return [x, ((clientY - box.top) / box.height) * height];
   };
 
+  let holds = false;
+  plate.addEventListener('pointerdown', (event) => {
+    holds = event.button === 0 && actions.grab(...placeAt(event));
+    if (holds) plate.setPointerCapture(event.pointerId);
+  });
+  plate.addEventListener('pointermove', (event) => {
+    if (holds && plate.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
+  });
   plate.addEventListener('click', (event) => {
-    const at = pixelAt(event);
     cursor = null;
-    if (at) actions.pixel(...at);
+    if (!model || holds) return;
+    const [x, y] = placeAt(event);
+    actions.pixel(...inside(Math.floor(x), Math.floor(y), model));
   });
   plate.addEventListener('keydown', (event) => {
     if (!model || event.altKey || event.metaKey) return;

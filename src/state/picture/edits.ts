@@ -28,7 +28,7 @@ export function refusalOf(scene: Scene): string | null {
 }
 
 /** Whether a parameter says where the shape is: moving it moves the whole shape. */
-const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
+export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
 
 /** A thing with one parameter of its shape changed. Where it is kept between heights they go along with it. */
 export function withParam(thing: Placed, param: Param, value: Vec3 | number | string): Placed {
@@ -37,7 +37,9 @@ export function withParam(thing: Placed, param: Param, value: Vec3 | number | st
   const before = (thing.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
   const up = (value as Vec3)[1] - (before?.[1] ?? 0);
   const [low, high] = thing.between;
-  return up === 0 ? { ...thing, shape } : { ...thing, shape, between: [low + up, high + up] };
+  // Sums of short decimal numbers are such again.
+  const raised = (y: number): number => Number((y + up).toPrecision(14));
+  return up === 0 ? { ...thing, shape } : { ...thing, shape, between: [raised(low), raised(high)] };
 }
 
 /** Cut off at two heights about where it is, or no more. */

@@ -42,7 +42,7 @@ interface Key {
 
 const KEYS = {
   scene: { initial: DEFAULT_SCENE, read: memoised(sceneFromText) },
-  size: { initial: '640x360', read: readSize },
+  size: { initial: '752x424', read: readSize },
   samples: { initial: '1', read: oneOf(SAMPLES) },
   light: { initial: '16', read: oneOf(LIGHT_SAMPLES) },
   start: { initial: 'from', read: readStart },

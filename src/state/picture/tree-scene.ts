@@ -107,12 +107,14 @@ function lineOf(node: RayNode, path: string, stage: Stage): TreeLine {
   const atEnd = end.end === 'hit' ? end.point : end.end === 'background' ? null : along(ray, end.t);
   const start =
     from ?? (atEnd ? plus(atEnd, unit, -LONG * reach) : nearest(ray.origin, unit, stage));
-  const isNear = atEnd !== null && Math.hypot(...minus(atEnd, start)) <= LONG * reach * 1.001;
-  const to = isNear
-    ? atEnd
-    : plus(start, unit, kind === 'camera' ? 2 * LONG * reach : OPEN_END * reach);
+  // A camera ray was begun near its end; any other one may end out of the picture.
+  const isNear =
+    atEnd !== null && (from === null || Math.hypot(...minus(atEnd, start)) <= LONG * reach);
+  const length = kind === 'camera' ? 2 * LONG * reach : OPEN_END * reach;
+  const to = isNear ? atEnd : plus(start, unit, length);
   const light = 'light' in end ? end.light : null;
-  return { path, kind, from: start, to, weight, end: end.end, light };
+  const what = isNear || end.end === 'light' ? end.end : 'background';
+  return { path, kind, from: start, to, weight, end: what, light };
 }
 
 /** A camera ray that meets nothing, from before where it passes the middle of the picture. */

@@ -73,8 +73,8 @@ describe('settings', () => {
   test('what a link leaves out has its default', () => {
     const settings = pictureSettings({});
     expect(settings).toMatchObject({
-      width: 640,
-      height: 360,
+      width: 752,
+      height: 424,
       samples: 1,
       forced: {},
       against: null,
@@ -101,7 +101,7 @@ describe('settings', () => {
 
   test.each(['0x90', '160x0', '9999x90', '160', 'axb', '-1x2', '1e2x3'])('size %s', (size) => {
     expect(readPicture({ size }).problems).toHaveLength(1);
-    expect(pictureSettings({ size })).toMatchObject({ width: 640, height: 360 });
+    expect(pictureSettings({ size })).toMatchObject({ width: 752, height: 424 });
   });
 
   test('a pixel outside of the picture is no pixel', () => {
@@ -111,7 +111,7 @@ describe('settings', () => {
   });
 
   test('a default is taken out of the link', () => {
-    expect(changed({ size: '640x360', split: '20' })).toEqual({ size: null, split: '20' });
+    expect(changed({ size: '752x424', split: '20' })).toEqual({ size: null, split: '20' });
   });
 
   test('a scene keeps its identity while its text is the same', () => {

@@ -121,17 +121,20 @@ describe('the rays in space', () => {
   });
 
   test('a ray that hits ends at the hit', () => {
+    let hits = 0;
     for (const { id, root } of FOUND) {
       const preset = PRESETS.find((entry) => entry.id === id);
       if (!preset) throw new Error(id);
       const { lines, stage } = treeScene(preset.scene, root);
       const nodes = flatten([root]);
-      lines.forEach(({ to }, i) => {
+      lines.forEach(({ to, end: drawn }, i) => {
         const end = nodes[i]?.end;
-        if (end?.end !== 'hit') return;
+        if (end?.end !== 'hit' || drawn !== 'hit') return;
+        hits++;
         const off = Math.hypot(...to.map((x, k) => x - (end.point[k] ?? 0)));
         expect(off, id).toBeLessThan(1e-9 * stage.radius);
       });
     }
+    expect(hits).toBeGreaterThan(300);
   });
 });
