@@ -30,7 +30,8 @@ export function ghostFigures(
     spot ? [{ key: `ghost ${k}`, kind: 'ghost', symbols: [], spot }] : [],
   );
   const start = pointAt(ghost, ghost.from, space);
-  const named = E ?? (start && lens.project(start));
+  const named =
+    (ghost.beside && seen(ghost.beside, space, lens)) ?? E ?? (start && lens.project(start));
   if (!named) return { marks, captions: [] };
   const caption: Caption = {
     ...{ key: 'ghost', symbol: '', letter: ghost.title, sub: '', tone: 'ghost' },

@@ -1,5 +1,6 @@
 import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, POINT, ROOTS } from '../math/formula/common.ts';
 import type { Expr, ExprTriple, Relation } from '../math/formula/expr.ts';
+import type { Formula } from '../math/shapes/define.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 
@@ -65,9 +66,20 @@ export interface FlatCourse {
 
 export type Course = CurvedCourse | FlatCourse;
 
+/** A shape's trees are the same objects each time (the square's, per axis): its course is made once. */
+const made = new WeakMap<Formula, Course>();
+
 /** What the course teaches about this shape, without an error. */
 export function courseOf(shape: Shape): Course {
   const formula = definitionOf(shape).formula(shape);
+  const known = made.get(formula);
+  if (known) return known;
+  const course = courseWith(formula);
+  made.set(formula, course);
+  return course;
+}
+
+function courseWith(formula: Formula): Course {
   if (formula.family === 'flat') {
     const { family, rate, offset, t, bound } = formula;
     return { family, rate, offset, t, P: POINT, conditions: bound?.conditions ?? [], rules: RULES };

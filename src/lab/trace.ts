@@ -11,10 +11,10 @@ import {
   root,
   scalar,
   squared,
-  type Term,
 } from '../math/formula/expr.ts';
 import { AXES } from '../math/vec3.ts';
 import { MOST_DIGITS, rightDigits } from './digits.ts';
+import { keyOf, productOf, sumOf } from './written.ts';
 
 /** A number on its way through a formula: what the method has, what it should be, and how it came about. */
 export interface Traced<T> {
@@ -183,19 +183,6 @@ function attempt(f: () => Surd): Surd | null {
     throw error;
   }
 }
-
-/** Sums and products are written flat, as they are evaluated: from the left. */
-function sumOf(left: Expr, term: Term): Expr {
-  const terms = left.op === 'sum' ? left.terms : [{ sign: 1 as const, expr: left }];
-  return { op: 'sum', terms: [...terms, term] };
-}
-
-function productOf(left: Expr, right: Expr): Expr {
-  const factors = left.op === 'product' ? left.factors : [left];
-  return { op: 'product', factors: [...factors, right] };
-}
-
-const keyOf = (expr: Expr): string => JSON.stringify(expr);
 
 function symbolsOf<T>(
   { scalars, vectors }: Values<number>,

@@ -52,7 +52,7 @@ export function provenanceOf(
     ...measured.rows.flatMap(({ roots }) => (roots ? [relativeSpread(roots.ns)] : [])),
   );
   const busy = `quartiles up to ${Math.round(100 * spread)} % apart${spread > BUSY ? ': the machine looked busy' : ''}`;
-  const step = `timer step ${display(1000 * measured.clockStep, 2)} µs`;
+  const step = `timer step ${display(1000 * measured.clockStep, 3)} µs`;
   return `${device}; ${step}; ${measured.round} rounds, ${rays}; ${busy}. Digits are counted against exact on every ray.`;
 }
 

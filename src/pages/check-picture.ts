@@ -76,6 +76,7 @@ function ghostOf(input: Input, answers: Answers, scene: SceneModel): GhostModel 
     from: first.from,
     to: last.to,
     hits: points.filter((p) => isDrawn(p, stage)),
+    beside: points.find((p) => isDrawn(p, stage)) ?? null,
   };
 }
 
@@ -91,6 +92,7 @@ function arrow(from: Vec3, [x, y, z]: Vec3, radius: number): GhostModel | null {
     from: 0,
     to: 1,
     hits: [to],
+    beside: to,
   };
 }
 

@@ -1,35 +1,27 @@
+import { html, render } from 'lit';
 import type { Posed } from '../check/compose.ts';
 import { courseOf } from '../check/course.ts';
 import { readAll } from '../check/grade.ts';
 import { type Judged, judge } from '../check/judge.ts';
 import { askedAt, hinted, type Progress, solutionShown, tried, typed } from '../check/progress.ts';
 import { plan, question } from '../check/session.ts';
+import { summary, summaryJson } from '../check/summary.ts';
 import type { Answers } from '../check/types.ts';
 import { work } from '../check/work.ts';
-import { HINTS, type QuestionTools, type QuestionView } from '../panels/check-question.ts';
-import type { Memory } from './check-memory.ts';
+import { answerForm, questionHead, questionText } from '../panels/check-question.ts';
+import { HINTS, type QuestionTools } from '../panels/check-question-view.ts';
+import { summaryTable } from '../panels/check-summary.ts';
+import { download } from '../ui/files.ts';
+import type { LeftPart, PartContext } from './check-part.ts';
 
-export interface Questions {
-  /** The question that the link asks for. */
-  view(seed: number, index: number): QuestionView;
-  /** What has been committed, for the picture; null while a prediction is open. */
-  committed(): Answers | null;
+export interface Questions extends LeftPart {
   readonly tools: QuestionTools;
-  progress(): Progress;
-  /** Forgets this session's answers. */
-  restart(): void;
+  /** The session as it stands, to be taken away. */
+  json(): string;
 }
 
 /** The questions of one session after another: what was typed lives on the device, what was judged with the page. */
-export function createQuestions(
-  memory: Memory,
-  tools: {
-    changed(): void;
-    announce(words: string): void;
-    go(index: number): void;
-    seed(seed: number): void;
-  },
-): Questions {
+export function createQuestions({ memory, changed, set }: PartContext): Questions {
   let progress = memory.session(1);
   let index = 0;
   let posed: Posed = question(progress.seed, index);
@@ -37,12 +29,16 @@ export function createQuestions(
   const keep = (next: Progress): void => {
     progress = next;
     memory.keep(progress);
-    tools.changed();
+    changed();
   };
   const judgeNow = (): Judged => {
     const { draft, fields, truth, suspects } = posed;
     const again = (own: Answers): Answers => work(courseOf(draft.shape), draft, own);
     return judge(fields, askedAt(progress, index).texts, truth, suspects, again);
+  };
+  /** A question that was solved before is still solved. */
+  const recallVerdict = (): void => {
+    judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
   };
   const show = (seed: number, at: number): void => {
     if (seed === progress.seed && at === index) return;
@@ -51,39 +47,55 @@ export function createQuestions(
     posed = question(seed, at);
     recallVerdict();
   };
-  /** A question that was solved before is still solved. */
-  const recallVerdict = (): void => {
-    judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
+  /** What has been committed, for the picture; null while a prediction is open. */
+  const committed = (): Answers | null => {
+    const { texts, solutionShown: shown } = askedAt(progress, index);
+    if (judged && judged.verdict !== 'invalid') return readAll(posed.fields, texts);
+    return shown ? {} : null;
   };
+  let focusBody = (): void => {};
+  const tools: QuestionTools = {
+    type(field, text) {
+      judged = null;
+      keep(typed(progress, index, field, text));
+    },
+    check() {
+      judged = judgeNow();
+      keep(tried(progress, index, judged));
+    },
+    hint: () => keep(hinted(progress, index, HINTS)),
+    solution: () => keep(solutionShown(progress, index)),
+    go(next) {
+      set({ question: next });
+      // The next question is drawn in the next frame; its first box is where the hands go.
+      requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
+    },
+    seed: (seed) => set({ seed, question: 0 }),
+  };
+  const save = (): void =>
+    download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
   recallVerdict();
   return {
-    view(seed, at) {
+    tools,
+    json: () => summaryJson(progress),
+    render(head, body, _, { seed, question: at }) {
       show(seed, at);
-      return { posed, index, count: plan(seed).length, progress, judged };
-    },
-    committed() {
-      const { texts, solutionShown: shown } = askedAt(progress, index);
-      if (judged && judged.verdict !== 'invalid') return readAll(posed.fields, texts);
-      return shown ? {} : null;
-    },
-    progress: () => progress,
-    restart() {
-      judged = null;
-      keep({ seed: progress.seed, asked: {} });
-    },
-    tools: {
-      type(field, text) {
+      focusBody = () => body.querySelector<HTMLElement>('input, select')?.focus();
+      const view = { posed, index, count: plan(seed).length, progress, judged };
+      render(html`${questionHead(view, tools)}${questionText(view)}`, head);
+      const print = (): void => {
+        const details = body.querySelector('details');
+        if (details) details.open = true;
+        window.print();
+      };
+      const restart = (): void => {
         judged = null;
-        keep(typed(progress, index, field, text));
-      },
-      check() {
-        judged = judgeNow();
-        keep(tried(progress, index, judged));
-      },
-      hint: () => keep(hinted(progress, index, HINTS)),
-      solution: () => keep(solutionShown(progress, index)),
-      go: tools.go,
-      seed: tools.seed,
+        keep({ seed: progress.seed, asked: {} });
+      };
+      const table = summaryTable(summary(progress), { save, print, restart });
+      render(html`${answerForm(view, tools)}${table}`, body);
+      const answers = committed();
+      return { input: posed.draft, results: answers !== null, answers };
     },
   };
 }

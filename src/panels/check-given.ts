@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import type { Input } from '../check/types.ts';
+import type { Answer, Input } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { display, displayTriple, MINUS } from '../text/format.ts';
@@ -47,3 +47,9 @@ export function inputWords({ shape, ray }: Input): string {
     .replaceAll('NaN', 'not a number')
     .replaceAll(`${MINUS}Infinity`, `${MINUS}∞`);
 }
+
+/** An answer that is told: all the digits that paper needs. */
+export const shownAnswer = (answer: Answer): string => {
+  if (typeof answer === 'number') return display(answer, DIGITS);
+  return typeof answer === 'object' ? displayTriple(answer, DIGITS) : answer;
+};

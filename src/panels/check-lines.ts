@@ -3,7 +3,13 @@ import type { Line } from '../check/lines.ts';
 import type { Expr } from '../math/formula/expr.ts';
 import { display } from '../text/format.ts';
 import { formula } from './formula.ts';
-import { typesetNumber, typesetNumbers, typesetRelation, typesetSymbols } from './typeset.ts';
+import {
+  typesetNumber,
+  typesetNumbers,
+  typesetNumbersInPieces,
+  typesetRelation,
+  typesetSymbols,
+} from './typeset.ts';
 import './check-lines.css';
 
 /** Symbols only (a hint), or with the numbers put in and the value behind. */
@@ -11,7 +17,7 @@ export type Layer = 'symbols' | 'numbers';
 
 /** Lines of a derivation, one under the other; each may break between its layers. */
 export function derivationLines(lines: readonly Line[], layer: Layer): TemplateResult {
-  return html`<ul class="lines">${lines.map((line) => html`<li data-line=${line.id}>${written(line, layer)}</li>`)}</ul>`;
+  return html`<ul class="lines" tabindex="0" aria-label="Lines of the derivation">${lines.map((line) => html`<li data-line=${line.id}>${written(line, layer)}</li>`)}</ul>`;
 }
 
 function written(line: Line, layer: Layer): TemplateResult {
@@ -27,6 +33,12 @@ function written(line: Line, layer: Layer): TemplateResult {
   const name = letter ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : nothing;
   const symbols = formula(mathml`${name}${row(exprs.map(typesetSymbols))}`);
   if (layer === 'symbols') return symbols;
+  const [only, ...others] = exprs;
+  if (only && others.length === 0 && !worked) {
+    const pieces = typesetNumbersInPieces(only, numbers, 6);
+    return html`${symbols} <span class="put-in">${pieces.map((piece, i) => html`${formula(i === 0 ? mathml`<mo form="infix">=</mo>${piece}` : piece)} `)}</span>
+      <span class="result">${result(line)}</span>`;
+  }
   const put = row(exprs.map((expr) => typesetNumbers(expr, numbers, { worked, digits: 6 })));
   return html`${symbols} <span class="put-in">${formula(mathml`<mo form="infix">=</mo>${put}`)}</span>
     <span class="result">${result(line)}</span>`;

@@ -5,10 +5,10 @@ import { editedLines } from '../check/lines.ts';
 import { type OwnLine, type OwnReport, ownFields } from '../check/own-numbers.ts';
 import type { Input } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { lineName } from './check-feedback.ts';
 import { fieldRow } from './check-field.ts';
 import { inputRow } from './check-given.ts';
 import { derivationLines } from './check-lines.ts';
-import { lineName } from './check-question.ts';
 
 export interface OwnView {
   readonly input: Input;
@@ -33,6 +33,10 @@ const MARKS: Readonly<Record<OwnLine['verdict'], readonly [FieldGlyph, string]>>
 
 type FieldGlyph = '=' | '≠' | '?' | '→';
 
+/** What the mark's own words do not say yet. */
+const says = (line: OwnLine | undefined): string =>
+  line?.verdict === 'wrong' || line?.verdict === 'invalid' ? line.note : '';
+
 /** A student's own derivation, line by line; whatever is empty is not asked for. */
 export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): TemplateResult {
   const lineOf = (id: string): OwnLine | undefined =>
@@ -50,7 +54,7 @@ export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): 
         field,
         id: `own-${field.id}`,
         text: texts[field.id] ?? '',
-        mark: [words, line?.verdict === 'absent' ? '' : line?.note].filter(Boolean).join(': '),
+        mark: [words, says(line)].filter(Boolean).join(': '),
         glyph,
         invalid: line?.verdict === 'invalid',
         onText: (text) => tools.type(field.id, text),

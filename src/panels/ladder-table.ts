@@ -19,7 +19,7 @@ export interface LadderModel {
   readonly chosen: string;
 }
 
-const SAYS: Readonly<Record<Verdict, string>> = {
+export const SAYS: Readonly<Record<Verdict, string>> = {
   two: 'two points',
   tangent: 'touches once',
   one: 'one point',

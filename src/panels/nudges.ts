@@ -5,67 +5,89 @@ import { AXES, type Vec3 } from '../math/vec3.ts';
 import type { Dispatch } from '../state/actions.ts';
 import { type AppState, paramValue, shapeOf } from '../state/state.ts';
 import { displayAll, shortest } from '../text/format.ts';
+import { Ahead } from '../ui/ahead.ts';
 import { classOf } from './symbols.ts';
 import './nudges.css';
 
-/** One double of the input, and what to send when it is another one. */
-interface Input {
-  readonly vector: string;
-  readonly axis: string;
-  readonly sort: 'scalar' | 'vector';
-  readonly value: number;
-  send(value: number): void;
+/** A vector or a number of the input, and what to send when it is another one. */
+interface Source {
+  readonly symbol: string;
+  readonly value: Vec3 | number;
+  send(value: Vec3 | number): void;
 }
 
-/** Every number that the kernel gets, each with a step to the doubles beside it: how little does it take to flip a verdict? */
-export function nudges(state: AppState, dispatch: Dispatch): TemplateResult {
-  return html`<div class="nudges" role="group" aria-label="Move an input to the next double">
-    ${inputsOf(state, dispatch).map(nudge)}
+type Step = (x: number) => number;
+
+/**
+ * Every number that the kernel gets, each with a step to the doubles beside it: how little does it take to flip a verdict? The returned
+ * view remembers what it sent until the page has been drawn with it, so that no key is lost, however fast they come.
+ */
+export function createNudges(dispatch: Dispatch): (state: AppState) => TemplateResult {
+  const ahead = new Map<string, Ahead<Vec3 | number>>();
+  const move = ({ symbol, value, send }: Source, i: number, step: Step): void => {
+    const own = ahead.get(symbol) ?? new Ahead<Vec3 | number>();
+    ahead.set(symbol, own);
+    const now = own.of(value);
+    const next =
+      typeof now === 'number'
+        ? step(now)
+        : (now.map((x, k) => (k === i ? step(x) : x)) as unknown as Vec3);
+    own.set(next);
+    send(next);
+  };
+  return (
+    state,
+  ) => html`<div class="nudges" role="group" aria-label="Move an input to the next double">
+    ${sourcesOf(state, dispatch).map((source) =>
+      typeof source.value === 'number'
+        ? nudge(source.symbol, '', source.value, (step) => move(source, 0, step))
+        : AXES.map((axis, i) =>
+            nudge(source.symbol, axis, (source.value as Vec3)[i] as number, (step) =>
+              move(source, i, step),
+            ),
+          ),
+    )}
   </div>`;
 }
 
-function nudge({ vector, axis, sort, value, send }: Input): TemplateResult {
-  const name = `${vector}${axis ? `.${axis}` : ''}`;
+const STEPS: Readonly<Record<string, Step>> = {
+  ArrowUp: nextUp,
+  ArrowRight: nextUp,
+  ArrowDown: nextDown,
+  ArrowLeft: nextDown,
+};
+
+function nudge(
+  symbol: string,
+  axis: string,
+  value: number,
+  move: (step: Step) => void,
+): TemplateResult {
+  const name = `${symbol}${axis ? `.${axis}` : ''}`;
   const key = (event: KeyboardEvent): void => {
-    if (event.altKey || event.ctrlKey || event.metaKey) return;
-    const up = event.key === 'ArrowUp' || event.key === 'ArrowRight';
-    const down = event.key === 'ArrowDown' || event.key === 'ArrowLeft';
-    if (!up && !down) return;
+    const step = STEPS[event.key];
+    if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    send(up ? nextUp(value) : nextDown(value));
+    move(step);
   };
   return html`<span class="nudge" @keydown=${key}>
-    <button type="button" aria-label=${`${name} one double down`} @click=${() => send(nextDown(value))}>−</button>
-    <span class="nudge-name ${classOf(vector, sort)}">${vector}${axis ? html`<sub>${axis}</sub>` : ''}</span>
+    <button type="button" aria-label=${`${name} one double down`} @click=${() => move(nextDown)}>−</button>
+    <span class="nudge-name ${classOf(symbol, axis ? 'vector' : 'scalar')}">${symbol}${axis ? html`<sub>${axis}</sub>` : ''}</span>
     <span class="nudge-value" data-quantity=${name} data-value=${shortest(value)}>${displayAll(value)}</span>
-    <button type="button" aria-label=${`${name} one double up`} @click=${() => send(nextUp(value))}>+</button>
+    <button type="button" aria-label=${`${name} one double up`} @click=${() => move(nextUp)}>+</button>
   </span>`;
 }
 
-function inputsOf(state: AppState, dispatch: Dispatch): Input[] {
+function sourcesOf(state: AppState, dispatch: Dispatch): Source[] {
   const shape = shapeOf(state);
-  const own = definitionOf(shape).params.flatMap(({ key, symbol, type }): Input[] => {
-    const value = paramValue(shape, key);
-    if (type === 'vector') {
-      return ofVector(symbol, value as Vec3, (v) => dispatch({ type: 'param', key, value: v }));
-    }
+  const own = definitionOf(shape).params.flatMap(({ key, symbol, type }): Source[] => {
     if (type === 'axis') return [];
-    const send = (x: number): void => dispatch({ type: 'param', key, value: x });
-    return [{ vector: symbol, axis: '', sort: 'scalar', value: value as number, send }];
+    const value = paramValue(shape, key) as Vec3 | number;
+    return [{ symbol, value, send: (next) => dispatch({ type: 'param', key, value: next }) }];
   });
   return [
-    ...ofVector('E', state.E, (value) => dispatch({ type: 'origin', value })),
-    ...ofVector('d', state.d, (value) => dispatch({ type: 'direction', value })),
+    { symbol: 'E', value: state.E, send: (v) => dispatch({ type: 'origin', value: v as Vec3 }) },
+    { symbol: 'd', value: state.d, send: (v) => dispatch({ type: 'direction', value: v as Vec3 }) },
     ...own,
   ];
-}
-
-function ofVector(vector: string, v: Vec3, send: (v: Vec3) => void): Input[] {
-  return AXES.map((axis, i) => ({
-    vector,
-    axis,
-    sort: 'vector',
-    value: v[i] as number,
-    send: (x) => send(v.map((old, k) => (k === i ? x : old)) as unknown as Vec3),
-  }));
 }

@@ -36,6 +36,8 @@ export interface GhostModel {
   readonly from: number;
   readonly to: number;
   readonly hits: readonly Vec3[];
+  /** What its word stands beside; null for its E. */
+  readonly beside: Vec3 | null;
 }
 
 /** Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their identity while they do not change. */

@@ -90,7 +90,14 @@ function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null
   const reach = clipToStage(ray, stage, windowOf(found));
   if (!reach) return null;
   const hits = found.hits.map(({ point }) => point).filter((p) => isDrawn(p, stage));
-  return { title: 'before', origin: ray.origin, direction: ray.direction, ...reach, hits };
+  return {
+    title: 'before',
+    origin: ray.origin,
+    direction: ray.direction,
+    ...reach,
+    hits,
+    beside: null,
+  };
 }
 
 function segmentsOf(found: Intersection, reach: { from: number; to: number }): RaySegment[] {

@@ -10,16 +10,18 @@ export interface Lens {
   readonly ahead: Vec3;
   readonly right: Vec3;
   readonly up: Vec3;
+  /** The surface of the glass that the eye is in, or −1. */
+  readonly medium: number;
 }
 
-export function lensOf({ eye, target, angle }: Camera, aspect: number): Lens {
+export function lensOf({ eye, target, angle }: Camera, aspect: number, medium = -1): Lens {
   const ahead = unit([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
   // Looking straight up or down, the picture's top is where z points away.
   const steep = ahead[0] === 0 && ahead[2] === 0;
   const right = unit(steep ? [1, 0, 0] : [-ahead[2], 0, ahead[0]]);
   const up = cross(right, ahead);
   const half = Math.tan((angle * Math.PI) / 360);
-  return { eye, ahead, right: times(right, half * aspect), up: times(up, half) };
+  return { eye, ahead, right: times(right, half * aspect), up: times(up, half), medium };
 }
 
 const cross = (a: Vec3, b: Vec3): Vec3 => [
@@ -47,7 +49,7 @@ export function fireCamera(
   pixels: ArrayLike<number>,
   wave: Wave,
 ): void {
-  const { eye, ahead, right, up } = lens;
+  const { eye, ahead, right, up, medium } = lens;
   const side = Math.round(Math.sqrt(samples));
   const { rays } = wave;
   let j = 0;
@@ -71,7 +73,7 @@ export function fireCamera(
       wave.sample[j] = j;
       wave.path[j] = Math.imul(pixel * side * side + s + 1, 0x9e3779b1);
       wave.from[j] = -1;
-      wave.medium[j] = -1;
+      wave.medium[j] = medium;
       wave.kind[j] = CAMERA;
       wave.red[j] = 1;
       wave.green[j] = 1;

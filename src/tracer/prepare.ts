@@ -5,6 +5,7 @@ import type { Part } from './book.ts';
 import { fireCamera, lensOf, pixelsOf } from './camera.ts';
 import { level } from './colour.ts';
 import { addLedgers, EMPTY_LEDGER } from './ledger.ts';
+import { mediumAt } from './medium.ts';
 import { createRecorder } from './record.ts';
 import type { Film } from './shade.ts';
 import { createEngine, type Engine } from './tracer.ts';
@@ -47,7 +48,8 @@ export function tracerOf(
   unseen?: number,
 ): Tracer {
   const engine = createEngine(scene, settings, parts, clock, unseen);
-  const lens = lensOf(scene.camera, settings.width / settings.height);
+  const { camera } = scene;
+  const lens = lensOf(camera, settings.width / settings.height, mediumAt(scene, camera.eye));
   return {
     parts,
     trace: (tile) => traceTile(engine, lens, settings, tile),

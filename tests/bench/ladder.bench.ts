@@ -1,80 +1,64 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
+import { dirname, join } from 'node:path';
 import { batchesOf, rayAt, tasksOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
-import { measure, type Times } from '../../src/lab/run.ts';
-import { quantile, quartiles } from '../../src/lab/stats.ts';
+import { measure } from '../../src/lab/run.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/intersect.ts';
 import type { Method } from '../../src/math/methods/define.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
+import {
+  betweenMarks,
+  familyTable,
+  headline,
+  type Measured,
+  nanoseconds,
+  ratios,
+} from './ladder-report.ts';
 
 /*
  * What each rung costs, as a ratio to the textbook batch on the same rays in the same round, and what it gets wrong. Rays are drawn from seed
- * 2026 in the order of their family (the mix: 99 % typical, 1 % hard, in random order). `--families a,b` measures only those.
+ * 2026 in the order of their family (the mix: 99 % typical, 1 % hard, in random order). Writes docs/bench.md, and its first table into the
+ * README; a smaller run, by `--families a,b` or `--rounds 3`, writes both below test-results/ unless `--write` says otherwise.
  */
 const SEED = 2026;
 const SHAPES = 6;
 const COUNT = 512;
 const SAMPLE = { seed: SEED, shapes: SHAPES, count: COUNT };
-const PLAN = { rounds: 15, least: 4, steps: 100, warmUp: 4 };
+
+const option = (name: string): string | undefined => {
+  const at = process.argv.indexOf(`--${name}`);
+  return at < 0 ? undefined : process.argv[at + 1];
+};
+const chosen = option('families');
+const families = chosen ? FAMILIES.filter(({ id }) => chosen.split(',').includes(id)) : FAMILIES;
+const rounds = Number(option('rounds') ?? 15);
+if (!(rounds >= 1)) throw new RangeError(`--rounds must be at least 1, got ${option('rounds')}`);
+const whole = (!chosen && rounds >= 15) || process.argv.includes('--write');
+const PLAN = { rounds, least: 4, steps: 100, warmUp: 6 };
+
 /** The processor's time of this process: on a shared machine the wall clock mostly measures the neighbours. */
 function clock(): number {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
 }
 
-const chosen = process.argv[process.argv.indexOf('--families') + 1];
-const families = process.argv.includes('--families')
-  ? FAMILIES.filter(({ id }) => chosen?.split(',').includes(id))
-  : FAMILIES;
-
 const methods: readonly Method[] = METHODS.filter(({ batch }) => batch);
-const lines: string[] = [];
-const print = (line: string): void => {
-  console.log(line);
-  lines.push(line);
-};
 
-/** Ratios to textbook, round by round. */
-function ratios(times: Times, id: string): string {
-  const base = times.get('textbook') ?? [];
-  const { low, median, high } = quartiles((times.get(id) ?? []).map((x, k) => x / (base[k] ?? 1)));
-  return `${median.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})`;
-}
-
-function table(family: Family): void {
+function measured(family: Family): Measured {
   const batches = batchesOf(family, SAMPLE);
-  const rays = SHAPES * COUNT;
-  const roots = measure(tasksOf(methods, batches, 'both'), clock, PLAN);
-  const classes = measure(tasksOf(methods, batches, 'classes'), clock, PLAN);
-  print(`\n### ${family.title}\n\n${family.idea}\n`);
-  print(
-    '| rung | both roots | ns | class only | ns | wrong class | undecided | ulps: 99.9 % | max |',
-  );
-  print('|---|---|---|---|---|---|---|---|---|');
-  for (const method of methods) {
-    const { wrong, undecided, ulps } = qualityOf(method, batches);
-    const ns = (times: Times): string =>
-      ((quartiles(times.get(method.id) ?? []).median / rays) * 1e6).toPrecision(3);
-    const worst = ulps.at(-1) ?? 0;
-    const cells = [
-      method.id,
-      ratios(roots, method.id),
-      ns(roots),
-      ratios(classes, method.id),
-      ns(classes),
-      `${wrong}`,
-      `${undecided}`,
-      ulps.length ? quantile(ulps, 0.999).toPrecision(3) : '–',
-      ulps.length ? worst.toPrecision(3) : '–',
-    ];
-    print(`| ${cells.join(' | ')} |`);
-  }
+  return {
+    family,
+    roots: measure(tasksOf(methods, batches, 'both'), clock, PLAN),
+    classes: measure(tasksOf(methods, batches, 'classes'), clock, PLAN),
+    quality: new Map(methods.map((method) => [method.id, qualityOf(method, batches)])),
+    rays: SHAPES * COUNT,
+  };
 }
 
 /** One ray at a time, as objects: t and class, which is what a caller who asks "where is it hit?" reads. */
-function objects(): void {
+function objects(): string[] {
   const typical = FAMILIES.find(({ id }) => id === 'typical') as Family;
   const asked = batchesOf(typical, SAMPLE).map((batch) => ({
     shape: batch.shape,
@@ -105,20 +89,40 @@ function objects(): void {
     clock,
     PLAN,
   );
-  const ns = (id: string): string =>
-    ((quartiles(times.get(id) ?? []).median / (SHAPES * COUNT)) * 1e6).toPrecision(3);
-  print('\n### `intersect`, one typical ray at a time, input checked, t and class read\n');
-  print(
-    `textbook ${ns('textbook')} ns, certified ${ns('certified')} ns: ${ratios(times, 'certified')}`,
-  );
   if (Number.isNaN(sum)) throw new Error('a root was not a number');
+  const ns = (id: string): string => nanoseconds(times, id, SHAPES * COUNT);
+  return [
+    '### `intersect`, one typical ray at a time, input checked, t and class read',
+    '',
+    `textbook ${ns('textbook')} ns, certified ${ns('certified')} ns: ${ratios(times, 'certified')}`,
+    '',
+  ];
 }
 
-print('# What accuracy costs\n');
-print(
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${PLAN.rounds} interleaved rounds. Processor time, as ratios to the \`textbook\` batch on the same rays in the same round: median (quartiles). Ulps are counted from the correctly rounded root, for rays whose class is right.`,
-);
-objects();
-for (const family of families) table(family);
-mkdirSync('docs', { recursive: true });
-writeFileSync('docs/bench.md', `${lines.join('\n')}\n`);
+const lines: string[] = [];
+const print = (more: readonly string[]): void => {
+  console.log(more.join('\n'));
+  lines.push(...more);
+};
+
+const about = [
+  '# What accuracy costs',
+  '',
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time, as ratios to the \`textbook\` batch on the same rays in the same round: median (quartiles). Ulps are counted from the correctly rounded root, for rays whose class is right. Written by \`npm run bench -- ladder\`.`,
+  '',
+];
+print(objects());
+const all = families.map((family) => {
+  const one = measured(family);
+  print(familyTable(one));
+  return one;
+});
+const first = headline(all);
+console.log(first.join('\n'));
+const into = (path: string): string => {
+  const file = whole ? path : join('test-results', path);
+  mkdirSync(dirname(file), { recursive: true });
+  return file;
+};
+writeFileSync(into('docs/bench.md'), [...about, ...first, '', ...lines].join('\n'));
+writeFileSync(into('README.md'), betweenMarks(readFileSync('README.md', 'utf8'), first));

@@ -119,7 +119,7 @@ for (const count of [1, 2, 4, 6, 8, 12, 25, 100]) {
   const pixels = pixelsOf({ y0: 0, y1: 90, step: 1, refines: false }, 160);
   fireCamera(lensOf(scene.camera, 16 / 9), settings, pixels, wave);
   const cells = [Number.POSITIVE_INFINITY, 0].map((least) => {
-    const effect = { body: heights, tally: newTally(), clock: () => 0 };
+    const effect = { body: heights, clock: () => 0, spend: () => {} };
     const finder = createFinder(targets, { rule: 'from' }, effect, least);
     let best = Number.POSITIVE_INFINITY;
     for (let round = 0; round < 12; round++) {

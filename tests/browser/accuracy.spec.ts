@@ -48,11 +48,13 @@ test('this ray, before anything is measured: verdicts, digits, and where they go
 test('a short run ends, shows every method, and the sentence has the table’s numbers', async ({
   page,
 }) => {
+  // Ten seconds of measuring on a machine of its own; others may be at work beside it.
+  test.setTimeout(180_000);
   await open(page, '&family=far-origin');
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
   await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible({
-    timeout: 45_000,
+    timeout: 120_000,
   });
   await expect(marks(page)).toHaveCount(METHODS.length);
   for (const { id } of METHODS) expect(Number(await value(page, id, 'ns')), id).toBeGreaterThan(0);
@@ -142,6 +144,8 @@ test('how hard: textbook ends in lost hits, and its worst ray opens in Explore',
   const line = page.locator('.plot-line[data-method="textbook"]');
   await expect(page.locator('.plot-line')).toHaveCount(METHODS.length);
   await expect(page.locator('.acc-plot').nth(1)).toContainText('loses hits');
+  // The lines grow point by point.
+  await expect(page.locator('.plot-line[data-method="certified"] .plot-shape')).toHaveCount(13);
   await line.focus();
   await page.keyboard.press('End');
   await expect(line).toHaveAttribute('aria-valuetext', /^textbook at 10.+ lose a hit/);
@@ -164,7 +168,7 @@ test('one double more flips a verdict, with the keys', async ({ page }) => {
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
   await expect(row(page, 'exact')).toContainText('two points');
-  await expect(row(page, 'textbook32')).toContainText('wrong');
+  await expect(row(page, 'textbook32')).toContainText('misses a hit');
 });
 
 test('a link restores the settings, and says what it cannot use', async ({ page }) => {
@@ -195,9 +199,8 @@ for (const theme of THEMES) {
       await expect(page.locator('.plot-line')).toHaveCount(METHODS.length);
       for (const summary of await page.locator('summary').all()) await summary.click();
       expect(await violations(page)).toEqual([]);
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
-        width,
-      );
+      const reach = await page.locator('main').evaluate((main) => main.scrollWidth);
+      expect(reach).toBeLessThanOrEqual(width);
     });
   }
 }

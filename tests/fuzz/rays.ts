@@ -4,11 +4,12 @@ import { nextDown, nextUp } from '../../src/math/float/ulp.ts';
 import type { Ray } from '../../src/math/ray.ts';
 import { integer, pick, type Random, seeded, wide } from '../../src/math/rng.ts';
 import type { Shape } from '../../src/math/shapes/index.ts';
-import { disagreement } from '../unit/math/against-exact.ts';
+import { disagreement, misplaced } from '../unit/math/against-exact.ts';
 import { shrink } from './shrink-ray.ts';
 
 /*
  * Certified against exact on as many rays as wanted:  npm run fuzz -- --rays 1e7 --seed 1
+ * The class and roots as an object and in a batch, the points and normals of the object.
  * Every family of hard rays, each then bent by a few doubles, scaled, or given other exponents, so that it lands beside what its family aims
  * at. A failure is shrunk and printed as a line for tests/repro.
  */
@@ -57,6 +58,14 @@ function bent({ shape, ray }: Question, random: Random): Question {
   };
 }
 
+/** What certified gets wrong, in words, or null. */
+function wrong(question: Question): string | null {
+  const told = disagreement(question.shape, question.ray);
+  if (told) return told;
+  const hits = misplaced(question);
+  return hits.length ? `misplaced: ${JSON.stringify(hits)}` : null;
+}
+
 const count = option('rays', 1e5);
 const seed = option('seed', 1);
 const random = seeded(seed);
@@ -66,12 +75,10 @@ let told = start;
 for (let k = 0; k < count && failures < 10; k++) {
   const family = FAMILIES[k % FAMILIES.length] as (typeof FAMILIES)[number];
   const question = bent(family.make(random), random);
-  if (disagreement(question.shape, question.ray)) {
+  if (wrong(question)) {
     failures += 1;
-    const small = shrink(question, ({ shape, ray }) => disagreement(shape, ray) !== null);
-    console.log(
-      `ray ${k} of seed ${seed}, family ${family.id}: ${disagreement(small.shape, small.ray)}`,
-    );
+    const small = shrink(question, (q) => wrong(q) !== null);
+    console.log(`ray ${k} of seed ${seed}, family ${family.id}: ${wrong(small)}`);
     console.log(`  ${JSON.stringify(small)},`);
   }
   const now = performance.now();

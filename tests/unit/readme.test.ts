@@ -1,7 +1,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { FAMILIES } from '../../src/math/families.ts';
 import { intersect, METHODS, SHAPES } from '../../src/math/index.ts';
+import { readSettings } from '../../src/pages/check-settings.ts';
+import { readAccuracy } from '../../src/state/accuracy/settings.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { readPicture } from '../../src/state/picture/settings.ts';
+import type { Settings } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 
 const root = new URL('../../', import.meta.url);
@@ -40,6 +45,39 @@ describe('what the README says', () => {
     expect(decode(link).E).toEqual([4, 1, 0.5]);
     for (const { params } of SHAPES) {
       for (const { symbol } of params) expect(readme).toContain(`\`${symbol}\``);
+    }
+  });
+
+  test('the links to the other pages open without complaint', () => {
+    const readers: Readonly<Record<string, (given: Settings) => { problems: readonly string[] }>> =
+      {
+        accuracy: readAccuracy,
+        picture: readPicture,
+        check: readSettings,
+      };
+    const links = [...readme.matchAll(/^ {4}(#\/(accuracy|picture|check)\S+)/gm)];
+    expect(links.map(([, , page]) => page)).toEqual(Object.keys(readers));
+    for (const [, link = ''] of links) {
+      const { page, settings, problems } = decode(link);
+      expect([...problems, ...(readers[page]?.(settings[page]).problems ?? [])]).toEqual([]);
+    }
+  });
+
+  test('its table of the ladder is that of docs/bench.md, with every rung', () => {
+    const table = (text: string): string =>
+      /<!-- bench -->([\s\S]*?)<!-- \/bench -->/.exec(text)?.[1] ?? '';
+    const shown = table(readme);
+    expect(shown).toBe(table(read('docs/bench.md')));
+    const rungs = [...shown.matchAll(/^\| (\w+) \| [\d.]+ \|/gm)].map((m) => m[1]);
+    expect(rungs).toEqual(METHODS.map(({ id }) => id));
+  });
+
+  test('docs/bench.md has every family and, for each, every rung', () => {
+    const bench = read('docs/bench.md');
+    for (const { title } of FAMILIES) {
+      const [, section = ''] = bench.split(`### ${title}\n`);
+      const rungs = [...(section.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| [\d.]+ \(/gm)];
+      expect([title, ...rungs.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
     }
   });
 

@@ -1,3 +1,6 @@
+import { float64 } from '../../math/arithmetic/float64.ts';
+import { evaluateTriple } from '../../math/formula/evaluate.ts';
+import { valuesOf } from '../../math/methods/tree-method.ts';
 import { integer, pick, type Random } from '../../math/rng.ts';
 import { SHAPES, type Shape, type ShapeKind } from '../../math/shapes/index.ts';
 import { findShape } from '../../math/shapes/lookup.ts';
@@ -5,6 +8,7 @@ import type { Param } from '../../math/shapes/params.ts';
 import { AXES, type Axis, type Vec3 } from '../../math/vec3.ts';
 import { courseOf } from '../course.ts';
 import type { Answers, Input } from '../types.ts';
+import { roughWork } from '../work.ts';
 import type { Level } from './define.ts';
 
 /** A whole number, or from level 3 on sometimes a half. */
@@ -102,3 +106,17 @@ export const chosen = (answers: Answers, ids: readonly string[]): Answers =>
 
 /** |d| = 1 would hide a t taken for a distance. */
 export const hasUnitLength = ([x, y, z]: Vec3): boolean => x * x + y * y + z * z === 1;
+
+/** Everything about an input with two clean roots; null for any other, which most are: A, B and C tell that cheaply. */
+export function withTwoCleanRoots(input: Input): Answers | null {
+  const course = courseOf(input.shape);
+  if (course.family === 'flat') return null;
+  const values = valuesOf(input.shape, input.ray, float64);
+  const [A, B, C] = evaluateTriple([course.A, course.B, course.C], float64, values);
+  const D = B * B - 4 * A * C;
+  if (A === 0 || !(D > 0)) return null;
+  const root = Math.sqrt(D);
+  if (!isClean((-B - root) / (2 * A)) || !isClean((root - B) / (2 * A))) return null;
+  const found = roughWork(course, input);
+  return found.case === 'two' && allClean(found, ['A', 'B', 'C', 't1', 't2']) ? found : null;
+}

@@ -1,9 +1,8 @@
 import { pick } from '../../math/rng.ts';
-import { courseOf } from '../course.ts';
 import { choiceField, type Input } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
-import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { chosen, drawInput, drawUntil, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 const WHICH = [
   { id: 't1', title: 't₁' },
@@ -18,8 +17,8 @@ const WHY = [
 
 /** Of two clean roots; null for others. */
 function whereRootsAre(input: Input): 'in front' | 'around' | 'behind' | null {
-  const found = roughWork(courseOf(input.shape), input);
-  if (found.case !== 'two' || !allClean(found, ['t1', 't2'])) return null;
+  const found = withTwoCleanRoots(input);
+  if (!found) return null;
   const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
   if (t1 === 0 || t2 === 0) return null;
   return t1 > 0 ? 'in front' : t2 > 0 ? 'around' : 'behind';

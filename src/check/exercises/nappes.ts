@@ -4,7 +4,7 @@ import { findMisconception } from '../misconceptions/index.ts';
 import { choiceField, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { CASES, type Exercise } from './define.ts';
-import { allClean, chosen, drawInput, drawShape, kindsOf, numberOf } from './draw.ts';
+import { chosen, drawInput, drawShape, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 /** The shapes that have a second nappe to forget. */
 const kinds = () =>
@@ -20,8 +20,8 @@ export const nappes: Exercise = {
   draw(random, kind, level) {
     const input = drawInput(random, kind, level);
     const course = courseOf(input.shape);
-    const found = roughWork(course, input);
-    if (found.case !== 'two' || !allClean(found, ['A', 'B', 'C', 't1', 't2'])) return null;
+    const found = withTwoCleanRoots(input);
+    if (!found) return null;
     const forgetful = findMisconception('one-nappe')?.edit(course);
     if (!forgetful || roughWork(forgetful, input).case !== 'one') return null;
     if (!(numberOf(found, 't1') > 0)) return null;

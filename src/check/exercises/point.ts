@@ -1,8 +1,15 @@
-import { courseOf } from '../course.ts';
 import { tripleField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
-import { allClean, chosen, drawInput, hasUnitLength, kindsOf, numberOf } from './draw.ts';
+import {
+  allClean,
+  chosen,
+  drawInput,
+  hasUnitLength,
+  kindsOf,
+  numberOf,
+  withTwoCleanRoots,
+} from './draw.ts';
 
 export const point: Exercise = {
   id: 'point',
@@ -11,8 +18,8 @@ export const point: Exercise = {
   kinds: kindsOf('curved'),
   draw(random, kind, level) {
     const input = drawInput(random, kind, level);
-    const found = roughWork(courseOf(input.shape), input);
-    if (found.case !== 'two' || !allClean(found, ['t1', 't2', 'P1', 'P2'])) return null;
+    const found = withTwoCleanRoots(input);
+    if (!found || !allClean(found, ['P1', 'P2'])) return null;
     const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
     if (t1 === 0 || !(t2 > 0) || hasUnitLength(input.ray.direction)) return null;
     const which = t1 > 0 ? 'far-root' : 'behind';

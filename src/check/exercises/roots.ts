@@ -1,8 +1,7 @@
-import { courseOf } from '../course.ts';
 import { numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
-import { allClean, chosen, drawInput, hasUnitLength, kindsOf, numberOf } from './draw.ts';
+import { chosen, drawInput, hasUnitLength, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 export const roots: Exercise = {
   id: 'roots',
@@ -11,9 +10,8 @@ export const roots: Exercise = {
   kinds: kindsOf('curved'),
   draw(random, kind, level) {
     const input = drawInput(random, kind, level);
-    const found = roughWork(courseOf(input.shape), input);
-    if (found.case !== 'two' || !allClean(found, ['A', 'B', 'C', 't1', 't2'])) return null;
-    if (hasUnitLength(input.ray.direction)) return null;
+    const found = withTwoCleanRoots(input);
+    if (!found || hasUnitLength(input.ray.direction)) return null;
     // With B² + 4AC < 0 there would be no roots to compare with.
     const B = numberOf(found, 'B');
     const otherD = B * B + 4 * numberOf(found, 'A') * numberOf(found, 'C');

@@ -1,9 +1,8 @@
 import { pick } from '../../math/rng.ts';
-import { courseOf } from '../course.ts';
 import { choiceField, type Input } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
-import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { chosen, drawInput, drawUntil, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 export const SHADOW = [
   { id: 'lit', title: 'E is lit' },
@@ -12,8 +11,8 @@ export const SHADOW = [
 
 /** The mistake that this input invites, if the numbers are clean. */
 function tempting(input: Input): string | null {
-  const found = roughWork(courseOf(input.shape), input);
-  if (found.case !== 'two' || !allClean(found, ['t1', 't2'])) return null;
+  const found = withTwoCleanRoots(input);
+  if (!found) return null;
   const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
   if ([t1, t2].some((t) => t === 0 || t === 1)) return null;
   if (t2 < 0) return 'behind';

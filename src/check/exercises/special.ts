@@ -11,16 +11,17 @@ export const linear: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   draw(random, kind, level) {
-    const one = random() < 0.6;
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => {
         const found = roughWork(courseOf(drawn.shape), drawn);
         if (numberOf(found, 'A') !== 0 || !allClean(found, ['B', 'C'])) return false;
-        return one ? found.case === 'one' && allClean(found, ['t1']) : found.case !== 'one';
+        return found.case !== 'one' || allClean(found, ['t1']);
       },
     );
-    return input && { ...input, watch: ['a-zero'] };
+    // Rays that meet nothing are common among drawn ones, and a cylinder has no others.
+    const { case: verdict } = input ? roughWork(courseOf(input.shape), input) : {};
+    return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
   ask: () =>
     'In how many points does the line of the ray meet the surface? If it crosses in one, at which t?',
@@ -31,7 +32,7 @@ export const linear: Exercise = {
   ],
   answers: (course, draft) => chosen(work(course, draft), ['case', 't1']),
   clue: 'With A = 0 no square is left: B t + C = 0.',
-  lines: ['A', 'linear'],
+  lines: ['A', 'B', 'C', 't'],
 };
 
 export const PLACES = [

@@ -7,7 +7,7 @@ import { type Answers, type Input, numberField } from '../types.ts';
 import { roughWork } from '../work.ts';
 import type { Draft, Exercise } from './define.ts';
 import { drawInput, kindsOf, numberOf } from './draw.ts';
-import { numberParams, withParam } from './params.ts';
+import { numberParams } from './params.ts';
 
 const WATCH = ['r-for-r2', 'c-for-c2', 'a2-for-a', 'plus-y', 'b2-ac', 'plus-r2'];
 
@@ -49,8 +49,7 @@ const HALVINGS = 52;
 /** The positive values of the parameter, up to 27, where D of these formulas changes its sign and A is not 0. */
 function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
   if (!param) return [];
-  const at = (value: number) =>
-    coefficientsAt(course, { shape: withParam(shape, param, value), ray });
+  const at = coefficientsBy(course, { shape, ray }, param.symbol);
   const D = (value: number): number => at(value).D;
   const found: number[] = [];
   let before = D(LARGEST / STEPS / 2);
@@ -66,11 +65,19 @@ function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
 /** A root at which A vanishes, too, is where the quadratic becomes a line, not a tangent. Other A are of size 1. */
 const NO_LINE = 1e-6;
 
-function coefficientsAt(course: Course, { shape, ray }: Input): { A: number; D: number } {
-  if (course.family === 'flat') return { A: Number.NaN, D: Number.NaN };
-  const values = valuesOf(shape, ray, float64);
-  const [A, B, C] = evaluateTriple([course.A, course.B, course.C], float64, values);
-  return { A, D: evaluate(course.D, float64, withScalars(values, { A, B, C })) };
+/** A and D as functions of one parameter. */
+function coefficientsBy(
+  course: Course,
+  { shape, ray }: Input,
+  symbol: string,
+): (value: number) => { readonly A: number; readonly D: number } {
+  if (course.family === 'flat') return () => ({ A: Number.NaN, D: Number.NaN });
+  const rest = valuesOf(shape, ray, float64);
+  return (value) => {
+    const values = withScalars(rest, { [symbol]: value });
+    const [A, B, C] = evaluateTriple([course.A, course.B, course.C], float64, values);
+    return { A, D: evaluate(course.D, float64, withScalars(values, { A, B, C })) };
+  };
 }
 
 function bisect(f: (x: number) => number, from: number, to: number): number {

@@ -26,14 +26,16 @@ import {
   behindAccepted,
   farForNear,
   lightForgotten,
+  oneNappe,
+  startForgotten,
+} from './hits.ts';
+import {
   normalFactor,
   normalIsPoint,
   normalOfSphere,
   normalSign,
   normalTurned,
-  oneNappe,
-  startForgotten,
-} from './hits.ts';
+} from './normals.ts';
 import {
   aEpsilon,
   dEpsilon,

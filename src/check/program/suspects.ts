@@ -1,4 +1,4 @@
-import { courseOf } from '../course.ts';
+import { type Course, courseOf } from '../course.ts';
 import type { Misconception } from '../misconceptions/define.ts';
 import { MISCONCEPTIONS } from '../misconceptions/index.ts';
 import type { Answers } from '../types.ts';
@@ -35,11 +35,14 @@ export function findings(cases: readonly Case[], outputs: readonly Output[]): Fi
   // No root at all fits whatever leaves no roots; it is no sign of anything.
   if (usable.every(({ output }) => output.t.length === 0)) return [];
   const found = MISCONCEPTIONS.flatMap((misconception): Finding[] => {
+    const editedOf = onceFor(misconception);
     let agrees = 0;
     let of = 0;
     for (const { one, output, right } of usable) {
-      const edited = misconception.edit(courseOf(one.shape));
+      const edited = editedOf(courseOf(one.shape));
       if (!edited) continue;
+      // Most are out of the question after a few cases.
+      if (of >= ENOUGH && agrees < of / 2) break;
       const withEdit = listsOf(roughWork(edited, one));
       const withNormals = output.normal !== null;
       if (same(withEdit, right, withNormals)) continue;
@@ -49,6 +52,21 @@ export function findings(cases: readonly Case[], outputs: readonly Output[]): Fi
     return agrees >= LEAST && agrees >= SHARE * of ? [{ misconception, agrees, of }] : [];
   });
   return found.sort((a, b) => b.agrees - a.agrees);
+}
+
+/** Cases on which an edit shows, after which a half that does not agree rules it out. */
+const ENOUGH = 8;
+
+/** The edit of each course, made once. */
+function onceFor({ edit }: Misconception): (course: Course) => Course | null {
+  const known = new Map<Course, Course | null>();
+  return (course) => {
+    const found = known.get(course);
+    if (found !== undefined) return found;
+    const edited = edit(course);
+    known.set(course, edited);
+    return edited;
+  };
 }
 
 function listsOf(found: Answers): Lists {

@@ -17,11 +17,12 @@ function typeOfShape(kind: ShapeKind): string {
 /** What a program gets and has to return, as a comment above an empty function. */
 export function template(kinds: readonly ShapeKind[]): string {
   return [
-    '// ray:   { origin: [x, y, z], direction: [x, y, z] }      E and d',
-    ...kinds.map((kind, i) => `// ${i === 0 ? 'shape: ' : '       '}${typeOfShape(kind)}`),
-    '// Return every t at which the whole line E + t d meets the shape, also t < 0,',
-    '// ascending, a tangent once; none for a miss, or where the whole line lies in it.',
-    '// normal is optional: one for each t, of any length. Wrong input: throw, or return no t.',
+    '// ray: { origin: [x, y, z], direction: [x, y, z] }, E and d',
+    ...kinds.map((kind, i) => `// ${i === 0 ? 'shape: ' : '    or '}${typeOfShape(kind)}`),
+    '// Return every t at which the line E + t d meets the shape,',
+    '// also t < 0, ascending, a tangent once. No t for a miss, or',
+    '// where the whole line lies in the shape. normal, one for each',
+    '// t, is optional. Wrong input: throw, or return no t.',
     'function intersect(shape, ray) {',
     '  const [ex, ey, ez] = ray.origin;',
     '  const [dx, dy, dz] = ray.direction;',

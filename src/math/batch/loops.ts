@@ -17,7 +17,7 @@ export type SolveRay = (rays: Rays, i: number, out: Answers) => number;
 
 /**
  * A kernel that asks `solve` ray by ray: for methods whose one ray costs many times a call. `classes` takes the roots along: whether one of them leaves the
- * machine's range decides between a class and 'undecided', and they are a fifth of the work.
+ * machine's range decides between a class and 'undecided', and they are the smaller part of the work.
  */
 export function kernelOf(met: 'two' | 'one', solve: SolveRay): Kernel {
   const usual = met === 'two' ? TWO : ONE;

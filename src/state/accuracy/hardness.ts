@@ -39,10 +39,15 @@ export function hardnessOf(points: readonly SweepPoint[], dial: Dial, worth: Wor
   return {
     lines,
     range: dial.range,
-    dialTitle: dial.title.replace('^-k', '⁻ᵏ').replace('^k', 'ᵏ'),
+    dialTitle: dialTitle(dial),
+    digitsTitle:
+      worth === 'worst' ? 'digits right, in the worst ray' : 'digits right, in 9 rays of 10',
     tick: tickOf(dial),
   };
 }
+
+/** With raised powers. */
+export const dialTitle = ({ title }: Dial): string => title.replace('^-k', '⁻ᵏ').replace('^k', 'ᵏ');
 
 /** 10⁴, 2³ or 40 %, as the dial's own title has it. */
 export function tickOf({ title }: Dial): (k: number) => string {

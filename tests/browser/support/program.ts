@@ -20,5 +20,5 @@ export const told = async (page: Page): Promise<string> =>
 
 export async function openCheck(page: Page, settings: string): Promise<void> {
   await page.goto(`./#/check${settings && `?${settings}`}`);
-  await page.locator('.check h2').first().waitFor();
+  await page.locator('.check h2').filter({ visible: true }).first().waitFor();
 }

@@ -44,6 +44,17 @@ describe('labels', () => {
     expect(placeLabels([wish(570, 100)], FRAME)[0]?.left).toBe(570 - 11 - 80);
   });
 
+  test('between two others it stands above, clear of its mark', () => {
+    const beside = [9, 111].map((left) => ({ left, top: 92, width: 80, height: 16 }));
+    expect(placeLabels([wish(100, 100)], { ...FRAME, left: 0 }, beside)[0]).toEqual({
+      left: 60,
+      top: 100 - 11 - 16 + 2,
+      width: 80,
+      height: 16,
+      led: false,
+    });
+  });
+
   test('eight marks on one point', () => {
     const all = Array.from({ length: 8 }, () => wish(300, 20, 120));
     expect(collisions(all)).toEqual([]);

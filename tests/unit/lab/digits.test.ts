@@ -36,6 +36,7 @@ describe('right digits', () => {
     expect(rightDigits(0, exact(0))).toBe(MOST_DIGITS);
     expect(rightDigits(5e-324, exact(5e-324))).toBe(MOST_DIGITS);
     expect(digitCount(MOST_DIGITS)).toBe(PLACES);
+    expect([7.85, 7.96, 0.9, -1].map(digitCount)).toEqual([7, 8, 0, 0]);
     expect(rightDigits(nextUp(1), exact(1))).toBeCloseTo(15.65, 2);
   });
 });

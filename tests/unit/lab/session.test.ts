@@ -66,9 +66,12 @@ describe('a session', () => {
   });
 
   test('far away the textbook loses hits, and the ray that is offered shows it', () => {
-    const [first] = measureSession(request('far-origin', 8), ticking());
+    const [first] = measureSession(request('far-origin', 7.6), ticking());
     const row = first?.rows.find(({ id }) => id === 'textbook');
     expect(row?.quality.judged.misses).toBeGreaterThan(10);
+    // More than one ray in ten fails, and fewer than half: nine of ten have no digit, and half would have some.
+    const share = (row?.quality.wrong ?? 0) / 192;
+    expect([share > 0.1, share < 0.5, row?.quality.digits]).toEqual([true, true, 0]);
     const worst = row?.quality.worst;
     if (!worst) throw new Error('a worst ray was expected');
     expect(intersect(worst.shape, worst.ray, 'textbook').class).not.toBe(
@@ -172,6 +175,11 @@ describe('a sweep', () => {
     const lines = new Map(linesOf(points).map((line) => [line.id, line]));
     expect(lines.get('textbook')?.end?.reason).toBe('misses');
     expect(lines.get('textbook')?.end?.difficulty).toBeGreaterThan(6);
+    for (const { end, points: kept } of lines.values()) {
+      const last = kept.at(-1)?.quality;
+      if (end) expect(end.share).toBeGreaterThan(0.1);
+      if (last) expect((last.wrong + last.undecided) / last.rays).toBeLessThanOrEqual(0.1);
+    }
     expect(lines.get('interval')?.firstFailure?.quality.wrong ?? 0).toBe(0);
     expect(lines.get('textbook32')?.end?.difficulty).toBeLessThan(5);
     for (const id of ['certified', 'exact']) {
@@ -182,5 +190,30 @@ describe('a sweep', () => {
       for (const { quality: found } of line?.points ?? [])
         expect(digitCount(found.digits)).toBeGreaterThanOrEqual(id === 'exact' ? 16 : 15);
     }
+  });
+
+  test('a line ends where one ray in ten has no digit left, and only then; made data', () => {
+    const made = (digits: number, misses: number, undecided: number) => ({
+      rays: 100,
+      judged: { right: 100 - misses - undecided, misses, invents: 0, misnames: 0, undecided },
+      wrong: misses,
+      undecided,
+      digits,
+      leastDigits: 0,
+      ulps: 0,
+      mostUlps: 0,
+    });
+    const line = (...qualities: ReturnType<typeof made>[]) =>
+      linesOf(
+        qualities.map((quality, difficulty) => ({ difficulty, rows: [{ id: 'a', quality }] })),
+      )[0];
+    const ending = line(made(9, 0, 0), made(8, 1, 2), made(0, 4, 16), made(3, 0, 0));
+    expect(ending?.points.map(({ difficulty }) => difficulty)).toEqual([0, 1]);
+    expect(ending?.firstFailure).toMatchObject({ difficulty: 1, reason: 'undecided', share: 0.03 });
+    expect(ending?.end).toMatchObject({ difficulty: 2, reason: 'undecided', share: 0.2 });
+    // No ray has a root: nothing to draw, and nothing failed.
+    const rootless = line(made(Number.NaN, 0, 0), made(5, 0, 0));
+    expect(rootless?.points.map(({ difficulty }) => difficulty)).toEqual([1]);
+    expect([rootless?.end, rootless?.firstFailure]).toEqual([undefined, undefined]);
   });
 });

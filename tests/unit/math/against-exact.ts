@@ -1,3 +1,4 @@
+import { exact as exactly } from '../../../src/math/arithmetic/exact.ts';
 import {
   createAnswers,
   packRays,
@@ -5,11 +6,14 @@ import {
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
 import { bracket } from '../../../src/math/exact/faithful.ts';
+import type { Surd } from '../../../src/math/exact/surd.ts';
+import type { Question } from '../../../src/math/families.ts';
 import { intersect } from '../../../src/math/intersect.ts';
+import type { Hit } from '../../../src/math/intersection.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
-import { type ExactHit, exactHits, faithful } from './exact-hits.ts';
+import { type ExactHit, exactHits, faithful, straight } from './exact-hits.ts';
 
 const out = createAnswers(1);
 
@@ -43,3 +47,19 @@ const allFaithful = (ts: readonly number[], truth: readonly ExactHit[]): boolean
   ts.length === truth.length &&
   ts.every((t, k) => faithful((truth[k] as ExactHit).t, t)) &&
   (ts.length < 2 || (ts[0] as number) <= (ts[1] as number));
+
+/** The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is not exactly zero where it must be. */
+export function misplaced({ shape, ray }: Question): Hit[] {
+  const truth = exactHits(shape, ray);
+  return intersect(shape, ray, 'certified').hits.filter(({ point, normal, singular }, k) => {
+    const hit = truth.hits[k] as ExactHit;
+    const zero = hit.normal.every((n) => exactly.sign(n) === 0);
+    const inRange = normal.every(Number.isFinite) && Math.hypot(...normal) > 1e-290;
+    const upright = zero
+      ? normal.every((n) => Object.is(n, 0))
+      : !inRange || straight(hit.normal, normal);
+    return (
+      !point.every((x, i) => faithful(hit.point[i] as Surd, x)) || singular !== zero || !upright
+    );
+  });
+}

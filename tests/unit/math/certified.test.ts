@@ -1,6 +1,4 @@
 import { describe, expect, test } from 'vitest';
-import { exact as exactly } from '../../../src/math/arithmetic/exact.ts';
-import type { Surd } from '../../../src/math/exact/surd.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { intersect } from '../../../src/math/intersect.ts';
@@ -8,8 +6,7 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { integer, pick, type Random, seeded, uniform, wide } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { disagreement } from './against-exact.ts';
-import { type ExactHit, exactHits, faithful, straight } from './exact-hits.ts';
+import { disagreement, misplaced } from './against-exact.ts';
 import { rayCases, readAll } from './read-vectors.ts';
 
 const stages = (questions: readonly { shape: Shape; ray: Ray }[]) => {
@@ -34,22 +31,6 @@ test('keeps the promise on every vector: class, roots among the faithful ones, p
     expect([c.id, misplaced(c)]).toEqual([c.id, []]);
   }
 });
-
-/** The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is not exactly zero where it must be. */
-function misplaced({ shape, ray }: { shape: Shape; ray: Ray }): unknown[] {
-  const truth = exactHits(shape, ray);
-  return intersect(shape, ray, 'certified').hits.filter(({ point, normal, singular }, k) => {
-    const hit = truth.hits[k] as ExactHit;
-    const zero = hit.normal.every((n) => exactly.sign(n) === 0);
-    const inRange = normal.every(Number.isFinite) && Math.hypot(...normal) > 1e-290;
-    const upright = zero
-      ? normal.every((n) => Object.is(n, 0))
-      : !inRange || straight(hit.normal, normal);
-    return (
-      !point.every((x, i) => faithful(hit.point[i] as Surd, x)) || singular !== zero || !upright
-    );
-  });
-}
 
 describe('agrees with exact on', () => {
   test.each(FAMILIES.map((family) => [family.id, family] as const))('%s (seed 21)', (_, family) => {

@@ -7,7 +7,13 @@ import { SHAPES } from '../../../src/math/shapes/index.ts';
 import { frontierOf } from '../../../src/state/accuracy/frontier.ts';
 import { hardnessOf, tickOf } from '../../../src/state/accuracy/hardness.ts';
 import { createRayModel } from '../../../src/state/accuracy/ladder.ts';
-import { INITIAL } from '../../../src/state/state.ts';
+import {
+  type AccuracySettings,
+  INITIAL_ACCURACY,
+  readAccuracy,
+  writeAccuracy,
+} from '../../../src/state/accuracy/settings.ts';
+import { INITIAL, type Settings } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
 
 const PLAN = { rounds: 2, least: 10, steps: 1, warmUp: 0 };
@@ -111,5 +117,52 @@ describe('the ray', () => {
     const first = model(INITIAL);
     expect(model({ ...INITIAL, view: 'top' })).toBe(first);
     expect(model({ ...INITIAL, method: 'moment' })).not.toBe(first);
+  });
+});
+
+describe('the settings of a link', () => {
+  const all: AccuracySettings = {
+    family: 'mix',
+    dial: 20,
+    worth: 'wrong',
+    cost: 'times',
+    hard: 'near-axis',
+    seed: 99,
+  };
+
+  test('come back from their texts, and defaults leave none', () => {
+    expect(readAccuracy(writeAccuracy(all) as Settings)).toEqual({ values: all, problems: [] });
+    expect(writeAccuracy(INITIAL_ACCURACY)).toEqual({
+      family: null,
+      dial: null,
+      worth: null,
+      cost: null,
+      hard: null,
+      seed: null,
+    });
+    expect(readAccuracy({}).values).toEqual(INITIAL_ACCURACY);
+  });
+
+  test.each([
+    ['family', 'nowhere'],
+    ['dial', 'abc'],
+    ['dial', ''],
+    ['dial', 'Infinity'],
+    ['worth', 'best'],
+    ['cost', 'euros'],
+    ['hard', 'typical'],
+    ['seed', '-1'],
+    ['seed', '1e3'],
+  ])('%s=%s is said to be none, and has its default', (key, text) => {
+    const { values, problems } = readAccuracy({ [key]: text });
+    expect(values).toEqual(INITIAL_ACCURACY);
+    expect(problems).toHaveLength(1);
+    expect(problems[0]).toContain(`'${text}'`);
+  });
+
+  test('a dial stops at its ends, and a family without one has none', () => {
+    expect(readAccuracy({ family: 'mix', dial: '900' }).values.dial).toBe(100);
+    expect(readAccuracy({ family: 'far-origin', dial: '-4' }).values.dial).toBe(0);
+    expect(readAccuracy({ family: 'typical', dial: '3' }).values.dial).toBeNull();
   });
 });

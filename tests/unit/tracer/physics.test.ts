@@ -6,7 +6,7 @@ import { everything } from '../../../src/scene/presets/everything.ts';
 import { facingMirrors } from '../../../src/scene/presets/facing-mirrors.ts';
 import { glass as glassPreset } from '../../../src/scene/presets/glass.ts';
 import type { Material, Placed, Scene } from '../../../src/scene/types.ts';
-import { level, linear } from '../../../src/tracer/colour.ts';
+import { encoded, level, linear } from '../../../src/tracer/colour.ts';
 import type { RayNode } from '../../../src/tracer/types.ts';
 import { HALF_A_LEVEL, MOST_BOUNCES } from '../../../src/tracer/weight.ts';
 import { flatten, picture, someRays, TINY, tracerFor } from './tracing.ts';
@@ -190,6 +190,31 @@ describe('rays at glass', () => {
   });
 });
 
+test('a camera inside of coloured glass begins in it: aT / (1 − Ra²) in the middle of a ball', async () => {
+  const inside = furnace([ball(glassOf(1.5, 0.8))], looking([0, 0, 0], [0, 0, -1]));
+  const { rgba } = await picture(inside, { width: 1, height: 1 });
+  const a = Math.exp(-0.8);
+  const right = level((0.96 * a) / (1 - 0.04 * a * a));
+  expect(Math.abs((rgba[0] as number) - right)).toBeLessThanOrEqual(1);
+});
+
+test('each colour fades by its own σ', async () => {
+  const sigma: Vec3 = [0.2, 0.9, 2.5];
+  const coloured = slab(1.5, 0.7).map((side) => ({
+    ...side,
+    material: { ...white, glass: { index: 1.5, absorption: sigma } },
+  }));
+  const { rgba } = await picture(furnace(coloured, looking([0, 2, 0], [0, 0, 0.001])), {
+    width: 1,
+    height: 1,
+  });
+  sigma.forEach((s, k) => {
+    const a = Math.exp(-0.7 * s);
+    const right = level(0.04 + (0.96 ** 2 * a) / (1 - 0.04 * a));
+    expect(Math.abs((rgba[k] as number) - right)).toBeLessThanOrEqual(1);
+  });
+});
+
 describe('energy', () => {
   test.each([coneOnMirror, everything, glassPreset, facingMirrors])(
     'no hit of $id sends on more than it got',
@@ -229,6 +254,13 @@ describe('energy', () => {
 });
 
 describe('the weight bound', () => {
+  test('half a level is half a level where sRGB is steepest, and less anywhere else', () => {
+    expect(255 * encoded(HALF_A_LEVEL)).toBeCloseTo(0.5, 12);
+    for (let x = 0; x < 1; x += 1 / 512) {
+      expect(255 * (encoded(x + HALF_A_LEVEL) - encoded(x))).toBeLessThan(0.5 + 1e-9);
+    }
+  });
+
   const hall = (mirror: number): Scene => ({
     ...furnace(
       [plane('below', 0, 1, { ...white, mirror }), plane('above', 2, -1, { ...white, mirror })],

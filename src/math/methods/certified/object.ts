@@ -67,8 +67,8 @@ const stageOf = ({ exact: whole }: CertifiedSlot): DecidedBy => (whole ? 'exact'
 
 function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
   return [
-    placeOnQuadric(q, ray, t0) ?? exactHit(q, ray, 0, t0),
-    placeOnQuadric(q, ray, t1) ?? exactHit(q, ray, 1, t1),
+    placeOnQuadric(q, ray, 0, t0) ?? exactHit(q, ray, 0, t0),
+    placeOnQuadric(q, ray, 3, t1) ?? exactHit(q, ray, 1, t1),
   ];
 }
 

@@ -1,5 +1,6 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import { productError, squareError } from '../../float/eft.ts';
+import { type Lattice, latticeOf } from './lattice.ts';
 
 /**
  * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k = √|a|, so that all three
@@ -18,6 +19,10 @@ export interface CertifiedQuadric {
   readonly flare: number;
   /** Whether the fast stages may be used: see BOX. */
   readonly inBox: boolean;
+  /** What the loops need of all that, as doubles for certain. */
+  readonly numbers: Float64Array;
+  /** The shape in units of its own, if it is an ordinary one. */
+  readonly lattice: Lattice | null;
 }
 
 /**
@@ -26,9 +31,44 @@ export interface CertifiedQuadric {
  */
 export const BOX = 2 ** 100;
 
+/** Where in `numbers` each is. */
+export const AT_SCALED = {
+  Cx: 0,
+  Cy: 1,
+  Cz: 2,
+  k: 3,
+  k1: 4,
+  k2: 5,
+  sign: 6,
+  rho: 7,
+  rhoLow: 8,
+} as const;
+
 const SPLITTER = 134217729;
 
+const KEPT = 8;
+const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];
+let oldest = 0;
+
+/** One ray at a time, the same few shapes are asked about again and again: the latest ones are kept. */
 export function certifiedQuadric(q: Quadric): CertifiedQuadric {
+  for (const { q: known, c } of kept) if (same(known, q)) return c;
+  const c = prepared(q);
+  kept[oldest] = { q, c };
+  oldest = (oldest + 1) % KEPT;
+  return c;
+}
+
+const same = (a: Quadric, b: Quadric): boolean =>
+  a.Cx === b.Cx &&
+  a.Cy === b.Cy &&
+  a.Cz === b.Cz &&
+  a.r === b.r &&
+  a.flare === b.flare &&
+  a.hasY === b.hasY &&
+  a.squared === b.squared;
+
+function prepared(q: Quadric): CertifiedQuadric {
   const rho = q.r * q.r;
   const size = Math.abs(q.flare);
   const s = q.squared ? size : Math.sqrt(size);
@@ -37,14 +77,19 @@ export function certifiedQuadric(q: Quadric): CertifiedQuadric {
   const rest = q.squared || s === 0 ? 0 : (size - p - squareError(s, p)) / (2 * s);
   const big = SPLITTER * s;
   const k1 = big - (big - s);
+  const k2 = s - k1 + rest;
+  const sign = q.squared || q.flare > 0 ? 1 : -1;
+  const rhoLow = productError(q.r, q.r, rho);
   return {
     k: s,
     k1,
-    k2: s - k1 + rest,
-    sign: q.squared || q.flare > 0 ? 1 : -1,
+    k2,
+    sign,
     rho,
-    rhoLow: productError(q.r, q.r, rho),
+    rhoLow,
+    numbers: Float64Array.of(q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow),
     flare: q.squared ? q.flare * q.flare : q.flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
+    lattice: latticeOf(q),
   };
 }

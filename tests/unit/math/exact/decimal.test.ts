@@ -23,6 +23,8 @@ test('irrational and beyond the doubles', () => {
   const two = surd.sqrt(fromNumber(2));
   expect(text(two, 40)).toBe('1414213562373095048801688724209698078570e0');
   expect(text(surd.neg(surd.sub(fromNumber(1.5), two)), 12)).toBe('-857864376269e-2');
+  // 1.5857864…: the whole part of a difference is one less than that of its rounded root says.
+  expect(text(surd.sub(fromNumber(3), two), 7)).toBe('1585786e0');
   const huge = surd.mul(fromNumber(1e300), surd.mul(fromNumber(1e300), two));
   expect(text(huge, 6)).toBe('141421e600');
   const tiny = surd.div(two, surd.mul(fromNumber(1e300), fromNumber(1e300)));

@@ -1,0 +1,21 @@
+import type { Quartiles } from '../lab/stats.ts';
+
+export interface FrontierMark {
+  readonly id: string;
+  /** What stands beside the mark. */
+  readonly name: string;
+  /** The whole truth in words, for the screen reader. */
+  readonly words: string;
+  readonly cost: Quartiles;
+  /** Larger is better. */
+  readonly worth: number;
+}
+
+export interface FrontierModel {
+  readonly marks: readonly FrontierMark[];
+  readonly chosen: string;
+  readonly costTitle: string;
+  readonly worthTitle: string;
+  /** The worths that the axis shows, from the worst to the best, and their labels. */
+  readonly worthTicks: readonly { readonly value: number; readonly label: string }[];
+}

@@ -1,0 +1,68 @@
+/** Rays of a block that fit the first cache together with what the passes hand on. */
+export const BLOCK = 256;
+
+/**
+ * What the passes over a block hand to each other, one value for each ray that is hit. The passes are closures over these arrays, made once: so
+ * V8 knows the arrays when it compiles them and reads and writes without looking up map, length and base each time, which costs
+ * more than the arithmetic.
+ */
+export interface Scratch {
+  /** The ray's place in the batch. */
+  readonly index: Int32Array;
+  /** d and E in units. */
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly z: Float64Array;
+  readonly ex: Float64Array;
+  readonly ey: Float64Array;
+  readonly ez: Float64Array;
+  /** A, 1/A, the roots roughly, 1/(2·their distance), and how far the relative errors of A and 1/A may go. */
+  readonly A: Float64Array;
+  readonly overA: Float64Array;
+  readonly near: Float64Array;
+  readonly far: Float64Array;
+  readonly overGap: Float64Array;
+  readonly slack: Float64Array;
+  /** f/2 at the roots' whole parts, 1/(A·their distance), and the squares of points and of t that bound the errors. */
+  readonly fNear: Float64Array;
+  readonly fFar: Float64Array;
+  readonly overAH: Float64Array;
+  readonly spread: Float64Array;
+  readonly spreadFar: Float64Array;
+  /** Places of rays that pass 1 could not judge, and of clear hits that pass 3 could not settle. */
+  readonly doubtful: Int32Array;
+  readonly unsettled: Int32Array;
+  /** How many there are: hits, doubtful, unsettled. */
+  readonly count: Int32Array;
+}
+
+export const HITS = 0;
+export const DOUBTS = 1;
+export const UNSETTLED = 2;
+
+export function createScratch(): Scratch {
+  const array = (): Float64Array => new Float64Array(BLOCK);
+  return {
+    index: new Int32Array(BLOCK),
+    x: array(),
+    y: array(),
+    z: array(),
+    ex: array(),
+    ey: array(),
+    ez: array(),
+    A: array(),
+    overA: array(),
+    near: array(),
+    far: array(),
+    overGap: array(),
+    slack: array(),
+    fNear: array(),
+    fFar: array(),
+    overAH: array(),
+    spread: array(),
+    spreadFar: array(),
+    doubtful: new Int32Array(BLOCK),
+    unsettled: new Int32Array(BLOCK),
+    count: new Int32Array(3),
+  };
+}

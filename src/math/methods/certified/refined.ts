@@ -1,0 +1,232 @@
+import type { Answers, Rays } from '../../batch/batch.ts';
+import { LEAST_A, momentError } from './moment-bound.ts';
+import { AT_SCALED, BOX } from './scaled-quadric.ts';
+
+/*
+ * Each root by a step from a rough one with all its 53 bits: slower than the stages before it, and what remains is the few rays
+ * that these leave because a root lies near 0 or the numbers are not ordinary. One loop for both kinds of shapes: about an axis
+ * y and k are 0.
+ */
+
+/*
+ * First it must be a clear hit, by the bound of moment-bound.ts:
+ *   D > 2^17 δD                so √D is known to 2^-18;
+ *   D > 2^-84 S²               so b's rounding error (≤ 8uS = 2^-50 S) and t's are below 2^-7 √D: each coarse root is nearer to its own root than
+ *                              to the other one;
+ *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
+ */
+const CLEAR = 2 ** 17;
+const APART = 2 ** -84;
+
+/*
+ * Then Newton's step on grids. (x + σ) − σ is x rounded to a whole multiple of g = ulp(σ)/2; for |x| ≤ S and σ = 2^m S it
+ * has |x|/g < 2^(54−m) and what is left over is ≤ 2^(m−52) S, exactly (Sterbenz; Rump, Ogita, Oishi 2008 call it ExtractVector).
+ *
+ * For each coarse root t let L = |t||d|₁ + |p|₁ be its reach and T = L/|d|₁. With d = dh + dl and t = th + tl on grids for |d|₁ and T (m = 29: 25
+ * bits), p = ph + pl on one for both reaches together (m = 6):
+ *
+ *   q = p + t d = (ph + th dh) + (th dl + tl d + pl),
+ *
+ * where the first bracket is exact: th dh is a multiple of G ≥ 2^-50 L with ≤ 2^50 units, ph a multiple of G (its grid is
+ * > 2^-48 L ≥ G), and both together are ≤ 2L < 2^53 G. Errors in w = 2^-75 L:
+ *   x, z:  th·dl ½, tl·d ½, their sum 1, + pl 1;                                                   ≤ 3w each
+ *   y:     dl ¾, k·dy's rounding ½ more, and pl: k·(p's lower half) 1¾ + 1, a larger sum 2;        ≤ 10w
+ * together ≤ 16w = 2^-71 L, and the second bracket is ≤ 2^-21 L in each coordinate. pl itself is ≤ 2^-46 of both reaches, and its rounding (2^-99
+ * of them) negligible as long as they are ≤ 2^20 |p|₁ ≤ 2^20 L: that is SPREAD.
+ *
+ *   f = qx² + qz² ∓ qy² − ρ: with q = qh + ql on a grid for Sq = |q|₁ (m = 28: 26 bits) the sum of qh² is exact (≤ 2^52 units, partial
+ * sums too), subtracting ρ loses u|fh|, since the result is small. ql ≤ 2^-24 Sq + 2^-21 L ≤ 2^-21 W, W = Sq + L.
+ *   Σ ql(2qh + ql), ≤ 2^-20 W Sq: rounding ql 1, the bracket 1, the product 1, three sums 3, k's own error 1, fh 1, in 2^-73 W Sq; what q
+ *   itself is off, 2^-71 L · 2Sq: 8 of them.  16 · 2^-73 = 2^-69 W Sq in all, and 2u|f|.
+ *
+ * From the coarse root with b' = b + A·t: b'² = D/4 + A f exactly, so the exact step is δ = ∓f/(√(D/4 + A f) + √(D/4)). Taking
+ * f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is STEP) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
+ *   |error of the step| ≤ (2^-69 W Sq + 2^-16 |f|)/(2√(D/4)),
+ * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are u|t| apart, at least).
+ */
+const RESIDUAL_ERROR = 2 ** -68;
+const STEP = 2 ** -17;
+const STEP_ERROR = 2 ** -16;
+const SPREAD = 2 ** 20;
+const FAITHFUL = 2 ** -55;
+
+const GRID_25 = 2 ** 29;
+const GRID_26 = 2 ** 28;
+const GRID_P = 2 ** 6;
+const SPLITTER = 134217729;
+
+/** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
+const BOUNDS = Float64Array.of(
+  ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP],
+  ...[CLEAR, APART, LEAST_A, BOX],
+);
+
+/** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
+export function refine(
+  numbers: Float64Array,
+  hasY: boolean,
+  { Ex, Ey, Ez, dx, dy, dz }: Rays,
+  { t0, t1 }: Answers,
+  places: Int32Array,
+  count: number,
+): number {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cy = numbers[AT_SCALED.Cy] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const k = numbers[AT_SCALED.k] as number;
+  const k1 = numbers[AT_SCALED.k1] as number;
+  const k2 = numbers[AT_SCALED.k2] as number;
+  const sign = numbers[AT_SCALED.sign] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const rhoLow = numbers[AT_SCALED.rhoLow] as number;
+  const grid25 = BOUNDS[0] as number;
+  const grid26 = BOUNDS[1] as number;
+  const gridOfP = BOUNDS[2] as number;
+  const splitter = BOUNDS[3] as number;
+  const residualError = BOUNDS[4] as number;
+  const stepError = BOUNDS[5] as number;
+  const faithful = BOUNDS[6] as number;
+  const spread = BOUNDS[7] as number;
+  const step = BOUNDS[8] as number;
+  const clear = BOUNDS[9] as number;
+  const apart = BOUNDS[10] as number;
+  const leastA = BOUNDS[11] as number;
+  const box = BOUNDS[12] as number;
+  let left = 0;
+  for (let j = 0; j < count; j++) {
+    const i = places[j] as number;
+    const x = dx[i] as number;
+    const dyi = hasY ? (dy[i] as number) : 0;
+    const z = dz[i] as number;
+    const ex = Ex[i] as number;
+    const ey = hasY ? (Ey[i] as number) : Cy;
+    const ez = Ez[i] as number;
+    // p = fl(E − C) and what it lost (Knuth's TwoSum).
+    const px = ex - Cx;
+    const py = ey - Cy;
+    const pz = ez - Cz;
+    const vx = px - ex;
+    const vy = py - ey;
+    const vz = pz - ez;
+    const lostX = ex - (px - vx) - (Cx + vx);
+    const lostY = ey - (py - vy) - (Cy + vy);
+    const lostZ = ez - (pz - vz) - (Cz + vz);
+    // k·dy and k·py: an exact leading product of 26 by 26 bits, and the rest.
+    const bigD = splitter * dyi;
+    const topD = bigD - (bigD - dyi);
+    const leadD = k1 * topD;
+    const restD = k1 * (dyi - topD) + k2 * dyi;
+    const y = leadD + restD;
+    const bigP = splitter * py;
+    const topP = bigP - (bigP - py);
+    const leadP = k1 * topP;
+    const restP = k1 * (py - topP) + k2 * py + k * lostY;
+
+    const Sd = Math.abs(x) + Math.abs(y) + Math.abs(z);
+    const Sp = Math.abs(px) + Math.abs(leadP) + Math.abs(pz);
+    const pk = k * py;
+    const mx = y * pz - z * pk;
+    const my = z * px - x * pz;
+    const mz = x * pk - y * px;
+    const round = x * x + z * z;
+    const yy = y * y;
+    const A = round - sign * yy;
+    const D = rho * A + sign * (mx * mx + mz * mz) - my * my;
+    const S = Sd * Sp;
+    const Am = round + yy;
+    const error = momentError(S, Math.abs(mx) + Math.abs(my) + Math.abs(mz), rho * Am);
+    const inside = Sd < box && Sd * box > 1 && Sp < box;
+    if (!(D > clear * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am)) {
+      places[left++] = i;
+      continue;
+    }
+    const slope = x * px + z * pz - sign * (y * pk);
+    const s = Math.sqrt(D);
+    const As = A * s;
+    const inverse = 1 / (As * Sd);
+    const overA = inverse * (s * Sd);
+    const ta = (-slope - s) * overA;
+    const tb = (s - slope) * overA;
+    const half = 0.5 * inverse * (A * Sd);
+    const over = inverse * As;
+    const reachA = Math.abs(ta) * Sd + Sp;
+    const reachB = Math.abs(tb) * Sd + Sp;
+    const gridD = grid25 * Sd;
+    const gridA = grid25 * (over * reachA);
+    const gridB = grid25 * (over * reachB);
+    const gridP = gridOfP * (reachA + reachB);
+    const xh = x + gridD - gridD;
+    const yh = leadD + gridD - gridD;
+    const zh = z + gridD - gridD;
+    const xl = x - xh;
+    const yl = leadD - yh + restD;
+    const zl = z - zh;
+    const phx = px + gridP - gridP;
+    const phy = leadP + gridP - gridP;
+    const phz = pz + gridP - gridP;
+    const plx = px - phx + lostX;
+    const ply = leadP - phy + restP;
+    const plz = pz - phz + lostZ;
+    // One root after the other: interleaved, more values are alive than there are registers.
+    const tah = ta + gridA - gridA;
+    const tal = ta - tah;
+    const ax = phx + tah * xh;
+    const ay = phy + tah * yh;
+    const az = phz + tah * zh;
+    const sizeOfA = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
+    const gridQA = grid26 * sizeOfA;
+    const axh = ax + gridQA - gridQA;
+    const ayh = ay + gridQA - gridQA;
+    const azh = az + gridQA - gridQA;
+    const axl = ax - axh + (tah * xl + tal * x + plx);
+    const ayl = ay - ayh + (tah * yl + tal * y + ply);
+    const azl = az - azh + (tah * zl + tal * z + plz);
+    const fa =
+      axh * axh +
+      azh * azh -
+      sign * (ayh * ayh) -
+      rho +
+      (axl * (axh + axh + axl) +
+        azl * (azh + azh + azl) -
+        sign * (ayl * (ayh + ayh + ayl)) -
+        rhoLow);
+    const tbh = tb + gridB - gridB;
+    const tbl = tb - tbh;
+    const bx = phx + tbh * xh;
+    const by = phy + tbh * yh;
+    const bz = phz + tbh * zh;
+    const sizeOfB = Math.abs(bx) + Math.abs(by) + Math.abs(bz);
+    const gridQB = grid26 * sizeOfB;
+    const bxh = bx + gridQB - gridQB;
+    const byh = by + gridQB - gridQB;
+    const bzh = bz + gridQB - gridQB;
+    const bxl = bx - bxh + (tbh * xl + tbl * x + plx);
+    const byl = by - byh + (tbh * yl + tbl * y + ply);
+    const bzl = bz - bzh + (tbh * zl + tbl * z + plz);
+    const fb =
+      bxh * bxh +
+      bzh * bzh -
+      sign * (byh * byh) -
+      rho +
+      (bxl * (bxh + bxh + bxl) +
+        bzl * (bzh + bzh + bzl) -
+        sign * (byl * (byh + byh + byl)) -
+        rhoLow);
+    const ra = ta + fa * half;
+    const rb = tb - fb * half;
+    const f = Math.abs(fa);
+    const g = Math.abs(fb);
+    const errorA = half * (residualError * sizeOfA * (sizeOfA + reachA) + stepError * f);
+    const errorB = half * (residualError * sizeOfB * (sizeOfB + reachB) + stepError * g);
+    if (
+      errorA <= faithful * Math.abs(ra) &&
+      errorB <= faithful * Math.abs(rb) &&
+      reachA + reachB <= spread * Sp &&
+      (f + g) * Math.abs(A) <= step * D
+    ) {
+      t0[i] = Math.min(ra, rb);
+      t1[i] = Math.max(ra, rb);
+    } else places[left++] = i;
+  }
+  return left;
+}

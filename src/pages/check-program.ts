@@ -1,0 +1,102 @@
+import { html, render } from 'lit';
+import { example, template } from '../check/program/template.ts';
+import { editor, exchange, programHead } from '../panels/check-program.ts';
+import type { ProgramTools } from '../panels/check-program-view.ts';
+import { programReport } from '../panels/check-report.ts';
+import { download, pickFile } from '../ui/files.ts';
+import { element, type PartContext, turnablePicture } from './check-part.ts';
+import { exploreLink } from './check-picture.ts';
+import { createRuns, kindsFor } from './check-runs.ts';
+import type { CheckSettings } from './check-settings.ts';
+
+export interface Program {
+  render(settings: CheckSettings): void;
+  source(): string;
+  cases(format: 'json' | 'csv'): string;
+  /** A program, or results from elsewhere; false if the text is neither. */
+  open(text: string): boolean;
+  cancel(): void;
+}
+
+const TYPES = { json: 'application/json', csv: 'text/csv' } as const;
+
+/** The student's own program: its text, its run in the sandbox, the report and a failing case. */
+export function mountProgram(host: HTMLElement, { memory, changed, set }: PartContext): Program {
+  const main = element('check-program', host);
+  const failing = element('check-stage check-failing', host);
+  const more = element('check-more', host);
+  const picture = turnablePicture(failing, changed);
+  const runs = createRuns(host, changed);
+  let cases = '';
+  let written = memory.program();
+  const templateNow = (): string => template(kindsFor(cases));
+  const source = (): string => written ?? templateNow();
+  const write = (text: string): void => {
+    written = text;
+    memory.keepProgram(text);
+    changed();
+  };
+  const isOurs = (text: string): boolean => {
+    const kinds = kindsFor(cases);
+    return text.trim() === '' || text === templateNow() || kinds.some((k) => text === example(k));
+  };
+  /** What somebody wrote is not thrown away for a template: it goes below it. */
+  const offer = (text: string): void => {
+    const before = source();
+    const kept = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;
+    write(isOurs(before) ? text : text + kept);
+  };
+  const tools: ProgramTools = {
+    edit: write,
+    pick(kind) {
+      if (source() === templateNow()) write(template(kindsFor(kind)));
+      set({ cases: kind });
+    },
+    run: () => runs.run(source(), cases),
+    cancel: () => runs.cancel(),
+    async openFile() {
+      const text = await pickFile('.js,.mjs,text/javascript');
+      if (text !== null) write(text);
+    },
+    template: () => offer(templateNow()),
+    example: () => offer(example(kindsFor(cases)[0] ?? 'cylinder')),
+    select: (failure) => runs.select(failure),
+    saveCases: (format) =>
+      download(`graze-cases.${format}`, runs.file(format, cases), TYPES[format]),
+    async openResults() {
+      const text = await pickFile('.json,.csv,application/json,text/csv');
+      if (text !== null) runs.grade(text, cases);
+    },
+  };
+  const drawFailing = (drawable: boolean): void => {
+    const { selected } = runs.get();
+    failing.hidden = !selected || !drawable;
+    if (!selected || !drawable) return;
+    const { case: input, output } = selected;
+    const t = output.type === 'value' ? output.t.slice(0, 2) : [];
+    const answers = Object.fromEntries(t.map((x, i) => [`t${i + 1}`, x] as const));
+    picture.render({ input, results: true, answers });
+  };
+  return {
+    render(settings) {
+      ({ cases } = settings);
+      const run = runs.get();
+      const link = run.selected && exploreLink(run.selected.case);
+      const view = { ...run, source: source(), kind: cases, link };
+      render(
+        html`${programHead(view, tools)}${editor(view, tools)}${programReport(view, tools)}`,
+        main,
+      );
+      render(exchange(tools), more);
+      drawFailing(link !== null);
+    },
+    source,
+    cases: (format) => runs.file(format, cases),
+    open(text) {
+      if (!/\bintersect\b/.test(text) || !/function|=>/.test(text)) return runs.grade(text, cases);
+      write(text);
+      return true;
+    },
+    cancel: () => runs.cancel(),
+  };
+}

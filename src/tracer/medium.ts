@@ -1,0 +1,25 @@
+import { quadricOf } from '../math/batch/quadric.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { isGlass } from '../scene/facts.ts';
+import { type Surface, surfacesOf } from '../scene/surfaces.ts';
+import type { Scene } from '../scene/types.ts';
+
+/**
+ * The round glass that a point lies in, as a surface of it, or −1: what a ray from a camera within it begins in. Glass planes have no inside of their
+ * own (two of them make a slab), so a camera between them begins in air.
+ */
+export function mediumAt(scene: Scene, at: Vec3): number {
+  return surfacesOf(scene).findIndex((surface) => {
+    const placed = scene.things[surface.thing];
+    return placed !== undefined && isGlass(placed) && isWithin(surface, at);
+  });
+}
+
+function isWithin({ shape, between }: Surface, [x, y, z]: Vec3): boolean {
+  const q = quadricOf(shape);
+  if (!q) return false;
+  const h = q.hasY ? y - q.Cy : 0;
+  const squared = q.squared ? (q.flare * h) ** 2 : q.flare * h * h;
+  const [low, high] = between ?? [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY];
+  return y > low && y < high && (x - q.Cx) ** 2 + (z - q.Cz) ** 2 < squared + q.r * q.r;
+}
