@@ -190,6 +190,21 @@ describe('a comparison', () => {
     expect(sight.uncounted).toHaveLength(sight.ledger.simulated.length - 1);
   });
 
+  test('acne: no method cures it; an epsilon is too small for one scene and too large for another', async () => {
+    const differing = async (scene: string, against: string, method: string): Promise<number> => {
+      const sight = await sightFor({ size: '96x54', scene, against }, method);
+      return sight.comparison?.differing ?? Number.NaN;
+    };
+    for (const method of ['moment', 'compensated', 'certified']) {
+      expect(await differing('self-intersection', 'start:none', method)).toBeGreaterThan(300);
+      expect(await differing('self-intersection', 'start:1e-15', method)).toBeGreaterThan(20);
+    }
+    expect(await differing('self-intersection', 'start:1e-9', 'moment')).toBe(0);
+    // In a scene with a small thing far out every epsilon is one or the other.
+    expect(await differing('two-scales', 'start:1e-9', 'moment'), 'too small').toBeGreaterThan(300);
+    expect(await differing('two-scales', 'start:0.001', 'moment'), 'too large').toBeGreaterThan(30);
+  });
+
   test('of a picture with itself finds nothing', async () => {
     const sight = await sightFor({ scene: 'mirror', against: 'on:reflection' }, 'moment');
     expect(sight.comparison).toMatchObject({ differing: 0, verdicts: 0 });
