@@ -245,6 +245,10 @@ test('the picture is used by keys alone', async ({ page }) => {
   await expect(page.locator('.announcer')).toContainText('pixel 49, 38');
   await page.getByRole('button', { name: 'close' }).click();
   await expectInLink(page, { pixel: null });
+  await page.getByRole('tab', { name: 'What this picture needed' }).press('ArrowRight');
+  await settle(page);
+  await expect(page.getByRole('tab', { name: 'Scene' })).toBeFocused();
+  await expect(page.getByRole('tabpanel', { name: 'Scene' })).toBeVisible();
 });
 
 test('a click chooses the pixel under it', async ({ page }) => {
