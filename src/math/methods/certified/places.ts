@@ -106,7 +106,7 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
       offSlope + bend * (2 * eta + 8 * U) + (4 * Am * offF) / Math.abs(slope),
     );
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
-  return known && narrow ? hitAt(q, ray, k) : null;
+  return known && narrow ? hitAt(q, ray, k, t) : null;
 }
 
 /** As `placeOnQuadric`; the normal is N itself. */
