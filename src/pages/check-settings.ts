@@ -38,12 +38,15 @@ const CHECKS: Readonly<Record<string, readonly [(text: string) => boolean, strin
   cases: [isCases, 'a shape, or all'],
 };
 
+const UNKNOWN: readonly [(text: string) => boolean, string] = [() => false, ''];
+
 /** What of a link can be used, and what was wrong with the rest. */
 export function readSettings(settings: Settings): Readable {
   const usable: Record<string, string> = {};
   const problems: string[] = [];
   for (const [key, text] of Object.entries(settings)) {
-    const [ok, wanted] = CHECKS[key] ?? [() => false, ''];
+    // A link may name anything, also what every object has.
+    const [ok, wanted] = Object.hasOwn(CHECKS, key) ? (CHECKS[key] ?? UNKNOWN) : UNKNOWN;
     if (ok(text)) usable[key] = text;
     else if (wanted)
       problems.push(`opened without ${key}: '${text.slice(0, 40)}' is not ${wanted}`);

@@ -1,7 +1,9 @@
 import { resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { programOf } from '../../src/check/program/source.ts';
 import { expectInLink, slider, typeInto } from './support/controls.ts';
 import { hashOf, quantities, settle } from './support/page.ts';
+import { report, runProgram } from './support/program.ts';
 import { expect, test } from './support/test.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -59,4 +61,13 @@ test('it traces pictures too, with the workers that it holds inside', async ({ p
   const rays = page.locator('[data-effect="camera"] [data-quantity="rays"]');
   await expect(rays).toHaveAttribute('data-value', String(64 * 36));
   await expect(page.locator('.rays tbody tr').first()).toBeVisible();
+});
+
+test('a program runs in its sandbox there, too, and an endless one is ended', async ({ page }) => {
+  await page.goto(`${FILE}#/check?part=program&cases=cylinder`);
+  await runProgram(page, programOf('cylinder') ?? '');
+  const typical = page.locator('.families tr[data-family="typical"]');
+  await expect(typical).toHaveAttribute('data-passed', '14');
+  await runProgram(page, 'function intersect() { for (;;) {} }');
+  await expect(report(page)).toContainText('no sign of life for a second');
 });

@@ -127,6 +127,16 @@ describe('a report', () => {
     expect(tried).toBeGreaterThan(0);
   });
 
+  test('a program that is wrong in seven cases of ten is a mixture, and nothing is named', () => {
+    const edit = MISCONCEPTIONS.find(({ id }) => id === 'b2-ac')?.edit;
+    const cases = casesFor(['cylinder'], SEED);
+    const right = exactly(cases);
+    const wrong = run(programOf('cylinder', edit) ?? '', cases);
+    const mixed = cases.map((_, i) => (i % 10 < 7 ? wrong : right)[i] as Output);
+    expect(reportOf(cases, wrong).findings[0]?.misconception.id).toBe('b2-ac');
+    expect(reportOf(cases, mixed).findings).toEqual([]);
+  });
+
   test('an empty program misses hits and passes invalid input', () => {
     const cases = casesFor(['cone'], SEED);
     const { families } = reportOf(cases, run(template(['cone']), cases));

@@ -111,11 +111,11 @@ function exactResidual(q: Quadric, lattice: Lattice, ray: Ray, t: number): dy.Dy
 /** E close to a point high up on a cone or hyperboloid: |q| is large and t small. */
 function highUp(random: Random): Question {
   const slope = log(random, -2, 0);
-  const h = randomSign(random) * uniform(random, 5, 60);
+  const h = randomSign(random) * uniform(random, 20, 60);
   const phi = uniform(random, 0, 6.3);
   const point: Vec3 = [slope * h * Math.cos(phi), h, slope * h * Math.sin(phi)];
   const direction = around(random, 2);
-  const t = log(random, -6, 0);
+  const t = log(random, -12, -5);
   return {
     shape: { kind: 'cone', vertex: [0, 0, 0], slope: randomSign(random) * slope },
     ray: {
