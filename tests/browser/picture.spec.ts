@@ -416,6 +416,15 @@ test.describe('on a phone', () => {
   });
 });
 
+for (const width of [600, 768, 1024, 1100, 1920]) {
+  test(`nothing sticks out to the side at ${width} px`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await openPicture(page, `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none`);
+    const seen = await page.evaluate(() => document.scrollingElement?.scrollWidth);
+    expect(seen).toBe(width);
+  });
+}
+
 test.describe('without WebGL', () => {
   test('the list of rays and their lines in space are there', async ({ page }) => {
     await page.addInitScript(() => {
