@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
-import { findFamily, type Question } from '../../../src/math/families.ts';
+import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
 import { exponentOf } from '../../../src/math/float/bits.ts';
 import { AT, type Lattice, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
 import {
@@ -241,6 +241,17 @@ describe('what a stage settles is the right class with faithful roots (seed 52)'
   });
   test.each(hard)('root by root: %s', (_, make) => {
     settled(make, byRefining, 52, 3000);
+  });
+  // Where a stage begins to doubt, its bound must hold by itself.
+  const doubtful: [string, (random: Random) => Question][] = [
+    ['a few sizes away', (r) => aimed(r, 1, log(r, 0, 7))],
+    [
+      'grazing by 1e-2 to 1e-10',
+      (r) => (findFamily('near-tangent') as Family).make(r, uniform(r, 2, 10)),
+    ],
+  ];
+  test.each(doubtful)('recentred, at its limit: %s', (_, make) => {
+    settled(make, byRecentring, 54, 20000);
   });
   test('and most are settled where it is meant to', () => {
     expect(settled(family('typical'), byLattice, 53, 2000)).toBeGreaterThan(1850);
