@@ -5,10 +5,8 @@ import * as dy from '../../../src/math/exact/dyadic.ts';
 import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
 import { exponentOf } from '../../../src/math/float/bits.ts';
 import { AT, type Lattice, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
-import {
-  coarseAroundAxis,
-  coarseInSpace,
-} from '../../../src/math/methods/certified/lattice-coarse.ts';
+import { coarseInSpace } from '../../../src/math/methods/certified/lattice-coarse.ts';
+import { coarseAroundAxis } from '../../../src/math/methods/certified/lattice-coarse-axis.ts';
 import {
   residualsAroundAxis,
   residualsInSpace,
@@ -25,10 +23,8 @@ import {
   SMALL,
   solvePass,
 } from '../../../src/math/methods/certified/lattice-solve.ts';
-import {
-  recentredAroundAxis,
-  recentredInSpace,
-} from '../../../src/math/methods/certified/recentred.ts';
+import { recentredAroundAxis } from '../../../src/math/methods/certified/recentred-axis.ts';
+import { recentredInSpace } from '../../../src/math/methods/certified/recentred-space.ts';
 import { refine } from '../../../src/math/methods/certified/refined.ts';
 import { certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import type { Ray } from '../../../src/math/ray.ts';
