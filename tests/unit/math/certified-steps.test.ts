@@ -3,11 +3,8 @@ import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { AT, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
-import {
-  coarseInSpace,
-  SLACK,
-  SLACK_A,
-} from '../../../src/math/methods/certified/lattice-coarse.ts';
+import { SLACK, SLACK_A } from '../../../src/math/methods/certified/lattice-bounds.ts';
+import { coarseInSpace } from '../../../src/math/methods/certified/lattice-coarse.ts';
 import {
   createScratch,
   HITS,
