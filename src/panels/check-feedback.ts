@@ -31,7 +31,8 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
     </div>`;
   }
   const { cause } = judged;
-  const edited = cause ? editedLines(cause, posed.draft) : [];
+  const isAbout = (id: string): boolean => posed.exercise.lines.includes(id) || id === cause?.line;
+  const edited = cause ? editedLines(cause, posed.draft).filter(({ id }) => isAbout(id)) : [];
   return html`<div class="feedback" data-verdict="wrong" data-cause=${cause?.id ?? nothing}>
     <p class="verdict"><span class="glyph" aria-hidden="true">≠</span> ${
       cause ? html`Not right. This is what comes out with ${cause.says}.` : 'Not right.'
