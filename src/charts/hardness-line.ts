@@ -21,8 +21,10 @@ export function lineOf(
   const path = at.map(([cx, cy], i) => `${i ? 'L' : 'M'}${px(cx)},${px(cy)}`).join('');
   const last = at.at(-1);
   const end = line.end && ([x(line.end.difficulty), y(0)] as const);
-  const cls = line.id === model.chosen ? 'is-chosen' : 'quiet';
   const picked = model.picked?.id === line.id ? model.picked.difficulty : null;
+  const here = line.points.findIndex(({ difficulty }) => difficulty === picked);
+  const focus = picked === null ? (at[0] ?? end) : (at[here] ?? end);
+  const cls = line.id === model.chosen ? 'is-chosen' : 'quiet';
   const first =
     line.first && line.points.find(({ difficulty }) => difficulty === line.first?.difficulty);
   return svg`<g class="plot-line" data-method=${line.id}
@@ -38,7 +40,7 @@ export function lineOf(
     ${first ? svg`<path class="plot-first" transform=${`translate(${px(x(first.difficulty))},${px(y(first.digits))})`} d="M-3.5,-13L3.5,-6M-3.5,-6L3.5,-13"></path>` : ''}
     ${picked === null ? '' : pickedRing(line, picked, x, y, field)}
     <path class="plot-hit" d=${path + (end ? `${path ? 'L' : 'M'}${px(end[0])},${px(end[1])}` : '')}></path>
-    ${last || end ? svg`<circle class="plot-focus" cx=${px((at[0] ?? end ?? [0, 0])[0])} cy=${px((at[0] ?? end ?? [0, 0])[1])} r="9"></circle>` : ''}
+    ${focus ? svg`<circle class="plot-focus" cx=${px(focus[0])} cy=${px(focus[1])} r=${14 * field.mark}></circle>` : ''}
   </g>`;
 }
 

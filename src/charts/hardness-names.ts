@@ -3,29 +3,52 @@ import type { HardnessLine, HardnessModel, HardnessScales } from './hardness-mod
 import { type Box, placeLabels, spread } from './place-labels.ts';
 import { type Field, fieldBox, labelSize, nameAt, px } from './plot.ts';
 
-/** At the right, beside the ends of the lines that reach it. */
-export function endNames(
+interface EndName {
+  readonly line: HardnessLine;
+  /** Where the line ends, and where its name stands. */
+  readonly own: number;
+  readonly at: number;
+}
+
+/** The names of all lines: at the right for those that reach it, beside the cross for those that end. */
+export function lineNames(
   model: HardnessModel,
-  { y }: HardnessScales,
+  scales: HardnessScales,
   field: Field,
 ): TemplateResult[] {
+  const ends = endNames(model, scales, field);
+  const taken = ends.map(({ line, at }) => ({
+    left: nameLeft(field) - 2,
+    top: at - 0.65 * field.em,
+    ...labelSize(line.name, field.em),
+  }));
+  return [
+    ...ends.map((end) => endName(end, model.chosen, field)),
+    ...fallNames(model, scales, field, taken),
+  ];
+}
+
+const nameLeft = ({ right, em }: Field): number => right + 1.4 * em;
+
+/** Beside the ends of the lines that reach the right, moved apart. */
+function endNames(model: HardnessModel, { y }: HardnessScales, field: Field): EndName[] {
   const reaching = model.lines.flatMap((line) => {
     const last = line.points.at(-1);
-    return !line.end && last ? [{ line, y: y(last.digits) }] : [];
+    return !line.end && last ? [{ line, own: y(last.digits) }] : [];
   });
-  const apart = 1.25 * field.em;
   const at = spread(
-    reaching.map((one) => one.y),
-    apart,
+    reaching.map(({ own }) => own),
+    1.25 * field.em,
     field.top - field.em,
     field.bottom,
   );
-  return reaching.map(({ line, y: own }, i) => {
-    const height = at[i] ?? own;
-    const cls = line.id === model.chosen ? 'plot-name is-chosen' : 'plot-name quiet';
-    return svg`<line class="plot-leader" x1=${px(field.right + 5)} x2=${px(field.right + 1.1 * field.em)} y1=${px(own)} y2=${px(height)}></line>
-      <text class=${cls} x=${px(field.right + 1.4 * field.em)} y=${px(height + 0.35 * field.em)}>${line.name}</text>`;
-  });
+  return reaching.map((one, i) => ({ ...one, at: at[i] ?? one.own }));
+}
+
+function endName({ line, own, at }: EndName, chosen: string, field: Field): TemplateResult {
+  const cls = line.id === chosen ? 'plot-name is-chosen' : 'plot-name quiet';
+  return svg`<line class="plot-leader" x1=${px(field.right + 5)} x2=${px(field.right + 1.1 * field.em)} y1=${px(own)} y2=${px(at)}></line>
+    <text class=${cls} x=${px(nameLeft(field))} y=${px(at + 0.35 * field.em)}>${line.name}</text>`;
 }
 
 /** Lines that end at one place for one reason share their words. */
@@ -49,10 +72,11 @@ function fallsOf(lines: readonly HardnessLine[]): Fall[] {
 }
 
 /** Beside the cross of lines that end, a row for each name and one for the reason. */
-export function fallNames(
+function fallNames(
   model: HardnessModel,
   { x, y }: HardnessScales,
   field: Field,
+  taken: readonly Box[],
 ): TemplateResult[] {
   const falls = fallsOf(model.lines);
   const frame: Box = { ...fieldBox(field), width: field.width - field.left - 4 };
@@ -63,7 +87,7 @@ export function fallNames(
     const height = sizes.reduce((sum, size) => sum + size.height, 0);
     return { x: x(fall.difficulty), y: y(0), radius: 6, width, height };
   });
-  const places = placeLabels(wishes, frame);
+  const places = placeLabels(wishes, frame, taken);
   return falls.flatMap((fall, i) => {
     const place = places[i];
     const wish = wishes[i];

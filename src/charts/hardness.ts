@@ -3,7 +3,7 @@ import { html, render, type TemplateResult } from 'lit';
 import type { Mounted } from '../ui/mounted.ts';
 import { lineOf } from './hardness-line.ts';
 import type { HardnessActions, HardnessModel } from './hardness-model.ts';
-import { endNames, fallNames } from './hardness-names.ts';
+import { lineNames } from './hardness-names.ts';
 import { styleOf } from './line-style.ts';
 import { axes, type Field, fieldOf } from './plot.ts';
 import { watchMetrics } from './strip-metrics.ts';
@@ -49,6 +49,6 @@ function plot(model: HardnessModel, field: Field, actions: HardnessActions): Tem
   return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.digitsTitle} against difficulty: ${model.dialTitle}`}>
     ${axes(field, { ticks: xTicks, title: `${model.dialTitle} →` }, { ticks: yTicks, title: model.digitsTitle })}
     ${drawn.map(({ line, style }) => lineOf(line, style, model, scales, field, actions))}
-    ${endNames(model, scales, field)} ${fallNames(model, scales, field)}
+    ${lineNames(model, scales, field)}
   </svg>`;
 }

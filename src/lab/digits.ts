@@ -21,11 +21,20 @@ export function digitsOfError(relative: number): number {
 export function rightDigits(x: number, exact: Surd): number {
   const nearest = toNumber(exact);
   if (x === nearest) return MOST_DIGITS;
-  if (!Number.isFinite(x) || isZero(exact)) return 0;
+  return trustedDigits(x, exact);
+}
+
+/**
+ * How many digits of an intermediate result can be relied on. Here the nearest double is no excuse: what under- or overflowed is
+ * lost to all that follows.
+ */
+export function trustedDigits(x: number, exact: Surd): number {
+  if (isZero(exact)) return x === 0 ? MOST_DIGITS : 0;
+  if (!Number.isFinite(x)) return 0;
   return digitsOfError(Math.abs(toNumber(div(sub(fromNumber(x), exact), exact))));
 }
 
-/** The same against the correctly rounded number, for many at a time: at most half a unit in the last place apart from `rightDigits`. */
+/** The same as `rightDigits` against the correctly rounded number, for many at a time: at most half a unit in the last place apart from `rightDigits`. */
 export function rightDigitsOfDouble(x: number, nearest: number): number {
   if (x === nearest) return MOST_DIGITS;
   if (!Number.isFinite(x) || !Number.isFinite(nearest) || nearest === 0) return 0;

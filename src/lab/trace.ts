@@ -13,7 +13,7 @@ import {
   squared,
 } from '../math/formula/expr.ts';
 import { AXES } from '../math/vec3.ts';
-import { MOST_DIGITS, rightDigits } from './digits.ts';
+import { MOST_DIGITS, trustedDigits } from './digits.ts';
 import { keyOf, productOf, sumOf } from './written.ts';
 
 /** A number on its way through a formula: what the method has, what it should be, and how it came about. */
@@ -65,7 +65,7 @@ export function traceIn<T>(own: Arithmetic<T>): Trace<T> {
   const letters = new Map<string, Expr>();
 
   const digitsOf = (mine: number, truth: Surd | null): number | null =>
-    truth === null ? null : own.id === exact.id ? MOST_DIGITS : rightDigits(mine, truth);
+    truth === null ? null : own.id === exact.id ? MOST_DIGITS : trustedDigits(mine, truth);
 
   function note(x: Traced<T>, letter: Expr | null, from: readonly Traced<T>[]): Traced<T> {
     const mine = own.toNumber(x.own);

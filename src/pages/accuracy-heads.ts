@@ -57,7 +57,8 @@ const STEPS = 100;
 
 function dialRow(dial: Dial, at: number | null, set: Set): TemplateResult {
   const { title, usual, range } = dial;
-  const now = at === null ? `${usual[0]} … ${usual[1]}` : display(at, 3);
+  const usually = usual[0] === usual[1] ? `${usual[0]}` : `${usual[0]} … ${usual[1]}`;
+  const now = at === null ? usually : display(at, 3);
   return html`<label class="acc-dial">
     <span>${dialTitle(dial)}${/k/.test(title) ? ', k' : ''} = ${now}</span>
     <graze-slider .value=${at ?? (usual[0] + usual[1]) / 2} .least=${range[0]} .most=${range[1]} .step=${(range[1] - range[0]) / STEPS} .label=${title}

@@ -1,4 +1,4 @@
-import { html, svg, type TemplateResult } from 'lit';
+import { html, nothing, svg, type TemplateResult } from 'lit';
 import { digitCount, type Marked, MOST_DIGITS, PLACES } from '../lab/digits.ts';
 import { shortest } from '../text/format.ts';
 import { superscript } from '../text/scripts.ts';
@@ -21,14 +21,14 @@ export function digitBar(count: number): TemplateResult {
   return html`<svg class="digit-bar" viewBox="0 0 142 14" aria-hidden="true">${cells}</svg>`;
 }
 
-/** The count and the bar; a dash where there is no digit to count. */
-export function digitCell(digits: number | null, quantity = 'digits'): TemplateResult {
+/** The count and the bar; a dash where there is no digit to count. `quantity` names it for those who read the page by its data. */
+export function digitCell(digits: number | null, quantity: string | null): TemplateResult {
   if (digits === null || Number.isNaN(digits)) {
     return html`<span class="digit-cell"><span class="count">–</span>${digitBar(0)}</span>`;
   }
   const count = digitCount(digits);
   return html`<span class="digit-cell">
-    <b class="count" data-quantity=${quantity} data-value=${shortest(Math.min(digits, MOST_DIGITS))}>${count}</b>
+    <b class="count" data-quantity=${quantity ?? nothing} data-value=${shortest(Math.min(digits, MOST_DIGITS))}>${count}</b>
     ${digitBar(count)}
   </span>`;
 }

@@ -30,20 +30,20 @@ export const SAYS: Readonly<Record<Verdict, string>> = {
 
 /** This ray through every method: a row each. */
 export function ladderTable(model: LadderModel, choose: (id: string) => void): TemplateResult {
-  const heads = [
-    'verdict',
-    'roots',
-    'digits that are right',
-    'error',
-    'ns',
-    'time',
-    'where digits go',
+  const heads: readonly (readonly [name: string, words: string, title?: string])[] = [
+    ['verdict', 'verdict'],
+    ['roots', 'roots'],
+    ['digits', 'digits that are right'],
+    ['error', 'error'],
+    ['ns', 'ns', 'nanoseconds a ray for both roots, median, on the rays of the plot below'],
+    ['time', 'time', 'as a multiple of the textbook method, on the rays of the plot below'],
+    ['where', 'where digits go'],
   ];
   return html`<table class="ladder" role="table" aria-label="This ray by every method">
     <thead role="rowgroup">
       <tr role="row">
         <th role="columnheader" scope="col" class="name-head">method</th>
-        ${heads.map((head) => html`<th role="columnheader" scope="col" class="head-${head.split(' ')[0]}">${head}</th>`)}
+        ${heads.map(([name, words, title]) => html`<th role="columnheader" scope="col" class=${`head-${name}`} title=${title ?? nothing}>${words}</th>`)}
       </tr>
     </thead>
     <tbody role="rowgroup">
@@ -75,7 +75,7 @@ function ladderRow(
     </th>
     <td role="cell" class="ladder-verdict">${verdict(row)}</td>
     <td role="cell" class="roots">${roots(row)}</td>
-    <td role="cell" class="digits">${digitCell(row.digits)}</td>
+    <td role="cell" class="digits">${digitCell(row.digits, 'digits')}</td>
     <td role="cell" class="errors">${errors(row.roots)}</td>
     <td role="cell" class="ns">${timing ? number('ns', timing.ns.median, nanoseconds(timing.ns.median)) : '–'}</td>
     <td role="cell" class="time">${timing ? number('ratio', timing.ratio.median, `${multiple(timing.ratio.median)}×`) : '–'}</td>

@@ -245,6 +245,10 @@ test('the picture is used by keys alone', async ({ page }) => {
   await expect(page.locator('.announcer')).toContainText('pixel 49, 38');
   await page.getByRole('button', { name: 'close' }).click();
   await expectInLink(page, { pixel: null });
+  await page.getByRole('tab', { name: 'What this picture needed' }).press('ArrowRight');
+  await settle(page);
+  await expect(page.getByRole('tab', { name: 'Scene' })).toBeFocused();
+  await expect(page.getByRole('tabpanel', { name: 'Scene' })).toBeVisible();
 });
 
 test('a click chooses the pixel under it', async ({ page }) => {
@@ -411,6 +415,15 @@ test.describe('on a phone', () => {
     }
   });
 });
+
+for (const width of [600, 768, 1024, 1100, 1920]) {
+  test(`nothing sticks out to the side at ${width} px`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await openPicture(page, `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none`);
+    const seen = await page.evaluate(() => document.scrollingElement?.scrollWidth);
+    expect(seen).toBe(width);
+  });
+}
 
 test.describe('without WebGL', () => {
   test('the list of rays and their lines in space are there', async ({ page }) => {

@@ -21,10 +21,7 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
-  /**
-   * The same answers for many rays at once: class and roots bit-equal to `intersect`. Only `certified` may give the other one of the two
-   * doubles around a root, since it comes to it on another way.
-   */
+  /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
   batch?(shape: Shape): Kernel;
   /** So that its own operations can be followed one by one; a rung that is not made of trees has none. */
   readonly parts?: Parts;

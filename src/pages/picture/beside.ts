@@ -92,7 +92,14 @@ const TITLES = { ledger: 'What this picture needed', scene: 'Scene' } as const;
 
 function tabs(current: Tab, turn: (next: Tab) => void): TemplateResult {
   const tab = (id: Tab): TemplateResult =>
-    html`<button type="button" role="tab" aria-selected=${id === current} @click=${() => turn(id)}>${TITLES[id]}</button>`;
+    html`<button type="button" role="tab" aria-selected=${id === current} tabindex=${id === current ? 0 : -1} @click=${() => turn(id)}>${TITLES[id]}</button>`;
+  const key = (event: KeyboardEvent): void => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    event.preventDefault();
+    turn(current === 'ledger' ? 'scene' : 'ledger');
+    const list = event.currentTarget as HTMLElement;
+    list.querySelector<HTMLElement>('[aria-selected="false"]')?.focus();
+  };
   return html`<h2 class="visually-hidden">${TITLES[current]}</h2>
-    <div class="beside-tabs" role="tablist" aria-label="beside the picture">${tab('ledger')}${tab('scene')}</div>`;
+    <div class="beside-tabs" role="tablist" aria-label="beside the picture" @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
 }

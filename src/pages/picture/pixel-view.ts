@@ -1,4 +1,4 @@
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import type { TreeModel } from '../../canvas/tree.ts';
 import { pixelPanel } from '../../panels/picture-pixel.ts';
 import { sideWords } from '../../state/picture/against.ts';
@@ -10,8 +10,8 @@ import type { Shot } from './shot.ts';
 import type { Sight } from './sight.ts';
 
 export interface PixelView {
-  /** The list of rays of the pixel that is chosen; nothing if none is. */
-  panel(sight: Sight): TemplateResult | typeof nothing;
+  /** The list of rays of the pixel that is chosen, or how to choose one. */
+  panel(sight: Sight): TemplateResult;
   /** The same rays for the view in space; null while there are none. */
   space(sight: Sight): TreeModel | null;
 }
@@ -24,6 +24,8 @@ export interface PixelActions {
 
 /** Trees of the pixels that were looked at lately. */
 const MOST_TREES = 24;
+
+const HINT = html`<p class="pixel-problem">Click a pixel to follow its rays.</p>`;
 
 type Known = { readonly tree: RayTree } | { readonly problem: string } | 'asked';
 
@@ -98,7 +100,7 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
       const { pixel, against } = sight.picture;
       if (!pixel) {
         shown = '';
-        return nothing;
+        return HINT;
       }
       const isNew = shown !== pixel.join();
       start(pixel);

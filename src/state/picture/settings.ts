@@ -98,10 +98,9 @@ export function readPicture(settings: Settings): {
       problems.push(`${quote(key)} means nothing for a picture`);
       continue;
     }
-    const { initial, read } = KEYS[key as PictureKey];
     try {
-      read(text);
-      if (text !== initial) usable.push([key, text]);
+      KEYS[key as PictureKey].read(text);
+      usable.push([key, text]);
     } catch (error) {
       if (!(error instanceof InvalidInput)) throw error;
       problems.push(`opened without ${key}: ${error.message}`);

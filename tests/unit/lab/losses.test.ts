@@ -83,6 +83,24 @@ describe('where digits go', () => {
     expect(lossesOf(method('textbook'), cylinder, near).worst?.text).toMatch(/√D|− r²/);
   });
 
+  test('what underflows is lost, though no double is nearer; what overflows too', () => {
+    const at = (size: number): [Shape, Ray] => [
+      { kind: 'cone', vertex: [0, 0, 0], slope: 1 },
+      { origin: [size, 0, 0], direction: [size, 3 * size, 0] },
+    ];
+    const tiny = lossesOf(method('textbook'), ...at(1e-170)).worst;
+    expect([tiny?.text, tiny?.own, tiny?.digits]).toEqual(['dx²', 0, 0]);
+    expect(whyLost(tiny as NonNullable<typeof tiny>)).toBe(
+      'dx² is smaller than the smallest number there is: no digit is left.',
+    );
+    const huge = lossesOf(method('textbook'), ...at(1e170)).worst;
+    expect([huge?.text, huge?.own, huge?.digits]).toEqual(['dx²', Number.POSITIVE_INFINITY, 0]);
+    const row = thisRay(...at(1e-170)).rows.find((one) => one.method.id === 'textbook');
+    expect(row && whereLost(row, lossesOf(method('textbook'), ...at(1e-170)))).toBe(
+      'dx²: underflow',
+    );
+  });
+
   test('every family, every method: words without gaps, seed 12', () => {
     const random = seeded(12);
     for (const family of FAMILIES) {

@@ -2,8 +2,9 @@ import { describe, expect, test } from 'vitest';
 import { coresOf, createDarkroom, type Darkroom } from '../../../src/pages/picture/darkroom.ts';
 import { createRecorder } from '../../../src/pages/picture/recorder.ts';
 import { type Shot, shotsOf } from '../../../src/pages/picture/shot.ts';
+import { sightOf } from '../../../src/pages/picture/sight.ts';
 import { pictureSettings } from '../../../src/state/picture/settings.ts';
-import type { Settings } from '../../../src/state/state.ts';
+import { type AppState, INITIAL, type Settings } from '../../../src/state/state.ts';
 import { type FakeWorker, fakeWorker } from '../tracer/fake-worker.ts';
 
 const SMALL: Settings = { size: '32x18', light: '4' };
@@ -152,6 +153,61 @@ describe('the darkroom', () => {
     [64, 8],
   ])('%s cores: %d workers', (hardwareConcurrency, workers) => {
     expect(coresOf(hardwareConcurrency === undefined ? {} : { hardwareConcurrency })).toBe(workers);
+  });
+});
+
+describe('a comparison', () => {
+  const stateOf = (settings: Settings, method: string): AppState => {
+    const given = { ...SMALL, ...settings };
+    return { ...INITIAL, method, settings: { ...INITIAL.settings, picture: given } };
+  };
+
+  async function sightFor(settings: Settings, method: string) {
+    const { room, work } = bench(1);
+    const state = stateOf(settings, method);
+    const { main, other } = sightOf(state, room).shots;
+    for (let k = 0; k < 2; k++) {
+      room.want(other ? [main, other] : [main]);
+      await work();
+    }
+    return sightOf(state, room);
+  }
+
+  test('finds the same, whichever side is the one to be trusted', async () => {
+    const right = await sightFor({ scene: 'far', against: 'method:textbook32' }, 'certified');
+    const left = await sightFor({ scene: 'far', against: 'method:certified' }, 'textbook32');
+    expect([right.trustsLeft, left.trustsLeft]).toEqual([false, true]);
+    const { verdicts, holes, ghosts } = right.comparison ?? {};
+    expect(verdicts).toBeGreaterThan(50);
+    expect(left.comparison).toMatchObject({ verdicts, holes, ghosts });
+  });
+
+  test('with an effect off counts the pixels that it changes', async () => {
+    const sight = await sightFor({ scene: 'mirror', against: 'off:reflection' }, 'moment');
+    const reflection = sight.ledger.simulated.find(({ id }) => id === 'reflection');
+    expect(reflection?.pixels).toBeGreaterThan(0);
+    expect(reflection?.pixels).toBe(sight.comparison?.differing);
+    expect(sight.uncounted).toHaveLength(sight.ledger.simulated.length - 1);
+  });
+
+  test('acne: no method cures it; an epsilon is too small for one scene and too large for another', async () => {
+    const differing = async (scene: string, against: string, method: string): Promise<number> => {
+      const sight = await sightFor({ size: '96x54', scene, against }, method);
+      return sight.comparison?.differing ?? Number.NaN;
+    };
+    for (const method of ['moment', 'compensated', 'certified']) {
+      expect(await differing('self-intersection', 'start:none', method)).toBeGreaterThan(300);
+      expect(await differing('self-intersection', 'start:1e-15', method)).toBeGreaterThan(20);
+    }
+    expect(await differing('self-intersection', 'start:1e-9', 'moment')).toBe(0);
+    // In a scene with a small thing far out every epsilon is one or the other.
+    expect(await differing('two-scales', 'start:1e-9', 'moment'), 'too small').toBeGreaterThan(300);
+    expect(await differing('two-scales', 'start:0.001', 'moment'), 'too large').toBeGreaterThan(30);
+  });
+
+  test('of a picture with itself finds nothing', async () => {
+    const sight = await sightFor({ scene: 'mirror', against: 'on:reflection' }, 'moment');
+    expect(sight.comparison).toMatchObject({ differing: 0, verdicts: 0 });
   });
 });
 

@@ -21,8 +21,13 @@ export const ROOTS = new Float64Array(6);
 
 const at = (k: number): number => ALGEBRA[k] as number;
 
-/** The hit at root k of ROOTS, with E − C and a from ALGEBRA; null where a coordinate, or the way of the normal, stays open. */
-export function hitAt(q: Quadric, { origin: E, direction: d }: Ray, k: number): Hit | null {
+/** The hit at root k of ROOTS, which goes by the double that was `certified` for it, with E − C and a from ALGEBRA; null where a coordinate, or the way of the normal, stays open. */
+export function hitAt(
+  q: Quadric,
+  { origin: E, direction: d }: Ray,
+  k: number,
+  certified: number,
+): Hit | null {
   const t = ROOTS[k] as number;
   const tl = ROOTS[k + 1] as number;
   const off = ROOTS[k + 2] as number;
@@ -78,7 +83,7 @@ export function hitAt(q: Quadric, { origin: E, direction: d }: Ray, k: number): 
   const around = Math.abs(px) + Math.abs(pz) + size * Math.abs(py);
   if (!(offX + offZ + size * offY + 32 * UU * around + SMALLEST <= STRAIGHT * long)) return null;
   return {
-    t,
+    t: certified,
     point: [pointX + 0, pointY + 0, pointZ + 0],
     normal: [normalX + 0, normalY + 0, normalZ + 0],
     singular: false,

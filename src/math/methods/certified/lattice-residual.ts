@@ -14,7 +14,7 @@ import { HITS, type Scratch } from './lattice-scratch.ts';
  *   a3: |a3|/2 ≤ 2^-15, its rounding, the product and a sum:                                  3u·2^-15 S² < u·2^-13.4 S²
  *   the sum of both and halves:                                                               3u|f/2| in all.
  *
- * So |δ(f/2)| ≤ u·S(5·lift + 2^-12 S) + 3u|f/2|. Math.abs is taken of numbers with a fraction: of whole ones V8 expects int32.
+ * So |δ(f/2)| ≤ u·S(5·lift + 2^-13 S) + 3u|f/2|. Math.abs is taken of numbers with a fraction: of whole ones V8 expects int32.
  */
 
 export type ResidualPass = (lattice: Lattice) => void;

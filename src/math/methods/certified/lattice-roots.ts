@@ -1,6 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Lattice } from './lattice.ts';
-import { coarseAroundAxis, coarseInSpace } from './lattice-coarse.ts';
+import { coarseInSpace } from './lattice-coarse.ts';
+import { coarseAroundAxis } from './lattice-coarse-axis.ts';
 import { residualsAroundAxis, residualsInSpace } from './lattice-residual.ts';
 import { createScratch } from './lattice-scratch.ts';
 import { solvePass } from './lattice-solve.ts';

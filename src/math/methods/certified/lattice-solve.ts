@@ -29,7 +29,7 @@ import { HITS, type Scratch, UNSETTLED } from './lattice-scratch.ts';
 export const LARGEST_SPREAD = 11e6;
 export const RESIDUAL_ERROR = 2.5 * 2 ** -53;
 export const ROUNDING = 5;
-export const SMALL = 2 ** -12;
+export const SMALL = 2 ** -13;
 export const FAITHFUL = 0.9 * 2 ** -54;
 /** How much larger than the steps the gap must be. */
 const LEAST_GAP = 32;

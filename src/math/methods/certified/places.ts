@@ -14,7 +14,8 @@ import { hitAt, ROOTS } from './hit-quadric.ts';
  *   g = E − C + t d, a sum of two double-doubles that are exact:                                    |δgi| ≤ 3u²|gi|
  *   curved, F = gx² + gz² − a gy² − ρ: a square 5 + 6, times a 5 more, three sums:                  |δF| ≤ 26u² (gx² + gz² + |a|gy² + ρ)
  *     h = F'/2 = gx dx + gz dz − a gy dy in doubles:                                                |δh| ≤ 6u Σ ai|gi di|, ai = 1, |a|, 1
- *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Σ ai di²
+ *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ below, which is off by η' = (|2δh| + τ Am)/|2h| twice and
+ *     by δF, and A off by 8u Am:  |δF'| ≤ 12u Σ ai|gi di| + τ Am (2η' + 8u) + 4Am |δF|/|2h|. From far away that matters: τ is long there.
  *   flat, F = N·g, h = N·d: |δF| ≤ 15u² Σ|Ni gi|, |δh| ≤ 4u Σ|Ni di|, δ = −F/h
  *
  * If F' is off by η ≤ 1/4 of itself, −F/F' is off by Δ ≤ 2|δF|/|F'| + 2ητ + 5u|δ|. Underflow: what is lost in F and F' is below SMALLEST as long as g, r, √|a| and
@@ -89,16 +90,23 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   putSquare(S, q.r);
   dd.sub(R, F, F, S);
   const Am = d[0] * d[0] + d[2] * d[2] + size * d[1] * d[1];
-  const steep = Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]);
-  const known = putStep(
-    k,
-    t,
-    32 * UU * (x * x + z * z + size * y * y + q.r * q.r),
-    2 * (x * d[0] + z * d[2] - a * (y * d[1])),
-    12 * U * steep + Am * (2 * U * Math.abs(t) + TINY),
-  );
+  const A = d[0] * d[0] + d[2] * d[2] - a * d[1] * d[1];
+  const offF = 32 * UU * (x * x + z * z + size * y * y + q.r * q.r);
+  const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
+  const offSlope = 12 * U * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
+  const bend = Am * (2 * U * Math.abs(t) + TINY);
+  const eta = (offSlope + bend + SMALLEST) / Math.abs(slope);
+  const known =
+    eta <= 0.25 &&
+    putStep(
+      k,
+      t,
+      offF,
+      slope - (A * at(F)) / slope,
+      offSlope + bend * (2 * eta + 8 * U) + (4 * Am * offF) / Math.abs(slope),
+    );
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
-  return known && narrow ? hitAt(q, ray, k) : null;
+  return known && narrow ? hitAt(q, ray, k, t) : null;
 }
 
 /** As `placeOnQuadric`; the normal is N itself. */

@@ -1,3 +1,4 @@
+import { TWO } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { squareError, sumError } from '../../float/eft.ts';
 import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
@@ -5,6 +6,7 @@ import type { Ray } from '../../ray.ts';
 import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
 import { DIRECT_ERROR } from './class-quadric.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
+import { findRoots, found } from './one-ray.ts';
 
 /*
  * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For the nine
@@ -46,8 +48,10 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   const decidedBy = Math.abs(D1) > DIRECT_ERROR * at(SIZE) ? 'filter' : 'double-double';
   if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
   if (!putRoots()) return null;
-  const near = hitAt(q, ray, 0);
-  const far = near && hitAt(q, ray, 3);
+  findRoots(q, ray);
+  if (found.verdict !== TWO) return null;
+  const near = hitAt(q, ray, 0, found.t0);
+  const far = near && hitAt(q, ray, 3, found.t1);
   return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
 }
 

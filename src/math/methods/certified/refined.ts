@@ -5,7 +5,7 @@ import { AT_SCALED, BOX } from './scaled-quadric.ts';
 /*
  * Each root by a step from a rough one with all its 53 bits: slower than the stages before it, and what remains is the few rays
  * that these leave because a root lies near 0 or the numbers are not ordinary. One loop for both kinds of shapes: about an axis
- * y and k are 0.
+ * y and k are 0. It is long because what it hands on are forty numbers, which a call between two halves would send through memory.
  */
 
 /*

@@ -2,7 +2,8 @@ import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { count, doubtful, ordinaryRoots, unsettled } from './lattice-roots.ts';
 import { BLOCK, DOUBTS, UNSETTLED } from './lattice-scratch.ts';
-import { recentredAroundAxis, recentredInSpace } from './recentred.ts';
+import { recentredAroundAxis } from './recentred-axis.ts';
+import { recentredInSpace } from './recentred-space.ts';
 import { refine } from './refined.ts';
 import type { CertifiedQuadric } from './scaled-quadric.ts';
 

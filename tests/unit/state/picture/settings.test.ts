@@ -104,6 +104,11 @@ describe('settings', () => {
     expect(pictureSettings({ size })).toMatchObject({ width: 752, height: 424 });
   });
 
+  test('a default that a link spells out stays: opening it is no step that undo takes back', () => {
+    const given = { scene: 'cone-on-mirror', split: '50' };
+    expect(readPicture(given)).toEqual({ settings: given, problems: [] });
+  });
+
   test('a pixel outside of the picture is no pixel', () => {
     expect(pictureSettings({ size: '160x90', pixel: '159,89' }).pixel).toEqual([159, 89]);
     expect(pictureSettings({ size: '160x90', pixel: '160,0' }).pixel).toBeNull();

@@ -1,0 +1,70 @@
+import { AT } from './lattice.ts';
+import { BOUNDS, type CoarsePass } from './lattice-bounds.ts';
+import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
+
+/** For cylinders, whose formula does not look at y. */
+export function coarseAroundAxis(s: Scratch): CoarsePass {
+  const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, count } = s;
+  const { A: As, overA, near, far, overGap, slack } = s;
+  return (lattice, { Ex, Ez, dx, dz }, { t0, t1 }, from, to) => {
+    const direction = lattice[AT.direction] as number;
+    const length = lattice[AT.length] as number;
+    const Cx = lattice[AT.Cx] as number;
+    const Cz = lattice[AT.Cz] as number;
+    const rho = lattice[AT.rho] as number;
+    const clear = BOUNDS[0] as number;
+    const certain = BOUNDS[1] as number;
+    const smallest = BOUNDS[2] as number;
+    const largestSquare = BOUNDS[4] as number;
+    const smallestSquare = BOUNDS[5] as number;
+    const slackA = BOUNDS[6] as number;
+    const slackM = BOUNDS[7] as number;
+    const slack0 = BOUNDS[8] as number;
+    let hits = 0;
+    let doubts = 0;
+    for (let i = from; i < to; i++) {
+      const x = direction * (dx[i] as number);
+      const z = direction * (dz[i] as number);
+      const ex = length * (Ex[i] as number);
+      const ez = length * (Ez[i] as number);
+      const px = ex - Cx;
+      const pz = ez - Cz;
+      const A = x * x + z * z;
+      const wide = px * px + pz * pz;
+      const b = x * px + z * pz;
+      const D = b * b - A * (wide - rho);
+      const Cm = wide + rho;
+      const Q = A * Cm;
+      if (
+        D > clear * Q + smallest &&
+        A < largestSquare &&
+        A > smallestSquare &&
+        Cm < largestSquare
+      ) {
+        const root = Math.sqrt(D);
+        const inverse = 1 / (A * D);
+        const over = inverse * D;
+        const h = root * over;
+        const middle = -b * over;
+        index[hits] = i;
+        xs[hits] = x;
+        zs[hits] = z;
+        exs[hits] = ex;
+        ezs[hits] = ez;
+        As[hits] = A;
+        overA[hits] = over;
+        near[hits] = middle - h;
+        far[hits] = middle + h;
+        const quarter = 0.25 * (root * inverse) * (A * A);
+        overGap[hits] = quarter;
+        slack[hits] = slackM * (Math.abs(middle) * quarter) + (slackA + slack0);
+        hits += 1;
+      } else if (D < -(certain * Q) - smallest && A < largestSquare && Cm < largestSquare) {
+        t0[i] = Number.NaN;
+        t1[i] = Number.NaN;
+      } else doubtful[doubts++] = i;
+    }
+    count[HITS] = hits;
+    count[DOUBTS] = doubts;
+  };
+}

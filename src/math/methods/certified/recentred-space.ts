@@ -1,0 +1,143 @@
+import { BOUNDS, type RecentredPass } from './recentred.ts';
+import { AT_SCALED } from './scaled-quadric.ts';
+
+/** For shapes with a term in y. One loop: values handed between functions would go through memory. */
+export const recentredInSpace: RecentredPass = (
+  numbers,
+  { Ex, Ey, Ez, dx, dy, dz },
+  { t0, t1 },
+  places,
+  count,
+) => {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cy = numbers[AT_SCALED.Cy] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const k = numbers[AT_SCALED.k] as number;
+  const k1 = numbers[AT_SCALED.k1] as number;
+  const k2 = numbers[AT_SCALED.k2] as number;
+  const sign = numbers[AT_SCALED.sign] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const rhoLow = numbers[AT_SCALED.rhoLow] as number;
+  const grid25 = BOUNDS[0] as number;
+  const grid26 = BOUNDS[1] as number;
+  const gridOfP = BOUNDS[2] as number;
+  const splitter = BOUNDS[3] as number;
+  const crossError = BOUNDS[4] as number;
+  const squareError = BOUNDS[5] as number;
+  const residualError = BOUNDS[6] as number;
+  const slopeError = BOUNDS[7] as number;
+  const closedA = BOUNDS[8] as number;
+  const closed = BOUNDS[9] as number;
+  const faithful = BOUNDS[10] as number;
+  const smallestD = BOUNDS[11] as number;
+  const leastA = BOUNDS[12] as number;
+  const box = BOUNDS[13] as number;
+  let left = 0;
+  for (let j = 0; j < count; j++) {
+    const i = places[j] as number;
+    const x = dx[i] as number;
+    const dyi = dy[i] as number;
+    const z = dz[i] as number;
+    const ex = Ex[i] as number;
+    const ey = Ey[i] as number;
+    const ez = Ez[i] as number;
+    const px = ex - Cx;
+    const py = ey - Cy;
+    const pz = ez - Cz;
+    const vx = px - ex;
+    const lostX = ex - (px - vx) - (Cx + vx);
+    const vy = py - ey;
+    const lostY = ey - (py - vy) - (Cy + vy);
+    const vz = pz - ez;
+    const lostZ = ez - (pz - vz) - (Cz + vz);
+    // k·dy and k·py: an exact leading product of 26 by 26 bits, and the rest.
+    const bigD = splitter * dyi;
+    const topD = bigD - (bigD - dyi);
+    const leadD = k1 * topD;
+    const restD = k1 * (dyi - topD) + k2 * dyi;
+    const y = leadD + restD;
+    const bigP = splitter * py;
+    const topP = bigP - (bigP - py);
+    const leadP = k1 * topP;
+    const restP = k1 * (py - topP) + k2 * py + k * lostY;
+    const round = x * x + z * z;
+    const yy = y * y;
+    const A = round - sign * yy;
+    const speed = Math.abs(x) + Math.abs(y) + Math.abs(z);
+    const Sp = Math.abs(px) + Math.abs(leadP) + Math.abs(pz);
+    const slope = x * px + z * pz - sign * (y * leadP);
+    const inverse = 1 / (A * speed);
+    const overA = inverse * speed;
+    const middle = -slope * overA;
+    const reach = Math.abs(middle) * speed + Sp;
+    const gridD = grid25 * speed;
+    const gridT = grid25 * (Math.abs(inverse * A) * reach);
+    const gridP = gridOfP * reach;
+    const t = middle + gridT - gridT;
+    const xh = x + gridD - gridD;
+    const xl = x - xh;
+    const phx = px + gridP - gridP;
+    const plx = px - phx + lostX;
+    const qx = phx + t * xh;
+    const yh = leadD + gridD - gridD;
+    const yl = leadD - yh + restD;
+    const phy = leadP + gridP - gridP;
+    const ply = leadP - phy + restP;
+    const qy = phy + t * yh;
+    const zh = z + gridD - gridD;
+    const zl = z - zh;
+    const phz = pz + gridP - gridP;
+    const plz = pz - phz + lostZ;
+    const qz = phz + t * zh;
+    const size = Math.abs(qx) + Math.abs(qy) + Math.abs(qz);
+    const gridQ = grid26 * size;
+    const qxh = qx + gridQ - gridQ;
+    const qxl = qx - qxh + (t * xl + plx);
+    const qyh = qy + gridQ - gridQ;
+    const qyl = qy - qyh + (t * yl + ply);
+    const qzh = qz + gridQ - gridQ;
+    const qzl = qz - qzh + (t * zl + plz);
+    const f =
+      qxh * qxh +
+      qzh * qzh -
+      sign * (qyh * qyh) -
+      rho +
+      (qxl * (qxh + qxh + qxl) +
+        qzl * (qzh + qzh + qzl) -
+        sign * (qyl * (qyh + qyh + qyl)) -
+        rhoLow);
+    const b =
+      qxh * xh +
+      qzh * zh -
+      sign * (qyh * yh) +
+      (qxl * x + qxh * xl + (qzl * z + qzh * zl) - sign * (qyl * y + qyh * yl));
+    const D = b * b - A * f;
+    const width = size + reach;
+    const sizeB = Math.abs(b);
+    const square = speed * speed;
+    const error =
+      sizeB * (crossError * width * speed + squareError * sizeB) +
+      square * (crossError * width * size + residualError * Math.abs(f)) +
+      smallestD;
+    const inside = speed < box && speed * box > 1 && Sp < box;
+    if (D > 2 * error && inside && Math.abs(A) > leastA * (round + yy)) {
+      const root = Math.sqrt(D);
+      const overSize = Math.abs(overA);
+      const near = t + (-b * overA - root * overSize);
+      const far = t + (root * overSize - b * overA);
+      const off =
+        (slopeError * width * speed +
+          (0.6 * error) / root +
+          (sizeB + root) * (closedA * square * overSize + closed)) *
+        overSize;
+      if (off <= faithful * Math.abs(near) && off <= faithful * Math.abs(far)) {
+        t0[i] = near;
+        t1[i] = far;
+      } else places[left++] = i;
+    } else if (D < -error && inside) {
+      t0[i] = Number.NaN;
+      t1[i] = Number.NaN;
+    } else places[left++] = i;
+  }
+  return left;
+};

@@ -1,0 +1,92 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { exact } from '../arithmetic/exact.ts';
+import type { Surd } from '../exact/surd.ts';
+import { evaluate, type Triple, type Values, withScalars } from '../formula/evaluate.ts';
+import type { FlatDetails, Hit, Intersection, PlaneHit } from '../intersection.ts';
+import { all, type Bound, type FlatFormula } from '../shapes/planar.ts';
+import type { Vec3 } from '../vec3.ts';
+import type { Form } from './forms.ts';
+import { answer, type Rung, rounded, signOf } from './tree-parts.ts';
+
+/** A flat shape by its trees. `exactValues`: the same numbers for exact arithmetic, if it comes to that. */
+export function intersectFlat<T>(
+  formula: FlatFormula,
+  values: Values<T>,
+  { arithmetic: ar, form, decidedBy, id }: Rung<T>,
+  exactValues: () => Values<Surd>,
+): Intersection {
+  const rate = evaluate(formula.rate, ar, values);
+  const offset = evaluate(formula.offset, ar, values);
+  const signs = { offset: signOf(offset, ar), rate: signOf(rate, ar) };
+  const plane = signs.rate
+    ? planeHit(formula, withScalars(values, { rate }), form, ar, exactValues)
+    : null;
+  const contained = signs.rate === 0 && signs.offset === 0;
+  const details: FlatDetails = {
+    family: 'flat',
+    offset: ar.toNumber(offset),
+    rate: ar.toNumber(rate),
+    signs,
+    plane,
+    meetsFigure: contained && formula.bound ? formula.bound.meetsLine(values, ar) : null,
+  };
+  const hits = plane?.inside ? [withoutPlace(plane)] : [];
+  return answer({ class: flatClass(details), hits, method: id, decidedBy, details });
+}
+
+function flatClass({ signs, plane }: FlatDetails): Intersection['class'] {
+  if (plane) return plane.inside === null ? 'undecided' : plane.inside ? 'one' : 'none';
+  if (signs.rate === null || signs.offset === null) return 'undecided';
+  return signs.offset === 0 ? 'contained' : 'none';
+}
+
+function planeHit<T>(
+  formula: FlatFormula,
+  values: Values<T>,
+  form: Form,
+  ar: Arithmetic<T>,
+  exactValues: () => Values<Surd>,
+): PlaneHit {
+  const t = evaluate(formula.t, ar, values);
+  const { x, holds } = form.meeting(formula, withScalars(values, { t }), ar);
+  const { bound } = formula;
+  const inside = all(holds);
+  const N = values.vectors.N as Triple<T>;
+  const point = rounded(x, ar);
+  return {
+    t: ar.toNumber(t),
+    point,
+    normal: rounded(N, ar),
+    singular: false,
+    holds,
+    inside,
+    distance:
+      bound && inside === false
+        ? distanceOf(bound, ar.toNumber(bound.distance(x, values, ar)), point, exactValues)
+        : 0,
+  };
+}
+
+/**
+ * The rung's own distance where that is one. Its squares may leave its range though the place does not, and a place beside the rim may be rounded
+ * into the figure: then that of the point which it shows. Without such a point the distance is beyond what the rung can count.
+ */
+function distanceOf(
+  bound: Bound,
+  own: number,
+  point: Vec3,
+  exactValues: () => Values<Surd>,
+): number {
+  if (own >= 0) return own;
+  if (!point.every(Number.isFinite)) return Number.POSITIVE_INFINITY;
+  const [x, y, z] = point;
+  const place: Triple<Surd> = [exact.of(x), exact.of(y), exact.of(z)];
+  return Math.max(0, exact.toNumber(bound.distance(place, exactValues(), exact)));
+}
+
+const withoutPlace = ({ t, point, normal, singular }: PlaneHit): Hit => ({
+  t,
+  point,
+  normal,
+  singular,
+});
