@@ -51,7 +51,9 @@ function errorsOf({ quality }: MeasuredRow): string {
 
 function priceOf(rows: readonly MeasuredRow[], titleOf: (id: string) => string): string {
   const verdicts = cheapest(rows, 'classes', isCorrect);
-  const roots = cheapest(rows, 'roots', isFaithful);
+  // Where no ray has a root, there is none to be faithful.
+  const anyRoot = rows.some(({ quality }) => !Number.isNaN(quality.digits));
+  const roots = anyRoot ? cheapest(rows, 'roots', isFaithful) : null;
   const times = (row: MeasuredRow, question: Question): string =>
     `${multiple(medianOf(row[question]))} times the textbook formula (${titleOf(row.id)})`;
   const parts = [

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { FAMILIES } from '../../src/math/families.ts';
 import { METHODS } from '../../src/math/index.ts';
 import { THEMES } from '../../src/ui/theme.ts';
 import { violations } from './support/axe.ts';
@@ -107,6 +108,30 @@ test('a short run ends, shows every method, and the sentence has the table’s n
       .toString(),
   ).toBe('PNG');
 });
+
+for (const half of [0, 1]) {
+  test(`certified and exact have no wrong verdict on any family, part ${half + 1} of 2`, async ({
+    page,
+  }) => {
+    test.setTimeout(240_000);
+    // On this scale every method has its place, also where no ray has a root.
+    await open(page, '&worth=wrong');
+    for (const { id } of FAMILIES.filter((_, k) => k % 2 === half)) {
+      await page.evaluate((family) => {
+        location.hash = location.hash.replace(/(&family=[\w-]+)?$/, `&family=${family}`);
+      }, id);
+      await page.getByRole('button', { name: 'Measure', exact: true }).click();
+      // The first round is enough for the verdicts: they were counted before it.
+      await expect(marks(page), id).toHaveCount(METHODS.length, { timeout: 60_000 });
+      for (const method of ['certified', 'exact']) {
+        const mark = page.getByRole('button', { name: new RegExp(`^${method}: `) });
+        await expect(mark, id).toHaveAccessibleName(/ 0 of [\d\s]+ verdicts wrong, 0 undecided/);
+      }
+      const cancel = page.getByRole('button', { name: 'Cancel' });
+      if (await cancel.isVisible()) await cancel.click();
+    }
+  });
+}
 
 test('cancelling ends it at once, what was found stays, and the page moves while it measures', async ({
   page,

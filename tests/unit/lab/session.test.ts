@@ -154,6 +154,13 @@ describe('the sentence', () => {
     expect(grouped(1234567)).toBe('1\u202f234\u202f567');
   });
 
+  test('does not call roots faithful where no ray has one', () => {
+    const none = { digits: Number.NaN, leastDigits: Number.NaN };
+    expect(sentenceOf([row('textbook', none, 1, 1)], titleOf)).toBe(
+      'On these rays, the textbook formula has every verdict right. Right verdicts for all of them cost 1 times the textbook formula (textbook).',
+    );
+  });
+
   test('says nothing before there is a time', () => {
     expect(sentenceOf(allOf('typical')[0]?.rows ?? [], titleOf)).toBe('');
   });
