@@ -84,6 +84,7 @@ const dialogParts: DialogParts = {
   takeaways: async () =>
     desk.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
   preset: () => store.get().preset,
+  page: () => store.get().page,
   dispatch: store.dispatch,
   tools,
   say,

@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
+import type { PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
@@ -13,6 +14,7 @@ export interface DialogParts {
   /** Draws small pictures, once the scene's code is there. */
   readonly thumbnail: () => Thumbnail | null;
   readonly preset: () => string | null;
+  readonly page: () => PageId;
   readonly takeaways: () => Promise<readonly Takeaway[]>;
   readonly dispatch: Dispatch;
   readonly tools: PageTools;
@@ -32,7 +34,10 @@ export function createDialogs(parts: DialogParts): Dialogs {
     gallery.close();
   };
   const help = createDialog('Help', () =>
-    helpContent(parts.commands, { singleKeys: parts.keys.get(), choose: parts.keys.set }),
+    helpContent(parts.commands, parts.page(), {
+      singleKeys: parts.keys.get(),
+      choose: parts.keys.set,
+    }),
   );
   return { gallery: gallery.open, help: help.open, share: shareDialog(parts) };
 }

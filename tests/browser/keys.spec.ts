@@ -46,6 +46,20 @@ test('the help lists every key', async ({ page }) => {
   await expect(help).toBeHidden();
 });
 
+test('on another page it lists what works there, and how that page is worked', async ({ page }) => {
+  await page.getByRole('link', { name: 'Check' }).click();
+  await expect(page.getByRole('heading', { name: /Question 1/ })).toBeVisible();
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Help' });
+  await expect(help).toContainText('Enter hands in an answer');
+  const keys = await help.locator('kbd').allInnerTexts();
+  expect(keys).toEqual(expect.arrayContaining(['Ctrl+Z', 's', '?']));
+  expect(keys).not.toContain('g');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('6');
+  await expect(page).toHaveURL(/shape=cone/);
+});
+
 test('single keys can be switched off, and stay off', async ({ page }) => {
   await page.keyboard.press('?');
   await page.getByLabel(/single letters and digits/).uncheck();
