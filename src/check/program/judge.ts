@@ -73,7 +73,8 @@ function judgeRoots(
   const digits = worstDigits(truth, t);
   if (digits === null || digits >= NEEDED_DIGITS) return null;
   const at = t.findIndex((x, i) => digitsOf(x, truth[i] ?? Number.NaN, truth) === digits);
-  const left = digits < 1 ? 'no digit' : `${Math.floor(digits)} digits`;
+  const whole = Math.floor(digits);
+  const left = whole < 1 ? 'no digit' : `${whole} digit${whole === 1 ? '' : 's'}`;
   return failed(`t = ${t[at]} for ${truth[at]}: ${left} right`, digits);
 }
 
