@@ -39,6 +39,7 @@ test('on a slider Page Down belongs to the slider, and Shift makes a step fine',
 test('the help lists every key', async ({ page }) => {
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Help' });
+  await expect(help).toBeVisible();
   const keys = await help.locator('kbd').allInnerTexts();
   const some = ['1', '6', 'Page Down', 'h', 'g', 'b', 'Ctrl+Z', '?'];
   expect(keys).toEqual(expect.arrayContaining(some));

@@ -9,8 +9,7 @@ import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.t
 /*
  * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either of two doubles.
  */
-export const rays = createRays(1);
-rays.count = 1;
+export const rays = Object.assign(createRays(1), { count: 1 });
 export const out = createAnswers(1);
 export const left: OpenRays = { count: 0, open: new Int32Array(1) };
 export const slot: CertifiedSlot = certifiedSlot();
