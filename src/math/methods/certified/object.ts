@@ -8,7 +8,20 @@ import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
 import { planarRoots } from './kernel-planar.ts';
-import { findRoots, found, left, out, rays, setRay, slot, stageOf } from './one-ray.ts';
+import {
+  FOUND,
+  findRoots,
+  left,
+  out,
+  rays,
+  setRay,
+  slot,
+  stageFound,
+  stageOf,
+  T0,
+  T1,
+  VERDICT,
+} from './one-ray.ts';
 import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
@@ -32,8 +45,9 @@ const copied = (v: Vec3): Vec3 => [v[0], v[1], v[2]];
 function curved(q: Quadric, asked: Ray): Intersection {
   const ray = copyOf(asked);
   findRoots(q, ray);
-  const { verdict, decidedBy } = found;
-  return new CertifiedAnswer(verdict, decidedBy, hitsOf(q, ray), q, ray);
+  const verdict = FOUND[VERDICT] as number;
+  const stage = stageFound();
+  return new CertifiedAnswer(verdict, stage, hitsOf(q, ray, verdict), q, ray);
 }
 
 function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
@@ -44,8 +58,9 @@ function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
 }
 
 /** A single root was found by whole numbers already. */
-function hitsOf(q: Quadric, ray: Ray): Hit[] {
-  const { verdict, t0, t1 } = found;
+function hitsOf(q: Quadric, ray: Ray, verdict: number): Hit[] {
+  const t0 = FOUND[T0] as number;
+  const t1 = FOUND[T1] as number;
   if (verdict === TWO) return twoHits(q, ray, t0, t1);
   return verdict === NONE || Number.isNaN(t0) ? [] : [exactHit(q, ray, 0, t0)];
 }

@@ -14,13 +14,14 @@ export const out = createAnswers(1);
 export const left: OpenRays = { count: 0, open: new Int32Array(1) };
 export const slot: CertifiedSlot = certifiedSlot();
 
-/** What was found of the last ray; NaN where there is no root. */
-export const found: { verdict: number; t0: number; t1: number; decidedBy: DecidedBy } = {
-  verdict: NONE,
-  t0: Number.NaN,
-  t1: Number.NaN,
-  decidedBy: 'filter',
-};
+/** What was found of the last ray: the two roots, NaN where there is none, the verdict, and whether by which stage. In doubles: fields of an object would be boxed. */
+export const FOUND = new Float64Array(4);
+export const T0 = 0;
+export const T1 = 1;
+export const VERDICT = 2;
+export const STAGE = 3;
+const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
+export const stageFound = (): DecidedBy => STAGES[FOUND[STAGE] as number] ?? 'exact';
 
 export function setRay({ origin: E, direction: d }: Ray): void {
   rays.Ex[0] = E[0];
@@ -31,25 +32,26 @@ export function setRay({ origin: E, direction: d }: Ray): void {
   rays.dz[0] = d[2];
 }
 
-/** Fills `found` by the stages that a batch goes through. */
+/** Fills FOUND by the stages that a batch goes through. */
 export function findRoots(q: Quadric, ray: Ray): void {
   const c = certifiedQuadric(q);
   if (c.inBox) {
     setRay(ray);
     bothRoots(q, c, rays, out, left);
     if (left.count === 0) {
-      found.t0 = out.t0[0] as number;
-      found.t1 = out.t1[0] as number;
-      found.verdict = Number.isNaN(found.t0) ? NONE : TWO;
-      found.decidedBy = 'filter';
+      const t0 = out.t0[0] as number;
+      FOUND[T0] = t0;
+      FOUND[T1] = out.t1[0] as number;
+      FOUND[VERDICT] = Number.isNaN(t0) ? NONE : TWO;
+      FOUND[STAGE] = 0;
       return;
     }
   }
   const { origin: E, direction: d } = ray;
-  found.verdict = solveSlowly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot);
-  found.t0 = slot.t0;
-  found.t1 = slot.t1;
-  found.decidedBy = stageOf(slot);
+  FOUND[VERDICT] = solveSlowly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot);
+  FOUND[T0] = slot.t0;
+  FOUND[T1] = slot.t1;
+  FOUND[STAGE] = slot.exact ? 2 : 1;
 }
 
 export const stageOf = ({ exact }: CertifiedSlot): DecidedBy => (exact ? 'exact' : 'double-double');

@@ -6,7 +6,7 @@ import type { Ray } from '../../ray.ts';
 import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
 import { DIRECT_ERROR } from './class-quadric.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
-import { findRoots, found } from './one-ray.ts';
+import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 
 /*
  * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For the nine
@@ -49,9 +49,9 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
   if (!putRoots()) return null;
   findRoots(q, ray);
-  if (found.verdict !== TWO) return null;
-  const near = hitAt(q, ray, 0, found.t0);
-  const far = near && hitAt(q, ray, 3, found.t1);
+  if (FOUND[VERDICT] !== TWO) return null;
+  const near = hitAt(q, ray, 0, FOUND[T0] as number);
+  const far = near && hitAt(q, ray, 3, FOUND[T1] as number);
   return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
 }
 
