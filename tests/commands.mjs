@@ -7,6 +7,7 @@ const BRIEF = [
   ['fuzz:page', '--actions', '30', '--seed', '7'],
   ['shots', 'cone-tangent'],
   ['bench', 'page'],
+  ['bench', 'ladder', '--families', 'typical', '--rounds', '1'],
 ];
 const PATIENCE_MS = 60_000;
 
