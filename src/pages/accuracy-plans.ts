@@ -1,6 +1,7 @@
 import type { Measured, MeasureRequest } from '../lab/session.ts';
 import { relativeSpread } from '../lab/stats.ts';
 import type { SweepRequest } from '../lab/sweep.ts';
+import { findFamily } from '../math/families.ts';
 import type { AccuracySettings } from '../state/accuracy/settings.ts';
 import { display } from '../text/format.ts';
 
@@ -45,7 +46,8 @@ export function provenanceOf(
   sweep: SweepRequest,
 ): string {
   const device = `${browserName(navigator.userAgent)}, ${navigator.hardwareConcurrency} cores, ${crossOriginIsolated ? 'isolated' : 'not isolated'}`;
-  const rays = `${request.shapes} shapes × ${request.count} rays, seed ${request.seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
+  const title = findFamily(request.family)?.title ?? request.family;
+  const rays = `times of ${request.shapes} shapes × ${request.count} rays “${title}”, seed ${request.seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
   if (!measured || measured.round === 0)
     return `${device}; ${rays}. Digits are counted against exact on every ray.`;
   const spread = Math.max(
