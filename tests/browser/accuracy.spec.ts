@@ -139,7 +139,6 @@ test('cancelling ends it at once, what was found stays, and the page moves while
   await open(page);
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
-  // A slider still moves.
   const slider = page.locator('.acc-dial input');
   await page.getByText('What does one double more or less change?').click();
   await page.getByRole('button', { name: 'E.x one double up' }).click();
@@ -159,6 +158,14 @@ test('cancelling ends it at once, what was found stays, and the page moves while
   await page.keyboard.press('ArrowRight');
   await expect(page).toHaveURL(/dial=/);
   // Other rays: what was measured does not belong to them.
+  await expect(page.getByText('Not measured yet.')).toBeVisible();
+  // And while it measures: the thumb goes along at once, and the measurement that was for other rays ends.
+  await page.getByRole('button', { name: 'Measure', exact: true }).click();
+  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
+  const thumb = await slider.inputValue();
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(slider).not.toHaveValue(thumb);
   await expect(page.getByText('Not measured yet.')).toBeVisible();
 });
 
