@@ -12,7 +12,7 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const Cx = lattice[AT.Cx] as number;
     const Cz = lattice[AT.Cz] as number;
     const rho = lattice[AT.rho] as number;
-    const clear = BOUNDS[0] as number;
+    const clearly = BOUNDS[0] as number;
     const certain = BOUNDS[1] as number;
     const smallest = BOUNDS[2] as number;
     const largestSquare = BOUNDS[4] as number;
@@ -35,12 +35,10 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
       const D = b * b - A * (wide - rho);
       const Cm = wide + rho;
       const Q = A * Cm;
-      if (
-        D > clear * Q + smallest &&
-        A < largestSquare &&
-        A > smallestSquare &&
-        Cm < largestSquare
-      ) {
+      const clear =
+        D > clearly * Q + smallest && A < largestSquare && A > smallestSquare && Cm < largestSquare;
+      const missed = D < -(certain * Q) - smallest && A < largestSquare && Cm < largestSquare;
+      if (clear) {
         const root = Math.sqrt(D);
         const inverse = 1 / (A * D);
         const over = inverse * D;
@@ -59,7 +57,7 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
         overGap[hits] = quarter;
         slack[hits] = slackM * (Math.abs(middle) * quarter) + (slackA + slack0);
         hits += 1;
-      } else if (D < -(certain * Q) - smallest && A < largestSquare && Cm < largestSquare) {
+      } else if (missed) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else doubtful[doubts++] = i;

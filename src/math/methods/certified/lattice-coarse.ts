@@ -16,7 +16,7 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const Cz = lattice[AT.Cz] as number;
     const a = lattice[AT.a] as number;
     const rho = lattice[AT.rho] as number;
-    const clear = BOUNDS[0] as number;
+    const clearly = BOUNDS[0] as number;
     const certain = BOUNDS[1] as number;
     const smallest = BOUNDS[2] as number;
     const least = BOUNDS[3] as number;
@@ -47,13 +47,14 @@ export function coarseInSpace(s: Scratch): CoarsePass {
       const D = b * b - A * (wide - a * pp - rho);
       const Cm = wide + pp + rho;
       const Q = Am * Cm;
-      if (
-        D > clear * Q + smallest &&
+      const clear =
+        D > clearly * Q + smallest &&
         Am < largestSquare &&
         Am > smallestSquare &&
         Cm < largestSquare &&
-        Math.abs(A) > least * Am
-      ) {
+        Math.abs(A) > least * Am;
+      const missed = D < -(certain * Q) - smallest && Am < largestSquare && Cm < largestSquare;
+      if (clear) {
         // One division beside the root, not after it: 1/(A·D) gives 1/A and 1/√D.
         const root = Math.sqrt(D);
         const inverse = 1 / (A * D);
@@ -76,7 +77,7 @@ export function coarseInSpace(s: Scratch): CoarsePass {
         slack[hits] =
           slackA * (Am * Math.abs(over)) + slackM * (Math.abs(middle) * quarter) + slack0;
         hits += 1;
-      } else if (D < -(certain * Q) - smallest && Am < largestSquare && Cm < largestSquare) {
+      } else if (missed) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else doubtful[doubts++] = i;

@@ -151,4 +151,4 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
 }
 
 /** V8 builds a literal anew at each use, and keeps in a register what it loaded before the loop. */
-const CONSTANTS = Float64Array.of(ROUND, 0.5);
+export const CONSTANTS = Float64Array.of(ROUND, 0.5);

@@ -33,7 +33,7 @@ export const SMALL = 2 ** -13;
 export const FAITHFUL = 0.9 * 2 ** -54;
 /** How much larger than the steps the gap must be. */
 const LEAST_GAP = 32;
-const CONSTANTS = Float64Array.of(
+export const CONSTANTS = Float64Array.of(
   ROUND,
   RESIDUAL_ERROR,
   ROUNDING,
@@ -87,14 +87,14 @@ export function solvePass(s: Scratch): SolvePass {
       const lostB = Math.abs(stepB);
       const errorA = unit * (sizeA * (rounding * liftA + small * sizeA)) + loss * lostA;
       const errorB = unit * (sizeB * (rounding * liftB + small * sizeB)) + loss * lostB;
-      const i = index[j] as number;
-      if (
+      const settled =
         errorA <= faithful * Math.abs(rootA) &&
         errorB <= faithful * Math.abs(rootB) &&
         leastGap * (lostA + lostB) <= gap &&
         sizeA < largest &&
-        sizeB < largest
-      ) {
+        sizeB < largest;
+      const i = index[j] as number;
+      if (settled) {
         t0[i] = back * rootA;
         t1[i] = back * rootB;
       } else unsettled[left++] = i;

@@ -15,10 +15,10 @@
  * Underflow: inside the box (|d|₁ from 2^-100 to 2^100, |p|₁ and r and k up to 2^100) a lost product is ≤ 2^-1074, and at
  * most 2^600 multiplies it; SMALLEST_D is far above.
  */
-const MOMENT_ERROR = 16 * 2 ** -53;
-const SQUARE_ERROR = 32 * 2 ** -106;
-const RHO_ERROR = 12 * 2 ** -53;
-const SMALLEST_D = 2 ** -200;
+export const MOMENT_ERROR = 16 * 2 ** -53;
+export const SQUARE_ERROR = 32 * 2 ** -106;
+export const RHO_ERROR = 12 * 2 ** -53;
+export const SMALLEST_D = 2 ** -200;
 
 /** Below |A| = LEAST_A·Am nothing is said about A: above, A ≠ 0, and it is known to 6u·2^20 < 2^-30. */
 export const LEAST_A = 2 ** -20;

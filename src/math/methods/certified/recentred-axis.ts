@@ -78,7 +78,9 @@ export const recentredAroundAxis: RecentredPass = (
       square * (crossError * width * size + residualError * Math.abs(f)) +
       smallestD;
     const inside = speed < box && speed * box > 1 && Sp < box;
-    if (D > 2 * error && inside) {
+    const clear = D > 2 * error && inside;
+    const missed = D < -error && inside;
+    if (clear) {
       const root = Math.sqrt(D);
       const overSize = Math.abs(overA);
       const near = t + (-b * overA - root * overSize);
@@ -88,11 +90,12 @@ export const recentredAroundAxis: RecentredPass = (
           (0.6 * error) / root +
           (sizeB + root) * (closedA * square * overSize + closed)) *
         overSize;
-      if (off <= faithful * Math.abs(near) && off <= faithful * Math.abs(far)) {
+      const settled = off <= faithful * Math.abs(near) && off <= faithful * Math.abs(far);
+      if (settled) {
         t0[i] = near;
         t1[i] = far;
       } else places[left++] = i;
-    } else if (D < -error && inside) {
+    } else if (missed) {
       t0[i] = Number.NaN;
       t1[i] = Number.NaN;
     } else places[left++] = i;

@@ -1,5 +1,5 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
-import { LEAST_A, momentError } from './moment-bound.ts';
+import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './moment-bound.ts';
 import { AT_SCALED, BOX } from './scaled-quadric.ts';
 
 /*
@@ -56,9 +56,9 @@ const GRID_P = 2 ** 6;
 const SPLITTER = 134217729;
 
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
-const BOUNDS = Float64Array.of(
+export const BOUNDS = Float64Array.of(
   ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP],
-  ...[CLEAR, APART, LEAST_A, BOX],
+  ...[CLEAR, APART, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D],
 );
 
 /** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
@@ -88,10 +88,14 @@ export function refine(
   const faithful = BOUNDS[6] as number;
   const spread = BOUNDS[7] as number;
   const step = BOUNDS[8] as number;
-  const clear = BOUNDS[9] as number;
+  const clearly = BOUNDS[9] as number;
   const apart = BOUNDS[10] as number;
   const leastA = BOUNDS[11] as number;
   const box = BOUNDS[12] as number;
+  const momentError = BOUNDS[13] as number;
+  const squareError = BOUNDS[14] as number;
+  const rhoError = BOUNDS[15] as number;
+  const smallestD = BOUNDS[16] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -134,9 +138,11 @@ export function refine(
     const D = rho * A + sign * (mx * mx + mz * mz) - my * my;
     const S = Sd * Sp;
     const Am = round + yy;
-    const error = momentError(S, Math.abs(mx) + Math.abs(my) + Math.abs(mz), rho * Am);
+    const M = Math.abs(mx) + Math.abs(my) + Math.abs(mz);
+    const error = S * (momentError * M + squareError * S) + rhoError * (rho * Am) + smallestD;
     const inside = Sd < box && Sd * box > 1 && Sp < box;
-    if (!(D > clear * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am)) {
+    const clear = D > clearly * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am;
+    if (!clear) {
       places[left++] = i;
       continue;
     }
@@ -218,12 +224,12 @@ export function refine(
     const g = Math.abs(fb);
     const errorA = half * (residualError * sizeOfA * (sizeOfA + reachA) + stepError * f);
     const errorB = half * (residualError * sizeOfB * (sizeOfB + reachB) + stepError * g);
-    if (
+    const settled =
       errorA <= faithful * Math.abs(ra) &&
       errorB <= faithful * Math.abs(rb) &&
       reachA + reachB <= spread * Sp &&
-      (f + g) * Math.abs(A) <= step * D
-    ) {
+      (f + g) * Math.abs(A) <= step * D;
+    if (settled) {
       t0[i] = Math.min(ra, rb);
       t1[i] = Math.max(ra, rb);
     } else places[left++] = i;

@@ -15,6 +15,24 @@ export interface OpenRays {
   open: Int32Array;
 }
 
+/** Both roots as `bothRoots` finds them, to the bit. */
+export type FastRoots = (
+  q: Quadric,
+  c: CertifiedQuadric,
+  rays: Rays,
+  out: Answers,
+  left: OpenRays,
+) => void;
+
+/** Below, copying the rays costs more than is won. */
+const LEAST_BATCH = 16;
+let fast: FastRoots | null = null;
+
+/** From now on batches go through `roots`; null: through TypeScript again. */
+export function useFastRoots(roots: FastRoots | null): void {
+  fast = roots;
+}
+
 /**
  * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary rays in units, far and grazing ones about a
  * point near both roots, and what these leave root by root. Each stage certifies what it answers.
@@ -26,6 +44,10 @@ export function bothRoots(
   out: Answers,
   left: OpenRays,
 ): void {
+  if (fast && rays.count >= LEAST_BATCH) {
+    fast(q, c, rays, out, left);
+    return;
+  }
   left.count = 0;
   const recentred = q.hasY ? recentredInSpace : recentredAroundAxis;
   for (let from = 0; from < rays.count; from += BLOCK) {

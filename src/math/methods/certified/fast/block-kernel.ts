@@ -1,0 +1,138 @@
+import type { Code } from '../../../wasm/expression.ts';
+import { compile, createScope } from '../../../wasm/locals.ts';
+import type { Func } from '../../../wasm/module.ts';
+import * as op from '../../../wasm/ops.ts';
+import { arraysRead, elementOf, type Loop } from '../../../wasm/source.ts';
+import { HANDED, handed, INPUTS, type Input, PLACE } from './layout.ts';
+import { constantsOf, type Numbers } from './prologue.ts';
+
+/*
+ * The three passes over ordinary rays, two rays at a time: rough roots of all, then residuals and steps of the pairs of which at least one is clearly hit. As
+ * in TypeScript the passes follow each other in parts that fit the first cache.
+ */
+
+const [COUNT, AT, PART, DOUBTFUL, UNSETTLED, BITS, PART_END, END, HAND, HAND_END] = [
+  0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+];
+const VECTORS = 10;
+const PAIR = 16;
+const NAN = op.constant(Number.NaN);
+
+/** `name(count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. */
+export function blockKernel(
+  name: string,
+  numbers: readonly Numbers[],
+  [rough, middle, last]: readonly [Loop, Loop, Loop],
+): Func {
+  const scope = createScope(VECTORS);
+  const at = op.get(AT);
+  const hand = op.get(HAND);
+  const scopes = [rough, middle, last].map(() => scope.inner());
+  const prologue = [rough, middle, last].map(({ constants }, k) =>
+    constantsOf(constants, numbers[k] as Numbers, scopes[k] ?? scope),
+  );
+
+  // What a pass writes and a later one reads has a place of its own.
+  const slots = new Map<string, number>();
+  for (const { statements } of [rough, middle]) {
+    for (const { target, writes } of statements) {
+      if (writes && !slots.has(target)) slots.set(target, slots.size);
+    }
+  }
+  const slot = (array: string): number => {
+    const n = slots.get(array);
+    if (n === undefined) throw new ReferenceError(`${array} is read but never written`);
+    return handed(n);
+  };
+  const CLEAR = handed(slots.size);
+  const PLACES = handed(slots.size + 1);
+
+  const isInput = (array: string): array is Input => (INPUTS as readonly string[]).includes(array);
+  const pass = ({ statements }: Loop, k: number): Code => {
+    const inner = scopes[k] ?? scope;
+    const loads = arraysRead(statements).flatMap((array) =>
+      op.set(
+        inner.declare(elementOf(array)),
+        isInput(array) ? op.load(at, PLACE[array]) : op.load(hand, slot(array)),
+      ),
+    );
+    const write = (array: string, value: Code): Code =>
+      array === 't0' || array === 't1'
+        ? op.set(inner.declare(array), value)
+        : op.store(hand, slot(array), value);
+    return [...loads, ...compile(statements, inner, write)];
+  };
+  const append = (list: number, value: Code): Code => [
+    ...op.storeInt(op.get(list), 0, value),
+    ...op.set(list, op.plus(op.get(list), op.i32(4))),
+  ];
+  const listLane = (list: number, lane: number): Code =>
+    op.when(
+      op.both(
+        op.notEqual(op.both(op.get(BITS), op.i32(1 << lane)), op.i32(0)),
+        op.less(op.plus(at, op.i32(8 * lane)), op.get(END)),
+      ),
+      append(list, op.plus(op.shiftRight(at, op.i32(3)), op.i32(lane))),
+    );
+  const listBits = (list: number, bits: Code): Code => [
+    ...op.set(BITS, bits),
+    ...op.when(op.get(BITS), [...listLane(list, 0), ...listLane(list, 1)]),
+  ];
+  const forward = (local: number, by: Code): Code => op.set(local, op.plus(op.get(local), by));
+  const [first = scope, , third = scope] = scopes;
+
+  const roughPass: Code = [
+    ...op.set(AT, op.get(PART)),
+    ...op.set(HAND, op.i32(0)),
+    ...op.during(op.less(at, op.get(PART_END)), [
+      ...pass(rough, 0),
+      ...op.store(hand, CLEAR, first.value('clear')),
+      ...op.storeInt(hand, PLACES, at),
+      ...op.store(at, PLACE.t0, NAN),
+      ...op.store(at, PLACE.t1, NAN),
+      ...listBits(
+        DOUBTFUL,
+        op.flip(op.bitmask(op.or(first.value('clear'), first.value('missed'))), op.i32(3)),
+      ),
+      ...forward(HAND, op.shiftLeft(op.anyTrue(first.value('clear')), op.i32(4))),
+      ...forward(AT, op.i32(PAIR)),
+    ]),
+    ...op.set(HAND_END, hand),
+  ];
+  const overHanded = (body: Code): Code => [
+    ...op.set(HAND, op.i32(0)),
+    ...op.during(op.less(hand, op.get(HAND_END)), [...body, ...forward(HAND, op.i32(PAIR))]),
+  ];
+  const solved = third.declare('solved');
+  const clear = third.declare('clear');
+  const body: Code = [
+    ...prologue.flat(),
+    ...op.set(END, op.shiftLeft(op.get(COUNT), op.i32(3))),
+    ...op.set(PART, op.i32(0)),
+    ...op.set(DOUBTFUL, op.i32(PLACE.doubtful)),
+    ...op.set(UNSETTLED, op.i32(PLACE.unsettled)),
+    ...op.during(op.less(op.get(PART), op.get(END)), [
+      ...op.set(PART_END, op.plus(op.get(PART), op.i32(8 * HANDED))),
+      ...op.when(op.less(op.get(END), op.get(PART_END)), op.set(PART_END, op.get(END))),
+      ...roughPass,
+      ...overHanded(pass(middle, 1)),
+      ...overHanded([
+        ...pass(last, 2),
+        ...op.set(AT, op.loadInt(hand, PLACES)),
+        ...op.set(clear, op.load(hand, CLEAR)),
+        ...op.set(solved, op.and(op.get(clear), third.value('settled'))),
+        ...op.store(at, PLACE.t0, op.select(third.value('t0'), NAN, op.get(solved))),
+        ...op.store(at, PLACE.t1, op.select(third.value('t1'), NAN, op.get(solved))),
+        ...listBits(UNSETTLED, op.bitmask(op.andNot(op.get(clear), op.get(solved)))),
+      ]),
+      ...op.set(PART, op.get(PART_END)),
+    ]),
+    ...op.storeInt(
+      op.i32(0),
+      PLACE.doubtfulBytes,
+      op.minus(op.get(DOUBTFUL), op.i32(PLACE.doubtful)),
+    ),
+    ...op.minus(op.get(UNSETTLED), op.i32(PLACE.unsettled)),
+  ];
+  return { name, params: 1, ints: VECTORS - 1, vectors: scope.count(), body };
+}

@@ -1,0 +1,41 @@
+/*
+ * The memory that the WebAssembly kernels share with TypeScript: the numbers of the shape, a block of rays and its answers, and lists of rays that a stage
+ * leaves to the next one. All in bytes.
+ */
+
+/** Rays of a block. */
+export const CAPACITY = 1024;
+/** Rays that the passes over ordinary ones hand on to each other, so that what they hand on stays in the first cache. */
+export const HANDED = 128;
+/** Arrays that begin a power of two apart would fall into the same lines of the cache. */
+const GAP = 192;
+
+/** Where the constants of the ordinary rays' passes and of the stages after them begin. */
+export const LATTICE_NUMBERS = 0;
+export const SCALED_NUMBERS = 512;
+const ARRAYS = 1024;
+const array = (n: number): number => ARRAYS + n * (8 * CAPACITY + GAP);
+
+export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
+export type Input = (typeof INPUTS)[number];
+
+/** Where each array begins. The lists hold the rays' indices, and have room for one more. */
+export const PLACE = {
+  Ex: array(0),
+  Ey: array(1),
+  Ez: array(2),
+  dx: array(3),
+  dy: array(4),
+  dz: array(5),
+  t0: array(6),
+  t1: array(7),
+  doubtful: array(8),
+  unsettled: array(9),
+  doubtfulBytes: array(10),
+} as const;
+
+/** Where the value number n that the passes hand on is kept, for each ray of a part. */
+export const handed = (n: number): number => array(10) + 64 + n * (8 * HANDED + 64);
+const MOST_HANDED = 48;
+const PAGE = 65536;
+export const PAGES = Math.ceil(handed(MOST_HANDED) / PAGE);
