@@ -5,7 +5,7 @@ import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
 /** For cylinders, whose formula does not look at y. */
 export function coarseAroundAxis(s: Scratch): CoarsePass {
   const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, count } = s;
-  const { A: As, overA, near, far, overGap, slack } = s;
+  const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ez, dx, dz }, { t0, t1 }, from, to) => {
     const direction = lattice[AT.direction] as number;
     const length = lattice[AT.length] as number;
@@ -18,8 +18,7 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const largestSquare = BOUNDS[4] as number;
     const smallestSquare = BOUNDS[5] as number;
     const slackA = BOUNDS[6] as number;
-    const slackM = BOUNDS[7] as number;
-    const slack0 = BOUNDS[8] as number;
+    const slack0 = BOUNDS[7] as number;
     let hits = 0;
     let doubts = 0;
     for (let i = from; i < to; i++) {
@@ -50,12 +49,12 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
         exs[hits] = ex;
         ezs[hits] = ez;
         As[hits] = A;
-        overA[hits] = over;
+        const signed = A * h;
+        slopes[hits] = signed;
+        halves[hits] = 0.5 * (signed * (inverse * A));
         near[hits] = middle - h;
         far[hits] = middle + h;
-        const quarter = 0.25 * (root * inverse) * (A * A);
-        overGap[hits] = quarter;
-        slack[hits] = slackM * (Math.abs(middle) * quarter) + (slackA + slack0);
+        slack[hits] = slackA + slack0;
         hits += 1;
       } else if (missed) {
         t0[i] = Number.NaN;

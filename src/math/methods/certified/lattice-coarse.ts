@@ -5,7 +5,7 @@ import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
 /** For shapes with a term in y. */
 export function coarseInSpace(s: Scratch): CoarsePass {
   const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, doubtful, count } = s;
-  const { A: As, overA, near, far, overGap, slack } = s;
+  const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ey, Ez, dx, dy, dz }, { t0, t1 }, from, to) => {
     const direction = lattice[AT.direction] as number;
     const directionY = lattice[AT.directionY] as number;
@@ -23,8 +23,7 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const largestSquare = BOUNDS[4] as number;
     const smallestSquare = BOUNDS[5] as number;
     const slackA = BOUNDS[6] as number;
-    const slackM = BOUNDS[7] as number;
-    const slack0 = BOUNDS[8] as number;
+    const slack0 = BOUNDS[7] as number;
     let hits = 0;
     let doubts = 0;
     for (let i = from; i < to; i++) {
@@ -69,13 +68,12 @@ export function coarseInSpace(s: Scratch): CoarsePass {
         eys[hits] = ey;
         ezs[hits] = ez;
         As[hits] = A;
-        overA[hits] = over;
+        const signed = A * h;
+        slopes[hits] = signed;
+        halves[hits] = 0.5 * (signed * (inverse * A));
         near[hits] = middle - h;
         far[hits] = middle + h;
-        const quarter = 0.25 * (root * Math.abs(inverse)) * (A * A);
-        overGap[hits] = quarter;
-        slack[hits] =
-          slackA * (Am * Math.abs(over)) + slackM * (Math.abs(middle) * quarter) + slack0;
+        slack[hits] = slackA * (Am * Math.abs(over)) + slack0;
         hits += 1;
       } else if (missed) {
         t0[i] = Number.NaN;

@@ -16,17 +16,20 @@ export interface Scratch {
   readonly ex: Float64Array;
   readonly ey: Float64Array;
   readonly ez: Float64Array;
-  /** A, 1/A, the roots roughly, 1/(2·their distance), and how far the relative errors of A and 1/A may go. */
+  /** 1/A, the roots roughly, and how far the relative error of a step may go. */
   readonly A: Float64Array;
-  readonly overA: Float64Array;
+  readonly slope: Float64Array;
+  readonly half: Float64Array;
   readonly near: Float64Array;
   readonly far: Float64Array;
-  readonly overGap: Float64Array;
   readonly slack: Float64Array;
-  /** f/2 at the roots' whole parts, 1/(A·their distance), and the squares of points and of t that bound the errors. */
+  /** The roots' whole parts, f there, and how far those points are from the centre. */
+  readonly wholeNear: Float64Array;
+  readonly wholeFar: Float64Array;
   readonly fNear: Float64Array;
+  readonly g: Float64Array;
+  readonly reach: Float64Array;
   readonly fFar: Float64Array;
-  readonly overAH: Float64Array;
   readonly spread: Float64Array;
   readonly spreadFar: Float64Array;
   /** Places of rays that pass 1 could not judge, and of clear hits that pass 3 could not settle. */
@@ -51,14 +54,17 @@ export function createScratch(): Scratch {
     ey: array(),
     ez: array(),
     A: array(),
-    overA: array(),
+    slope: array(),
+    half: array(),
+    g: array(),
+    reach: array(),
     near: array(),
     far: array(),
-    overGap: array(),
     slack: array(),
     fNear: array(),
     fFar: array(),
-    overAH: array(),
+    wholeNear: array(),
+    wholeFar: array(),
     spread: array(),
     spreadFar: array(),
     doubtful: new Int32Array(BLOCK),

@@ -1,96 +1,93 @@
 import type { Answers } from '../../batch/batch.ts';
-import { AT, type Lattice, ROUND } from './lattice.ts';
+import { AT, type Lattice } from './lattice.ts';
 import { HITS, type Scratch, UNSETTLED } from './lattice-scratch.ts';
 
 /*
  * Pass 3. The quadratic A(t − ta)(t − tb) is known by A and its values at the whole numbers a and b. With φ = f/A there, gap = b − a, and the
  * steps δa = ta − a, δb = tb − b:
  *
- *   δa + δb = (φa − φb)/gap = sum,     K = gap + sum,     tb − ta = r = √(K² − 4φa),     δa = 2φa/(K + r),     δb = −2φb/(gap − sum + r).
+ *   δa = φa/(tb − a) = φa/(gap + δb),     δb = φb/(tb's distance from ta, taken from b) = φb/(δa − gap).
  *
- * The root r is had without a root, by Newton's step r0 + (r² − r0²)/(2r0) from the distance r0 of the rough roots: that is known to 2^-34 (pass 1), so
- * the step is good to 2^-69.
+ * Each is had from the other, in turn, beginning with what the rough tb leaves of b: a relative error e of a step becomes e·|δ|/gap in the next one.
+ * Pass 1 knows the distance of the roots to 14u·Q/D and where their middle is to 4u√(Q/D) of it, together e ≤ 15u/CLEAR; with |δ| ≤ gap/64 the third
+ * and the fourth step are free of it but for e/64² ≤ 4u.
  *
- * Errors of the step, where 32(|δa| + |δb|) ≤ gap, so that K + r > 1.9 gap and K < 1.07 r. With w = Am/|A| and ε the error of f/2 that pass 2
- * states absolutely (εa and εb; its 3u|f/2| are counted below):
+ * Errors of a step, w = Am/|A| and ε what pass 2 states of a residual's error absolutely (its 3u|f| are counted below):
  *   φ: f 3u, 1/A from 1/(AD)·D 3u and A's own (3w + 1)u, the product u:                             (3w + 8)u
- *   K + r: sum's error is (3w + 13)u(|δa| + |δb|), below (0.1w + 0.4)u gap; K, r: roundings:        (0.1w + 4)u
- *   the quotient, and what is left over of u²:                                                      2u
- *   together (3.1w + 14)u|δa|.
- *   From εa: 2·2εa/(|A|·1.9 gap) and through K + r 0.14 of εa/(|A|gap):                             2.25 εa/(|A|gap)
- *   From εb, through K + r: 2.2 εb/(|A|gap)·|δa|/gap. The certificate of tb keeps 2.25 εb/(|A|gap) below u|tb|/2, and
- *   |tb|/gap < (|b|/√D + 1)/1.9 with the b of pass 1:                                               (0.3|b|/√D + 0.3)u|δa|
+ *   the divisor: its rounding u, and the other step's (3w + 10)u|δ| ≤ (0.05w + 0.2)u gap;           (0.05w + 1.2)u
+ *   the quotient, the e from above, and what is left over of u²:                                    5u
+ *   From its own ε, ε/(|A|(gap − |δ|)):                                                             1.02 ε/(|A|gap)
+ *   From the other root's, through the divisor: its certificate keeps ε/(|A|gap) below u|tb|/2, and |tb|/gap is below (√(1/CLEAR) + 1)/1.9,
+ *   with CLEAR = 2^-10 less than 18:                                                                9u|δ|
  *
- * In all RESIDUAL_ERROR·ε/(|A|gap) + (SLACK_A w + SLACK_M |b|/(4√D) + SLACK)|δa|, and the same for b. The root a + δa is rounded once: it is
- * faithful, and the root itself where that is a double, if it was off by less than u|t|/2 before, since neighbours of t are at least u|t|
- * apart. FAITHFUL leaves a tenth for evaluating the bound. NaN and what overflows fail the comparisons.
+ * In all 1.02 ε/(|A|gap) + (SLACK_A w + SLACK)|δ|. The root a + δa is rounded once: it is faithful, and the root itself where that is a double, if it
+ * was off by less than u|t|/2 before, since neighbours of t are at least u|t| apart. FAITHFUL leaves a tenth for evaluating the bound, in which all is
+ * multiplied by the gap. NaN and what overflows fail the comparisons.
  */
-/** Beyond, the whole parts' sums might not be exact: below 2^23.4. */
-export const LARGEST_SPREAD = 11e6;
-export const RESIDUAL_ERROR = 2.5 * 2 ** -53;
-export const ROUNDING = 5;
-export const SMALL = 2 ** -13;
+/** Beyond, the whole parts' sums might not be exact: below 2^24. */
+export const LARGEST_SPREAD = 2 ** 24;
+export const ROUNDING = 10.5 * 2 ** -53;
+export const SMALL = 2 ** -11 * 2 ** -53;
 export const FAITHFUL = 0.9 * 2 ** -54;
-/** How much larger than the steps the gap must be. */
-const LEAST_GAP = 32;
+/** How much larger than both steps together the gap must be. */
+const LEAST_GAP = 64;
+export const SLACK_G = 13 * 2 ** -53;
 export const CONSTANTS = Float64Array.of(
-  ROUND,
-  RESIDUAL_ERROR,
   ROUNDING,
   SMALL,
   FAITHFUL,
   LARGEST_SPREAD,
   LEAST_GAP,
+  SLACK_G,
 );
 
 export type SolvePass = (lattice: Lattice, out: Answers) => void;
 
 export function solvePass(s: Scratch): SolvePass {
-  const { index, A: As, overA, near, far, overGap, slack, unsettled, count } = s;
-  const { fNear, fFar, overAH, spread, spreadFar } = s;
+  const { index, A: As, slope: slopes, half: halves, slack, unsettled, count } = s;
+  const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
   return (lattice, { t0, t1 }) => {
     const back = lattice[AT.back] as number;
     const hits = count[HITS] as number;
     let left = 0;
-    const cut = CONSTANTS[0] as number;
-    const residualError = CONSTANTS[1] as number;
-    const rounding = CONSTANTS[2] as number;
-    const small = CONSTANTS[3] as number;
-    const faithful = CONSTANTS[4] as number;
-    const largest = CONSTANTS[5] as number;
-    const leastGap = CONSTANTS[6] as number;
+    const rounding = CONSTANTS[0] as number;
+    const small = CONSTANTS[1] as number;
+    const faithful = CONSTANTS[2] as number;
+    const largest = CONSTANTS[3] as number;
+    const leastGap = CONSTANTS[4] as number;
+    const slackG = CONSTANTS[5] as number;
     for (let j = 0; j < hits; j++) {
-      const ta = near[j] as number;
-      const tb = far[j] as number;
-      const a = ta + cut - cut;
-      const b = tb + cut - cut;
-      const inverse = overAH[j] as number;
-      const over = 2 * (overA[j] as number);
-      const phiA = over * (fNear[j] as number);
-      const phiB = over * (fFar[j] as number);
+      const a = wholeNear[j] as number;
+      const b = wholeFar[j] as number;
+      const A = As[j] as number;
+      const slope = slopes[j] as number;
+      const half = halves[j] as number;
+      const g = gs[j] as number;
+      const fA = fNear[j] as number;
+      const fB = fFar[j] as number;
       const gap = b - a;
-      const sum = (phiA - phiB) * (inverse * (As[j] as number));
-      const k = gap + sum;
-      const rough = tb - ta;
-      const r = rough + (k * k - 4 * phiA - rough * rough) * (overGap[j] as number);
-      const stepA = (2 * phiA) / (k + r);
-      const stepB = (2 * phiB) / (sum - gap - r);
+      const root = slope + (g * g - A * fA - slope * slope) * half;
+      const downA = root - g;
+      const downB = root + (g + A * gap);
+      const over = 1 / (downA * downB);
+      const stepA = fA * (downB * over);
+      const stepB = fB * (downA * over);
       const rootA = a + stepA;
-      const rootB = b + stepB;
+      const rootB = b - stepB;
       const liftA = Math.abs(a) + 2;
       const liftB = Math.abs(b) + 2;
-      const sizeA = (spread[j] as number) + liftA;
-      const sizeB = (spreadFar[j] as number) + liftB;
-      const unit = residualError * Math.abs(inverse);
-      const loss = slack[j] as number;
+      const sizeA = (spread[j] as number) + 1.5 * liftA;
+      const sizeB = (spreadFar[j] as number) + 1.5 * liftB;
+      const weight = Math.abs(half);
+      const loss = (slack[j] as number) + slackG * ((reach[j] as number) * weight);
       const lostA = Math.abs(stepA);
       const lostB = Math.abs(stepB);
-      const errorA = unit * (sizeA * (rounding * liftA + small * sizeA)) + loss * lostA;
-      const errorB = unit * (sizeB * (rounding * liftB + small * sizeB)) + loss * lostB;
+      const errorA = weight * (sizeA * (rounding * liftA + small * sizeA));
+      const errorB = weight * (sizeB * (rounding * liftB + small * sizeB));
       const settled =
-        errorA <= faithful * Math.abs(rootA) &&
-        errorB <= faithful * Math.abs(rootB) &&
-        leastGap * (lostA + lostB) <= gap &&
+        errorA + loss * lostA <= faithful * Math.abs(rootA) &&
+        errorB + loss * lostB <= faithful * Math.abs(rootB) &&
+        gap >= leastGap &&
         sizeA < largest &&
         sizeB < largest;
       const i = index[j] as number;

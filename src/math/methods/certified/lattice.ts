@@ -9,9 +9,9 @@ import { productError, squareError } from '../../float/eft.ts';
  * y is stretched by the power of two that brings a into [1/4, 1), so that all three coordinates are alike.
  */
 
-/** |d| = 1 becomes 2^11 units. */
-const DIRECTION = 2 ** 9;
-/** The shape's size becomes 2^20 units: points up to 22 sizes from the centre have fewer than 2^24.5. */
+/** |d| = 1 becomes 2^8 units, and a t that leads over the shape's size 2^9 or so. */
+const DIRECTION = 2 ** 8;
+/** The shape's size becomes 2^17 units or up to twice as many: points up to 30 sizes from the centre have fewer than 2^23. */
 const SIZE_BITS = 17;
 /** Shapes beyond these powers of two are not ordinary. */
 const LARGEST_EXPONENT = 60;
@@ -27,7 +27,7 @@ export type Lattice = Float64Array;
 
 /**
  * Where in a Lattice each number is. `direction`… are what dx, dz and dy, Ex, Ez and Ey are multiplied by, `back` is what t in units is.
- * C and ρ are cut into `whole` and `rest`; a = a1 + a2 + 2·halfA3, a1 in 64ths and a2 in 2^13ths, |a2| ≤ 2^-7, |halfA3| ≤ 2^-15.
+ * C and ρ are cut into `whole` and `rest`; a = a1 + a2 + a3, a1 in 32nds and a2 in 2^12ths, |a2| ≤ 2^-6, |a3| ≤ 2^-13.
  */
 export const AT = {
   direction: 0,
@@ -47,10 +47,10 @@ export const AT = {
   a: 14,
   a1: 15,
   a2: 16,
-  halfA3: 17,
+  a3: 17,
   rho: 18,
   wholeRho: 19,
-  halfRestRho: 20,
+  restRho: 20,
 } as const;
 
 const COUNT = 21;
@@ -71,8 +71,8 @@ export function latticeOf(q: Quadric): Lattice | null {
   if (!(Math.max(Math.abs(Cx), Math.abs(Cy), Math.abs(Cz)) < LARGEST_LENGTH)) return null;
   const [wholeX, wholeY, wholeZ] = [Math.round(Cx), Math.round(Cy), Math.round(Cz)];
   const a = flare / up / up;
-  const a1 = Math.round(2 ** 6 * a) / 2 ** 6;
-  const a2 = Math.round(2 ** 13 * (a - a1)) / 2 ** 13;
+  const a1 = Math.round(2 ** 5 * a) / 2 ** 5;
+  const a2 = Math.round(2 ** 12 * (a - a1)) / 2 ** 12;
   const r = length * q.r;
   const rho = r * r;
   const wholeRho = Math.round(rho);
@@ -94,9 +94,9 @@ export function latticeOf(q: Quadric): Lattice | null {
   lattice[AT.a] = a;
   lattice[AT.a1] = a1;
   lattice[AT.a2] = a2;
-  lattice[AT.halfA3] = (a - a1 - a2 + flareLow / up / up) / 2;
+  lattice[AT.a3] = a - a1 - a2 + flareLow / up / up;
   lattice[AT.rho] = rho;
   lattice[AT.wholeRho] = wholeRho;
-  lattice[AT.halfRestRho] = (rho - wholeRho + productError(r, r, rho)) / 2;
+  lattice[AT.restRho] = rho - wholeRho + productError(r, r, rho);
   return lattice;
 }
