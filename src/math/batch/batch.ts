@@ -1,5 +1,6 @@
 import type { Verdict } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
+import { doubles } from './memory.ts';
 
 /**
  * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made per ray. (`exact` makes big integers, and so does
@@ -68,7 +69,7 @@ export const CONTAINED = 4;
 export const UNDECIDED = 5;
 
 export function createRays(capacity: number): Rays {
-  const array = (): Float64Array => new Float64Array(capacity);
+  const array = (): Float64Array => doubles(capacity);
   return { count: 0, Ex: array(), Ey: array(), Ez: array(), dx: array(), dy: array(), dz: array() };
 }
 
@@ -85,8 +86,8 @@ export function packRays(list: readonly Ray[]): Rays {
 
 export function createAnswers(capacity: number): Answers {
   return {
-    t0: new Float64Array(capacity),
-    t1: new Float64Array(capacity),
+    t0: doubles(capacity),
+    t1: doubles(capacity),
     margin: new Float64Array(capacity),
     rareCount: 0,
     rareIndex: new Int32Array(capacity),

@@ -10,7 +10,7 @@ import { LARGEST_LENGTH, type Lattice } from './lattice.ts';
  * below 2^-42 of their distance, and this is known to 2^-34.
  * |A| > LEAST·Am: |δA| ≤ 3u·Am + u|A| (squares u, their sum u; a·y² 3u; the difference), so A is known to 200u, and not 0.
  */
-const CLEAR = 2 ** -14;
+const CLEAR = 2 ** -20;
 const CERTAIN = 28 * 2 ** -53;
 const SMALLEST = 2 ** -100;
 const LEAST = 2 ** -6;
@@ -22,6 +22,9 @@ const SMALLEST_SQUARE = 2 ** 8;
 export const SLACK_A = 4 * 2 ** -53;
 export const SLACK = 14 * 2 ** -53;
 
+/** What pass 1 leaves goes to recentred.ts if its roots are this much (squared) nearer to each other than to E, or nothing is known of them; else to refined.ts at once. A matter of speed only. */
+const FARTHER = 2 ** 10;
+
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
 export const BOUNDS = Float64Array.of(
   CLEAR,
@@ -32,6 +35,7 @@ export const BOUNDS = Float64Array.of(
   SMALLEST_SQUARE,
   SLACK_A,
   SLACK,
+  FARTHER,
 );
 
 export type CoarsePass = (

@@ -1,10 +1,10 @@
 import { AT } from './lattice.ts';
 import { BOUNDS, type CoarsePass } from './lattice-bounds.ts';
-import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
+import { DOUBTS, HITS, type Scratch, UNSETTLED } from './lattice-scratch.ts';
 
 /** For cylinders, whose formula does not look at y. */
 export function coarseAroundAxis(s: Scratch): CoarsePass {
-  const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, count } = s;
+  const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, unsettled, count } = s;
   const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ez, dx, dz }, { t0, t1 }, from, to) => {
     const direction = lattice[AT.direction] as number;
@@ -19,8 +19,10 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const smallestSquare = BOUNDS[5] as number;
     const slackA = BOUNDS[6] as number;
     const slack0 = BOUNDS[7] as number;
+    const farther = BOUNDS[8] as number;
     let hits = 0;
     let doubts = 0;
+    let close = 0;
     for (let i = from; i < to; i++) {
       const x = direction * (dx[i] as number);
       const z = direction * (dz[i] as number);
@@ -59,9 +61,14 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
       } else if (missed) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
-      } else doubtful[doubts++] = i;
+      } else {
+        const remote = b * b > farther * D;
+        if (remote) doubtful[doubts++] = i;
+        else unsettled[close++] = i;
+      }
     }
     count[HITS] = hits;
     count[DOUBTS] = doubts;
+    count[UNSETTLED] = close;
   };
 }

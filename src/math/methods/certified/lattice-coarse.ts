@@ -1,10 +1,10 @@
 import { AT } from './lattice.ts';
 import { BOUNDS, type CoarsePass } from './lattice-bounds.ts';
-import { DOUBTS, HITS, type Scratch } from './lattice-scratch.ts';
+import { DOUBTS, HITS, type Scratch, UNSETTLED } from './lattice-scratch.ts';
 
 /** For shapes with a term in y. */
 export function coarseInSpace(s: Scratch): CoarsePass {
-  const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, doubtful, count } = s;
+  const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, doubtful, unsettled, count } = s;
   const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ey, Ez, dx, dy, dz }, { t0, t1 }, from, to) => {
     const direction = lattice[AT.direction] as number;
@@ -24,8 +24,10 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const smallestSquare = BOUNDS[5] as number;
     const slackA = BOUNDS[6] as number;
     const slack0 = BOUNDS[7] as number;
+    const farther = BOUNDS[8] as number;
     let hits = 0;
     let doubts = 0;
+    let close = 0;
     for (let i = from; i < to; i++) {
       const x = direction * (dx[i] as number);
       const y = directionY * (dy[i] as number);
@@ -78,9 +80,14 @@ export function coarseInSpace(s: Scratch): CoarsePass {
       } else if (missed) {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
-      } else doubtful[doubts++] = i;
+      } else {
+        const remote = b * b > farther * D;
+        if (remote) doubtful[doubts++] = i;
+        else unsettled[close++] = i;
+      }
     }
     count[HITS] = hits;
     count[DOUBTS] = doubts;
+    count[UNSETTLED] = close;
   };
 }

@@ -30,7 +30,7 @@ export const ROUNDING = 10.5 * 2 ** -53;
 export const SMALL = 2 ** -11 * 2 ** -53;
 export const FAITHFUL = 0.9 * 2 ** -54;
 /** How much larger than both steps together the gap must be. */
-const LEAST_GAP = 64;
+const LEAST_GAP = 20;
 export const SLACK_G = 13 * 2 ** -53;
 export const CONSTANTS = Float64Array.of(
   ROUNDING,
@@ -49,7 +49,7 @@ export function solvePass(s: Scratch): SolvePass {
   return (lattice, { t0, t1 }) => {
     const back = lattice[AT.back] as number;
     const hits = count[HITS] as number;
-    let left = 0;
+    let left = count[UNSETTLED] as number;
     const rounding = CONSTANTS[0] as number;
     const small = CONSTANTS[1] as number;
     const faithful = CONSTANTS[2] as number;

@@ -3,7 +3,7 @@ import { compile, createScope } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { arraysRead, elementOf, type Loop } from '../../../wasm/source.ts';
-import { HANDED, handed, INPUTS, type Input, PLACE } from './layout.ts';
+import { HANDED, handed, INPUTS, type Input, PARAMS, type Param, PLACE } from './layout.ts';
 import { constantsOf, type Numbers } from './prologue.ts';
 
 /*
@@ -11,14 +11,15 @@ import { constantsOf, type Numbers } from './prologue.ts';
  * in TypeScript the passes follow each other in parts that fit the first cache.
  */
 
-const [COUNT, AT, PART, DOUBTFUL, UNSETTLED, BITS, PART_END, END, HAND, HAND_END] = [
-  0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
-];
-const VECTORS = 10;
+const COUNT = PARAMS.length;
+const [AT, PART, DOUBTFUL, UNSETTLED, BITS, OPEN, PART_END, END, HAND, HAND_END] = [
+  ...[1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((n) => COUNT + n),
+] as [number, number, number, number, number, number, number, number, number, number];
+const VECTORS = COUNT + 11;
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
-/** `name(count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. */
+/** `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. */
 export function blockKernel(
   name: string,
   numbers: readonly Numbers[],
@@ -26,8 +27,10 @@ export function blockKernel(
 ): Func {
   const scope = createScope(VECTORS);
   const at = op.get(AT);
+  const of = (array: Param): Code => op.plus(op.get(PARAMS.indexOf(array)), at);
   const hand = op.get(HAND);
   const scopes = [rough, middle, last].map(() => scope.inner());
+  const [first = scope, , third = scope] = scopes;
   const prologue = [rough, middle, last].map(({ constants }, k) =>
     constantsOf(constants, numbers[k] as Numbers, scopes[k] ?? scope),
   );
@@ -48,19 +51,22 @@ export function blockKernel(
   const PLACES = handed(slots.size + 1);
 
   const isInput = (array: string): array is Input => (INPUTS as readonly string[]).includes(array);
+  const remote = rough.statements.find(({ target }) => target === 'remote');
+  if (!remote) throw new ReferenceError('remote is not known');
   const pass = ({ statements }: Loop, k: number): Code => {
     const inner = scopes[k] ?? scope;
     const loads = arraysRead(statements).flatMap((array) =>
       op.set(
         inner.declare(elementOf(array)),
-        isInput(array) ? op.load(at, PLACE[array]) : op.load(hand, slot(array)),
+        isInput(array) ? op.load(of(array), 0) : op.load(hand, slot(array)),
       ),
     );
     const write = (array: string, value: Code): Code =>
       array === 't0' || array === 't1'
         ? op.set(inner.declare(array), value)
         : op.store(hand, slot(array), value);
-    return [...loads, ...compile(statements, inner, write)];
+    const now = statements.filter((statement) => statement !== remote);
+    return [...loads, ...compile(now, inner, write)];
   };
   const append = (list: number, value: Code): Code => [
     ...op.storeInt(op.get(list), 0, value),
@@ -78,8 +84,19 @@ export function blockKernel(
     ...op.set(BITS, bits),
     ...op.when(op.get(BITS), [...listLane(list, 0), ...listLane(list, 1)]),
   ];
+  /** The open ones of pass 1, to one of two lists: what decides that is computed for them alone. */
+  const listOpen = (bits: Code): Code => [
+    ...op.set(OPEN, bits),
+    ...op.when(op.get(OPEN), [
+      ...compile([remote], first, () => []),
+      ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(first.value(remote.target)))),
+      ...listBits(
+        UNSETTLED,
+        op.both(op.get(OPEN), op.flip(op.bitmask(first.value(remote.target)), op.i32(3))),
+      ),
+    ]),
+  ];
   const forward = (local: number, by: Code): Code => op.set(local, op.plus(op.get(local), by));
-  const [first = scope, , third = scope] = scopes;
 
   const roughPass: Code = [
     ...op.set(AT, op.get(PART)),
@@ -88,10 +105,9 @@ export function blockKernel(
       ...pass(rough, 0),
       ...op.store(hand, CLEAR, first.value('clear')),
       ...op.storeInt(hand, PLACES, at),
-      ...op.store(at, PLACE.t0, NAN),
-      ...op.store(at, PLACE.t1, NAN),
-      ...listBits(
-        DOUBTFUL,
+      ...op.store(of('t0'), 0, NAN),
+      ...op.store(of('t1'), 0, NAN),
+      ...listOpen(
         op.flip(op.bitmask(op.or(first.value('clear'), first.value('missed'))), op.i32(3)),
       ),
       ...forward(HAND, op.shiftLeft(op.anyTrue(first.value('clear')), op.i32(4))),
@@ -121,8 +137,8 @@ export function blockKernel(
         ...op.set(AT, op.loadInt(hand, PLACES)),
         ...op.set(clear, op.load(hand, CLEAR)),
         ...op.set(solved, op.and(op.get(clear), third.value('settled'))),
-        ...op.store(at, PLACE.t0, op.select(third.value('t0'), NAN, op.get(solved))),
-        ...op.store(at, PLACE.t1, op.select(third.value('t1'), NAN, op.get(solved))),
+        ...op.store(of('t0'), 0, op.select(third.value('t0'), NAN, op.get(solved))),
+        ...op.store(of('t1'), 0, op.select(third.value('t1'), NAN, op.get(solved))),
         ...listBits(UNSETTLED, op.bitmask(op.andNot(op.get(clear), op.get(solved)))),
       ]),
       ...op.set(PART, op.get(PART_END)),
@@ -134,5 +150,5 @@ export function blockKernel(
     ),
     ...op.minus(op.get(UNSETTLED), op.i32(PLACE.unsettled)),
   ];
-  return { name, params: 1, ints: VECTORS - 1, vectors: scope.count(), body };
+  return { name, params: COUNT + 1, ints: VECTORS - COUNT - 1, vectors: scope.count(), body };
 }

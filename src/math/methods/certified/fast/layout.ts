@@ -19,6 +19,10 @@ const array = (n: number): number => ARRAYS + n * (8 * CAPACITY + GAP);
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
 
+/** The arrays whose addresses a kernel is given: they may be in the block or wherever arena.ts made them. */
+export const PARAMS = [...INPUTS, 't0', 't1'] as const;
+export type Param = (typeof PARAMS)[number];
+
 /** Where each array begins. The lists hold the rays' indices, and have room for one more. */
 export const PLACE = {
   Ex: array(0),
@@ -38,4 +42,8 @@ export const PLACE = {
 export const handed = (n: number): number => array(10) + 64 + n * (8 * HANDED + 64);
 const MOST_HANDED = 48;
 const PAGE = 65536;
-export const PAGES = Math.ceil(handed(MOST_HANDED) / PAGE);
+/** From here on the memory is for arrays of rays and answers (arena.ts). */
+export const ARENA = PAGE * Math.ceil(handed(MOST_HANDED) / PAGE);
+/** What is not touched costs an address only. */
+const ARENA_BYTES = 2 ** 25;
+export const PAGES = (ARENA + ARENA_BYTES) / PAGE;

@@ -3,13 +3,22 @@ import { compile, createScope } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { arraysRead, elementOf, type Loop } from '../../../wasm/source.ts';
-import { type Input, PLACE } from './layout.ts';
+import { type Input, PARAMS, type Param } from './layout.ts';
 import { constantsOf, type Numbers } from './prologue.ts';
 
 /* A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they are. */
 
-const [LIST, COUNT, AT, TO, END, LOW, HIGH, BITS] = [0, 1, 2, 3, 4, 5, 6, 7];
-const VECTORS = 8;
+const LIST = PARAMS.length;
+const [COUNT, AT, TO, END, LOW, HIGH, BITS] = [...[1, 2, 3, 4, 5, 6, 7].map((n) => LIST + n)] as [
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+];
+const VECTORS = LIST + 8;
 const NAN = op.constant(Number.NaN);
 
 /** What the stage says of a ray: the names of the conditions under which it has both roots, and of the one under which it misses. */
@@ -20,7 +29,7 @@ export interface Verdicts {
   readonly early: string | null;
 }
 
-/** `name(list, count)` settles what it can, moves the others to the front of the list and returns how many bytes these are. The list has room for one more. */
+/** `name(…PARAMS, list, count)` settles what it can, moves the others to the front of the list and returns how many bytes these are. The list has room for one more. */
 export function listKernel(
   name: string,
   numbers: Numbers,
@@ -30,11 +39,12 @@ export function listKernel(
   const scope = createScope(VECTORS);
   const prologue = constantsOf(constants, numbers, scope);
   const at = op.get(AT);
-  const address = (index: number): Code => op.shiftLeft(op.get(index), op.i32(3));
+  const address = (array: Param, index: number): Code =>
+    op.plus(op.get(PARAMS.indexOf(array)), op.shiftLeft(op.get(index), op.i32(3)));
   const loads = arraysRead(statements).flatMap((array) =>
     op.set(
       scope.declare(elementOf(array)),
-      op.gather(address(LOW), address(HIGH), PLACE[array as Input]),
+      op.gather(address(array as Input, LOW), address(array as Input, HIGH), 0),
     ),
   );
   const settled = scope.declare('answered');
@@ -55,8 +65,8 @@ export function listKernel(
     return op.when(
       op.both(op.get(BITS), op.i32(1 << n)),
       [
-        ...op.storeLane(address(index), PLACE.t0, op.get(roots.t0), n),
-        ...op.storeLane(address(index), PLACE.t1, op.get(roots.t1), n),
+        ...op.storeLane(address('t0', index), 0, op.get(roots.t0), n),
+        ...op.storeLane(address('t1', index), 0, op.get(roots.t1), n),
       ],
       op.when(op.less(op.plus(at, op.i32(4 * n)), op.get(END)), [
         ...op.storeInt(op.get(TO), 0, op.get(index)),
@@ -90,5 +100,5 @@ export function listKernel(
     ]),
     ...op.minus(op.get(TO), op.get(LIST)),
   ];
-  return { name, params: 2, ints: VECTORS - 2, vectors: scope.count(), body };
+  return { name, params: LIST + 2, ints: VECTORS - LIST - 2, vectors: scope.count(), body };
 }
