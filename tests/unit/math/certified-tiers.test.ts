@@ -3,8 +3,12 @@ import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
-import { exponentOf } from '../../../src/math/float/bits.ts';
-import { AT, type Lattice, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
+import {
+  AT,
+  type Lattice,
+  latticeOf,
+  UNIT_OF_DIRECTION,
+} from '../../../src/math/methods/certified/lattice.ts';
 import { coarseInSpace } from '../../../src/math/methods/certified/lattice-coarse.ts';
 import { coarseAroundAxis } from '../../../src/math/methods/certified/lattice-coarse-axis.ts';
 import {
@@ -17,12 +21,7 @@ import {
   HITS,
   UNSETTLED,
 } from '../../../src/math/methods/certified/lattice-scratch.ts';
-import {
-  LARGEST_SPREAD,
-  ROUNDING,
-  SMALL,
-  solvePass,
-} from '../../../src/math/methods/certified/lattice-solve.ts';
+import { ROUNDING, SMALL, solvePass } from '../../../src/math/methods/certified/lattice-solve.ts';
 import { recentredAroundAxis } from '../../../src/math/methods/certified/recentred-axis.ts';
 import { recentredInSpace } from '../../../src/math/methods/certified/recentred-space.ts';
 import { refine } from '../../../src/math/methods/certified/refined.ts';
@@ -83,25 +82,15 @@ function upToResiduals(q: Quadric, lattice: Lattice, ray: Ray): boolean {
   return scratch.count[HITS] === 1;
 }
 
-/** f/2 at whole t, in units, exactly. */
-function exactResidual(q: Quadric, lattice: Lattice, ray: Ray, t: number): dy.Dyadic {
-  const at = (name: keyof typeof AT): number => lattice[AT[name]] as number;
+/** f at t, exactly. */
+function exactResidual(q: Quadric, { origin, direction }: Ray, t: number): dy.Dyadic {
   const n = dy.fromNumber;
-  const p = [
-    n(at('length') * ray.origin[0]),
-    n(at('lengthY') * ray.origin[1]),
-    n(at('length') * ray.origin[2]),
-  ].map((e, k) => dy.sub(e, n([at('Cx'), at('Cy'), at('Cz')][k] as number)));
-  const d = [
-    n(at('direction') * ray.direction[0]),
-    n(at('directionY') * ray.direction[1]),
-    n(at('direction') * ray.direction[2]),
-  ];
-  const point = p.map((c, k) => dy.add(c, dy.mul(n(t), d[k] as dy.Dyadic)));
-  const up = exponentOf(at('lengthY') / at('length'));
-  const a = q.hasY ? dy.shift(flareOf(q), -2 * up) : dy.ZERO;
-  const r = n(at('length') * q.r);
-  return dy.shift(dy.sub(form(a, point, point), dy.sqr(r)), -1);
+  const C = [q.Cx, q.Cy, q.Cz];
+  const point = origin.map((e, k) =>
+    dy.add(dy.sub(n(e), n(C[k] as number)), dy.mul(n(t), n(direction[k] as number))),
+  );
+  const a = q.hasY ? flareOf(q) : dy.ZERO;
+  return dy.sub(form(a, point, point), dy.sqr(n(q.r)));
 }
 
 /** E close to a point high up on a cone or hyperboloid: |q| is large and t small. */
@@ -121,7 +110,7 @@ function highUp(random: Random): Question {
   };
 }
 
-const half = (x: dy.Dyadic): number => Math.abs(dy.toNumber(x));
+const size = (x: dy.Dyadic): number => Math.abs(dy.toNumber(x));
 
 describe('pass 2, f at whole t', () => {
   const families: [string, (random: Random) => Question, number][] = [
@@ -139,18 +128,19 @@ describe('pass 2, f at whole t', () => {
         const q = quadric(shape);
         const lattice = latticeOf(q);
         if (!lattice || !upToResiduals(q, lattice, ray)) continue;
-        for (const [f, at, size] of [
-          [scratch.fNear, scratch.near, scratch.spread],
-          [scratch.fFar, scratch.far, scratch.spreadFar],
+        const number = (name: keyof typeof AT): number => lattice[AT[name]] as number;
+        for (const [f, at, far] of [
+          [scratch.fNear, scratch.wholeNear, scratch.spread],
+          [scratch.fFar, scratch.wholeFar, scratch.spreadFar],
         ] as const) {
-          const t = wholeOf(at[0] as number);
-          const lift = Math.abs(t) + 2;
-          const spread = (size[0] as number) + lift;
-          if (!(spread < LARGEST_SPREAD)) continue;
-          const exact = exactResidual(q, lattice, ray, t);
-          const off = half(dy.sub(dy.fromNumber(f[0] as number), exact));
-          const bound = spread * (ROUNDING * lift + SMALL * spread) + 3 * half(exact);
-          worst = Math.max(worst, off / (2 ** -53 * bound));
+          const t = at[0] as number;
+          const lift = Math.abs(t) + number('two');
+          const spread = (far[0] as number) + 1.5 * UNIT_OF_DIRECTION * lift;
+          if (!(spread < number('largestSize'))) continue;
+          const exact = exactResidual(q, ray, t);
+          const off = size(dy.sub(dy.fromNumber(f[0] as number), exact));
+          const bound = spread * (ROUNDING * lift + SMALL * spread) + 3 * 2 ** -53 * size(exact);
+          worst = Math.max(worst, off / bound);
           seen += 1;
         }
       }
@@ -160,8 +150,6 @@ describe('pass 2, f at whole t', () => {
     },
   );
 });
-
-const wholeOf = (x: number): number => x + 1.5 * 2 ** 52 - 1.5 * 2 ** 52;
 
 /** Rays that a stage settles, each checked; how many. */
 function settled(

@@ -7,54 +7,46 @@ export function coarseInSpace(s: Scratch): CoarsePass {
   const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, doubtful, unsettled, count } = s;
   const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ey, Ez, dx, dy, dz }, { t0, t1 }, from, to) => {
-    const direction = lattice[AT.direction] as number;
-    const directionY = lattice[AT.directionY] as number;
-    const length = lattice[AT.length] as number;
-    const lengthY = lattice[AT.lengthY] as number;
     const Cx = lattice[AT.Cx] as number;
     const Cy = lattice[AT.Cy] as number;
     const Cz = lattice[AT.Cz] as number;
     const a = lattice[AT.a] as number;
     const rho = lattice[AT.rho] as number;
+    const smallest = lattice[AT.smallest] as number;
+    const largestDirection = lattice[AT.largestDirection] as number;
+    const smallestDirection = lattice[AT.smallestDirection] as number;
     const clearly = BOUNDS[0] as number;
     const certain = BOUNDS[1] as number;
-    const smallest = BOUNDS[2] as number;
-    const least = BOUNDS[3] as number;
-    const largestSquare = BOUNDS[4] as number;
-    const smallestSquare = BOUNDS[5] as number;
-    const slackA = BOUNDS[6] as number;
-    const slack0 = BOUNDS[7] as number;
-    const farther = BOUNDS[8] as number;
+    const least = BOUNDS[2] as number;
+    const slackA = BOUNDS[3] as number;
+    const slack0 = BOUNDS[4] as number;
+    const farther = BOUNDS[5] as number;
     let hits = 0;
     let doubts = 0;
     let close = 0;
     for (let i = from; i < to; i++) {
-      const x = direction * (dx[i] as number);
-      const y = directionY * (dy[i] as number);
-      const z = direction * (dz[i] as number);
-      const ex = length * (Ex[i] as number);
-      const ey = lengthY * (Ey[i] as number);
-      const ez = length * (Ez[i] as number);
+      const x = dx[i] as number;
+      const y = dy[i] as number;
+      const z = dz[i] as number;
+      const ex = Ex[i] as number;
+      const ey = Ey[i] as number;
+      const ez = Ez[i] as number;
       const px = ex - Cx;
       const py = ey - Cy;
       const pz = ez - Cz;
       const round = x * x + z * z;
-      const yy = y * y;
+      const ayy = a * (y * y);
       const wide = px * px + pz * pz;
-      const pp = py * py;
-      const A = round - a * yy;
-      const Am = round + yy;
+      const app = a * (py * py);
+      const A = round - ayy;
+      const Am = round + Math.abs(ayy);
       const b = x * px + z * pz - a * (y * py);
-      const D = b * b - A * (wide - a * pp - rho);
-      const Cm = wide + pp + rho;
+      const D = b * b - A * (wide - app - rho);
+      const Cm = wide + Math.abs(app) + rho;
       const Q = Am * Cm;
-      const clear =
-        D > clearly * Q + smallest &&
-        Am < largestSquare &&
-        Am > smallestSquare &&
-        Cm < largestSquare &&
-        Math.abs(A) > least * Am;
-      const missed = D < -(certain * Q) - smallest && Am < largestSquare && Cm < largestSquare;
+      const fits = Am > smallestDirection && Am < largestDirection;
+      const clear = D > clearly * Q + smallest && fits && Math.abs(A) > least * Am;
+      const missed = D < certain * Q - smallest && fits;
       if (clear) {
         // One division beside the root, not after it: 1/(A·D) gives 1/A and 1/√D.
         const root = Math.sqrt(D);

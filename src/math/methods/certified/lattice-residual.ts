@@ -1,21 +1,24 @@
-import { AT, type Lattice, ROUND } from './lattice.ts';
+import { AT, type Lattice } from './lattice.ts';
 import { HITS, type Scratch } from './lattice-scratch.ts';
 
 /*
- * Pass 2: f = q·q − ρ, q = p + t d, at the whole numbers t next to the rough roots. For lift = |t| + 2, l = lift/2 and s = Σ|qh|:
+ * Pass 2: f = q·q − ρ, q = p + t d, at the whole numbers t next to the rough roots, and g = q·d at the nearer one. In units (y times `up`), for
+ * lift = |t| + 2, l = lift/2 and s = Σ|qh|:
  *
  *   d = dh + dl, E = eh + el, |dl|, |el| ≤ 1/2, exactly; ph = eh − Ch and qh = ph + t·dh are exact;
  *   ql = (el − Cl) + t·dl: |ql| ≤ |t|/2 + 1 = l; roundings u, u|t|/2 and u·l:                |δql| ≤ 2u·l
- *   S = Σ|qh + ql| ≤ s + 1.5 lift ≤ 1.5(s + lift), and so is Σ|2qh + ql|/2
- *   H = Σqh² − ρh − …: s < 2^23.4 keeps all of it below 2^46.8. x² + z² − a1·y² − ρh counts in 64ths, and a2·y² is
- *   a whole number of 2^-13 below 2^53: exact but for the last subtraction,                   u|H| ≤ u(|f| + |L|)
+ *   S = Σ|qh + ql| ≤ s + 1.5 lift = size, and so is Σ|2qh + ql|/2
+ *   H = Σqh² − ρh − …: size ≤ 2^24 keeps its terms below 2^48. x² + z² − a1·y² − ρh counts in 32nds, and a2·y² is a multiple of
+ *   2^-11, at most 2^5 · 2^48 of them: exact but for the last subtraction,                   u|H| ≤ u(|f| + |L|)
  *   L = Σ ql(2qh + ql), |L| ≤ 2l·S: from δql 2, the bracket 1, the product 1, for y a's rounding 1 and its product 1, and four sums:
- *   10u·2l·S ≤ 15u·lift(s + lift) with the share of H;
- *   a3: |a3| ≤ 2^-14, its rounding, the product and a sum:                                    3u·2^-14 s² < u·2^-12.4 s²
+ *   10u·2l·S = 10u·lift·size with the share of H;
+ *   a3: |a3| ≤ 2^-12, its rounding, the product and a sum:                                    3u·2^-12 s² < u·2^-10.4 s²
  *   the rest of ρ (≤ 1/2) and the sum of both:                                                3u|f| in all.
  *
- * So |δf| ≤ u·size(15·lift + 2^-12 size) + 3u|f| with size = s + lift. Math.abs is taken of numbers with a fraction where there is a choice: of whole ones V8
- * expects int32.
+ * So |δf| ≤ ε + 3u|f|, ε = u·size(10·lift + 2^-10.4 size). And g: q is rounded, u, and off by 2u·l; the products u, a twice more; two sums:
+ * |δg| ≤ 6u·reach, where reach is the sum of the products' sizes, and what ql adds is far less.
+ *
+ * Math.abs is taken of numbers with a fraction where there is a choice: of whole ones V8 expects int32.
  */
 
 export type ResidualPass = (lattice: Lattice) => void;
@@ -24,7 +27,13 @@ export function residualsInSpace(s: Scratch): ResidualPass {
   const { x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, near, far, count } = s;
   const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
   return (lattice) => {
+    const cutD = lattice[AT.cutD] as number;
+    const cutE = lattice[AT.cutE] as number;
+    const cutT = lattice[AT.cutT] as number;
     const wholeX = lattice[AT.wholeX] as number;
+    const cutDy = lattice[AT.cutDy] as number;
+    const cutEy = lattice[AT.cutEy] as number;
+    const up = lattice[AT.up] as number;
     const wholeY = lattice[AT.wholeY] as number;
     const wholeZ = lattice[AT.wholeZ] as number;
     const restX = lattice[AT.restX] as number;
@@ -37,7 +46,6 @@ export function residualsInSpace(s: Scratch): ResidualPass {
     const a3 = lattice[AT.a3] as number;
     const restRho = lattice[AT.restRho] as number;
     const hits = count[HITS] as number;
-    const cut = CONSTANTS[0] as number;
     for (let j = 0; j < hits; j++) {
       const x = xs[j] as number;
       const y = ys[j] as number;
@@ -45,22 +53,22 @@ export function residualsInSpace(s: Scratch): ResidualPass {
       const ex = exs[j] as number;
       const ey = eys[j] as number;
       const ez = ezs[j] as number;
-      const xh = x + cut - cut;
-      const yh = y + cut - cut;
-      const zh = z + cut - cut;
+      const xh = x + cutD - cutD;
+      const yh = y + cutDy - cutDy;
+      const zh = z + cutD - cutD;
       const xl = x - xh;
       const yl = y - yh;
       const zl = z - zh;
-      const exh = ex + cut - cut;
-      const eyh = ey + cut - cut;
-      const ezh = ez + cut - cut;
+      const exh = ex + cutE - cutE;
+      const eyh = ey + cutEy - cutEy;
+      const ezh = ez + cutE - cutE;
       const pxh = exh - wholeX;
       const pyh = eyh - wholeY;
       const pzh = ezh - wholeZ;
       const pxl = ex - exh - restX;
       const pyl = ey - eyh - restY;
       const pzl = ez - ezh - restZ;
-      const t = (near[j] as number) + cut - cut;
+      const t = (near[j] as number) + cutT - cutT;
       const qx = pxh + t * xh;
       const qy = pyh + t * yh;
       const qz = pzh + t * zh;
@@ -83,7 +91,7 @@ export function residualsInSpace(s: Scratch): ResidualPass {
         wholeRho -
         a2 * yy +
         (qxl * (qx + atX) + qzl * (qz + atZ) - a * (qyl * (qy + atY)) - a3 * yy - restRho);
-      const v = (far[j] as number) + cut - cut;
+      const v = (far[j] as number) + cutT - cutT;
       const wx = pxh + v * xh;
       const wy = pyh + v * yh;
       const wz = pzh + v * zh;
@@ -104,8 +112,8 @@ export function residualsInSpace(s: Scratch): ResidualPass {
           restRho);
       wholeNear[j] = t;
       wholeFar[j] = v;
-      spread[j] = Math.abs(qx) + Math.abs(qy) + Math.abs(qz);
-      spreadFar[j] = Math.abs(wx) + Math.abs(wy) + Math.abs(wz);
+      spread[j] = Math.abs(qx) + up * Math.abs(qy) + Math.abs(qz);
+      spreadFar[j] = Math.abs(wx) + up * Math.abs(wy) + Math.abs(wz);
     }
   };
 }
@@ -114,6 +122,9 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
   const { x: xs, z: zs, ex: exs, ez: ezs, near, far, count } = s;
   const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
   return (lattice) => {
+    const cutD = lattice[AT.cutD] as number;
+    const cutE = lattice[AT.cutE] as number;
+    const cutT = lattice[AT.cutT] as number;
     const wholeX = lattice[AT.wholeX] as number;
     const wholeZ = lattice[AT.wholeZ] as number;
     const restX = lattice[AT.restX] as number;
@@ -121,23 +132,22 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
     const wholeRho = lattice[AT.wholeRho] as number;
     const restRho = lattice[AT.restRho] as number;
     const hits = count[HITS] as number;
-    const cut = CONSTANTS[0] as number;
     for (let j = 0; j < hits; j++) {
       const x = xs[j] as number;
       const z = zs[j] as number;
       const ex = exs[j] as number;
       const ez = ezs[j] as number;
-      const xh = x + cut - cut;
-      const zh = z + cut - cut;
+      const xh = x + cutD - cutD;
+      const zh = z + cutD - cutD;
       const xl = x - xh;
       const zl = z - zh;
-      const exh = ex + cut - cut;
-      const ezh = ez + cut - cut;
+      const exh = ex + cutE - cutE;
+      const ezh = ez + cutE - cutE;
       const pxh = exh - wholeX;
       const pzh = ezh - wholeZ;
       const pxl = ex - exh - restX;
       const pzl = ez - ezh - restZ;
-      const t = (near[j] as number) + cut - cut;
+      const t = (near[j] as number) + cutT - cutT;
       const qx = pxh + t * xh;
       const qz = pzh + t * zh;
       const qxl = pxl + t * xl;
@@ -150,7 +160,7 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
       reach[j] = Math.abs(gx) + Math.abs(gz);
       const round = qx * qx + qz * qz;
       fNear[j] = round - wholeRho + (qxl * (qx + atX) + qzl * (qz + atZ) - restRho);
-      const v = (far[j] as number) + cut - cut;
+      const v = (far[j] as number) + cutT - cutT;
       const wx = pxh + v * xh;
       const wz = pzh + v * zh;
       const wxl = pxl + v * xl;
@@ -164,6 +174,3 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
     }
   };
 }
-
-/** V8 builds a literal anew at each use, and keeps in a register what it loaded before the loop. */
-export const CONSTANTS = Float64Array.of(ROUND);

@@ -9,27 +9,27 @@ export const BLOCK = 256;
 export interface Scratch {
   /** The ray's place in the batch. */
   readonly index: Int32Array;
-  /** d and E in units. */
+  /** d and E. */
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly z: Float64Array;
   readonly ex: Float64Array;
   readonly ey: Float64Array;
   readonly ez: Float64Array;
-  /** 1/A, the roots roughly, and how far the relative error of a step may go. */
+  /** A, √D with A's sign roughly, 1/(2√D), the roots roughly, and how far the relative error of a step may go. */
   readonly A: Float64Array;
   readonly slope: Float64Array;
   readonly half: Float64Array;
   readonly near: Float64Array;
   readonly far: Float64Array;
   readonly slack: Float64Array;
-  /** The roots' whole parts, f there, and how far those points are from the centre. */
+  /** The roots' whole parts, f there, g at the nearer one, what bounds g's error, and how far those points are from the centre. */
   readonly wholeNear: Float64Array;
   readonly wholeFar: Float64Array;
   readonly fNear: Float64Array;
+  readonly fFar: Float64Array;
   readonly g: Float64Array;
   readonly reach: Float64Array;
-  readonly fFar: Float64Array;
   readonly spread: Float64Array;
   readonly spreadFar: Float64Array;
   /** Places of rays that pass 1 could not judge, and of clear hits that pass 3 could not settle. */

@@ -3,38 +3,47 @@ import { exponentOf, powerOfTwo } from '../../float/bits.ts';
 import { productError, squareError } from '../../float/eft.ts';
 
 /*
- * Ordinary rays are taken in units in which their leading parts are whole numbers: x = whole + rest with |rest| ≤ 1/2, and sums,
- * products and squares of the whole parts are exact as long as they stay below 2^53. The units are powers of two that depend on
- * the shape alone, so changing to them and back is exact, and a ray's answer does not depend on its neighbours in the batch.
- * y is stretched by the power of two that brings a into [1/4, 1), so that all three coordinates are alike.
+ * Ordinary rays are cut so that their leading parts are whole multiples of a unit: x = whole + rest with |rest| ≤ 1/2 unit, and sums, products and squares
+ * of the whole parts are exact as long as they stay below 2^53 units. The units are powers of two that depend on the shape alone, so a ray's answer does not
+ * depend on its neighbours in the batch. That of y is smaller by the power of two, `up`, that brings a into [1/4, 1): so all three coordinates are alike, and
+ * bounds speak of y times `up`. (x + σ) − σ with σ = 1.5·2^52 units is x cut to units.
  */
 
-/** |d| = 1 becomes 2^8 units, and a t that leads over the shape's size 2^9 or so. */
-const DIRECTION = 2 ** 8;
-/** The shape's size becomes 2^17 units or up to twice as many: points up to 30 sizes from the centre have fewer than 2^23. */
+/** |d| = 1 has 2^8 units, and a t that leads over the shape's size 2^9 or so. */
+const DIRECTION_BITS = 8;
+export const UNIT_OF_DIRECTION = 2 ** -DIRECTION_BITS;
+/** The shape's size has 2^17 units or up to twice as many: points up to 30 sizes from the centre have fewer than 2^23. */
 const SIZE_BITS = 17;
 /** Shapes beyond these powers of two are not ordinary. */
 const LARGEST_EXPONENT = 60;
 const LARGEST_STRETCH = 30;
 /** In units: beyond, E and C could not be cut exactly any more. */
-export const LARGEST_LENGTH = 2 ** 45;
+const LARGEST_LENGTH = 2 ** 45;
+/** In units: some component of d has then at least 2^3 units, so that t·d shows it when t is too large to be cut. */
+const SMALLEST_DIRECTION = 2 ** 4;
+/** In units: beyond, the sums of a point's whole parts might not be exact (lattice-residual.ts). */
+const LARGEST_SIZE = 2 ** 24;
+/** In units of t: how far apart the roots must be (lattice-solve.ts). */
+const LEAST_GAP = 20;
+/** In units: far above what may be lost to underflow, and below what matters. */
+const SMALLEST = 2 ** -100;
 
 /**
- * A shape in units, as one array of doubles: of an object's fields V8 would not know inside a loop whether they are small integers.
+ * A shape with its units, as one array of doubles: of an object's fields V8 would not know inside a loop whether they are small integers.
  * Where each number is, is told by AT.
  */
 export type Lattice = Float64Array;
 
 /**
- * Where in a Lattice each number is. `direction`… are what dx, dz and dy, Ex, Ez and Ey are multiplied by, `back` is what t in units is.
- * C and ρ are cut into `whole` and `rest`; a = a1 + a2 + a3, a1 in 32nds and a2 in 2^12ths, |a2| ≤ 2^-6, |a3| ≤ 2^-13.
+ * Where in a Lattice each number is. `cut`… cut d, dy, E, Ey and t to their units. C and ρ are cut into `whole` and `rest`; a = a1 + a2 + a3, in stretched y
+ * a1 in 32nds and a2 in 2^11ths, |a2| ≤ 2^-6, |a3| ≤ 2^-12. `two` are two units of t; the others are the limits above, as lengths or their squares.
  */
 export const AT = {
-  direction: 0,
-  directionY: 1,
-  length: 2,
-  lengthY: 3,
-  back: 4,
+  cutD: 0,
+  cutDy: 1,
+  cutE: 2,
+  cutEy: 3,
+  cutT: 4,
   Cx: 5,
   Cy: 6,
   Cz: 7,
@@ -51,12 +60,20 @@ export const AT = {
   rho: 18,
   wholeRho: 19,
   restRho: 20,
+  up: 21,
+  two: 22,
+  smallest: 23,
+  largestDirection: 24,
+  smallestDirection: 25,
+  largestSize: 26,
+  leastGap: 27,
 } as const;
 
-const COUNT = 21;
+const COUNT = 28;
 
 /** x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction. Math.round would make V8 convert to int32 and back. */
-export const ROUND = 1.5 * 2 ** 52;
+const ROUND = 1.5 * 2 ** 52;
+const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
 
 /** Null for a shape whose numbers are not ordinary. */
 export function latticeOf(q: Quadric): Lattice | null {
@@ -65,38 +82,52 @@ export function latticeOf(q: Quadric): Lattice | null {
   const size = exponentOf(q.r || 1);
   const stretch = flare === 0 ? 0 : Math.ceil((exponentOf(flare) + 1) / 2);
   if (!(Math.abs(size) <= LARGEST_EXPONENT && Math.abs(stretch) <= LARGEST_STRETCH)) return null;
-  const length = powerOfTwo(SIZE_BITS - size);
   const up = powerOfTwo(stretch);
-  const [Cx, Cy, Cz] = [length * q.Cx, length * up * q.Cy, length * q.Cz];
-  if (!(Math.max(Math.abs(Cx), Math.abs(Cy), Math.abs(Cz)) < LARGEST_LENGTH)) return null;
-  const [wholeX, wholeY, wholeZ] = [Math.round(Cx), Math.round(Cy), Math.round(Cz)];
-  const a = flare / up / up;
-  const a1 = Math.round(2 ** 5 * a) / 2 ** 5;
-  const a2 = Math.round(2 ** 12 * (a - a1)) / 2 ** 12;
-  const r = length * q.r;
-  const rho = r * r;
-  const wholeRho = Math.round(rho);
+  const unit = powerOfTwo(size - SIZE_BITS);
+  const unitD = UNIT_OF_DIRECTION;
+  const unitT = unit / unitD;
+  const farthest = Math.max(Math.abs(q.Cx), Math.abs(q.Cy) * up, Math.abs(q.Cz));
+  if (!(farthest < LARGEST_LENGTH * unit)) return null;
+  const [wholeX, wholeY, wholeZ] = [cut(q.Cx, unit), cut(q.Cy, unit / up), cut(q.Cz, unit)];
+  const square = up * up;
+  const a1 = cut(flare, square / 2 ** 5);
+  const a2 = cut(flare - a1, square / 2 ** 11);
+  const rho = q.r * q.r;
+  const wholeRho = cut(rho, unit * unit);
+  return latticeWith({
+    cutD: ROUND * unitD,
+    cutDy: (ROUND * unitD) / up,
+    cutE: ROUND * unit,
+    cutEy: (ROUND * unit) / up,
+    cutT: ROUND * unitT,
+    Cx: q.Cx,
+    Cy: q.Cy,
+    Cz: q.Cz,
+    wholeX,
+    wholeY,
+    wholeZ,
+    restX: q.Cx - wholeX,
+    restY: q.Cy - wholeY,
+    restZ: q.Cz - wholeZ,
+    a: flare,
+    a1,
+    a2,
+    a3: flare - a1 - a2 + flareLow,
+    rho,
+    wholeRho,
+    restRho: rho - wholeRho + productError(q.r, q.r, rho),
+    up,
+    two: 2 * unitT,
+    smallest: SMALLEST * (unit * unitD) ** 2,
+    largestDirection: (LARGEST_LENGTH * unitD) ** 2,
+    smallestDirection: (SMALLEST_DIRECTION * unitD) ** 2,
+    largestSize: LARGEST_SIZE * unit,
+    leastGap: LEAST_GAP * unitT,
+  });
+}
+
+function latticeWith(numbers: Readonly<Record<keyof typeof AT, number>>): Lattice {
   const lattice = new Float64Array(COUNT);
-  lattice[AT.direction] = DIRECTION;
-  lattice[AT.directionY] = DIRECTION * up;
-  lattice[AT.length] = length;
-  lattice[AT.lengthY] = length * up;
-  lattice[AT.back] = DIRECTION / length;
-  lattice[AT.Cx] = Cx;
-  lattice[AT.Cy] = Cy;
-  lattice[AT.Cz] = Cz;
-  lattice[AT.wholeX] = wholeX;
-  lattice[AT.wholeY] = wholeY;
-  lattice[AT.wholeZ] = wholeZ;
-  lattice[AT.restX] = Cx - wholeX;
-  lattice[AT.restY] = Cy - wholeY;
-  lattice[AT.restZ] = Cz - wholeZ;
-  lattice[AT.a] = a;
-  lattice[AT.a1] = a1;
-  lattice[AT.a2] = a2;
-  lattice[AT.a3] = a - a1 - a2 + flareLow / up / up;
-  lattice[AT.rho] = rho;
-  lattice[AT.wholeRho] = wholeRho;
-  lattice[AT.restRho] = rho - wholeRho + productError(r, r, rho);
+  for (const [name, at] of Object.entries(AT)) lattice[at] = numbers[name as keyof typeof AT];
   return lattice;
 }

@@ -37,9 +37,14 @@ export function blockKernel(
 
   // What a pass writes and a later one reads has a place of its own.
   const slots = new Map<string, number>();
+  // What is only an input needs none: it is read again.
+  const again = new Map<string, Input>();
   for (const { statements } of [rough, middle]) {
-    for (const { target, writes } of statements) {
-      if (writes && !slots.has(target)) slots.set(target, slots.size);
+    for (const { target, writes, formula } of statements) {
+      const input = writes && statements.find(({ target: name }) => name === formula)?.formula;
+      const found = INPUTS.find((name) => input === elementOf(name));
+      if (found) again.set(target, found);
+      else if (writes && !slots.has(target)) slots.set(target, slots.size);
     }
   }
   const slot = (array: string): number => {
@@ -50,21 +55,23 @@ export function blockKernel(
   const CLEAR = handed(slots.size);
   const PLACES = handed(slots.size + 1);
 
-  const isInput = (array: string): array is Input => (INPUTS as readonly string[]).includes(array);
+  const inputOf = (array: string): readonly [Code, number] | null => {
+    const input = again.get(array) ?? INPUTS.find((name) => name === array);
+    return input ? [of(input), 0] : null;
+  };
   const remote = rough.statements.find(({ target }) => target === 'remote');
   if (!remote) throw new ReferenceError('remote is not known');
   const pass = ({ statements }: Loop, k: number): Code => {
     const inner = scopes[k] ?? scope;
     const loads = arraysRead(statements).flatMap((array) =>
-      op.set(
-        inner.declare(elementOf(array)),
-        isInput(array) ? op.load(of(array), 0) : op.load(hand, slot(array)),
-      ),
+      op.set(inner.declare(elementOf(array)), op.load(...(inputOf(array) ?? [hand, slot(array)]))),
     );
     const write = (array: string, value: Code): Code =>
       array === 't0' || array === 't1'
         ? op.set(inner.declare(array), value)
-        : op.store(hand, slot(array), value);
+        : again.has(array)
+          ? []
+          : op.store(hand, slot(array), value);
     const now = statements.filter((statement) => statement !== remote);
     return [...loads, ...compile(now, inner, write)];
   };
@@ -117,7 +124,11 @@ export function blockKernel(
   ];
   const overHanded = (body: Code): Code => [
     ...op.set(HAND, op.i32(0)),
-    ...op.during(op.less(hand, op.get(HAND_END)), [...body, ...forward(HAND, op.i32(PAIR))]),
+    ...op.during(op.less(hand, op.get(HAND_END)), [
+      ...op.set(AT, op.loadInt(hand, PLACES)),
+      ...body,
+      ...forward(HAND, op.i32(PAIR)),
+    ]),
   ];
   const solved = third.declare('solved');
   const clear = third.declare('clear');
@@ -134,7 +145,6 @@ export function blockKernel(
       ...overHanded(pass(middle, 1)),
       ...overHanded([
         ...pass(last, 2),
-        ...op.set(AT, op.loadInt(hand, PLACES)),
         ...op.set(clear, op.load(hand, CLEAR)),
         ...op.set(solved, op.and(op.get(clear), third.value('settled'))),
         ...op.store(of('t0'), 0, op.select(third.value('t0'), NAN, op.get(solved))),

@@ -4,7 +4,6 @@ import { AT } from '../lattice.ts';
 import { BOUNDS as COARSE } from '../lattice-bounds.ts';
 import inSpace from '../lattice-coarse.ts?raw';
 import aroundAxis from '../lattice-coarse-axis.ts?raw';
-import { CONSTANTS as RESIDUAL } from '../lattice-residual.ts';
 import residual from '../lattice-residual.ts?raw';
 import { CONSTANTS as SOLVE } from '../lattice-solve.ts';
 import solve from '../lattice-solve.ts?raw';
@@ -29,7 +28,7 @@ const numbersOf = (known: Numbers['known']): Numbers => ({
 });
 
 /** What the three passes over ordinary rays take their bounds from. */
-const PASSES = [COARSE, RESIDUAL, SOLVE].map((bounds) =>
+const PASSES = [COARSE, [], SOLVE].map((bounds) =>
   numbersOf({ BOUNDS: bounds, CONSTANTS: bounds }),
 );
 
