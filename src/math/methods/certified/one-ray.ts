@@ -3,7 +3,7 @@ import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
-import { certifiedQuadric } from './scaled-quadric.ts';
+import { type CertifiedQuadric, certifiedQuadric } from './scaled-quadric.ts';
 import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
 
 /*
@@ -33,8 +33,7 @@ export function setRay({ origin: E, direction: d }: Ray): void {
 }
 
 /** Fills FOUND by the stages that a batch goes through. */
-export function findRoots(q: Quadric, ray: Ray): void {
-  const c = certifiedQuadric(q);
+export function findRoots(q: Quadric, ray: Ray, c: CertifiedQuadric = certifiedQuadric(q)): void {
   if (c.inBox) {
     setRay(ray);
     bothRoots(q, c, rays, out, left);
