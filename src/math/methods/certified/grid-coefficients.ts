@@ -2,39 +2,35 @@ import { sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
 import { AT_SCALED } from './scaled-quadric.ts';
 
-const U = 2 ** -53;
-const SPLITTER = 134217729;
-const GRID_26 = 2 ** 28;
-
-export const ERROR = 2 ** -30 * U;
-export const ERROR_D = 2 ** -27 * U;
-
-/** What is handed on; the rest of the names say where. */
-export const GRID = new Float64Array(24);
-export const A = 0;
-export const B = 1;
-export const C = 2;
-export const D = 3;
-export const B_LOW = 4;
-export const A_HEAD = 5;
-export const A_REST = 6;
-export const D_LOW = 7;
-export const REACH_D = 8;
-export const REACH_P = 9;
-export const XH = 10;
-export const XL = 11;
-export const YH = 12;
-export const YL = 13;
-export const ZH = 14;
-export const ZL = 15;
-
-export function putCoefficients(numbers: Float64Array, { origin: E, direction: d }: Ray): void {
-  const k = numbers[AT_SCALED.k] as number;
-  const sign = numbers[AT_SCALED.sign] as number;
-  const rho = numbers[AT_SCALED.rho] as number;
-  const wide = numbers[AT_SCALED.wide] as number;
-  const Cx = numbers[AT_SCALED.Cx] as number;
-  const Cz = numbers[AT_SCALED.Cz] as number;
+export function createGrid() {
+  const SPLITTER = 134217729;
+  const GRID_26 = 2 ** 28;
+  const ERROR = 20 * 2 ** -77;
+  const GRID = new Float64Array(24);
+  const A = 0;
+  const B = 1;
+  const C = 2;
+  const D = 3;
+  const B_LOW = 4;
+  const A_HEAD = 5;
+  const A_REST = 6;
+  const D_LOW = 7;
+  const REACH_D = 8;
+  const REACH_P = 9;
+  const XH = 10;
+  const XL = 11;
+  const YH = 12;
+  const YL = 13;
+  const ZH = 14;
+  const ZL = 15;
+  const N = AT_SCALED;
+function putCoefficients(numbers: Float64Array, { origin: E, direction: d }: Ray): void {
+  const k = numbers[N.k] as number;
+  const sign = numbers[N.sign] as number;
+  const rho = numbers[N.rho] as number;
+  const wide = numbers[N.wide] as number;
+  const Cx = numbers[N.Cx] as number;
+  const Cz = numbers[N.Cz] as number;
   const x = d[0];
   const y = d[1];
   const z = d[2];
@@ -43,7 +39,7 @@ export function putCoefficients(numbers: Float64Array, { origin: E, direction: d
   const px = ex - Cx;
   const pz = ez - Cz;
   const reachD = Math.abs(x) + Math.abs(z) + wide * Math.abs(y);
-  let reachP = Math.abs(px) + Math.abs(pz) + (numbers[AT_SCALED.r] as number);
+  let reachP = Math.abs(px) + Math.abs(pz) + (numbers[N.r] as number);
   const cutD = GRID_26 * reachD;
   const xh = x + cutD - cutD;
   const xl = x - xh;
@@ -57,9 +53,9 @@ export function putCoefficients(numbers: Float64Array, { origin: E, direction: d
   let pl = 0;
   let cutP = 0;
   if (k !== 0) {
-    const Cy = numbers[AT_SCALED.Cy] as number;
-    const k1 = numbers[AT_SCALED.k1] as number;
-    const k2 = numbers[AT_SCALED.k2] as number;
+    const Cy = numbers[N.Cy] as number;
+    const k1 = numbers[N.k1] as number;
+    const k2 = numbers[N.k2] as number;
     const ey = E[1];
     const py = ey - Cy;
     reachP += wide * Math.abs(py);
@@ -97,7 +93,7 @@ export function putCoefficients(numbers: Float64Array, { origin: E, direction: d
     (px + pxh) * pxl +
     (pz + pzh) * pzl -
     sign * ((p + ph) * pl) +
-    (sumError(wideC, -rho, C0) - (numbers[AT_SCALED.rhoLow] as number));
+    (sumError(wideC, -rho, C0) - (numbers[N.rhoLow] as number));
   const Ch = C0 + C1;
   const Cl = C1 - (Ch - C0);
 
@@ -131,4 +127,6 @@ export function putCoefficients(numbers: Float64Array, { origin: E, direction: d
   GRID[YL] = y - yGrid;
   GRID[ZH] = zh;
   GRID[ZL] = zl;
+}
+  return { GRID, ERROR, putCoefficients, at: {A, B, C, D, B_LOW, A_HEAD, A_REST, D_LOW, REACH_D, REACH_P, XH, XL, YH, YL, ZH, ZL} };
 }
