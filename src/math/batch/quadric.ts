@@ -71,8 +71,7 @@ const READERS: Readers = {
       r: radius,
       hasR: true,
     }),
-    holds: ({ center, flare, radius }, q) =>
-      flare === q.flare && radius === q.r && isAt(center, q),
+    holds: ({ center, flare, radius }, q) => flare === q.flare && radius === q.r && isAt(center, q),
   },
 };
 

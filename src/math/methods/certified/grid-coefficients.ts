@@ -53,7 +53,8 @@ export function coefficientsPass(grid: at.Grid): CoefficientsPass {
     const py = ey - Cy;
     const pz = ez - Cz;
     const reachD = Math.abs(x) + Math.abs(z) + wide * Math.abs(y);
-    const reachP = Math.abs(px) + Math.abs(pz) + wide * Math.abs(py) + (numbers[NUMBER.r] as number);
+    const reachP =
+      Math.abs(px) + Math.abs(pz) + wide * Math.abs(py) + (numbers[NUMBER.r] as number);
     const cutD = GRID * reachD;
     const cutP = GRID * reachP;
     const xh = x + cutD - cutD;

@@ -1,26 +1,43 @@
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
+import { ERROR } from './grid-coefficients.ts';
 import * as at from './grid-scratch.ts';
 import { FOUND, T0, T1 } from './one-ray.ts';
 import { AT_SCALED } from './scaled-quadric.ts';
-import { ERROR } from './grid-coefficients.ts';
 
-/* bounds */
-const POINT = 24 * 2 ** -77;
+/*
+ * Points and normals of two hits, from the double t that is certified for each. A t* + b ± √(D/4) = 0 gives t* = t − (A t + b ± √(D/4))/A: no more than
+ * that remainder is needed, and not exactly. L = |E|₁ + max|t| D, T = L/D ≥ |t|; D, P, η and the grids are those of grid-coefficients.ts.
+ *
+ *   √: sh² exact, (s − sh)(s + sh) 2 roundings of 2^-26 D, the linear step                          off by δD/2s + η s
+ *   t = th + tl on the grid 2^29 T: th ≤ 2^25 units, |tl| ≤ 2^-23 T. At th is exact, its sum with b is split without loss, ±√ takes away all but
+ *     ≤ 2.3·2^-24 |A|T of it: that rounding, At tl, and three sums with At tl + Ar t                   12η |A|T
+ *   δ = t* − t by what A, b and √ are off, over A: 22η D(L + P) for A and b, where √'s own η s fits, and δD/2s     offT
+ *   E + t d: th xh is a multiple of a power of two ≥ 2^-51 L, eh of that one at least, their sum X ≤ 2^52 of them and exact
+ *     low = el + th xl + (tl + δ) dx: 12 + 2 (tl + δ) + 2 (times dx) + 1 (th xl) + 3 + 3 (sums)         23η L + |dx| offT
+ *   n = (X − C) + low, |low| ≤ 1.5·2^-23 L: 2u|n|, 3η L, and what low is off; y: a, and times a          4u|ny|, |a| times the others
+ *
+ * POINT has a fifth to spare for both. The coordinate X + low is rounded once: faithful, and itself where it is a double, if it was off by less than u|x|/2; FAITHFUL
+ * leaves a tenth. Where d has no component, X + low is E's own. The normal: 4.9u of its longest component by the roundings, below 8u with
+ * STRAIGHT times the sum of all three, which is at most three times the longest: within 2^-50.
+ */
+const POINT = 32 * 2 ** -77;
 export const FAITHFUL = 0.9 * 2 ** -54;
 const STRAIGHT = 0.9 * 2 ** -53;
-const CUT_25 = 2 ** 29;
-const CUT_47 = 2 ** 6;
+const CUT_TIME = 2 ** 29;
+const CUT_ORIGIN = 2 ** 6;
 const HALVES = 134217729;
 
+/** Once FOUND holds the roots. */
 export type RootsPass = (ray: Ray) => void;
+/** The hit at root `k` of FOUND, `turn` 1 for the near and −1 for the far one; null where a coordinate, or the way of the normal, stays open. */
 export type PlacePass = (numbers: Float64Array, k: number, turn: number) => Hit | null;
 
 /** √D/4 and what is common to both hits. */
 export function rootsPass(grid: at.Grid): RootsPass {
   const SPLITTER = HALVES;
-  const GRID_T = CUT_25;
-  const GRID_E = CUT_47;
+  const GRID_T = CUT_TIME;
+  const GRID_E = CUT_ORIGIN;
   const BOUND = ERROR;
   const BOUND_POINT = POINT;
   const found = FOUND;
@@ -85,7 +102,8 @@ export function placePass(grid: at.Grid): PlacePass {
     const residual =
       v +
       turn * (grid[at.ROOT] as number) +
-      (p - (v - bPart) +
+      (p -
+        (v - bPart) +
         (b - bPart) +
         (At * tl + (grid[at.A_REST] as number) * t) +
         ((grid[at.B_LOW] as number) + turn * (grid[at.ROOT_LOW] as number)));

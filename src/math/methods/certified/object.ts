@@ -7,6 +7,7 @@ import type { Shape } from '../../shapes/index.ts';
 import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
+import { gridQuadric } from './grid-quadric.ts';
 import { planarRoots } from './kernel-planar.ts';
 import {
   FOUND,
@@ -22,10 +23,9 @@ import {
   T1,
   VERDICT,
 } from './one-ray.ts';
-import { gridQuadric } from './grid-quadric.ts';
-import { readQuadric } from './scaled-quadric.ts';
 import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
+import { readQuadric } from './scaled-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */

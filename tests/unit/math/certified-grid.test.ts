@@ -1,0 +1,195 @@
+import { describe, expect, test } from 'vitest';
+import { exact } from '../../../src/math/arithmetic/exact.ts';
+import { quadricOf, stillHolds } from '../../../src/math/batch/quadric.ts';
+import type { Surd } from '../../../src/math/exact/surd.ts';
+import { findFamily, type Question } from '../../../src/math/families.ts';
+import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
+import { intersect } from '../../../src/math/intersect.ts';
+import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
+import { placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
+import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
+import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
+import { FOUND, findRoots, T0, T1, VERDICT } from '../../../src/math/methods/certified/one-ray.ts';
+import {
+  certifiedQuadric,
+  readQuadric,
+} from '../../../src/math/methods/certified/scaled-quadric.ts';
+import { valuesOf } from '../../../src/math/methods/tree-method.ts';
+import type { Ray } from '../../../src/math/ray.ts';
+import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
+import type { CurvedFormula } from '../../../src/math/shapes/axial-quadric.ts';
+import type { Shape } from '../../../src/math/shapes/index.ts';
+import { definitionOf } from '../../../src/math/shapes/lookup.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { disagreement, misplaced } from './against-exact.ts';
+import { exactHits } from './exact-hits.ts';
+
+/* The stage that answers most single rays: its bounds against the true errors, and that it is the one that answers. */
+
+const { add, sub, mul, sqr, sign, of, toNumber } = exact;
+const size = (x: Surd): Surd => (sign(x) < 0 ? exact.neg(x) : x);
+const grid = at.createGrid();
+const putCoefficients = coefficientsPass(grid);
+const putRoots = rootsPass(grid);
+const hitAt = placePass(grid);
+const value = (k: number): number => grid[k] as number;
+
+function made(id: string, random: Random): Question {
+  const family = findFamily(id);
+  if (!family) throw new Error(`no family ${id}`);
+  return family.make(random);
+}
+
+const vector = (random: Random, scale: number): Vec3 => [
+  uniform(random, -scale, scale),
+  uniform(random, -scale, scale),
+  uniform(random, -scale, scale),
+];
+
+const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+
+/** A shape, and a ray whose `axis` coordinate nearly vanishes at a hit, moved there together: the error is all that is left of it. */
+function crossing(random: Random, axis: number): Question {
+  const center = vector(random, 10 ** uniform(random, 0, 3));
+  const radius = uniform(random, 0.5, 2);
+  const shape = (at: Vec3): Shape => ({ kind: 'hyperboloid', center: at, flare, radius });
+  const flare = uniform(random, -3, 3);
+  const from = vector(random, 5);
+  const aim = vector(random, 2);
+  const speed = uniform(random, 0.1, 3);
+  const direction = minus(aim, from).map((x) => speed * x) as unknown as Vec3;
+  const origin = center.map((c, i) => c + (from[i] as number)) as unknown as Vec3;
+  const { hits } = intersect(shape(center), { origin, direction });
+  const moved = (v: Vec3): Vec3 =>
+    v.map((x, i) => (i === axis ? x - (hits[0]?.point[axis] ?? 0) : x)) as unknown as Vec3;
+  return { shape: shape(moved(center)), ray: { origin: moved(origin), direction } };
+}
+
+describe('parts on grids', () => {
+  test('A, b, C and D/4 are off by less than their bounds, and not by much less (seed 71)', () => {
+    const random = seeded(71);
+    const worst = [0, 0, 0, 0];
+    for (const id of ['typical', 'near-surface', 'near-tangent', 'far-origin', 'near-axis']) {
+      for (let k = 0; k < 800; k++) {
+        const { shape, ray } = made(id, random);
+        const q = quadricOf(shape);
+        if (!q) continue;
+        putCoefficients(certifiedQuadric(q).numbers, ray);
+        const formula = definitionOf(shape).formula(shape) as CurvedFormula;
+        const values = valuesOf(shape, ray, exact);
+        const [a, twoB, c] = evaluateTriple([formula.A, formula.B, formula.C], exact, values);
+        const b = mul(twoB, of(0.5));
+        const d = sub(sqr(b), mul(a, c));
+        const D = value(at.REACH_D);
+        const P = value(at.REACH_P);
+        const got: [number[], Surd, number][] = [
+          [[value(at.A_HEAD), value(at.A_REST)], a, ERROR * D * D],
+          [[value(at.B), value(at.B_LOW)], b, ERROR * D * P],
+          [[value(at.C)], c, ERROR * P * P + 2 ** -53 * Math.abs(value(at.C))],
+          [[value(at.D), value(at.D_LOW)], d, value(at.OFF_D)],
+        ];
+        got.forEach(([parts, truth, bound], i) => {
+          const error = toNumber(size(sub(parts.map(of).reduce(add), truth)));
+          worst[i] = Math.max(worst[i] as number, error / bound);
+        });
+      }
+    }
+    for (const most of worst) {
+      expect(most).toBeLessThan(1);
+      expect(most).toBeGreaterThan(1 / 32);
+    }
+  });
+
+  test('a coordinate near 0 is off by less than its bound, and not by much less (seed 72)', () => {
+    const random = seeded(72);
+    let worst = 0;
+    let seen = 0;
+    for (let k = 0; k < 1500; k++) {
+      const axis = k % 3;
+      const { shape, ray } = crossing(random, axis);
+      const read = readQuadric(shape);
+      if (!read) throw new Error('a curved shape is needed');
+      findRoots(read.q, ray);
+      if (FOUND[VERDICT] !== 2) continue;
+      const truth = exactHits(shape, ray).hits;
+      putCoefficients(read.c.numbers, ray);
+      putRoots(ray);
+      const bound = value(at.OFF_X + axis);
+      // Whatever is near 0 is wanted: nothing is left open.
+      for (const off of [at.OFF_X, at.OFF_Y, at.OFF_Z]) grid[off] = 0;
+      [hitAt(read.c.numbers, T0, 1), hitAt(read.c.numbers, T1, -1)].forEach((hit, i) => {
+        const x = hit?.point[axis] as number;
+        // What is rounded at the end is far below the bound.
+        if (!(Math.abs(x) < 2 ** 50 * bound)) return;
+        const error = toNumber(size(sub(of(x), truth[i]?.point[axis] as Surd)));
+        worst = Math.max(worst, error / (bound + 2 ** -53 * Math.abs(x)));
+        seen += 1;
+      });
+    }
+    expect(seen).toBeGreaterThan(100);
+    expect(worst).toBeLessThan(1);
+    expect(worst).toBeGreaterThan(1 / 100);
+  });
+
+  test('nearly every typical ray is answered by them, and rightly (seed 73)', () => {
+    const random = seeded(73);
+    let answered = 0;
+    let asked = 0;
+    for (let k = 0; k < 1500; k++) {
+      const question = made('typical', random);
+      const read = readQuadric(question.shape);
+      if (!read) continue;
+      asked += 1;
+      const found = gridQuadric(read.q, read.c, question.ray);
+      if (!found) continue;
+      answered += 1;
+      expect(found).toEqual(intersect(question.shape, question.ray));
+      expect(found.details).toEqual(intersect(question.shape, question.ray, 'exact').details);
+      expect(disagreement(question.shape, question.ray)).toBeNull();
+      expect(misplaced(question)).toEqual([]);
+    }
+    expect(answered).toBeGreaterThan(0.98 * asked);
+  });
+});
+
+describe('the last shape is recognized by its numbers', () => {
+  const ray: Ray = { origin: [-5, 1, 0.5], direction: [1, 0.25, 0.1] };
+  const shapes: readonly Shape[] = [
+    { kind: 'cylinder', center: [0.5, 0, 0.25], radius: 2 },
+    { kind: 'cone', vertex: [0.5, 0, 0.25], slope: 2 },
+    { kind: 'hyperboloid', center: [0.5, 0, 0.25], flare: 0.5, radius: 2 },
+  ];
+
+  test.each(shapes)('$kind: any number that changes is noticed', (shape) => {
+    const changed = (key: string, i?: number): Shape => {
+      const other = structuredClone(shape) as unknown as Record<string, unknown>;
+      if (i === undefined) other[key] = (other[key] as number) + 0.25;
+      else (other[key] as number[])[i] = ((other[key] as number[])[i] as number) + 0.25;
+      return other as unknown as Shape;
+    };
+    const q = quadricOf(shape);
+    if (!q) throw new Error('a curved shape is needed');
+    expect(stillHolds(q, shape.kind, structuredClone(shape))).toBe(true);
+    for (const [key, given] of Object.entries(shape)) {
+      if (key === 'kind') continue;
+      for (const i of Array.isArray(given) ? [0, 1, 2] : [undefined]) {
+        const other = changed(key, i);
+        expect(stillHolds(q, shape.kind, other)).toBe(false);
+        intersect(shape, ray);
+        expect(intersect(other, ray).details).toEqual(intersect(other, ray, 'exact').details);
+      }
+    }
+  });
+
+  test('a shape that its owner changes, and one of another kind with the same numbers', () => {
+    const mine = { kind: 'cylinder' as const, center: [0.5, 0, 0.25] as Vec3, radius: 2 };
+    const before = intersect(mine, ray).hits;
+    mine.radius = 1;
+    const after = intersect(mine, ray);
+    expect(after.hits).not.toEqual(before);
+    expect(after.hits).toEqual(intersect(structuredClone(mine), ray).hits);
+    const sphere: Shape = { kind: 'hyperboloid', center: [0.5, 0, 0.25], flare: 0, radius: 1 };
+    expect(intersect(sphere, ray).details).toEqual(intersect(sphere, ray, 'exact').details);
+    expect(intersect(sphere, ray).hits[0]?.t).toBe(after.hits[0]?.t);
+  });
+});
