@@ -65,13 +65,30 @@ function crossing(random: Random, axis: number): Question {
   return { shape: shape(moved(center)), ray: { origin: moved(origin), direction } };
 }
 
+/** Along y and seen from along y, off the shape by little: nothing is spread, and C cancels. */
+function lean(random: Random): Question {
+  const small = 2 ** -uniform(random, 5, 30);
+  const thin = (y: number): Vec3 => [
+    small * uniform(random, -1, 1),
+    y,
+    small * uniform(random, -1, 1),
+  ];
+  const origin = thin(uniform(random, 1, 2));
+  const flare = uniform(random, -2, 2);
+  const radius = Math.sqrt(Math.max(0, -flare)) * origin[1] * (1 + small * uniform(random, -1, 1));
+  return {
+    shape: { kind: 'hyperboloid', center: [0, 0, 0], flare, radius },
+    ray: { origin, direction: thin(uniform(random, 1, 2)) },
+  };
+}
+
 describe('parts on grids', () => {
   test('A, b, C and D/4 are off by less than their bounds, and not by much less (seed 71)', () => {
     const random = seeded(71);
     const worst = [0, 0, 0, 0];
-    for (const id of ['typical', 'near-surface', 'near-tangent', 'far-origin', 'near-axis']) {
-      for (let k = 0; k < 800; k++) {
-        const { shape, ray } = made(id, random);
+    for (const id of ['typical', 'near-surface', 'near-tangent', 'lean']) {
+      for (let k = 0; k < 4000; k++) {
+        const { shape, ray } = id === 'lean' ? lean(random) : made(id, random);
         const q = quadricOf(shape);
         if (!q) continue;
         putCoefficients(certifiedQuadric(q).numbers, ray);
@@ -85,19 +102,21 @@ describe('parts on grids', () => {
         const got: [number[], Surd, number][] = [
           [[value(at.A_HEAD), value(at.A_REST)], a, ERROR * D * D],
           [[value(at.B), value(at.B_LOW)], b, ERROR * D * P],
-          [[value(at.C)], c, ERROR * P * P + 2 ** -53 * Math.abs(value(at.C))],
+          [[value(at.C)], c, ERROR * P * P],
           [[value(at.D), value(at.D_LOW)], d, value(at.OFF_D)],
         ];
         got.forEach(([parts, truth, bound], i) => {
+          // C is not handed on with its rest: what it is rounded by would hide the error.
+          if (i === 2 && 2 ** -53 * Math.abs(value(at.C)) > bound / 99) return;
           const error = toNumber(size(sub(parts.map(of).reduce(add), truth)));
           worst[i] = Math.max(worst[i] as number, error / bound);
         });
       }
     }
-    for (const most of worst) {
+    worst.forEach((most, i) => {
       expect(most).toBeLessThan(1);
-      expect(most).toBeGreaterThan(1 / 32);
-    }
+      expect(most).toBeGreaterThan([1 / 8, 1 / 12, 1 / 20, 1 / 24][i] as number);
+    });
   });
 
   test('a coordinate near 0 is off by less than its bound, and not by much less (seed 72)', () => {
