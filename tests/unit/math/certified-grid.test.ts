@@ -5,6 +5,7 @@ import type { Surd } from '../../../src/math/exact/surd.ts';
 import { findFamily, type Question } from '../../../src/math/families.ts';
 import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
+import type { Hit } from '../../../src/math/intersection.ts';
 import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
 import { placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
@@ -168,6 +169,111 @@ describe('parts on grids', () => {
       expect(misplaced(question)).toEqual([]);
     }
     expect(answered).toBeGreaterThan(0.98 * asked);
+  });
+});
+
+/** One of A, b, C and D/4 cancels, by anything from nothing to all of it. */
+const CANCELLING: readonly [string, (random: Random, off: number) => Question][] = [
+  [
+    'A',
+    (random, off) => ({
+      shape: { kind: 'cone', vertex: [0.1, 0.2, 0.3], slope: 0.75 },
+      ray: { origin: vector(random, 3), direction: [0.75, 1 + off, off] },
+    }),
+  ],
+  [
+    'b',
+    (random, off) => ({
+      shape: { kind: 'cylinder', center: [0, 0, 0], radius: 1 },
+      ray: { origin: [off, 1, uniform(random, -1, 1)], direction: [1, 0.5, off] },
+    }),
+  ],
+  [
+    'C',
+    (random, off) => ({
+      shape: { kind: 'cylinder', center: [0, 0, 0], radius: 1.25 },
+      ray: { origin: [1, 1, 0.75 + off], direction: vector(random, 1) },
+    }),
+  ],
+  [
+    'D/4',
+    (random, off) => ({
+      shape: { kind: 'cylinder', center: [0, 0, 0], radius: 1 },
+      ray: {
+        origin: [uniform(random, -3, 3), 1, 1 - off],
+        direction: [uniform(random, 1, 2), 1, off],
+      },
+    }),
+  ],
+];
+
+describe('what the bounds do not settle is left open', () => {
+  test.each(CANCELLING)('%s cancels (seed 74)', (name, question) => {
+    const random = seeded(74);
+    let closest = 0;
+    let open = 0;
+    for (let k = 0; k < 3000; k++) {
+      const { shape, ray } = question(random, 2 ** -uniform(random, 2, 52));
+      const read = readQuadric(shape);
+      if (!read) throw new Error('a curved shape is needed');
+      if (!gridQuadric(read.q, read.c, ray)) {
+        open += 1;
+        continue;
+      }
+      putCoefficients(read.c.numbers, ray);
+      const [D, P] = [value(at.REACH_D), value(at.REACH_P)];
+      const share = {
+        A: (ERROR * D * D) / Math.abs(value(at.A)),
+        b: (ERROR * D * P) / Math.abs(value(at.B)),
+        C: (ERROR * P * P) / Math.abs(value(at.C)),
+        'D/4': value(at.OFF_D) / Math.abs(value(at.D)),
+      }[name];
+      closest = Math.max(closest, share ?? 1);
+    }
+    expect(open).toBeGreaterThan(100);
+    expect(closest).toBeLessThan(2 ** -54);
+    expect(closest).toBeGreaterThan(2 ** -59);
+  });
+
+  const axes = [0, 1, 2] as const;
+  const far: Vec3 = [1000, 3000, 2000];
+  const ray: Ray = { origin: [1003.1, 3000.7, 2000.3], direction: [-1, -0.3, -0.07] };
+  const shape: Shape = { kind: 'hyperboloid', center: far, flare: -0.5, radius: 2 };
+
+  /** The near hit, if its coordinates are off by so much. */
+  function hitIf(offs: readonly number[], center = far, origin = ray.origin): Hit | null {
+    const read = readQuadric({ ...shape, center } as Shape);
+    if (!read) throw new Error('a curved shape is needed');
+    const asked = { ...ray, origin };
+    findRoots(read.q, asked);
+    putCoefficients(read.c.numbers, asked);
+    putRoots(asked);
+    axes.forEach((i) => {
+      grid[at.OFF_X + i] = offs[i] as number;
+    });
+    return hitAt(read.c.numbers, T0, 1);
+  }
+
+  test.each(axes)('coordinate %i: half the distance to the next double is too much', (axis) => {
+    // The normal is no smaller than the coordinates.
+    const center: Vec3 = [-2, -2, -2];
+    const origin: Vec3 = [1.1, -1.3, -1.7];
+    const point = hitIf([0, 0, 0], center, origin)?.point;
+    if (!point) throw new Error('a hit is needed');
+    const offs = (share: number): number[] =>
+      axes.map((i) => (i === axis ? share * 2 ** -54 * Math.abs(point[i]) : 0));
+    expect(hitIf(offs(0.85), center, origin)).not.toBeNull();
+    expect(hitIf(offs(1), center, origin)).toBeNull();
+  });
+
+  test.each(axes)('the normal along %i: 3u of its longest component is too much', (axis) => {
+    const normal = hitIf([0, 0, 0])?.normal;
+    if (!normal) throw new Error('a hit is needed');
+    const long = normal.reduce((sum, n) => sum + Math.abs(n), 0);
+    const offs = (share: number): number[] =>
+      axes.map((i) => (i === axis ? (share * 2 ** -53 * long) / (axis === 1 ? 0.5 : 1) : 0));
+    expect(hitIf(offs(0.85))).not.toBeNull();
+    expect(hitIf(offs(1))).toBeNull();
   });
 });
 
