@@ -17,7 +17,7 @@ import {
 } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
+import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { CurvedFormula } from '../../../src/math/shapes/axial-quadric.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
@@ -49,14 +49,28 @@ const vector = (random: Random, scale: number): Vec3 => [
 
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
+/** The r for which D = 0: D/4 = ρA + a(mx² + mz²) − my². */
+function radiusGrazed(a: number, p: Vec3, d: Vec3): number {
+  const A = d[0] ** 2 + d[2] ** 2 - a * d[1] ** 2;
+  const [x, y, z] = [0, 1, 2].map((i) => {
+    const [j, k] = [(i + 1) % 3, (i + 2) % 3] as [0, 1];
+    return d[j] * p[k] - d[k] * p[j];
+  }) as unknown as Vec3;
+  return Math.sqrt((y ** 2 - a * (x ** 2 + z ** 2)) / A);
+}
+
 /** A shape, and a ray whose `axis` coordinate nearly vanishes at a hit, moved there together: the error is all that is left of it. */
 function crossing(random: Random, axis: number): Question {
   const center = vector(random, 10 ** uniform(random, 0, 3));
-  const radius = uniform(random, 0.5, 2);
-  const shape = (at: Vec3): Shape => ({ kind: 'hyperboloid', center: at, flare, radius });
   const flare = uniform(random, -3, 3);
   const from = vector(random, 5);
   const aim = vector(random, 2);
+  const grazed = radiusGrazed(flare, from, minus(aim, from));
+  const radius =
+    random() < 0.5 && grazed > 0.1
+      ? grazed * (1 + 2 ** -uniform(random, 4, 16))
+      : uniform(random, 0.5, 2);
+  const shape = (at: Vec3): Shape => ({ kind: 'hyperboloid', center: at, flare, radius });
   const speed = uniform(random, 0.1, 3);
   const direction = minus(aim, from).map((x) => speed * x) as unknown as Vec3;
   const origin = center.map((c, i) => c + (from[i] as number)) as unknown as Vec3;
@@ -176,10 +190,20 @@ describe('parts on grids', () => {
 const CANCELLING: readonly [string, (random: Random, off: number) => Question][] = [
   [
     'A',
-    (random, off) => ({
-      shape: { kind: 'cone', vertex: [0.1, 0.2, 0.3], slope: 0.75 },
-      ray: { origin: vector(random, 3), direction: [0.75, 1 + off, off] },
-    }),
+    (random, off) => {
+      const slope = 0.75;
+      const shape: Shape = { kind: 'cone', vertex: [0, 0, 0], slope };
+      if (random() < 0.5) {
+        return { shape, ray: { origin: vector(random, 3), direction: [slope, 1 + off, off] } };
+      }
+      // Beside a generator and away from it: b nearly cancels, too, and AC > b².
+      const [s, z] = [uniform(random, 1, 2), uniform(random, 1, 2)];
+      const apart = 2 ** -14;
+      return {
+        shape,
+        ray: { origin: [slope * s, s + apart, z], direction: [slope, 1 - apart * off, 0] },
+      };
+    },
   ],
   [
     'b',
@@ -206,6 +230,57 @@ const CANCELLING: readonly [string, (random: Random, off: number) => Question][]
     }),
   ],
 ];
+
+describe('right or open', () => {
+  /** Whether the stage answers; what it says must be right, details and all. */
+  function answers({ shape, ray }: Question): boolean {
+    const read = readQuadric(shape);
+    const found = read && gridQuadric(read.q, read.c, ray);
+    if (!found) return false;
+    const { details } = intersect(shape, ray, 'exact');
+    const asked = JSON.stringify({ shape, ray });
+    expect([asked, found.details]).toEqual([asked, details]);
+    expect(disagreement(shape, ray)).toBeNull();
+    expect(misplaced({ shape, ray })).toEqual([]);
+    return true;
+  }
+
+  test('rays and worlds of any scale (seed 75)', () => {
+    const random = seeded(75);
+    let answered = 0;
+    for (let k = 0; k < 4000; k++) {
+      const { shape, ray } = made('typical', random);
+      const by = 2 ** integer(random, -530, 500);
+      const times = (v: Vec3, s: number): Vec3 => [s * v[0], s * v[1], s * v[2]];
+      const world = k % 2 ? 1 : by;
+      const sized = Object.entries(shape).map(([key, x]) => [
+        key,
+        Array.isArray(x) ? times(x as unknown as Vec3, world) : key === 'radius' ? x * world : x,
+      ]);
+      const question: Question = {
+        shape: Object.fromEntries(sized) as Shape,
+        ray: { origin: times(ray.origin, world), direction: times(ray.direction, by) },
+      };
+      if (answers(question)) answered += 1;
+    }
+    expect(answered).toBeGreaterThan(500);
+  });
+
+  test.each([0, 1, 2])('E far out along axis %i only (seed 76)', (axis) => {
+    const random = seeded(76);
+    let answered = 0;
+    for (let k = 0; k < 600; k++) {
+      const far = (v: Vec3): Vec3 =>
+        v.map((x, i) => (i === axis ? x + 900 : x / 4)) as unknown as Vec3;
+      const center = far(vector(random, 1));
+      const origin = far(vector(random, 9));
+      const direction = minus(far(vector(random, 1)), origin);
+      const shape: Shape = { kind: 'hyperboloid', center, flare: -1, radius: 1 };
+      if (answers({ shape, ray: { origin, direction } })) answered += 1;
+    }
+    expect(answered).toBeGreaterThan(100);
+  });
+});
 
 describe('what the bounds do not settle is left open', () => {
   test.each(CANCELLING)('%s cancels (seed 74)', (name, question) => {
