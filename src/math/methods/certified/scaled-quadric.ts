@@ -32,7 +32,7 @@ export interface CertifiedQuadric {
  */
 export const BOX = 2 ** 100;
 
-/** Where in `numbers` each is. */
+/** Where in `numbers` each is; `flare` is a, and `wide` is max(1, k). */
 export const AT_SCALED = {
   Cx: 0,
   Cy: 1,
