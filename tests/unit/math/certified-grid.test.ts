@@ -330,9 +330,9 @@ describe('what the bounds do not settle is left open', () => {
   }
 
   test.each(axes)('coordinate %i: half the distance to the next double is too much', (axis) => {
-    // The normal is no smaller than the coordinates.
+    // Each component of the normal is larger than the coordinate.
     const center: Vec3 = [-2, -2, -2];
-    const origin: Vec3 = [1.1, -1.3, -1.7];
+    const origin: Vec3 = [2.27, 0.17, -0.52];
     const point = hitIf([0, 0, 0], center, origin)?.point;
     if (!point) throw new Error('a hit is needed');
     const offs = (share: number): number[] =>
@@ -341,14 +341,25 @@ describe('what the bounds do not settle is left open', () => {
     expect(hitIf(offs(1), center, origin)).toBeNull();
   });
 
-  test.each(axes)('the normal along %i: 3u of its longest component is too much', (axis) => {
-    const normal = hitIf([0, 0, 0])?.normal;
-    if (!normal) throw new Error('a hit is needed');
-    const long = normal.reduce((sum, n) => sum + Math.abs(n), 0);
-    const offs = (share: number): number[] =>
-      axes.map((i) => (i === axis ? (share * 2 ** -53 * long) / (axis === 1 ? 0.5 : 1) : 0));
-    expect(hitIf(offs(0.85))).not.toBeNull();
-    expect(hitIf(offs(1))).toBeNull();
+  test.each(axes)(
+    'component %i of the normal, far smaller than the coordinate: likewise',
+    (axis) => {
+      const normal = hitIf([0, 0, 0])?.normal;
+      if (!normal) throw new Error('a hit is needed');
+      const weight = axis === 1 ? 0.5 : 1;
+      const offs = (share: number): number[] =>
+        axes.map((i) => (i === axis ? (share * 2 ** -54 * Math.abs(normal[i])) / weight : 0));
+      expect(hitIf(offs(0.85))).not.toBeNull();
+      expect(hitIf(offs(1))).toBeNull();
+    },
+  );
+
+  test('a component that is exactly zero is left to twice the digits', () => {
+    const sphere: Shape = { kind: 'hyperboloid', center: [-1, 0, 0], flare: -1, radius: 5 };
+    const asked: Ray = { origin: [8, -3, 1], direction: [-9, 7, 2] };
+    const read = readQuadric(sphere);
+    expect(read && gridQuadric(read.q, read.c, asked)).toBeNull();
+    expect(intersect(sphere, asked).hits[1]?.normal).toEqual([0, 4, 3]);
   });
 });
 

@@ -1,3 +1,4 @@
+import { productError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { ERROR } from './grid-coefficients.ts';
@@ -15,15 +16,14 @@ import { AT_SCALED } from './scaled-quadric.ts';
  *   δ = t* − t by what A, b and √ are off, over A: 22η D(L + P) for A and b, where √'s own η s fits, and δD/2s     offT
  *   E + t d: th xh is a multiple of a power of two ≥ 2^-51 L, eh of that one at least, their sum X ≤ 2^52 of them and exact
  *     low = el + th xl + (tl + δ) dx: 12 + 2 (tl + δ) + 2 (times dx) + 1 (th xl) + 3 + 3 (sums)         23η L + |dx| offT
- *   n = (X − C) + low, |low| ≤ 1.5·2^-23 L: 2u|n|, 3η L, and what low is off; y: a, and times a          4u|ny|, |a| times the others
+ *   n = (X − C) + low, the difference split without loss, |low| ≤ 1.5·2^-23 L: 3η L and what low is off; y: a hi + lo, times that, 8u²|ny| more
  *
- * POINT has a fifth to spare for both. The coordinate X + low is rounded once: faithful, and itself where it is a double, if it was off by less than u|x|/2; FAITHFUL
- * leaves a tenth. Where d has no component, X + low is E's own. The normal: 4.9u of its longest component by the roundings, below 8u with
- * STRAIGHT times the sum of all three, which is at most three times the longest: within 2^-50.
+ * POINT has a tenth to spare for all of it. A coordinate X + low is rounded once: faithful, and itself where it is a double, if it was off by less than u|x|/2;
+ * FAITHFUL leaves a tenth. Where d has no component, X + low is E's own. A normal's component likewise, which is more than is promised of its
+ * direction: one that is exactly zero would come out as something like 1e-23, and the next scale of the same ray might say otherwise.
  */
 const POINT = 32 * 2 ** -77;
 export const FAITHFUL = 0.9 * 2 ** -54;
-const STRAIGHT = 0.9 * 2 ** -53;
 const CUT_TIME = 2 ** 29;
 const CUT_ORIGIN = 2 ** 6;
 const HALVES = 134217729;
@@ -87,7 +87,6 @@ export function rootsPass(grid: at.Grid): RootsPass {
 export function placePass(grid: at.Grid): PlacePass {
   const NUMBER = AT_SCALED;
   const SURE = FAITHFUL;
-  const AHEAD = STRAIGHT;
   const found = FOUND;
   return (numbers, k, turn) => {
     const t = found[k] as number;
@@ -121,9 +120,22 @@ export function placePass(grid: at.Grid): PlacePass {
     const pointY = Y + lowY;
     const pointZ = Z + lowZ;
     const a = numbers[NUMBER.flare] as number;
-    const normalX = X - (numbers[NUMBER.Cx] as number) + lowX;
-    const normalY = a === 0 ? 0 : 0 - a * (Y - (numbers[NUMBER.Cy] as number) + lowY);
-    const normalZ = Z - (numbers[NUMBER.Cz] as number) + lowZ;
+    const Cx = numbers[NUMBER.Cx] as number;
+    const Cz = numbers[NUMBER.Cz] as number;
+    const awayX = X - Cx;
+    const awayZ = Z - Cz;
+    const normalX = awayX + (sumError(X, -Cx, awayX) + lowX);
+    const normalZ = awayZ + (sumError(Z, -Cz, awayZ) + lowZ);
+    let normalY = 0;
+    if (a !== 0) {
+      const Cy = numbers[NUMBER.Cy] as number;
+      const awayY = Y - Cy;
+      const rise = sumError(Y, -Cy, awayY) + lowY;
+      const above = awayY + rise;
+      const down = a * above;
+      const rest = a * (rise - (above - awayY)) + (numbers[NUMBER.flareLow] as number) * above;
+      normalY = 0 - (down + (productError(a, above, down) + rest));
+    }
     const offX = grid[at.OFF_X] as number;
     const offY = grid[at.OFF_Y] as number;
     const offZ = grid[at.OFF_Z] as number;
@@ -131,8 +143,9 @@ export function placePass(grid: at.Grid): PlacePass {
       offX <= SURE * Math.abs(pointX) &&
       offY <= SURE * Math.abs(pointY) &&
       offZ <= SURE * Math.abs(pointZ) &&
-      offX + Math.abs(a) * offY + offZ <=
-        AHEAD * (Math.abs(normalX) + Math.abs(normalY) + Math.abs(normalZ));
+      offX <= SURE * Math.abs(normalX) &&
+      Math.abs(a) * offY <= SURE * Math.abs(normalY) &&
+      offZ <= SURE * Math.abs(normalZ);
     if (!settled) return null;
     return {
       t,

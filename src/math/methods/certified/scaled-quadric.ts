@@ -32,7 +32,7 @@ export interface CertifiedQuadric {
  */
 export const BOX = 2 ** 100;
 
-/** Where in `numbers` each is; `flare` is a, and `wide` is max(1, k). */
+/** Where in `numbers` each is; `flare` is a rounded, `flareLow` the rest of it, and `wide` is max(1, k). */
 export const AT_SCALED = {
   Cx: 0,
   Cy: 1,
@@ -46,6 +46,7 @@ export const AT_SCALED = {
   flare: 9,
   r: 10,
   wide: 11,
+  flareLow: 12,
 } as const;
 
 const SPLITTER = 134217729;
@@ -104,6 +105,7 @@ function prepared(q: Quadric): CertifiedQuadric {
   const rhoLow = productError(q.r, q.r, rho);
   const flare = q.squared ? q.flare * q.flare : q.flare;
   const wide = Math.max(1, s);
+  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
   return {
     k: s,
     k1,
@@ -111,7 +113,10 @@ function prepared(q: Quadric): CertifiedQuadric {
     sign,
     rho,
     rhoLow,
-    numbers: Float64Array.of(q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow, flare, q.r, wide),
+    numbers: Float64Array.of(
+      ...[q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow],
+      ...[flare, q.r, wide, flareLow],
+    ),
     flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
     lattice: latticeOf(q),
