@@ -1,4 +1,5 @@
 import type { Shape } from '../shapes/index.ts';
+import type { Vec3 } from '../vec3.ts';
 
 /**
  * The numbers of a curved shape, (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ, as kernels take them. Which symbol stands for what is
@@ -20,43 +21,69 @@ export interface Quadric {
 }
 
 type ShapeOf<K extends Shape['kind']> = Extract<Shape, { readonly kind: K }>;
-type Readers = { readonly [K in Shape['kind']]?: (shape: ShapeOf<K>) => Quadric };
+
+interface Reader<S> {
+  read(shape: S): Quadric;
+  /** Whether `q`, which was read from a shape of this kind, has the numbers that `shape` has now. */
+  holds(shape: S, q: Quadric): boolean;
+}
+
+type Readers = { readonly [K in Shape['kind']]?: Reader<ShapeOf<K>> };
+
+const isAt = (C: Vec3, { Cx, Cy, Cz }: Quadric): boolean =>
+  C[0] === Cx && C[1] === Cy && C[2] === Cz;
 
 const READERS: Readers = {
-  cylinder: ({ center: [Cx, Cy, Cz], radius }) => ({
-    Cx,
-    Cy,
-    Cz,
-    hasY: false,
-    flare: 0,
-    squared: false,
-    r: radius,
-    hasR: true,
-  }),
-  cone: ({ vertex: [Cx, Cy, Cz], slope }) => ({
-    Cx,
-    Cy,
-    Cz,
-    hasY: true,
-    flare: slope,
-    squared: true,
-    r: 0,
-    hasR: false,
-  }),
-  hyperboloid: ({ center: [Cx, Cy, Cz], flare, radius }) => ({
-    Cx,
-    Cy,
-    Cz,
-    hasY: true,
-    flare,
-    squared: false,
-    r: radius,
-    hasR: true,
-  }),
+  cylinder: {
+    read: ({ center: C, radius }) => ({
+      Cx: C[0],
+      Cy: C[1],
+      Cz: C[2],
+      hasY: false,
+      flare: 0,
+      squared: false,
+      r: radius,
+      hasR: true,
+    }),
+    holds: ({ center, radius }, q) => radius === q.r && isAt(center, q),
+  },
+  cone: {
+    read: ({ vertex: V, slope }) => ({
+      Cx: V[0],
+      Cy: V[1],
+      Cz: V[2],
+      hasY: true,
+      flare: slope,
+      squared: true,
+      r: 0,
+      hasR: false,
+    }),
+    holds: ({ vertex, slope }, q) => slope === q.flare && isAt(vertex, q),
+  },
+  hyperboloid: {
+    read: ({ center: C, flare, radius }) => ({
+      Cx: C[0],
+      Cy: C[1],
+      Cz: C[2],
+      hasY: true,
+      flare,
+      squared: false,
+      r: radius,
+      hasR: true,
+    }),
+    holds: ({ center, flare, radius }, q) => flare === q.flare && radius === q.r && isAt(center, q),
+  },
 };
+
+const readerOf = (kind: Shape['kind']): Reader<Shape> | undefined =>
+  READERS[kind] as Reader<Shape> | undefined;
 
 /** Null for a shape without a kernel of this family. */
 export function quadricOf(shape: Shape): Quadric | null {
-  const read = READERS[shape.kind] as ((shape: Shape) => Quadric) | undefined;
-  return read ? read(shape) : null;
+  return readerOf(shape.kind)?.read(shape) ?? null;
+}
+
+/** Whether `q`, read from a shape of the kind `kind`, is what quadricOf(shape) would be: zeros of either sign are one number. Allocates nothing. */
+export function stillHolds(q: Quadric, kind: Shape['kind'], shape: Shape): boolean {
+  return shape.kind === kind && readerOf(kind)?.holds(shape, q) === true;
 }

@@ -1,12 +1,13 @@
 import { NONE, ONE, TWO } from '../../batch/batch.ts';
 import { type Planar, planarOf } from '../../batch/planar.ts';
-import { type Quadric, quadricOf } from '../../batch/quadric.ts';
+import type { Quadric } from '../../batch/quadric.ts';
 import type { Hit, Intersection } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Shape } from '../../shapes/index.ts';
 import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
+import { gridQuadric } from './grid-quadric.ts';
 import { planarRoots } from './kernel-planar.ts';
 import {
   FOUND,
@@ -24,13 +25,17 @@ import {
 } from './one-ray.ts';
 import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
+import { readQuadric } from './scaled-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
 
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {
-  const q = quadricOf(shape);
-  if (q) return plainQuadric(q, ray) ?? curved(q, ray);
+  const read = readQuadric(shape);
+  if (read) {
+    const { q, c } = read;
+    return gridQuadric(q, c, ray) ?? plainQuadric(q, ray) ?? curved(q, ray);
+  }
   const s = planarOf(shape);
   // A shape without a kernel is answered by the exact rung under this one's name: its promise is the stronger one.
   return s ? flat(s, copyOf(ray)) : { ...exact.intersect(shape, ray), method: 'certified' };

@@ -1,9 +1,9 @@
-import { createAnswers, createRays, NONE, TWO } from '../../batch/batch.ts';
+import { createAnswers, createRays, NONE, type Rays, TWO } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
-import { certifiedQuadric } from './scaled-quadric.ts';
+import { type CertifiedQuadric, certifiedQuadric } from './scaled-quadric.ts';
 import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
 
 /*
@@ -23,31 +23,46 @@ export const STAGE = 3;
 const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
 export const stageFound = (): DecidedBy => STAGES[FOUND[STAGE] as number] ?? 'exact';
 
-export function setRay({ origin: E, direction: d }: Ray): void {
-  rays.Ex[0] = E[0];
-  rays.Ey[0] = E[1];
-  rays.Ez[0] = E[2];
-  rays.dx[0] = d[0];
-  rays.dy[0] = d[1];
-  rays.dz[0] = d[2];
+/** Closures over their arrays, as in lattice-scratch.ts. */
+export const setRay = into(rays);
+export const findRoots = finder();
+
+function into({ Ex, Ey, Ez, dx, dy, dz }: Rays): (ray: Ray) => void {
+  return ({ origin: E, direction: d }) => {
+    Ex[0] = E[0];
+    Ey[0] = E[1];
+    Ez[0] = E[2];
+    dx[0] = d[0];
+    dy[0] = d[1];
+    dz[0] = d[2];
+  };
 }
 
-/** Fills FOUND by the stages that a batch goes through. */
-export function findRoots(q: Quadric, ray: Ray): void {
-  const c = certifiedQuadric(q);
-  if (c.inBox) {
-    setRay(ray);
-    bothRoots(q, c, rays, out, left);
-    if (left.count === 0) {
-      const t0 = out.t0[0] as number;
-      FOUND[T0] = t0;
-      FOUND[T1] = out.t1[0] as number;
-      FOUND[VERDICT] = Number.isNaN(t0) ? NONE : TWO;
-      FOUND[STAGE] = 0;
-      return;
+/** Fills FOUND by the stages that a batch goes through. `c` is what certifiedQuadric makes of `q`, for whoever has it at hand. */
+function finder(): (q: Quadric, ray: Ray, c?: CertifiedQuadric) => void {
+  const found = FOUND;
+  const one = rays;
+  const open = left;
+  const answers = out;
+  const { t0, t1 } = out;
+  return (q, ray, c = certifiedQuadric(q)) => {
+    if (c.inBox) {
+      setRay(ray);
+      bothRoots(q, c, one, answers, open);
+      if (open.count === 0) {
+        const t = t0[0] as number;
+        found[T0] = t;
+        found[T1] = t1[0] as number;
+        found[VERDICT] = Number.isNaN(t) ? NONE : TWO;
+        found[STAGE] = 0;
+        return;
+      }
     }
-  }
-  const { origin: E, direction: d } = ray;
+    findSlowly(q, ray);
+  };
+}
+
+function findSlowly(q: Quadric, { origin: E, direction: d }: Ray): void {
   FOUND[VERDICT] = solveSlowly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot);
   FOUND[T0] = slot.t0;
   FOUND[T1] = slot.t1;

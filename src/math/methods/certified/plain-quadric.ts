@@ -9,8 +9,8 @@ import { hitAt, ROOTS } from './hit-quadric.ts';
 import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 
 /*
- * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For the nine
- * rays in ten where twice the digits settle every one of them; null for the rest, which object.ts passes on. The errors, beyond those of algebra.ts:
+ * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For what grid-quadric.ts
+ * leaves open and twice the digits settle: grazing, far and odd rays; null for the rest, which object.ts passes on. The errors, beyond those of algebra.ts:
  *
  *   s = √D/4     hi − s² exact, its lower half rounded: 10u²; D's own error: |δD|/s
  *   q = −(b ± s) with b's sign: 4u² and what b and s are off.                                     together (δb + δD/s)/|q| + 16u²

@@ -1,5 +1,6 @@
-import type { Quadric } from '../../batch/quadric.ts';
+import { type Quadric, quadricOf, stillHolds } from '../../batch/quadric.ts';
 import { productError, squareError } from '../../float/eft.ts';
+import type { Shape } from '../../shapes/index.ts';
 import { type Lattice, latticeOf } from './lattice.ts';
 
 /**
@@ -31,7 +32,7 @@ export interface CertifiedQuadric {
  */
 export const BOX = 2 ** 100;
 
-/** Where in `numbers` each is. */
+/** Where in `numbers` each is; `flare` is a rounded, `flareLow` the rest of it, and `wide` is max(1, k). */
 export const AT_SCALED = {
   Cx: 0,
   Cy: 1,
@@ -42,6 +43,10 @@ export const AT_SCALED = {
   sign: 6,
   rho: 7,
   rhoLow: 8,
+  flare: 9,
+  r: 10,
+  wide: 11,
+  flareLow: 12,
 } as const;
 
 const SPLITTER = 134217729;
@@ -57,6 +62,24 @@ export function certifiedQuadric(q: Quadric): CertifiedQuadric {
   kept[oldest] = { q, c };
   oldest = (oldest + 1) % KEPT;
   return c;
+}
+
+/** A shape's numbers, and how the kernels take them. */
+export interface ReadQuadric {
+  readonly kind: Shape['kind'];
+  readonly q: Quadric;
+  readonly c: CertifiedQuadric;
+}
+
+let latest: ReadQuadric | null = null;
+
+/** The shape, read as a quadric; null where it is none. The last one is recognized by its numbers: a shape is its caller's and may change. */
+export function readQuadric(shape: Shape): ReadQuadric | null {
+  if (latest !== null && stillHolds(latest.q, latest.kind, shape)) return latest;
+  const q = quadricOf(shape);
+  if (!q) return null;
+  latest = { kind: shape.kind, q, c: certifiedQuadric(q) };
+  return latest;
 }
 
 const same = (a: Quadric, b: Quadric): boolean =>
@@ -80,6 +103,9 @@ function prepared(q: Quadric): CertifiedQuadric {
   const k2 = s - k1 + rest;
   const sign = q.squared || q.flare > 0 ? 1 : -1;
   const rhoLow = productError(q.r, q.r, rho);
+  const flare = q.squared ? q.flare * q.flare : q.flare;
+  const wide = Math.max(1, s);
+  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
   return {
     k: s,
     k1,
@@ -87,8 +113,11 @@ function prepared(q: Quadric): CertifiedQuadric {
     sign,
     rho,
     rhoLow,
-    numbers: Float64Array.of(q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow),
-    flare: q.squared ? q.flare * q.flare : q.flare,
+    numbers: Float64Array.of(
+      ...[q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow],
+      ...[flare, q.r, wide, flareLow],
+    ),
+    flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
     lattice: latticeOf(q),
   };

@@ -1,0 +1,142 @@
+import { sumError } from '../../float/eft.ts';
+import type { Ray } from '../../ray.ts';
+import * as at from './grid-scratch.ts';
+import { AT_SCALED } from './scaled-quadric.ts';
+
+/*
+ * A, b = B/2, C and D/4 = b² − AC, each as a double and a small rest, for a ray and a shape in the box. x = xh + xl with xh = (x + σ) − σ and
+ * σ = 2^28 S, S ≥ Σ|x|: xh is a whole multiple of ulp(σ)/2 with Σ|xh| ≤ 2^26 of them, and |xl| ≤ 2^-24 S, exactly (refined.ts). So sums of
+ * three squares or products of such parts are exact, and only what has an xl in it is rounded. η = 2^-77 = 2^-24 u.
+ *
+ *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py| + r, w = max(1, k), so that k y is counted, too.
+ *   p = E − C: pl = (p − ph) + (what E − C lost), rounded once                                      |pl| ≤ 2^-24 P,      off by η P
+ *   k y: y in 26 bits y1 and the rest, k1 y1 exact, its part beyond the grid 2^-24, k1(y − y1) and k2 y 2^-26 of k|y| each, k itself off by
+ *     2^-78 k; three roundings, for p one more and its k1(y − y1)                                   |yl| ≤ 1.5·2^-24 S,  off by 2.75η S, for p 3.25η P
+ *   A: xl(x + xh) 2 roundings, 4η D|x|; y: 3 + 1 roundings of 1.5·2^-23, 7.5η, and 2·2.75η; sums ≤ 4η D²           ≤ 16η D²
+ *   b: xh pl 2η, xl p and what p lacks of E − C 2η, their sum 2η; y: 3.25 + 2.75 + 4·1.5 + 1.5η; sums ≤ 3η DP         ≤ 17η DP
+ *   C: pl(p + ph) 3 + 2η, pl off 2η; y: 7.5η + 2·3.25η; sums ≤ 6η P². C0 − ρ is split without loss                    ≤ 20η P²
+ *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss; br(b + bt) 7·2^-26 u b², At Cr + Ar C 7·2^-26 u |AC|, sums: ≤ 3η (b² + |AC|);
+ *     inherited 2|b|δb + |A|δC + |C|δA                                                            ≤ 24η (2|b|DP + |A|P² + |C|D²)
+ *
+ * ERROR has a tenth to spare for the terms in η², and for D and P being rounded. hi + lo is sorted without a comparison (Fast2Sum): where a number passes
+ * the test of grid-quadric.ts, it is 2^-19 of its bound's scale at least, and the second summand below 2^-21 of that.
+ */
+export const ERROR = 22 * 2 ** -77;
+export const ERROR_D = 24 * 2 ** -77;
+const CUT = 2 ** 28;
+const HALVES = 134217729;
+
+export type CoefficientsPass = (numbers: Float64Array, ray: Ray) => void;
+
+/** A closure over its scratch and constants, as in lattice-scratch.ts, and in one piece: a call that is not inlined boxes its doubles. */
+export function coefficientsPass(grid: at.Grid): CoefficientsPass {
+  const NUMBER = AT_SCALED;
+  const GRID = CUT;
+  const SPLITTER = HALVES;
+  const BOUND_D = ERROR_D;
+  return (numbers, { origin: E, direction: d }) => {
+    const k = numbers[NUMBER.k] as number;
+    const sign = numbers[NUMBER.sign] as number;
+    const rho = numbers[NUMBER.rho] as number;
+    const wide = numbers[NUMBER.wide] as number;
+    const Cx = numbers[NUMBER.Cx] as number;
+    const Cz = numbers[NUMBER.Cz] as number;
+    const x = d[0];
+    const y = d[1];
+    const z = d[2];
+    const ex = E[0];
+    const ey = E[1];
+    const ez = E[2];
+    // A shape that does not look at y has k = 0; so has a hyperboloid with a = 0.
+    const Cy = k === 0 ? ey : (numbers[NUMBER.Cy] as number);
+    const px = ex - Cx;
+    const py = ey - Cy;
+    const pz = ez - Cz;
+    const reachD = Math.abs(x) + Math.abs(z) + wide * Math.abs(y);
+    const reachP =
+      Math.abs(px) + Math.abs(pz) + wide * Math.abs(py) + (numbers[NUMBER.r] as number);
+    const cutD = GRID * reachD;
+    const cutP = GRID * reachP;
+    const xh = x + cutD - cutD;
+    const xl = x - xh;
+    const zh = z + cutD - cutD;
+    const zl = z - zh;
+    const onGrid = y + cutD - cutD;
+    const pxh = px + cutP - cutP;
+    const pxl = px - pxh + sumError(ex, -Cx, px);
+    const pzh = pz + cutP - cutP;
+    const pzl = pz - pzh + sumError(ez, -Cz, pz);
+    const k1 = numbers[NUMBER.k1] as number;
+    const k2 = numbers[NUMBER.k2] as number;
+    let big = SPLITTER * y;
+    const y1 = big - (big - y);
+    const rise = k1 * y1;
+    const yh = rise + cutD - cutD;
+    const yl = rise - yh + (k1 * (y - y1) + k2 * y);
+    big = SPLITTER * py;
+    const p1 = big - (big - py);
+    const above = k1 * p1;
+    const ph = above + cutP - cutP;
+    const pl = above - ph + (k1 * (py - p1 + sumError(ey, -Cy, py)) + k2 * py);
+    const p = ph + pl;
+    const sh = sign * yh;
+    const sl = sign * yl;
+
+    const A0 = xh * xh + zh * zh - sh * yh;
+    const A1 = xl * (x + xh) + zl * (z + zh) - sl * (yh + yl + yh);
+    const A = A0 + A1;
+    const Al = A1 - (A - A0);
+    const b0 = xh * pxh + zh * pzh - sh * ph;
+    const b1 = xh * pxl + xl * px + (zh * pzl + zl * pz) - (sh * pl + sl * p);
+    const b = b0 + b1;
+    const bl = b1 - (b - b0);
+    const wideC = pxh * pxh + pzh * pzh - sign * (ph * ph);
+    const C0 = wideC - rho;
+    const C1 =
+      pxl * (px + pxh) +
+      pzl * (pz + pzh) -
+      sign * (pl * (p + ph)) +
+      (sumError(wideC, -rho, C0) - (numbers[NUMBER.rhoLow] as number));
+    const C = C0 + C1;
+    const Cl = C1 - (C - C0);
+
+    big = SPLITTER * A;
+    const At = big - (big - A);
+    const Ar = A - At + Al;
+    big = SPLITTER * C;
+    const Ct = big - (big - C);
+    const Cr = C - Ct + Cl;
+    big = SPLITTER * b;
+    const bt = big - (big - b);
+    const br = b - bt + bl;
+    const bb = bt * bt;
+    const AC = At * Ct;
+    const D0 = bb - AC;
+    const D1 = sumError(bb, -AC, D0) + (br * (b + bt) - (At * Cr + Ar * C));
+    const D = D0 + D1;
+    grid[at.A] = A;
+    grid[at.B] = b;
+    grid[at.C] = C;
+    grid[at.D] = D;
+    grid[at.B_LOW] = bl;
+    grid[at.D_LOW] = D1 - (D - D0);
+    grid[at.A_HEAD] = At;
+    grid[at.A_REST] = Ar;
+    grid[at.REACH_D] = reachD;
+    grid[at.REACH_P] = reachP;
+    grid[at.OFF_D] =
+      BOUND_D *
+      (2 * Math.abs(b) * reachD * reachP +
+        Math.abs(A) * reachP * reachP +
+        Math.abs(C) * reachD * reachD);
+    grid[at.DX] = x;
+    grid[at.DY] = y;
+    grid[at.DZ] = z;
+    grid[at.XH] = xh;
+    grid[at.YH] = onGrid;
+    grid[at.ZH] = zh;
+    grid[at.XL] = xl;
+    grid[at.YL] = y - onGrid;
+    grid[at.ZL] = zl;
+  };
+}

@@ -1,0 +1,74 @@
+import { TWO } from '../../batch/batch.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
+import type { Ray } from '../../ray.ts';
+import { DIRECT_ERROR } from './class-quadric.ts';
+import { coefficientsPass, ERROR } from './grid-coefficients.ts';
+import { FAITHFUL, placePass, rootsPass } from './grid-places.ts';
+import * as at from './grid-scratch.ts';
+import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
+import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
+
+/*
+ * One ray against a curved shape in one go, by parts on grids: class, A, B, C, D, points and normals to some 75 bits, which settles 99 of 100 rays of a
+ * picture in half the time of plain-quadric.ts with its 106 bits. The roots are the batch's own. Null for the rest, and beyond the box.
+ *
+ * D > 0 within its bound makes two hits, if A ≠ 0 is certain. D and P are between 1/BOX and BOX, |A| ≥ 2^-19 D² and √D/4 ≥ 2^-10 DP where they pass: what
+ * underflows (2^-1074, times factors of the box) is far below η of any of the scales, and NaN or infinity fails a comparison.
+ */
+const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
+
+type Answer = (q: Quadric, c: CertifiedQuadric, ray: Ray) => Intersection | null;
+
+export const gridQuadric = onGrids();
+
+function onGrids(): Answer {
+  const grid = at.createGrid();
+  const putCoefficients = coefficientsPass(grid);
+  const putRoots = rootsPass(grid);
+  const hitAt = placePass(grid);
+  const found = FOUND;
+  const BOUND = ERROR;
+  const SURE = FAITHFUL;
+  const FILTER = DIRECT_ERROR;
+  const LARGE = BOX;
+  const SMALL = 1 / BOX;
+  return (q, c, ray) => {
+    if (!c.inBox) return null;
+    putCoefficients(c.numbers, ray);
+    const A = grid[at.A] as number;
+    const b = grid[at.B] as number;
+    const C = grid[at.C] as number;
+    const D = grid[at.D] as number;
+    const reachD = grid[at.REACH_D] as number;
+    const reachP = grid[at.REACH_P] as number;
+    const both = reachD * reachP;
+    const sure =
+      BOUND * (reachD * reachD) <= SURE * Math.abs(A) &&
+      BOUND * both <= SURE * Math.abs(b) &&
+      BOUND * (reachP * reachP) <= SURE * Math.abs(C) &&
+      (grid[at.OFF_D] as number) <= SURE * Math.abs(D) &&
+      reachD > SMALL &&
+      reachD < LARGE &&
+      reachP > SMALL &&
+      reachP < LARGE;
+    if (!sure) return null;
+    const details: CurvedDetails = {
+      family: 'curved',
+      A,
+      B: 2 * b,
+      C,
+      D: 4 * D,
+      signs: { A: signOf(A), B: signOf(b), C: signOf(C), D: signOf(D) },
+    };
+    // Where the filter of the batch kernels would have been sure, the lower halves were not needed for the class.
+    const decidedBy = Math.abs(D) > FILTER * (both * both) ? 'filter' : 'double-double';
+    if (D < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
+    findRoots(q, ray, c);
+    if (found[VERDICT] !== TWO) return null;
+    putRoots(ray);
+    const near = hitAt(c.numbers, T0, 1);
+    const far = near && hitAt(c.numbers, T1, -1);
+    return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
+  };
+}
