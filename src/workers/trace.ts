@@ -1,5 +1,8 @@
+import { accelerate } from '../math/accelerate.ts';
 import { prepareTracer, type Tracer } from '../tracer/prepare.ts';
 import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
+
+accelerate();
 
 /** The tracer of the last scene, ready or not yet. */
 let ready: Promise<Tracer> = Promise.reject(new Error('no scene yet'));

@@ -4,8 +4,10 @@ import { dirname, join } from 'node:path';
 import { batchesOf, rayAt, tasksOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
 import { measure } from '../../src/lab/run.ts';
+import { accelerate, decelerate } from '../../src/math/accelerate.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/intersect.ts';
+import { certified } from '../../src/math/methods/certified.ts';
 import type { Method } from '../../src/math/methods/define.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import {
@@ -46,7 +48,25 @@ function clock(): number {
   return (user + system) / 1000;
 }
 
-const methods: readonly Method[] = METHODS.filter(({ batch }) => batch);
+/** The same rung where WebAssembly is missing: between two calls of `accelerate`, which costs nothing the second time. */
+const plain: Method = {
+  ...certified,
+  id: 'certified, no WebAssembly',
+  batch(shape) {
+    const kernel = certifiedKernels(shape);
+    return {
+      ...kernel,
+      both(rays, out) {
+        decelerate();
+        kernel.both(rays, out);
+        accelerate();
+      },
+    };
+  },
+};
+const certifiedKernels = certified.batch as NonNullable<Method['batch']>;
+accelerate();
+const methods: readonly Method[] = [...METHODS.filter(({ batch }) => batch), plain];
 
 function measured(family: Family): Measured {
   const batches = batchesOf(family, SAMPLE);
@@ -110,7 +130,7 @@ const print = (more: readonly string[]): void => {
 const about = [
   '# What accuracy costs',
   '',
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time, as ratios to the \`textbook\` batch on the same rays in the same round: median (quartiles). Ulps are counted from the correctly rounded root, for rays whose class is right. Written by \`npm run bench -- ladder\`.`,
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time, as ratios to the \`textbook\` batch on the same rays in the same round: median (quartiles). Ulps are counted from the correctly rounded root, for rays whose class is right. \`certified\` has its roots of batches by WebAssembly (src/math/accelerate.ts) and, in the last row, by TypeScript alone: the same bits. Written by \`npm run bench -- ladder\`.`,
   '',
 ];
 print(objects());

@@ -1,5 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
+import { accelerate } from '../../src/math/accelerate.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { body as heights } from '../../src/scene/effects/heights-body.ts';
 import { everything } from '../../src/scene/presets/everything.ts';
@@ -19,6 +20,8 @@ import { worldOf } from '../../src/tracer/world.ts';
  * a few rounds of processor time: on a shared machine anything else measures the neighbours. `--methods a,b` and `--presets a,b` choose.
  */
 const ROUNDS = 3;
+
+accelerate();
 
 function clock(): number {
   const { user, system } = process.cpuUsage();
