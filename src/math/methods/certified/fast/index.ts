@@ -22,7 +22,7 @@ export interface Fast {
   readonly allocate: Allocate;
 }
 
-/** Null where WebAssembly or its vectors are missing or forbidden. */
+/** Null where WebAssembly, its vectors or its memory are missing or forbidden. */
 export function createFast(): Fast | null {
   const instance = instantiate();
   if (!instance) return null;
@@ -32,12 +32,12 @@ export function createFast(): Fast | null {
 
 function instantiate(): WebAssembly.Instance | null {
   if (typeof WebAssembly === 'undefined') return null;
+  const bytes = certifiedModule() as BufferSource;
   try {
-    return new WebAssembly.Instance(new WebAssembly.Module(certifiedModule() as BufferSource));
-  } catch (error) {
-    // A content security policy without 'wasm-unsafe-eval', or an engine without vectors, says CompileError.
-    if (error instanceof WebAssembly.CompileError) return null;
-    throw error;
+    return new WebAssembly.Instance(new WebAssembly.Module(bytes));
+  } catch {
+    // Without vectors an engine says CompileError, under a content security policy without 'wasm-unsafe-eval' that or EvalError, without room for the memory RangeError.
+    return null;
   }
 }
 
