@@ -129,11 +129,7 @@ describe('what is no formula', () => {
     ['an array', 'a[i]', /^unexpected \[i\] in a\[i\]$/],
     ['equality', 'a === b', /^unexpected === b in a === b$/],
     ['a comma', 'a, b', /^unexpected , in a, b$/],
-    [
-      'a number with two points',
-      '1.2.3 * a',
-      /^unexpected \.3 \* a in 1\.2\.3 \* a$/,
-    ],
+    ['a number with two points', '1.2.3 * a', /^unexpected \.3 \* a in 1\.2\.3 \* a$/],
     ['a number without its exponent', '1e * a', /^unexpected e in 1e \* a$/],
     ['a number in hexadecimal', '0x10', /^unexpected x10 in 0x10$/],
   ];
