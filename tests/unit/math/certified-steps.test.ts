@@ -133,8 +133,8 @@ describe('pass 3 (seed 61)', () => {
     const random = seeded(65);
     const worst = climb(random, {
       start: () => {
-        const { A, b, stepA, stepB } = { ...anyKnown(random), a: 0 };
-        return [A, Math.max(b, LEAST_GAP), stepA, stepB];
+        const { A, a, b, stepA, stepB } = anyKnown(random);
+        return [A, b - a, stepA, stepB];
       },
       score: ([A = 1, gap = 0, stepA = 0, stepB = 0]) => {
         const b = Math.round(gap);
