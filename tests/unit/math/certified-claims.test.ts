@@ -10,10 +10,21 @@ import aroundAxis from '../../../src/math/methods/certified/lattice-coarse-axis.
 import { count, ordinaryRoots } from '../../../src/math/methods/certified/lattice-roots.ts';
 import { BLOCK } from '../../../src/math/methods/certified/lattice-scratch.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
+import { pick, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { climb } from './climb.ts';
-import { flareOf, form, solved } from './exact-quadratic.ts';
+import { solved } from './exact-quadratic.ts';
+import {
+  about,
+  exactA,
+  grazing,
+  KINDS,
+  type Kind,
+  log,
+  type Numbers,
+  quarter,
+  questionOf,
+} from './in-a-row.ts';
 import { namedValues } from './named-values.ts';
 
 /*
@@ -23,27 +34,6 @@ import { namedValues } from './named-values.ts';
 
 const U = 2 ** -53;
 const [, CERTAIN] = BOUNDS as unknown as readonly [number, number];
-
-const log = (random: Random, low: number, high: number): number => 2 ** uniform(random, low, high);
-
-/** C, a (or c), r, E and d in a row. */
-type Numbers = readonly number[];
-
-function questionOf(kind: Kind, x: Numbers): { readonly shape: Shape; readonly ray: Ray } {
-  const [Cx, Cy, Cz, flare, radius, Ex, Ey, Ez, dx, dyi, dz] = x as unknown as readonly [
-    ...[number, number, number, number, number, number],
-    ...[number, number, number, number, number],
-  ];
-  const C = [Cx, Cy, Cz] as const;
-  const shapes: Readonly<Record<Kind, Shape>> = {
-    cylinder: { kind: 'cylinder', center: C, radius },
-    cone: { kind: 'cone', vertex: C, slope: flare },
-    hyperboloid: { kind: 'hyperboloid', center: C, flare, radius },
-  };
-  return { shape: shapes[kind], ray: { origin: [Ex, Ey, Ez], direction: [dx, dyi, dz] } };
-}
-type Kind = 'cylinder' | 'cone' | 'hyperboloid';
-const KINDS: readonly Kind[] = ['cylinder', 'cone', 'hyperboloid'];
 
 const coarse = [
   namedValues(aroundAxis, 'coarseAroundAxis', false),
@@ -77,49 +67,6 @@ const n = dy.fromNumber;
 /** |got − truth| / bound. */
 const share = (got: number, truth: dy.Dyadic, bound: number): number =>
   Math.abs(dy.toNumber(dy.sub(n(got), truth))) / bound;
-
-/** D/4, exactly. */
-const quarter = (q: Quadric, ray: Ray): dy.Dyadic => dy.shift(solved(q, ray).discriminant, -2);
-
-function exactA(q: Quadric, { direction }: Ray): dy.Dyadic {
-  const d = direction.map(n);
-  return form(q.hasY ? flareOf(q) : dy.ZERO, d, d);
-}
-
-/** A ray that passes the shape's outline by `off` of its size, from `far` sizes away. */
-function grazing(kind: Kind, random: Random, off: number, far: number): number[] {
-  const radius = uniform(random, 0.5, 2);
-  const phi = uniform(random, 0, 6.3);
-  const [c, s] = [Math.cos(phi), Math.sin(phi)];
-  const speed = log(random, -3, 3);
-  const side = 1 - off;
-  const center = [uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)];
-  const h = uniform(random, -1, 1);
-  const flare = randomSign(random) * log(random, -3, 2);
-  const outline =
-    kind === 'cone'
-      ? Math.abs(flare * h) * side
-      : Math.sqrt(Math.max(radius * radius + (kind === 'cylinder' ? 0 : flare * h * h), 0.01)) *
-        side;
-  const [x, z] = [outline * c, outline * s];
-  const direction = [-speed * s, 0, speed * c];
-  return [
-    ...center,
-    flare,
-    radius,
-    ...[x + far * s, h, z - far * c].map((e, k) => e + (center[k] as number)),
-    ...direction,
-  ];
-}
-
-/** Any ray about the shape. */
-function about(random: Random): number[] {
-  const any = (size: number): number => uniform(random, -size, size);
-  return [
-    ...[any(2), any(2), any(2), randomSign(random) * log(random, -4, 4), uniform(random, 0.3, 2)],
-    ...[any(9), any(9), any(9), any(2), any(2), any(2)],
-  ];
-}
 
 const at = (lattice: Lattice, name: keyof typeof AT): number => lattice[AT[name]] as number;
 
