@@ -38,13 +38,14 @@ const APART = 2 ** -84;
  * sums too), subtracting ρ loses u|fh|, since the result is small. ql ≤ 2^-24 Sq + 2^-21 L ≤ 2^-21 W, W = Sq + L.
  *   Σ ql(2qh + ql), ≤ 2^-20 W Sq: rounding ql 1, the bracket 1, the product 1, three sums 3, k's own error 1, fh 1, in 2^-73 W Sq; what q
  *   itself is off, 2^-71 L · 2Sq: 8 of them.  16 · 2^-73 = 2^-69 W Sq in all, and 2u|f|.
+ * (x + σ) − σ rounds to the nearest multiple, so what is left over is half of all that: there is room for evaluating the bound.
  *
  * From the coarse root with b' = b + A·t: b'² = D/4 + A f exactly, so the exact step is δ = ∓f/(√(D/4 + A f) + √(D/4)). Taking
  * f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is STEP) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
  *   |error of the step| ≤ (2^-69 W Sq + 2^-16 |f|)/(2√(D/4)),
  * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are u|t| apart, at least).
  */
-const RESIDUAL_ERROR = 2 ** -68;
+const RESIDUAL_ERROR = 2 ** -69;
 const STEP = 2 ** -17;
 const STEP_ERROR = 2 ** -16;
 const SPREAD = 2 ** 20;
