@@ -61,12 +61,6 @@ const closedForm: Stage = {
   axisErrors: runningError(recentredAxis, 'recentredAroundAxis', false, AROUND, ['A', 'b', 'D']),
   spaceErrors: runningError(recentredSpace, 'recentredInSpace', true, AROUND, ['A', 'b', 'D']),
 };
-/** As `recentred`, with A and f taken as they are. */
-const fromB: Stage = {
-  ...recentred,
-  axisErrors: runningError(recentredAxis, 'recentredAroundAxis', false, AROUND, ['A', 'f']),
-  spaceErrors: runningError(recentredSpace, 'recentredInSpace', true, AROUND, ['A', 'f']),
-};
 const rootByRoot: Stage = {
   bounds: REFINED,
   axis: namedValues(refined, 'refine', false),
@@ -108,7 +102,7 @@ const offFrom = (truth: surd.Surd, ...parts: number[]): number =>
 type Share = (a: Asked) => number;
 
 /** Where a bound is in its list. */
-const [CROSS_ERROR, SQUARE_ERROR, RESIDUAL, SLOPE_ERROR, CLOSED_A, CLOSED] = [4, 5, 6, 7, 8, 9];
+const [CROSS_ERROR, RESIDUAL, SLOPE_ERROR, CLOSED_A, CLOSED] = [4, 6, 7, 8, 9];
 const [RESIDUAL_ERROR, STEP_ERROR, SPREAD, STEP] = [4, 5, 7, 8];
 
 const shareOfD: Share = ({ q, ray, named }) =>
@@ -185,14 +179,6 @@ const ofF: Charge = (a, by) =>
     2 * U * Math.abs(value(a, 'f')));
 const ofA: Charge = (a, by) =>
   possible(a, 'A') / (by * bound(recentred, CLOSED_A) * value(a, 'square'));
-/** From b alone, where b² is more than A f: else that is charged for more. */
-const ofSquare: Charge = (a, by) => {
-  const [b, A, f] = ['b', 'A', 'f'].map((name) => value(a, name)) as [number, number, number];
-  if (!(a.named.inside && b * b > Math.abs(A * f))) return 0;
-  const cross = bound(recentred, CROSS_ERROR) * value(a, 'width') * value(a, 'speed');
-  const charged = Math.abs(b) * (cross + by * bound(recentred, SQUARE_ERROR) * Math.abs(b));
-  return (possible(a, 'D') - U * Math.abs(A * f)) / charged;
-};
 const ofD: Charge = (a, by) => {
   const weak = (by - 1) * value(a, 'square') * bound(recentred, RESIDUAL) * Math.abs(value(a, 'f'));
   return a.named.inside ? possible(a, 'D') / (value(a, 'error') + weak) : 0;
@@ -233,7 +219,7 @@ const steep = (kind: Kind, r: Random, bits = uniform(r, 3, 24)): number[] => {
 };
 
 /** A all but cancels, and t is where nothing is. */
-const asymptotic: Start = (kind, r) => steep(kind, r, uniform(r, 46, 58));
+const asymptotic: Start = (kind, r) => steep(kind, r, uniform(r, 16, 58));
 
 function worst(stage: Stage, kind: Kind, start: Start, share: Share, seed: number): number {
   const random = seeded(seed);
@@ -270,11 +256,6 @@ describe.each(KINDS)('%s (seed 211)', (kind) => {
 
   test('D near an asymptote, where t is of no use', () => {
     expect(worst(recentred, kind, asymptotic, shareOfD, 219)).toBeLessThan(1);
-    if (kind === 'cylinder') return;
-    const share = (by: number): number =>
-      worst(fromB, kind, asymptotic, (a) => ofSquare(a, by), 220);
-    expect(share(1)).toBeLessThan(1);
-    expect(share(1 / 64)).toBeGreaterThan(1);
   });
 
   test('D and the roots are known as well as their bounds say', () => {
