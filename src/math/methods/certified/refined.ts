@@ -10,13 +10,11 @@ import { AT_SCALED, BOX } from './scaled-quadric.ts';
 
 /*
  * First it must be a clear hit, by the bound of moment-bound.ts:
- *   D > 2^17 δD                so √D is known to 2^-18;
- *   D > 2^-84 S²               so b's rounding error (≤ 8uS = 2^-50 S) and t's are below 2^-7 √D: each coarse root is nearer to its own root than
- *                              to the other one;
+ *   D > 2^17 δD                so √D is known to 2^-18. δD ≥ 2^-101 S², so D > 2^-84 S² too: b's rounding error (≤ 8uS = 2^-50 S) and t's are
+ *                              below 2^-7 √D, and each coarse root is nearer to its own root than to the other one;
  *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
  */
 const CLEAR = 2 ** 17;
-const APART = 2 ** -84;
 
 /*
  * Then Newton's step on grids. (x + σ) − σ is x rounded to a whole multiple of g = ulp(σ)/2; for |x| ≤ S and σ = 2^m S it
@@ -59,7 +57,7 @@ const SPLITTER = 134217729;
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
 export const BOUNDS = Float64Array.of(
   ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP],
-  ...[CLEAR, APART, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D],
+  ...[CLEAR, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D],
 );
 
 /** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
@@ -90,13 +88,12 @@ export function refine(
   const spread = BOUNDS[7] as number;
   const step = BOUNDS[8] as number;
   const clearly = BOUNDS[9] as number;
-  const apart = BOUNDS[10] as number;
-  const leastA = BOUNDS[11] as number;
-  const box = BOUNDS[12] as number;
-  const momentError = BOUNDS[13] as number;
-  const squareError = BOUNDS[14] as number;
-  const rhoError = BOUNDS[15] as number;
-  const smallestD = BOUNDS[16] as number;
+  const leastA = BOUNDS[10] as number;
+  const box = BOUNDS[11] as number;
+  const momentError = BOUNDS[12] as number;
+  const squareError = BOUNDS[13] as number;
+  const rhoError = BOUNDS[14] as number;
+  const smallestD = BOUNDS[15] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -142,7 +139,7 @@ export function refine(
     const M = Math.abs(mx) + Math.abs(my) + Math.abs(mz);
     const error = S * (momentError * M + squareError * S) + rhoError * (rho * Am) + smallestD;
     const inside = Sd < box && Sd * box > 1 && Sp < box;
-    const clear = D > clearly * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am;
+    const clear = D > clearly * error && inside && Math.abs(A) > leastA * Am;
     if (!clear) {
       places[left++] = i;
       continue;

@@ -1,0 +1,93 @@
+import { describe, expect, test } from 'vitest';
+import * as dy from '../../../src/math/exact/dyadic.ts';
+import { seeded, uniform } from '../../../src/math/rng.ts';
+import {
+  type Asked,
+  any,
+  asked,
+  beside,
+  farther,
+  possible,
+  recentred,
+  rootByRoot,
+  shareOfSteps,
+  steep,
+  value,
+  worst,
+} from './far-stages.ts';
+import { about, grazing, KINDS, log, quarter } from './in-a-row.ts';
+
+describe.each(KINDS)('%s (seed 216)', (kind) => {
+  test('A of a clear hit is known to 2^-30', () => {
+    for (const stage of [recentred, rootByRoot]) {
+      const share = worst(
+        stage,
+        kind,
+        steep,
+        (a) => (a.named.clear ? possible(a, 'A') / Math.abs(value(a, 'A')) / 2 ** -30 : 0),
+        216,
+      );
+      expect(share).toBeLessThan(1);
+      expect(share).toBeGreaterThan(kind === 'cylinder' ? 2 ** -24 : 1 / 16);
+    }
+  });
+
+  test('what is charged for a settled root is less than half of the distance to the next double', () => {
+    const half = (t: number): number => 2 ** -54 * Math.abs(t);
+    const recentredShare = (a: Asked): number =>
+      a.named.clear && a.named.settled
+        ? value(a, 'off') / half(Math.min(Math.abs(value(a, 'near')), Math.abs(value(a, 'far'))))
+        : 0;
+    const refinedShare = (a: Asked): number =>
+      a.named.clear && a.named.settled
+        ? Math.max(
+            value(a, 'errorA') / half(value(a, 'ra')),
+            value(a, 'errorB') / half(value(a, 'rb')),
+          )
+        : 0;
+    for (const share of [
+      worst(recentred, kind, any, recentredShare, 221),
+      worst(rootByRoot, kind, beside, refinedShare, 222),
+    ]) {
+      expect(share).toBeLessThan(1);
+      expect(share).toBeGreaterThan(1 / 16);
+    }
+  });
+
+  test('what is settled was off by less than half of the distance to the next double', () => {
+    const settled = (a: Asked): number =>
+      a.named.settled && a.named.clear
+        ? possible(a, 'around') /
+          (2 ** -54 * Math.min(Math.abs(value(a, 'near')), Math.abs(value(a, 'far'))))
+        : 0;
+    const share = worst(recentred, kind, any, settled, 217);
+    expect(share).toBeLessThan(1);
+    expect(share).toBeGreaterThan(1 / 4);
+  });
+});
+
+test('a cone asked from hardly beside its vertex: what underflows decides nothing (seed 218)', () => {
+  const random = seeded(218);
+  const wrong: unknown[] = [];
+  for (let k = 0; k < 3000; k++) {
+    const tiny = 2 ** uniform(random, -545, -480);
+    const drawn =
+      k % 2 ? about(random) : grazing('cone', random, (k % 4 ? 1 : -1) * log(random, -50, -2), 1);
+    const x = drawn.map((v, i) => {
+      if (i < 3) return 0;
+      return i > 4 && i < 8 ? (v - (k % 2 ? 0 : (drawn[i - 5] as number))) * tiny : v;
+    });
+    for (const stage of [recentred, rootByRoot]) {
+      const a = asked(stage, 'cone', x) as Asked;
+      const sign = dy.sign(quarter(a.q, a.ray));
+      if ((a.named.clear && sign < 0) || (a.named.missed && sign >= 0)) wrong.push(x);
+    }
+  }
+  expect(wrong).toEqual([]);
+});
+
+test("Newton's step is the root's but for what is charged (seed 215)", () => {
+  const shares = KINDS.map((kind) => worst(rootByRoot, kind, farther, shareOfSteps, 215));
+  expect(Math.max(...shares)).toBeLessThan(1);
+  expect(Math.max(...shares)).toBeGreaterThan(1 / 64);
+});
