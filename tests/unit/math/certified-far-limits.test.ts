@@ -10,8 +10,12 @@ import {
   possible,
   recentred,
   rootByRoot,
+  type Start,
+  shareOfD,
+  shareOfRoot,
   shareOfSteps,
   steep,
+  through,
   value,
   worst,
 } from './far-stages.ts';
@@ -84,6 +88,29 @@ test('a cone asked from hardly beside its vertex: what underflows decides nothin
     }
   }
   expect(wrong).toEqual([]);
+});
+
+describe.each(KINDS)('%s, root by root (seed 231)', (kind) => {
+  test('√D of a clear hit is known to 2^-18', () => {
+    const hardly: Start = (_, r) => grazing(kind, r, log(r, -34, -24), log(r, -2, 3));
+    const share = worst(rootByRoot, kind, hardly, shareOfRoot, 231);
+    expect(share).toBeLessThan(1);
+    expect(share).toBeGreaterThan(kind === 'cone' ? 1 / 512 : 1 / 32);
+  });
+
+  test('D of lines nearly through the middle, from near and far', () => {
+    const near = worst(rootByRoot, kind, through(-1, 6), shareOfD, 232);
+    const far = worst(rootByRoot, kind, through(28, 44), shareOfD, 233);
+    expect(Math.max(near, far)).toBeLessThan(1);
+    expect(near).toBeGreaterThan(1 / 16);
+    expect(far).toBeGreaterThan(1 / 64);
+  });
+});
+
+test("Newton's step from as far as it is taken (seed 234)", () => {
+  const shares = KINDS.map((kind) => worst(rootByRoot, kind, through(26, 42), shareOfSteps, 234));
+  expect(Math.max(...shares)).toBeLessThan(1);
+  expect(Math.max(...shares)).toBeGreaterThan(1 / 16);
 });
 
 test("Newton's step is the root's but for what is charged (seed 215)", () => {

@@ -212,12 +212,24 @@ export const steep = (kind: Kind, r: Random, bits = uniform(r, 3, 24)): number[]
 /** A all but cancels, and t is where nothing is. */
 export const asymptotic: Start = (kind, r) => steep(kind, r, uniform(r, 16, 58));
 
+/** Nearly through the middle, from `least` to `most` sizes away, as exponents. */
+export const through =
+  (least: number, most: number): Start =>
+  (kind, r) =>
+    grazing(kind, r, 1 - log(r, -50, -2), log(r, least, most));
 /** E so near to the shape that a root is small. */
 export const beside: Start = (kind, r) => {
   const x = grazing(kind, r, log(r, -3, -0.1), log(r, -1, 3));
   const { ta = 0 } = (asked(rootByRoot, kind, x) as Asked).named;
   const t = Number.isFinite(ta) ? ta * (1 - log(r, -14, -3)) : 0;
   return x.map((v, i) => (i > 4 && i < 8 ? v + t * (x[i + 3] as number) : v));
+};
+
+/** √D. */
+export const shareOfRoot: Share = ({ q, ray, named }) => {
+  if (!named.clear) return 0;
+  const root = surd.surd(dy.ZERO, dy.ONE, dy.ONE, quarter(q, ray));
+  return offFrom(root, named.s as number) / ((named.s as number) * 2 ** -18);
 };
 
 export function worst(stage: Stage, kind: Kind, start: Start, share: Share, seed: number): number {
