@@ -60,6 +60,12 @@ export function constant(value: number): Code {
   return [...vector(12), ...bytes];
 }
 
+/** All bits but the sign's, in both lanes: `and` with it is one instruction where f64x2.abs becomes three. */
+export const MAGNITUDE: Code = [
+  ...vector(12),
+  ...Array.from({ length: 16 }, (_, k) => (k % 8 === 7 ? 0x7f : 0xff)),
+];
+
 export const get = (local: number): Code => [0x20, ...leb(local)];
 export const set = (local: number, value: Code): Code => [...value, 0x21, ...leb(local)];
 
