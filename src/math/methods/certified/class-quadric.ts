@@ -16,9 +16,9 @@ import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
  * is below 2^800.
  */
 export const DIRECT_ERROR = 27 * 2 ** -53;
-const SMALLEST = 2 ** -200;
+export const SMALLEST = 2 ** -200;
 /** Am and Cm below this: squares of the box's numbers, six of them and a. */
-const LARGEST = BOX ** 4;
+export const LARGEST = BOX ** 4;
 
 /** Writes D/4 where its sign is certain, and leaves the other rays open. */
 export function openClasses(

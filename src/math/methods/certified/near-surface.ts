@@ -7,17 +7,16 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { ABSOLUTE_ERROR, ACCUMULATED_ERROR, EPSILON, FAITHFUL } from './slow-bounds.ts';
+import { ABSOLUTE_ERROR, ACCUMULATED_ERROR, ERROR_LEVELS } from './slow-bounds.ts';
 import { C, FLARE, get, PX, PY, PZ, R, RADIUS, RHO, S } from './slow-registers.ts';
 
 const levels = newLevels();
 
 /**
- * E so near to the surface that C cancels beyond twice the digits: C once more from the exact terms of its expansion, 38 at most, so
- * that it is off by 2^-184 of their sum (and 9u² of itself, from adding the levels). The sum of the terms' sizes is < 2Cm. A C that is
- * 0 exactly gives the root 0 exactly.
+ * E so near to the surface that C cancels beyond twice the digits: puts C once more, from the exact terms of its expansion, and returns the bound on its
+ * relative error. A C that is 0 exactly is off by nothing, and gives the root 0 exactly.
  */
-export function nearSurface(errorQ: number, Cm: number): boolean {
+export function nearSurface(Cm: number): number {
   levels.fill(0);
   squareOf(PX, 1, 0);
   squareOf(PZ, 1, 0);
@@ -29,13 +28,12 @@ export function nearSurface(errorQ: number, Cm: number): boolean {
   accumulate(levels, -get(RHO + 1));
   R[C] = levels[0] as number;
   R[C + 1] = 0;
-  if (exactlyZero(levels)) return true;
+  if (exactlyZero(levels)) return 0;
   for (let k = 1; k < LEVELS; k++) {
     dd.set(R, S, levels[k] as number);
     dd.add(R, C, C, S);
   }
-  const error = (ACCUMULATED_ERROR * Cm + ABSOLUTE_ERROR) / Math.abs(get(C));
-  return errorQ + error + 6 * EPSILON < FAITHFUL;
+  return (ACCUMULATED_ERROR * Cm + ABSOLUTE_ERROR) / Math.abs(get(C)) + ERROR_LEVELS;
 }
 
 /** Adds (hi + lo)²·(a + aLow) for the double-double at `at`. */

@@ -5,6 +5,7 @@ import { productError, squareError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
+import { FAITHFUL } from './faithful.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
 import { BOX } from './scaled-quadric.ts';
 
@@ -24,7 +25,6 @@ import { BOX } from './scaled-quadric.ts';
  */
 const U = 2 ** -53;
 const UU = 2 ** -106;
-const FAITHFUL = 2 ** -55;
 const WIDE = 2 ** 120;
 const SMALLEST = 2 ** -600;
 const LOST = 2 ** -1070;

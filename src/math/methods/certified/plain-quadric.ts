@@ -5,6 +5,7 @@ import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
 import { DIRECT_ERROR } from './class-quadric.ts';
+import { FAITHFUL } from './faithful.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
 import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 
@@ -20,7 +21,6 @@ import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
  */
 const UU = 2 ** -106;
 const QUOTIENT = 48 * UU;
-const FAITHFUL = 2 ** -55;
 
 const at = (k: number): number => ALGEBRA[k] as number;
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);

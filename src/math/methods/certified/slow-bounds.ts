@@ -1,38 +1,44 @@
 /*
- * The second stage: everything once more in double-double, on a ray whose max |d| and largest
- * length lie in 2^-40 … 2^40, or are scaled by powers of two into [1, 2). Errors, in ε = 5u² < 2^-103, a bound for every sum and product of float/double-double.ts;
- * products of two doubles are exact, and so are p = E − C (a sum of two doubles), c² and r².
+ * The second stage: everything once more in double-double, on a ray whose max |d| and largest length lie in 2^-40 … 2^40, or are scaled by powers of two
+ * into [1, 2). Errors in u² = 2^-106, from float/double-double.ts: a sum 3u², a product 5u², none if both are doubles. p = E − C is exact, and so are c² and r².
  *
- *   A = dx² + dz² − a·dy²     the last product ε, two sums ε each:                        |δA| ≤ 3ε Am (1 + ε)² < 4ε Am
- *   b = dx px + dz pz − a·dy·py   products ε (the last 2ε), two sums:                     |δb| < 5ε bm ≤ 5ε √(Am Cm)
- *   C = px² + pz² − a·py² − ρ     products ε (the last 2ε), three sums:                   |δC| < 6ε Cm
- *   m = d × p                 products ε, one sum:                                        |δmi| < 3ε Si
- *   mi²                       2|mi|·3ε Si + 9ε² Si² + ε mi²:                              < 8ε Si²
- *   D/4 = ρA + a(mx² + mz²) − my²   (4 + 1)ε of ρAm; (8 + 1 + 1)ε of a(Sx² + Sz²), 8ε of Sy², two sums: < 13ε S
+ *   A = dx² + dz² − a·dy²         squares exact, two sums; (a·dy)·dy 10u², one sum:            |δA| ≤ 13u² Am
+ *   b = dx px + dz pz − a·dy·py   5u², two sums; 10u², one sum:                                |δb| ≤ 13u² bm, bm ≤ √(Am Cm)
+ *   C = px² + pz² − a·py² − ρ     5u², three sums; 10u², two; ρ one:                           |δC| ≤ 16u² Cm
+ *   m = d × p                     products 5u², the difference 3u² of itself:                  |δmi| ≤ 5u² Si + 3u²|mi|
+ *   mi²                           2|mi||δmi| and 5u² mi², |mi| ≤ Si:                           ≤ 21u² Si²
+ *   D/4 = (ρA − my²) + a(mx² + mz²)   ρA: 13 + 5 + 3 + 3; my²: 21 + 3 + 3; a(…): 21 + 3 + 5 + 3:     ≤ 32u² S
  *
- * where Am = dx² + dz² + |a|dy², Pm = px² + pz² + |a|py², Cm = Pm + ρ, Si = |dj pk| + |dk pj|,
- * bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Pm) (Cauchy–Schwarz), and
- * S = ρAm + |a|(Sx² + Sz²) + Sy² ≤ ρAm + 2AmPm ≤ 2AmCm, since (|α| + |β|)² ≤ 2α² + 2β² and every dj²pk² of the three
- * sums appears in AmPm. Hence |δ(D/4)| < 26ε AmCm < 2^-98 AmCm. Am and Cm, evaluated in doubles, are off by a few u;
- * DISCRIMINANT_ERROR has room for it (26 · 2^-103 = 2^-98.3).
+ * where Am = dx² + dz² + |a|dy², Pm = px² + pz² + |a|py², Cm = Pm + ρ, Si = |dj pk| + |dk pj|, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Pm)
+ * (Cauchy–Schwarz), and S = ρAm + |a|(Sx² + Sz²) + Sy². With y in units of √|a|, w = (|dx px|, |dy py|, |dz pz|):
+ *   ΣSi² = Σj≠k dj²pk² + 2 Σj<k wj wk = (Am Pm − Σw²) + ((Σw)² − Σw²), and Σw² ≥ (Σw)²/3, (Σw)² ≤ Am Pm, so
+ *   ΣSi² ≤ 4/3 Am Pm,  S ≤ 4/3 Am Cm  and  |δ(D/4)| ≤ 43u² Am Cm.
+ * The constants have room for the terms in u³ and for Am, bm and Cm being rounded.
  *
- * Underflow: a product that leaves the doubles is off by 2^-1073 at most, and what multiplies it afterwards is at most
- * |a|² |d|² |p|² < 2^400 · 2^82 · 2^84; with fewer than 2^10 operations this is below ABSOLUTE_ERROR.
+ * Underflow: a product that leaves the doubles is off by LOST at most, and so are a square c² and a component of d that is scaled. With |d|, |E|, |C| and r below ORDINARY and |a| ≤ LARGEST_FLARE the most
+ * comes of my, mx and mz: 2 LOST each, times 2 · 2^83 for the square, times 2^200 for a. ABSOLUTE_ERROR is above all of that together. A cone's c² < 2^-968 is
+ * not exact; where it counts, |d|²|p|² c² and D with it are below ABSOLUTE_ERROR, so no zero is believed because of it.
  */
-export const EPSILON = 2 ** -103;
-export const DISCRIMINANT_ERROR = 2 ** -98;
-export const ABSOLUTE_ERROR = 2 ** -440;
+const UU = 2 ** -106;
+export const ERROR_A = 14 * UU;
+export const ERROR_B = 14 * UU;
+export const ERROR_C = 17 * UU;
+export const DISCRIMINANT_ERROR = 44 * UU;
+/** Of a double-double's sum, product, quotient and root: float/double-double.ts. */
+export const ERROR_SUM = 3 * UU;
+export const ERROR_QUOTIENT = 10 * UU;
+export const ERROR_ROOT = 3.2 * UU;
+/** productError's 2^-1073, and the rounding of the two cross products. */
+export const LOST = 2 ** -1072;
+export const ABSOLUTE_ERROR = 2 ** -780;
 /** max |d| and the largest length between 2^-40 and 2^40 need no scale. */
 export const ORDINARY = 2 ** 40;
-/** Beyond this a·dy² and the absolute term above lose their meaning: such shapes go to the exact stage at once. */
+/** Beyond this the absolute term above loses its meaning: such shapes go to the exact stage at once. */
 export const LARGEST_FLARE = 2 ** 200;
-export const SMALLEST_SQUARED = 2 ** -400;
-
 /**
- * A result hi + lo with relative error η is faithful when rounded to hi if η < u/2: neighbours of x are at least u|x| away.
- * Half of that is left to the double-precision evaluation of η itself.
+ * Of Cm: C once more from the exact terms of its expansion. There are 38 (three squares for each coordinate of p, twice as many products with c² for the one
+ * along y, each of which is two doubles, and ρ), the sum of their sizes is < 2Cm, and `accumulate` is off by (2n u)^4 of it.
  */
-export const FAITHFUL = 2 ** -55;
-
-/** Of C once more from the exact terms of its expansion, of Cm: see near-surface.ts. */
-export const ACCUMULATED_ERROR = 2 ** -180;
+export const ACCUMULATED_ERROR = 2 * (2 * 38 * 2 ** -53) ** 4;
+/** And adding up its levels, each sum 3u² of itself. */
+export const ERROR_LEVELS = 9 * UU;

@@ -34,7 +34,10 @@ export function solveSlowly(
   return solveExactly(q, Ex, Ey, Ez, dx, dy, dz, slot);
 }
 
-/** Fills the registers, scaled where it must be; UNKNOWN where a component would lose bits by that. */
+/**
+ * Fills the registers, scaled where it must be; UNKNOWN where a length would lose bits by that, since E could seem to be on the surface then. What d loses
+ * is within ABSOLUTE_ERROR.
+ */
 function inDoubleDouble(
   q: Quadric,
   Ex: number,
@@ -73,9 +76,6 @@ function inDoubleDouble(
     scale(q.r, -l),
   );
   const lossless =
-    restores(dx, k) &&
-    restores(dy, k) &&
-    restores(dz, k) &&
     restores(Ex, l) &&
     restores(Ey, l) &&
     restores(Ez, l) &&

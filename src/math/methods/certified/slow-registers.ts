@@ -1,12 +1,12 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import * as dd from '../../float/double-double.ts';
 import { squareError, sumError } from '../../float/eft.ts';
-import { LARGEST_FLARE, SMALLEST_SQUARED } from './slow-bounds.ts';
+import { LARGEST_FLARE } from './slow-bounds.ts';
 
 /* The second stage's numbers in double-double, and what is worked out from them: A, b, C and D/4. */
 
 /** Places of double-doubles in the register file. */
-export const R = new Float64Array(32);
+export const R = new Float64Array(34);
 export const X = 0;
 export const Y = 2;
 export const Z = 4;
@@ -23,6 +23,8 @@ export const S = 24;
 export const T = 26;
 export const U = 28;
 export const RADIUS = 30;
+/** The bounds on the relative errors of the two roots, at S and T. */
+export const BOUND = 32;
 
 export const get = (i: number): number => R[i] as number;
 
@@ -105,14 +107,9 @@ export function setLengths(
   R[RADIUS] = r;
 }
 
-/** a as a double-double, exactly; false where it is too large or, as a square, too small for that. */
+/** a as a double-double; false where it is too large. */
 export function setFlare(q: Quadric): boolean {
-  if (!q.squared) {
-    R[FLARE] = q.flare;
-    R[FLARE + 1] = 0;
-    return Math.abs(q.flare) <= LARGEST_FLARE;
-  }
-  setSquare(FLARE, q.flare);
-  const a = get(FLARE);
-  return q.flare === 0 || (a <= LARGEST_FLARE && a >= SMALLEST_SQUARED);
+  if (q.squared) setSquare(FLARE, q.flare);
+  else dd.set(R, FLARE, q.flare);
+  return Math.abs(get(FLARE)) <= LARGEST_FLARE;
 }

@@ -2,11 +2,22 @@ import { NONE, TWO } from '../../batch/batch.ts';
 import type { RootSlot } from '../../batch/exact-quadric.ts';
 import { scale } from '../../float/bits.ts';
 import * as dd from '../../float/double-double.ts';
+import { FAITHFUL } from './faithful.ts';
 import { nearSurface } from './near-surface.ts';
-import { ABSOLUTE_ERROR, DISCRIMINANT_ERROR, EPSILON, FAITHFUL } from './slow-bounds.ts';
+import {
+  ABSOLUTE_ERROR,
+  DISCRIMINANT_ERROR,
+  ERROR_A,
+  ERROR_B,
+  ERROR_C,
+  ERROR_QUOTIENT,
+  ERROR_ROOT,
+  ERROR_SUM,
+} from './slow-bounds.ts';
 import {
   A,
   B,
+  BOUND,
   C,
   D,
   discriminant,
@@ -38,27 +49,14 @@ export function solveScaled(e: number, slot: RootSlot): number {
   const error = DISCRIMINANT_ERROR * Am * Cm + ABSOLUTE_ERROR;
   const d = get(D);
   if (!(Math.abs(d) > error)) return UNKNOWN;
-  // A = 0 makes it 'one' and not 'two': A must be known not to vanish.
-  const a = Math.abs(get(A));
-  const errorA = 4 * EPSILON * Am + ABSOLUTE_ERROR;
-  if (d < 0) return NONE;
-  if (!(a > errorA)) return UNKNOWN;
-  return roots(e, a, errorA, Am, Cm, error, slot);
+  return d < 0 ? NONE : roots(e, Am, Cm, error, slot);
 }
 
 /**
- * q = −(b + √D) with b's sign, then q/A and C/q. |δ√D| ≤ δD/√D + 4ε√D, twice what is needed (√(D + δ) − √D ≤ δ/(2√D)·(1 + …) for δ ≪ D, and
- * δD/√D for any δ < D); δq adds 5ε bm and a sum's ε|q|. The quotients' own error is under 2ε.
+ * q = −(b + √D) with b's sign, then q/A and C/q. |δ√D| ≤ δD/√D for any δD < D, and the root's own; δq adds δb and a sum. Then what the other operand is off,
+ * and the quotient's own. Products of two such errors are nothing to the half of u/2 that FAITHFUL leaves.
  */
-function roots(
-  e: number,
-  a: number,
-  errorA: number,
-  Am: number,
-  Cm: number,
-  errorD: number,
-  slot: RootSlot,
-): number {
+function roots(e: number, Am: number, Cm: number, errorD: number, slot: RootSlot): number {
   form(B, X, PX, Y, PY, Z, PZ);
   form(C, PX, PX, PY, PY, PZ, PZ);
   dd.sub(R, C, C, RHO);
@@ -72,13 +70,18 @@ function roots(
   }
   const size = Math.abs(get(U));
   const errorQ =
-    (5 * EPSILON * Math.sqrt(Am * Cm) + errorD / s + 4 * EPSILON * s + ABSOLUTE_ERROR) / size +
-    EPSILON;
-  const c = Math.abs(get(C));
-  const large = errorQ + errorA / a + 2 * EPSILON;
-  if (!(large < FAITHFUL)) return UNKNOWN;
-  const small = errorQ + (6 * EPSILON * Cm + ABSOLUTE_ERROR) / c + 2 * EPSILON;
-  if (!(small < FAITHFUL) && !nearSurface(errorQ, Cm)) return UNKNOWN;
+    (ERROR_B * Math.sqrt(Am * Cm) + errorD / s + ERROR_ROOT * s + ABSOLUTE_ERROR) / size +
+    ERROR_SUM;
+  const errorC = (ERROR_C * Cm + ABSOLUTE_ERROR) / Math.abs(get(C));
+  // A = 0 makes it 'one' and not 'two': where A is known to so many digits it is not 0.
+  const errorA = (ERROR_A * Am + ABSOLUTE_ERROR) / Math.abs(get(A));
+  R[BOUND] = errorQ + errorA + ERROR_QUOTIENT;
+  if (!(get(BOUND) < FAITHFUL)) return UNKNOWN;
+  R[BOUND + 1] = errorQ + errorC + ERROR_QUOTIENT;
+  if (!(get(BOUND + 1) < FAITHFUL)) {
+    R[BOUND + 1] = errorQ + nearSurface(Cm) + ERROR_QUOTIENT;
+    if (!(get(BOUND + 1) < FAITHFUL)) return UNKNOWN;
+  }
   dd.div(R, S, U, A);
   if (get(C) === 0) dd.set(R, T, 0);
   else dd.div(R, T, C, U);
