@@ -20,7 +20,7 @@ import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
  * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. Roots keep their order: t = q/A is the lesser one if A and q differ in sign.
  */
 const UU = 2 ** -106;
-const QUOTIENT = 48 * UU;
+export const QUOTIENT = 48 * UU;
 
 const at = (k: number): number => ALGEBRA[k] as number;
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
