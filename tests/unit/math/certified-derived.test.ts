@@ -2,7 +2,9 @@ import { describe, expect, test } from 'vitest';
 import { packRays } from '../../../src/math/batch/batch.ts';
 import type { Planar } from '../../../src/math/batch/planar.ts';
 import { DIRECT_ERROR } from '../../../src/math/methods/certified/class-quadric.ts';
+import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
+import * as flat from '../../../src/math/methods/certified/kernel-planar.ts';
 import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
 import * as slow from '../../../src/math/methods/certified/slow-bounds.ts';
 import { rootInTwice } from '../../../src/math/methods/certified/slow-planar.ts';
@@ -179,6 +181,74 @@ describe(`in doubles, a bound and what its operations may add up to (seed ${SEED
       const inside = sub(mul(L, { ...dn, x: abs(dn.x) }), turned);
       const asked = inside.x < turned.x ? inside : turned;
       return asked.off / (figure.SQUARE_S * (abs(a.x) + abs(b.x)));
+    });
+  });
+});
+
+describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, () => {
+  const { add, mul } = doubles;
+  const onGrid = (x: number, grid: number): number => x + grid - grid;
+  const all = ([x, y, z]: Vec3): number => abs(x) + abs(y) + abs(z);
+  /** v but for its last component, which lets N·v cancel to LEAST_SHARE of its terms, or a little more. */
+  const level = (N: Vec3, v: Vec3, by: number): Vec3 => {
+    const rest = N[0] * v[0] + N[1] * v[1];
+    return [v[0], v[1], (-rest / N[2]) * (1 + 99 * by * flat.LEAST_SHARE)];
+  };
+
+  /** N·v in two parts, the first of them exact. */
+  function dot(N: Vec3, v: Vec3, lost: number) {
+    const n = N.map((x) => onGrid(x, flat.GRID_25 * all(N)));
+    const h = v.map((x) => onGrid(x, flat.GRID_26 * all(v)));
+    // What the grids leave over is half a unit of theirs at most, whatever these vectors leave.
+    const lower = known(U * flat.GRID_26 * all(v), lost);
+    const rest = known(U * flat.GRID_25 * all(N));
+    const high = (k: 0 | 1 | 2): Off => known(abs(n[k] as number));
+    const of = (k: 0 | 1 | 2): Off => known(abs(v[k]), lost);
+    const first = add(add(mul(high(0), lower), mul(high(1), lower)), mul(high(2), lower));
+    const second = add(add(mul(rest, of(0)), mul(rest, of(1))), mul(rest, of(2)));
+    const exact = [0, 1, 2].reduce((sum, k) => sum + (n[k] as number) * (h[k] as number), 0);
+    const value = N[0] * v[0] + N[1] * v[1] + N[2] * v[2];
+    return { high: exact, low: add(first, second), value };
+  }
+
+  function share(N: Vec3, d: Vec3, p: Vec3): number {
+    const [r, o] = [dot(N, d, 0), dot(N, p, U)];
+    const [rate, offset] = [r.value, o.value];
+    const kept =
+      abs(rate) > flat.LEAST_SHARE * all(N) * all(d) &&
+      abs(offset) > flat.LEAST_SHARE * all(N) * all(p);
+    if (!kept) return 0;
+    const coarse = -offset / rate;
+    const th = onGrid(coarse, flat.GRID_25 * coarse);
+    const rh = onGrid(r.high, flat.GRID_26 * rate);
+    const half = known(U * flat.GRID_26 * abs(rate));
+    const lower = add(o.low, mul(known(abs(th)), add(half, r.low)));
+    const rest = add(known(abs(o.high + th * rh)), lower);
+    const step = mul(rest, known(1 / rate, 2 * U + r.low.off / abs(rate)));
+    return step.off / (FAITHFUL * abs(coarse));
+  }
+
+  const vectors = (at: readonly number[]): readonly [Vec3, Vec3, Vec3] => [
+    [n(at, 0), n(at, 1), n(at, 2)],
+    [n(at, 3), n(at, 4), n(at, 5)],
+    [n(at, 6), n(at, 7), n(at, 8)],
+  ];
+  test('where N·d cancels', () => {
+    tight(10, (at) => {
+      const [N, d, p] = vectors(at);
+      return share(N, level(N, d, n(at, 9)), p);
+    });
+  });
+  test('where N·p cancels', () => {
+    tight(10, (at) => {
+      const [N, d, p] = vectors(at);
+      return share(N, d, level(N, p, n(at, 9)));
+    });
+  });
+  test('where both do', () => {
+    tight(10, (at) => {
+      const [N, d, p] = vectors(at);
+      return share(N, level(N, d, n(at, 9)), level(N, p, n(at, 9)));
     });
   });
 });

@@ -170,6 +170,19 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
     },
   ],
   [
+    'E near a plane: N·p cancels to any share of its terms',
+    (r) => {
+      const normal: Vec3 = [uniform(r, 0.5, 1), uniform(r, 0.5, 1), uniform(r, 0.5, 1)];
+      const [x, y] = [uniform(r, -1, 1), uniform(r, -1, 1)];
+      const z = -(normal[0] * x + normal[1] * y) / normal[2];
+      const direction: Vec3 = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, -1, 1)];
+      return {
+        shape: { kind: 'plane', normal, point: [0, 0, 0] },
+        ray: { origin: [x, y, z * (1 + 2 ** -uniform(r, 5, 53))], direction },
+      };
+    },
+  ],
+  [
     'N·p cancels, and the root is a double just below a power of two',
     (r) => {
       const t = 1 - 2 ** -integer(r, 4, 20);

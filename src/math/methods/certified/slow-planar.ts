@@ -5,6 +5,7 @@ import * as dd from '../../float/double-double.ts';
 import { sumError } from '../../float/eft.ts';
 import { FAITHFUL } from './faithful.ts';
 import { marginsOf } from './figure.ts';
+import { BOX } from './scaled-quadric.ts';
 import type { CertifiedSlot } from './slow-quadric.ts';
 
 /*
@@ -23,9 +24,9 @@ export const T = 10;
 const ERROR_RATE = 1.6 * 2 ** -106;
 const ERROR_OFFSET = 6.7 * 2 ** -106;
 const ERROR_QUOTIENT = 19 * 2 ** -106;
-const SMALLEST = 2 ** -400;
-const ORDINARY = 2 ** 40;
-const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
+/** Of N·d and N·p: with that little they are above 2^-968, as the division wants them, and what their products lose (2^-1072 each) is nothing. */
+export const SMALLEST = 2 ** -1022;
+const ordinary = (x: number): boolean => x < BOX && x > 1 / BOX;
 
 function addProduct(out: number, n: number, hi: number, lo: number): void {
   dd.set(R, NN, n);
