@@ -234,16 +234,24 @@ describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, ()
     [n(at, 6), n(at, 7), n(at, 8)],
   ];
   test('where N·d cancels', () => {
-    tight(10, (at) => {
-      const [N, d, p] = vectors(at);
-      return share(N, level(N, d, n(at, 9)), p);
-    });
+    tight(
+      10,
+      (at) => {
+        const [N, d, p] = vectors(at);
+        return share(N, level(N, d, n(at, 9)), p);
+      },
+      0.4,
+    );
   });
   test('where N·p cancels', () => {
-    tight(10, (at) => {
-      const [N, d, p] = vectors(at);
-      return share(N, d, level(N, p, n(at, 9)));
-    });
+    tight(
+      10,
+      (at) => {
+        const [N, d, p] = vectors(at);
+        return share(N, d, level(N, p, n(at, 9)));
+      },
+      0.4,
+    );
   });
   test('where both do', () => {
     tight(10, (at) => {

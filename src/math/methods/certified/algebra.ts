@@ -12,15 +12,16 @@ import type { Ray } from '../../ray.ts';
  *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b, A, C: 14u² of b² + |AC|             124u² AmCm
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
- * ≤ 2^-1073; with Am, Cm and |a| below LARGE that is far below SMALLEST in A, b, C and below SMALLEST_D in D.
+ * ≤ 2^-1072, with what multiplies its lower half; a itself and the a·(y·y') of that many times 2^200 are SMALLEST in A, b and C, and these 2^202 times in D. What is then
+ * divided is above 2^-968, where products are split without loss.
  */
 const UU = 2 ** -106;
 export const ERROR_A = 15 * UU;
 export const ERROR_B = 24 * UU;
 export const ERROR_C = 38 * UU;
 export const ERROR_D = 136 * UU;
-export const SMALLEST = 2 ** -600;
-export const SMALLEST_D = 2 ** -300;
+export const SMALLEST = 2 ** -872;
+export const SMALLEST_D = 2 ** -670;
 export const LARGE = 2 ** 200;
 export const SPLITTER = 134217729;
 

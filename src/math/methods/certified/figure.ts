@@ -14,14 +14,14 @@ import type { Planar } from '../../batch/planar.ts';
  *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less than wu, so L|dn| ≤ 2|wu|:     6u Su
  *
  * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are
- * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for it.
+ * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for its three products.
  */
 const U = 2 ** -53;
 export const CIRCLE_S = 1.1 * U;
 export const CIRCLE_M = 5.1 * U;
 export const CIRCLE_SQUARES = 9 * U;
 export const SQUARE_S = 7 * U;
-const SMALLEST = 2 ** -900;
+export const SMALLEST = 2 ** -1072;
 
 /**
  * Rays from … to − 1. N·d goes in by `margin`, NaN if it is not known; out come the margin (≥ 0 inside) and its bound. Loops of their own: doubles that are

@@ -15,9 +15,9 @@
  *   ΣSi² ≤ 4/3 Am Pm,  S ≤ 4/3 Am Cm  and  |δ(D/4)| ≤ 43u² Am Cm.
  * The constants have room for the terms in u³ and for Am, bm and Cm being rounded.
  *
- * Underflow: a product that leaves the doubles is off by LOST at most, and so are a square c² and a component of d that is scaled. With |d|, |E|, |C| and r below ORDINARY and |a| ≤ LARGEST_FLARE the most
- * comes of my, mx and mz: 2 LOST each, times 2 · 2^83 for the square, times 2^200 for a. ABSOLUTE_ERROR is above all of that together. A cone's c² < 2^-968 is
- * not exact; where it counts, |d|²|p|² c² and D with it are below ABSOLUTE_ERROR, so no zero is believed because of it.
+ * Underflow: a product that leaves the doubles is off by LOST at most, and so are a square c² and a component of d that is scaled. With |d|, |E|, |C| and r below
+ * ORDINARY and |a| ≤ LARGEST_FLARE the most comes of d: 2^42 LOST in m, times 2^83 in its square, times 2^200. ABSOLUTE_ERROR is above all of that together.
+ * A cone's c² < 2^-968 is not exact; where it counts, |d|²|p|² c² and D with it are below ABSOLUTE_ERROR, so no zero is believed because of it.
  */
 const UU = 2 ** -106;
 export const ERROR_A = 14 * UU;
@@ -30,7 +30,7 @@ export const ERROR_QUOTIENT = 10 * UU;
 export const ERROR_ROOT = 3.2 * UU;
 /** productError's 2^-1073, and the rounding of the two cross products. */
 export const LOST = 2 ** -1072;
-export const ABSOLUTE_ERROR = 2 ** -780;
+export const ABSOLUTE_ERROR = 2 ** -745;
 /** max |d| and the largest length between 2^-40 and 2^40 need no scale. */
 export const ORDINARY = 2 ** 40;
 /** Beyond this the absolute term above loses its meaning: such shapes go to the exact stage at once. */
