@@ -42,9 +42,9 @@ test('the second stage of curved shapes', () => {
   expect(slow.ABSOLUTE_ERROR / FAITHFUL).toBeGreaterThan(LEAST_EXACT_PRODUCT);
 });
 
-test('of flat shapes: three products each, and operands of a division', () => {
+test('of flat shapes: three products each, and a quotient that is neither too large nor too small', () => {
   expect(SMALLEST_PLANAR).toBeGreaterThan(3 * slow.LOST);
-  covers(SMALLEST_PLANAR, LEAST_EXACT_PRODUCT * FAITHFUL);
+  covers(SMALLEST_PLANAR, FAITHFUL * BOX ** 2 * LEAST_EXACT_PRODUCT);
 });
 
 describe('in doubles', () => {

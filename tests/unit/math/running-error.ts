@@ -22,6 +22,8 @@ const U = 2 ** -53;
 export const DOUBLES: Costs = { sum: U, product: U };
 /** Of float/double-double.ts. */
 export const TWICE: Costs = { sum: 3 * U * U, product: 5 * U * U };
+export const QUOTIENT = 9.8 * U * U;
+export const ROOT = (25 / 8) * U * U;
 
 export const known = (x: number, relative = 0): Off => ({ x, off: relative * Math.abs(x) });
 export const size = ({ x, off }: Off): number => Math.abs(x) + off;

@@ -24,8 +24,8 @@ export const T = 10;
 const ERROR_RATE = 1.6 * 2 ** -106;
 const ERROR_OFFSET = 6.7 * 2 ** -106;
 const ERROR_QUOTIENT = 19 * 2 ** -106;
-/** Of N·d and N·p: with that little they are above 2^-968, as the division wants them, and what their products lose (2^-1072 each) is nothing. */
-export const SMALLEST = 2 ** -1023;
+/** Of N·d and N·p. Both are below 2^200, and with FAITHFUL above SMALLEST·2^55 = 2^-768, so t is between 2^-968 and 2^968, as the division wants it. */
+export const SMALLEST = 2 ** -823;
 const ordinary = (x: number): boolean => x < BOX && x > 1 / BOX;
 
 function addProduct(out: number, n: number, hi: number, lo: number): void {
