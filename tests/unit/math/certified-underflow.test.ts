@@ -4,12 +4,13 @@ import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import * as byClass from '../../../src/math/methods/certified/class-quadric.ts';
 import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
-import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import { LEAST_A, momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import * as places from '../../../src/math/methods/certified/places.ts';
 import { BOX } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import * as slow from '../../../src/math/methods/certified/slow-bounds.ts';
 import { SMALLEST as SMALLEST_PLANAR } from '../../../src/math/methods/certified/slow-planar.ts';
 import { SMALLEST as SMALLEST_DEPARTS } from '../../../src/tracer/departs.ts';
-import { type Off, running } from './running-error.ts';
+import { DOUBLES, known, type Off, running } from './running-error.ts';
 
 /*
  * Absolute terms: what products that leave the doubles may cost where every number is as large as the stage lets it be, so that what is lost is multiplied by the
@@ -73,6 +74,13 @@ describe('in doubles', () => {
     expect(D.off).toBeLessThan(momentError(0, 0, 0));
   });
 
+  test('A where LEAST_A lets the later stages take it as known to 2^-30', () => {
+    const doubles = running(DOUBLES);
+    const y = known(1, 2 * 2 ** -53);
+    const A = doubles.sub(known(0, 0), doubles.sqr(y));
+    covers(2 ** -30, (A.off + 2 ** -53) / LEAST_A);
+  });
+
   test('how far inside a square', () => {
     covers(figure.SMALLEST, add(mul(of(1), of(1)), add(mul(of(1), of(1)), mul(of(1), of(1)))).off);
   });
@@ -80,6 +88,23 @@ describe('in doubles', () => {
   test('which way a ray departs', () => {
     covers(SMALLEST_DEPARTS, 3 * UNIT);
   });
+});
+
+test('points from a faithful root: F, its slope, and a step below the doubles', () => {
+  const { add, mul, sqr } = losing(slow.LOST);
+  const { WIDE, SMALLEST } = places;
+  const g = of(WIDE, slow.LOST);
+  const a = of(WIDE ** 2, slow.LOST);
+  const F = add(add(add(sqr(g), sqr(g)), mul(a, sqr(g))), of(WIDE ** 2, slow.LOST));
+  covers(SMALLEST, F.off);
+  const d = of(2 ** 106);
+  expect(2 * add(add(mul(g, d), mul(g, d)), mul(a, mul(g, d))).off).toBeLessThan(SMALLEST);
+  const N = of(WIDE);
+  expect(add(add(mul(N, g), mul(N, g)), mul(N, g)).off).toBeLessThan(SMALLEST);
+  // A product that is split, and one that is rounded.
+  covers(places.LOST, 2 * UNIT + UNIT);
+  // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half that 2η is.
+  covers(places.TINY, (4 / 2 + 1 / 2) * 2 * (UNIT / 2));
 });
 
 test('A, b, C and D/4 of one ray', () => {

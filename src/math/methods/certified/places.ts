@@ -20,8 +20,9 @@ import { hitAt, ROOTS } from './hit-quadric.ts';
  *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:                             |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
  *
  * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the
- * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: what is lost in F and F' is below SMALLEST as long as g, r, √|a| and |N|₁ are below WIDE; d may be of any length, since
- * A·(F/2h) is no larger than F' (A·F overflows, and a slope of ∞ made δ and Δ 0: tests/repro).
+ * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d lost, times 2g and a, is below SMALLEST in F; and in F' too, for t·d is
+ * only below 2^-968 for |d| < 2^106. But d may be of any length, since
+ * A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0: tests/repro).
  */
 const U = 2 ** -53;
 const UU = 2 ** -106;
@@ -30,10 +31,12 @@ export const ERROR_SLOPE = 14 * U;
 export const ERROR_FLAT = 16 * UU;
 export const ERROR_RATE = 4 * U;
 export const ROUNDED = 14 * UU;
-const WIDE = 2 ** 120;
-const SMALLEST = 2 ** -600;
-const LOST = 2 ** -1070;
-const TINY = 2 ** -1072;
+export const WIDE = 2 ** 120;
+export const SMALLEST = 2 ** -711;
+/** What t·d and δ·d may lose of a coordinate below the doubles, */
+export const LOST = 2 ** -1072;
+/** and what a step that is below them itself, with its bound. */
+export const TINY = 2 ** -1072;
 
 /** g as three double-doubles, F, and what they are made from. */
 export const R = new Float64Array(14);
