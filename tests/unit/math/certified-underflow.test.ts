@@ -103,8 +103,8 @@ test('points from a faithful root: F, its slope, and a step below the doubles', 
   expect(add(add(mul(N, g), mul(N, g)), mul(N, g)).off).toBeLessThan(SMALLEST);
   // A product that is split, and one that is rounded.
   covers(places.LOST, 2 * UNIT + UNIT);
-  // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half that 2η is.
-  covers(places.TINY, (4 / 2 + 1 / 2) * 2 * (UNIT / 2));
+  // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half that 2η is: two and a half.
+  covers(places.TINY, 3 * UNIT);
 });
 
 test('A, b, C and D/4 of one ray', () => {
