@@ -18,6 +18,9 @@ import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
  *   t = q/A, C/q  the rest is 2u and two lower halves, 4u in all: 9u²; by a quotient that is off by 2u, and without the lower half: 12u²
  *                hitAt's sums add 5u²:                                                                    26u²
  *
+ * A and C are asked about by their roots. Where there are none, D = b² − AC < 0 says |AC| ≥ |D|: if D is faithful, with 136u² AmCm and SMALLEST_D, then A and C are, with
+ * less of Am and Cm and with SMALLEST, as both are below LARGE.
+ *
  * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. Roots keep their order: t = q/A is the lesser one if A and q differ in sign.
  */
 const UU = 2 ** -106;
@@ -32,9 +35,7 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   putAlgebra(q, ray);
   const D1 = at(D);
   const faithful =
-    at(OFF) <= FAITHFUL * Math.abs(at(A)) &&
     at(OFF + 1) <= FAITHFUL * Math.abs(at(B)) &&
-    at(OFF + 2) <= FAITHFUL * Math.abs(at(C)) &&
     at(OFF + 3) <= FAITHFUL * Math.abs(D1) &&
     at(SIZE) > 0;
   if (!faithful) return null;
