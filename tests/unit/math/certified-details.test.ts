@@ -1,4 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { doubleDouble } from '../../../src/math/arithmetic/double-double.ts';
+import { exact } from '../../../src/math/arithmetic/exact.ts';
 import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
@@ -6,11 +8,13 @@ import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { CurvedDetails } from '../../../src/math/intersection.ts';
 import { openClasses } from '../../../src/math/methods/certified/class-quadric.ts';
+import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
 import { plainQuadric } from '../../../src/math/methods/certified/plain-quadric.ts';
 import { certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { exactHits } from './exact-hits.ts';
 
 const SEED = 95;
 
@@ -19,13 +23,18 @@ const CANCELLED: readonly [string, (random: Random) => Question][] = [
   [
     'b, from beside the point nearest to the axis',
     (r) => {
-      const direction: Vec3 = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, 0.3, 1)];
-      const foot: Vec3 = [uniform(r, -3, 3), uniform(r, -3, 3), 0];
-      const along = foot[0] * direction[0] - foot[1] * direction[1] * -0.5;
-      const z = (-along / direction[2]) * (1 + 2 ** -uniform(r, 10, 80));
+      const { of, add, mul, div, sub, toNumber } = doubleDouble;
+      const [x, y, z] = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, 0.3, 1)];
+      const [px, py] = [uniform(r, -3, 3), uniform(r, -3, 3)];
+      const along = add(mul(of(x), of(px)), mul(mul(of(y), of(py)), of(0.5)));
+      const foot = div(along, of(-z));
+      const near = toNumber(foot);
+      const by = r() < 0.5 ? 1 : 1 + 2 ** -uniform(r, 5, 40);
+      // The rest of it is the centre's, so that b has twice the digits to cancel.
+      const rest = toNumber(sub(foot, of(near))) * (1 + 2 ** -uniform(r, 0, 52));
       return {
-        shape: { kind: 'hyperboloid', center: [0, 0, 0], flare: -0.5, radius: 2 },
-        ray: { origin: [foot[0], foot[1], z], direction },
+        shape: { kind: 'hyperboloid', center: [0, 0, -rest], flare: -0.5, radius: 2 },
+        ray: { origin: [px, py, near * by], direction: [x, y, z] },
       };
     },
   ],
@@ -64,6 +73,13 @@ test.each(CANCELLED)(
       const found = q && plainQuadric(q, ray);
       if (!found) continue;
       plain += 1;
+      for (const [k, hit] of exactHits(shape, ray).hits.entries()) {
+        const at = ROOTS.subarray(3 * k, 3 * k + 3);
+        const told = exact.add(exact.of(at[0] as number), exact.of(at[1] as number));
+        const off = exact.sub(told, hit.t);
+        const size = exact.sign(off) < 0 ? exact.neg(off) : off;
+        expect(exact.sign(exact.sub(exact.of(at[2] as number), size))).not.toBe(-1);
+      }
       const got = found.details as CurvedDetails;
       const truth = intersect(shape, ray, 'exact').details as CurvedDetails;
       expect(got.signs).toEqual(truth.signs);
