@@ -50,6 +50,23 @@ const CANCELLED: readonly [string, (random: Random) => Question][] = [
     },
   ],
   [
+    'A and C, where a small coordinate makes up for what a large one leaves',
+    (r) => {
+      const { of, add, mul, sub, toNumber } = doubleDouble;
+      const [flare, py] = [uniform(r, 0.3, 2), uniform(r, 0.3, 2)];
+      const by = r() < 0.5 ? 1 : 1.5;
+      const more = (square: typeof wide, x: number): number =>
+        Math.sqrt(Math.max(toNumber(sub(square, mul(of(x), of(x)))), 0)) * by;
+      const wide = add(of(4), mul(of(flare), mul(of(py), of(py))));
+      const x = Math.sqrt(flare) * (1 - 2 ** -uniform(r, 5, 50));
+      const px = Math.sqrt(toNumber(wide)) * (1 - 2 ** -uniform(r, 5, 50));
+      return {
+        shape: { kind: 'hyperboloid', center: [0, 0, 0], flare, radius: 2 },
+        ray: { origin: [px, py, more(wide, px)], direction: [x, 1, more(of(flare), x)] },
+      };
+    },
+  ],
+  [
     'C, from beside the surface',
     (r) => {
       const phi = uniform(r, 0, 6.3);
