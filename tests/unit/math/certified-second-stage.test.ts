@@ -159,6 +159,11 @@ describe('the stage that answers', () => {
       { origin: [2 ** 151, 0, 2 ** 140], direction: [-1, 0.5, 0.25] },
     ],
     [
+      'nearly along a plane',
+      { kind: 'plane', normal: [1, 1, 1], point: [0, 0, 0] },
+      { origin: [1, 0.3, 0.7], direction: [1, -1, 2 ** -20] },
+    ],
+    [
       'grazing there',
       { kind: 'cylinder', center: [0, 0, 0], radius: 2 ** 150 },
       { origin: [2 ** 151, 0, 2 ** 150 * (1 - 2 ** -40)], direction: [-1, 0.5, 0] },
