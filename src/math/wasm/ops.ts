@@ -37,6 +37,7 @@ export const lt = binary(vector(73));
 export const gt = binary(vector(74));
 export const le = binary(vector(75));
 export const ge = binary(vector(76));
+export const not = unary(vector(77));
 export const and = binary(vector(78));
 export const andNot = binary(vector(79));
 export const or = binary(vector(80));

@@ -85,24 +85,28 @@ export function blockKernel(
     ...op.during(op.less(at, op.get(LOT_END)), [
       ...parts.code(0),
       ...op.storeInt(hand, PLACES, at),
-      ...op.store(of('t0'), 0, NAN),
-      ...op.store(of('t1'), 0, NAN),
       ...op.set(OPEN, no(op.bitmask(op.or(one(clear, 0), one(missed, 0))))),
       ...op.when(op.get(OPEN), [
         ...parts.extra(remote, 0),
         ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(one(remote.target, 0)))),
         ...listBits(UNSETTLED, op.both(op.get(OPEN), no(op.bitmask(one(remote.target, 0))))),
       ]),
-      ...forward(HAND, op.shiftLeft(op.anyTrue(one(clear, 0)), op.i32(4))),
+      ...op.when(op.anyTrue(one(clear, 0)), forward(HAND, op.i32(PAIR)), [
+        ...op.store(of('t0'), 0, NAN),
+        ...op.store(of('t1'), 0, NAN),
+      ]),
       ...forward(AT, op.i32(PAIR)),
     ]),
     ...op.set(HAND_END, hand),
   ];
   const solved = scope.declare('solved');
+  const other = scope.declare('other');
   const answer = (): Code => [
     ...op.set(solved, op.and(one(clear, last), one(settled, last))),
-    ...op.store(of('t0'), 0, op.select(one(t0, last), NAN, op.get(solved))),
-    ...op.store(of('t1'), 0, op.select(one(t1, last), NAN, op.get(solved))),
+    // All bits set are a NaN.
+    ...op.set(other, op.not(op.get(solved))),
+    ...op.store(of('t0'), 0, op.or(one(t0, last), op.get(other))),
+    ...op.store(of('t1'), 0, op.or(one(t1, last), op.get(other))),
     ...listBits(UNSETTLED, op.bitmask(op.andNot(one(clear, last), op.get(solved)))),
   ];
   const later = cuts.flatMap((_, k) => [

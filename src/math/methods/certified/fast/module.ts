@@ -36,7 +36,8 @@ const PASSES = [COARSE, [], SOLVE].map((bounds) =>
 const CUTS = [
   ['missed', 0],
   [elementOf('slack'), 0],
-  [elementOf('fFar'), 1],
+  [elementOf('spreadFar'), 1],
+  ['downB', 2],
 ] as const;
 const RECENTRED_CUTS = ['t', 'gridQ', 'b', 'clear'];
 const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
