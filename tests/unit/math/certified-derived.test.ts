@@ -17,6 +17,7 @@ import {
   DOUBLES,
   known,
   type Off,
+  pairOfProducts,
   running,
   size,
   TWICE,
@@ -272,10 +273,17 @@ describe(`in twice the digits (seed ${SEED})`, () => {
         known(4 * n(at, 6)),
         known(n(at, 7) ** 2),
       ];
-      const q = quadratic(twice, d, p, a, rho, exactly);
-      const m = cross(twice, d, p);
-      const round = add(sqr(m[0]), sqr(m[2]));
-      return { ...q, D: add(sub(mul(rho, q.A), sqr(m[1])), mul(a, round)) };
+      const { Am, bm, Cm } = quadratic(twice, d, p, a, rho, exactly);
+      const A = sub(
+        pairOfProducts([d[0], d[0]], [d[2], d[2]], 1, false),
+        mul(a, exactly(d[1], d[1])),
+      );
+      const b = sub(pairOfProducts([d[0], p[0]], [d[2], p[2]], 1), mul(a, mul(d[1], p[1])));
+      const C = sub(sub(add(sqr(p[0]), sqr(p[2])), mul(a, sqr(p[1]))), rho);
+      const minor = (j: 0 | 1 | 2, k: 0 | 1 | 2): Off =>
+        sqr(pairOfProducts([d[j], p[k]], [d[k], p[j]], -1));
+      const D = add(sub(mul(rho, A), minor(2, 0)), mul(a, add(minor(1, 2), minor(0, 1))));
+      return { A, b, C, D, Am, bm, Cm };
     };
     tight(8, (at) => of(at).A.off / (slow.ERROR_A * of(at).Am));
     tight(8, (at) => of(at).b.off / (slow.ERROR_B * of(at).bm));

@@ -11,7 +11,16 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
 import { unfaithful } from './exact-quadratic.ts';
-import { climb, known, type Off, QUOTIENT, ROOT, running, TWICE } from './running-error.ts';
+import {
+  climb,
+  known,
+  type Off,
+  pairOfProducts,
+  QUOTIENT,
+  ROOT,
+  running,
+  TWICE,
+} from './running-error.ts';
 
 /* The second stage of curved shapes by itself: its roots' bounds, and what each of its doubts is for. */
 
@@ -39,10 +48,10 @@ describe(`a root's bound, and what its operations may add up to (seed ${SEED})`,
     const [x, y, z] = direction.map((c) => known(c)) as [Off, Off, Off];
     const [px, py, pz] = origin.map((c) => known(c)) as [Off, Off, Off];
     const [a, rho] = [known(flare), known(r * r)];
-    const A = sub(add(exactly(x, x), exactly(z, z)), mul(mul(a, y), y));
-    const b = sub(add(mul(x, px), mul(z, pz)), mul(mul(a, y), py));
-    const C = sub(sub(add(sqr(px), sqr(pz)), mul(mul(a, py), py)), rho);
-    const minor = (u: Off, v: Off, s: Off, t: Off): Off => sqr(sub(mul(u, t), mul(v, s)));
+    const A = sub(pairOfProducts([x, x], [z, z], 1, false), mul(a, exactly(y, y)));
+    const b = sub(pairOfProducts([x, px], [z, pz], 1), mul(a, mul(y, py)));
+    const C = sub(sub(add(sqr(px), sqr(pz)), mul(a, sqr(py))), rho);
+    const minor = (u: Off, v: Off, s: Off, t: Off): Off => sqr(pairOfProducts([u, t], [v, s], -1));
     const round = add(minor(y, z, py, pz), minor(x, y, px, py));
     const D = add(sub(mul(rho, A), minor(z, x, pz, px)), mul(a, round));
     const s = Math.sqrt(D.x);

@@ -51,6 +51,22 @@ export function running({ sum, product, lost = 0 }: Costs) {
 }
 
 /**
+ * a·x ± b·y of doubles a, b and double-doubles x, y, as the second stage takes it (slow-registers.ts): each product 3u² of itself, both rests together 2u² and
+ * what is lost of them beside the sum 2u² and u² of that. Where x and y are doubles too (`lower` false) the products' rests are exact.
+ */
+export function pairOfProducts(
+  [a, x]: readonly [Off, Off],
+  [b, y]: readonly [Off, Off],
+  sign: 1 | -1,
+  lower = true,
+): Off {
+  const [p, q] = [a.x * x.x, b.x * y.x];
+  const sum = p + sign * q;
+  const off = (lower ? 7 : 2) * U * U * (Math.abs(p) + Math.abs(q)) + U * U * Math.abs(sum);
+  return { x: sum, off };
+}
+
+/**
  * The largest score that is found among random vectors of numbers in −1 … 1, each then improved by changing some of its numbers, by much or by little, as long as
  * that helps.
  */

@@ -2,12 +2,15 @@
  * The second stage: everything once more in double-double, on a ray whose max |d| and largest length lie in 2^-40 … 2^40, or are scaled by powers of two
  * into [1, 2). Errors in u² = 2^-106, from float/double-double.ts: a sum 3u², a product 5u², none if both are doubles. p = E − C is exact, and so are c² and r².
  *
- *   A = dx² + dz² − a·dy²         squares exact, two sums; (a·dy)·dy 10u², one sum:            |δA| ≤ 13u² Am
- *   b = dx px + dz pz − a·dy·py   5u², two sums; 10u², one sum:                                |δb| ≤ 13u² bm, bm ≤ √(Am Cm)
+ * Two products of d's doubles with double-doubles, added: each 3u² of itself, their rests together 2u² and beside the sum 2u² and u² of that; of doubles alone
+ * 2u² of both and u² of the sum.
+ *
+ *   A = dx² + dz² − a·dy²         the pair 3u², one sum; a·dy² 5u², one sum:                   |δA| ≤ 8u² Am
+ *   b = dx px + dz pz − a·dy·py   the pair 8u², one sum; 10u², one sum:                        |δb| ≤ 13u² bm, bm ≤ √(Am Cm)
  *   C = px² + pz² − a·py² − ρ     5u², three sums; 10u², two; ρ one:                           |δC| ≤ 16u² Cm
- *   m = d × p                     products 5u², the difference 3u² of itself:                  |δmi| ≤ 5u² Si + 3u²|mi|
+ *   m = d × p                     the pair:                                                    |δmi| ≤ 7u² Si + u²|mi|
  *   mi²                           2|mi||δmi| and 5u² mi², |mi| ≤ Si:                           ≤ 21u² Si²
- *   D/4 = (ρA − my²) + a(mx² + mz²)   ρA: 13 + 5 + 3 + 3; my²: 21 + 3 + 3; a(…): 21 + 3 + 5 + 3:     ≤ 32u² S
+ *   D/4 = (ρA − my²) + a(mx² + mz²)   ρA: 8 + 5 + 3 + 3; my²: 21 + 3 + 3; a(…): 21 + 3 + 5 + 3:      ≤ 32u² S
  *
  * where Am = dx² + dz² + |a|dy², Pm = px² + pz² + |a|py², Cm = Pm + ρ, Si = |dj pk| + |dk pj|, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Pm)
  * (Cauchy–Schwarz), and S = ρAm + |a|(Sx² + Sz²) + Sy². With y in units of √|a|, w = (|dx px|, |dy py|, |dz pz|):
@@ -20,7 +23,7 @@
  * A cone's c² < 2^-968 is not exact; where it counts, |d|²|p|² c² and D with it are below ABSOLUTE_ERROR, so no zero is believed because of it.
  */
 const UU = 2 ** -106;
-export const ERROR_A = 14 * UU;
+export const ERROR_A = 9 * UU;
 export const ERROR_B = 14 * UU;
 export const ERROR_C = 17 * UU;
 export const DISCRIMINANT_ERROR = 44 * UU;

@@ -1,6 +1,6 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import * as dd from '../../float/double-double.ts';
-import { squareError, sumError } from '../../float/eft.ts';
+import { productError, squareError, sumError } from '../../float/eft.ts';
 import { LARGEST_FLARE } from './slow-bounds.ts';
 
 /* The second stage's numbers in double-double, and what is worked out from them: A, b, C and D/4. */
@@ -42,31 +42,78 @@ function setSquare(out: number, x: number): void {
   R[out + 1] = squareError(x, p);
 }
 
-/** out = x·x' + z·z' − a·y·y' for three pairs of double-doubles. */
-export function form(
-  out: number,
-  x: number,
-  x1: number,
-  y: number,
-  y1: number,
-  z: number,
-  z1: number,
-): void {
-  dd.mul(R, S, x, x1);
-  dd.mul(R, T, z, z1);
-  dd.add(R, out, S, T);
+/*
+ * d is of doubles, p = E − C of double-doubles. So a product d·p is taken as p·hi, whose error is known, and a rest in double: 3u² of it. What is added to
+ * such a pair is added to its parts, and normalised once.
+ */
+
+/** Puts hi + lo, whichever is larger. */
+function normalise(out: number, hi: number, lo: number): void {
+  const s = hi + lo;
+  R[out] = s;
+  R[out + 1] = sumError(hi, lo, s);
+}
+
+/** out = dj pj + dk pk. */
+function dot(out: number, dj: number, pj: number, dk: number, pk: number): void {
+  const a = get(dj);
+  const b = get(pj);
+  const c = get(dk);
+  const e = get(pk);
+  const p = a * b;
+  const q = c * e;
+  const s = p + q;
+  const rest = productError(a, b, p) + a * get(pj + 1) + (productError(c, e, q) + c * get(pk + 1));
+  normalise(out, s, sumError(p, q, s) + rest);
+}
+
+/** out −= a·(dy·y) for a double-double y. */
+function subtractAlong(out: number, y: number): void {
   if (get(FLARE) === 0) return;
-  dd.mul(R, S, FLARE, y);
-  dd.mul(R, T, S, y1);
-  dd.sub(R, out, out, T);
+  dd.mulDouble(R, S, y, get(Y));
+  dd.mul(R, S, S, FLARE);
+  dd.sub(R, out, out, S);
+}
+
+/** A = dx² + dz² − a·dy². */
+export function setA(): void {
+  dot(A, X, X, Z, Z);
+  subtractAlong(A, Y);
+}
+
+/** b = dx px + dz pz − a·dy py. */
+export function setB(): void {
+  dot(B, X, PX, Z, PZ);
+  subtractAlong(B, PY);
+}
+
+/** C = px² + pz² − a·py² − ρ. */
+export function setC(): void {
+  dd.sqr(R, S, PX);
+  dd.sqr(R, T, PZ);
+  dd.add(R, C, S, T);
+  if (get(FLARE) !== 0) {
+    dd.sqr(R, S, PY);
+    dd.mul(R, S, S, FLARE);
+    dd.sub(R, C, C, S);
+  }
+  dd.sub(R, C, C, RHO);
 }
 
 /** out = (dj pk − dk pj)². */
 function squaredMinor(out: number, dj: number, dk: number, pj: number, pk: number): void {
-  dd.mul(R, S, dj, pk);
-  dd.mul(R, T, dk, pj);
-  dd.sub(R, S, S, T);
-  dd.sqr(R, out, S);
+  const a = get(dj);
+  const b = get(pk);
+  const c = get(dk);
+  const e = get(pj);
+  const p = a * b;
+  const q = c * e;
+  const s = p - q;
+  const rest = productError(a, b, p) + a * get(pk + 1) - (productError(c, e, q) + c * get(pj + 1));
+  const low = sumError(p, -q, s) + rest;
+  const m = s + low;
+  const mm = m * m;
+  normalise(out, mm, squareError(m, mm) + 2 * (m * sumError(s, low, m)));
 }
 
 /** D/4 by the moment: it does not cancel however far away E is. */

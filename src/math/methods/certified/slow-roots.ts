@@ -22,7 +22,6 @@ import {
   D,
   discriminant,
   FLARE,
-  form,
   get,
   PX,
   PY,
@@ -30,6 +29,9 @@ import {
   R,
   RHO,
   S,
+  setA,
+  setB,
+  setC,
   T,
   U,
   X,
@@ -41,7 +43,7 @@ export const UNKNOWN = -1;
 
 /** Everything is in the registers; t counts in 2^e. */
 export function solveScaled(e: number, slot: RootSlot): number {
-  form(A, X, X, Y, Y, Z, Z);
+  setA();
   discriminant();
   const size = Math.abs(get(FLARE));
   const Am = get(X) ** 2 + get(Z) ** 2 + size * get(Y) ** 2;
@@ -57,9 +59,8 @@ export function solveScaled(e: number, slot: RootSlot): number {
  * and the quotient's own. Products of two such errors are nothing to the half of u/2 that FAITHFUL leaves.
  */
 function roots(e: number, Am: number, Cm: number, errorD: number, slot: RootSlot): number {
-  form(B, X, PX, Y, PY, Z, PZ);
-  form(C, PX, PX, PY, PY, PZ, PZ);
-  dd.sub(R, C, C, RHO);
+  setB();
+  setC();
   dd.sqrt(R, D, D);
   const s = get(D);
   const negative = get(B) < 0;
