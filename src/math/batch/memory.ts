@@ -8,6 +8,9 @@ export function useMemory(make: Allocate | null): void {
   allocate = make;
 }
 
-/** An array of zeros for rays or answers: where WebAssembly is used, in its memory, so that nothing need be copied. Such an array's buffer is shared: it is not to be transferred. */
+/**
+ * An array of zeros for rays or answers: where WebAssembly is used, in its memory, so that nothing need be copied. Such an array's buffer is shared: it is not to be transferred, and
+ * a view of a part does not keep the array from being collected.
+ */
 export const doubles = (length: number): Float64Array =>
   allocate?.(length) ?? new Float64Array(length);

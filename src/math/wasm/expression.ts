@@ -6,7 +6,7 @@ export type Code = readonly number[];
 /** The code that gives the value of a name. Throws ReferenceError for one that is not known. */
 export type Value = (name: string) => Code;
 
-const TOKEN = /\s*(Math\.\w+|[A-Za-z_]\w*|\d[\d.e]*|<=|>=|&&|[-+*/()<>,])/y;
+const TOKEN = /\s*(Math\.\w+|[A-Za-z_]\w*|\d+(?:\.\d+)?(?:e[-+]?\d+)?|<=|>=|&&|[-+*/()<>,])/y;
 
 /** Levels of operators, the loosest first; all of them from left to right, as in TypeScript. */
 const LEVELS: readonly Readonly<Record<string, (a: Code, b: Code) => Code>>[] = [
@@ -33,7 +33,7 @@ export function codeOf(formula: string, value: Value, abs: (a: Code) => Code = o
   return code;
 
   function fail(token: string | undefined): never {
-    throw new SyntaxError(`unexpected ${token ?? 'end'} in ${formula}`);
+    throw new SyntaxError(`unexpected ${token || 'end'} in ${formula}`);
   }
 
   function expect(token: string): void {
@@ -81,7 +81,9 @@ function tokensOf(formula: string): string[] {
   for (let at = 0; formula.slice(at).trim() !== ''; at = TOKEN.lastIndex) {
     TOKEN.lastIndex = at;
     const found = TOKEN.exec(formula);
-    if (!found) throw new SyntaxError(`unexpected ${formula.slice(at, at + 9)} in ${formula}`);
+    if (!found) {
+      throw new SyntaxError(`unexpected ${formula.slice(at).trim().slice(0, 9)} in ${formula}`);
+    }
     tokens.push(found[1] as string);
   }
   return tokens;

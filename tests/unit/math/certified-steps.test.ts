@@ -12,6 +12,7 @@ import {
 } from '../../../src/math/methods/certified/lattice-scratch.ts';
 import { SHARE, SLACK_G, solvePass } from '../../../src/math/methods/certified/lattice-solve.ts';
 import { type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
+import { climb } from './climb.ts';
 import { form } from './exact-quadratic.ts';
 
 /*
@@ -33,7 +34,12 @@ const out = createAnswers(1);
 const lattice = new Float64Array(Object.keys(AT).length);
 lattice[AT.two] = 2;
 lattice[AT.largestSize] = Number.POSITIVE_INFINITY;
-lattice[AT.leastGap] = 20;
+const ordinary = latticeOf(
+  quadricOf({ kind: 'cylinder', center: [0, 0, 0], radius: 1 }) as Quadric,
+) as Float64Array;
+/** In units of t. */
+const LEAST_GAP = (2 * (ordinary[AT.leastGap] as number)) / (ordinary[AT.two] as number);
+lattice[AT.leastGap] = LEAST_GAP;
 
 interface Known {
   readonly A: number;
@@ -91,7 +97,7 @@ function solved(known: Known): readonly [number, number] | null {
 }
 
 function anyKnown(random: Random): Known {
-  const gap = Math.round(uniform(random, 20, 5000));
+  const gap = Math.round(uniform(random, LEAST_GAP, 5000));
   const step = (): number => uniform(random, -0.5, 0.5);
   const A = randomSign(random) * uniform(random, 1, 4) * 2 ** 24;
   return random() < 0.5
@@ -123,6 +129,25 @@ describe('pass 3 (seed 61)', () => {
     expect(worst).toBeGreaterThan(charged / 3);
   });
 
+  test("a step's own roundings are charged by SLACK, which is not much more", () => {
+    const random = seeded(65);
+    const worst = climb(random, {
+      start: () => {
+        const { A, a, b, stepA, stepB } = anyKnown(random);
+        return [A, b - a, stepA, stepB];
+      },
+      score: ([A = 1, gap = 0, stepA = 0, stepB = 0]) => {
+        const b = Math.round(gap);
+        const allowed = b >= LEAST_GAP && Math.abs(stepA) <= 0.51 && Math.abs(stepB) <= 0.51;
+        return allowed ? stepError({ A, a: 0, b, stepA, stepB }) : 0;
+      },
+      starts: 30,
+      steps: 300,
+    });
+    expect(worst).toBeLessThan(SLACK);
+    expect(worst).toBeGreaterThan(SLACK / 4);
+  });
+
   test('an error of g alone moves a step by no more than is charged, and not by much less', () => {
     const random = seeded(64);
     let worst = 0;
@@ -144,7 +169,11 @@ describe('pass 3 (seed 61)', () => {
     let own = 0;
     let shared = 0;
     for (let k = 0; k < 20000; k++) {
-      const known = { ...anyKnown(random), a: 0, b: Math.round(uniform(random, 20, 60)) };
+      const known = {
+        ...anyKnown(random),
+        a: 0,
+        b: Math.round(uniform(random, LEAST_GAP, 3 * LEAST_GAP)),
+      };
       const off = 2 ** -26 * known.A;
       const before = solved(known);
       const after = solved({ ...known, offNear: off });
@@ -169,8 +198,8 @@ describe('pass 3 (seed 61)', () => {
   });
 
   test('the gap must be much larger than a step can be', () => {
-    expect(solved({ ...steady, b: 20 })).not.toBeNull();
-    expect(solved({ ...steady, b: 19 })).toBeNull();
+    expect(solved({ ...steady, b: LEAST_GAP })).not.toBeNull();
+    expect(solved({ ...steady, b: LEAST_GAP - 1 })).toBeNull();
   });
 
   test('what is not a number is not certified', () => {

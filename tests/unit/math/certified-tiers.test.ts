@@ -110,12 +110,28 @@ function highUp(random: Random): Question {
   };
 }
 
+/** The shape's centre as far from the origin as is ordinary, and E at most some sizes from it. */
+function farCentre(random: Random): Question {
+  let far = 1;
+  const ordinary = (center: Vec3): boolean =>
+    latticeOf(quadric({ kind: 'cylinder', center, radius: 1 })) !== null;
+  while (far < 2 ** 200 && ordinary([2 * far, 0, 0])) far *= 2;
+  const by = (): number => randomSign(random) * far * uniform(random, 0.5, 1);
+  const { ray } = aimed(random, 1, log(random, -12, 2));
+  const center: Vec3 = [by(), by() / 64, by()];
+  return {
+    shape: shapeAt(random, center),
+    ray: { ...ray, origin: ray.origin.map((e, k) => e + (center[k] as number)) as unknown as Vec3 },
+  };
+}
+
 const size = (x: dy.Dyadic): number => Math.abs(dy.toNumber(x));
 
 describe('pass 2, f at whole t', () => {
   const families: [string, (random: Random) => Question, number][] = [
     ['rays of a picture', (r) => aimed(r, log(r, -3, 1), log(r, 0, 5)), 1 / 8],
     ['far up, with t small', highUp, 1 / 8],
+    ['a centre as far as is allowed', farCentre, 1 / 32],
   ];
   test.each(families)(
     '%s: off by less than the bound, and not by much less (seed 51)',

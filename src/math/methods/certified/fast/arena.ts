@@ -22,7 +22,7 @@ export function createArena(buffer: ArrayBuffer): Allocate {
     const bytes = LINE * Math.ceil((8 * length) / LINE) + GAP;
     let offset = free.get(bytes)?.pop();
     if (offset === undefined) {
-      if (next + bytes > END) return null;
+      if (!(next + bytes <= END)) return null;
       offset = next;
       next += bytes;
     }

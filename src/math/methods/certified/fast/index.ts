@@ -22,7 +22,7 @@ export interface Fast {
   readonly allocate: Allocate;
 }
 
-/** Null where WebAssembly or its vectors are missing or forbidden. */
+/** Null where WebAssembly, its vectors or its memory are missing or forbidden. */
 export function createFast(): Fast | null {
   const instance = instantiate();
   if (!instance) return null;
@@ -32,12 +32,12 @@ export function createFast(): Fast | null {
 
 function instantiate(): WebAssembly.Instance | null {
   if (typeof WebAssembly === 'undefined') return null;
+  const bytes = certifiedModule() as BufferSource;
   try {
-    return new WebAssembly.Instance(new WebAssembly.Module(certifiedModule() as BufferSource));
-  } catch (error) {
-    // A content security policy without 'wasm-unsafe-eval', or an engine without vectors, says CompileError.
-    if (error instanceof WebAssembly.CompileError) return null;
-    throw error;
+    return new WebAssembly.Instance(new WebAssembly.Module(bytes));
+  } catch {
+    // Without vectors an engine says CompileError, under a content security policy without 'wasm-unsafe-eval' that or EvalError, without room for the memory RangeError.
+    return null;
   }
 }
 
@@ -73,12 +73,15 @@ function fastRoots(exports: WebAssembly.Exports, buffer: ArrayBuffer): FastRoots
     const kernel = kernels[q.hasY ? 1 : 0] as (typeof kernels)[number];
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     const { t0, t1 } = out;
-    const here = t0.buffer === buffer && t1.buffer === buffer;
+    const inPlace = t0.buffer === buffer && t1.buffer === buffer;
     left.count = 0;
     scaledNumbers.set(c.numbers);
     if (c.lattice) latticeNumbers.set(c.lattice);
-    for (let from = 0; from < rays.count; from += CAPACITY) {
-      const count = Math.min(CAPACITY, rays.count - from);
+    for (let from = 0, count = 0; from < rays.count; from += count) {
+      const rest = Math.min(CAPACITY, rays.count - from);
+      // The kernels write two answers at a time: the last of an odd number goes alone, through the block, since what comes after it is not theirs.
+      const here = inPlace && rest > 1;
+      count = here ? rest & ~1 : rest;
       const ex = addressOf('Ex', Ex, from, count);
       const ey = q.hasY ? addressOf('Ey', Ey, from, count) : 0;
       const ez = addressOf('Ez', Ez, from, count);
