@@ -29,6 +29,7 @@ export function blockKernel(
   loops: readonly [Loop, Loop, Loop],
   cuts: readonly (readonly [string, 0 | 1 | 2])[],
 ): Func {
+  if (cuts.length === 0) throw new RangeError(`${name} has no parts`);
   const flow = flowOf(loops, numbers);
   const { scope, prologue } = scopeOf(flow, VECTORS);
   const at = op.get(AT);

@@ -31,6 +31,7 @@ export function listKernel(
   verdicts: Verdicts,
   cuts: readonly string[],
 ): Func {
+  if (cuts.length === 0) throw new RangeError(`${name} has no parts`);
   const flow = flowOf([loop], [numbers]);
   const { scope, prologue } = scopeOf(flow, VECTORS);
   const at = op.get(AT);
