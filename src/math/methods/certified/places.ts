@@ -21,8 +21,8 @@ import { hitAt, ROOTS } from './hit-quadric.ts';
  *
  * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the
  * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d lost, times 2g and a, is below SMALLEST in F; and in F' too, for t·d is
- * only below 2^-968 for |d| < 2^106. But d may be of any length, since
- * A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0: tests/repro).
+ * only below 2^-968 for |d| < 2^106. But d may be of any length, since A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0) and is made
+ * of dx·(F/2h·dx) … (A underflowed, and Aδ with it: both in tests/repro).
  */
 const U = 2 ** -53;
 const UU = 2 ** -106;
@@ -82,6 +82,10 @@ export function putStep(
   return eta <= 0.25;
 }
 
+/** (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish while s is long. */
+const times = (a: number, [x, y, z]: Vec3, s: number): number =>
+  x * (s * x) + z * (s * z) - a * (y * (s * y));
+
 /** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. Asked right after plainQuadric, whose ALGEBRA it reads. */
 export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
@@ -100,13 +104,11 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   dd.sub(R, F, F, S);
   putSquare(S, q.r);
   dd.sub(R, F, F, S);
-  const Am = d[0] * d[0] + d[2] * d[2] + size * d[1] * d[1];
-  const A = d[0] * d[0] + d[2] * d[2] - a * d[1] * d[1];
   const offF = ERROR_CURVED * (x * x + z * z + size * y * y + q.r * q.r);
   const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
   const offSlope =
     ERROR_SLOPE * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
-  const bend = Am * (2 * U * Math.abs(t) + TINY);
+  const bend = times(-size, d, 2 * U * Math.abs(t) + TINY);
   const eta = (offSlope + bend + SMALLEST) / Math.abs(slope);
   const known =
     eta <= 0.25 &&
@@ -114,8 +116,8 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
       k,
       t,
       offF,
-      slope - A * (at(F) / slope),
-      offSlope + bend * (eta + 8 * U) + (Am * offF) / Math.abs(slope),
+      slope - times(a, d, at(F) / slope),
+      offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope)),
     );
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
   return known && narrow ? hitAt(q, ray, k, t) : null;
