@@ -1,5 +1,6 @@
 import { FAMILIES, type Family } from '../math/families.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { isFast } from '../math/methods/certified/roots-quadric.ts';
 import { METHODS } from '../math/methods/index.ts';
 import { batchesOf, type Form, type Sample, tasksOf } from './plan.ts';
 import { qualityOf } from './quality.ts';
@@ -41,6 +42,8 @@ export interface Measured {
   readonly secondsLeft: number;
   /** False for what was cancelled, or is still going on. */
   readonly complete: boolean;
+  /** Whether certified's roots were found by WebAssembly. */
+  readonly accelerated: boolean;
   readonly rows: readonly MeasuredRow[];
 }
 
@@ -57,7 +60,7 @@ export function* measureSession(request: MeasureRequest, clock: Clock): Generato
   }));
   const { plan } = request;
   const step = clockStep(clock);
-  const common = { rays, clockStep: step, rounds: plan.rounds };
+  const common = { rays, clockStep: step, rounds: plan.rounds, accelerated: isFast() };
   const untimed = { round: 0, share: 0, secondsLeft: Number.NaN, complete: false };
   yield { ...common, ...untimed, rows: qualities };
   const tasks = FORMS.flatMap((form) =>

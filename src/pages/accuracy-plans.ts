@@ -55,7 +55,8 @@ export function provenanceOf(
   );
   const busy = `quartiles up to ${Math.round(100 * spread)} % apart${spread > BUSY ? ': the machine looked busy' : ''}`;
   const step = `timer step ${display(1000 * measured.clockStep, 3)} µs`;
-  return `${device}; ${step}; ${measured.round} rounds, ${rays}; ${busy}. Digits are counted against exact on every ray.`;
+  const roots = `certified’s roots by ${measured.accelerated ? 'WebAssembly' : 'script alone'}`;
+  return `${device}; ${step}; ${measured.round} rounds, ${rays}; ${roots}; ${busy}. Digits are counted against exact on every ray.`;
 }
 
 function browserName(agent: string): string {

@@ -6,12 +6,14 @@ import type { Quadric } from '../math/batch/quadric.ts';
  * f(t) = A t² + 2b t + C the roots add up to −2b/A. If b and A have the same sign, the sum is negative: then either both roots are, or the negative one is
  * the larger in size and the positive one is the nearer to 0, which the start rule drops. Nothing is left ahead, whatever C is.
  *
- * In doubles, u = 2^-53: p = E − C is off by u; each of b's products by 4u, with two sums: |δb| < 10u·bm, where bm sums the terms' sizes; likewise
- * |δA| < 10u·Am. ERROR has room for evaluating these, SMALLEST for underflow. It is the answer of exact arithmetic, so it may stand in for the rungs
+ * In doubles, u = 2^-53: p = E − C is off by u, and so is a. b's products 2u, that with a 4u, and two sums: |δb| ≤ 5u·bm, where bm sums the terms' sizes;
+ * likewise |δA| ≤ 4u·Am. ERROR has room for evaluating these, SMALLEST for the products that leave the doubles, 2^-1075 each; but a·dy is multiplied once more,
+ * so it must not. It is the answer of exact arithmetic, so it may stand in for the rungs
  * that give that, and only for those.
  */
-const ERROR = 16 * 2 ** -53;
-const SMALLEST = 2 ** -900;
+export const ERROR = 6 * 2 ** -53;
+export const SMALLEST = 2 ** -1072;
+const LEAST_NORMAL = 2 ** -1022;
 
 /** The rungs whose class and signs are those of exact arithmetic. */
 export const PROVEN: ReadonlySet<string> = new Set(['certified', 'exact']);
@@ -30,5 +32,6 @@ export function departs(q: Quadric, a: number, rays: Rays, i: number): boolean {
   const bm = Math.abs(x * px) + Math.abs(z * pz) + Math.abs(ay * py);
   const Am = x * x + z * z + Math.abs(ay * y);
   const known = Math.abs(b) > ERROR * bm + SMALLEST && Math.abs(A) > ERROR * Am + SMALLEST;
-  return known && b > 0 === A > 0;
+  const whole = Math.abs(ay) >= LEAST_NORMAL || a === 0 || y === 0;
+  return known && whole && b > 0 === A > 0;
 }

@@ -68,6 +68,8 @@ test('a short run ends, shows every method, and the sentence has the table’s n
     .locator('[data-quantity="ratio"]')
     .textContent();
   expect(cell).toBe(`${faithful?.[1]}×`);
+  // The policy is the page's: a worker from a file of the site may use WebAssembly.
+  await expect(page.locator('.provenance')).toContainText('certified’s roots by WebAssembly');
   // Nothing certified or exact is wrong; the textbook formula is.
   await expect(
     page.getByRole('button', { name: /^certified: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),

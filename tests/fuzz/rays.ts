@@ -6,10 +6,11 @@ import { integer, pick, type Random, seeded, wide } from '../../src/math/rng.ts'
 import type { Shape } from '../../src/math/shapes/index.ts';
 import { disagreement, misplaced } from '../unit/math/against-exact.ts';
 import { shrink } from './shrink-ray.ts';
+import { unlike } from './unlike.ts';
 
 /*
  * Certified against exact on as many rays as wanted:  npm run fuzz -- --rays 1e7 --seed 1
- * The class and roots as an object and in a batch, the points and normals of the object.
+ * The class and roots as an object and in a batch, the points and normals of the object; and a batch of neighbours by WebAssembly against one without, bit by bit.
  * Every family of hard rays, each then bent by a few doubles, scaled, or given other exponents, so that it lands beside what its family aims
  * at. A failure is shrunk and printed as a line for tests/repro.
  */
@@ -60,7 +61,7 @@ function bent({ shape, ray }: Question, random: Random): Question {
 
 /** What certified gets wrong, in words, or null. */
 function wrong(question: Question): string | null {
-  const told = disagreement(question.shape, question.ray);
+  const told = disagreement(question.shape, question.ray) ?? unlike(question);
   if (told) return told;
   const hits = misplaced(question);
   return hits.length ? `misplaced: ${JSON.stringify(hits)}` : null;

@@ -15,17 +15,17 @@ const LEVELS: readonly Readonly<Record<string, (a: Code, b: Code) => Code>>[] = 
   { '+': op.add, '-': op.sub },
   { '*': op.mul, '/': op.div },
 ];
-const OF_ONE: Readonly<Record<string, (a: Code) => Code>> = {
-  'Math.abs': op.abs,
-  'Math.sqrt': op.sqrt,
-};
 const OF_TWO: Readonly<Record<string, (a: Code, b: Code) => Code>> = {
   'Math.min': op.min,
   'Math.max': op.max,
 };
 
-/** A formula of TypeScript for two rays at a time: the same operations in the same order, and so the same bits. Throws SyntaxError for what is not one. */
-export function codeOf(formula: string, value: Value): Code {
+/** A formula of TypeScript for two rays at a time: the same operations in the same order, and so the same bits. `abs` is how a size is taken. Throws SyntaxError for what is not one. */
+export function codeOf(formula: string, value: Value, abs: (a: Code) => Code = op.abs): Code {
+  const ofOneValue: Readonly<Record<string, (a: Code) => Code>> = {
+    'Math.abs': abs,
+    'Math.sqrt': op.sqrt,
+  };
   const tokens = tokensOf(formula);
   let at = 0;
   const code = level(0);
@@ -61,7 +61,7 @@ export function codeOf(formula: string, value: Value): Code {
       expect(')');
       return inner;
     }
-    const ofOne = OF_ONE[token];
+    const ofOne = ofOneValue[token];
     const ofTwo = OF_TWO[token];
     if (ofOne || ofTwo) {
       expect('(');

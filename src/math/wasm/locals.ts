@@ -1,6 +1,5 @@
-import { type Code, codeOf } from './expression.ts';
-import { get, set } from './ops.ts';
-import type { Statement } from './source.ts';
+import type { Code } from './expression.ts';
+import { get } from './ops.ts';
 
 /** The locals of a function, first come, first numbered; a name has one in its scope and is sought in the scopes around it. */
 export interface Scope {
@@ -33,17 +32,5 @@ export function createScope(first: number): Scope {
   };
   return make((name) => {
     throw new ReferenceError(`${name} is not known`);
-  });
-}
-
-/** The code of a loop's statements. `write` makes the code for what goes to an array. */
-export function compile(
-  statements: readonly Statement[],
-  scope: Scope,
-  write: (array: string, value: Code) => Code,
-): Code {
-  return statements.flatMap(({ target, writes, formula }) => {
-    const code = codeOf(formula, scope.value);
-    return writes ? write(target, code) : set(scope.declare(target), code);
   });
 }

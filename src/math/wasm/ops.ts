@@ -37,6 +37,7 @@ export const lt = binary(vector(73));
 export const gt = binary(vector(74));
 export const le = binary(vector(75));
 export const ge = binary(vector(76));
+export const not = unary(vector(77));
 export const and = binary(vector(78));
 export const andNot = binary(vector(79));
 export const or = binary(vector(80));
@@ -59,6 +60,12 @@ export function constant(value: number): Code {
   const bytes = new Uint8Array(Float64Array.of(value, value).buffer);
   return [...vector(12), ...bytes];
 }
+
+/** All bits but the sign's, in both lanes: `and` with it is one instruction where f64x2.abs becomes three. */
+export const MAGNITUDE: Code = [
+  ...vector(12),
+  ...Array.from({ length: 16 }, (_, k) => (k % 8 === 7 ? 0x7f : 0xff)),
+];
 
 export const get = (local: number): Code => [0x20, ...leb(local)];
 export const set = (local: number, value: Code): Code => [...value, 0x21, ...leb(local)];

@@ -72,12 +72,3 @@ function statementsOf(loop: string, hasY: boolean): Statement[] {
 
 /** The name of an array's element in a formula. */
 export const elementOf = (array: string): string => `${array}__`;
-
-/** The arrays that these statements read. */
-export const arraysRead = (statements: readonly Statement[]): string[] => [
-  ...new Set(
-    statements.flatMap(({ formula }) =>
-      [...formula.matchAll(/(\w+)__/g)].map((m) => m[1] as string),
-    ),
-  ),
-];

@@ -127,6 +127,18 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
     },
   ],
   [
+    'C loses bits in the subnormals, and a long d makes up for it',
+    (r) => {
+      const slope = uniform(r, 0.5, 1.5);
+      const y = 2 ** -uniform(r, 529, 536);
+      const x = slope * y * (1 + randomSign(r) * 2 ** -uniform(r, 8, 18));
+      return {
+        shape: { kind: 'cone', vertex: [0, 0, 0], slope },
+        ray: { origin: [x, y, 0], direction: [0, 0, 2 ** integer(r, 200, 450)] },
+      };
+    },
+  ],
+  [
     'a plane nearly along the ray: N·d cancels to any share of its terms',
     (r) => {
       // ax + by with 52 bits and less is a double, so the third term makes up for it but for `off`.
@@ -166,6 +178,19 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
       return {
         shape: { kind: 'plane', normal: [a, b, best.c], point: [0, uniform(r, -1, 1), 0] },
         ray: { origin, direction: [x, y, best.z] },
+      };
+    },
+  ],
+  [
+    'E near a plane: N·p cancels to any share of its terms',
+    (r) => {
+      const normal: Vec3 = [uniform(r, 0.5, 1), uniform(r, 0.5, 1), uniform(r, 0.5, 1)];
+      const [x, y] = [uniform(r, -1, 1), uniform(r, -1, 1)];
+      const z = -(normal[0] * x + normal[1] * y) / normal[2];
+      const direction: Vec3 = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, -1, 1)];
+      return {
+        shape: { kind: 'plane', normal, point: [0, 0, 0] },
+        ray: { origin: [x, y, z * (1 + 2 ** -uniform(r, 5, 53))], direction },
       };
     },
   ],

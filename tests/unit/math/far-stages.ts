@@ -13,7 +13,7 @@ import { climb } from './climb.ts';
 import { flareOf, form, solved } from './exact-quadratic.ts';
 import { about, grazing, type Kind, log, type Numbers, quarter, questionOf } from './in-a-row.ts';
 import { namedValues } from './named-values.ts';
-import { type Known, runningError } from './running-error.ts';
+import { type Known, runningError } from './operation-errors.ts';
 
 /*
  * The stages after the ordinary rays', at their own values before the last rounding. A search looks for rays on which an error is the largest share of its bound: it
@@ -92,7 +92,7 @@ export const offFrom = (truth: surd.Surd, ...parts: number[]): number =>
 export type Share = (a: Asked) => number;
 
 /** Where a bound is in its list. */
-export const [CROSS_ERROR, RESIDUAL, SLOPE_ERROR, CLOSED_A, CLOSED] = [4, 6, 7, 8, 9];
+export const [CROSS_ERROR, RESIDUAL, SLOPE_ERROR, CLOSED_A, CLOSED, NARROW] = [4, 6, 7, 8, 9, 14];
 export const [RESIDUAL_ERROR, STEP_ERROR, SPREAD, STEP] = [4, 5, 7, 8];
 
 export const shareOfD: Share = ({ q, ray, named }) =>
@@ -163,10 +163,13 @@ export const ofB: Charge = (a, by) =>
   possible(a, 'b') /
   (by * bound(recentred, SLOPE_ERROR) * value(a, 'width') * value(a, 'speed') +
     U * Math.abs(value(a, 'b')));
-export const ofF: Charge = (a, by) =>
-  possible(a, 'f') /
-  (by * bound(recentred, CROSS_ERROR) * value(a, 'width') * value(a, 'size') +
-    2 * U * Math.abs(value(a, 'f')));
+/** What f's own last roundings lose, 2u|f|, is charged beside. */
+export const ofF: Charge = (a, by) => {
+  const width = value(a, 'width');
+  const size = value(a, 'size') + bound(recentred, NARROW) * width;
+  const rest = possible(a, 'f') - 2 * U * Math.abs(value(a, 'f'));
+  return rest / (by * bound(recentred, CROSS_ERROR) * width * size);
+};
 export const ofA: Charge = (a, by) =>
   possible(a, 'A') / (by * bound(recentred, CLOSED_A) * value(a, 'square'));
 export const ofD: Charge = (a, by) => {
@@ -185,7 +188,9 @@ export const ofClosed: Charge = (a, by) =>
 export const ofResidual: Charge = (a, by) => {
   if (!withinLimits(a)) return 0;
   const size = value(a, 'sizeOfA');
-  const charged = by * bound(rootByRoot, RESIDUAL_ERROR) * size * (size + value(a, 'reachA'));
+  const width = size + value(a, 'reachA');
+  const charged =
+    by * bound(rootByRoot, RESIDUAL_ERROR) * width * (size + bound(rootByRoot, 17) * width);
   return possible(a, 'fa') / (charged + 2 * U * Math.abs(value(a, 'fa')));
 };
 
@@ -217,6 +222,12 @@ export const through =
   (least: number, most: number): Start =>
   (kind, r) =>
     grazing(kind, r, 1 - log(r, -50, -2), log(r, least, most));
+/** Through the centre or vertex but for a rounding. */
+export const central: Start = (_, r) => {
+  const x = about(r);
+  const t = log(r, -3, 20);
+  return x.map((v, i) => (i > 4 && i < 8 ? (x[i - 5] as number) - t * (x[i + 3] as number) : v));
+};
 /** E so near to the shape that a root is small. */
 export const beside: Start = (kind, r) => {
   const x = grazing(kind, r, log(r, -3, -0.1), log(r, -1, 3));

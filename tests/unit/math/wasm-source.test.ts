@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { blockKernel } from '../../../src/math/methods/certified/fast/block-kernel.ts';
+import { flowOf, partsOf, scopeOf } from '../../../src/math/methods/certified/fast/flow.ts';
 import {
   ARENA,
   CAPACITY,
@@ -10,12 +11,12 @@ import {
 } from '../../../src/math/methods/certified/fast/layout.ts';
 import { listKernel } from '../../../src/math/methods/certified/fast/list-kernel.ts';
 import { certifiedModule } from '../../../src/math/methods/certified/fast/module.ts';
-import { constantsOf, type Numbers } from '../../../src/math/methods/certified/fast/prologue.ts';
+import { type Numbers, numberOf } from '../../../src/math/methods/certified/fast/prologue.ts';
 import { AT } from '../../../src/math/methods/certified/lattice.ts';
 import { AT_SCALED } from '../../../src/math/methods/certified/scaled-quadric.ts';
-import { compile, createScope } from '../../../src/math/wasm/locals.ts';
+import { createScope } from '../../../src/math/wasm/locals.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
-import { arraysRead, loopOf } from '../../../src/math/wasm/source.ts';
+import { loopOf, type Statement } from '../../../src/math/wasm/source.ts';
 
 /* What is read out of a loop's text, and what is said of a text that is none. */
 
@@ -85,9 +86,6 @@ describe('a loop', () => {
       'Math.abs(sum)',
     ]);
   });
-  test('the arrays that it reads, each once', () => {
-    expect(arraysRead(statements)).toEqual(['xs', 'ys', 'zs']);
-  });
   test('without y', () => {
     const y = loopOf(SOURCE, 'pass', false).statements.find(({ target }) => target === 'y');
     expect(y?.formula).toBe('0');
@@ -110,13 +108,25 @@ describe('a loop', () => {
 
 describe('names', () => {
   const nowhere: Numbers = { inMemory: {}, known: { BOUNDS: [1, 2] } };
+  const value = (target: string, formula: string): Statement => ({
+    target,
+    writes: false,
+    formula,
+  });
+  const codeOf = (statements: readonly Statement[]) => {
+    const flow = flowOf([{ constants: [], statements }], [nowhere]);
+    const where = { hand: op.i32(0), input: () => null, again: true };
+    return partsOf(flow, [], [[]], where, scopeOf(flow, 0).scope).code(0);
+  };
   test('one that is not known is named', () => {
-    const statements = [{ target: 'a', writes: false, formula: 'b + 1' }];
-    expect(() => compile(statements, createScope(0), () => [])).toThrow(/^b is not known$/);
+    expect(() => codeOf([value('a', 'b + 1')])).toThrow(/^b is read but never written$/);
   });
   test('one that is known already is named', () => {
-    const twice = ['1', '2'].map((formula) => ({ target: 'a', writes: false, formula }));
-    expect(() => compile(twice, createScope(0), () => [])).toThrow(/^a is known already$/);
+    expect(() => codeOf([value('a', '1'), value('a', '2')])).toThrow(/^a_0 is known already$/);
+  });
+  test('what only renames another value costs nothing', () => {
+    const plain = codeOf([value('a', '1'), value('c', 'a + a')]);
+    expect(codeOf([value('a', '1'), value('b', 'a'), value('c', 'b + a')])).toEqual(plain);
   });
   test('an inner scope sees the outer one, not the other way round, and no local has two names', () => {
     const scope = createScope(7);
@@ -131,43 +141,33 @@ describe('names', () => {
     expect([scope.count(), left.count()]).toEqual([4, 4]);
   });
   test('a constant that is in no list is named with its key', () => {
-    const constants = [{ name: 'c', array: 'BOUNDS', key: '2' }];
-    expect(() => constantsOf(constants, nowhere, createScope(0))).toThrow(
-      /^BOUNDS\[2\] is not known$/,
-    );
-    const other = [{ name: 'c', array: 'LIMITS', key: '0' }];
-    expect(() => constantsOf(other, nowhere, createScope(0))).toThrow(/^LIMITS\[0\] is not known$/);
+    expect(() => numberOf('BOUNDS', '2', nowhere)).toThrow(/^BOUNDS\[2\] is not known$/);
+    expect(() => numberOf('LIMITS', '0', nowhere)).toThrow(/^LIMITS\[0\] is not known$/);
   });
   test('an array that is read and never written is named', () => {
-    const statement = (target: string, formula: string, writes = false) => ({
-      target,
-      writes,
-      formula,
-    });
-    const rough = {
-      constants: [],
-      statements: [
-        statement('clear', '1 < 2'),
-        statement('missed', '2 < 1'),
-        statement('remote', '1 < 2'),
-      ],
-    };
-    const middle = { constants: [], statements: [statement('g', 'gs__')] };
-    const last = { constants: [], statements: [statement('settled', '1 < 2')] };
-    const make = () => blockKernel('f', [nowhere, nowhere, nowhere], [rough, middle, last]);
-    expect(make).toThrow(/^gs is read but never written$/);
-    const without = { constants: [], statements: rough.statements.slice(0, 2) };
-    expect(() => blockKernel('f', [nowhere, nowhere, nowhere], [without, middle, last])).toThrow(
-      /^remote is not known$/,
-    );
+    const rough = [value('clear', '1 < 2'), value('missed', '2 < 1'), value('remote', '1 < 2')];
+    const loop = (statements: readonly Statement[]) => ({ constants: [], statements });
+    const make = (first: readonly Statement[], cuts: readonly (readonly [string, 0])[]) =>
+      blockKernel(
+        'f',
+        [nowhere, nowhere, nowhere],
+        [loop(first), loop([value('g', '1 + gs__')]), loop([value('settled', '1 < 2')])],
+        cuts,
+      );
+    expect(() => make(rough, [['missed', 0]])).toThrow(/^gs__ is read but never written$/);
+    expect(() => make(rough.slice(0, 2), [['missed', 0]])).toThrow(/^remote is not known$/);
+    expect(() => make(rough, [['gone', 0]])).toThrow(/^no gone to cut after$/);
+    expect(() => make(rough, [])).toThrow(/^f has no parts$/);
   });
   test("a stage's verdict that it does not reach is named", () => {
-    const loop = {
-      constants: [],
-      statements: [{ target: 'clear', writes: false, formula: '1 < 2' }],
-    };
-    const verdicts = { settled: ['clear', 'sure'] as const, missed: null, early: null };
-    expect(() => listKernel('f', nowhere, loop, verdicts)).toThrow(/^sure is not known$/);
+    const loop = { constants: [], statements: [value('clear', '1 < 2'), value('x', '1 + 1')] };
+    const verdicts = { clear: 'clear', settled: 'sure', missed: null };
+    const make = (cuts: readonly string[]) => listKernel('f', nowhere, loop, verdicts, cuts);
+    expect(() => make(['clear'])).toThrow(/^sure is read but never written$/);
+    expect(() => make([])).toThrow(/^f has no parts$/);
+  });
+  test('more values than there is room for are refused', () => {
+    expect(() => handed(1000)).toThrow(/^no room to hand on 1001 values$/);
   });
 });
 

@@ -6,22 +6,23 @@ import type { Ray } from '../../ray.ts';
  * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles are split without loss (eft.ts); p = E − C is
  * two doubles exactly, so are c² and r². Only the lower halves are rounded when they are added up, and their own small products left out:
  *
- *   A  lower halves ≤ 6u Am in all, added up in 5 steps: 30u²; their products 8u², a's lower half times y²'s: u²        < 64u² Am
- *   b  ≤ 6u bm, 6 steps: 36u²; 9u²                                                                                     < 64u² bm
- *   C  ≤ 12u Cm, 6 steps: 72u²; 14u²                                                                                   < 96u² Cm
- *   D/4  2|b|δb + |A|δC + |C|δA ≤ 222u² AmCm, and 23u² (b² + |AC|)                                                     < 320u² AmCm
+ *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most of these; 1u² left out              14u² Am
+ *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out                                                   23u² bm
+ *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out                                    36u² Cm
+ *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b, A, C: 14u² of b² + |AC|             124u² AmCm
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
- * ≤ 2^-1073; with Am, Cm and |a| below LARGE that is far below SMALLEST in A, b, C and below SMALLEST_D in D.
+ * ≤ 2^-1072, with what multiplies its lower half; a itself and the a·(y·y') of that many times 2^200 are SMALLEST in A, b and C, and these 2^202 times in D. What is then
+ * divided is above 2^-968, where products are split without loss.
  */
 const UU = 2 ** -106;
-const ERROR_A = 64 * UU;
-const ERROR_B = 64 * UU;
-const ERROR_C = 96 * UU;
-const ERROR_D = 320 * UU;
-const SMALLEST = 2 ** -600;
-const SMALLEST_D = 2 ** -300;
-const LARGE = 2 ** 200;
+export const ERROR_A = 15 * UU;
+export const ERROR_B = 24 * UU;
+export const ERROR_C = 38 * UU;
+export const ERROR_D = 136 * UU;
+export const SMALLEST = 2 ** -872;
+export const SMALLEST_D = 2 ** -670;
+export const LARGE = 2 ** 200;
 export const SPLITTER = 134217729;
 
 /** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */

@@ -12,13 +12,14 @@ import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
  *   b²: 2·5u + u;  AC: 4u + 7u + u;  their difference u:                 |δ(D/4)| ≤ 24u Am Cm
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ. DIRECT_ERROR has room for the terms in u² and for Am and Cm being
- * rounded themselves (at most 10u together). SMALLEST covers underflow: inside the box what a lost product (2^-1074) is multiplied by
- * is below 2^800.
+ * rounded themselves (at most 10u together). SMALLEST covers underflow: with k in the box and Am, Cm < LARGEST a lost product (2^-1074) is multiplied by a < 2^200 and
+ * LARGEST at most, which is less than 2^-470; and where D is above SMALLEST, Am is above SMALLEST / 2 LARGEST = 2^-823, so that what A lost, 2^-874, is within
+ * the 4u that its own DIRECT_ERROR is too large by (and more).
  */
 export const DIRECT_ERROR = 27 * 2 ** -53;
-const SMALLEST = 2 ** -200;
+export const SMALLEST = 2 ** -422;
 /** Am and Cm below this: squares of the box's numbers, six of them and a. */
-const LARGEST = BOX ** 4;
+export const LARGEST = BOX ** 4;
 
 /** Writes D/4 where its sign is certain, and leaves the other rays open. */
 export function openClasses(

@@ -6,22 +6,22 @@ import type { Planar } from '../../batch/planar.ts';
  * itself: both stages of the kernel know it to more than 53 bits before they round it.
  *
  * Circle, |w|² against (r N·d)²:
- *   m = d × p:     δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤ S = |d|₁|p|₁
- *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (2u S + 3u max|mi|)                          =: e
+ *   m = d × p:     δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤ |mi| + 2√(|dj pj|·|dk pk|) ≤ |mi| + S/2, S = |d|₁|p|₁:   ≤ uS + 3u|mi|
+ *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (uS + 5u max|mi|)                            =: e
  *   |w|² − (r·N·d)²:  2|w|₁e + 3e²;  3u of |w|² and 2·(2 + 1)u + u of (r·N·d)² for themselves, u of both for the difference
  * Square, wu and wv against 0 and L|dn|, where n is its normal's axis:
  *   wu = dn pu − du pn:   2u Su + u|wu|, Su = |dn pu| + |du pn|
  *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less than wu, so L|dn| ≤ 2|wu|:     6u Su
  *
  * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are
- * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for it.
+ * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for its three products.
  */
 const U = 2 ** -53;
-const CIRCLE_S = 3 * U;
-const CIRCLE_M = 4 * U;
-const CIRCLE_SQUARES = 9 * U;
-const SQUARE_S = 7 * U;
-const SMALLEST = 2 ** -900;
+export const CIRCLE_S = 1.1 * U;
+export const CIRCLE_M = 5.1 * U;
+export const CIRCLE_SQUARES = 9 * U;
+export const SQUARE_S = 7 * U;
+export const SMALLEST = 2 ** -1072;
 
 /**
  * Rays from … to − 1. N·d goes in by `margin`, NaN if it is not known; out come the margin (≥ 0 inside) and its bound. Loops of their own: doubles that are

@@ -3,6 +3,7 @@ import { productError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { ALGEBRA, FLARE, lost, P, SPLITTER } from './algebra.ts';
+import { FAITHFUL } from './faithful.ts';
 
 /*
  * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and sum are split without loss, and what is left, ≤ u|X| and
@@ -10,7 +11,6 @@ import { ALGEBRA, FLARE, lost, P, SPLITTER } from './algebra.ts';
  * when it is rounded; one along which the line does not move is E's own.
  */
 const UU = 2 ** -106;
-const FAITHFUL = 2 ** -55;
 /** Of the normal's longest component: its direction is promised within 2^-50. */
 const STRAIGHT = 2 ** -52;
 const LOST = 2 ** -1070;

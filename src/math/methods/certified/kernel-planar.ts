@@ -11,6 +11,7 @@ import type { Planar } from '../../batch/planar.ts';
 import { sumError } from '../../float/eft.ts';
 import { marginsOf } from './figure.ts';
 import type { OpenRays } from './roots-quadric.ts';
+import { BOX } from './scaled-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
 import { certifiedSlot } from './slow-quadric.ts';
 
@@ -18,17 +19,16 @@ import { certifiedSlot } from './slow-quadric.ts';
  * Flat shapes. With p = E − P and m = d × p, where N·d ≠ 0:  t = −N·p / N·d and X − P = (m × N) / (N·d).
  *
  * First stage, on grids as in roots-quadric.ts: N, d and p are cut into 25 or 26 leading bits and a rest, so that the leading products of
- * N·d and N·p and their sums are exact, and what is left over (≤ 2^-23 of |N|₁|d|₁, |N|₁|p|₁) is off by < 2^-72 of these. Where
- * neither cancels to less than LEAST_SHARE = 2^-15 of its terms both are known to 2^-57. One division gives t0, off by 3u; its leading 25 bits
+ * N·d and N·p and their sums are exact, and what is left over (≤ 2^-23 of |N|₁|d|₁, |N|₁|p|₁) is off by < 2^-73 of these. Where
+ * neither cancels to less than LEAST_SHARE = 2^-16 of its terms both are known to 2^-57. One division gives t0, off by 3u; its leading 25 bits
  * th are the root that is corrected: the remainder o + th·r is exact in its leading part, ≤ 2^-23|o|, and its rest off by what o and r are, so
  * t = th − remainder / r is off by < 2^-55 |t| before it is rounded once: faithful, which needs 2^-54.
  *
  * The figure: figure.ts.
  */
-const GRID_25 = 2 ** 29;
-const GRID_26 = 2 ** 28;
-const LEAST_SHARE = 2 ** -15;
-const BOX = 2 ** 100;
+export const GRID_25 = 2 ** 29;
+export const GRID_26 = 2 ** 28;
+export const LEAST_SHARE = 2 ** -16;
 
 export function certifiedPlanar(s: Planar): Kernel {
   const slot = certifiedSlot();

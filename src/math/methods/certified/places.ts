@@ -5,34 +5,42 @@ import { productError, squareError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
+import { FAITHFUL } from './faithful.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
-import { BOX } from './scaled-quadric.ts';
 
 /*
  * Points and normals where a faithful root t is known and the exact one, t*, is wanted: δ = t* − t is one Newton step on a residual in double-double
  * (float/double-double.ts has the bounds: a sum 3u², a product 5u²). u = 2^-53; |δ| ≤ τ = 2u|t| + 2^-1074; i runs over x, y, z.
  *
  *   g = E − C + t d, a sum of two double-doubles that are exact:                                    |δgi| ≤ 3u²|gi|
- *   curved, F = gx² + gz² − a gy² − ρ: a square 5 + 6, times a 5 more, three sums:                  |δF| ≤ 26u² (gx² + gz² + |a|gy² + ρ)
- *     h = F'/2 = gx dx + gz dz − a gy dy in doubles:                                                |δh| ≤ 6u Σ ai|gi di|, ai = 1, |a|, 1
- *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ below, which is off by η' = (|2δh| + τ Am)/|2h| twice and
- *     by δF, and A off by 8u Am:  |δF'| ≤ 12u Σ ai|gi di| + τ Am (2η' + 8u) + 4Am |δF|/|2h|. From far away that matters: τ is long there.
- *   flat, F = N·g, h = N·d: |δF| ≤ 15u² Σ|Ni gi|, |δh| ≤ 4u Σ|Ni di|, δ = −F/h
+ *   curved, F = gx² + gz² − a gy² − ρ: a square 6 + 5, times a 5 more, two sums:                    |δF| ≤ 22u² (gx² + gz² + |a|gy² + ρ)
+ *     F' = 2h = 2(gx dx + gz dz − a gy dy) in doubles: 5u of each, and u of F' at the end:          |δ2h| ≤ 13u Σ ai|gi di|, ai = 1, |a|, 1
+ *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ below, which is off by η'τ + |δF|/|2h|, η' = (|δ2h| + τ Am)/|2h|,
+ *     and A·F/2h in doubles by 8u τ Am:  |δF'| ≤ 13u Σ ai|gi di| + τ Am (η' + 8u) + Am |δF|/|2h|. From far away that matters: τ is long there.
+ *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:                             |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
  *
- * If F' is off by η ≤ 1/4 of itself, −F/F' is off by Δ ≤ 2|δF|/|F'| + 2ητ + 5u|δ|. Underflow: what is lost in F and F' is below SMALLEST as long as g, r, √|a| and
- * |N|₁ are below WIDE.
+ * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the
+ * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d lost, times 2g and a, is below SMALLEST in F; and in F' too, for t·d is
+ * only below 2^-968 for |d| < 2^106. But d may be of any length, since A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0) and is made
+ * of dx·(F/2h·dx) … (A underflowed, and Aδ with it: both in tests/repro).
  */
 const U = 2 ** -53;
 const UU = 2 ** -106;
-const FAITHFUL = 2 ** -55;
-const WIDE = 2 ** 120;
-const SMALLEST = 2 ** -600;
-const LOST = 2 ** -1070;
-const TINY = 2 ** -1072;
+export const ERROR_CURVED = 24 * UU;
+export const ERROR_SLOPE = 14 * U;
+export const ERROR_FLAT = 16 * UU;
+export const ERROR_RATE = 4 * U;
+export const ROUNDED = 14 * UU;
+export const WIDE = 2 ** 120;
+export const SMALLEST = 2 ** -711;
+/** What t·d and δ·d may lose of a coordinate below the doubles, */
+export const LOST = 2 ** -1072;
+/** and what a step that is below them itself, with its bound. */
+export const TINY = 2 ** -1072;
 
 /** g as three double-doubles, F, and what they are made from. */
-const R = new Float64Array(14);
-const F = 6;
+export const R = new Float64Array(14);
+export const F = 6;
 const S = 8;
 const V = 10;
 const FLARE = 12;
@@ -58,19 +66,25 @@ function putSquare(out: number, x: number): void {
 }
 
 /** δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough. */
-function putStep(k: number, t: number, offF: number, slope: number, offSlope: number): boolean {
+export function putStep(
+  k: number,
+  t: number,
+  offF: number,
+  slope: number,
+  offSlope: number,
+): boolean {
   const steep = Math.abs(slope);
   const eta = (offSlope + SMALLEST) / steep;
   const delta = -at(F) / slope;
   ROOTS[k] = t;
   ROOTS[k + 1] = delta;
-  ROOTS[k + 2] =
-    (2 * (offF + SMALLEST)) / steep +
-    U * (4 * eta * Math.abs(t) + 5 * Math.abs(delta)) +
-    16 * UU * Math.abs(t) +
-    TINY;
+  ROOTS[k + 2] = (offF + SMALLEST) / steep + (2 * U * eta + ROUNDED) * Math.abs(t) + TINY;
   return eta <= 0.25;
 }
+
+/** (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish while s is long. */
+const times = (a: number, [x, y, z]: Vec3, s: number): number =>
+  x * (s * x) + z * (s * z) - a * (y * (s * y));
 
 /** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. Asked right after plainQuadric, whose ALGEBRA it reads. */
 export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
@@ -90,12 +104,11 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   dd.sub(R, F, F, S);
   putSquare(S, q.r);
   dd.sub(R, F, F, S);
-  const Am = d[0] * d[0] + d[2] * d[2] + size * d[1] * d[1];
-  const A = d[0] * d[0] + d[2] * d[2] - a * d[1] * d[1];
-  const offF = 32 * UU * (x * x + z * z + size * y * y + q.r * q.r);
+  const offF = ERROR_CURVED * (x * x + z * z + size * y * y + q.r * q.r);
   const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
-  const offSlope = 12 * U * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
-  const bend = Am * (2 * U * Math.abs(t) + TINY);
+  const offSlope =
+    ERROR_SLOPE * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
+  const bend = times(-size, d, 2 * U * Math.abs(t) + TINY);
   const eta = (offSlope + bend + SMALLEST) / Math.abs(slope);
   const known =
     eta <= 0.25 &&
@@ -103,13 +116,11 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
       k,
       t,
       offF,
-      slope - (A * at(F)) / slope,
-      offSlope + bend * (2 * eta + 8 * U) + (4 * Am * offF) / Math.abs(slope),
+      slope - times(a, d, at(F) / slope),
+      offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope)),
     );
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
-  const long = Math.max(Math.abs(d[0]), Math.abs(d[1]), Math.abs(d[2]));
-  // Of directions beyond the box points were off (tests/repro): the bounds are not proven there, and whole numbers answer.
-  return known && narrow && long < BOX ? hitAt(q, ray, k, t) : null;
+  return known && narrow ? hitAt(q, ray, k, t) : null;
 }
 
 /** As `placeOnQuadric`; the normal is N itself. */
@@ -132,7 +143,7 @@ export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null 
     sharp += Math.abs(n * at(g));
     size = Math.max(size, Math.abs(n), Math.abs(at(g)));
   }
-  if (!putStep(0, t, 16 * UU * sharp, rate, 4 * U * steep) || !(size < WIDE)) return null;
+  if (!putStep(0, t, ERROR_FLAT * sharp, rate, ERROR_RATE * steep) || !(size < WIDE)) return null;
   const delta = ROOTS[1] as number;
   const off = ROOTS[2] as number;
   const point: [number, number, number] = [0, 0, 0];

@@ -5,6 +5,7 @@ import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
 import { DIRECT_ERROR } from './class-quadric.ts';
+import { FAITHFUL } from './faithful.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
 import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 
@@ -12,15 +13,19 @@ import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
  * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For what grid-quadric.ts
  * leaves open and twice the digits settle: grazing, far and odd rays; null for the rest, which object.ts passes on. The errors, beyond those of algebra.ts:
  *
- *   s = √D/4     hi − s² exact, its lower half rounded: 10u²; D's own error: |δD|/s
- *   q = −(b ± s) with b's sign: 4u² and what b and s are off.                                     together (δb + δD/s)/|q| + 16u²
- *   t = q/A, C/q Dekker's division, 29u²                                                                   QUOTIENT has room for what hitAt adds
+ *   s = √D/4     hi − s² exact, 2u of D, and D's lower half: 3u²; the quotient 1.5u², what Newton's step leaves 1.1u²: 4.1u²; D's own error: |δD|/s
+ *   q = −(b ± s) with b's sign: lower halves 1.5u and u, their sums 4u², and what b and s are off.         together (δb + δD/s)/|q| + 9u²
+ *   t = q/A, C/q  the rest is 2u and two lower halves, 4u in all: 9u²; by a quotient that is off by 2u, and without the lower half: 12u²
+ *                hitAt's sums add 5u²:                                                                    26u²
+ *
+ * A and C are asked about by their roots. Where there are none, D = b² − AC < 0 says |AC| ≥ |D|: if D is faithful, with 136u² AmCm and SMALLEST_D, then A and C are, with
+ * less of Am and Cm and with SMALLEST, as both are below LARGE.
  *
  * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. Roots keep their order: t = q/A is the lesser one if A and q differ in sign.
  */
 const UU = 2 ** -106;
-const QUOTIENT = 48 * UU;
-const FAITHFUL = 2 ** -55;
+export const ROUNDED_Q = 10 * UU;
+export const QUOTIENT = 30 * UU;
 
 const at = (k: number): number => ALGEBRA[k] as number;
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
@@ -30,9 +35,7 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   putAlgebra(q, ray);
   const D1 = at(D);
   const faithful =
-    at(OFF) <= FAITHFUL * Math.abs(at(A)) &&
     at(OFF + 1) <= FAITHFUL * Math.abs(at(B)) &&
-    at(OFF + 2) <= FAITHFUL * Math.abs(at(C)) &&
     at(OFF + 3) <= FAITHFUL * Math.abs(D1) &&
     at(SIZE) > 0;
   if (!faithful) return null;
@@ -68,7 +71,7 @@ function putRoots(): boolean {
   const q1 = sumError(-b, turn * s, q0) + (turn * sl - at(B + 1));
   const qh = q0 + q1;
   const ql = q1 - (qh - q0);
-  const offQ = (at(OFF + 1) + at(OFF + 3) / s) / Math.abs(qh) + 16 * UU;
+  const offQ = (at(OFF + 1) + at(OFF + 3) / s) / Math.abs(qh) + ROUNDED_Q;
   const A1 = at(A);
   const lower = A1 > 0 === qh < 0 ? 0 : 3;
   quotient(lower, qh, ql, A1, at(A + 1), offQ + at(OFF) / Math.abs(A1) + QUOTIENT);

@@ -25,6 +25,7 @@ export const recentredAroundAxis: RecentredPass = (
   const faithful = BOUNDS[10] as number;
   const smallestD = BOUNDS[11] as number;
   const box = BOUNDS[13] as number;
+  const narrow = BOUNDS[14] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -75,7 +76,7 @@ export const recentredAroundAxis: RecentredPass = (
     const square = speed * speed;
     const error =
       sizeB * (crossError * width * speed + squareError * sizeB) +
-      square * (crossError * width * size + residualError * Math.abs(f)) +
+      square * (crossError * width * (size + narrow * width) + residualError * Math.abs(f)) +
       smallestD;
     const inside = speed < box && speed * box > 1 && Sp < box;
     const clear = D > 2 * error && inside;

@@ -32,6 +32,7 @@ export const recentredInSpace: RecentredPass = (
   const smallestD = BOUNDS[11] as number;
   const leastA = BOUNDS[12] as number;
   const box = BOUNDS[13] as number;
+  const narrow = BOUNDS[14] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -117,7 +118,7 @@ export const recentredInSpace: RecentredPass = (
     const square = speed * speed;
     const error =
       sizeB * (crossError * width * speed + squareError * sizeB) +
-      square * (crossError * width * size + residualError * Math.abs(f)) +
+      square * (crossError * width * (size + narrow * width) + residualError * Math.abs(f)) +
       smallestD;
     const inside = speed < box && speed * box > 1 && Sp < box;
     const clear = D > 2 * error && inside && Math.abs(A) > leastA * (round + yy);

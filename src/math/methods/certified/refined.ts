@@ -10,11 +10,13 @@ import { AT_SCALED, BOX } from './scaled-quadric.ts';
 
 /*
  * First it must be a clear hit, by the bound of moment-bound.ts:
- *   D > 2^17 δD                so √D is known to 2^-18. δD ≥ 2^-101 S², so D > 2^-84 S² too: b's rounding error (≤ 8uS = 2^-50 S) and t's are
- *                              below 2^-7 √D, and each coarse root is nearer to its own root than to the other one;
+ *   D > 2^17 δD                so √D is known to 2^-18;
+ *   D > 2^-84 S²               so b's rounding error (≤ 8uS = 2^-50 S) and t's are below 2^-7 √D: each coarse root is nearer to its own root than
+ *                              to the other one;
  *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
  */
 const CLEAR = 2 ** 17;
+const APART = 2 ** -84;
 
 /*
  * Then Newton's step on grids. (x + σ) − σ is x rounded to a whole multiple of g = ulp(σ)/2; for |x| ≤ S and σ = 2^m S it
@@ -32,18 +34,20 @@ const CLEAR = 2 ** 17;
  * together ≤ 16w = 2^-71 L, and the second bracket is ≤ 2^-21 L in each coordinate. pl itself is ≤ 2^-46 of both reaches, and its rounding (2^-99
  * of them) negligible as long as they are ≤ 2^20 |p|₁ ≤ 2^20 L: that is SPREAD.
  *
- *   f = qx² + qz² ∓ qy² − ρ: with q = qh + ql on a grid for Sq = |q|₁ (m = 28: 26 bits) the sum of qh² is exact (≤ 2^52 units, partial
- * sums too), subtracting ρ loses u|fh|, since the result is small. ql ≤ 2^-24 Sq + 2^-21 L ≤ 2^-21 W, W = Sq + L.
- *   Σ ql(2qh + ql), ≤ 2^-20 W Sq: rounding ql 1, the bracket 1, the product 1, three sums 3, k's own error 1, fh 1, in 2^-73 W Sq; what q
- *   itself is off, 2^-71 L · 2Sq: 8 of them.  16 · 2^-73 = 2^-69 W Sq in all, and 2u|f|.
- * (x + σ) − σ rounds to the nearest multiple, so what is left over is half of all that: there is room for evaluating the bound.
+ *   f = qx² + qz² ∓ qy² − ρ: with q = qh + ql on a grid for Sq = |q|₁ of the leading parts (m = 28: 26 bits) the sum of qh² is exact (≤ 2^52 units,
+ * partial sums too), subtracting ρ loses u|fh|, since the result is small. Each coordinate of ql is ≤ 2^-24 Sq + 2^-22 L + 2^-45 L, all below 2^-21 W,
+ * W = Sq + L. Where Sq is 0 they are all there is of q: |q|₁ ≤ Q = Sq + 2^-20.3 W.
+ *   Σ ql(2qh + ql): rounding ql 1, the bracket 1, the product 1, three sums 3, k's own error 1, fh 1, in 2^-73 W Q; what q
+ *   itself is off, 2^-71 L · 2Q: 8 of them.  16 · 2^-73 = 2^-69 W Q in all, and 2u|f|.
  *
  * From the coarse root with b' = b + A·t: b'² = D/4 + A f exactly, so the exact step is δ = ∓f/(√(D/4 + A f) + √(D/4)). Taking
  * f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is STEP) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
- *   |error of the step| ≤ (2^-69 W Sq + 2^-16 |f|)/(2√(D/4)),
+ *   |error of the step| ≤ (2^-69 W Q + 2^-16 |f|)/(2√(D/4)),
  * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are u|t| apart, at least).
  */
-const RESIDUAL_ERROR = 2 ** -69;
+const RESIDUAL_ERROR = 2 ** -68;
+/** RESIDUAL_ERROR has 2^-68 for 2^-69, so of the 2^-20.3 in Q half is enough. */
+const NARROW = 2 ** -21;
 const STEP = 2 ** -17;
 const STEP_ERROR = 2 ** -16;
 const SPREAD = 2 ** 20;
@@ -57,7 +61,7 @@ const SPLITTER = 134217729;
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
 export const BOUNDS = Float64Array.of(
   ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP],
-  ...[CLEAR, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D],
+  ...[CLEAR, APART, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D, NARROW],
 );
 
 /** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
@@ -88,12 +92,14 @@ export function refine(
   const spread = BOUNDS[7] as number;
   const step = BOUNDS[8] as number;
   const clearly = BOUNDS[9] as number;
-  const leastA = BOUNDS[10] as number;
-  const box = BOUNDS[11] as number;
-  const momentError = BOUNDS[12] as number;
-  const squareError = BOUNDS[13] as number;
-  const rhoError = BOUNDS[14] as number;
-  const smallestD = BOUNDS[15] as number;
+  const apart = BOUNDS[10] as number;
+  const leastA = BOUNDS[11] as number;
+  const box = BOUNDS[12] as number;
+  const momentError = BOUNDS[13] as number;
+  const squareError = BOUNDS[14] as number;
+  const rhoError = BOUNDS[15] as number;
+  const smallestD = BOUNDS[16] as number;
+  const narrow = BOUNDS[17] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -139,7 +145,7 @@ export function refine(
     const M = Math.abs(mx) + Math.abs(my) + Math.abs(mz);
     const error = S * (momentError * M + squareError * S) + rhoError * (rho * Am) + smallestD;
     const inside = Sd < box && Sd * box > 1 && Sp < box;
-    const clear = D > clearly * error && inside && Math.abs(A) > leastA * Am;
+    const clear = D > clearly * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am;
     if (!clear) {
       places[left++] = i;
       continue;
@@ -220,8 +226,10 @@ export function refine(
     const rb = tb - fb * half;
     const f = Math.abs(fa);
     const g = Math.abs(fb);
-    const errorA = half * (residualError * sizeOfA * (sizeOfA + reachA) + stepError * f);
-    const errorB = half * (residualError * sizeOfB * (sizeOfB + reachB) + stepError * g);
+    const widthA = sizeOfA + reachA;
+    const widthB = sizeOfB + reachB;
+    const errorA = half * (residualError * widthA * (sizeOfA + narrow * widthA) + stepError * f);
+    const errorB = half * (residualError * widthB * (sizeOfB + narrow * widthB) + stepError * g);
     const settled =
       errorA <= faithful * Math.abs(ra) &&
       errorB <= faithful * Math.abs(rb) &&

@@ -3,13 +3,15 @@ import { solvePlanarExactly } from '../../batch/exact-planar.ts';
 import type { Planar } from '../../batch/planar.ts';
 import * as dd from '../../float/double-double.ts';
 import { sumError } from '../../float/eft.ts';
+import { FAITHFUL } from './faithful.ts';
 import { marginsOf } from './figure.ts';
+import { BOX } from './scaled-quadric.ts';
 import type { CertifiedSlot } from './slow-quadric.ts';
 
 /*
- * Second stage: N·d and N·p in double-double (float/double-double.ts has the sources). Products of doubles are exact; a sum is off by 3u² of itself, so
- * of three products only the first sum may be large against the last one: 3u² Σ|Ni di|, and 3u² of N·d. p is a double-double, and its products are
- * off by 5u² more: 8u² Σ|Ni pi|, and 3u² of N·p. The quotient is off by that and the division's own 9.8u²; it is faithful if all that is below u/4.
+ * Second stage: N·d and N·p in double-double (float/double-double.ts has the sources). Products of doubles are exact; a sum is off by 3u² of itself. Of three products
+ * the first two add up to (Σ|Ni di| + |N·d|)/2 at most, as the third one makes up for the rest: 1.5u² Σ|Ni di|, and 4.5u² of N·d. p is a double-double, and its
+ * products are off by 5u² more: 6.5u² Σ|Ni pi|, and 4.5u² of N·p. The quotient is off by that and the division's own 9.8u²: 18.8u².
  * The figure's rim and edge, where the filter cannot tell, go to the exact stage: they are few.
  */
 export const R = new Float64Array(16);
@@ -19,14 +21,12 @@ const PRODUCT = 4;
 const RATE = 6;
 const OFFSET = 8;
 export const T = 10;
-const ERROR_RATE = 4 * 2 ** -106;
-const ERROR_OFFSET = 9 * 2 ** -106;
-const ERROR_QUOTIENT = 16 * 2 ** -106;
-const SMALLEST = 2 ** -400;
-/** Half of what a faithful root may be off before it is rounded. */
-const FAITHFUL = 2 ** -55;
-const ORDINARY = 2 ** 40;
-const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
+const ERROR_RATE = 1.6 * 2 ** -106;
+const ERROR_OFFSET = 6.7 * 2 ** -106;
+const ERROR_QUOTIENT = 19 * 2 ** -106;
+/** Of N·d and N·p. Both are below 2^200, and with FAITHFUL above SMALLEST·2^55 = 2^-768, so t is between 2^-968 and 2^968, as the division wants it. */
+export const SMALLEST = 2 ** -823;
+const ordinary = (x: number): boolean => x < BOX && x > 1 / BOX;
 
 function addProduct(out: number, n: number, hi: number, lo: number): void {
   dd.set(R, NN, n);

@@ -1,80 +1,65 @@
 import type { Code } from '../../../wasm/expression.ts';
-import { compile, createScope } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
-import { arraysRead, elementOf, type Loop } from '../../../wasm/source.ts';
-import { HANDED, handed, INPUTS, type Input, PARAMS, type Param, PLACE } from './layout.ts';
-import { constantsOf, type Numbers } from './prologue.ts';
+import { elementOf, type Loop } from '../../../wasm/source.ts';
+import { flowOf, partsOf, scopeOf } from './flow.ts';
+import { HANDED, handed, INPUTS, PARAMS, type Param, PLACE } from './layout.ts';
+import type { Numbers } from './prologue.ts';
 
 /*
  * The three passes over ordinary rays, two rays at a time: rough roots of all, then residuals and steps of the pairs of which at least one is clearly hit. As
- * in TypeScript the passes follow each other in parts that fit the first cache.
+ * in TypeScript, rays are taken in lots that fit the first cache.
  */
 
 const COUNT = PARAMS.length;
-const [AT, PART, DOUBTFUL, UNSETTLED, BITS, OPEN, PART_END, END, HAND, HAND_END] = [
+const [AT, LOT, DOUBTFUL, UNSETTLED, BITS, OPEN, LOT_END, END, HAND, HAND_END] = [
   ...[1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((n) => COUNT + n),
 ] as [number, number, number, number, number, number, number, number, number, number];
 const VECTORS = COUNT + 11;
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
-/** `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. */
+/**
+ * `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. `cuts` are the values of the three
+ * loops after which a part ends; the first part must tell which rays are clear.
+ */
 export function blockKernel(
   name: string,
   numbers: readonly Numbers[],
-  [rough, middle, last]: readonly [Loop, Loop, Loop],
+  loops: readonly [Loop, Loop, Loop],
+  cuts: readonly (readonly [string, 0 | 1 | 2])[],
 ): Func {
-  const scope = createScope(VECTORS);
+  if (cuts.length === 0) throw new RangeError(`${name} has no parts`);
+  const flow = flowOf(loops, numbers);
+  const { scope, prologue } = scopeOf(flow, VECTORS);
   const at = op.get(AT);
-  const of = (array: Param): Code => op.plus(op.get(PARAMS.indexOf(array)), at);
   const hand = op.get(HAND);
-  const scopes = [rough, middle, last].map(() => scope.inner());
-  const [first = scope, , third = scope] = scopes;
-  const prologue = [rough, middle, last].map(({ constants }, k) =>
-    constantsOf(constants, numbers[k] as Numbers, scopes[k] ?? scope),
-  );
-
-  // What a pass writes and a later one reads has a place of its own.
-  const slots = new Map<string, number>();
-  // What is only an input needs none: it is read again.
-  const again = new Map<string, Input>();
-  for (const { statements } of [rough, middle]) {
-    for (const { target, writes, formula } of statements) {
-      const input = writes && statements.find(({ target: name }) => name === formula)?.formula;
-      const found = INPUTS.find((name) => input === elementOf(name));
-      if (found) again.set(target, found);
-      else if (writes && !slots.has(target)) slots.set(target, slots.size);
-    }
-  }
-  const slot = (array: string): number => {
-    const n = slots.get(array);
-    if (n === undefined) throw new ReferenceError(`${array} is read but never written`);
-    return handed(n);
+  const of = (array: Param): Code => op.plus(op.get(PARAMS.indexOf(array)), at);
+  const input = (element: string): Code | null => {
+    const array = INPUTS.find((one) => elementOf(one) === element);
+    return array ? op.load(of(array), 0) : null;
   };
-  const CLEAR = handed(slots.size);
-  const PLACES = handed(slots.size + 1);
-
-  const inputOf = (array: string): readonly [Code, number] | null => {
-    const input = again.get(array) ?? INPUTS.find((name) => name === array);
-    return input ? [of(input), 0] : null;
-  };
-  const remote = rough.statements.find(({ target }) => target === 'remote');
+  const clear = flow.name('clear', 0);
+  const missed = flow.name('missed', 0);
+  const settled = flow.name('settled', 2);
+  const [t0, t1] = [flow.name(elementOf('t0')), flow.name(elementOf('t1'))];
+  // To which list an open ray goes is asked for those alone.
+  const remote = flow.steps.find(({ target }) => target === flow.name('remote', 0));
   if (!remote) throw new ReferenceError('remote is not known');
-  const pass = ({ statements }: Loop, k: number): Code => {
-    const inner = scopes[k] ?? scope;
-    const loads = arraysRead(statements).flatMap((array) =>
-      op.set(inner.declare(elementOf(array)), op.load(...(inputOf(array) ?? [hand, slot(array)]))),
-    );
-    const write = (array: string, value: Code): Code =>
-      array === 't0' || array === 't1'
-        ? op.set(inner.declare(array), value)
-        : again.has(array)
-          ? []
-          : op.store(hand, slot(array), value);
-    const now = statements.filter((statement) => statement !== remote);
-    return [...loads, ...compile(now, inner, write)];
-  };
+  const rest = { ...flow, steps: flow.steps.filter((step) => step !== remote) };
+  const last = cuts.length;
+  const wanted = [...cuts, null].map((_, p) =>
+    p === 0 ? [clear, missed] : p === last ? [clear, settled, t0, t1] : [],
+  );
+  const parts = partsOf(
+    rest,
+    cuts.map(([cut, k]) => flow.name(cut, k)),
+    wanted,
+    { hand, input, again: true },
+    scope,
+  );
+  const PLACES = handed(parts.free);
+
   const append = (list: number, value: Code): Code => [
     ...op.storeInt(op.get(list), 0, value),
     ...op.set(list, op.plus(op.get(list), op.i32(4))),
@@ -91,67 +76,61 @@ export function blockKernel(
     ...op.set(BITS, bits),
     ...op.when(op.get(BITS), [...listLane(list, 0), ...listLane(list, 1)]),
   ];
-  /** The open ones of pass 1, to one of two lists: what decides that is computed for them alone. */
-  const listOpen = (bits: Code): Code => [
-    ...op.set(OPEN, bits),
-    ...op.when(op.get(OPEN), [
-      ...compile([remote], first, () => []),
-      ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(first.value(remote.target)))),
-      ...listBits(
-        UNSETTLED,
-        op.both(op.get(OPEN), op.flip(op.bitmask(first.value(remote.target)), op.i32(3))),
-      ),
-    ]),
-  ];
+  const no = (bits: Code): Code => op.flip(bits, op.i32(3));
   const forward = (local: number, by: Code): Code => op.set(local, op.plus(op.get(local), by));
+  const one = (value: string, p: number): Code => parts.value(value, p);
 
-  const roughPass: Code = [
-    ...op.set(AT, op.get(PART)),
+  const roughPart: Code = [
+    ...op.set(AT, op.get(LOT)),
     ...op.set(HAND, op.i32(0)),
-    ...op.during(op.less(at, op.get(PART_END)), [
-      ...pass(rough, 0),
-      ...op.store(hand, CLEAR, first.value('clear')),
+    ...op.during(op.less(at, op.get(LOT_END)), [
+      ...parts.code(0),
       ...op.storeInt(hand, PLACES, at),
-      ...op.store(of('t0'), 0, NAN),
-      ...op.store(of('t1'), 0, NAN),
-      ...listOpen(
-        op.flip(op.bitmask(op.or(first.value('clear'), first.value('missed'))), op.i32(3)),
-      ),
-      ...forward(HAND, op.shiftLeft(op.anyTrue(first.value('clear')), op.i32(4))),
+      ...op.set(OPEN, no(op.bitmask(op.or(one(clear, 0), one(missed, 0))))),
+      ...op.when(op.get(OPEN), [
+        ...parts.extra(remote, 0),
+        ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(one(remote.target, 0)))),
+        ...listBits(UNSETTLED, op.both(op.get(OPEN), no(op.bitmask(one(remote.target, 0))))),
+      ]),
+      ...op.when(op.anyTrue(one(clear, 0)), forward(HAND, op.i32(PAIR)), [
+        ...op.store(of('t0'), 0, NAN),
+        ...op.store(of('t1'), 0, NAN),
+      ]),
       ...forward(AT, op.i32(PAIR)),
     ]),
     ...op.set(HAND_END, hand),
   ];
-  const overHanded = (body: Code): Code => [
+  const solved = scope.declare('solved');
+  const other = scope.declare('other');
+  const answer = (): Code => [
+    ...op.set(solved, op.and(one(clear, last), one(settled, last))),
+    // All bits set are a NaN.
+    ...op.set(other, op.not(op.get(solved))),
+    ...op.store(of('t0'), 0, op.or(one(t0, last), op.get(other))),
+    ...op.store(of('t1'), 0, op.or(one(t1, last), op.get(other))),
+    ...listBits(UNSETTLED, op.bitmask(op.andNot(one(clear, last), op.get(solved)))),
+  ];
+  const later = cuts.flatMap((_, k) => [
     ...op.set(HAND, op.i32(0)),
     ...op.during(op.less(hand, op.get(HAND_END)), [
       ...op.set(AT, op.loadInt(hand, PLACES)),
-      ...body,
+      ...parts.code(k + 1),
+      ...(k + 1 === last ? answer() : []),
       ...forward(HAND, op.i32(PAIR)),
     ]),
-  ];
-  const solved = third.declare('solved');
-  const clear = third.declare('clear');
+  ]);
   const body: Code = [
-    ...prologue.flat(),
+    ...prologue,
     ...op.set(END, op.shiftLeft(op.get(COUNT), op.i32(3))),
-    ...op.set(PART, op.i32(0)),
+    ...op.set(LOT, op.i32(0)),
     ...op.set(DOUBTFUL, op.i32(PLACE.doubtful)),
     ...op.set(UNSETTLED, op.i32(PLACE.unsettled)),
-    ...op.during(op.less(op.get(PART), op.get(END)), [
-      ...op.set(PART_END, op.plus(op.get(PART), op.i32(8 * HANDED))),
-      ...op.when(op.less(op.get(END), op.get(PART_END)), op.set(PART_END, op.get(END))),
-      ...roughPass,
-      ...overHanded(pass(middle, 1)),
-      ...overHanded([
-        ...pass(last, 2),
-        ...op.set(clear, op.load(hand, CLEAR)),
-        ...op.set(solved, op.and(op.get(clear), third.value('settled'))),
-        ...op.store(of('t0'), 0, op.select(third.value('t0'), NAN, op.get(solved))),
-        ...op.store(of('t1'), 0, op.select(third.value('t1'), NAN, op.get(solved))),
-        ...listBits(UNSETTLED, op.bitmask(op.andNot(op.get(clear), op.get(solved)))),
-      ]),
-      ...op.set(PART, op.get(PART_END)),
+    ...op.during(op.less(op.get(LOT), op.get(END)), [
+      ...op.set(LOT_END, op.plus(op.get(LOT), op.i32(8 * HANDED))),
+      ...op.when(op.less(op.get(END), op.get(LOT_END)), op.set(LOT_END, op.get(END))),
+      ...roughPart,
+      ...later,
+      ...op.set(LOT, op.get(LOT_END)),
     ]),
     ...op.storeInt(
       op.i32(0),

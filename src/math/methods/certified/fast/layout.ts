@@ -38,12 +38,17 @@ export const PLACE = {
   doubtfulBytes: array(10),
 } as const;
 
-/** Where the value number n that the passes hand on is kept, for each ray of a part. */
-export const handed = (n: number): number => array(10) + 64 + n * (8 * HANDED + 64);
-const MOST_HANDED = 48;
+const MOST_HANDED = 64;
+const handedEnd = (n: number): number => array(10) + 64 + n * (8 * HANDED + 64);
+
+/** Where the value number n that a part hands on is kept, for each ray of a lot. Throws RangeError where there is no room for so many. */
+export function handed(n: number): number {
+  if (!(n < MOST_HANDED)) throw new RangeError(`no room to hand on ${n + 1} values`);
+  return handedEnd(n);
+}
 const PAGE = 65536;
 /** From here on the memory is for arrays of rays and answers (arena.ts). */
-export const ARENA = PAGE * Math.ceil(handed(MOST_HANDED) / PAGE);
+export const ARENA = PAGE * Math.ceil(handedEnd(MOST_HANDED) / PAGE);
 /** What is not touched costs an address only. */
 const ARENA_BYTES = 2 ** 25;
 export const PAGES = (ARENA + ARENA_BYTES) / PAGE;

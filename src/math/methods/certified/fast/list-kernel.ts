@@ -1,65 +1,64 @@
 import type { Code } from '../../../wasm/expression.ts';
-import { compile, createScope } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
-import { arraysRead, elementOf, type Loop } from '../../../wasm/source.ts';
-import { type Input, PARAMS, type Param } from './layout.ts';
-import { constantsOf, type Numbers } from './prologue.ts';
+import { elementOf, type Loop } from '../../../wasm/source.ts';
+import { flowOf, partsOf, scopeOf } from './flow.ts';
+import { HANDED, handed, INPUTS, PARAMS, type Param } from './layout.ts';
+import type { Numbers } from './prologue.ts';
 
 /* A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they are. */
 
 const LIST = PARAMS.length;
-const [COUNT, AT, TO, END, LOW, HIGH, BITS] = [...[1, 2, 3, 4, 5, 6, 7].map((n) => LIST + n)] as [
-  number,
-  number,
-  number,
-  number,
-  number,
-  number,
-  number,
-];
-const VECTORS = LIST + 8;
+const [COUNT, AT, TO, END, LOT_END, LOW, HIGH, BITS, HAND, HAND_END] = [
+  ...[1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((n) => LIST + n),
+] as [number, number, number, number, number, number, number, number, number, number];
+const VECTORS = LIST + 11;
+const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
-/** What the stage says of a ray: the names of the conditions under which it has both roots, and of the one under which it misses. */
+/** What the stage says of a ray: the condition under which it is computed further at all, the one under which it then has both roots, and the one under which it misses. */
 export interface Verdicts {
-  readonly settled: readonly [string, string];
+  readonly clear: string;
+  readonly settled: string;
   readonly missed: string | null;
-  /** Where no ray of a pair fulfils this condition, what comes after it is not computed. */
-  readonly early: string | null;
 }
 
 /** `name(…PARAMS, list, count)` settles what it can, moves the others to the front of the list and returns how many bytes these are. The list has room for one more. */
 export function listKernel(
   name: string,
   numbers: Numbers,
-  { constants, statements }: Loop,
-  { settled: conditions, missed, early }: Verdicts,
+  loop: Loop,
+  verdicts: Verdicts,
+  cuts: readonly string[],
 ): Func {
-  const scope = createScope(VECTORS);
-  const prologue = constantsOf(constants, numbers, scope);
+  if (cuts.length === 0) throw new RangeError(`${name} has no parts`);
+  const flow = flowOf([loop], [numbers]);
+  const { scope, prologue } = scopeOf(flow, VECTORS);
   const at = op.get(AT);
+  const hand = op.get(HAND);
   const address = (array: Param, index: number): Code =>
     op.plus(op.get(PARAMS.indexOf(array)), op.shiftLeft(op.get(index), op.i32(3)));
-  const loads = arraysRead(statements).flatMap((array) =>
-    op.set(
-      scope.declare(elementOf(array)),
-      op.gather(address(array as Input, LOW), address(array as Input, HIGH), 0),
-    ),
+  const input = (element: string): Code | null => {
+    const array = INPUTS.find((one) => elementOf(one) === element);
+    return array ? op.gather(address(array, LOW), address(array, HIGH), 0) : null;
+  };
+  const clear = flow.name(verdicts.clear);
+  const settled = flow.name(verdicts.settled);
+  const missed = verdicts.missed === null ? null : flow.name(verdicts.missed);
+  const [t0, t1] = [flow.name(elementOf('t0')), flow.name(elementOf('t1'))];
+  const last = cuts.length;
+  const lastWanted = [clear, settled, t0, t1, ...(missed ? [missed] : [])];
+  const parts = partsOf(
+    flow,
+    cuts.map((cut) => flow.name(cut)),
+    [...cuts, null].map((_, p) => (p === last ? lastWanted : [])),
+    { hand, input, again: false },
+    scope,
   );
-  const settled = scope.declare('answered');
-  const roots = { t0: scope.declare('t0'), t1: scope.declare('t1') };
-  const write = (array: string, value: Code): Code =>
-    op.set(array === 't0' ? roots.t0 : roots.t1, value);
-  const split = early ? 1 + statements.findIndex(({ target }) => target === early) : 0;
-  const begin = compile(statements.slice(0, split), scope, write);
-  const rest = compile(statements.slice(split), scope, write);
-  const answer: Code = [
-    ...op.set(settled, op.and(scope.value(conditions[0]), scope.value(conditions[1]))),
-    ...op.set(roots.t0, op.select(op.get(roots.t0), NAN, op.get(settled))),
-    ...op.set(roots.t1, op.select(op.get(roots.t1), NAN, op.get(settled))),
-    ...(missed ? op.set(settled, op.or(op.get(settled), scope.value(missed))) : []),
-  ];
+  const INDICES = handed(parts.free);
+  const answered = scope.declare('answered');
+  const roots = { t0: scope.declare('near'), t1: scope.declare('far') };
+  const of = (value: string): Code => parts.value(value, last);
   const lane = (n: number): Code => {
     const index = n === 0 ? LOW : HIGH;
     return op.when(
@@ -68,35 +67,61 @@ export function listKernel(
         ...op.storeLane(address('t0', index), 0, op.get(roots.t0), n),
         ...op.storeLane(address('t1', index), 0, op.get(roots.t1), n),
       ],
-      op.when(op.less(op.plus(at, op.i32(4 * n)), op.get(END)), [
+      // The last of an odd number went with itself.
+      op.when(n === 0 ? op.i32(1) : op.notEqual(op.get(LOW), op.get(HIGH)), [
         ...op.storeInt(op.get(TO), 0, op.get(index)),
         ...op.set(TO, op.plus(op.get(TO), op.i32(4))),
       ]),
     );
   };
+  const answer = (): Code => [
+    ...op.set(answered, op.and(of(clear), of(settled))),
+    ...op.set(roots.t0, op.select(of(t0), NAN, op.get(answered))),
+    ...op.set(roots.t1, op.select(of(t1), NAN, op.get(answered))),
+    ...op.set(BITS, op.bitmask(missed ? op.or(op.get(answered), of(missed)) : op.get(answered))),
+    ...lane(0),
+    ...lane(1),
+  ];
+  const forward = (local: number, by: number): Code =>
+    op.set(local, op.plus(op.get(local), op.i32(by)));
+  const firstPart: Code = [
+    ...op.set(HAND, op.i32(0)),
+    ...op.during(op.less(at, op.get(LOT_END)), [
+      ...op.set(LOW, op.loadInt(at, 0)),
+      ...op.set(HIGH, op.loadInt(at, 4)),
+      ...op.storeInt(hand, INDICES, op.get(LOW)),
+      ...op.storeInt(hand, INDICES + 4, op.get(HIGH)),
+      ...parts.code(0),
+      ...forward(HAND, PAIR),
+      ...forward(AT, 8),
+    ]),
+    ...op.set(HAND_END, hand),
+  ];
+  const later = cuts.flatMap((_, k) => [
+    ...op.set(HAND, op.i32(0)),
+    ...op.during(op.less(hand, op.get(HAND_END)), [
+      ...parts.code(k + 1),
+      ...(k + 1 < last
+        ? []
+        : [
+            ...op.set(LOW, op.loadInt(hand, INDICES)),
+            ...op.set(HIGH, op.loadInt(hand, INDICES + 4)),
+            ...answer(),
+          ]),
+      ...forward(HAND, PAIR),
+    ]),
+  ]);
   const body: Code = [
     ...prologue,
     ...op.set(AT, op.get(LIST)),
     ...op.set(TO, op.get(LIST)),
     ...op.set(END, op.plus(op.get(LIST), op.shiftLeft(op.get(COUNT), op.i32(2)))),
-    // The last of an odd number goes with itself.
     ...op.storeInt(op.get(END), 0, op.loadInt(op.minus(op.get(END), op.i32(4)), 0)),
     ...op.during(op.less(at, op.get(END)), [
-      ...op.set(LOW, op.loadInt(at, 0)),
-      ...op.set(HIGH, op.loadInt(at, 4)),
-      ...loads,
-      ...begin,
-      ...op.set(BITS, op.i32(0)),
-      ...(early
-        ? op.when(op.anyTrue(scope.value(early)), [
-            ...rest,
-            ...answer,
-            ...op.set(BITS, op.bitmask(op.get(settled))),
-          ])
-        : [...rest, ...answer, ...op.set(BITS, op.bitmask(op.get(settled)))]),
-      ...lane(0),
-      ...lane(1),
-      ...op.set(AT, op.plus(at, op.i32(8))),
+      ...op.set(LOT_END, op.plus(at, op.i32(4 * HANDED))),
+      ...op.when(op.less(op.get(END), op.get(LOT_END)), op.set(LOT_END, op.get(END))),
+      ...firstPart,
+      ...later,
     ]),
     ...op.minus(op.get(TO), op.get(LIST)),
   ];

@@ -1,5 +1,5 @@
-import { moduleOf } from '../../../wasm/module.ts';
-import { type Loop, loopOf } from '../../../wasm/source.ts';
+import { type Func, moduleOf } from '../../../wasm/module.ts';
+import { elementOf, loopOf } from '../../../wasm/source.ts';
 import { AT } from '../lattice.ts';
 import { BOUNDS as COARSE } from '../lattice-bounds.ts';
 import inSpace from '../lattice-coarse.ts?raw';
@@ -32,39 +32,43 @@ const PASSES = [COARSE, [], SOLVE].map((bounds) =>
   numbersOf({ BOUNDS: bounds, CONSTANTS: bounds }),
 );
 
+/** Where the parts end, found by measuring. */
+const CUTS = [
+  ['missed', 0],
+  [elementOf('slack'), 0],
+  [elementOf('spreadFar'), 1],
+  ['downB', 2],
+] as const;
+const RECENTRED_CUTS = ['t', 'gridQ', 'b', 'clear'];
+const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
+
 /** The kernels, compiled from the text of the loops in TypeScript: without y and with it. */
-export function certifiedModule(): Uint8Array {
-  return moduleOf(
-    [false, true].flatMap((hasY) => {
-      const ordinary: readonly [Loop, Loop, Loop] = [
-        hasY
-          ? loopOf(inSpace, 'coarseInSpace', hasY)
-          : loopOf(aroundAxis, 'coarseAroundAxis', hasY),
-        loopOf(residual, hasY ? 'residualsInSpace' : 'residualsAroundAxis', hasY),
-        loopOf(solve, 'solvePass', hasY),
-      ];
-      const far = hasY
-        ? loopOf(recentredSpace, 'recentredInSpace', hasY)
-        : loopOf(recentredAxis, 'recentredAroundAxis', hasY);
-      return [
-        blockKernel(`ordinary${hasY}`, PASSES, ordinary),
-        listKernel(`recentred${hasY}`, numbersOf({ BOUNDS: RECENTRED }), far, {
-          settled: ['clear', 'settled'],
-          missed: 'missed',
-          early: null,
-        }),
-        listKernel(
-          `refined${hasY}`,
-          numbersOf({ BOUNDS: REFINED }),
-          loopOf(refined, 'refine', hasY),
-          {
-            settled: ['clear', 'settled'],
-            missed: null,
-            early: 'clear',
-          },
-        ),
-      ];
-    }),
-    PAGES,
-  );
+export const certifiedModule = (): Uint8Array =>
+  moduleOf([...kernelsOf(false), ...kernelsOf(true)], PAGES);
+
+function kernelsOf(hasY: boolean): Func[] {
+  const rough = hasY
+    ? loopOf(inSpace, 'coarseInSpace', hasY)
+    : loopOf(aroundAxis, 'coarseAroundAxis', hasY);
+  const values = loopOf(residual, hasY ? 'residualsInSpace' : 'residualsAroundAxis', hasY);
+  const far = hasY
+    ? loopOf(recentredSpace, 'recentredInSpace', hasY)
+    : loopOf(recentredAxis, 'recentredAroundAxis', hasY);
+  return [
+    blockKernel(`ordinary${hasY}`, PASSES, [rough, values, loopOf(solve, 'solvePass', hasY)], CUTS),
+    listKernel(
+      `recentred${hasY}`,
+      numbersOf({ BOUNDS: RECENTRED }),
+      far,
+      { clear: 'clear', settled: 'settled', missed: 'missed' },
+      RECENTRED_CUTS,
+    ),
+    listKernel(
+      `refined${hasY}`,
+      numbersOf({ BOUNDS: REFINED }),
+      loopOf(refined, 'refine', hasY),
+      { clear: 'clear', settled: 'settled', missed: null },
+      REFINED_CUTS,
+    ),
+  ];
 }

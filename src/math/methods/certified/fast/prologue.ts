@@ -1,7 +1,5 @@
 import type { Code } from '../../../wasm/expression.ts';
-import type { Scope } from '../../../wasm/locals.ts';
-import { constant, loadSplat, set } from '../../../wasm/ops.ts';
-import type { Constant } from '../../../wasm/source.ts';
+import { constant, loadSplat } from '../../../wasm/ops.ts';
 
 /** Where a loop's constants are found: the shape's in memory, at an offset by key; the bounds as they are. */
 export interface Numbers {
@@ -9,13 +7,16 @@ export interface Numbers {
   readonly known: Readonly<Record<string, ArrayLike<number>>>;
 }
 
-/** Each constant in both lanes of a local. Throws ReferenceError for one that is not to be found. */
-export function constantsOf(constants: readonly Constant[], numbers: Numbers, scope: Scope): Code {
-  return constants.flatMap(({ name, array, key }) => {
-    const offset = numbers.inMemory[array]?.(key);
-    if (offset !== undefined) return set(scope.declare(name), loadSplat(offset));
-    const value = numbers.known[array]?.[Number(key)];
-    if (value === undefined) throw new ReferenceError(`${array}[${key}] is not known`);
-    return set(scope.declare(name), constant(value));
-  });
+/** A constant in both lanes, and a name that is the same for the same number. Throws ReferenceError for one that is not to be found. */
+export function numberOf(
+  array: string,
+  key: string,
+  { inMemory, known }: Numbers,
+): { id: string; code: Code } {
+  const offset = inMemory[array]?.(key);
+  if (offset !== undefined) return { id: `at${offset}`, code: loadSplat(offset) };
+  const value = known[array]?.[Number(key)];
+  if (value === undefined) throw new ReferenceError(`${array}[${key}] is not known`);
+  const bits = new BigUint64Array(Float64Array.of(value).buffer)[0] as bigint;
+  return { id: `is${bits.toString(16)}`, code: constant(value) };
 }

@@ -1,0 +1,42 @@
+import { accelerate, decelerate } from '../../src/math/accelerate.ts';
+import { createAnswers, packRays, verdictsOfRoots } from '../../src/math/batch/batch.ts';
+import type { Question } from '../../src/math/families.ts';
+import { certified } from '../../src/math/methods/certified.ts';
+import type { Ray } from '../../src/math/ray.ts';
+
+/** More than WebAssembly takes at least, and an odd number of them. */
+const COUNT = 17;
+
+/** The ray, and others beside it: each with one number changed a little more than in the one before. */
+const besides = ({ origin, direction }: Ray): Ray[] =>
+  Array.from({ length: COUNT }, (_, k) => {
+    const numbers = [...origin, ...direction];
+    const at = k % 6;
+    const bent = (numbers[at] as number) * (1 + k * 2 ** -12);
+    if (Number.isFinite(bent) && (at < 3 || bent !== 0)) numbers[at] = bent;
+    const [ex, ey, ez, dx, dy, dz] = numbers as [number, number, number, number, number, number];
+    return { origin: [ex, ey, ez], direction: [dx, dy, dz] };
+  });
+
+function answersOf({ shape, ray }: Question): string[] {
+  const kernel = certified.batch?.(shape);
+  const rays = packRays(besides(ray));
+  const out = createAnswers(COUNT);
+  kernel?.both(rays, out);
+  const verdicts = verdictsOfRoots(out, COUNT);
+  const text = (t: number | undefined): string => (Object.is(t, -0) ? '-0' : String(t));
+  return verdicts.map((verdict, k) => `${verdict} ${text(out.t0[k])} ${text(out.t1[k])}`);
+}
+
+/** Where a batch by WebAssembly and one by TypeScript differ in a bit, in words; null where they do not. */
+export function unlike(question: Question): string | null {
+  decelerate();
+  const plain = answersOf(question);
+  accelerate();
+  const fast = answersOf(question);
+  decelerate();
+  const k = plain.findIndex((answer, i) => answer !== fast[i]);
+  return k < 0
+    ? null
+    : `${JSON.stringify({ shape: question.shape, ray: besides(question.ray)[k] })}: ${fast[k]} by WebAssembly, ${plain[k]} without`;
+}
