@@ -12,7 +12,8 @@ import type { Ray } from '../../ray.ts';
  *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b, A, C: 14u² of b² + |AC|             124u² AmCm
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
- * ≤ 2^-1072, with what multiplies its lower half; a itself and the a·(y·y') of that many times 2^200 are SMALLEST in A, b and C, and these 2^202 times in D. What is then
+ * ≤ 2^-1072, with what multiplies its lower half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST in A, b and C, and these 2^202
+ * times in D (dy was let grow beyond any bound: tests/repro). What is then
  * divided is above 2^-968, where products are split without loss.
  */
 const UU = 2 ** -106;
@@ -170,5 +171,7 @@ export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray): void {
   ALGEBRA[P + 5] = pzl;
   ALGEBRA[FLARE] = a;
   ALGEBRA[FLARE + 1] = aLow;
-  ALGEBRA[SIZE] = Am < LARGE && Cm < LARGE && size < LARGE ? Am * Cm : Number.NaN;
+  const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
+  const exactA = !q.squared || (yy < LARGE && qq < LARGE);
+  ALGEBRA[SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
 }
