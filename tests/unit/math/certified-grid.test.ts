@@ -6,6 +6,7 @@ import { findFamily, type Question } from '../../../src/math/families.ts';
 import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
+import { DIRECT_ERROR } from '../../../src/math/methods/certified/class-quadric.ts';
 import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
 import { placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
@@ -97,13 +98,28 @@ function lean(random: Random): Question {
   };
 }
 
+/** k large, and as little beside y as k y makes up for: what y is counted for must be k y. */
+function steep(random: Random): Question {
+  const flare = (random() < 0.5 ? -1 : 1) * 10 ** uniform(random, 2, 6);
+  const upright = (): Vec3 => {
+    const [x, y, z] = vector(random, 1);
+    return random() < 0.5 ? [x, y, z] : [x / 4, y * Math.sqrt(Math.abs(flare)), z / 4];
+  };
+  const radius = uniform(random, 0, 2);
+  return {
+    shape: { kind: 'hyperboloid', center: upright(), flare, radius },
+    ray: { origin: upright(), direction: upright() },
+  };
+}
+const OWN: Readonly<Record<string, (random: Random) => Question>> = { lean, steep };
+
 describe('parts on grids', () => {
   test('A, b, C and D/4 are off by less than their bounds, and not by much less (seed 71)', () => {
     const random = seeded(71);
     const worst = [0, 0, 0, 0];
-    for (const id of ['typical', 'near-surface', 'near-tangent', 'lean']) {
-      for (let k = 0; k < 4000; k++) {
-        const { shape, ray } = id === 'lean' ? lean(random) : made(id, random);
+    for (const id of ['typical', 'near-surface', 'near-tangent', 'lean', 'steep']) {
+      for (let k = 0; k < 3000; k++) {
+        const { shape, ray } = OWN[id]?.(random) ?? made(id, random);
         const q = quadricOf(shape);
         if (!q) continue;
         putCoefficients(certifiedQuadric(q).numbers, ray);
@@ -245,6 +261,60 @@ describe('right or open', () => {
     return true;
   }
 
+  test('cones in small worlds, seen at an ordinary speed (seed 77)', () => {
+    const random = seeded(77);
+    let answered = 0;
+    for (let k = 0; k < 1500; k++) {
+      const small = 2 ** -integer(random, 0, 540);
+      const shape: Shape = { kind: 'cone', vertex: vector(random, small), slope: random() };
+      const origin = vector(random, 3 * small);
+      if (answers({ shape, ray: { origin, direction: vector(random, 1) } })) answered += 1;
+    }
+    expect(answered).toBeGreaterThan(100);
+  });
+
+  test('far beyond the box, until something overflows (seed 78)', () => {
+    const random = seeded(78);
+    let answered = 0;
+    for (let k = 0; k < 1500; k++) {
+      const [world, speed] = [2 ** integer(random, 40, 90), 2 ** integer(random, 90, 515)];
+      const shape: Shape = {
+        kind: 'hyperboloid',
+        center: vector(random, world),
+        flare: uniform(random, -2, 2),
+        radius: world * random(),
+      };
+      const origin = vector(random, 3 * world);
+      if (answers({ shape, ray: { origin, direction: vector(random, speed) } })) answered += 1;
+    }
+    expect(answered).toBeGreaterThan(500);
+  });
+
+  test('what they are sure of, the filter of the batch is sure of, too (seed 79)', () => {
+    const random = seeded(79);
+    let least = 1;
+    for (let k = 0; k < 4000; k++) {
+      // All of A, b and C cancel: both along one generator, more or less.
+      const shape: Shape = { kind: 'cone', vertex: [0, 0, 0], slope: 1 };
+      const beside = (): Vec3 => [
+        1,
+        1 + 2 ** -uniform(random, 10, 24),
+        2 ** -uniform(random, 7, 12),
+      ];
+      const ray: Ray = { origin: beside(), direction: beside() };
+      const read = readQuadric(shape);
+      const found = read && gridQuadric(read.q, read.c, ray);
+      if (!found) continue;
+      expect(found.decidedBy).toBe('filter');
+      putCoefficients(read.c.numbers, ray);
+      const both = value(at.REACH_D) * value(at.REACH_P);
+      least = Math.min(least, Math.abs(value(at.D)) / both ** 2);
+    }
+    expect(least).toBeGreaterThan(2 ** -38);
+    expect(least).toBeLessThan(2 ** -24);
+    expect(DIRECT_ERROR).toBeLessThan(2 ** -38);
+  });
+
   test('rays and worlds of any scale (seed 75)', () => {
     const random = seeded(75);
     let answered = 0;
@@ -308,6 +378,27 @@ describe('what the bounds do not settle is left open', () => {
     expect(open).toBeGreaterThan(100);
     expect(closest).toBeLessThan(2 ** -54);
     expect(closest).toBeGreaterThan(2 ** -59);
+  });
+
+  test.each<[string, Shape]>([
+    ['a flare', { kind: 'hyperboloid', center: [0, 0, 0], flare: -(2 ** -210), radius: 1 }],
+    ['a large flare', { kind: 'hyperboloid', center: [0, 0, 0], flare: 2 ** 210, radius: 1 }],
+    ['a radius', { kind: 'cylinder', center: [0, 0, 0], radius: 2 ** -110 }],
+    ['a large radius', { kind: 'cylinder', center: [0, 0, 0], radius: 2 ** 110 }],
+  ])('%s beyond the box, where k² = a and r² have not all their digits', (_, shape) => {
+    const read = readQuadric(shape);
+    const ray: Ray = { origin: [3, 1, 0.5], direction: [1, 2 ** -90, 0.25] };
+    expect(read && gridQuadric(read.q, read.c, ray)).toBeNull();
+    const aside = intersect(shape, ray);
+    expect(aside.class).toBe(intersect(shape, ray, 'exact').class);
+  });
+
+  test('where A is not certain, the roots are not asked for: they would be in vain', () => {
+    const read = readQuadric({ kind: 'cone', vertex: [0, 0, 0], slope: 0.75 });
+    FOUND.fill(-7);
+    const direction: Vec3 = [0.75, 1, 2 ** -30];
+    expect(read && gridQuadric(read.q, read.c, { origin: [3, 1, 2], direction })).toBeNull();
+    expect([...FOUND]).toEqual([-7, -7, -7, -7]);
   });
 
   const axes = [0, 1, 2] as const;

@@ -9,13 +9,14 @@ import { AT_SCALED } from './scaled-quadric.ts';
  * So sums of three squares or products of such parts are below 2^53 of their units and exact, and only what has an xl in it is rounded, by uh a time;
  * η = 2^-77 = 4uh.
  *
- *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py| + r, w = max(1, k), so that k y is counted, too.
+ *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py|, w = max(1, k), so that k y is counted, too.
  *   p = E − C: pl = (p − ph) + (what E − C lost), rounded once                                          |pl| ≤ hP,   off by uhP
  *   k y: y in 26 bits y1 and the rest, k1 y1 exact, its part beyond the grid h, k1(y − y1) and k2 y h of k|y| each, k2 off by uh k:
  *     1 + 1 + 1, sums 2 + 3; for p, what E − C lost is one rounding of h more                           |yl| ≤ 3hS,  off by 8uhS, for p 9uhP
  *   A: xl(x + xh) 2 + 2; y, the most: 2·8, yh + yl + yh times yl 3·(1 + 2), the product 6, the last sum 6                   37uh D²
  *   b, of y: yh pl 9 + 3, yl p 8 + 3 + 3, their sum 6, the last sum 6                                                    ≤ 38uh DP
  *   C, of y: 2·9, pl times p + ph 3·(1 + 2), p off by 3·2^-53, the product 6, the last sum 6; C0 − ρ is split without loss  ≤ 46uh P²
+ *     but for u² of ρ, which C is near where that is far above P²
  *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss, what has a rest in it ≤ 12uh (b² + |AC|), and inherited 2|b|δb + |A|δC + |C|δA
  *
  * ERROR = 48uh for all of them, and for 2|b|DP + |A|P² + |C|D²: the tests have the sums. hi + lo is sorted without a comparison (Fast2Sum): where a
@@ -52,8 +53,7 @@ export function coefficientsPass(grid: at.Grid): CoefficientsPass {
     const py = ey - Cy;
     const pz = ez - Cz;
     const reachD = Math.abs(x) + Math.abs(z) + wide * Math.abs(y);
-    const reachP =
-      Math.abs(px) + Math.abs(pz) + wide * Math.abs(py) + (numbers[NUMBER.r] as number);
+    const reachP = Math.abs(px) + Math.abs(pz) + wide * Math.abs(py);
     const cutD = GRID * reachD;
     const cutP = GRID * reachP;
     const xh = x + cutD - cutD;
