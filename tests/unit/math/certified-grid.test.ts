@@ -393,6 +393,14 @@ describe('what the bounds do not settle is left open', () => {
     expect(aside.class).toBe(intersect(shape, ray, 'exact').class);
   });
 
+  test('but not because of a height that nothing depends on', () => {
+    const shape: Shape = { kind: 'cylinder', center: [0.5, -(2 ** 60), 0.25], radius: 2 };
+    const read = readQuadric(shape);
+    const aside: Ray = { origin: [7, 2 ** 60, 5], direction: [1, 0.25, -0.5] };
+    const found = read && gridQuadric(read.q, read.c, aside);
+    expect(found?.details).toEqual(intersect(shape, aside, 'exact').details);
+  });
+
   test('where A is not certain, the roots are not asked for: they would be in vain', () => {
     const read = readQuadric({ kind: 'cone', vertex: [0, 0, 0], slope: 0.75 });
     FOUND.fill(-7);
