@@ -8,7 +8,7 @@ import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
 import { DIRECT_ERROR } from '../../../src/math/methods/certified/class-quadric.ts';
 import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
-import { placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
+import { FAITHFUL, placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
 import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
 import { FOUND, findRoots, T0, T1, VERDICT } from '../../../src/math/methods/certified/one-ray.ts';
@@ -24,7 +24,7 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement, misplaced } from './against-exact.ts';
-import { exactHits } from './exact-hits.ts';
+import { exactHits, faithful } from './exact-hits.ts';
 
 /* The stage that answers most single rays: its bounds against the true errors, and that it is the one that answers. */
 
@@ -118,7 +118,7 @@ describe('parts on grids', () => {
     const random = seeded(71);
     const worst = [0, 0, 0, 0];
     for (const id of ['typical', 'near-surface', 'near-tangent', 'lean', 'steep']) {
-      for (let k = 0; k < 3000; k++) {
+      for (let k = 0; k < 2000; k++) {
         const { shape, ray } = OWN[id]?.(random) ?? made(id, random);
         const q = quadricOf(shape);
         if (!q) continue;
@@ -261,6 +261,34 @@ describe('right or open', () => {
     return true;
   }
 
+  test('each component of a normal is rounded once, but for what FAITHFUL admits (seed 80)', () => {
+    const random = seeded(80);
+    let answered = 0;
+    for (let k = 0; k < 500; k++) {
+      const center = vector(random, 3);
+      const shape: Shape =
+        k % 2
+          ? { kind: 'cone', vertex: center, slope: uniform(random, 0.1, 2) }
+          : { kind: 'hyperboloid', center, flare: uniform(random, -2, 2), radius: random() };
+      const ray: Ray = { origin: vector(random, 3), direction: vector(random, 1) };
+      const read = readQuadric(shape);
+      const found = read && gridQuadric(read.q, read.c, ray);
+      if (found?.class !== 'two') continue;
+      answered += 1;
+      const truth = exactHits(shape, ray).hits;
+      found.hits.forEach(({ normal }, i) => {
+        const components = truth[i]?.normal ?? [];
+        const off = components.filter((x, j) => {
+          const n = normal[j] ?? 0;
+          const most = of((2 ** -53 + FAITHFUL) * Math.abs(n));
+          return !faithful(x, n) || sign(sub(most, size(sub(of(n), x)))) < 0;
+        });
+        expect([{ shape, ray }, off]).toEqual([{ shape, ray }, []]);
+      });
+    }
+    expect(answered).toBeGreaterThan(100);
+  });
+
   test('cones in small worlds, seen at an ordinary speed (seed 77)', () => {
     const random = seeded(77);
     let answered = 0;
@@ -276,7 +304,7 @@ describe('right or open', () => {
   test('far beyond the box, until something overflows (seed 78)', () => {
     const random = seeded(78);
     let answered = 0;
-    for (let k = 0; k < 1500; k++) {
+    for (let k = 0; k < 800; k++) {
       const [world, speed] = [2 ** integer(random, 40, 90), 2 ** integer(random, 90, 515)];
       const shape: Shape = {
         kind: 'hyperboloid',
@@ -287,7 +315,7 @@ describe('right or open', () => {
       const origin = vector(random, 3 * world);
       if (answers({ shape, ray: { origin, direction: vector(random, speed) } })) answered += 1;
     }
-    expect(answered).toBeGreaterThan(500);
+    expect(answered).toBeGreaterThan(250);
   });
 
   test('what they are sure of, the filter of the batch is sure of, too (seed 79)', () => {
@@ -318,7 +346,7 @@ describe('right or open', () => {
   test('rays and worlds of any scale (seed 75)', () => {
     const random = seeded(75);
     let answered = 0;
-    for (let k = 0; k < 4000; k++) {
+    for (let k = 0; k < 2000; k++) {
       const { shape, ray } = made('typical', random);
       const by = 2 ** integer(random, -530, 500);
       const times = (v: Vec3, s: number): Vec3 => [s * v[0], s * v[1], s * v[2]];
@@ -333,7 +361,7 @@ describe('right or open', () => {
       };
       if (answers(question)) answered += 1;
     }
-    expect(answered).toBeGreaterThan(500);
+    expect(answered).toBeGreaterThan(250);
   });
 
   test.each([0, 1, 2])('E far out along axis %i only (seed 76)', (axis) => {
