@@ -15,7 +15,7 @@ import { AT_SCALED } from './scaled-quadric.ts';
  *     1 + 1 + 1, sums 2 + 3; for p, what E − C lost is one rounding of h more                           |yl| ≤ 3hS,  off by 8uhS, for p 9uhP
  *   A: xl(x + xh) 2 + 2; y, the most: 2·8, yh + yl + yh times yl 3·(1 + 2), the product 6, the last sum 6                   37uh D²
  *   b, of y: yh pl 9 + 3, yl p 8 + 3 + 3, their sum 6, the last sum 6                                                    ≤ 38uh DP
- *   C, of y: 2·9, pl times p + ph 3·(1 + 2), p off by 3·2^-53, the product 6, the last sum 6; C0 − ρ is split without loss  ≤ 46uh P²
+ *   C, of y: 2·9, p + ph times pl 3·(1 + 2), the product 6, the last two sums 6 each; C0 − ρ is split without loss         ≤ 46uh P²
  *     but for u² of ρ, which C is near where that is far above P²
  *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss, what has a rest in it ≤ 12uh (b² + |AC|), and inherited 2|b|δb + |A|δC + |C|δA
  *
