@@ -5,25 +5,25 @@ import { AT_SCALED } from './scaled-quadric.ts';
 
 /*
  * A, b = B/2, C and D/4 = b² − AC, each as a double and a small rest, for a ray and a shape in the box. x = xh + xl with xh = (x + σ) − σ and
- * σ = 2^28 S, S ≥ Σ|x|: xh is a whole multiple of ulp(σ)/2 with Σ|xh| ≤ 2^26 of them, and |xl| ≤ 2^-24 S, exactly (refined.ts). So sums of
- * three squares or products of such parts are exact, and only what has an xl in it is rounded. η = 2^-77 = 2^-24 u.
+ * σ = 2^27 S, S ≥ Σ|x|: xh is a whole multiple of a power of two g ≥ 2^-26 S, Σ|xh| ≤ (2^26 + 4) g, and |xl| ≤ hS, h = 2^-26, exactly (refined.ts).
+ * So sums of three squares or products of such parts are below 2^53 of their units and exact, and only what has an xl in it is rounded, by uh a time;
+ * η = 2^-77 = 4uh.
  *
- *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py| + r, w = max(1, k), so that k y is counted, too.
- *   p = E − C: pl = (p − ph) + (what E − C lost), rounded once                                      |pl| ≤ 2^-24 P,      off by η P
- *   k y: y in 26 bits y1 and the rest, k1 y1 exact, its part beyond the grid 2^-24, k1(y − y1) and k2 y 2^-26 of k|y| each, k itself off by
- *     2^-78 k; three roundings, for p one more and its k1(y − y1)                                   |yl| ≤ 1.5·2^-24 S,  off by 2.75η S, for p 3.25η P
- *   A: xl(x + xh) 2 roundings, 4η D|x|; y: 3 + 1 roundings of 1.5·2^-23, 7.5η, and 2·2.75η; sums ≤ 4η D²           ≤ 16η D²
- *   b: xh pl 2η, xl p and what p lacks of E − C 2η, their sum 2η; y: 3.25 + 2.75 + 4·1.5 + 1.5η; sums ≤ 3η DP         ≤ 17η DP
- *   C: pl(p + ph) 3 + 2η, pl off 2η; y: 7.5η + 2·3.25η; sums ≤ 6η P². C0 − ρ is split without loss                    ≤ 20η P²
- *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss; br(b + bt) 7·2^-26 u b², At Cr + Ar C 7·2^-26 u |AC|, sums: ≤ 3η (b² + |AC|);
- *     inherited 2|b|δb + |A|δC + |C|δA                                                            ≤ 24η (2|b|DP + |A|P² + |C|D²)
+ *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py|, w = max(1, k), so that k y is counted, too.
+ *   p = E − C: pl = (p − ph) + (what E − C lost), rounded once                                          |pl| ≤ hP,   off by uhP
+ *   k y: y in 26 bits y1 and the rest, k1 y1 exact, its part beyond the grid h, k1(y − y1) and k2 y h of k|y| each, k2 off by uh k:
+ *     1 + 1 + 1, sums 2 + 3; for p, what E − C lost is one rounding of h more                           |yl| ≤ 3hS,  off by 8uhS, for p 9uhP
+ *   A: xl(x + xh) 2 + 2; y, the most: 2·8, yh + yl + yh times yl 3·(1 + 2), the product 6, the last sum 6                   37uh D²
+ *   b, of y: yh pl 9 + 3, yl p 8 + 3 + 3, their sum 6, the last sum 6                                                    ≤ 38uh DP
+ *   C, of y: 2·9, p + ph times pl 3·(1 + 2), the product 6, the last two sums 6 each; C0 − ρ is split without loss         ≤ 46uh P²
+ *     but for u² of ρ, which C is near where that is far above P²
+ *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss, what has a rest in it ≤ 12uh (b² + |AC|), and inherited 2|b|δb + |A|δC + |C|δA
  *
- * ERROR has a tenth to spare for the terms in η², and for D and P being rounded. hi + lo is sorted without a comparison (Fast2Sum): where a number passes
- * the test of grid-quadric.ts, it is 2^-19 of its bound's scale at least, and the second summand below 2^-21 of that.
+ * ERROR = 48uh for all of them, and for 2|b|DP + |A|P² + |C|D²: the tests have the sums. hi + lo is sorted without a comparison (Fast2Sum): where a
+ * number passes the test of grid-quadric.ts, it is 2^-20 of its bound's scale at least, and the second summand below 2^-23 of that.
  */
-export const ERROR = 22 * 2 ** -77;
-export const ERROR_D = 24 * 2 ** -77;
-const CUT = 2 ** 28;
+export const ERROR = 12 * 2 ** -77;
+export const CUT = 2 ** 27;
 const HALVES = 134217729;
 
 export type CoefficientsPass = (numbers: Float64Array, ray: Ray) => void;
@@ -33,7 +33,7 @@ export function coefficientsPass(grid: at.Grid): CoefficientsPass {
   const NUMBER = AT_SCALED;
   const GRID = CUT;
   const SPLITTER = HALVES;
-  const BOUND_D = ERROR_D;
+  const BOUND = ERROR;
   return (numbers, { origin: E, direction: d }) => {
     const k = numbers[NUMBER.k] as number;
     const sign = numbers[NUMBER.sign] as number;
@@ -53,8 +53,7 @@ export function coefficientsPass(grid: at.Grid): CoefficientsPass {
     const py = ey - Cy;
     const pz = ez - Cz;
     const reachD = Math.abs(x) + Math.abs(z) + wide * Math.abs(y);
-    const reachP =
-      Math.abs(px) + Math.abs(pz) + wide * Math.abs(py) + (numbers[NUMBER.r] as number);
+    const reachP = Math.abs(px) + Math.abs(pz) + wide * Math.abs(py);
     const cutD = GRID * reachD;
     const cutP = GRID * reachP;
     const xh = x + cutD - cutD;
@@ -125,7 +124,7 @@ export function coefficientsPass(grid: at.Grid): CoefficientsPass {
     grid[at.REACH_D] = reachD;
     grid[at.REACH_P] = reachP;
     grid[at.OFF_D] =
-      BOUND_D *
+      BOUND *
       (2 * Math.abs(b) * reachD * reachP +
         Math.abs(A) * reachP * reachP +
         Math.abs(C) * reachD * reachD);

@@ -8,24 +8,24 @@ import { AT_SCALED } from './scaled-quadric.ts';
 
 /*
  * Points and normals of two hits, from the double t that is certified for each. A t* + b ± √(D/4) = 0 gives t* = t − (A t + b ± √(D/4))/A: no more than
- * that remainder is needed, and not exactly. L = |E|₁ + max|t| D, T = L/D ≥ |t|; D, P, η and the grids are those of grid-coefficients.ts.
+ * that remainder is needed, and not exactly. L = |E|₁ + max|t| D, T = L/D ≥ |t|; D, P, h, η and the grids are those of grid-coefficients.ts, uh = η/4.
  *
- *   √: sh² exact, (s − sh)(s + sh) 2 roundings of 2^-26 D, the linear step                          off by δD/2s + η s
- *   t = th + tl on the grid 2^29 T: th ≤ 2^25 units, |tl| ≤ 2^-23 T. At th is exact, its sum with b is split without loss, ±√ takes away all but
- *     ≤ 2.3·2^-24 |A|T of it: that rounding, At tl, and three sums with At tl + Ar t                   12η |A|T
- *   δ = t* − t by what A, b and √ are off, over A: 22η D(L + P) for A and b, where √'s own η s fits, and δD/2s     offT
- *   E + t d: th xh is a multiple of a power of two ≥ 2^-51 L, eh of that one at least, their sum X ≤ 2^52 of them and exact
- *     low = el + th xl + (tl + δ) dx: 12 + 2 (tl + δ) + 2 (times dx) + 1 (th xl) + 3 + 3 (sums)         23η L + |dx| offT
- *   n = (X − C) + low, the difference split without loss, |low| ≤ 1.5·2^-23 L: 3η L and what low is off; y: a hi + lo, times that, 8u²|ny| more
+ *   √: D − sh² exact, (s − sh)(s + sh) 2 roundings of 2h D/4, the linear step                        off by δD/2s + 2uh s
+ *   t = th + tl on the grid 2^27 T: th ≤ (2^26 + 1/2) units, |tl| ≤ hT. At th is exact, its sum with b is split without loss, ±√ takes away all but
+ *     2h |A|T of it: that rounding 2, At tl 1, Ar 1, times t 1, three sums 2 each, and √'s own 2      13uh |A|T
+ *   δ = t* − t by what A, b and √ are off, over A: 37uh DL, and 38uh DP with √'s own 2uh |b|, by ERROR; and δD/2s   offT
+ *   E + t d: th xh is a multiple of a power of two ≥ 2^-52 L, eh of one that is, too, their sum X below 2^53 of them and exact
+ *     low = el + th xl + (tl + δ) dx: 13, 1 (tl + δ) + 1 (times dx) + 1 (th xl) + 2 + 2 (sums)          20uh L + |dx| offT
+ *   n = (X − C) + low, the difference split without loss, |low| ≤ 2h L: 2uh L and what low is off; y: a hi + lo, times that, 8u²|ny| more
  *
- * POINT has a tenth to spare for all of it. A coordinate X + low is rounded once: faithful, and itself where it is a double, if it was off by less than u|x|/2;
- * FAITHFUL leaves a tenth. Where d has no component, X + low is E's own. A normal's component likewise, which is more than is promised of its
- * direction: one that is exactly zero would come out as something like 1e-23, and the next scale of the same ray might say otherwise.
+ * POINT = 24uh for all of it: the tests have the sums. A coordinate X + low is rounded once: faithful, and itself where it is a double, if it was off by
+ * less than u|x|/2; FAITHFUL leaves a tenth. Where d has no component, X + low is E's own. A normal's component likewise, which is more than is promised
+ * of its direction: one that is exactly zero would come out as something like 1e-23, and the next scale of the same ray might say otherwise.
  */
-const POINT = 32 * 2 ** -77;
+export const POINT = 6 * 2 ** -77;
 export const FAITHFUL = 0.9 * 2 ** -54;
-const CUT_TIME = 2 ** 29;
-const CUT_ORIGIN = 2 ** 6;
+export const CUT_TIME = 2 ** 27;
+export const CUT_ORIGIN = 2 ** 2;
 const HALVES = 134217729;
 
 /** Once FOUND holds the roots. */

@@ -1,20 +1,20 @@
-import { TWO } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { DIRECT_ERROR } from './class-quadric.ts';
 import { coefficientsPass, ERROR } from './grid-coefficients.ts';
 import { FAITHFUL, placePass, rootsPass } from './grid-places.ts';
 import * as at from './grid-scratch.ts';
-import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
+import { findRoots, T0, T1 } from './one-ray.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
 /*
  * One ray against a curved shape in one go, by parts on grids: class, A, B, C, D, points and normals to some 75 bits, which settles 99 of 100 rays of a
  * picture in half the time of plain-quadric.ts with its 106 bits. The roots are the batch's own. Null for the rest, and beyond the box.
  *
- * D > 0 within its bound makes two hits, if A ≠ 0 is certain. D and P are between 1/BOX and BOX, |A| ≥ 2^-19 D² and √D/4 ≥ 2^-10 DP where they pass: what
- * underflows (2^-1074, times factors of the box) is far below η of any of the scales, and NaN or infinity fails a comparison.
+ * D > 0 within its bound makes two hits, if A ≠ 0 is certain; a coordinate is not, where A is not, so that A's test only saves the roots. D and P are
+ * above 1/BOX, |A| ≥ 2^-20 D², and so on, where they pass, and D/4 ≥ 2^-38 D²P²: the filter of the batch kernels would have been sure of that. What
+ * underflows (2^-1074, times factors of the box) is far below η of any of the scales. What overflows makes D/4's bound infinite, or D/4 NaN by its
+ * splitting, and both fail a comparison; so does the NaN of a root that is not there.
  */
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 
@@ -27,11 +27,8 @@ function onGrids(): Answer {
   const putCoefficients = coefficientsPass(grid);
   const putRoots = rootsPass(grid);
   const hitAt = placePass(grid);
-  const found = FOUND;
   const BOUND = ERROR;
   const SURE = FAITHFUL;
-  const FILTER = DIRECT_ERROR;
-  const LARGE = BOX;
   const SMALL = 1 / BOX;
   return (q, c, ray) => {
     if (!c.inBox) return null;
@@ -49,9 +46,7 @@ function onGrids(): Answer {
       BOUND * (reachP * reachP) <= SURE * Math.abs(C) &&
       (grid[at.OFF_D] as number) <= SURE * Math.abs(D) &&
       reachD > SMALL &&
-      reachD < LARGE &&
-      reachP > SMALL &&
-      reachP < LARGE;
+      reachP > SMALL;
     if (!sure) return null;
     const details: CurvedDetails = {
       family: 'curved',
@@ -61,14 +56,14 @@ function onGrids(): Answer {
       D: 4 * D,
       signs: { A: signOf(A), B: signOf(b), C: signOf(C), D: signOf(D) },
     };
-    // Where the filter of the batch kernels would have been sure, the lower halves were not needed for the class.
-    const decidedBy = Math.abs(D) > FILTER * (both * both) ? 'filter' : 'double-double';
-    if (D < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
+    if (D < 0)
+      return { class: 'none', hits: [], method: 'certified', decidedBy: 'filter', details };
     findRoots(q, ray, c);
-    if (found[VERDICT] !== TWO) return null;
     putRoots(ray);
     const near = hitAt(c.numbers, T0, 1);
     const far = near && hitAt(c.numbers, T1, -1);
-    return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
+    return (
+      far && { class: 'two', hits: [near, far], method: 'certified', decidedBy: 'filter', details }
+    );
   };
 }

@@ -44,9 +44,8 @@ export const AT_SCALED = {
   rho: 7,
   rhoLow: 8,
   flare: 9,
-  r: 10,
-  wide: 11,
-  flareLow: 12,
+  wide: 10,
+  flareLow: 11,
 } as const;
 
 const SPLITTER = 134217729;
@@ -115,7 +114,7 @@ function prepared(q: Quadric): CertifiedQuadric {
     rhoLow,
     numbers: Float64Array.of(
       ...[q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow],
-      ...[flare, q.r, wide, flareLow],
+      ...[flare, wide, flareLow],
     ),
     flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
