@@ -1,0 +1,91 @@
+import { describe, expect, test } from 'vitest';
+import { quadricOf } from '../../../src/math/batch/quadric.ts';
+import { AT, latticeOf, UNIT_OF_DIRECTION } from '../../../src/math/methods/certified/lattice.ts';
+import { SMALLEST_D } from '../../../src/math/methods/certified/moment-bound.ts';
+import { BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
+import { BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
+
+/*
+ * Constants that are far more cautious than any ray shows: each against the count of its own derivation, step by step as the comment beside it has them. So none
+ * may be weakened without the derivation, which no wrong answer would betray.
+ */
+const U = 2 ** -53;
+const of = (bounds: Float64Array, k: number): number => bounds[k] as number;
+const sum = (steps: readonly number[]): number => steps.reduce((a, b) => a + b, 0);
+
+/** What q is off, in reaches: t·dl, tl·d, their sum and pl for x and z; for y what k's lower half and the larger sum add. */
+const offQ = 2 ** -75 * sum([3, 3, 10]);
+/** What f is off, in widths and sizes: ql, the bracket, the product, three sums, k, fh; and q twice. */
+const offF = 2 ** -73 * sum([1, 1, 1, 3, 1, 1]) + 2 * offQ;
+
+describe('recentred', () => {
+  const [gridP, cross, square, residual, slope] = [2, 4, 5, 6, 7].map((k) => of(FAR, k)) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  const narrow = of(FAR, 14);
+  /** ql·d and qh·dl at six operations, and δq·d. */
+  const offB = 6 * 2 ** -74 + offQ;
+  test('SLOPE_ERROR covers what b is off, CROSS_ERROR twice that and what f is off', () => {
+    expect(slope).toBeGreaterThanOrEqual(offB);
+    expect(cross).toBeGreaterThanOrEqual(Math.max(2 * offB, offF));
+  });
+  test('with NARROW it covers 2|q||δq| where the leading parts are 0', () => {
+    expect(cross * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * 2 ** -23);
+  });
+  test('SQUARE_ERROR covers twice u of b and 2u of its square, RESIDUAL_ERROR 2u of f, 9u of A and 2u', () => {
+    expect(square).toBeGreaterThanOrEqual(sum([2, 2]) * U);
+    expect(residual).toBeGreaterThanOrEqual(sum([2, 9, 2]) * U);
+  });
+  test('GRID_P leaves of p 2^-46 of the reach', () => {
+    expect(gridP * 2 ** -52).toBeLessThanOrEqual(2 ** -46);
+  });
+});
+
+describe('root by root', () => {
+  const [gridP, residual, spread, step, clear, apart, narrow] = [2, 4, 7, 8, 9, 10, 17].map((k) =>
+    of(ROOT, k),
+  ) as [number, number, number, number, number, number, number];
+  test('RESIDUAL_ERROR covers what f is off, with NARROW also where the leading parts are 0', () => {
+    expect(residual).toBeGreaterThanOrEqual(offF);
+    expect(residual * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * (2 ** -22 + 2 ** -45));
+  });
+  test('CLEAR makes √D known to 2^-18, and STEP keeps A f below 2^-17 of D', () => {
+    expect(1 / (2 * clear)).toBeLessThanOrEqual(2 ** -18);
+    expect(step).toBeLessThanOrEqual(2 ** -17);
+  });
+  test('APART keeps what b is off, 8u of S, below 2^-7 of √D', () => {
+    expect((8 * U) / Math.sqrt(apart)).toBeLessThanOrEqual(2 ** -7);
+  });
+  test('GRID_P and SPREAD keep the rounding of what is left of p below a sixteenth of the unit', () => {
+    expect(gridP * 2 ** -52 * U * spread).toBeLessThanOrEqual(2 ** -75 / 16);
+  });
+});
+
+test('SMALLEST_D is above what is lost to underflow', () => {
+  expect(SMALLEST_D).toBeGreaterThanOrEqual(2 ** -1074 * 2 ** 600);
+});
+
+describe('ordinary rays', () => {
+  const shape = (x: number, radius: number, flare: number) =>
+    quadricOf({ kind: 'hyperboloid', center: [x, 0, 0], flare, radius });
+  const lattice = (x: number, radius = 1, flare = 1) => {
+    const q = shape(x, radius, flare);
+    return q && latticeOf(q);
+  };
+  test('|d| has 2^4 units at least, so that roots within 2^24 of the centre are below 2^21 apart', () => {
+    const least = Math.sqrt(lattice(0)?.[AT.smallestDirection] ?? 0) / UNIT_OF_DIRECTION;
+    expect((2 * 2 ** 24) / least).toBeLessThanOrEqual(2 ** 21);
+  });
+  test('a centre beyond 2^45 units of 2^-17, a stretch beyond 2^30 or a size beyond 2^60 is not ordinary', () => {
+    expect(lattice(2 ** 27.9)).not.toBeNull();
+    expect(lattice(2 ** 28)).toBeNull();
+    expect(lattice(0, 1, 2 ** 58)).not.toBeNull();
+    expect(lattice(0, 1, 2 ** 62)).toBeNull();
+    expect(lattice(0, 2 ** 60)).not.toBeNull();
+    expect(lattice(0, 2 ** 61)).toBeNull();
+  });
+});
