@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { AT, latticeOf, UNIT_OF_DIRECTION } from '../../../src/math/methods/certified/lattice.ts';
+import { BOUNDS as ROUGH } from '../../../src/math/methods/certified/lattice-bounds.ts';
 import { SMALLEST_D } from '../../../src/math/methods/certified/moment-bound.ts';
 import { BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
 import { BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
@@ -76,6 +77,10 @@ describe('ordinary rays', () => {
     const q = shape(x, radius, flare);
     return q && latticeOf(q);
   };
+  test('SLACK covers what the larger step is off without Am/|A| and reach: its divisor 6u, f 3u, four roundings', () => {
+    expect(of(ROUGH, 4)).toBeGreaterThanOrEqual(sum([6, 3, 4]) * U);
+    expect(of(ROUGH, 3)).toBeGreaterThanOrEqual(3.5 * U);
+  });
   test('|d| has 2^4 units at least, so that roots within 2^24 of the centre are below 2^21 apart', () => {
     const least = Math.sqrt(lattice(0)?.[AT.smallestDirection] ?? 0) / UNIT_OF_DIRECTION;
     expect((2 * 2 ** 24) / least).toBeLessThanOrEqual(2 ** 21);
