@@ -34,3 +34,10 @@ export function createScope(first: number): Scope {
     throw new ReferenceError(`${name} is not known`);
   });
 }
+
+/** Locals one after the other, by name. */
+export const numbered = <Name extends string>(
+  first: number,
+  ...names: readonly Name[]
+): Readonly<Record<Name, number>> =>
+  Object.fromEntries(names.map((name, k) => [name, first + k])) as Record<Name, number>;

@@ -124,6 +124,14 @@ export const less = binary([0x49]);
 export const notEqual = binary([0x47]);
 export const isZero = unary([0x45]);
 
+/** Moves a pointer or an index on. */
+export const forward = (local: number, by: Code): Code => set(local, plus(get(local), by));
+/** Writes a 32-bit number where a pointer points, and moves it on. */
+export const append = (pointer: number, value: Code): Code => [
+  ...storeInt(get(pointer), 0, value),
+  ...forward(pointer, i32(4)),
+];
+
 const EMPTY = 0x40;
 export const when = (condition: Code, then: Code, otherwise: Code = []): Code => [
   ...condition,

@@ -47,24 +47,20 @@ function setSquare(out: number, x: number): void {
  * such a pair is added to its parts, and normalised once.
  */
 
-/** Puts hi + lo, whichever is larger. */
-function normalise(out: number, hi: number, lo: number): void {
-  const s = hi + lo;
-  R[out] = s;
-  R[out + 1] = sumError(hi, lo, s);
-}
-
-/** out = dj pj + dk pk. */
-function dot(out: number, dj: number, pj: number, dk: number, pk: number): void {
+/** out = dj pj ± dk pk, by `sign`. */
+function dot(out: number, dj: number, pj: number, dk: number, pk: number, sign: 1 | -1): void {
   const a = get(dj);
   const b = get(pj);
-  const c = get(dk);
+  const c = sign * get(dk);
   const e = get(pk);
   const p = a * b;
   const q = c * e;
   const s = p + q;
   const rest = productError(a, b, p) + a * get(pj + 1) + (productError(c, e, q) + c * get(pk + 1));
-  normalise(out, s, sumError(p, q, s) + rest);
+  const low = sumError(p, q, s) + rest;
+  const hi = s + low;
+  R[out] = hi;
+  R[out + 1] = sumError(s, low, hi);
 }
 
 /** out −= a·(dy·y) for a double-double y. */
@@ -77,13 +73,13 @@ function subtractAlong(out: number, y: number): void {
 
 /** A = dx² + dz² − a·dy². */
 export function setA(): void {
-  dot(A, X, X, Z, Z);
+  dot(A, X, X, Z, Z, 1);
   subtractAlong(A, Y);
 }
 
 /** b = dx px + dz pz − a·dy py. */
 export function setB(): void {
-  dot(B, X, PX, Z, PZ);
+  dot(B, X, PX, Z, PZ, 1);
   subtractAlong(B, PY);
 }
 
@@ -102,18 +98,8 @@ export function setC(): void {
 
 /** out = (dj pk − dk pj)². */
 function squaredMinor(out: number, dj: number, dk: number, pj: number, pk: number): void {
-  const a = get(dj);
-  const b = get(pk);
-  const c = get(dk);
-  const e = get(pj);
-  const p = a * b;
-  const q = c * e;
-  const s = p - q;
-  const rest = productError(a, b, p) + a * get(pk + 1) - (productError(c, e, q) + c * get(pj + 1));
-  const low = sumError(p, -q, s) + rest;
-  const m = s + low;
-  const mm = m * m;
-  normalise(out, mm, squareError(m, mm) + 2 * (m * sumError(s, low, m)));
+  dot(out, dj, pk, dk, pj, -1);
+  dd.sqr(R, out, out);
 }
 
 /** D/4 by the moment: it does not cancel however far away E is. */

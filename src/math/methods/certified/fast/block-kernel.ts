@@ -1,4 +1,5 @@
 import type { Code } from '../../../wasm/expression.ts';
+import { numbered } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { elementOf, type Loop } from '../../../wasm/source.ts';
@@ -12,10 +13,12 @@ import type { Numbers } from './prologue.ts';
  */
 
 const COUNT = PARAMS.length;
-const [AT, LOT, DOUBTFUL, UNSETTLED, BITS, OPEN, LOT_END, END, HAND, HAND_END] = [
-  ...[1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((n) => COUNT + n),
-] as [number, number, number, number, number, number, number, number, number, number];
-const VECTORS = COUNT + 11;
+const { AT, LOT, DOUBTFUL, UNSETTLED, BITS, OPEN, LOT_END, END, HAND, HAND_END, VECTORS } =
+  numbered(
+    COUNT + 1,
+    ...(['AT', 'LOT', 'DOUBTFUL', 'UNSETTLED', 'BITS', 'OPEN'] as const),
+    ...(['LOT_END', 'END', 'HAND', 'HAND_END', 'VECTORS'] as const),
+  );
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
@@ -60,24 +63,19 @@ export function blockKernel(
   );
   const PLACES = handed(parts.free);
 
-  const append = (list: number, value: Code): Code => [
-    ...op.storeInt(op.get(list), 0, value),
-    ...op.set(list, op.plus(op.get(list), op.i32(4))),
-  ];
   const listLane = (list: number, lane: number): Code =>
     op.when(
       op.both(
         op.notEqual(op.both(op.get(BITS), op.i32(1 << lane)), op.i32(0)),
         op.less(op.plus(at, op.i32(8 * lane)), op.get(END)),
       ),
-      append(list, op.plus(op.shiftRight(at, op.i32(3)), op.i32(lane))),
+      op.append(list, op.plus(op.shiftRight(at, op.i32(3)), op.i32(lane))),
     );
   const listBits = (list: number, bits: Code): Code => [
     ...op.set(BITS, bits),
     ...op.when(op.get(BITS), [...listLane(list, 0), ...listLane(list, 1)]),
   ];
   const no = (bits: Code): Code => op.flip(bits, op.i32(3));
-  const forward = (local: number, by: Code): Code => op.set(local, op.plus(op.get(local), by));
   const one = (value: string, p: number): Code => parts.value(value, p);
 
   const roughPart: Code = [
@@ -92,11 +90,11 @@ export function blockKernel(
         ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(one(remote.target, 0)))),
         ...listBits(UNSETTLED, op.both(op.get(OPEN), no(op.bitmask(one(remote.target, 0))))),
       ]),
-      ...op.when(op.anyTrue(one(clear, 0)), forward(HAND, op.i32(PAIR)), [
+      ...op.when(op.anyTrue(one(clear, 0)), op.forward(HAND, op.i32(PAIR)), [
         ...op.store(of('t0'), 0, NAN),
         ...op.store(of('t1'), 0, NAN),
       ]),
-      ...forward(AT, op.i32(PAIR)),
+      ...op.forward(AT, op.i32(PAIR)),
     ]),
     ...op.set(HAND_END, hand),
   ];
@@ -116,7 +114,7 @@ export function blockKernel(
       ...op.set(AT, op.loadInt(hand, PLACES)),
       ...parts.code(k + 1),
       ...(k + 1 === last ? answer() : []),
-      ...forward(HAND, op.i32(PAIR)),
+      ...op.forward(HAND, op.i32(PAIR)),
     ]),
   ]);
   const body: Code = [

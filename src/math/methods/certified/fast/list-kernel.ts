@@ -1,4 +1,5 @@
 import type { Code } from '../../../wasm/expression.ts';
+import { numbered } from '../../../wasm/locals.ts';
 import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { elementOf, type Loop } from '../../../wasm/source.ts';
@@ -9,10 +10,11 @@ import type { Numbers } from './prologue.ts';
 /* A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they are. */
 
 const LIST = PARAMS.length;
-const [COUNT, AT, TO, END, LOT_END, LOW, HIGH, BITS, HAND, HAND_END] = [
-  ...[1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((n) => LIST + n),
-] as [number, number, number, number, number, number, number, number, number, number];
-const VECTORS = LIST + 11;
+const { COUNT, AT, TO, END, LOT_END, LOW, HIGH, BITS, HAND, HAND_END, VECTORS } = numbered(
+  LIST + 1,
+  ...(['COUNT', 'AT', 'TO', 'END', 'LOT_END', 'LOW', 'HIGH'] as const),
+  ...(['BITS', 'HAND', 'HAND_END', 'VECTORS'] as const),
+);
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
@@ -68,10 +70,10 @@ export function listKernel(
         ...op.storeLane(address('t1', index), 0, op.get(roots.t1), n),
       ],
       // The last of an odd number went with itself.
-      op.when(n === 0 ? op.i32(1) : op.notEqual(op.get(LOW), op.get(HIGH)), [
-        ...op.storeInt(op.get(TO), 0, op.get(index)),
-        ...op.set(TO, op.plus(op.get(TO), op.i32(4))),
-      ]),
+      op.when(
+        n === 0 ? op.i32(1) : op.notEqual(op.get(LOW), op.get(HIGH)),
+        op.append(TO, op.get(index)),
+      ),
     );
   };
   const answer = (): Code => [
@@ -82,8 +84,6 @@ export function listKernel(
     ...lane(0),
     ...lane(1),
   ];
-  const forward = (local: number, by: number): Code =>
-    op.set(local, op.plus(op.get(local), op.i32(by)));
   const firstPart: Code = [
     ...op.set(HAND, op.i32(0)),
     ...op.during(op.less(at, op.get(LOT_END)), [
@@ -92,8 +92,8 @@ export function listKernel(
       ...op.storeInt(hand, INDICES, op.get(LOW)),
       ...op.storeInt(hand, INDICES + 4, op.get(HIGH)),
       ...parts.code(0),
-      ...forward(HAND, PAIR),
-      ...forward(AT, 8),
+      ...op.forward(HAND, op.i32(PAIR)),
+      ...op.forward(AT, op.i32(8)),
     ]),
     ...op.set(HAND_END, hand),
   ];
@@ -108,7 +108,7 @@ export function listKernel(
             ...op.set(HIGH, op.loadInt(hand, INDICES + 4)),
             ...answer(),
           ]),
-      ...forward(HAND, PAIR),
+      ...op.forward(HAND, op.i32(PAIR)),
     ]),
   ]);
   const body: Code = [
