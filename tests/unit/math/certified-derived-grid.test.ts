@@ -15,7 +15,8 @@ import { FOUND, T0, T1 } from '../../../src/math/methods/certified/one-ray.ts';
 import { AT_SCALED } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { climb, DOUBLES, known, type Off, running } from './running-error.ts';
+import { climbFromUnits } from './climb.ts';
+import { DOUBLES, known, type Off, running } from './running-error.ts';
 
 /*
  * As certified-derived.test.ts, for the parts on grids. What is exact there is so by the grids, which is asserted first; of the rest only sizes count, all of
@@ -104,7 +105,7 @@ function three(at: readonly number[], first: number): Sizes {
 }
 
 function tight(length: number, share: (at: readonly number[]) => number, least = 0.75): void {
-  const worst = climb(seeded(SEED), length, share);
+  const worst = climbFromUnits(seeded(SEED), length, share);
   expect(worst).toBeLessThan(1);
   expect(worst).toBeGreaterThan(least);
 }
@@ -126,7 +127,7 @@ describe(`what the coefficients may be off by (seed ${SEED})`, () => {
     );
   });
   test('A where it cancels: half of it', () => {
-    const worst = climb(seeded(SEED), 2, ([x = 0, z = 0]) =>
+    const worst = climbFromUnits(seeded(SEED), 2, ([x = 0, z = 0]) =>
       parts.A(three([x, Math.hypot(x, z), z], 0)),
     );
     expect(worst).toBeLessThan(ERROR / 2);
@@ -165,7 +166,7 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
     return [at.OFF_X, at.OFF_Y, at.OFF_Z].map((k) => grid[k] ?? 0);
   }
   const most = (length: number, share: (at: readonly number[]) => number): number =>
-    climb(seeded(SEED), length, share);
+    climbFromUnits(seeded(SEED), length, share);
   const ofA = most(3, (at) => parts.A(three(at, 0)));
   const ofB = most(6, (at) => parts.b(three(at, 0), three(at, 3)));
 

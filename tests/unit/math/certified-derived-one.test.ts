@@ -4,7 +4,8 @@ import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
 import { QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-quadric.ts';
 import { seeded } from '../../../src/math/rng.ts';
-import { climb, DOUBLES, known, negative, type Off, running, TWICE } from './running-error.ts';
+import { climbFromUnits } from './climb.ts';
+import { DOUBLES, known, negative, type Off, running, TWICE } from './running-error.ts';
 
 /*
  * As certified-derived.test.ts, for the one ray that is answered with points and normals: upper halves are exact with what they lost, so only sizes count. A
@@ -21,7 +22,7 @@ const low = (x: number): Off => known(U * abs(x));
 
 /** The greatest share of a bound is below 1 and above 3/4, for `length` sizes that are 1 together. */
 function tight(length: number, bound: number, off: (...at: readonly number[]) => number): void {
-  const worst = climb(seeded(SEED), length, (at) => {
+  const worst = climbFromUnits(seeded(SEED), length, (at) => {
     const all = at.reduce((sum, x) => sum + abs(x), 0);
     return off(...at.map((x) => abs(x) / all));
   });
@@ -74,7 +75,7 @@ describe(`lower halves, and what adding them up may cost (seed ${SEED})`, () => 
 describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
   const twice = running(TWICE);
   const share = (length: number, of: (at: readonly number[]) => number): void => {
-    const most = climb(seeded(SEED), length, of);
+    const most = climbFromUnits(seeded(SEED), length, of);
     expect(most).toBeLessThan(1);
     expect(most).toBeGreaterThan(0.6);
   };
@@ -166,7 +167,7 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
   const times = (x: Off, relative: number): Off => ({ x: x.x, off: x.off + relative * abs(x.x) });
 
   test('q = b + √D', () => {
-    const worst = climb(seeded(SEED), 1, ([at = 0]) => {
+    const worst = climbFromUnits(seeded(SEED), 1, ([at = 0]) => {
       const s = abs(at) % 1;
       // Half of D − s² and of D's lower half over s; the step itself leaves its square over 2s.
       const rest = add(known(2 * U), low(1));

@@ -11,9 +11,9 @@ import { rootInTwice } from '../../../src/math/methods/certified/slow-planar.ts'
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { ERROR as DEPARTS } from '../../../src/tracer/departs.ts';
+import { climbFromUnits } from './climb.ts';
 import {
   type Arithmetic,
-  climb,
   DOUBLES,
   known,
   type Off,
@@ -41,7 +41,7 @@ function tight(
   least = 0.5,
   starts = 20,
 ): void {
-  const worst = climb(seeded(SEED), length, share, starts);
+  const worst = climbFromUnits(seeded(SEED), length, share, starts);
   expect(worst).toBeLessThan(1);
   expect(worst).toBeGreaterThan(least);
 }

@@ -10,9 +10,9 @@ import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
+import { climbFromUnits } from './climb.ts';
 import { unfaithful } from './exact-quadratic.ts';
 import {
-  climb,
   known,
   type Off,
   pairOfProducts,
@@ -64,7 +64,7 @@ describe(`a root's bound, and what its operations may add up to (seed ${SEED})`,
   }
 
   test.each([0, 1] as const)('root %i', (k) => {
-    const most = climb(seeded(SEED), 8, (at) => shares(at)[k], 12);
+    const most = climbFromUnits(seeded(SEED), 8, (at) => shares(at)[k], 12);
     expect(most).toBeLessThan(1);
     expect(most).toBeGreaterThan(0.6);
   });

@@ -13,7 +13,8 @@ import { climb } from './climb.ts';
 import { flareOf, form, solved } from './exact-quadratic.ts';
 import { about, grazing, type Kind, log, type Numbers, quarter, questionOf } from './in-a-row.ts';
 import { namedValues } from './named-values.ts';
-import { type Known, runningError } from './operation-errors.ts';
+import { runningError } from './operation-errors.ts';
+import type { Off } from './running-error.ts';
 
 /*
  * The stages after the ordinary rays', at their own values before the last rounding. A search looks for rays on which an error is the largest share of its bound: it
@@ -24,7 +25,7 @@ export const U = 2 ** -53;
 export type Named = Readonly<Record<string, number>>;
 export type Values = (constant: (array: string, key: string) => number, elements: Named) => Named;
 
-export type Analysis = (...given: Parameters<Values>) => Map<string, Known>;
+export type Analysis = (...given: Parameters<Values>) => Map<string, Off>;
 
 export interface Stage {
   readonly bounds: Float64Array;
@@ -64,7 +65,7 @@ export interface Asked {
   readonly ray: Ray;
   /** The loop's values, with the bounds as they are or one of them weakened. */
   readonly named: Named;
-  readonly errors: () => Map<string, Known>;
+  readonly errors: () => Map<string, Off>;
 }
 
 export function asked(stage: Stage, kind: Kind, x: Numbers): Asked | null {
@@ -150,7 +151,7 @@ export const shareOfSteps: Share = (a) => {
   );
 };
 
-export const possible = (a: Asked, name: string): number => (a.errors().get(name) as Known).off;
+export const possible = (a: Asked, name: string): number => (a.errors().get(name) as Off).off;
 export const value = ({ named }: Asked, name: string): number => named[name] as number;
 
 /*

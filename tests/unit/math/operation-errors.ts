@@ -2,19 +2,15 @@ import { productError, sumError } from '../../../src/math/float/eft.ts';
 import { codeOf } from '../../../src/math/wasm/expression.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
 import { elementOf, loopOf } from '../../../src/math/wasm/source.ts';
+import { known, negative, type Off, running } from './running-error.ts';
 
 /*
- * Running error analysis (Wilkinson) of a loop, operation by operation, for one ray: each value with how far it may be from what it would be without any rounding.
+ * Running error analysis (running-error.ts) of a loop's own text, operation by operation, for one ray.
  * An operation that happens to be exact adds nothing. What is cut to a grid, and a size that others are measured by, is what it is: a definition, not an approximation.
  */
 
-export interface Known {
-  readonly value: number;
-  readonly off: number;
-}
-
 type Numbers = Readonly<Record<string, number>>;
-type Operation = (stack: Known[]) => Known;
+type Operation = (stack: Off[]) => Off;
 
 const U = 2 ** -53;
 const CUT = /\+ (grid\w*) - \1$/;
@@ -22,44 +18,42 @@ const CUT = /\+ (grid\w*) - \1$/;
 const DEFINED = /^(speed|Sd|t[ab]|p[xyz]|v[xyz]|lost[XYZ]|(big|top)[DP])$/;
 const LOCAL = 0x20;
 const CONSTANT = 12;
+const unrounded = running({ sum: 0, product: 0 });
 
-const exactly = (value: number): Known => ({ value, off: 0 });
-/** `value` is rounded unless `rest` is 0. */
-const rounded = (value: number, rest: number, off: number): Known => ({
-  value,
-  off: off + (rest === 0 ? 0 : U * Math.abs(value)),
+/** `x` is rounded unless `rest` is 0. */
+const rounded = (x: number, rest: number, off: number): Off => ({
+  x,
+  off: off + (rest === 0 ? 0 : U * Math.abs(x)),
 });
 
-const take = (stack: Known[]): Known => stack.pop() as Known;
+const take = (stack: Off[]): Off => stack.pop() as Off;
 const binary =
-  (f: (a: Known, b: Known) => Known): Operation =>
+  (f: (a: Off, b: Off) => Off): Operation =>
   (stack) => {
     const b = take(stack);
     return f(take(stack), b);
   };
 const unary =
-  (f: (a: Known) => Known): Operation =>
+  (f: (a: Off) => Off): Operation =>
   (stack) =>
     f(take(stack));
-const sum = (a: Known, b: Known): Known =>
-  rounded(a.value + b.value, sumError(a.value, b.value, a.value + b.value), a.off + b.off);
-const negative = ({ value, off }: Known): Known => ({ value: -value, off });
-const condition = binary(() => exactly(0));
+const sum = (a: Off, b: Off): Off =>
+  rounded(a.x + b.x, sumError(a.x, b.x, a.x + b.x), a.off + b.off);
+const condition = binary(() => known(0));
 
-function product(a: Known, b: Known): Known {
-  const value = a.value * b.value;
-  const off = Math.abs(a.value) * b.off + Math.abs(b.value) * a.off + a.off * b.off;
-  return rounded(value, productError(a.value, b.value, value), off);
+function product(a: Off, b: Off): Off {
+  const { x, off } = unrounded.exactly(a, b);
+  return rounded(x, productError(a.x, b.x, x), off);
 }
 
-function quotient(a: Known, b: Known): Known {
-  const value = a.value / b.value;
-  return rounded(value, 1, (a.off + Math.abs(value) * b.off) / (Math.abs(b.value) - b.off));
+function quotient(a: Off, b: Off): Off {
+  const x = a.x / b.x;
+  return rounded(x, 1, (a.off + Math.abs(x) * b.off) / (Math.abs(b.x) - b.off));
 }
 
-function root({ value, off }: Known): Known {
-  const found = Math.sqrt(value);
-  return rounded(found, 1, off / (Math.sqrt(Math.max(value - off, 0)) + found));
+function root({ x, off }: Off): Off {
+  const found = Math.sqrt(x);
+  return rounded(found, 1, off / (Math.sqrt(Math.max(x - off, 0)) + found));
 }
 
 /** By the opcodes of ops.ts. */
@@ -69,7 +63,7 @@ const OPERATIONS: Readonly<Record<number, Operation>> = {
   75: condition,
   76: condition,
   78: condition,
-  236: unary(({ value, off }) => ({ value: Math.abs(value), off })),
+  236: unary(({ x, off }) => ({ x: Math.abs(x), off })),
   237: unary(negative),
   239: unary(root),
   240: binary(sum),
@@ -91,12 +85,12 @@ const doubleAt = (code: readonly number[], at: number): number =>
   new Float64Array(Uint8Array.from(code.slice(at, at + 8)).buffer)[0] as number;
 
 /** Runs the instructions that codeOf makes. */
-function run(code: readonly number[], names: readonly string[], known: Map<string, Known>): Known {
-  const stack: Known[] = [];
+function run(code: readonly number[], names: readonly string[], values: Map<string, Off>): Off {
+  const stack: Off[] = [];
   for (let at = 0; at < code.length; ) {
     const [operand, next] = lebAt(code, at + 1);
-    if (code[at] === LOCAL) stack.push(known.get(names[operand] as string) as Known);
-    else if (operand === CONSTANT) stack.push(exactly(doubleAt(code, next)));
+    if (code[at] === LOCAL) stack.push(values.get(names[operand] as string) as Off);
+    else if (operand === CONSTANT) stack.push(known(doubleAt(code, next)));
     else stack.push((OPERATIONS[operand] as Operation)(stack));
     at = next + (code[at] !== LOCAL && operand === CONSTANT ? 16 : 0);
   }
@@ -113,7 +107,7 @@ export function runningError(
   hasY: boolean,
   more: Readonly<Record<string, string>> = {},
   exact: readonly string[] = [],
-): (constant: (array: string, key: string) => number, elements: Numbers) => Map<string, Known> {
+): (constant: (array: string, key: string) => number, elements: Numbers) => Map<string, Off> {
   const { constants, statements } = loopOf(source, name, hasY);
   const names: string[] = [];
   const local = (named: string): readonly number[] => {
@@ -129,14 +123,14 @@ export function runningError(
     .filter(({ writes }) => !writes)
     .map(({ target, formula }) => ({ target, formula, code: codeOf(formula, local) }));
   return (constant, elements) => {
-    const known = new Map<string, Known>();
-    for (const { name, array, key } of constants) known.set(name, exactly(constant(array, key)));
-    for (const [array, x] of Object.entries(elements)) known.set(elementOf(array), exactly(x));
+    const values = new Map<string, Off>();
+    for (const { name, array, key } of constants) values.set(name, known(constant(array, key)));
+    for (const [array, x] of Object.entries(elements)) values.set(elementOf(array), known(x));
     for (const { target, formula, code } of steps) {
-      const found = run(code, names, known);
+      const found = run(code, names, values);
       const defined = CUT.test(formula) || DEFINED.test(target) || exact.includes(target);
-      known.set(target, defined ? exactly(found.value) : found);
+      values.set(target, defined ? known(found.x) : found);
     }
-    return known;
+    return values;
   };
 }

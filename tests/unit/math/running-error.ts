@@ -1,5 +1,3 @@
-import { type Random, uniform } from '../../../src/math/rng.ts';
-
 /*
  * Running error analysis (Wilkinson 1963): a number and the most that the operations which made it may have put it off, if each is off by as much as
  * it can be. No ray reaches that, since roundings do not all point one way; but a bound must cover it, and should not be much above it.
@@ -64,34 +62,4 @@ export function pairOfProducts(
   const sum = p + sign * q;
   const off = (lower ? 7 : 2) * U * U * (Math.abs(p) + Math.abs(q)) + U * U * Math.abs(sum);
   return { x: sum, off };
-}
-
-/**
- * The largest score that is found among random vectors of numbers in −1 … 1, each then improved by changing some of its numbers, by much or by little, as long as
- * that helps.
- */
-export function climb(
-  random: Random,
-  length: number,
-  score: (at: readonly number[]) => number,
-  starts = 20,
-  steps = 400,
-): number {
-  let best = 0;
-  for (let s = 0; s < starts; s++) {
-    let at = Array.from({ length }, () => uniform(random, -1, 1));
-    let now = score(at);
-    for (let k = 0; k < steps; k++) {
-      const by = 2 ** -uniform(random, 0, 12);
-      const next = at.map((x) => {
-        if (random() < 0.6) return x;
-        return random() < 0.1 ? uniform(random, -1, 1) : x * (1 + uniform(random, -by, by));
-      });
-      const then = score(next);
-      if (!(then > now)) continue;
-      [at, now] = [next, then];
-    }
-    best = Math.max(best, now);
-  }
-  return best;
 }
