@@ -24,7 +24,7 @@ import {
 import { ROUNDING, SMALL, solvePass } from '../../../src/math/methods/certified/lattice-solve.ts';
 import { recentredAroundAxis } from '../../../src/math/methods/certified/recentred-axis.ts';
 import { recentredInSpace } from '../../../src/math/methods/certified/recentred-space.ts';
-import { refine } from '../../../src/math/methods/certified/refined.ts';
+import { refine } from '../../../src/math/methods/certified/refined-roots.ts';
 import { certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';

@@ -5,7 +5,7 @@ import { BOUNDS as RECENTRED } from '../../../src/math/methods/certified/recentr
 import recentredAxis from '../../../src/math/methods/certified/recentred-axis.ts?raw';
 import recentredSpace from '../../../src/math/methods/certified/recentred-space.ts?raw';
 import { BOUNDS as REFINED } from '../../../src/math/methods/certified/refined.ts';
-import refined from '../../../src/math/methods/certified/refined.ts?raw';
+import refined from '../../../src/math/methods/certified/refined-roots.ts?raw';
 import { AT_SCALED, certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, seeded, uniform } from '../../../src/math/rng.ts';

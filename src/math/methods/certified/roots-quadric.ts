@@ -4,7 +4,7 @@ import { count, doubtful, ordinaryRoots, unsettled } from './lattice-roots.ts';
 import { BLOCK, DOUBTS, UNSETTLED } from './lattice-scratch.ts';
 import { recentredAroundAxis } from './recentred-axis.ts';
 import { recentredInSpace } from './recentred-space.ts';
-import { refine } from './refined.ts';
+import { refine } from './refined-roots.ts';
 import type { CertifiedQuadric } from './scaled-quadric.ts';
 
 export { LEAST_A, momentError } from './moment-bound.ts';

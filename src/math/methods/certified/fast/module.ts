@@ -11,7 +11,7 @@ import { BOUNDS as RECENTRED } from '../recentred.ts';
 import recentredAxis from '../recentred-axis.ts?raw';
 import recentredSpace from '../recentred-space.ts?raw';
 import { BOUNDS as REFINED } from '../refined.ts';
-import refined from '../refined.ts?raw';
+import refined from '../refined-roots.ts?raw';
 import { AT_SCALED } from '../scaled-quadric.ts';
 import { blockKernel } from './block-kernel.ts';
 import { LATTICE_NUMBERS, PAGES, SCALED_NUMBERS } from './layout.ts';
