@@ -227,6 +227,39 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
     },
   ],
   [
+    'a disc as small as what its centre is off the line: w may round to 0',
+    (r) => {
+      const direction: Vec3 = [uniform(r, 0.5, 1), uniform(r, 0.5, 1), uniform(r, 0.5, 1)];
+      const t = uniform(r, 1, 2);
+      return {
+        shape: {
+          kind: 'circle',
+          normal: [0, 0, 1],
+          center: [0, 0, 0],
+          radius: 2 ** -uniform(r, 51, 57),
+        },
+        ray: { origin: direction.map((x) => -t * x) as unknown as Vec3, direction },
+      };
+    },
+  ],
+  [
+    'figures of any size, the line through their rim or edge but for a few ulps',
+    (r) => {
+      const [h, g] = [2 ** integer(r, -99, 99), 2 ** integer(r, -99, 99)];
+      const along = uniform(r, 1, 2) * 2 ** integer(r, -99, 99);
+      const reach = ulps(r, (h / g) * along, 2) * (r() < 0.1 ? 2 ** integer(r, -700, 700) : 1);
+      const ray: Ray = { origin: [0, 0, h], direction: [along, 0, -g] };
+      const size = Math.min(reach, Number.MAX_VALUE);
+      return {
+        ray,
+        shape:
+          r() < 0.5
+            ? { kind: 'circle', normal: [0, 0, 1], center: [0, 0, 0], radius: size }
+            : { kind: 'square', corner: [0, 0, 0], side: size, axis: 'z' },
+      };
+    },
+  ],
+  [
     'the squares of d lose bits in the subnormals, and lengths make up for it',
     (r) => {
       const phi = uniform(r, 0, 6.3);

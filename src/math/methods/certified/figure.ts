@@ -15,6 +15,7 @@ import type { Planar } from '../../batch/planar.ts';
  *
  * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are
  * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST for its three products.
+ * r and L may be any: r·N·d lost is nothing to e either, and where its square overflows the bound is infinite as well; L|dn| overflows to what it is beside wu.
  */
 const U = 2 ** -53;
 export const CIRCLE_S = 1.1 * U;

@@ -62,8 +62,7 @@ export function certifiedPlanar(s: Planar): Kernel {
 /** The first stage over all rays; those that it cannot certify are left open. */
 export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays): void {
   const sizeN = Math.abs(s.N[0]) + Math.abs(s.N[1]) + Math.abs(s.N[2]);
-  const inBox =
-    sizeN < BOX && sizeN > 1 / BOX && (s.size === 0 || (s.size < BOX && s.size > 1 / BOX));
+  const inBox = sizeN < BOX && sizeN > 1 / BOX;
   const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
   const { t0, t1, margin } = out;
   const [Nx, Ny, Nz] = s.N;

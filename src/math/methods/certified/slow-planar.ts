@@ -82,8 +82,7 @@ export function solvePlanarSlowly(
   slot: CertifiedSlot,
 ): number {
   slot.exact = false;
-  const ordinarySize = s.size === 0 || ordinary(s.size);
-  if (ordinarySize && rootInTwice(s, rays, i) < FAITHFUL) {
+  if (rootInTwice(s, rays, i) < FAITHFUL) {
     margin[i] = R[RATE] as number;
     marginsOf(s)(s, rays, i, i + 1, margin, t1);
     const inside = margin[i] as number;
