@@ -1,9 +1,16 @@
 import { describe, expect, test } from 'vitest';
+import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
-import { QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-quadric.ts';
-import { seeded } from '../../../src/math/rng.ts';
+import {
+  plainQuadric,
+  QUOTIENT,
+  ROUNDED_Q,
+} from '../../../src/math/methods/certified/plain-quadric.ts';
+import type { Ray } from '../../../src/math/ray.ts';
+import { seeded, uniform } from '../../../src/math/rng.ts';
+import type { Shape } from '../../../src/math/shapes/index.ts';
 import { climbFromUnits } from './climb.ts';
 import { DOUBLES, known, negative, type Off, running, TWICE } from './running-error.ts';
 
@@ -185,5 +192,37 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
     const step = times(times(rest, 2 * U), U);
     const point = add(low(0), add(low(1), mul(low(1), known(1))));
     near(step.off + U * 2 * U + point.off, QUOTIENT);
+  });
+
+  test('each root is charged with what A, b, C and D are off, once', () => {
+    const random = seeded(SEED);
+    const some = () => uniform(random, -1, 1);
+    let asked = 0;
+    for (let n = 0; n < 900; n++) {
+      const shape: Shape = {
+        kind: 'hyperboloid',
+        center: [some(), some(), some()],
+        flare: some(),
+        radius: some() ** 2,
+      };
+      const ray: Ray = { origin: [3, some(), some()], direction: [-1, some(), some()] };
+      if (plainQuadric(quadricOf(shape) as Quadric, ray)?.class !== 'two') continue;
+      asked++;
+      const [A, b, C, D] = [algebra.A, algebra.B, algebra.C, algebra.D].map((k) =>
+        abs(algebra.ALGEBRA[k] ?? 0),
+      ) as [number, number, number, number];
+      const [offA, offB, offC, offD] = algebra.ALGEBRA.slice(algebra.OFF) as unknown as number[];
+      const s = Math.sqrt(D);
+      const offQ = ((offB ?? 0) + (offD ?? 0) / s) / (b + s);
+      const charged = [offQ + (offA ?? 0) / A, offQ + (offC ?? 0) / C];
+      const own = ROUNDED_Q + QUOTIENT;
+      const shares = [2, 5].map((k) => (ROOTS[k] ?? 0) / abs(ROOTS[k - 2] ?? 0) - own);
+      const signs = (algebra.ALGEBRA[algebra.A] ?? 0) > 0 === (algebra.ALGEBRA[algebra.B] ?? 0) > 0;
+      for (const [k, share] of shares.entries()) {
+        const by = charged[signs ? k : 1 - k] as number;
+        expect(share / by).toBeCloseTo(1, 6);
+      }
+    }
+    expect(asked).toBeGreaterThan(100);
   });
 });
