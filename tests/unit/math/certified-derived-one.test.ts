@@ -3,11 +3,8 @@ import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
-import {
-  plainQuadric,
-  QUOTIENT,
-  ROUNDED_Q,
-} from '../../../src/math/methods/certified/plain-quadric.ts';
+import { plainQuadric } from '../../../src/math/methods/certified/plain-quadric.ts';
+import { QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-roots.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';

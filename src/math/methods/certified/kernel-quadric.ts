@@ -9,14 +9,18 @@ import {
 } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { openClasses } from './class-quadric.ts';
+import { solveOpen } from './open-quadric.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
 import { certifiedQuadric } from './scaled-quadric.ts';
-import { certifiedSlot, solveSlowly } from './slow-quadric.ts';
+import { certifiedSlot } from './slow-quadric.ts';
 
 /** Fast stages over all rays, then what they left open, one by one. */
 export function certifiedKernel(q: Quadric): Kernel {
   const c = certifiedQuadric(q);
   const slot = certifiedSlot();
+  const E: [number, number, number] = [0, 0, 0];
+  const d: [number, number, number] = [0, 0, 0];
+  const ray = { origin: E, direction: d };
   const left: OpenRays = { count: 0, open: new Int32Array(0) };
 
   function leaveAllOpen(rays: Rays): void {
@@ -28,16 +32,13 @@ export function certifiedKernel(q: Quadric): Kernel {
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     for (let k = 0; k < left.count; k++) {
       const i = left.open[k] as number;
-      const verdict = solveSlowly(
-        q,
-        Ex[i] as number,
-        Ey[i] as number,
-        Ez[i] as number,
-        dx[i] as number,
-        dy[i] as number,
-        dz[i] as number,
-        slot,
-      );
+      E[0] = Ex[i] as number;
+      E[1] = Ey[i] as number;
+      E[2] = Ez[i] as number;
+      d[0] = dx[i] as number;
+      d[1] = dy[i] as number;
+      d[2] = dz[i] as number;
+      const verdict = solveOpen(q, ray, slot);
       out.t0[i] = verdict === NONE ? Number.NaN : slot.t0;
       out.t1[i] = verdict === NONE ? Number.NaN : slot.t1;
       out.margin[i] = verdict === NONE ? -1 : 1;

@@ -1,0 +1,105 @@
+import { NONE, TWO } from '../../batch/batch.ts';
+import type { RootSlot } from '../../batch/exact-quadric.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import { squareError, sumError } from '../../float/eft.ts';
+import type { Ray } from '../../ray.ts';
+import { A, ALGEBRA, B, C, D, ERROR_C, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
+import { FAITHFUL } from './faithful.ts';
+import { ROOTS } from './hit-quadric.ts';
+import { nearSurface } from './near-surface.ts';
+import { get, C as NEAR_C, setFlare, setLengths } from './slow-registers.ts';
+import { UNKNOWN } from './slow-roots.ts';
+
+/*
+ * Both roots from A, b, C and D/4 = b² − AC of two doubles each (algebra.ts), as sums of two doubles. The errors, in u² = 2^-106, for any |δD| < D:
+ *
+ *   s = √D/4     hi − s² exact, 2u of D, and D's lower half: 3u²; the quotient 1.5u², what Newton's step leaves 1.1u²: 4.1u²; D's own error: |δD|/s
+ *   q = −(b ± s) with b's sign: lower halves 1.5u and u, their sums 4u², and what b and s are off.         together (δb + δD/s)/|q| + 9u²
+ *   t = q/A, C/q  the rest is 2u and two lower halves, 4u in all: 9u²; by a quotient that is off by 2u, and without the lower half: 12u²
+ *                hitAt's sums add 5u²:                                                                    26u²
+ *
+ * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. t = q/A is the lesser root if A and q differ in sign. The doubles keep that order: with
+ * q² ≤ 2(b² + D) ≤ 6AmCm the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t = |q/A|.
+ * None is so small that its lower half is lost: D > SMALLEST_D makes |q/A| > 2^-535; |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and
+ * |C/q| > 2^-432 √Cm/(3√(AmCm)) > 2^-534. By near-surface.ts it is > 2^-129 Cm and 2^-690, and the same comes out.
+ */
+const UU = 2 ** -106;
+export const ROUNDED_Q = 10 * UU;
+export const QUOTIENT = 30 * UU;
+
+/** q as hi and lo, the bound on its relative error, and where in ROOTS q/A is put. */
+const Q = new Float64Array(4);
+
+const at = (k: number): number => ALGEBRA[k] as number;
+
+/** The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. */
+export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  putAlgebra(q, ray);
+  const D1 = at(D);
+  if (!(at(SIZE) > 0 && Math.abs(D1) > at(OFF + 3))) return UNKNOWN;
+  if (D1 < 0) return NONE;
+  if (!putRoots()) {
+    const other = Q[3] as number;
+    if (!(isFaithful(other) && putNearRoot(q, ray, 3 - other))) return UNKNOWN;
+  }
+  // No root is −0.
+  slot.t0 = (ROOTS[0] as number) + 0;
+  slot.t1 = (ROOTS[3] as number) + 0;
+  return TWO;
+}
+
+const isFaithful = (k: number): boolean =>
+  (ROOTS[k + 2] as number) < FAITHFUL * Math.abs(ROOTS[k] as number);
+
+/** Puts both roots; false where one of them is not known to be faithful. */
+export function putRoots(): boolean {
+  const D1 = at(D);
+  const s = Math.sqrt(D1);
+  const ss = s * s;
+  const sl = (D1 - ss - squareError(s, ss) + at(D + 1)) / (2 * s);
+  const b = at(B);
+  const turn = b < 0 ? 1 : -1;
+  // q = −(b ± √D) with b's sign.
+  const q0 = -b + turn * s;
+  const q1 = sumError(-b, turn * s, q0) + (turn * sl - at(B + 1));
+  const qh = q0 + q1;
+  const ql = q1 - (qh - q0);
+  const offQ = (at(OFF + 1) + at(OFF + 3) / s) / Math.abs(qh) + ROUNDED_Q;
+  const A1 = at(A);
+  const lower = A1 > 0 === qh < 0 ? 0 : 3;
+  quotient(lower, qh, ql, A1, at(A + 1), offQ + at(OFF) / Math.abs(A1) + QUOTIENT);
+  const C1 = at(C);
+  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + at(OFF + 2) / Math.abs(C1) + QUOTIENT);
+  Q[0] = qh;
+  Q[1] = ql;
+  Q[2] = offQ;
+  Q[3] = lower;
+  return isFaithful(0) && isFaithful(3);
+}
+
+/** E is so near to the surface that C is not known well enough: puts C/q once more, with C from the exact terms of its expansion. */
+function putNearRoot(q: Quadric, { origin: E }: Ray, k: number): boolean {
+  // Not too large, or SIZE would not be known.
+  setFlare(q);
+  setLengths(E[0], q.hasY ? E[1] : 0, E[2], q.Cx, q.hasY ? q.Cy : 0, q.Cz, q.r);
+  const off = (Q[2] as number) + nearSurface(at(OFF + 2) / ERROR_C) + QUOTIENT;
+  const C1 = get(NEAR_C);
+  quotient(k, C1, get(NEAR_C + 1), Q[0] as number, Q[1] as number, off);
+  return off < FAITHFUL;
+}
+
+function quotient(k: number, n: number, nl: number, m: number, ml: number, off: number): void {
+  const inverse = 1 / m;
+  const t = n * inverse;
+  const p = t * m;
+  let big = SPLITTER * t;
+  const th = big - (big - t);
+  big = SPLITTER * m;
+  const mh = big - (big - m);
+  const rest = n - p - lost(th, t - th, mh, m - mh, p) + (nl - t * ml);
+  const lo = rest * inverse;
+  const hi = t + lo;
+  ROOTS[k] = hi;
+  ROOTS[k + 1] = lo - (hi - t);
+  ROOTS[k + 2] = off * Math.abs(hi);
+}
