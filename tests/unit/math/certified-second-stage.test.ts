@@ -173,6 +173,27 @@ test('a plane nearly along the ray, whose t is beyond the doubles', () => {
   }
 });
 
+describe('what it leaves to whole numbers', () => {
+  const ray: Ray = { origin: [-7, 1, 0.5], direction: [3, 0.5, 0.25] };
+  const still: Vec3 = [0, 0, 0];
+  test.each<[string, Shape, Ray]>([
+    [
+      'a flare beyond what its absolute error is for',
+      { kind: 'hyperboloid', center: [0, 0, 0], flare: 2 ** 201, radius: 3 },
+      { origin: [-7, 2 ** -150, 0.5], direction: [3, 2 ** -150, 0.25] },
+    ],
+    [
+      'a direction of zeros',
+      { kind: 'cylinder', center: [0, 0, 0], radius: 3 },
+      { ...ray, direction: still },
+    ],
+    ['lengths of zeros', { kind: 'cone', vertex: [0, 0, 0], slope: 1 }, { ...ray, origin: still }],
+  ])('%s', (_, shape, asked) => {
+    solve(shape, asked);
+    expect(slot.exact).toBe(true);
+  });
+});
+
 test('what a component of d loses by the scale does not matter', () => {
   const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: -0.5, radius: 3 };
   solved(shape, { origin: [-7, 1, 0.5], direction: [2 ** 60, 2 ** -1040 / 3, 2 ** -1050 / 3] });
