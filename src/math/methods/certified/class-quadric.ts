@@ -1,6 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { LEAST_A, momentError, type OpenRays } from './roots-quadric.ts';
+import { LEAST_A, momentError } from './moment-bound.ts';
+import type { OpenRays } from './roots-quadric.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
 /*
@@ -66,9 +67,14 @@ function classesByMoment(
     const Sd = Math.abs(x) + Math.abs(y) + Math.abs(z);
     const Sp = Math.abs(px) + Math.abs(py) + Math.abs(pz);
     const error = momentError(Sd * Sp, Math.abs(mx) + Math.abs(my) + Math.abs(mz), rho * Am);
-    const inside = Sd < BOX && Sd > 1 / BOX && Sp < BOX;
-    if (inside && Math.abs(D) > error && Math.abs(A) > LEAST_A * Am) margin[i] = D;
-    else open[opened++] = i;
+    margin[i] = D;
+    if (
+      !(Math.abs(D) > error) ||
+      !(Math.abs(A) > LEAST_A * Am) ||
+      !(Sd < BOX && Sd > 1 / BOX && Sp < BOX)
+    ) {
+      open[opened++] = i;
+    }
   }
   left.count = opened;
 }

@@ -7,8 +7,6 @@ import { recentredInSpace } from './recentred-space.ts';
 import { refine } from './refined-roots.ts';
 import type { CertifiedQuadric } from './scaled-quadric.ts';
 
-export { LEAST_A, momentError } from './moment-bound.ts';
-
 /** Rays that the fast stages leave open, in `open[0 … count − 1]`. */
 export interface OpenRays {
   count: number;
