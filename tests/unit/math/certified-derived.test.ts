@@ -6,7 +6,6 @@ import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
 import * as flat from '../../../src/math/methods/certified/kernel-planar.ts';
 import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
-import * as slow from '../../../src/math/methods/certified/slow-bounds.ts';
 import { rootInTwice } from '../../../src/math/methods/certified/slow-planar.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
@@ -17,7 +16,6 @@ import {
   DOUBLES,
   known,
   type Off,
-  pairOfProducts,
   running,
   size,
   TWICE,
@@ -60,15 +58,15 @@ const cross = ({ sub, mul }: Arithmetic, [a, b, c]: Three, [x, y, z]: Three): Th
   sub(mul(a, y), mul(b, x)),
 ];
 
-/** A, b, C and the sizes that their errors are measured by. a·y·y' costs two products, x·x' one, or none where `square` says so. */
-function quadratic(ops: Arithmetic, d: Three, p: Three, a: Off, rho: Off, square = ops.mul) {
+/** A, b, C and the sizes that their errors are measured by. */
+function quadratic(ops: Arithmetic, d: Three, p: Three, a: Off, rho: Off) {
   const { add, sub, mul } = ops;
-  const form = ([x, y, z]: Three, [u, v, w]: Three, times = mul): Off =>
-    sub(add(times(x, u), times(z, w)), mul(mul(a, y), v));
+  const form = ([x, y, z]: Three, [u, v, w]: Three): Off =>
+    sub(add(mul(x, u), mul(z, w)), mul(mul(a, y), v));
   const amount = (u: Three, v: Three): number =>
     abs(u[0].x * v[0].x) + abs(u[2].x * v[2].x) + abs(a.x * u[1].x * v[1].x);
   return {
-    A: form(d, d, square),
+    A: form(d, d),
     b: form(d, p),
     C: sub(form(p, p), rho),
     Am: amount(d, d),
@@ -263,33 +261,7 @@ describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, ()
 });
 
 describe(`in twice the digits (seed ${SEED})`, () => {
-  const { sub, mul, add, sqr, exactly } = twice;
-
-  test('A, b, C and D/4 of the second stage', () => {
-    const of = (at: readonly number[]) => {
-      const [d, p, a, rho] = [
-        three(at, 0),
-        three(at, 3),
-        known(4 * n(at, 6)),
-        known(n(at, 7) ** 2),
-      ];
-      const { Am, bm, Cm } = quadratic(twice, d, p, a, rho, exactly);
-      const A = sub(
-        pairOfProducts([d[0], d[0]], [d[2], d[2]], 1, false),
-        mul(a, exactly(d[1], d[1])),
-      );
-      const b = sub(pairOfProducts([d[0], p[0]], [d[2], p[2]], 1), mul(a, mul(d[1], p[1])));
-      const C = sub(sub(add(sqr(p[0]), sqr(p[2])), mul(a, sqr(p[1]))), rho);
-      const minor = (j: 0 | 1 | 2, k: 0 | 1 | 2): Off =>
-        sqr(pairOfProducts([d[j], p[k]], [d[k], p[j]], -1));
-      const D = add(sub(mul(rho, A), minor(2, 0)), mul(a, add(minor(1, 2), minor(0, 1))));
-      return { A, b, C, D, Am, bm, Cm };
-    };
-    tight(8, (at) => of(at).A.off / (slow.ERROR_A * of(at).Am));
-    tight(8, (at) => of(at).b.off / (slow.ERROR_B * of(at).bm));
-    tight(8, (at) => of(at).C.off / (slow.ERROR_C * of(at).Cm));
-    tight(8, (at) => of(at).D.off / (slow.DISCRIMINANT_ERROR * of(at).Am * of(at).Cm));
-  });
+  const { mul, add, exactly } = twice;
 
   test('N·p / N·d of the second stage: where neither cancels, and where one of them does', () => {
     const share = (N: Three, d: Three, p: Three): number => {

@@ -2,103 +2,35 @@ import { describe, expect, test } from 'vitest';
 import { TWO } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { intersect } from '../../../src/math/intersect.ts';
-import * as bounds from '../../../src/math/methods/certified/slow-bounds.ts';
+import {
+  ACCUMULATED_ERROR,
+  ERROR_LEVELS,
+} from '../../../src/math/methods/certified/near-surface.ts';
 import { certifiedSlot, solveSlowly } from '../../../src/math/methods/certified/slow-quadric.ts';
-import { BOUND, R } from '../../../src/math/methods/certified/slow-registers.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
-import { climbFromUnits } from './climb.ts';
 import { unfaithful } from './exact-quadratic.ts';
-import {
-  known,
-  type Off,
-  pairOfProducts,
-  QUOTIENT,
-  ROOT,
-  running,
-  TWICE,
-} from './running-error.ts';
+import { TWICE } from './running-error.ts';
 
-/* The second stage of curved shapes by itself: its roots' bounds, and what each of its doubts is for. */
+/* What comes after the filters, by itself: what each of its doubts is for. */
 
-const SEED = 91;
-const { abs } = Math;
 const slot = certifiedSlot();
 
-function solve(shape: Shape, { origin: E, direction: d }: Ray): { q: Quadric; verdict: number } {
+function solve(shape: Shape, ray: Ray): { q: Quadric; verdict: number } {
   const q = quadricOf(shape) as Quadric;
-  return { q, verdict: solveSlowly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot) };
+  return { q, verdict: solveSlowly(q, ray, slot) };
 }
 
-describe(`a root's bound, and what its operations may add up to (seed ${SEED})`, () => {
-  const { add, sub, mul, exactly, sqr } = running(TWICE);
-
-  /**
-   * The shares of both roots' bounds, 0 where the stage does not answer; x, y, z of d and of p, a and r. `charged`: A, C and D are off by all that their own
-   * bounds allow them, and b by what its operations may add up to.
-   */
-  function shares(at: readonly number[], charged: boolean): readonly [number, number] {
-    const n = (k: number): number => at[k] ?? 0;
-    const flare = 2 * n(6);
-    const r = abs(n(7));
-    const origin: Vec3 = [n(3), n(4), n(5)];
-    const direction: Vec3 = [n(0), n(1), n(2)];
-    const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare, radius: r };
-    if (solve(shape, { origin, direction }).verdict !== TWO || slot.exact) return [0, 0];
-    const [x, y, z] = direction.map((c) => known(c)) as [Off, Off, Off];
-    const [px, py, pz] = origin.map((c) => known(c)) as [Off, Off, Off];
-    const [a, rho] = [known(flare), known(r * r)];
-    const Am = x.x ** 2 + z.x ** 2 + abs(flare) * y.x ** 2;
-    const Cm = px.x ** 2 + pz.x ** 2 + abs(flare) * py.x ** 2 + rho.x;
-    const allowed = (value: Off, bound: number): Off =>
-      charged ? { ...value, off: bound } : value;
-    const A = allowed(
-      sub(pairOfProducts([x, x], [z, z], 1, false), mul(a, exactly(y, y))),
-      bounds.ERROR_A * Am,
-    );
-    const b = sub(pairOfProducts([x, px], [z, pz], 1), mul(a, mul(y, py)));
-    const C = allowed(sub(sub(add(sqr(px), sqr(pz)), mul(a, sqr(py))), rho), bounds.ERROR_C * Cm);
-    const minor = (u: Off, v: Off, s: Off, t: Off): Off => sqr(pairOfProducts([u, t], [v, s], -1));
-    const round = add(minor(y, z, py, pz), minor(x, y, px, py));
-    const D = allowed(
-      add(sub(mul(rho, A), minor(z, x, pz, px)), mul(a, round)),
-      bounds.DISCRIMINANT_ERROR * Am * Cm,
-    );
-    const s = Math.sqrt(D.x);
-    const q = add(known(abs(b.x)), { x: s, off: D.off / s + ROOT * s });
-    const off = (b.off + q.off) / q.x + QUOTIENT;
-    return [
-      (off + A.off / abs(A.x)) / (R[BOUND] ?? 0),
-      (off + C.off / abs(C.x)) / (R[BOUND + 1] ?? 0),
-    ];
+test('C from its exact terms: what it may be off', () => {
+  for (const [bound, cost] of [
+    [ERROR_LEVELS, 3 * TWICE.sum],
+    [ACCUMULATED_ERROR, (2 * 38 * 2 ** -53) ** 4 * 2],
+  ] as const) {
+    expect(cost / bound).toBeLessThanOrEqual(1);
+    expect(cost / bound).toBeGreaterThan(0.75);
   }
-
-  test.each([
-    [0, false, 0.6],
-    [1, false, 0.6],
-    [0, true, 0.95],
-    [1, true, 0.95],
-  ] as const)('root %i (A, C and D off by all of their bounds: %s)', (k, charged, least) => {
-    const most = climbFromUnits(seeded(SEED), 8, (at) => shares(at, charged)[k], 12);
-    expect(most).toBeLessThan(1);
-    expect(most).toBeGreaterThan(least);
-  });
-
-  test('of single operations', () => {
-    for (const [bound, cost] of [
-      [bounds.ERROR_SUM, TWICE.sum],
-      [bounds.ERROR_QUOTIENT, QUOTIENT],
-      [bounds.ERROR_ROOT, ROOT],
-      [bounds.ERROR_LEVELS, 3 * TWICE.sum],
-      [bounds.ACCUMULATED_ERROR, (2 * 38 * 2 ** -53) ** 4 * 2],
-    ] as const) {
-      expect(cost / bound).toBeLessThanOrEqual(1);
-      expect(cost / bound).toBeGreaterThan(0.75);
-    }
-  });
 });
 
 /** Solved by this stage, right, and as it says. */
@@ -194,7 +126,7 @@ describe('what it leaves to whole numbers', () => {
   });
 });
 
-test('what a component of d loses by the scale does not matter', () => {
+test('a component of d that other units would lose is left to whole numbers', () => {
   const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: -0.5, radius: 3 };
   solved(shape, { origin: [-7, 1, 0.5], direction: [2 ** 60, 2 ** -1040 / 3, 2 ** -1050 / 3] });
 });

@@ -5,9 +5,9 @@ import * as byClass from '../../../src/math/methods/certified/class-quadric.ts';
 import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
 import { LEAST_A, momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
 import { BOX } from '../../../src/math/methods/certified/scaled-quadric.ts';
-import * as slow from '../../../src/math/methods/certified/slow-bounds.ts';
 import { SMALLEST as SMALLEST_PLANAR } from '../../../src/math/methods/certified/slow-planar.ts';
 import { SMALLEST as SMALLEST_DEPARTS } from '../../../src/tracer/departs.ts';
 import { DOUBLES, known, type Off, running } from './running-error.ts';
@@ -18,6 +18,8 @@ import { DOUBLES, known, type Off, running } from './running-error.ts';
  */
 /** Half of it is lost by a product, and the bound is rounded there too. */
 const UNIT = Number.MIN_VALUE;
+/** productError's 2^-1073, and the rounding of the product. */
+const LOST = 2 ** -1072;
 const of = (x: number, off = 0): Off => ({ x, off });
 const losing = (lost: number) => running({ sum: 0, product: 0, lost });
 
@@ -27,24 +29,20 @@ function covers(term: number, cost: number): void {
   expect(cost / term).toBeGreaterThan(0.5);
 }
 
-test('the second stage of curved shapes', () => {
-  const { add, mul, sqr } = losing(slow.LOST);
-  const d = of(slow.ORDINARY, slow.LOST);
-  const p = of(2 * slow.ORDINARY);
-  const a = of(slow.LARGEST_FLARE, slow.LOST);
-  const rho = of(slow.ORDINARY ** 2, slow.LOST);
-  const form = (u: Off, v: Off): Off => add(add(mul(u, v), mul(u, v)), mul(mul(a, u), v));
-  const m = add(mul(d, p), mul(d, p));
-  const D = add(add(mul(rho, form(d, d)), sqr(m)), mul(a, add(sqr(m), sqr(m))));
-  covers(slow.ABSOLUTE_ERROR, D.off);
-  for (const { off } of [form(d, d), form(d, p), add(form(p, p), rho)])
-    expect(off).toBeLessThan(slow.ABSOLUTE_ERROR);
-  // What is divided is known to FAITHFUL, so it is large enough for the division.
-  expect(slow.ABSOLUTE_ERROR / FAITHFUL).toBeGreaterThan(LEAST_EXACT_PRODUCT);
+test('C from its exact terms', () => {
+  const { LARGE } = algebra;
+  const { add, mul, sqr } = losing(LOST / 2);
+  const [p, low] = [of(1), of(1)];
+  const squares = add(add(sqr(p), mul(p, low)), sqr(low));
+  const [a, aLow] = [of(LARGE, LOST / 2), of(1)];
+  const flared = add(mul(add(squares, squares), a), mul(add(squares, squares), aLow));
+  const C = add(add(add(squares, squares), flared), of(1, LOST / 2));
+  const ofFlare = LARGE * (LOST / 2);
+  covers(SMALLEST_C, C.off + ofFlare);
 });
 
 test('of flat shapes: three products each, and a quotient that is neither too large nor too small', () => {
-  expect(SMALLEST_PLANAR).toBeGreaterThan(3 * slow.LOST);
+  expect(SMALLEST_PLANAR).toBeGreaterThan(3 * LOST);
   covers(SMALLEST_PLANAR, FAITHFUL * BOX ** 2 * LEAST_EXACT_PRODUCT);
 });
 
@@ -91,11 +89,11 @@ describe('in doubles', () => {
 });
 
 test('points from a faithful root: F, its slope, and a step below the doubles', () => {
-  const { add, mul, sqr } = losing(slow.LOST);
+  const { add, mul, sqr } = losing(LOST);
   const { WIDE, SMALLEST } = places;
-  const g = of(WIDE, slow.LOST);
-  const a = of(WIDE ** 2, slow.LOST);
-  const F = add(add(add(sqr(g), sqr(g)), mul(a, sqr(g))), of(WIDE ** 2, slow.LOST));
+  const g = of(WIDE, LOST);
+  const a = of(WIDE ** 2, LOST);
+  const F = add(add(add(sqr(g), sqr(g)), mul(a, sqr(g))), of(WIDE ** 2, LOST));
   covers(SMALLEST, F.off);
   const d = of(2 ** 106);
   expect(2 * add(add(mul(g, d), mul(g, d)), mul(a, mul(g, d))).off).toBeLessThan(SMALLEST);
@@ -109,10 +107,10 @@ test('points from a faithful root: F, its slope, and a step below the doubles', 
 
 test('A, b, C and D/4 of one ray', () => {
   const { LARGE, SMALLEST, SMALLEST_D } = algebra;
-  const { add, mul, sqr } = losing(slow.LOST);
+  const { add, mul, sqr } = losing(LOST);
   // a·(y·y'), with a's lower half; then three products more.
-  const flared = mul(of(LARGE, slow.LOST), of(1, slow.LOST));
-  const lost = flared.off + 3 * slow.LOST;
+  const flared = mul(of(LARGE, LOST), of(1, LOST));
+  const lost = flared.off + 3 * LOST;
   covers(SMALLEST, lost);
   const size = of(LARGE, lost);
   covers(SMALLEST_D, add(sqr(size), mul(size, size)).off);

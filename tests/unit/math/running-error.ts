@@ -20,8 +20,6 @@ const U = 2 ** -53;
 export const DOUBLES: Costs = { sum: U, product: U };
 /** Of float/double-double.ts. */
 export const TWICE: Costs = { sum: 3 * U * U, product: 5 * U * U };
-export const QUOTIENT = 9.8 * U * U;
-export const ROOT = (25 / 8) * U * U;
 
 export const known = (x: number, relative = 0): Off => ({ x, off: relative * Math.abs(x) });
 export const size = ({ x, off }: Off): number => Math.abs(x) + off;
@@ -46,20 +44,4 @@ export function running({ sum, product, lost = 0 }: Costs) {
   };
   const sub = (a: Off, b: Off): Off => add(a, negative(b));
   return { add, sub, mul, exactly, sqr: (a: Off): Off => mul(a, a) };
-}
-
-/**
- * a·x ± b·y of doubles a, b and double-doubles x, y, as the second stage takes it (slow-registers.ts): each product 3u² of itself, both rests together 2u² and
- * what is lost of them beside the sum 2u² and u² of that. Where x and y are doubles too (`lower` false) the products' rests are exact.
- */
-export function pairOfProducts(
-  [a, x]: readonly [Off, Off],
-  [b, y]: readonly [Off, Off],
-  sign: 1 | -1,
-  lower = true,
-): Off {
-  const [p, q] = [a.x * x.x, b.x * y.x];
-  const sum = p + sign * q;
-  const off = (lower ? 7 : 2) * U * U * (Math.abs(p) + Math.abs(q)) + U * U * Math.abs(sum);
-  return { x: sum, off };
 }

@@ -9,10 +9,9 @@ import {
 } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { openClasses } from './class-quadric.ts';
-import { solveOpen } from './open-quadric.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
 import { certifiedQuadric } from './scaled-quadric.ts';
-import { certifiedSlot } from './slow-quadric.ts';
+import { certifiedSlot, solveSlowly } from './slow-quadric.ts';
 
 /** Fast stages over all rays, then what they left open, one by one. */
 export function certifiedKernel(q: Quadric): Kernel {
@@ -38,7 +37,7 @@ export function certifiedKernel(q: Quadric): Kernel {
       d[0] = dx[i] as number;
       d[1] = dy[i] as number;
       d[2] = dz[i] as number;
-      const verdict = solveOpen(q, ray, slot);
+      const verdict = solveSlowly(q, ray, slot);
       out.t0[i] = verdict === NONE ? Number.NaN : slot.t0;
       out.t1[i] = verdict === NONE ? Number.NaN : slot.t1;
       out.margin[i] = verdict === NONE ? -1 : 1;

@@ -7,50 +7,69 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { ABSOLUTE_ERROR, ACCUMULATED_ERROR, ERROR_LEVELS } from './slow-bounds.ts';
-import { C, FLARE, get, PX, PY, PZ, R, RADIUS, RHO, S } from './slow-registers.ts';
+import { ALGEBRA, C, ERROR_C, FLARE, OFF, P } from './algebra.ts';
+
+/*
+ * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the surface: added up from the exact terms of its expansion. There are 38:
+ * three squares for each coordinate of p, twice as many products with a for the one along y, each of which is two doubles, and r². The sum of their sizes is < 2Cm, and
+ * `accumulate` is off by (2n u)^4 of it; adding up its levels by 3u² in each of three sums.
+ * A product that leaves the doubles is off by ≤ 2^-1073; those of the squares along y are multiplied by a, that of a = c² by py², both < 2^200.
+ */
+const UU = 2 ** -106;
+const TERMS = 38;
+export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;
+export const ERROR_LEVELS = 9 * UU;
+export const SMALLEST_C = 2 ** -870;
 
 const levels = newLevels();
+const at = (k: number): number => ALGEBRA[k] as number;
 
-/**
- * E so near to the surface that C cancels beyond twice the digits: puts C once more, from the exact terms of its expansion, and returns the bound on its
- * relative error. A C that is 0 exactly is off by nothing, and gives the root 0 exactly.
- */
-export function nearSurface(Cm: number): number {
+/** The sum, and one of its levels, as hi and lo. */
+const R = new Float64Array(4);
+const LEVEL = 2;
+
+/** Puts C and its bound once more, from p and a in ALGEBRA. A C that is 0 exactly is off by nothing. */
+export function sharpenC(r: number): void {
+  const a = at(FLARE);
+  const rho = r * r;
   levels.fill(0);
-  squareOf(PX, 1, 0);
-  squareOf(PZ, 1, 0);
-  if (get(FLARE) !== 0) squareOf(PY, -get(FLARE), -get(FLARE + 1));
-  // r² underflowed, and its error with it.
-  if (get(RADIUS) !== 0 && get(RHO) < LEAST_EXACT_PRODUCT)
-    levels[LEVELS] = Number.POSITIVE_INFINITY;
-  accumulate(levels, -get(RHO));
-  accumulate(levels, -get(RHO + 1));
-  R[C] = levels[0] as number;
-  R[C + 1] = 0;
-  if (exactlyZero(levels)) return 0;
+  addSquare(P, 1, 0);
+  addSquare(P + 4, 1, 0);
+  if (a !== 0) addSquare(P + 2, -a, -at(FLARE + 1));
+  accumulate(levels, -rho);
+  accumulate(levels, -squareError(r, rho));
+  // r², or a = c², underflowed, and its error with it.
+  if (lost(r, rho) || lost(a, a)) levels[LEVELS] = Number.POSITIVE_INFINITY;
+  dd.set(R, 0, levels[0] as number);
   for (let k = 1; k < LEVELS; k++) {
-    dd.set(R, S, levels[k] as number);
-    dd.add(R, C, C, S);
+    dd.set(R, LEVEL, levels[k] as number);
+    dd.add(R, 0, 0, LEVEL);
   }
-  return (ACCUMULATED_ERROR * Cm + ABSOLUTE_ERROR) / Math.abs(get(C)) + ERROR_LEVELS;
+  ALGEBRA[C] = R[0] as number;
+  ALGEBRA[C + 1] = R[1] as number;
+  const Cm = at(OFF + 2) / ERROR_C;
+  ALGEBRA[OFF + 2] = exactlyZero(levels)
+    ? 0
+    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(at(C));
 }
 
-/** Adds (hi + lo)²·(a + aLow) for the double-double at `at`. */
-function squareOf(at: number, a: number, aLow: number): void {
-  const hi = get(at);
-  const lo = get(at + 1);
+/** Whether the product p of something that is not 0 is so small that bits of it, or all, are lost, and a zero would prove nothing. */
+const lost = (x: number, p: number): boolean => x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
+
+/** Adds (hi + lo)²·(a + aLow) for hi and lo at k. */
+function addSquare(k: number, a: number, aLow: number): void {
+  const hi = at(k);
+  const lo = at(k + 1);
   if (hi === 0) return;
-  scaledSquare(hi * hi, squareError(hi, hi * hi), a, aLow);
+  addScaled(hi * hi, squareError(hi, hi * hi), a, aLow);
   if (lo === 0) return;
   const cross = 2 * hi * lo;
-  scaledSquare(cross, productError(2 * hi, lo, cross), a, aLow);
-  scaledSquare(lo * lo, squareError(lo, lo * lo), a, aLow);
+  addScaled(cross, productError(2 * hi, lo, cross), a, aLow);
+  addScaled(lo * lo, squareError(lo, lo * lo), a, aLow);
 }
 
-function scaledSquare(p: number, e: number, a: number, aLow: number): void {
-  // Below that the square, of something that is not 0, has lost bits or vanished, and a zero would prove nothing.
-  if (!(Math.abs(p) >= LEAST_EXACT_PRODUCT)) levels[LEVELS] = Number.POSITIVE_INFINITY;
+function addScaled(p: number, e: number, a: number, aLow: number): void {
+  if (lost(1, p)) levels[LEVELS] = Number.POSITIVE_INFINITY;
   accumulateProduct(levels, p, a);
   accumulateProduct(levels, e, a);
   accumulateProduct(levels, p, aLow);

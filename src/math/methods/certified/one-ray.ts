@@ -2,10 +2,9 @@ import { createAnswers, createRays, NONE, type Rays, TWO } from '../../batch/bat
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { solveOpen } from './open-quadric.ts';
 import { bothRoots, type OpenRays } from './roots-quadric.ts';
 import { type CertifiedQuadric, certifiedQuadric } from './scaled-quadric.ts';
-import { type CertifiedSlot, certifiedSlot } from './slow-quadric.ts';
+import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
 
 /*
  * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either of two doubles.
@@ -64,7 +63,7 @@ function finder(): (q: Quadric, ray: Ray, c?: CertifiedQuadric) => void {
 }
 
 function findSlowly(q: Quadric, ray: Ray): void {
-  FOUND[VERDICT] = solveOpen(q, ray, slot);
+  FOUND[VERDICT] = solveSlowly(q, ray, slot);
   FOUND[T0] = slot.t0;
   FOUND[T1] = slot.t1;
   FOUND[STAGE] = slot.exact ? 2 : 1;

@@ -3,12 +3,10 @@ import type { RootSlot } from '../../batch/exact-quadric.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
-import { A, ALGEBRA, B, C, D, ERROR_C, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
+import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
 import { ROOTS } from './hit-quadric.ts';
-import { nearSurface } from './near-surface.ts';
-import { get, C as NEAR_C, setFlare, setLengths } from './slow-registers.ts';
-import { UNKNOWN } from './slow-roots.ts';
+import { sharpenC } from './near-surface.ts';
 
 /*
  * Both roots from A, b, C and D/4 = b² − AC of two doubles each (algebra.ts), as sums of two doubles. The errors, in u² = 2^-106, for any |δD| < D:
@@ -21,14 +19,17 @@ import { UNKNOWN } from './slow-roots.ts';
  * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. t = q/A is the lesser root if A and q differ in sign. The doubles keep that order: with
  * q² ≤ 2(b² + D) ≤ 6AmCm the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t = |q/A|.
  * None is so small that its lower half is lost: D > SMALLEST_D makes |q/A| > 2^-535; |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and
- * |C/q| > 2^-432 √Cm/(3√(AmCm)) > 2^-534. By near-surface.ts it is > 2^-129 Cm and 2^-690, and the same comes out.
+ * |C/q| > 2^-432 √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
  */
+/** No verdict. */
+export const UNKNOWN = -1;
+
 const UU = 2 ** -106;
 export const ROUNDED_Q = 10 * UU;
 export const QUOTIENT = 30 * UU;
 
-/** q as hi and lo, the bound on its relative error, and where in ROOTS q/A is put. */
-const Q = new Float64Array(4);
+/** Where C's bound is a larger share of it, E is so near to the surface that C cancels beyond twice the digits. */
+const SHARP = FAITHFUL / 2;
 
 const at = (k: number): number => ALGEBRA[k] as number;
 
@@ -38,18 +39,19 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   const D1 = at(D);
   if (!(at(SIZE) > 0 && Math.abs(D1) > at(OFF + 3))) return UNKNOWN;
   if (D1 < 0) return NONE;
-  if (!putRoots()) {
-    const other = Q[3] as number;
-    if (!(isFaithful(other) && putNearRoot(q, ray, 3 - other))) return UNKNOWN;
-  }
+  if (!(at(OFF + 2) <= SHARP * Math.abs(at(C)))) sharpenC(q.r);
+  if (!putRoots()) return UNKNOWN;
   // No root is −0.
   slot.t0 = (ROOTS[0] as number) + 0;
   slot.t1 = (ROOTS[3] as number) + 0;
   return TWO;
 }
 
+/** What a number is off, of itself; a C that is 0 is off by nothing, or not known. */
+const relative = (off: number, x: number): number => (off === 0 ? 0 : off / Math.abs(x));
+
 const isFaithful = (k: number): boolean =>
-  (ROOTS[k + 2] as number) < FAITHFUL * Math.abs(ROOTS[k] as number);
+  (ROOTS[k + 2] as number) <= FAITHFUL * Math.abs(ROOTS[k] as number);
 
 /** Puts both roots; false where one of them is not known to be faithful. */
 export function putRoots(): boolean {
@@ -69,23 +71,8 @@ export function putRoots(): boolean {
   const lower = A1 > 0 === qh < 0 ? 0 : 3;
   quotient(lower, qh, ql, A1, at(A + 1), offQ + at(OFF) / Math.abs(A1) + QUOTIENT);
   const C1 = at(C);
-  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + at(OFF + 2) / Math.abs(C1) + QUOTIENT);
-  Q[0] = qh;
-  Q[1] = ql;
-  Q[2] = offQ;
-  Q[3] = lower;
+  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + relative(at(OFF + 2), C1) + QUOTIENT);
   return isFaithful(0) && isFaithful(3);
-}
-
-/** E is so near to the surface that C is not known well enough: puts C/q once more, with C from the exact terms of its expansion. */
-function putNearRoot(q: Quadric, { origin: E }: Ray, k: number): boolean {
-  // Not too large, or SIZE would not be known.
-  setFlare(q);
-  setLengths(E[0], q.hasY ? E[1] : 0, E[2], q.Cx, q.hasY ? q.Cy : 0, q.Cz, q.r);
-  const off = (Q[2] as number) + nearSurface(at(OFF + 2) / ERROR_C) + QUOTIENT;
-  const C1 = get(NEAR_C);
-  quotient(k, C1, get(NEAR_C + 1), Q[0] as number, Q[1] as number, off);
-  return off < FAITHFUL;
 }
 
 function quotient(k: number, n: number, nl: number, m: number, ml: number, off: number): void {
