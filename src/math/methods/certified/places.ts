@@ -5,7 +5,7 @@ import { productError, squareError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
-import { ALGEBRA, FLARE as ALGEBRA_FLARE, P as ALGEBRA_P } from './algebra.ts';
+import { ALGEBRA, P as ALGEBRA_P } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
 import { hitAt, ROOTS } from './hit-quadric.ts';
 
@@ -48,7 +48,7 @@ const FLARE = 12;
 const at = (k: number): number => R[k] as number;
 const G = [0, 2, 4] as const;
 
-/** Puts g, and E − C where hitAt reads it. */
+/** Puts g, and E − C where hitAt reads it: the stage that found t may have had it in other units. */
 function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
   for (let i = 0; i < 3; i++) {
     const e = origin[i] as number;
@@ -90,7 +90,7 @@ export function putStep(
 const times = (a: number, [x, y, z]: Vec3, s: number): number =>
   x * (s * x) + z * (s * z) - a * (y * (s * y));
 
-/** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. */
+/** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. Asked after plainQuadric, whose a hitAt reads. */
 export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
   // A cylinder does not look at y: from E's own height nothing is subtracted.
@@ -99,8 +99,6 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   if (q.squared) putSquare(FLARE, q.flare);
   else dd.set(R, FLARE, q.flare);
   const a = at(FLARE);
-  ALGEBRA[ALGEBRA_FLARE] = a;
-  ALGEBRA[ALGEBRA_FLARE + 1] = at(FLARE + 1);
   const size = Math.abs(a);
   dd.sqr(R, F, 0);
   dd.sqr(R, S, 4);
