@@ -47,11 +47,9 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   return TWO;
 }
 
-/** What a number is off, of itself; a C that is 0 is off by nothing, or not known. */
-const relative = (off: number, x: number): number => (off === 0 ? 0 : off / Math.abs(x));
-
+/** Not where a root has vanished below the doubles, and its bound with it. */
 const isFaithful = (k: number): boolean =>
-  (ROOTS[k + 2] as number) <= FAITHFUL * Math.abs(ROOTS[k] as number);
+  (ROOTS[k + 2] as number) < FAITHFUL * Math.abs(ROOTS[k] as number);
 
 /** Puts both roots; false where one of them is not known to be faithful. */
 export function putRoots(): boolean {
@@ -71,8 +69,10 @@ export function putRoots(): boolean {
   const lower = A1 > 0 === qh < 0 ? 0 : 3;
   quotient(lower, qh, ql, A1, at(A + 1), offQ + at(OFF) / Math.abs(A1) + QUOTIENT);
   const C1 = at(C);
-  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + relative(at(OFF + 2), C1) + QUOTIENT);
-  return isFaithful(0) && isFaithful(3);
+  const zero = at(OFF + 2) === 0;
+  const offC = zero ? 0 : at(OFF + 2) / Math.abs(C1);
+  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + offC + QUOTIENT);
+  return isFaithful(lower) && (zero || isFaithful(3 - lower));
 }
 
 function quotient(k: number, n: number, nl: number, m: number, ml: number, off: number): void {
