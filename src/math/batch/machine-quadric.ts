@@ -1,5 +1,15 @@
-import { type Answers, CONTAINED, NONE, ONE, type Rays, TANGENT, TWO, UNDECIDED } from './batch.ts';
-import { type SolveRay, withoutRoots } from './loops.ts';
+import {
+  type Answers,
+  CONTAINED,
+  type Kernel,
+  NONE,
+  ONE,
+  type Rays,
+  TANGENT,
+  TWO,
+  UNDECIDED,
+} from './batch.ts';
+import { kernelOf, type SolveRay, withoutRoots } from './loops.ts';
 import {
   A,
   B,
@@ -32,21 +42,47 @@ export type DiscriminantBy = 'course' | 'moment';
  * The stable solver over the course's A, B, C in a register machine: methods/tree-method.ts unrolled, operation by
  * operation. That class and roots are bit-equal to it is tested.
  */
-export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy): SolveRay {
+export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy): Kernel {
   const R = new Float64Array(REGISTERS);
   loadShape(q, machine, R);
   // A hit's place and normal are only looked at where they might be no numbers.
   const slopes = 1 + machine.size(R, FLARE);
   const reach = Math.abs(q.Cx) + Math.abs(q.Cy) + Math.abs(q.Cz);
-  return (rays, i, out) => {
+  const put = (rays: Rays, i: number): void => {
     loadRay(rays, i, machine, R);
     coefficients(q, machine, R);
     if (by === 'moment') discriminantByMoment(q, machine, R);
     else discriminant(machine, R);
+  };
+  const solved: SolveRay = (_, i, out) => {
     const verdict = solve(machine, R);
     if (verdict === NONE || verdict >= CONTAINED) return withoutRoots(out, i, verdict);
     return keep(q, machine, R, out, i, verdict, slopes, reach);
   };
+  return kernelOf(
+    'two',
+    (rays, i, out) => {
+      put(rays, i);
+      return solved(rays, i, out);
+    },
+    (rays, i, out) => {
+      put(rays, i);
+      const signA = machine.sign(R, A);
+      const signD = machine.sign(R, D);
+      if (signA * signD < 0 || signA * signD > 0) {
+        if (signD < 0) return NONE;
+        if (isRoomy(machine, R, largestRoot(machine, R), slopes, reach)) return TWO;
+      }
+      return solved(rays, i, out);
+    },
+  );
+}
+
+/** |t| is not above this: t = q/A and C/q, where |q| lies between √D and |B| + √D, halved; NaN where the sign of B is not known. */
+function largestRoot(m: Machine, R: Float64Array): number {
+  const most = m.size(R, B) + Math.sqrt(m.size(R, D));
+  const other = (2 * m.size(R, C)) / Math.sqrt(m.least(R, D));
+  return Math.max(most / m.least(R, A), other) + 0 * m.sign(R, B);
 }
 
 export function loadRay(rays: Rays, i: number, m: Machine, R: Float64Array): void {
@@ -108,16 +144,21 @@ function keep(
   slopes: number,
   reach: number,
 ): number {
-  const d = m.size(R, DX) + m.size(R, DY) + m.size(R, DZ);
-  const start = m.size(R, EX) + m.size(R, EY) + m.size(R, EZ) + reach;
   const t = Math.max(m.size(R, T0), verdict === TWO ? m.size(R, T1) : 0);
-  const roomy = slopes * (start + (1 + t) * (1 + d)) < ROOMY;
+  const roomy = isRoomy(m, R, t, slopes, reach);
   if (!roomy && !isWhole(q, m, R, T0)) return withoutRoots(out, i, UNDECIDED);
   if (!roomy && verdict === TWO && !isWhole(q, m, R, T1)) return withoutRoots(out, i, UNDECIDED);
   m.store(R, T0, out.t0, i);
   if (verdict === TWO) m.store(R, T1, out.t1, i);
   else out.t1[i] = Number.NaN;
   return verdict;
+}
+
+/** Places at ±t and nearer, and the normals there, are far from leaving the machine's range. */
+function isRoomy(m: Machine, R: Float64Array, t: number, slopes: number, reach: number): boolean {
+  const d = m.size(R, DX) + m.size(R, DY) + m.size(R, DZ);
+  const start = m.size(R, EX) + m.size(R, EY) + m.size(R, EZ) + reach;
+  return slopes * (start + (1 + t) * (1 + d)) < ROOMY;
 }
 
 /** t is finite, and neither E + t d nor the normal there has a component that is NaN. */

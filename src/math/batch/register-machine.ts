@@ -22,6 +22,8 @@ export interface Machine {
   toNumber(R: Float64Array, a: number): number;
   /** What |a| does not exceed by more than its last bits. */
   size(R: Float64Array, a: number): number;
+  /** What |a| is not below by more than its last bits, where the sign of a is known. */
+  least(R: Float64Array, a: number): number;
 }
 
 /** What is between this and the end of the range of any machine (2^996 for a factor in double-double) is room enough. */

@@ -149,6 +149,9 @@ export function size(R: Registers, a: number): number {
   return Math.abs(get(R, a));
 }
 
+/** The same: hi is within a rounding error of the number. */
+export const least = size;
+
 /** Puts the lesser one first. Both are normalised, so the first parts decide, and where these are equal the second ones. */
 export function sort(R: Registers, a: number, b: number): void {
   const x = get(R, a);

@@ -133,3 +133,8 @@ export function toNumber(R: Registers, a: number): number {
 export function size(R: Registers, a: number): number {
   return Math.max(Math.abs(get(R, a)), Math.abs(get(R, a + 1)));
 }
+
+/** The least |x| of an interval without 0 inside. */
+export function least(R: Registers, a: number): number {
+  return Math.min(Math.abs(get(R, a)), Math.abs(get(R, a + 1)));
+}

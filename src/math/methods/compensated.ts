@@ -1,5 +1,4 @@
 import { doubleDouble } from '../arithmetic/double-double.ts';
-import { kernelOf } from '../batch/loops.ts';
 import { machinePlanar } from '../batch/machine-planar.ts';
 import { machineQuadric } from '../batch/machine-quadric.ts';
 import { doubleDoubleMachine as machine } from '../batch/machines.ts';
@@ -26,7 +25,7 @@ const tree = treeMethod(
 export const compensated: Method = {
   ...tree,
   batch: kernelFor(
-    (q) => kernelOf('two', machineQuadric(q, machine, 'course')),
+    (q) => machineQuadric(q, machine, 'course'),
     (p) => machinePlanar(p, machine, 'course'),
   ),
 };

@@ -1,5 +1,4 @@
 import { interval as intervalArithmetic } from '../arithmetic/interval.ts';
-import { kernelOf } from '../batch/loops.ts';
 import { machinePlanar } from '../batch/machine-planar.ts';
 import { machineQuadric } from '../batch/machine-quadric.ts';
 import { intervalMachine as machine } from '../batch/machines.ts';
@@ -28,7 +27,7 @@ const tree = treeMethod(
 export const interval: Method = {
   ...tree,
   batch: kernelFor(
-    (q) => kernelOf('two', machineQuadric(q, machine, 'moment')),
+    (q) => machineQuadric(q, machine, 'moment'),
     (p) => machinePlanar(p, machine, 'moment'),
   ),
 };
