@@ -1,5 +1,5 @@
 import { NONE, ONE, UNDECIDED } from './batch.ts';
-import { alongRay } from './machine-quadric.ts';
+import { alongRay } from './machine-place.ts';
 import type { Planar } from './planar.ts';
 import { DX, FREE, type Machine } from './register-machine.ts';
 

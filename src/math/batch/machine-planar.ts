@@ -22,7 +22,8 @@ import {
   Z,
   ZERO,
 } from './machine-figure.ts';
-import { type DiscriminantBy, loadRay } from './machine-quadric.ts';
+import { loadRay } from './machine-place.ts';
+import type { DiscriminantBy } from './machine-quadric.ts';
 import type { Planar } from './planar.ts';
 import { DX, DY, DZ, EX, EY, EZ, type Machine } from './register-machine.ts';
 

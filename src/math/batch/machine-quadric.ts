@@ -14,26 +14,21 @@ import {
   A,
   B,
   C,
-  CX,
-  CY,
-  CZ,
   coefficients,
   D,
   discriminant,
   discriminantByMoment,
   FLARE,
   loadShape,
-  MINUS_FLARE,
   REGISTERS,
   T0,
   T1,
   TWO_,
   X,
-  Y,
-  Z,
 } from './machine-forms.ts';
+import { isRoomy, isWhole, loadRay } from './machine-place.ts';
 import type { Quadric } from './quadric.ts';
-import { DX, DY, DZ, EX, EY, EZ, type Machine, ROOMY } from './register-machine.ts';
+import type { Machine } from './register-machine.ts';
 
 /** D by B² − 4AC, or by the moment; everything else is one program. */
 export type DiscriminantBy = 'course' | 'moment';
@@ -83,15 +78,6 @@ function largestRoot(m: Machine, R: Float64Array): number {
   const most = m.size(R, B) + Math.sqrt(m.size(R, D));
   const other = (2 * m.size(R, C)) / Math.sqrt(m.least(R, D));
   return Math.max(most / m.least(R, A), other) + 0 * m.sign(R, B);
-}
-
-export function loadRay(rays: Rays, i: number, m: Machine, R: Float64Array): void {
-  m.load(R, EX, rays.Ex, i);
-  m.load(R, EY, rays.Ey, i);
-  m.load(R, EZ, rays.Ez, i);
-  m.load(R, DX, rays.dx, i);
-  m.load(R, DY, rays.dy, i);
-  m.load(R, DZ, rays.dz, i);
 }
 
 /** methods/solvers.ts: the class, with one root in T0 or both in T0 and T1. */
@@ -152,44 +138,4 @@ function keep(
   if (verdict === TWO) m.store(R, T1, out.t1, i);
   else out.t1[i] = Number.NaN;
   return verdict;
-}
-
-/** Places at ±t and nearer, and the normals there, are far from leaving the machine's range. */
-function isRoomy(m: Machine, R: Float64Array, t: number, slopes: number, reach: number): boolean {
-  const d = m.size(R, DX) + m.size(R, DY) + m.size(R, DZ);
-  const start = m.size(R, EX) + m.size(R, EY) + m.size(R, EZ) + reach;
-  return slopes * (start + (1 + t) * (1 + d)) < ROOMY;
-}
-
-/** t is finite, and neither E + t d nor the normal there has a component that is NaN. */
-function isWhole(q: Quadric, m: Machine, R: Float64Array, t: number): boolean {
-  if (!Number.isFinite(m.toNumber(R, t))) return false;
-  alongRay(m, R, t, X, Y, Z);
-  if (isNaNAt(m, R, X) || isNaNAt(m, R, Y) || isNaNAt(m, R, Z)) return false;
-  m.sub(R, X, X, CX);
-  m.sub(R, Z, Z, CZ);
-  if (isNaNAt(m, R, X) || isNaNAt(m, R, Z)) return false;
-  if (!q.hasY) return true;
-  m.sub(R, Y, Y, CY);
-  m.mul(R, Y, MINUS_FLARE, Y);
-  return !isNaNAt(m, R, Y);
-}
-
-const isNaNAt = (m: Machine, R: Float64Array, a: number): boolean => Number.isNaN(m.toNumber(R, a));
-
-/** E + t d. */
-export function alongRay(
-  m: Machine,
-  R: Float64Array,
-  t: number,
-  x: number,
-  y: number,
-  z: number,
-): void {
-  m.mul(R, x, t, DX);
-  m.add(R, x, EX, x);
-  m.mul(R, y, t, DY);
-  m.add(R, y, EY, y);
-  m.mul(R, z, t, DZ);
-  m.add(R, z, EZ, z);
 }
