@@ -7,7 +7,7 @@
  */
 
 /** 2^27 + 1 cuts 53 bits into 26 and 26 with a sign (Veltkamp). */
-const SPLITTER = 134217729;
+export const SPLITTER = 134217729;
 
 /**
  * Products at least this large have an exact error: with a ≥ 2^i, b ≥ 2^j all bits of a·b, and of the four partial

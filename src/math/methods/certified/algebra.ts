@@ -1,5 +1,5 @@
 import type { Quadric } from '../../batch/quadric.ts';
-import { squareError, sumError } from '../../float/eft.ts';
+import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
 
 /*
@@ -24,7 +24,6 @@ export const ERROR_D = 136 * UU;
 export const SMALLEST = 2 ** -872;
 export const SMALLEST_D = 2 ** -670;
 export const LARGE = 2 ** 200;
-export const SPLITTER = 134217729;
 
 /** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */
 export const ALGEBRA = new Float64Array(21);

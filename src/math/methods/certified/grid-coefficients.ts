@@ -1,4 +1,4 @@
-import { sumError } from '../../float/eft.ts';
+import { SPLITTER as HALVES, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
 import * as at from './grid-scratch.ts';
 import { AT_SCALED } from './scaled-quadric.ts';
@@ -24,7 +24,6 @@ import { AT_SCALED } from './scaled-quadric.ts';
  */
 export const ERROR = 12 * 2 ** -77;
 export const CUT = 2 ** 27;
-const HALVES = 134217729;
 
 export type CoefficientsPass = (numbers: Float64Array, ray: Ray) => void;
 

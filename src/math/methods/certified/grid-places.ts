@@ -1,4 +1,4 @@
-import { productError, sumError } from '../../float/eft.ts';
+import { SPLITTER as HALVES, productError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { ERROR } from './grid-coefficients.ts';
@@ -26,7 +26,6 @@ export const POINT = 6 * 2 ** -77;
 export const FAITHFUL = 0.9 * 2 ** -54;
 export const CUT_TIME = 2 ** 27;
 export const CUT_ORIGIN = 2 ** 2;
-const HALVES = 134217729;
 
 /** Once FOUND holds the roots. */
 export type RootsPass = (ray: Ray) => void;

@@ -1,8 +1,8 @@
 import type { Quadric } from '../../batch/quadric.ts';
-import { productError, sumError } from '../../float/eft.ts';
+import { productError, SPLITTER, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { ALGEBRA, FLARE, lost, P, SPLITTER } from './algebra.ts';
+import { ALGEBRA, FLARE, lost, P } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
 
 /*

@@ -1,9 +1,9 @@
 import { NONE, TWO } from '../../batch/batch.ts';
 import type { RootSlot } from '../../batch/exact-quadric.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { squareError, sumError } from '../../float/eft.ts';
+import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
-import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE, SPLITTER } from './algebra.ts';
+import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
 import { ROOTS } from './hit-quadric.ts';
 import { sharpenC } from './near-surface.ts';

@@ -1,4 +1,5 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
+import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A } from './moment-bound.ts';
 import { BOX } from './scaled-quadric.ts';
 
@@ -23,7 +24,6 @@ import { BOX } from './scaled-quadric.ts';
 const GRID_25 = 2 ** 29;
 const GRID_26 = 2 ** 28;
 const GRID_P = 2 ** 6;
-const SPLITTER = 134217729;
 const CROSS_ERROR = 2 ** -68;
 const SQUARE_ERROR = 6 * 2 ** -53;
 const RESIDUAL_ERROR = 14 * 2 ** -53;

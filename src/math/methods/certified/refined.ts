@@ -1,3 +1,4 @@
+import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './moment-bound.ts';
 import { BOX } from './scaled-quadric.ts';
 
@@ -54,7 +55,6 @@ const FAITHFUL = 2 ** -55;
 const GRID_25 = 2 ** 29;
 const GRID_26 = 2 ** 28;
 const GRID_P = 2 ** 6;
-const SPLITTER = 134217729;
 
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
 export const BOUNDS = Float64Array.of(

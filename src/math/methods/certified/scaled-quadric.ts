@@ -1,5 +1,5 @@
 import { type Quadric, quadricOf, stillHolds } from '../../batch/quadric.ts';
-import { productError, squareError } from '../../float/eft.ts';
+import { productError, SPLITTER, squareError } from '../../float/eft.ts';
 import type { Shape } from '../../shapes/index.ts';
 import { type Lattice, latticeOf } from './lattice.ts';
 
@@ -47,8 +47,6 @@ export const AT_SCALED = {
   wide: 10,
   flareLow: 11,
 } as const;
-
-const SPLITTER = 134217729;
 
 const KEPT = 8;
 const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];

@@ -4,7 +4,7 @@ import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { elementOf, type Loop } from '../../../wasm/source.ts';
 import { flowOf, partsOf, scopeOf } from './flow.ts';
-import { HANDED, handed, INPUTS, PARAMS, type Param, PLACE } from './layout.ts';
+import { HANDED, handed, inputOf, PARAMS, type Param, PLACE } from './layout.ts';
 import type { Numbers } from './prologue.ts';
 
 /*
@@ -39,7 +39,7 @@ export function blockKernel(
   const hand = op.get(HAND);
   const of = (array: Param): Code => op.plus(op.get(PARAMS.indexOf(array)), at);
   const input = (element: string): Code | null => {
-    const array = INPUTS.find((one) => elementOf(one) === element);
+    const array = inputOf(element);
     return array ? op.load(of(array), 0) : null;
   };
   const clear = flow.name('clear', 0);

@@ -1,3 +1,5 @@
+import { elementOf } from '../../../wasm/source.ts';
+
 /*
  * The memory that the WebAssembly kernels share with TypeScript: the numbers of the shape, a block of rays and its answers, and lists of rays that a stage
  * leaves to the next one. All in bytes.
@@ -18,6 +20,9 @@ const array = (n: number): number => ARRAYS + n * (8 * CAPACITY + GAP);
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
+/** Which input an element of a loop, by elementOf's name for it, is of. */
+export const inputOf = (element: string): Input | undefined =>
+  INPUTS.find((one) => elementOf(one) === element);
 
 /** The arrays whose addresses a kernel is given: they may be in the block or wherever arena.ts made them. */
 export const PARAMS = [...INPUTS, 't0', 't1'] as const;

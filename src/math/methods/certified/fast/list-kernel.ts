@@ -4,7 +4,7 @@ import type { Func } from '../../../wasm/module.ts';
 import * as op from '../../../wasm/ops.ts';
 import { elementOf, type Loop } from '../../../wasm/source.ts';
 import { flowOf, partsOf, scopeOf } from './flow.ts';
-import { HANDED, handed, INPUTS, PARAMS, type Param } from './layout.ts';
+import { HANDED, handed, inputOf, PARAMS, type Param } from './layout.ts';
 import type { Numbers } from './prologue.ts';
 
 /* A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they are. */
@@ -41,7 +41,7 @@ export function listKernel(
   const address = (array: Param, index: number): Code =>
     op.plus(op.get(PARAMS.indexOf(array)), op.shiftLeft(op.get(index), op.i32(3)));
   const input = (element: string): Code | null => {
-    const array = INPUTS.find((one) => elementOf(one) === element);
+    const array = inputOf(element);
     return array ? op.gather(address(array, LOW), address(array, HIGH), 0) : null;
   };
   const clear = flow.name(verdicts.clear);
