@@ -158,6 +158,24 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
     expect(share).toBeLessThan(1);
     expect(share).toBeGreaterThan(0.75);
   });
+  test('where d is nearly along the surface, and the step bends: charged with each part', () => {
+    const q = quadricOf({ kind: 'cylinder', center: [0, 0, 0], radius: 1 }) as Quadric;
+    const shares = [30, 34, 38, 42].map((k) => {
+      // Touches but for 2^-k of the radius; E is on the tangent's side, t = 3.
+      const high = Math.sqrt(1 - 2 ** -k);
+      const ray: Ray = { origin: [-3 - Math.sqrt(1 - high * high), 0, high], direction: [1, 0, 0] };
+      places.placeOnQuadric(q, ray, 0, 3);
+      const x = ray.origin[0] + 3;
+      const slope = abs(2 * x);
+      const offF = places.ERROR_CURVED * (x * x + high * high + 1);
+      const bend = 2 * U * 3;
+      const offSlope = places.ERROR_SLOPE * abs(x);
+      const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
+      const bent = abs(2 * x - (places.R[places.F] ?? 0) / (2 * x));
+      return (ROOTS[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED));
+    });
+    for (const share of shares) expect(share).toBeCloseTo(1, 13);
+  });
   test('none where the slope is not known', () => {
     step(U, 0, 0.26);
   });
