@@ -1,4 +1,5 @@
 import type { Stage } from '../math/shapes/drawing.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import type { FreeView, View } from '../state/view.ts';
 import { freeOf, type Pose, poseOf } from './camera.ts';
@@ -57,21 +58,27 @@ export class Viewpoint {
     const from = restaged(this.#held.pose, this.#held.stage, model.stage);
     this.#held = null;
     const goal = poseOf(model.view, model.ray, space);
-    if (samePose(from, goal)) return;
-    this.#glide.start(from);
-    this.#glide.aim(goal, 'travel', now);
+    if (from && samePose(from, goal)) return;
+    if (from) this.#glide.start(from);
+    this.#glide.aim(goal, from ? 'travel' : 'jump', now);
   }
 }
 
-/** The same camera in the units of another stage. */
-function restaged({ target, azimuth, elevation, zoom }: Pose, from: Stage, to: Stage): Pose {
+/** Stages that differ by more have nothing in common that a move of the camera could show. */
+const APART = 1e4;
+
+/** The same camera in the units of another stage; null where there it would stand in one point with what it looks at, or nowhere. */
+export function restaged(
+  { target, azimuth, elevation, zoom }: Pose,
+  from: Stage,
+  to: Stage,
+): Pose | null {
+  const ratio = to.radius / from.radius;
   const moved = (i: 0 | 1 | 2): number =>
     (from.center[i] - to.center[i] + target[i] * from.radius) / to.radius;
-  return {
-    ...{ azimuth, elevation },
-    target: [moved(0), moved(1), moved(2)],
-    zoom: (zoom * to.radius) / from.radius,
-  };
+  const there: Vec3 = [moved(0), moved(1), moved(2)];
+  const isNear = ratio < APART && ratio > 1 / APART && there.every((x) => Math.abs(x) < APART);
+  return isNear ? { azimuth, elevation, target: there, zoom: zoom * ratio } : null;
 }
 
 function samePose(a: Pose, b: Pose): boolean {
