@@ -21,6 +21,7 @@ import { sharpenC } from './near-surface.ts';
  * None is so small that its lower half is lost: D > SMALLEST_D makes |q/A| > 2^-535; |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and
  * |C/q| > 2^-432 √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
  */
+
 /** No verdict. */
 export const UNKNOWN = -1;
 
