@@ -1,8 +1,8 @@
 import { createAnswers, packRays, type Rays, verdictsOfRoots } from '../math/batch/batch.ts';
-import { exactKernel } from '../math/batch/exact.ts';
 import type { Family } from '../math/families.ts';
 import type { Verdict } from '../math/intersection.ts';
 import type { Method } from '../math/methods/define.ts';
+import { exact } from '../math/methods/exact.ts';
 import type { Ray } from '../math/ray.ts';
 import { type Random, seeded } from '../math/rng.ts';
 import type { Shape } from '../math/shapes/index.ts';
@@ -32,7 +32,7 @@ export function batchesOf(family: Family, { seed, shapes, count, difficulty }: S
     const { shape, rays: list } = family.batch(random, count, difficulty);
     const rays = packRays(list);
     const out = createAnswers(count);
-    exactKernel(shape)?.both(rays, out);
+    exact.batch(shape).both(rays, out);
     return { shape, rays, verdicts: verdictsOfRoots(out, count), t0: out.t0, t1: out.t1 };
   });
 }
@@ -48,13 +48,13 @@ export function tasksOf(
 ): readonly (Task & { readonly checksum: () => number })[] {
   const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)));
   return methods.map((method) => {
-    const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch?.(shape), rays }));
+    const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch(shape), rays }));
     let seen = 0;
     return {
       id: method.id,
       run() {
         for (const { kernel, rays } of kernels) {
-          kernel?.[form](rays, out);
+          kernel[form](rays, out);
           seen += out.rareCount + ((out.t0[0] as number) > (out.margin[0] as number) ? 1 : 0);
         }
       },

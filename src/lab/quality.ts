@@ -50,11 +50,11 @@ export function qualityOf(method: Method, batches: readonly Batch[]): Quality {
   let worst: Place | null = null;
   batches.forEach((batch, b) => {
     const { shape, rays, verdicts } = batch;
-    const kernel = method.batch?.(shape);
+    const kernel = method.batch(shape);
     const out = createAnswers(rays.count);
-    kernel?.classes(rays, out);
-    const byClasses = verdictsOfClasses(out, rays.count, kernel?.met ?? 'two');
-    kernel?.both(rays, out);
+    kernel.classes(rays, out);
+    const byClasses = verdictsOfClasses(out, rays.count, kernel.met);
+    kernel.both(rays, out);
     verdictsOfRoots(out, rays.count).forEach((verdict, i) => {
       const truth = verdicts[i] ?? 'none';
       const said = judge(verdict, truth);

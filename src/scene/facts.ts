@@ -1,5 +1,5 @@
-import { planarOf } from '../math/batch/planar.ts';
-import { quadricOf } from '../math/batch/quadric.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { sideOf } from '../math/side.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Placed, Scene } from './types.ts';
 
@@ -29,16 +29,11 @@ export function whyNoShadow(scene: Scene): string | null {
 }
 
 /**
- * A flat shape, or a whole cylinder or ellipsoid seen from outside: convex, so that a line from a seen point to a light on its
+ * A flat shape, or a whole convex one seen from outside: a line from a seen point to a light on its
  * outer side does not meet it again.
  */
 function shadesNothing({ shape, between }: Placed, eye: Vec3): boolean {
-  if (planarOf(shape)) return true;
-  const q = quadricOf(shape);
-  if (!q || between) return false;
-  const convex = !q.hasY || (!q.squared && q.flare < 0);
-  const x = eye[0] - q.Cx;
-  const y = eye[1] - q.Cy;
-  const z = eye[2] - q.Cz;
-  return convex && x * x + z * z - (q.hasY ? q.flare * y * y : 0) > q.r * q.r;
+  const side = sideOf(shape, eye);
+  if (side === null) return true;
+  return !between && definitionOf(shape).body.convex(shape) && side > 0;
 }

@@ -1,5 +1,6 @@
-import { quadricOf } from '../math/batch/quadric.ts';
+import type { Heights } from '../math/shapes/body.ts';
 import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Placed, Scene } from './types.ts';
 
 export type SurfacePart = 'shape' | 'low cap' | 'high cap';
@@ -11,7 +12,7 @@ export interface Surface {
   readonly part: SurfacePart;
   readonly shape: Shape;
   /** Only the shape itself is cut off, not its caps. */
-  readonly between?: readonly [low: number, high: number];
+  readonly between?: Heights;
 }
 
 /** All surfaces of a scene in a fixed order: what a hit, a ray tree and a frame mean by an index. */
@@ -27,24 +28,11 @@ export function surfacesOf(scene: Scene): readonly Surface[] {
 function capsOf({ shape, between, capped }: Placed, thing: number): Surface[] {
   if (!between || !capped) return [];
   const cap = (part: SurfacePart, height: number, up: 1 | -1): Surface[] => {
-    const profile = profileOf(shape, height);
-    if (!profile) return [];
-    const { x, z, radius } = profile;
+    const disc = definitionOf(shape).body.circleAt?.(shape, height);
+    if (!disc) return [];
+    const { x, z, radius } = disc;
     const circle: Shape = { kind: 'circle', normal: [0, up, 0], center: [x, height, z], radius };
     return [{ thing, part, shape: circle }];
   };
   return [...cap('low cap', between[0], -1), ...cap('high cap', between[1], 1)];
-}
-
-/** The circle that a round shape has at a height, or null: none there, or not a round shape. */
-export function profileOf(
-  shape: Shape,
-  height: number,
-): { readonly x: number; readonly z: number; readonly radius: number } | null {
-  const q = quadricOf(shape);
-  if (!q) return null;
-  const h = q.hasY ? height - q.Cy : 0;
-  const squared = q.squared ? (q.flare * h) ** 2 : q.flare * h * h;
-  const radius = Math.sqrt(squared + q.r * q.r);
-  return radius > 0 ? { x: q.Cx, z: q.Cz, radius } : null;
 }

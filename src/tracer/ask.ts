@@ -78,7 +78,7 @@ export function createAsker(
     pack(target, rays, from, list, count, tally) {
       const self = byIdentity ? target.surface : -2;
       const { proven } = target;
-      const { a } = target.normal;
+      const { a } = target.gradient;
       let n = 0;
       let m = 0;
       let gone = 0;

@@ -1,63 +1,12 @@
 import type { Rays } from '../math/batch/batch.ts';
-import { planarOf } from '../math/batch/planar.ts';
-import { quadricOf } from '../math/batch/quadric.ts';
+import type { Box } from '../math/shapes/body.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Surface } from '../scene/surfaces.ts';
 
-/** A box with sides along the axes that the whole surface lies in. */
-export interface Box {
-  readonly low: Vec3;
-  readonly high: Vec3;
-}
-
 /** The box of a surface, a little larger than it is; null for one that has no end. */
-export function boxOf({ shape, between }: Surface): Box | null {
-  const planar = planarOf(shape);
-  if (planar) {
-    const { N, P, bound, size, u, v } = planar;
-    if (bound === 'none') return null;
-    if (bound === 'circle') {
-      const length = Math.hypot(...N);
-      return roomy(
-        N.map((n) => -size * across(n / length)),
-        N.map((n) => size * across(n / length)),
-        P,
-      );
-    }
-    const reach = [0, 1, 2].map((axis) => (axis === u || axis === v ? size : 0));
-    return roomy([0, 0, 0], reach, P);
-  }
-  const q = quadricOf(shape);
-  if (!q) return null;
-  const a = q.squared ? q.flare * q.flare : q.hasY ? q.flare : 0;
-  // An ellipsoid ends by itself.
-  const end = a < 0 ? q.r / Math.sqrt(-a) : Number.POSITIVE_INFINITY;
-  const center = q.hasY ? q.Cy : 0;
-  const low = Math.max(between ? between[0] - center : -end, -end);
-  const high = Math.min(between ? between[1] - center : end, end);
-  if (!(high - low < Number.POSITIVE_INFINITY)) return null;
-  // The widest circle: at an end, or for an ellipsoid where it is nearest to the middle.
-  const height = a < 0 ? Math.min(Math.max(0, low), high) : Math.max(Math.abs(low), Math.abs(high));
-  const radius = Math.sqrt(Math.max(0, a * height * height + q.r * q.r));
-  return roomy([-radius, low, -radius], [radius, high, radius], [q.Cx, center, q.Cz]);
-}
-
-/** The extent of a unit disc along an axis that makes this cosine with its normal. */
-const across = (cosine: number): number => Math.sqrt(Math.max(0, 1 - cosine * cosine));
-
-/** Some roundings of 2^-53 go into a box's corner, relative to its size and its place. */
-const ROOM = 2 ** -40;
-
-function roomy(low: readonly number[], high: readonly number[], at: Vec3): Box {
-  const size = Math.max(...low.map(Math.abs), ...high.map(Math.abs), ...at.map(Math.abs));
-  const room = ROOM * size;
-  const place = (v: readonly number[], by: number): Vec3 => [
-    (v[0] as number) + at[0] + by,
-    (v[1] as number) + at[1] + by,
-    (v[2] as number) + at[2] + by,
-  ];
-  return { low: place(low, -room), high: place(high, room) };
-}
+export const boxOf = ({ shape, between }: Surface): Box | null =>
+  definitionOf(shape).body.box(shape, between ?? null);
 
 /** Boxes around boxes: a leaf is one surface. */
 export type Hierarchy =

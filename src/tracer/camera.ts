@@ -1,8 +1,8 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { CAMERA, type Wave } from '../scene/effects/body.ts';
 import type { Camera } from '../scene/types.ts';
+import { unit } from './gradient.ts';
 import type { Tile, TraceSettings } from './types.ts';
-import { unit } from './world.ts';
 
 /** The camera's three directions, the sideways ones as long as half the picture's width and height at distance 1. */
 export interface Lens {

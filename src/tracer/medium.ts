@@ -1,4 +1,4 @@
-import { quadricOf } from '../math/batch/quadric.ts';
+import { sideOf } from '../math/side.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { isGlass } from '../scene/facts.ts';
 import { type Surface, surfacesOf } from '../scene/surfaces.ts';
@@ -15,11 +15,7 @@ export function mediumAt(scene: Scene, at: Vec3): number {
   });
 }
 
-function isWithin({ shape, between }: Surface, [x, y, z]: Vec3): boolean {
-  const q = quadricOf(shape);
-  if (!q) return false;
-  const h = q.hasY ? y - q.Cy : 0;
-  const squared = q.squared ? (q.flare * h) ** 2 : q.flare * h * h;
+function isWithin({ shape, between }: Surface, at: Vec3): boolean {
   const [low, high] = between ?? [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY];
-  return y > low && y < high && (x - q.Cx) ** 2 + (z - q.Cz) ** 2 < squared + q.r * q.r;
+  return at[1] > low && at[1] < high && sideOf(shape, at) === -1;
 }

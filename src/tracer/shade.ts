@@ -20,10 +20,11 @@ export function meet(wave: Wave, { targets }: TracerWorld): void {
     const px = (rays.Ex[i] as number) + at * dx;
     const py = (rays.Ey[i] as number) + at * dy;
     const pz = (rays.Ez[i] as number) + at * dz;
-    const { flat, N, center, a } = target.normal;
-    let x = flat ? N[0] : px - center[0];
-    let y = flat ? N[1] : -a * (py - center[1]);
-    let z = flat ? N[2] : pz - center[2];
+    const { by, N, center, a } = target.gradient;
+    let x = by === 'plane' ? N[0] : px - center[0];
+    let y = by === 'plane' ? N[1] : -a * (py - center[1]);
+    let z = by === 'plane' ? N[2] : pz - center[2];
+    if (by === 'trees') [x, y, z] = target.gradient.at(px, py, pz);
     const length = Math.sqrt(x * x + y * y + z * z);
     if (length > 0) {
       x /= length;

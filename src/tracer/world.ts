@@ -1,16 +1,18 @@
 import type { Kernel } from '../math/batch/batch.ts';
-import { planarOf } from '../math/batch/planar.ts';
 import { type Quadric, quadricOf } from '../math/batch/quadric.ts';
 import { findMethod } from '../math/intersect.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
+import type { Box } from '../math/shapes/body.ts';
 import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Look, World, WorldLight } from '../scene/effects/body.ts';
 import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
-import { type Box, boxOf } from './boxes.ts';
+import { boxOf } from './boxes.ts';
 import { linear } from './colour.ts';
 import { PROVEN } from './departs.ts';
+import { type GradientOf, gradientOf, unit } from './gradient.ts';
 
 /** A surface as the tracer asks it. */
 export interface Target {
@@ -26,17 +28,9 @@ export interface Target {
   readonly box: Box | null;
   /** Stands in the way of light. */
   readonly blocks: boolean;
-  readonly normal: NormalOf;
+  readonly gradient: GradientOf;
   /** A curved shape's numbers, where the method's answers are those of exact arithmetic: see departs.ts. */
   readonly proven: Quadric | null;
-}
-
-/** The unit normal N of a flat shape, or the gradient (x − Cx, −a(y − Cy), z − Cz) of a curved one. */
-export interface NormalOf {
-  readonly flat: boolean;
-  readonly N: Vec3;
-  readonly center: Vec3;
-  readonly a: number;
 }
 
 export interface TracerWorld extends World {
@@ -50,8 +44,8 @@ export function worldOf(
   method: string,
   heights: 'off' | 'needed' | 'all',
 ): TracerWorld {
-  const batch = findMethod(method)?.batch;
-  if (!batch) throw new InvalidInput(`there is no method ${quote(method)} to trace with`);
+  const asked = findMethod(method);
+  if (!asked) throw new InvalidInput(`there is no method ${quote(method)} to trace with`);
   const surfaces = surfacesOf(scene);
   const materials = surfaces.map(({ thing }) => scene.things[thing]?.material as Material);
   return {
@@ -60,18 +54,18 @@ export function worldOf(
     lights: scene.lights.map(lightOf),
     targets: surfaces.map((surface, k): Target => {
       const between = heights === 'off' ? undefined : surface.between;
-      const planar = planarOf(surface.shape);
+      const formula = definitionOf(surface.shape).formula(surface.shape);
       return {
         surface: k,
-        kernel: batch(surface.shape),
-        flat: planar !== null,
-        endless: planar?.bound === 'none',
+        kernel: asked.batch(surface.shape),
+        flat: formula.family === 'flat',
+        endless: formula.family === 'flat' && formula.bound === null,
         cut: between !== undefined || heights === 'all',
         low: between?.[0] ?? Number.NEGATIVE_INFINITY,
         high: between?.[1] ?? Number.POSITIVE_INFINITY,
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
-        normal: normalOf(surface.shape),
+        gradient: gradientOf(surface.shape),
         proven: PROVEN.has(method) ? quadricOf(surface.shape) : null,
       };
     }),
@@ -79,15 +73,6 @@ export function worldOf(
 }
 
 const EVERYWHERE = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY] as const;
-
-function normalOf(shape: Shape): NormalOf {
-  const planar = planarOf(shape);
-  if (planar) return { flat: true, N: unit(planar.N), center: planar.P, a: 0 };
-  const q = quadricOf(shape);
-  if (!q) throw new RangeError(`no normals for a ${shape.kind}`);
-  const a = q.squared ? q.flare * q.flare : q.hasY ? q.flare : 0;
-  return { flat: false, N: [0, 1, 0], center: [q.Cx, q.hasY ? q.Cy : 0, q.Cz], a };
-}
 
 function lookOf({ paint, shine, mirror, glass }: Material, shape: Shape): Look {
   const plain = linear(paint.colour);
@@ -110,9 +95,9 @@ function lookOf({ paint, shine, mirror, glass }: Material, shape: Shape): Look {
 function axesOf(paint: Paint, shape: Shape): readonly (0 | 1 | 2)[] {
   if (paint.pattern === 'plain') return [];
   if (paint.pattern === 'stripes') return [AXIS[paint.axis]];
-  const planar = planarOf(shape);
-  if (!planar) return [0, 1, 2];
-  const sizes = planar.N.map(Math.abs);
+  const definition = definitionOf(shape);
+  if (definition.formula(shape).family === 'curved') return [0, 1, 2];
+  const sizes = (definition.values(shape).vectors.N as Vec3).map(Math.abs);
   const most = sizes.indexOf(Math.max(...sizes));
   return ([0, 1, 2] as const).filter((axis) => axis !== most);
 }
@@ -130,12 +115,4 @@ function lightOf(light: Light, index: number): WorldLight {
     radius: light.light === 'sphere' ? light.radius : 0,
     colour,
   };
-}
-
-export function unit(v: Vec3): Vec3 {
-  // Scaled first, so that no square leaves the doubles.
-  const size = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
-  const [x, y, z] = [v[0] / size, v[1] / size, v[2] / size];
-  const length = Math.sqrt(x * x + y * y + z * z);
-  return [x / length, y / length, z / length];
 }

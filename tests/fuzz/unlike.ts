@@ -19,10 +19,10 @@ const besides = ({ origin, direction }: Ray): Ray[] =>
   });
 
 function answersOf({ shape, ray }: Question): string[] {
-  const kernel = certified.batch?.(shape);
+  const kernel = certified.batch(shape);
   const rays = packRays(besides(ray));
   const out = createAnswers(COUNT);
-  kernel?.both(rays, out);
+  kernel.both(rays, out);
   const verdicts = verdictsOfRoots(out, COUNT);
   const text = (t: number | undefined): string => (Object.is(t, -0) ? '-0' : String(t));
   return verdicts.map((verdict, k) => `${verdict} ${text(out.t0[k])} ${text(out.t1[k])}`);

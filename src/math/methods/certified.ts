@@ -1,5 +1,6 @@
 import { planarOf } from '../batch/planar.ts';
 import { quadricOf } from '../batch/quadric.ts';
+import { treeKernel } from '../batch/trees.ts';
 import { certifiedPlanar } from './certified/kernel-planar.ts';
 import { certifiedKernel } from './certified/kernel-quadric.ts';
 import { intersectCertified } from './certified/object.ts';
@@ -22,7 +23,6 @@ export const certified: Method = {
     const q = quadricOf(shape);
     if (q) return certifiedKernel(q);
     const s = planarOf(shape);
-    if (s) return certifiedPlanar(s);
-    throw new RangeError(`no batch kernel for ${shape.kind}`);
+    return s ? certifiedPlanar(s) : treeKernel(shape, intersectCertified);
   },
 };

@@ -25,6 +25,7 @@ const tree = treeMethod(
 export const compensated: Method = {
   ...tree,
   batch: kernelFor(
+    tree.intersect,
     (q) => machineQuadric(q, machine, 'course'),
     (p) => machinePlanar(p, machine, 'course'),
   ),

@@ -22,7 +22,7 @@ export interface Method {
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
   /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
-  batch?(shape: Shape): Kernel;
+  batch(shape: Shape): Kernel;
   /** So that its own operations can be followed one by one; a rung that is not made of trees has none. */
   readonly parts?: Parts;
 }

@@ -1,6 +1,6 @@
 import { CONTAINED, NONE, ONE, UNDECIDED, VERDICTS } from '../batch/batch.ts';
 import { type Planar, planarOf } from '../batch/planar.ts';
-import { type Quadric, quadricOf } from '../batch/quadric.ts';
+import { type Quadric, quadricInTreeOrder } from '../batch/quadric.ts';
 import { stableQuadric } from '../batch/stable.ts';
 import { textbookQuadric } from '../batch/textbook.ts';
 import { textbookPlanar } from '../batch/textbook-planar.ts';
@@ -19,17 +19,16 @@ export function direct(walked: Method, stable: boolean): Method {
   return {
     ...walked,
     intersect(shape, ray) {
-      const q = quadricOf(shape);
+      const q = quadricInTreeOrder(shape);
       if (q) return curved(walked, q, shape, ray, stable);
       const s = planarOf(shape);
       return s && s.bound !== 'square' ? flat(walked, s, shape, ray) : walked.intersect(shape, ray);
     },
     batch(shape) {
-      const q = quadricOf(shape);
+      const q = quadricInTreeOrder(shape);
       if (q) return stable ? stableQuadric(q) : textbookQuadric(q);
       const s = planarOf(shape);
-      if (s) return textbookPlanar(s);
-      throw new RangeError(`no batch kernel for ${shape.kind}`);
+      return s ? textbookPlanar(s) : walked.batch(shape);
     },
   };
 }

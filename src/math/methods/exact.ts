@@ -1,5 +1,6 @@
 import { exact as exactArithmetic } from '../arithmetic/exact.ts';
 import { exactKernel } from '../batch/exact.ts';
+import { treeKernel } from '../batch/trees.ts';
 import type { Method } from './define.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
@@ -21,9 +22,5 @@ const walked = treeMethod(
 
 export const exact: Method = {
   ...walked,
-  batch(shape) {
-    const kernel = exactKernel(shape);
-    if (!kernel) throw new RangeError(`no batch kernel for ${shape.kind}`);
-    return kernel;
-  },
+  batch: (shape) => exactKernel(shape) ?? treeKernel(shape, walked.intersect),
 };

@@ -27,6 +27,7 @@ const tree = treeMethod(
 export const interval: Method = {
   ...tree,
   batch: kernelFor(
+    tree.intersect,
     (q) => machineQuadric(q, machine, 'moment'),
     (p) => machinePlanar(p, machine, 'moment'),
   ),

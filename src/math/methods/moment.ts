@@ -34,5 +34,5 @@ const tree = treeMethod(
 
 export const moment: Method = {
   ...tree,
-  batch: kernelFor(momentQuadric, momentPlanar),
+  batch: kernelFor(tree.intersect, momentQuadric, momentPlanar),
 };

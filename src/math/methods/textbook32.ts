@@ -22,5 +22,5 @@ const tree = treeMethod(
 
 export const textbook32: Method = {
   ...tree,
-  batch: kernelFor(textbook32Quadric, textbook32Planar),
+  batch: kernelFor(tree.intersect, textbook32Quadric, textbook32Planar),
 };

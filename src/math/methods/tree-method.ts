@@ -1,5 +1,6 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { exact } from '../arithmetic/exact.ts';
+import { treeKernel } from '../batch/trees.ts';
 import { DISCRIMINANT, POINT } from '../formula/common.ts';
 import {
   evaluate,
@@ -42,6 +43,13 @@ export function treeMethod<T>(
   form: Form = courseForm,
 ): Method {
   const rung: Rung<T> = { arithmetic, form, solver, decidedBy, id: about.id };
+  const intersect = (shape: Shape, ray: Ray): Intersection => {
+    const formula = formulaOf(shape);
+    const values = valuesOf(shape, ray, arithmetic);
+    return formula.family === 'curved'
+      ? intersectCurved(formula, values, rung)
+      : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
+  };
   return {
     ...about,
     coefficients(shape, ray) {
@@ -49,13 +57,8 @@ export function treeMethod<T>(
       const { toNumber } = arithmetic;
       return { A: toNumber(A), B: toNumber(B), C: toNumber(C) } satisfies Coefficients;
     },
-    intersect(shape, ray) {
-      const formula = formulaOf(shape);
-      const values = valuesOf(shape, ray, arithmetic);
-      return formula.family === 'curved'
-        ? intersectCurved(formula, values, rung)
-        : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
-    },
+    intersect,
+    batch: (shape) => treeKernel(shape, intersect),
     solve: (A, B, C) => solveDoubles(A, B, C, rung),
     parts: (use) => use(arithmetic, form, solver),
   };

@@ -3,9 +3,11 @@ import { components } from '../formula/common.ts';
 import { squaredNorm, type Triple, type Values } from '../formula/evaluate.ts';
 import { norm, plus, scalar, squared, times, vec, vecMinus } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
+import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawDisc } from './flat-drawing.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
+import type { PlanarNumbers } from './numbers.ts';
 import { lengthParam, normalParam, pointParam } from './params.ts';
 import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
 
@@ -58,6 +60,18 @@ function cross<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): Triple<T> {
 
 const formula = planarFormula('C', BOUND);
 
+const NUMBERS: PlanarNumbers<Circle> = {
+  family: 'planar',
+  read: ({ normal, center, radius }) => ({
+    N: normal,
+    P: center,
+    bound: 'circle',
+    size: radius,
+    u: 0,
+    v: 0,
+  }),
+};
+
 export const circle: ShapeDefinition<Circle> = {
   kind: 'circle',
   title: 'circle',
@@ -74,6 +88,8 @@ export const circle: ShapeDefinition<Circle> = {
     scalars: { r: radius },
     vectors: { N: normal, C: center },
   }),
+  numbers: NUMBERS,
+  body: planarBody(NUMBERS.read),
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw: ({ normal, center, radius }) => ({

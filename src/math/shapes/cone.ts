@@ -1,8 +1,10 @@
 import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import { quadricBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { pointGrip, slopeGrip } from './grips.ts';
+import { isAt, type QuadricNumbers } from './numbers.ts';
 import { pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
@@ -15,6 +17,22 @@ export interface Cone {
 
 const QUADRIC: AxialQuadric = { center: 'V', a: squared(scalar('c')), rho: null };
 const formula = axialFormula(QUADRIC);
+
+const NUMBERS: QuadricNumbers<Cone> = {
+  family: 'quadric',
+  inTreeOrder: true,
+  read: ({ vertex: V, slope }) => ({
+    Cx: V[0],
+    Cy: V[1],
+    Cz: V[2],
+    hasY: true,
+    flare: slope,
+    squared: true,
+    r: 0,
+    hasR: false,
+  }),
+  holds: ({ vertex, slope }, q) => slope === q.flare && isAt(vertex, q),
+};
 
 export const cone: ShapeDefinition<Cone> = {
   kind: 'cone',
@@ -36,6 +54,8 @@ export const cone: ShapeDefinition<Cone> = {
   surface: axialSurface(QUADRIC),
   formula: () => formula,
   values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
+  numbers: NUMBERS,
+  body: quadricBody(NUMBERS.read),
   meaning: ({ slope }) =>
     slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),

@@ -1,8 +1,10 @@
 import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import { quadricBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
+import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { axisPoint, drawRevolution } from './revolve.ts';
 
@@ -16,6 +18,22 @@ export interface Cylinder {
 const QUADRIC: AxialQuadric = { center: 'C', a: null, rho: squared(scalar('r')) };
 const formula = axialFormula(QUADRIC);
 
+const NUMBERS: QuadricNumbers<Cylinder> = {
+  family: 'quadric',
+  inTreeOrder: true,
+  read: ({ center: C, radius }) => ({
+    Cx: C[0],
+    Cy: C[1],
+    Cz: C[2],
+    hasY: false,
+    flare: 0,
+    squared: false,
+    r: radius,
+    hasR: true,
+  }),
+  holds: ({ center, radius }, q) => radius === q.r && isAt(center, q),
+};
+
 export const cylinder: ShapeDefinition<Cylinder> = {
   kind: 'cylinder',
   title: 'cylinder',
@@ -28,6 +46,8 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   surface: axialSurface(QUADRIC),
   formula: () => formula,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
+  numbers: NUMBERS,
+  body: quadricBody(NUMBERS.read),
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw({ center, radius }, stage) {

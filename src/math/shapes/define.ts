@@ -2,7 +2,9 @@ import type { Values } from '../formula/evaluate.ts';
 import type { Relation } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { CurvedFormula } from './axial-quadric.ts';
+import type { Body } from './body.ts';
 import type { Drawing, Stage } from './drawing.ts';
+import type { KernelNumbers } from './numbers.ts';
 import type { Param } from './params.ts';
 import type { FlatFormula } from './planar.ts';
 
@@ -30,6 +32,10 @@ export interface ShapeDefinition<S extends { readonly kind: string }> {
   formula(shape: S): Formula;
   /** What its symbols stand for. */
   values(shape: S): Values<number>;
+  /** What the fast kernels need; null: its trees serve every method, slowly and with the same answers. */
+  readonly numbers: KernelNumbers<S>;
+  /** What a picture needs: extent, circles, convexity. */
+  readonly body: Body<S>;
   /** A sentence on what the shape's numbers mean, with its values put in; '' if there is nothing to add. */
   meaning(shape: S): string;
   /** The point that the picture keeps in view, and a length of the shape's own about it (0 if it has none). */

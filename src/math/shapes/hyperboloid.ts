@@ -1,8 +1,10 @@
 import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
+import { quadricBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
+import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
@@ -16,6 +18,22 @@ export interface Hyperboloid {
 
 const QUADRIC: AxialQuadric = { center: 'C', a: scalar('a'), rho: squared(scalar('r')) };
 const formula = axialFormula(QUADRIC);
+
+const NUMBERS: QuadricNumbers<Hyperboloid> = {
+  family: 'quadric',
+  inTreeOrder: true,
+  read: ({ center: C, flare, radius }) => ({
+    Cx: C[0],
+    Cy: C[1],
+    Cz: C[2],
+    hasY: true,
+    flare,
+    squared: false,
+    r: radius,
+    hasR: true,
+  }),
+  holds: ({ center, flare, radius }, q) => flare === q.flare && radius === q.r && isAt(center, q),
+};
 
 export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   kind: 'hyperboloid',
@@ -41,6 +59,8 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
     scalars: { a: flare, r: radius },
     vectors: { C: center },
   }),
+  numbers: NUMBERS,
+  body: quadricBody(NUMBERS.read),
   meaning: ({ flare, radius }) => nameOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw: ({ center, flare, radius }, stage) => ({

@@ -6,8 +6,10 @@ import { checkParam } from './params.ts';
 /** The registry's entry for a kind, or undefined. */
 export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
   // One entry's functions take that entry's shape only; whoever looks one up by a shape's kind passes that shape.
-  return SHAPES.find((shape) => shape.kind === kind) as ShapeDefinition<Shape> | undefined;
+  return BY_KIND.get(kind) as ShapeDefinition<Shape> | undefined;
 }
+
+const BY_KIND: ReadonlyMap<unknown, unknown> = new Map(SHAPES.map((shape) => [shape.kind, shape]));
 
 export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   const found = findShape(shape?.kind);

@@ -1,7 +1,9 @@
 import type { Vec3 } from '../vec3.ts';
+import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawPlane } from './flat-drawing.ts';
 import { pointGrip } from './grips.ts';
+import type { PlanarNumbers } from './numbers.ts';
 import { normalParam, pointParam } from './params.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
@@ -12,6 +14,11 @@ export interface Plane {
 }
 
 const formula = planarFormula('P', null);
+
+const NUMBERS: PlanarNumbers<Plane> = {
+  family: 'planar',
+  read: ({ normal, point }) => ({ N: normal, P: point, bound: 'none', size: 0, u: 0, v: 0 }),
+};
 
 export const plane: ShapeDefinition<Plane> = {
   kind: 'plane',
@@ -25,6 +32,8 @@ export const plane: ShapeDefinition<Plane> = {
   surface: planarSurface('P'),
   formula: () => formula,
   values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
+  numbers: NUMBERS,
+  body: planarBody(NUMBERS.read),
   meaning: () => '',
   anchor: ({ point }) => ({ at: point, size: 0 }),
   draw: ({ normal, point }, stage) => ({

@@ -2,9 +2,11 @@ import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Triple, Values } from '../formula/evaluate.ts';
 import { comp, num, plus, type Relation, scalar, times } from '../formula/expr.ts';
 import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
+import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
 import { drawSquare, inPlaneAxes, unitAlong } from './flat-drawing.ts';
 import { pointGrip, sideGrip } from './grips.ts';
+import type { PlanarNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
 
@@ -91,6 +93,21 @@ const FORMULAS: Readonly<Record<Axis, FlatFormula>> = {
   z: planarFormula('P', boundOf('z')),
 };
 
+const NUMBERS: PlanarNumbers<Square> = {
+  family: 'planar',
+  read: ({ corner, side, axis }) => {
+    const n = axisIndex(axis);
+    return {
+      N: unitAlong(axis),
+      P: corner,
+      bound: 'square',
+      size: side,
+      u: n === 0 ? 1 : 0,
+      v: n === 2 ? 1 : 2,
+    };
+  },
+};
+
 export const square: ShapeDefinition<Square> = {
   kind: 'square',
   title: 'square',
@@ -107,6 +124,8 @@ export const square: ShapeDefinition<Square> = {
     scalars: { L: side },
     vectors: { N: unitAlong(axis), P: corner },
   }),
+  numbers: NUMBERS,
+  body: planarBody(NUMBERS.read),
   meaning: ({ side }) => (side === 0 ? 'L = 0: only the corner is left' : ''),
   anchor: ({ corner, side, axis }) => ({
     at: middle(corner, side, axis),

@@ -1,4 +1,3 @@
-import { quadricOf } from '../../math/batch/quadric.ts';
 import { InvalidInput } from '../../math/invalid-input.ts';
 import type { Shape, ShapeKind } from '../../math/shapes/index.ts';
 import { definitionOf } from '../../math/shapes/lookup.ts';
@@ -52,7 +51,7 @@ export function withHeights(thing: Placed, on: boolean): Placed {
 }
 
 /** Only round shapes have circles for ends. */
-export const canBeCapped = (shape: Shape): boolean => quadricOf(shape) !== null;
+export const canBeCapped = (shape: Shape): boolean => definitionOf(shape).body.circleAt !== null;
 
 export function withPattern(material: Material, pattern: Paint['pattern']): Material {
   const { paint } = material;

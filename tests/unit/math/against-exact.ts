@@ -24,7 +24,7 @@ const out = createAnswers(1);
 export function disagreement(shape: Shape, ray: Ray): string | null {
   const truth = exactHits(shape, ray);
   const found = intersect(shape, ray, 'certified');
-  const kernel = certified.batch?.(shape);
+  const kernel = certified.batch(shape);
   if (!kernel) return `no kernel for ${shape.kind}`;
   const rays = packRays([ray]);
   kernel.classes(rays, out);

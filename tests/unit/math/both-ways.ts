@@ -71,7 +71,7 @@ export function ask(fast: boolean, form: Ask, shape: Shape, rays: Rays, out: Ans
     if (!accelerate()) throw new Error('this engine has no WebAssembly vectors');
   } else decelerate();
   try {
-    const kernel = certified.batch?.(shape);
+    const kernel = certified.batch(shape);
     if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
     if (form === 'first') kernel.first(rays, 0, Number.POSITIVE_INFINITY, out);
     else kernel[form](rays, out);

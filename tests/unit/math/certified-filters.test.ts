@@ -23,9 +23,9 @@ function filtersAgree({ shape, ray }: Question): void {
   const out = createAnswers(1);
   exactKernel(shape)?.both(rays, out);
   const [truth] = verdictsOfRoots(out, 1);
-  const kernel = certified.batch?.(shape);
-  kernel?.classes(rays, out);
-  const [byClasses] = verdictsOfClasses(out, 1, kernel?.met ?? 'two');
+  const kernel = certified.batch(shape);
+  kernel.classes(rays, out);
+  const [byClasses] = verdictsOfClasses(out, 1, kernel.met);
   expect([JSON.stringify({ shape, ray }), byClasses, disagreement(shape, ray)]).toEqual([
     JSON.stringify({ shape, ray }),
     truth,

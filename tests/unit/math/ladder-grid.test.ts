@@ -190,7 +190,7 @@ describe(`certified at every one of ${rays.length} rays`, () => {
 
   /** What the batch gets wrong: each class, by roots and by `classes`, and each root that is a quotient of whole numbers. */
   function wrongInBatch(shape: Shape, expected: (ray: Ray) => Expected): unknown[] {
-    const kernel = certified.batch?.(shape);
+    const kernel = certified.batch(shape);
     if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
     kernel.classes(packed, out);
     const byClass = verdictsOfClasses(out, rays.length, kernel.met);

@@ -16,7 +16,7 @@ async function fresh() {
   const { shape, rays } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(seeded(181), 300);
   const roots = () => {
     const out = batch.createAnswers(rays.length);
-    certified.batch?.(shape).both(batch.packRays(rays), out);
+    certified.batch(shape).both(batch.packRays(rays), out);
     return { out, roots: [...out.t0, ...out.t1] };
   };
   return { accelerate, decelerate, roots };

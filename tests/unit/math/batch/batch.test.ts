@@ -82,7 +82,7 @@ function byObject(method: Method, { shape, rays }: Question) {
 }
 
 function byBatch(method: Method, { shape, rays }: Question) {
-  const kernel = method.batch?.(shape);
+  const kernel = method.batch(shape);
   if (!kernel) throw new Error(`${method.id} has no kernel`);
   const packed = packRays(rays);
   const out = createAnswers(rays.length);
@@ -110,10 +110,10 @@ describe.each(METHODS.filter(({ batch }) => batch).map((m) => [m.id, m as Method
 
     test('first is the smallest root in the interval', () => {
       for (const { id, shape, rays } of families) {
-        const kernel = method.batch?.(shape);
+        const kernel = method.batch(shape);
         const packed = packRays(rays);
         const out = createAnswers(rays.length);
-        kernel?.first(packed, 0.25, 4, out);
+        kernel.first(packed, 0.25, 4, out);
         const firsts = rays.map((ray) => {
           const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
           return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;

@@ -1,0 +1,18 @@
+import { exact } from './arithmetic/exact.ts';
+import { evaluate } from './formula/evaluate.ts';
+import type { Sign } from './intersection.ts';
+import { valuesOf } from './methods/tree-method.ts';
+import type { Shape } from './shapes/index.ts';
+import { definitionOf } from './shapes/lookup.ts';
+import type { Vec3 } from './vec3.ts';
+
+/**
+ * On which side of a curved surface a point lies, exactly: the sign of C for a ray from there, −1
+ * inside, 0 on the surface, 1 outside. Null for a flat shape, which has no inside.
+ */
+export function sideOf(shape: Shape, at: Vec3): Sign | null {
+  const formula = definitionOf(shape).formula(shape);
+  if (formula.family === 'flat') return null;
+  const values = valuesOf(shape, { origin: at, direction: [1, 0, 0] }, exact);
+  return exact.sign(evaluate(formula.C, exact, values)) as Sign;
+}
