@@ -1,17 +1,11 @@
+import { type Surd, toNumber } from '../math/exact/surd.ts';
 import type { Method } from '../math/methods/define.ts';
 import { display } from '../text/format.ts';
+import { type Cause, inputsOf, size } from './causes.ts';
 import { digitCount } from './digits.ts';
-import { inputsOf, type Losses, magnitude, type Step } from './losses.ts';
+import type { Losses, Step } from './losses.ts';
 import { plainText } from './plain.ts';
 import type { MethodRow } from './this-ray.ts';
-import type { Operation } from './trace.ts';
-
-/** How many of the leading digits a sum's terms share and so take away from each other. */
-function cancelled(step: Operation): number {
-  const largest = Math.max(...inputsOf(step).map(({ exact }) => magnitude(exact)));
-  const left = magnitude(step.exact);
-  return left > 0 ? Math.max(0, Math.log10(largest / left)) : Number.POSITIVE_INFINITY;
-}
 
 /** The name of a step in a sentence: its letter and what it is. */
 function nameOf(step: Step): string {
@@ -19,37 +13,56 @@ function nameOf(step: Step): string {
   return letter === null || letter === step.text ? step.text : `${letter} = ${step.text}`;
 }
 
-const range = ({ own, exact, inputs }: Operation): 'overflow' | 'underflow' | null => {
-  if (!Number.isFinite(own) && inputs.every((input) => Number.isFinite(input.own)))
-    return 'overflow';
-  return own === 0 && exact !== null && exact.u.m !== 0n && inputs.every((input) => input.own !== 0)
-    ? 'underflow'
-    : null;
-};
-
 /** Why the step lost its digits, in a sentence. */
 export function whyLost(step: Step): string {
   const name = nameOf(step);
   const left = digitCount(step.digits ?? 0);
-  const rest = left === 0 ? 'no digit is left' : `${left} of 16 digits are left`;
-  if (step.inputs.length === 0) return `${name} is rounded before anything is computed: ${rest}.`;
-  const beyond = range(step);
-  if (beyond === 'overflow') return `${name} is larger than the largest number there is: ${rest}.`;
-  if (beyond === 'underflow')
-    return `${name} is smaller than the smallest number there is: ${rest}.`;
-  if (step.expr.op === 'sum') {
-    const gone = cancelled(step);
-    const inputs = inputsOf(step).map(({ expr, letter }) => plainText(letter ?? expr));
-    if (gone === Number.POSITIVE_INFINITY) {
-      return `${name} is exactly 0: what comes out is the rounding of ${listed(inputs)}.`;
+  const rest =
+    left === 0 ? 'no digit is left' : `${left} of 16 digits ${left === 1 ? 'is' : 'are'} left`;
+  const { cause, exact } = step;
+  const terms = inputsOf(step).map(({ expr, letter }) => plainText(letter ?? expr));
+  switch (cause?.kind) {
+    case 'input':
+      return isOut(step)
+        ? `${name} is out of the range of 32-bit numbers before anything is computed: ${rest}.`
+        : `${name} is rounded before anything is computed: ${rest}.`;
+    case 'division':
+      return `${name}: the divisor may be 0, and ${rest}.`;
+    case 'overflow':
+      return `${within(name, cause)} is larger than the largest number there is: ${rest}.`;
+    case 'underflow':
+      return cause.flushed
+        ? `${within(name, cause)} is smaller than the smallest number there is: ${rest}.`
+        : `${within(name, cause)} is below the smallest number that has all its digits: ${rest}.`;
+    case 'zero':
+      return `${name} is exactly 0: what comes out is what was rounded off before.`;
+    case 'total':
+      return `${name}: ${leading(terms)}, ${shown(exact)}, is no larger than what was rounded off before: ${rest}.`;
+    case 'cancellation': {
+      const [share, cancel] =
+        cause.digits === 1
+          ? ['first digit', 'cancels']
+          : [`first ${cause.digits} digits`, 'cancel'];
+      return `${name}: the ${share} of ${listed(terms)} ${cancel}, and what was rounded behind them moves to the front; ${rest}.`;
     }
-    if (gone >= 1) {
-      const share = Math.floor(gone) === 1 ? 'first digit' : `first ${Math.floor(gone)} digits`;
-      return `${name}: the ${share} of ${listed(inputs)} cancel, and what was rounded behind them moves to the front; ${rest}.`;
-    }
+    default:
+      return `${name}: ${rest}, ${display(step.lost, 2)} fewer than went in.`;
   }
-  return `${name}: ${rest}, ${display(step.lost, 2)} fewer than went in.`;
 }
+
+/** An input that became 0 or an infinity. */
+const isOut = ({ own }: Step): boolean => own === 0 || !Number.isFinite(own);
+
+const within = (name: string, cause: { readonly within: boolean }): string =>
+  cause.within ? `${name}: a number on the way` : name;
+
+/** Two terms of a difference agree; of more than two only their sum can be said to be small. */
+const leading = (terms: readonly string[]): string =>
+  terms.length === 2
+    ? `all leading digits of ${listed(terms)} agree; the difference`
+    : `all leading digits of ${listed(terms)} cancel; the sum`;
+
+const shown = (exact: Surd | null): string => (exact ? display(toNumber(size(exact)), 3) : '');
 
 function listed(names: readonly string[]): string {
   return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
@@ -62,12 +75,19 @@ export function whereLost({ method, found, judgement, digits }: MethodRow, losse
   if (judgement === 'right' && (digits === null || digits >= 15.6)) return noneLost(method);
   const { worst } = losses;
   if (!worst) return judgement === 'right' ? 'a little at every step' : 'in the last comparison';
-  if (worst.inputs.length === 0) return 'the inputs: 24 bits';
-  const beyond = range(worst);
-  if (beyond) return `${shortName(worst)}: ${beyond}`;
-  const equal = worst.expr.op === 'sum' && cancelled(worst) >= 1;
-  return equal ? `${shortName(worst)}: nearly equal numbers` : `in ${shortName(worst)}`;
+  if (worst.inputs.length === 0) return `the inputs: ${isOut(worst) ? 'out of range' : '24 bits'}`;
+  const words = worst.cause && BRIEFLY[worst.cause.kind];
+  return words ? `${shortName(worst)}: ${words}` : `in ${shortName(worst)}`;
 }
+
+const BRIEFLY: Readonly<Partial<Record<Cause['kind'], string>>> = {
+  division: 'divided by what may be 0',
+  overflow: 'overflow',
+  underflow: 'underflow',
+  zero: 'exactly 0, left are rounding errors',
+  total: 'all digits cancel',
+  cancellation: 'nearly equal numbers',
+};
 
 function noneLost(method: Method): string {
   if (method.id === 'exact') return 'none: correctly rounded';
@@ -84,7 +104,7 @@ function shortName(step: Step): string {
 
 /** The sign that the method could not tell, the first of them. */
 function undecidedBy({ steps }: Losses): string {
-  const overflow = steps.find((step) => range(step) === 'overflow');
+  const overflow = steps.find(({ cause }) => cause?.kind === 'overflow');
   if (overflow) return `${shortName(overflow)} overflows`;
   const unknown = steps.filter(({ sign }) => Number.isNaN(sign));
   const decisive = unknown.find(({ letter }) => letter && 'id' in letter && letter.id === 'D');

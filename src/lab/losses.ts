@@ -1,11 +1,12 @@
-import { type Surd, toNumber } from '../math/exact/surd.ts';
+import { exact } from '../math/arithmetic/exact.ts';
 import type { Expr } from '../math/formula/expr.ts';
 import type { Method } from '../math/methods/define.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
+import { absorbedBy, type Cause, causeOf, inputsOf, overflows } from './causes.ts';
 import { MOST_DIGITS } from './digits.ts';
 import { plainText } from './plain.ts';
-import { operationsOf } from './steps.ts';
+import { formatOf, operationsOf } from './steps.ts';
 import type { Operation } from './trace.ts';
 
 /** A line of "where did the digits go?". */
@@ -14,6 +15,8 @@ export interface Step extends Operation {
   readonly text: string;
   /** How many digits fewer than the worst of its inputs has; 0 if none. */
   readonly lost: number;
+  /** Why; null where it lost less than half a digit and stayed within the range. */
+  readonly cause: Cause | null;
 }
 
 export interface Losses {
@@ -28,6 +31,7 @@ const WORTH_TELLING = 0.5;
 /** The steps that a person would write down, in order, each once, with the digits that each one has lost. */
 export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
   const all = operationsOf(method, shape, ray);
+  const format = formatOf(method);
   const absorbed = new Set(all.flatMap(absorbedBy));
   const seen = new Set<string>();
   const steps: Step[] = [];
@@ -38,20 +42,17 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
     // Both roots are t, and both are told.
     if (seen.has(key)) continue;
     seen.add(key);
-    steps.push({ ...operation, text, lost: lostBy(operation) });
+    const lost = lostBy(operation);
+    // Exact numbers have no end: only how they are shown has.
+    const leaves = format !== exact.id && overflows(operation);
+    const cause = lost > WORTH_TELLING || leaves ? causeOf(operation, format) : null;
+    steps.push({ ...operation, text, lost, cause });
   }
   const worst = steps.reduce<Step | null>(
     (most, step) => (step.lost > (most?.lost ?? WORTH_TELLING) ? step : most),
     null,
   );
   return { steps, worst };
-}
-
-/** A sum that only became a longer sum has no line of its own, nor a product that became a longer product. */
-function absorbedBy({ expr, inputs }: Operation): readonly Operation[] {
-  const [first] = inputs;
-  const grew = first && first.letter === null && first.expr.op === expr.op;
-  return grew && (expr.op === 'sum' || expr.op === 'product') ? [first] : [];
 }
 
 /** Changes of sign and doublings are exact, and an input is worth a line only where it had to be rounded. */
@@ -67,19 +68,8 @@ function isTrivial({ expr, letter, inputs, digits }: Operation): boolean {
 
 const isNumber = ({ op }: Expr): boolean => op === 'number';
 
-/** What really went in: the terms or factors, not the partial sums. */
-export function inputsOf(operation: Operation): readonly Operation[] {
-  const [first, ...rest] = operation.inputs;
-  return first && absorbedBy(operation).includes(first)
-    ? [...inputsOf(first), ...rest]
-    : operation.inputs;
-}
-
 function lostBy(operation: Operation): number {
   if (operation.digits === null) return 0;
   const before = Math.min(MOST_DIGITS, ...inputsOf(operation).map(({ digits }) => digits ?? 0));
   return Math.max(0, before - operation.digits);
 }
-
-export const magnitude = (x: Surd | null): number =>
-  x === null ? Number.NaN : Math.abs(toNumber(x));

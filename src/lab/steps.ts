@@ -33,6 +33,10 @@ export function operationsOf(method: Method, shape: Shape, ray: Ray): readonly O
     : [];
 }
 
+/** The arithmetic of those operations. */
+export const formatOf = (method: Method): string =>
+  (method.parts ?? exact.parts)?.(({ id }) => id) ?? exact.id;
+
 function run<T>(
   own: Arithmetic<T>,
   form: Form,
