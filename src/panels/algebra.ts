@@ -5,7 +5,7 @@ import { type Expr, plus, scalar } from '../math/formula/expr.ts';
 import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import type { Comparison } from '../state/words.ts';
+import type { Comparison, Piece } from '../state/verdict-parts.ts';
 import { display } from '../text/format.ts';
 import { formula } from './formula.ts';
 import { hitTable } from './hits.ts';
@@ -111,17 +111,20 @@ function conditionLine(
 }
 
 function verdict({
-  verdict: { relations, text },
+  verdict: { relations, pieces },
   found,
   contradicted,
   derivation,
 }: ExploreModel): TemplateResult {
   return html`<p class="verdict">
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
-    <strong>${text}</strong></span>
+    <strong>${pieces.map(said)}</strong></span>
     ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}</span>` : nothing}
   </p>`;
 }
+
+const said = (piece: Piece): TemplateResult | string =>
+  typeof piece === 'string' ? piece : value(piece.quantity, piece.value);
 
 function concealed(): TemplateResult {
   return html`<p class="verdict">Hidden. Predict first, then reveal line by line.</p>`;

@@ -67,15 +67,18 @@ export function createDerive(): (state: AppState) => ExploreModel {
   return (state) => {
     const shape = shapeOf(state);
     const definition = definitionOf(shape);
-    const { title, meaning } = definition;
+    const { meaning } = definition;
+    const title = definition.named(shape).name;
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
+    const verdict = verdictWords(found, shape, r);
     const exactClass = state.method === 'exact' ? found.class : check(shape, r);
     const graph = strip(found, shape, r, state.bead);
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
     const scene = sceneOf({
-      shape: definition,
+      title,
+      verdict: verdict.text,
       ray: r,
       found,
       stage: s,
@@ -96,7 +99,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       found,
       contradicted: exactClass === found.class ? null : exactClass,
       derivation: derived,
-      verdict: verdictWords(found, definition),
+      verdict,
       hits: hitWords(found),
       strip: shown.hits ? graph : { ...graph, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene),

@@ -12,10 +12,12 @@ import { pointAt, stretchesOf } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
 import { windowOf } from './window.ts';
-import { hitSentence, hitWords, type Named, verdictWords } from './words.ts';
+import { hitSentence, hitWords } from './words.ts';
 
 interface Parts {
-  readonly shape: Named;
+  /** What the shape is, and the case in words. */
+  readonly title: string;
+  readonly verdict: string;
   readonly ray: Ray;
   readonly found: Intersection;
   readonly stage: Stage;
@@ -27,13 +29,13 @@ interface Parts {
 }
 
 export function sceneOf(parts: Parts): SceneModel {
-  const { shape, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
+  const { title, verdict, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
   const hits = hitMarks(found, stage);
   const reach = clipToStage(ray, stage, strip);
   const originDrawn = isDrawn(ray.origin, stage);
   const point: Vec3 = strip.bead.point;
   return {
-    shapeTitle: shape.title,
+    shapeTitle: title,
     stage,
     drawing,
     ray: {
@@ -51,7 +53,7 @@ export function sceneOf(parts: Parts): SceneModel {
     handles,
     view,
     notes: notesOf(ray, hits, originDrawn),
-    description: describe(shape, ray, found),
+    description: describe(title, verdict, ray, found),
   };
 }
 
@@ -121,12 +123,19 @@ function notesOf(ray: Ray, hits: readonly HitMark[], originDrawn: boolean): stri
   return originDrawn ? outside : [E, ...outside];
 }
 
-function describe(shape: Named, { origin, direction }: Ray, found: Intersection): string {
-  const { text } = verdictWords(found, shape);
+function describe(
+  title: string,
+  verdict: string,
+  { origin, direction }: Ray,
+  found: Intersection,
+): string {
   const hits = hitWords(found).map((words, i) => {
     const hit = found.hits[i];
     return `${hitSentence(words)}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
   });
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
-  return [`${from} and a ${shape.title}: ${text}.`, ...hits].join(' ');
+  return [`${from} and ${withArticle(title)}: ${verdict}.`, ...hits].join(' ');
 }
+
+/** 'a cone', 'an ellipsoid' */
+const withArticle = (noun: string): string => `${/^[aeiou]/.test(noun) ? 'an' : 'a'} ${noun}`;

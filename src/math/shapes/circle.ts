@@ -45,6 +45,17 @@ const BOUND: Bound = {
     const { C, r } = get(values);
     return ar.sub(ar.sqrt(squaredNorm(between(x, C, ar), ar)), r);
   },
+  /** |E − C + t d|² = r², which is A t² + 2 B t + C = 0. */
+  span(values, ar) {
+    const { E, d, C, r } = get(values);
+    const from = between(E, C, ar);
+    const [A, B] = [squaredNorm(d, ar), inner(d, from, ar)];
+    const c = ar.sub(squaredNorm(from, ar), ar.sqr(r));
+    const D = ar.sub(ar.sqr(B), ar.mul(A, c));
+    if (ar.sign(D) < 0) return null;
+    const root = ar.sqrt(D);
+    return [ar.div(ar.sub(ar.neg(B), root), A), ar.div(ar.sub(root, B), A)];
+  },
   /** The line's distance from C is |d × (E − C)| / |d|; squared and freed of the quotient it is exact. */
   meetsLine(values, ar) {
     const { E, d, C, r } = get(values);
@@ -52,6 +63,11 @@ const BOUND: Bound = {
     return notPositive(ar.sign(ar.sub(moment, ar.mul(ar.sqr(r), squaredNorm(d, ar)))));
   },
 };
+
+function inner<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): T {
+  const [x, y, z] = [ar.mul(a[0], b[0]), ar.mul(a[1], b[1]), ar.mul(a[2], b[2])];
+  return ar.add(ar.add(x, y), z);
+}
 
 function cross<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): Triple<T> {
   const minor = (i: 0 | 1 | 2, j: 0 | 1 | 2): T => ar.sub(ar.mul(a[i], b[j]), ar.mul(a[j], b[i]));
@@ -75,7 +91,16 @@ const NUMBERS: PlanarNumbers<Circle> = {
 export const circle: ShapeDefinition<Circle> = {
   kind: 'circle',
   title: 'circle',
-  places: null,
+  named: ({ radius }) => ({
+    name: 'circle',
+    singular: null,
+    straight: null,
+    border: [
+      radius === 0
+        ? 'the centre, all that is left of the circle'
+        : 'on the rim, which belongs to the circle',
+    ],
+  }),
   icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
   params: [
     normalParam([1, 0.5, 0]),

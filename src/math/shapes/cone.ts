@@ -2,7 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import type { ShapeDefinition } from './define.ts';
+import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
 import { pointGrip, slopeGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { pointParam } from './params.ts';
@@ -34,10 +34,18 @@ const NUMBERS: QuadricNumbers<Cone> = {
   holds: ({ vertex, slope }, q) => slope === q.flare && isAt(vertex, q),
 };
 
+/** A cone that has a width, wherever it comes from. */
+export const CONE: Naming = {
+  name: 'cone',
+  singular: 'the vertex',
+  straight: 'a generator',
+  border: [],
+};
+
 export const cone: ShapeDefinition<Cone> = {
   kind: 'cone',
   title: 'cone',
-  places: { singular: 'the vertex', straight: 'a generator' },
+  named: ({ slope }) => (slope === 0 ? AXIS : CONE),
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
   params: [
     pointParam({ key: 'vertex', symbol: 'V', title: 'vertex', initial: [0, 3, 0] }),

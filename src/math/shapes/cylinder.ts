@@ -2,7 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import type { ShapeDefinition } from './define.ts';
+import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
@@ -34,10 +34,18 @@ const NUMBERS: QuadricNumbers<Cylinder> = {
   holds: ({ center, radius }, q) => radius === q.r && isAt(center, q),
 };
 
+/** A cylinder that has a width, wherever it comes from. */
+export const CYLINDER: Naming = {
+  name: 'cylinder',
+  singular: null,
+  straight: 'the axis',
+  border: [],
+};
+
 export const cylinder: ShapeDefinition<Cylinder> = {
   kind: 'cylinder',
   title: 'cylinder',
-  places: { singular: 'the axis', straight: 'the axis' },
+  named: ({ radius }) => (radius === 0 ? AXIS : CYLINDER),
   icon: 'M6 6v12a6 2.4 0 0 0 12 0V6M6 6a6 2.4 0 0 0 12 0a6 2.4 0 0 0 -12 0',
   params: [
     pointParam({ key: 'center', symbol: 'C', title: 'centre of the axis', initial: [0, 1, 0] }),

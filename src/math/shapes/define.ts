@@ -10,19 +10,34 @@ import type { FlatFormula } from './planar.ts';
 
 export type Formula = CurvedFormula | FlatFormula;
 
-export interface Places {
-  /** Where its normal is zero: 'the vertex'. */
-  readonly singular: string;
-  /** What a ray with A = 0 is parallel to: 'the axis', 'a generator'. */
-  readonly straight: string;
+/** What a shape is with its present parameters, and how its special places are called. */
+export interface Naming {
+  /** 'cone', 'sphere'; 'axis' or 'point' where that is all that is left. */
+  readonly name: string;
+  /** Where its normal is zero: 'the vertex'; null where the normal is zero nowhere. */
+  readonly singular: string | null;
+  /** What a ray with A = 0 is parallel to: 'the axis'; null where A is never 0, or does not exist. */
+  readonly straight: string | null;
+  /** Where a point of a figure lies when 1, 2, … of its conditions hold with equality. */
+  readonly border: readonly string[];
 }
+
+/** What is left of a surface of revolution that has no width. */
+export const AXIS: Naming = {
+  name: 'axis',
+  singular: 'the axis',
+  straight: 'the axis',
+  border: [],
+};
 
 /** A shape of the registry: name, parameters, formula and picture in one value. */
 export interface ShapeDefinition<S extends { readonly kind: string }> {
   readonly kind: S['kind'];
   readonly title: string;
-  /** How its special places are called in words; a flat shape has none. */
-  readonly places: Places | null;
+  /** Names that people may look for, and the parameters of this shape that make it one. */
+  readonly alsoCalled?: Readonly<Record<string, string>>;
+  /** A hyperboloid may be a sphere, and a cone of slope 0 only its axis. */
+  named(shape: S): Naming;
   /** Its picture in menus: an SVG path in a box of 24 by 24. */
   readonly icon: string;
   readonly params: readonly Param[];

@@ -2,7 +2,9 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import type { ShapeDefinition } from './define.ts';
+import { CONE } from './cone.ts';
+import { CYLINDER } from './cylinder.ts';
+import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
 import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
@@ -38,7 +40,8 @@ const NUMBERS: QuadricNumbers<Hyperboloid> = {
 export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   kind: 'hyperboloid',
   title: 'hyperboloid',
-  places: { singular: 'a singular point', straight: 'a generator' },
+  alsoCalled: { sphere: 'a = -1', ellipsoid: 'a < 0' },
+  named: ({ flare, radius }) => nameOf(flare, radius),
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
   params: [
     pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
@@ -61,7 +64,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),
-  meaning: ({ flare, radius }) => nameOf(flare, radius),
+  meaning: ({ flare, radius }) => meaningOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw: ({ center, flare, radius }, stage) => ({
     ...drawRevolution({ center, a: flare, r: radius }, 'C', stage),
@@ -74,7 +77,19 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
 };
 
 /** What (x−Cx)² + (z−Cz)² = a(y−Cy)² + r² is, as a and r move. */
-function nameOf(a: number, r: number): string {
+function nameOf(a: number, r: number): Naming {
+  if (r === 0) {
+    if (a > 0) return CONE;
+    return a === 0 ? AXIS : { ...CLOSED, name: 'point', singular: 'the centre' };
+  }
+  if (a === 0) return CYLINDER;
+  if (a < 0) return { ...CLOSED, name: a === -1 ? 'sphere' : 'ellipsoid' };
+  return { name: 'hyperboloid', singular: null, straight: 'a generator', border: [] };
+}
+
+const CLOSED = { singular: null, straight: null, border: [] } as const;
+
+function meaningOf(a: number, r: number): string {
   if (r === 0) {
     if (a > 0) return 'r = 0: a cone';
     return a === 0

@@ -55,6 +55,11 @@ export interface Bound {
   readonly momentConditions: readonly Relation[];
   /** Euclidean distance of X from the figure, for an X outside of it. */
   distance<T>(x: Triple<T>, values: Values<T>, arithmetic: Arithmetic<T>): T;
+  /**
+   * For a ray in the figure's plane: from which t to which t its line is in the figure, both included; null where it
+   * passes beside. Asked in exact arithmetic only.
+   */
+  span<T>(values: Values<T>, exact: Arithmetic<T>): readonly [T, T] | null;
   /** For a ray in the figure's plane: does its line meet the figure? Null where the arithmetic cannot tell. */
   meetsLine<T>(values: Values<T>, arithmetic: Arithmetic<T>): boolean | null;
 }

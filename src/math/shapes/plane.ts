@@ -23,7 +23,7 @@ const NUMBERS: PlanarNumbers<Plane> = {
 export const plane: ShapeDefinition<Plane> = {
   kind: 'plane',
   title: 'plane',
-  places: null,
+  named: () => ({ name: 'plane', singular: null, straight: null, border: [] }),
   icon: 'M6.5 7.5h14l-4.5 9h-14z',
   params: [
     normalParam([1, 1, 0.5]),

@@ -57,6 +57,7 @@ function boundOf(axis: Axis): Bound {
       const v = beyond(x[j], P[j], L, ar);
       return ar.sqrt(ar.add(ar.sqr(u), ar.sqr(v)));
     },
+    span: (values, ar) => common(throughSlab(values, ar, i), throughSlab(values, ar, j), ar),
     meetsLine: (values, ar) => cornersOnBothSides(values, ar, i, j),
   };
 }
@@ -67,6 +68,30 @@ const get = <T>(values: Values<T>) => ({
   P: values.vectors.P as Triple<T>,
   L: values.scalars.L as T,
 });
+
+type Span<T> = readonly [T, T] | 'always' | null;
+
+/** The t at which P ≤ E + t d ≤ P + L, in one coordinate. */
+function throughSlab<T>(values: Values<T>, ar: Arithmetic<T>, i: 0 | 1 | 2): Span<T> {
+  const { E, d, P, L } = get(values);
+  const from = ar.sub(P[i], E[i]);
+  const to = ar.add(from, L);
+  const rate = d[i];
+  const turn = ar.sign(rate);
+  if (turn === 0) return ar.sign(from) <= 0 && ar.sign(to) >= 0 ? 'always' : null;
+  const [first, second] = turn > 0 ? [from, to] : [to, from];
+  return [ar.div(first, rate), ar.div(second, rate)];
+}
+
+/** Both at once; a line along neither coordinate would be no line. */
+function common<T>(a: Span<T>, b: Span<T>, ar: Arithmetic<T>): readonly [T, T] | null {
+  if (a === null || b === null) return null;
+  if (a === 'always') return b === 'always' ? null : b;
+  if (b === 'always') return a;
+  const from = ar.sign(ar.sub(a[0], b[0])) > 0 ? a[0] : b[0];
+  const to = ar.sign(ar.sub(a[1], b[1])) < 0 ? a[1] : b[1];
+  return ar.sign(ar.sub(to, from)) < 0 ? null : [from, to];
+}
 
 /** A line meets a square iff its corners do not all lie strictly on one side of it. */
 function cornersOnBothSides<T>(
@@ -111,7 +136,15 @@ const NUMBERS: PlanarNumbers<Square> = {
 export const square: ShapeDefinition<Square> = {
   kind: 'square',
   title: 'square',
-  places: null,
+  named: ({ side }) => ({
+    name: 'square',
+    singular: null,
+    straight: null,
+    border:
+      side === 0
+        ? Array(4).fill('the corner, all that is left of the square')
+        : ['on an edge, which belongs to the square', 'at a corner, which belongs to the square'],
+  }),
   icon: 'M12 5.5L21.5 12L12 18.5L2.5 12z',
   params: [
     pointParam({ key: 'corner', symbol: 'P', title: 'corner', initial: [0, 0, -1] }),

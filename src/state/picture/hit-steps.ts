@@ -24,14 +24,13 @@ export interface SurfaceSteps {
 export function surfaceSteps(shape: Shape, ray: Ray, method: string): SurfaceSteps | null {
   try {
     const found = intersect(shape, ray, method);
-    const definition = definitionOf(shape);
     const { f, steps, numbers } = derivation(shape, ray, found);
     const roots = hitWords(found).map(hitSentence);
     return {
-      title: definition.title,
+      title: definitionOf(shape).named(shape).name,
       f,
       lines: steps.filter(({ value }) => value !== null).map((step) => ({ step, numbers })),
-      verdict: [verdictWords(found, definition).text, ...roots].join('; '),
+      verdict: [verdictWords(found, shape, ray).text, ...roots].join('; '),
     };
   } catch (error) {
     if (error instanceof InvalidInput) return null;

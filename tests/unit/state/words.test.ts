@@ -2,7 +2,6 @@ import { describe, expect, test } from 'vitest';
 import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
-import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { hitSentence, hitWords, verdictWords } from '../../../src/state/words.ts';
 import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math/shorthand.ts';
@@ -10,7 +9,7 @@ import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math
 const O: Vec3 = [0, 0, 0];
 const said = (shape: Shape, r: Ray, method = 'exact') => {
   const found = intersect(shape, r, method);
-  const { relations, text } = verdictWords(found, definitionOf(shape));
+  const { relations, text } = verdictWords(found, shape, r);
   const symbols = relations.map(({ left, relation, right }) => `${left} ${relation} ${right}`);
   return { symbols: symbols.join(', '), text, hits: hitWords(found).map(hitSentence) };
 };
@@ -54,7 +53,7 @@ const CURVED: readonly Case[] = [
     shape: cylinder(O, 1),
     ray: ray([1, 0, 0], [-1, 0, 0]),
     symbols: 'D > 0',
-    text: 'two points: the ray enters, then leaves',
+    text: 'two points: the ray enters at E itself, then leaves',
     hits: ['t₁ = 0, E itself, enters', 't₂ = 2, leaves'],
   },
   {
@@ -78,7 +77,7 @@ const CURVED: readonly Case[] = [
     shape: cylinder(O, 1),
     ray: ray([3, 0, 1], [1, 0, 0]),
     symbols: 'D = 0',
-    text: 'tangent: one double root, the ray touches, behind E',
+    text: 'tangent: one double root, behind E',
     hits: ['t₁ = −3, behind E'],
   },
   {
@@ -150,15 +149,15 @@ const CURVED: readonly Case[] = [
     shape: cone(O, 1),
     ray: ray([3, 0, 0], [1, 0, 0]),
     symbols: 'D = 0',
-    text: 'through the vertex: one double root, no normal there, behind E',
+    text: 'through the vertex, behind E: one double root, no normal there',
     hits: ['t₁ = −3, behind E'],
   },
   {
-    name: 'cone, parallel to a generator, leaving',
+    name: 'cone, parallel to a generator, entering',
     shape: cone(O, 1),
     ray: ray([3, 1, 0], [-1, -1, 0]),
     symbols: 'A = 0',
-    text: 'parallel to a generator: one point',
+    text: 'parallel to a generator: one point, where the ray enters',
     hits: ['t₁ = 2, first hit, enters'],
   },
   {
@@ -166,7 +165,7 @@ const CURVED: readonly Case[] = [
     shape: cone(O, 1),
     ray: ray([3, 1, 0], [1, 1, 0]),
     symbols: 'A = 0',
-    text: 'parallel to a generator: one point, behind E',
+    text: 'parallel to a generator: one point, behind E: the ray stays outside for ever',
     hits: ['t₁ = −2, behind E'],
   },
   {
@@ -190,7 +189,7 @@ const CURVED: readonly Case[] = [
     shape: hyperboloid(O, 1, 0),
     ray: ray([3, 0, 0], [-1, 0, 0]),
     symbols: 'D = 0',
-    text: 'through a singular point: one double root, no normal there',
+    text: 'through the vertex: one double root, no normal there',
     hits: ['t₁ = 3, first hit, double, no normal'],
   },
 ];
@@ -217,7 +216,7 @@ const FLAT: readonly Case[] = [
     shape: plane([0, 1, 0], O),
     ray: ray([1, 0, 0], [1, 1, 0]),
     symbols: 'N.d ≠ 0',
-    text: 'one point',
+    text: 'one point, at E itself',
     hits: ['t₁ = 0, E itself, in the plane'],
   },
   {
@@ -273,7 +272,7 @@ const FLAT: readonly Case[] = [
     shape: circle([0, 1, 0], O, 1),
     ray: ray([3, 0, 0], [1, 0, 0]),
     symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and crosses the circle: no single point',
+    text: 'the line lies in the plane and in the circle from t = −4 to t = −2, all of it behind E',
     hits: [],
   },
   {
@@ -281,7 +280,7 @@ const FLAT: readonly Case[] = [
     shape: circle([0, 1, 0], O, 1),
     ray: ray([3, 0, 2], [1, 0, 0]),
     symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and passes beside the circle: no single point',
+    text: 'the line lies in the plane and passes beside the circle: no point of it',
     hits: [],
   },
   {
@@ -313,7 +312,7 @@ const FLAT: readonly Case[] = [
     shape: square([1, 2, 3], 2, 'z'),
     ray: ray([6, 8, 3], [1, 0, 0]),
     symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and passes beside the square: no single point',
+    text: 'the line lies in the plane and passes beside the square: no point of it',
     hits: [],
   },
 ];

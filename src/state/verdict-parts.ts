@@ -1,0 +1,28 @@
+import type { Sign } from '../math/intersection.ts';
+
+export interface Comparison {
+  /** A quantity's name as the derivation calls it. */
+  readonly left: string;
+  readonly relation: '=' | '<' | '>' | '≠' | '≤';
+  readonly right: string;
+}
+
+/** A part of a sentence: words, or a computed number. */
+export type Piece = string | { readonly quantity: string; readonly value: number };
+
+export const zero = (left: string): Comparison => ({ left, relation: '=', right: '0' });
+
+/** Why a method has no class: a number left the doubles, or its bounds hold both signs. */
+export function cannotDecide<Key extends string>(
+  numbers: Readonly<Record<Key, number>>,
+  signs: Readonly<Record<Key, Sign | null>>,
+  letters: Readonly<Record<Key, string>>,
+): string {
+  const keys = Object.keys(letters) as Key[];
+  if (keys.some((key) => !Number.isFinite(numbers[key]))) {
+    return 'cannot decide: a number overflowed';
+  }
+  const open = keys.filter((key) => signs[key] === null).map((key) => letters[key]);
+  if (open.length === 0) return 'cannot decide';
+  return `cannot decide: the sign of ${open.join(' and of ')} is not certain`;
+}
