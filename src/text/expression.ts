@@ -1,57 +1,38 @@
-import { Parser } from 'expr-eval-fork';
+import { atSpecialAngle, degreesIn } from './angles.ts';
 import { binaryOps, unaryOps } from './checked-ops.ts';
-import { decimal, UNSIGNED } from './literal.ts';
-import { quoted, Refusal } from './refusal.ts';
+import type { ConstantName, Typed, TypedUnary, UnitName } from './typed.ts';
 
-const CONSTANTS = { pi: Math.PI, infinity: Number.POSITIVE_INFINITY };
-const TOKEN = new RegExp(String.raw`\s*(?:(${UNSIGNED})|([a-z_]\w*)|([-+*/^()]))\s*`, 'y');
+export const CONSTANTS: Readonly<Record<ConstantName, number>> = {
+  pi: Math.PI,
+  infinity: Number.POSITIVE_INFINITY,
+};
+export const UNITS: Readonly<Record<UnitName, number>> = { deg: Math.PI / 180, rad: 1 };
 
-/**
- * The library knows strings, arrays, assignments, variables, random(). Nothing of it can be reached: it only ever
- * sees the tokens below, and its tables hold only what is listed here.
- */
-const parser = restricted();
-
-/** The value of an expression in normal spelling; null when it is none. Infinite and NaN values are passed on. */
-export function evaluate(text: string): number | null {
-  const tokens = tokenise(text);
-  if (tokens === null) return null;
-  try {
-    // Joined with spaces, so that '/' and '*' never become the library's comment.
-    const value: unknown = parser.parse(tokens.join(' ')).evaluate();
-    return typeof value === 'number' ? value : null;
-  } catch (error) {
-    if (error instanceof Refusal) throw error;
-    return null;
+/** The value in doubles. Infinite and NaN values are passed on; what leaves the doubles' range is refused. */
+export function evaluate(tree: Typed): number {
+  switch (tree.op) {
+    case 'number':
+      return Number(tree.text);
+    case 'constant':
+      return CONSTANTS[tree.name];
+    case 'unit':
+      return named(binaryOps, '*')(evaluate(tree.of), UNITS[tree.name]);
+    case 'unary':
+      return atDegrees(tree) ?? named(unaryOps, tree.name)(evaluate(tree.of));
+    case 'binary':
+      return named(binaryOps, tree.name)(evaluate(tree.left), evaluate(tree.right));
   }
 }
 
-function tokenise(text: string): string[] | null {
-  const tokens: string[] = [];
-  TOKEN.lastIndex = 0;
-  while (TOKEN.lastIndex < text.length) {
-    const [, number, name, operator] = TOKEN.exec(text) ?? [];
-    if (number) decimal(number, `${quoted(number)} `);
-    const token = number ?? operator ?? (isKnown(name) ? name : undefined);
-    if (token === undefined) return null;
-    tokens.push(token);
-  }
-  return tokens;
+/** sin(30 deg) is one half, which the sine of the double next to π/6 is not. */
+function atDegrees(tree: TypedUnary): number | null {
+  const degrees = degreesIn(tree);
+  const known = degrees && atSpecialAngle(tree.name, evaluate(degrees));
+  return known && known.sign * Math.sqrt(known.over / known.under);
 }
 
-function isKnown(name: string | undefined): name is string {
-  return name !== undefined && (Object.hasOwn(unaryOps, name) || Object.hasOwn(CONSTANTS, name));
-}
-
-function restricted(): Parser {
-  const off = ['assignment', 'array', 'comparison', 'concatenate', 'conditional', 'factorial'];
-  off.push('fndef', 'in', 'length', 'logical', 'random', 'remainder');
-  const made = new Parser({
-    allowMemberAccess: false,
-    operators: Object.fromEntries(off.map((name) => [name, false])),
-  });
-  const own = (table: object) => Object.assign(Object.create(null), table);
-  const tables = { unaryOps, binaryOps, ternaryOps: {}, functions: {}, consts: CONSTANTS };
-  for (const [name, table] of Object.entries(tables)) Object.assign(made, { [name]: own(table) });
-  return made;
+function named<F>(table: Readonly<Record<string, F>>, name: string): F {
+  const found = table[name];
+  if (!found) throw new RangeError(`no operation ${name}`);
+  return found;
 }

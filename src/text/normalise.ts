@@ -10,6 +10,7 @@ const SPELLINGS: readonly (readonly [RegExp, string])[] = [
   [/[÷∕]/g, '/'],
   [/π/g, 'pi'],
   [/∞/g, 'infinity'],
+  [/°/g, ' deg'],
   [/\bmath\./g, ''],
   // A decimal comma. A thousands comma cannot be told from it, so '1,234,567' is left with two points and refused.
   [/,(?=\d)/g, '.'],

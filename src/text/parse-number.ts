@@ -1,8 +1,11 @@
+import { angleHint } from './angles.ts';
 import { evaluate } from './expression.ts';
 import { literal } from './literal.ts';
 import { normalise } from './normalise.ts';
 import type { Parsed } from './parse.ts';
+import { readExpression } from './read-expression.ts';
 import { quoted, Refusal } from './refusal.ts';
+import type { Typed } from './typed.ts';
 
 /** Longer than any sensible expression; keeps a pasted book from being parsed. */
 const MAX_LENGTH = 200;
@@ -27,7 +30,22 @@ export function parseNumber(text: string, options: NumberOptions = {}): Parsed<n
 
 function evaluated(text: string): number | null {
   const normal = normalise(text);
-  return literal(normal) ?? evaluate(normal);
+  const plain = literal(normal);
+  if (plain !== null) return plain;
+  const tree = readExpression(normal);
+  // A minus zero is kept where it is typed as one, not where it is computed.
+  return tree && evaluate(tree) + 0;
+}
+
+/** The tree of a text that `parseNumber` reads, for exact values. */
+export function parseTyped(text: string): Typed | null {
+  return parseNumber(text).ok ? readExpression(normalise(text)) : null;
+}
+
+/** What may have been meant otherwise, though it was read: angles of which nobody said that they are radians. */
+export function hintOn(text: string): string | null {
+  const tree = parseTyped(text);
+  return tree && angleHint(tree);
 }
 
 function judged(text: string, value: number | null, allowInfinity: boolean): Parsed<number> {

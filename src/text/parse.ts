@@ -3,5 +3,6 @@ export type Parsed<Value> =
   | { readonly ok: true; readonly value: Value }
   | { readonly ok: false; readonly reason: string };
 
-export { type NumberOptions, parseNumber } from './parse-number.ts';
+export { hintOn, type NumberOptions, parseNumber, parseTyped } from './parse-number.ts';
 export { looksLikeTriple, parseTriple, type Triple } from './parse-triple.ts';
+export type { Typed, TypedBinary, TypedUnary } from './typed.ts';

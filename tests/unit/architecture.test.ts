@@ -38,7 +38,6 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   lit: ['ui', 'panels', 'charts', 'pages', 'main'],
   'd3-array': ['charts'],
   'd3-scale': ['charts'],
-  'expr-eval-fork': ['text'],
   fflate: ['state'],
 };
 

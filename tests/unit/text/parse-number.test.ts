@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { display, displayAll, shortest } from '../../../src/text/format.ts';
-import { parseNumber } from '../../../src/text/parse.ts';
+import { hintOn, parseNumber } from '../../../src/text/parse.ts';
 import { anyDouble, SEED } from './doubles.ts';
 
 const read = (text: string) => {
@@ -52,6 +52,20 @@ describe('parseNumber: what people type', () => {
     ['5e-324', 5e-324],
     ['1.7976931348623157e308', Number.MAX_VALUE],
     ['0e999', 0],
+    ['-0^1', 0],
+    ['sqrt 2^2', 2],
+    ['2^sqrt(4)^2', 16],
+    ['2^-sqrt 4', 0.25],
+    ['sin(30 deg)', 0.5],
+    ['sin(-30°)', -0.5],
+    ['cos(120°)', -0.5],
+    ['tan 45°', 1],
+    ['tan(135 deg)', -1],
+    ['tan(60°)^2', Math.sqrt(3) ** 2],
+    ['cos(450 deg)', 0],
+    ['90 deg', Math.PI / 2],
+    ['sin(0.5 rad)', Math.sin(0.5)],
+    ['tan(10 deg)', Math.tan(10 * (Math.PI / 180))],
   ])('%s', (text, value) => {
     if (Number.isNaN(value)) expect(read(text)).toBe(`'${text}' is not a number`);
     else expect(read(text)).toBe(value);
@@ -71,6 +85,7 @@ describe('parseNumber: reasons', () => {
     ['ln(0)', "'ln(0)' is infinite"],
     ['0^-1', "'0^-1' is infinite"],
     ['Infinity', "'Infinity' is infinite"],
+    ['tan(90°)', "'tan(90°)' is infinite"],
     ['∞', "'∞' is infinite"],
     ['0/0', "'0/0' has no real value"],
     ['sqrt(-1)', "'sqrt(-1)' has no real value"],
@@ -100,6 +115,26 @@ describe('parseNumber: reasons', () => {
     for (const text of ['NaN', 'Infinity - Infinity', '0/0', '1e400', '1e-400'])
       expect(lenient(text).ok).toBe(false);
   });
+});
+
+describe('hintOn: angles without a unit', () => {
+  it.each([
+    ['tan(30)', 'tan is taken in radians; tan(30 deg) in degrees'],
+    ['1 + 2·sin 60', 'sin is taken in radians; sin(60 deg) in degrees'],
+    ['sqrt(cos(1/3))', 'cos is taken in radians; cos((1/3) deg) in degrees'],
+  ])('%s', (text, hint) => {
+    expect(hintOn(text)).toBe(hint);
+    expect(read(hint.slice(hint.indexOf(';') + 2, hint.indexOf(' in degrees')))).not.toBe(
+      read(text),
+    );
+  });
+
+  it.each(['tan(30°)', 'tan(0.5 rad)', 'tan(pi/6)', 'sin(0)', '30', 'sqrt(2)', 'tan(', 'abc'])(
+    'says nothing on %s',
+    (text) => {
+      expect(hintOn(text)).toBeNull();
+    },
+  );
 });
 
 describe('parseNumber: hostile texts', () => {
@@ -186,6 +221,12 @@ describe('parseNumber: hostile texts', () => {
     'PI2',
     'ln',
     'ln()',
+    '(sqrt)(4)',
+    'sqrt√sqrt',
+    'deg',
+    'deg 3',
+    '3 deg deg',
+    'sin(30)°',
     '^2',
     '10^',
     '10^^2',
