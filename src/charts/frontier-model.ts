@@ -1,4 +1,4 @@
-import type { Quartiles } from '../lab/stats.ts';
+import type { Price } from '../lab/price.ts';
 
 export interface FrontierMark {
   readonly id: string;
@@ -6,7 +6,7 @@ export interface FrontierMark {
   readonly name: string;
   /** The whole truth in words, for the screen reader. */
   readonly words: string;
-  readonly cost: Quartiles;
+  readonly cost: Price;
   /** Larger is better. */
   readonly worth: number;
 }

@@ -59,17 +59,16 @@ const NOTE = 'further up and to the left is better';
 function plot(model: FrontierModel, field: Field, choose: (id: string) => void): TemplateResult {
   const { marks, worthTicks, chosen } = model;
   const { x, y } = scalesOf(model, field);
-  const spots = marks.map((mark) => ({ mark, x: x(mark.cost.median), y: y(mark.worth) }));
+  const spots = marks.map((mark) => ({ mark, x: x(mark.cost.value), y: y(mark.worth) }));
   const front = frontier(
-    spots.map((spot) => ({ ...spot, cost: spot.mark.cost.median, worth: spot.mark.worth })),
+    spots.map((spot) => ({ ...spot, cost: spot.mark.cost.value, worth: spot.mark.worth })),
   );
   const best = new Set(front.map(({ mark }) => mark.id));
   const line = front.map((spot) => ({ cost: spot.x, worth: spot.y }));
   // The chosen one first, then what is on the frontier: they have the best places for their names.
   const rank = ({ mark }: Spot): number => (mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2);
   const ordered = [...spots].sort((p, q) => rank(p) - rank(q) || p.x - q.x);
-  const size = labelSize(NOTE, field.em);
-  const note = { left: field.right - size.width, top: field.bottom - 2.6 * field.em, ...size };
+  const note = noteBox(model.worthTitle, field);
   return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.worthTitle} against ${model.costTitle}`}>
     ${axes(
       field,
@@ -85,19 +84,27 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
     )}
     ${stepLine(line, field)}
     <text class="plot-name quiet" x=${px(note.left)} y=${px(note.top + field.em)}>${NOTE}</text>
-    ${spots.map(({ mark, y: cy }) => svg`<line class="plot-whisker" x1=${px(x(mark.cost.low))} x2=${px(x(mark.cost.high))} y1=${px(cy)} y2=${px(cy)}></line>`)}
+    ${spots.map(({ mark, y: cy }) => svg`<line class="plot-whisker" x1=${px(x(mark.cost.least))} x2=${px(x(mark.cost.most))} y1=${px(cy)} y2=${px(cy)}></line>`)}
     ${names(ordered, chosen, field, [note, ...lineBoxes(line, field)])}
     ${[...ordered].reverse().map(({ mark, x: cx, y: cy }) => markOf(mark, cx, cy, best.has(mark.id), mark.id === chosen, field.mark, choose))}
   </svg>`;
 }
 
 function scalesOf({ marks, worthTicks }: FrontierModel, { left, right, top, bottom, em }: Field) {
-  const costs = marks.flatMap(({ cost }) => [cost.low, cost.high]);
+  const costs = marks.flatMap(({ cost }) => [cost.value, cost.least, cost.most]);
   const worths = worthTicks.map(({ value }) => value);
   return {
     x: scaleLog([Math.min(...costs) / MARGIN, Math.max(...costs) * MARGIN], [left, right]),
     y: scaleLinear([Math.min(...worths), Math.max(...worths)], [bottom - 0.9 * em, top + 0.5 * em]),
   };
+}
+
+/** At the right end of the axis' title, or in a line of its own below it: above all that leads to a mark. */
+function noteBox(title: string, field: Field): Box {
+  const size = labelSize(NOTE, field.em);
+  const left = field.right - size.width;
+  const fits = labelSize(title, field.em).width < left;
+  return { left, top: fits ? -0.1 * field.em : 1.2 * field.em, ...size };
 }
 
 /** Powers of ten, or what there is between two of them. */

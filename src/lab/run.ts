@@ -1,4 +1,4 @@
-import { quartiles } from './stats.ts';
+import { quantile, sorted } from './stats.ts';
 
 /** Something to be timed; one call works through a whole batch, so that the call itself costs nothing. */
 export interface Task {
@@ -22,7 +22,7 @@ export interface Plan {
   readonly settles?: Settling | undefined;
 }
 
-/** Enough is measured when every task's quartiles lie within a share `spread` of its median, and not before so many rounds. */
+/** Enough is measured when a quarter of each task's rounds took at most a share `spread` more than its least, and not before so many rounds. */
 export interface Settling {
   readonly rounds: number;
   readonly spread: number;
@@ -95,8 +95,9 @@ export function measure(tasks: readonly Task[], clock: Clock, plan: Plan = USUAL
 
 export function hasSettled(times: Times, { rounds, spread }: Settling): boolean {
   return [...times.values()].every((all) => {
-    const { low, median, high } = quartiles(all);
-    return all.length >= rounds && high - low <= spread * median;
+    const ascending = sorted(all);
+    const least = ascending[0] ?? Number.NaN;
+    return all.length >= rounds && quantile(ascending, 0.25) <= (1 + spread) * least;
   });
 }
 

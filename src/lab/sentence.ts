@@ -1,16 +1,16 @@
 import { MOST_DIGITS } from './digits.ts';
-import { BASE_METHOD, type MeasuredRow, type Timing } from './session.ts';
+import { BUSY, type Price, spreadOf } from './price.ts';
+import { BASE_METHOD, type MeasuredRow } from './session.ts';
 
 /** A whole number with a thin space between its thousands. */
 export const grouped = (n: number): string => String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 
-/** A multiple as the table writes it, three figures at most: 1.06, 12.3, 220. */
-export const multiple = (x: number): string =>
-  x >= 99.95 ? String(Math.round(x)) : String(Number(x.toPrecision(3)));
+/** A price as it is shown: 0.92, 19.3, 102, 4 250. */
+export const priceText = ({ value }: Price): string =>
+  value >= 1000 ? grouped(value) : String(value);
 
-type Question = 'classes' | 'roots';
-
-const medianOf = (timing: Timing | undefined): number => timing?.ratio.median ?? Number.NaN;
+/** A verdict alone, or both roots with it. */
+export type Question = 'classes' | 'roots';
 
 /** The cheapest method for the question among those that are good enough; null if none is measured. */
 function cheapest(
@@ -18,10 +18,11 @@ function cheapest(
   question: Question,
   good: (row: MeasuredRow) => boolean,
 ): MeasuredRow | null {
+  const least = (row: MeasuredRow): number => row[question]?.ns.least ?? Number.NaN;
   return rows
     .filter((row) => good(row) && row[question])
     .reduce<MeasuredRow | null>(
-      (best, row) => (best && medianOf(best[question]) <= medianOf(row[question]) ? best : row),
+      (best, row) => (best && least(best) <= least(row) ? best : row),
       null,
     );
 }
@@ -31,11 +32,16 @@ const isCorrect = ({ quality }: MeasuredRow): boolean =>
 /** One of the two doubles around the exact root: at most one step from the nearest. */
 const isFaithful = (row: MeasuredRow): boolean => isCorrect(row) && !(row.quality.mostUlps > 1);
 
-/** What the plot above it says, in plain words and with the table's own numbers. Empty until a time is measured. */
-export function sentenceOf(rows: readonly MeasuredRow[], titleOf: (id: string) => string): string {
+/** What the plot says, in plain words and with the table's own numbers, for the question that is shown. Empty until a time is measured. */
+export function sentenceOf(
+  rows: readonly MeasuredRow[],
+  question: Question,
+  titleOf: (id: string) => string,
+): string {
   const base = rows.find(({ id }) => id === BASE_METHOD);
-  if (!base?.roots) return '';
-  return [`On these rays, ${errorsOf(base)}`, priceOf(rows, titleOf)].filter(Boolean).join(' ');
+  if (!base?.[question]) return '';
+  const parts = [errorsOf(base), priceWords(rows, question, titleOf), busyWords(rows, question)];
+  return parts.filter(Boolean).join(' ');
 }
 
 function errorsOf({ quality }: MeasuredRow): string {
@@ -44,23 +50,46 @@ function errorsOf({ quality }: MeasuredRow): string {
     ...(wrong > 0 ? [`misjudges ${grouped(wrong)} of ${grouped(rays)}`] : []),
     ...(undecided > 0 ? [`cannot tell for ${grouped(undecided)}`] : []),
   ];
-  if (failures.length > 0) return `the textbook formula ${failures.join(' and ')}.`;
-  if (leastDigits >= MOST_DIGITS) return 'the textbook formula is right to the last digit.';
-  return 'the textbook formula has every verdict right.';
+  if (failures.length > 0) return `On these rays, the textbook formula ${failures.join(' and ')}.`;
+  if (leastDigits >= MOST_DIGITS)
+    return 'On these rays, the textbook formula is right to the last digit.';
+  return 'On these rays, the textbook formula has every verdict right.';
 }
 
-function priceOf(rows: readonly MeasuredRow[], titleOf: (id: string) => string): string {
-  const verdicts = cheapest(rows, 'classes', isCorrect);
+function priceWords(
+  rows: readonly MeasuredRow[],
+  question: Question,
+  titleOf: (id: string) => string,
+): string {
+  const found = cheapest(rows, question, question === 'roots' ? isFaithful : isCorrect);
+  const times = found?.[question]?.times;
+  if (!found || !times) return '';
   // Where no ray has a root, there is none to be faithful.
   const anyRoot = rows.some(({ quality }) => !Number.isNaN(quality.digits));
-  const roots = anyRoot ? cheapest(rows, 'roots', isFaithful) : null;
-  const times = (row: MeasuredRow, question: Question): string =>
-    `${multiple(medianOf(row[question]))} times the textbook formula (${titleOf(row.id)})`;
-  const parts = [
-    ...(verdicts ? [`right verdicts for all of them cost ${times(verdicts, 'classes')}`] : []),
-    ...(roots ? [`faithful roots ${times(roots, 'roots')}`] : []),
-  ];
-  if (parts.length === 0) return '';
-  const text = parts.join('; ');
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+  const what =
+    question === 'classes'
+      ? 'right verdicts alone, without roots,'
+      : anyRoot
+        ? 'faithful roots for all of them'
+        : 'right answers for all of them, both roots asked for,';
+  if (found.id === BASE_METHOD)
+    return `It is the cheapest method, too, with ${what.replace(/,$/, '')}.`;
+  const price =
+    times.value <= 1
+      ? 'no more than'
+      : `${times.figures < 3 ? 'about ' : ''}${priceText(times)} times as much as`;
+  return `${capital(what)} cost ${price} the textbook formula’s (${titleOf(found.id)}).`;
 }
+
+/** A reader who knows that something else was running will not take the last figure at its word. */
+function busyWords(rows: readonly MeasuredRow[], question: Question): string {
+  const spread = spreadOfRows(rows, question);
+  if (!(spread > BUSY)) return '';
+  return `The machine was busy; one round in four took at least ${Math.round(100 * spread)} % longer than the best.`;
+}
+
+/** How far the rounds of the least steady method spread; −∞ before there is a time. */
+export const spreadOfRows = (rows: readonly MeasuredRow[], question: Question): number =>
+  Math.max(...rows.flatMap((row) => (row[question] ? [spreadOf(row[question].ns)] : [])));
+
+const capital = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;

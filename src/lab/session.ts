@@ -3,9 +3,9 @@ import { InvalidInput, quote } from '../math/invalid-input.ts';
 import { isFast } from '../math/methods/certified/roots-quadric.ts';
 import { METHODS } from '../math/methods/index.ts';
 import { batchesOf, type Form, type Sample, tasksOf } from './plan.ts';
+import { multipleOf, type Price, priceOf } from './price.ts';
 import { qualityOf } from './quality.ts';
 import { type Clock, clockStep, measuring, type Plan, type Times } from './run.ts';
-import { type Quartiles, quartiles } from './stats.ts';
 import { type Summary, summaryOf } from './summary.ts';
 
 /** What is to be measured. */
@@ -17,9 +17,9 @@ export interface MeasureRequest extends Sample {
 /** What one question costs a method. */
 export interface Timing {
   /** Nanoseconds a ray. */
-  readonly ns: Quartiles;
-  /** As a multiple of the textbook method in the same round. */
-  readonly ratio: Quartiles;
+  readonly ns: Price;
+  /** As a multiple of the textbook method. */
+  readonly times: Price;
 }
 
 /** A method on the rays of a request; a time is absent until a round of it is complete. */
@@ -102,12 +102,9 @@ function timingsOf(id: string, times: Times, rays: number): Pick<MeasuredRow, 'r
 }
 
 function timingOf(times: Times, form: Form, id: string, rays: number): Timing | null {
-  const own = times.get(`${form} ${id}`) ?? [];
-  const base = times.get(`${form} ${BASE_METHOD}`) ?? [];
-  const rounds = Math.min(own.length, base.length);
-  if (rounds === 0) return null;
-  return {
-    ns: quartiles(own.map((ms) => (ms / rays) * 1e6)),
-    ratio: quartiles(own.slice(0, rounds).map((ms, k) => ms / (base[k] as number))),
-  };
+  const roundsOf = (method: string): readonly number[] => times.get(`${form} ${method}`) ?? [];
+  const scale = 1e6 / rays;
+  const base = priceOf(roundsOf(BASE_METHOD), scale);
+  const ns = id === BASE_METHOD ? base : priceOf(roundsOf(id), scale);
+  return Number.isNaN(ns.value / base.value) ? null : { ns, times: multipleOf(ns, base) };
 }

@@ -21,6 +21,3 @@ export function quartiles(values: Iterable<number>): Quartiles {
   const all = sorted(values);
   return { low: quantile(all, 0.25), median: quantile(all, 0.5), high: quantile(all, 0.75) };
 }
-
-/** How far the middle half of the values reaches, as a share of their median; NaN of none. */
-export const relativeSpread = ({ low, median, high }: Quartiles): number => (high - low) / median;

@@ -1,22 +1,35 @@
 import type { MeasuredRow } from '../lab/session.ts';
 import type { SweepPoint } from '../lab/sweep.ts';
 import type { RayModel } from '../state/accuracy/ladder.ts';
+import type { AccuracySettings } from '../state/accuracy/settings.ts';
 import { shortest } from '../text/format.ts';
 
 /** Everything that was found, with where it comes from. */
 export interface Findings {
   readonly provenance: string;
-  readonly settings: unknown;
+  readonly settings: AccuracySettings;
   readonly ray: RayModel;
   readonly rows: readonly MeasuredRow[];
   readonly sweep: readonly SweepPoint[];
 }
 
-const HEAD =
-  'method,verdict,judgement,t1,t1 digits,t2,t2 digits,rays,wrong,undecided,digits in 9 rays of 10,digits in the worst ray,most ulps,ns low,ns median,ns high,times textbook low,times textbook median,times textbook high,verdict ns median,verdict times textbook median';
+/** What belongs to the method on one ray, and what to the many rays that were measured. */
+const OF_THIS_RAY = ['verdict', 'judgement', 't1', 't1 digits', 't2', 't2 digits'];
+const OF_THE_FAMILY = [
+  ...['rays', 'wrong', 'undecided', 'digits in 9 rays of 10', 'digits in the worst ray'],
+  ...['most ulps', 'ns', 'ns of the best round', 'ns of 3 rounds in 4 at most', 'times textbook'],
+  ...['ns of a verdict alone', 'times textbook of a verdict alone'],
+];
+
+const headOf = (family: string): string =>
+  [
+    'method',
+    ...OF_THIS_RAY.map((name) => `this ray: ${name}`),
+    ...OF_THE_FAMILY.map((name) => `${family} rays: ${name}`),
+  ].join(',');
 
 /** One line a method; empty where nothing was measured. */
-export function toCsv({ ray, rows }: Findings): string {
+export function toCsv({ settings, ray, rows }: Findings): string {
   const lines = ray.rows.map(({ method, found, judgement, roots }) => {
     const row = rows.find(({ id }) => id === method.id);
     const [first, second] = roots;
@@ -35,19 +48,17 @@ export function toCsv({ ray, rows }: Findings): string {
       quality?.digits,
       quality?.leastDigits,
       quality?.mostUlps,
-      timing?.ns.low,
-      timing?.ns.median,
-      timing?.ns.high,
-      timing?.ratio.low,
-      timing?.ratio.median,
-      timing?.ratio.high,
-      classes?.ns.median,
-      classes?.ratio.median,
+      timing?.ns.value,
+      timing?.ns.least,
+      timing?.ns.most,
+      timing?.times.value,
+      classes?.ns.value,
+      classes?.times.value,
     ]
       .map(cell)
       .join(',');
   });
-  return `${[HEAD, ...lines].join('\n')}\n`;
+  return `${[headOf(settings.family), ...lines].join('\n')}\n`;
 }
 
 function cell(x: string | number | null | undefined): string {

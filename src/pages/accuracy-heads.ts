@@ -22,6 +22,10 @@ const TIMED: readonly Choice[] = [
   short('near-tangent', 'near tangent'),
   short('near-surface', 'near surface'),
 ];
+/** As the tab or the list has it. */
+export const familyName = (id: string): string =>
+  TIMED.find((one) => one.id === id)?.title ?? findFamily(id)?.title ?? id;
+
 const SWEPT: readonly Choice[] = [
   short('far-origin', 'distance'),
   short('near-tangent', 'tangency'),

@@ -1,14 +1,14 @@
+import { BUSY, rounded } from '../lab/price.ts';
+import { spreadOfRows } from '../lab/sentence.ts';
 import type { Measured, MeasureRequest } from '../lab/session.ts';
-import { relativeSpread } from '../lab/stats.ts';
 import type { SweepRequest } from '../lab/sweep.ts';
-import { findFamily } from '../math/families.ts';
 import type { AccuracySettings } from '../state/accuracy/settings.ts';
-import { display } from '../text/format.ts';
+import { familyName } from './accuracy-heads.ts';
 
 /** Enough rays for the share of 9 in 10 to mean something, and few enough for the exact rung to pass them in 10 ms. */
 const SHAPES = 6;
 const COUNT = 512;
-/** Quartiles within 2 % of the median: no later round would change a figure that is shown. */
+/** The best quarter of the rounds within 2 % of the best: later ones would hardly change a figure that is shown. */
 const SETTLES = { rounds: 7, spread: 0.02 };
 
 export const measureRequest = ({ family, dial, seed }: AccuracySettings): MeasureRequest => ({
@@ -36,9 +36,6 @@ export const sweepRequest = ({ hard, seed }: AccuracySettings): SweepRequest => 
 export const sameRays = (a: MeasureRequest | null, b: MeasureRequest): boolean =>
   a !== null && a.family === b.family && a.seed === b.seed && a.difficulty === b.difficulty;
 
-/** Above this the middle half of the rounds differ so much that something else was running. */
-const BUSY = 0.1;
-
 /** Where the numbers come from, in a line. */
 export function provenanceOf(
   measured: Measured | null,
@@ -46,18 +43,20 @@ export function provenanceOf(
   sweep: SweepRequest,
 ): string {
   const device = `${browserName(navigator.userAgent)}, ${navigator.hardwareConcurrency} cores, ${crossOriginIsolated ? 'isolated' : 'not isolated'}`;
-  const title = findFamily(request.family)?.title ?? request.family;
+  const title = familyName(request.family);
   const rays = `times of ${request.shapes} shapes × ${request.count} rays “${title}”, seed ${request.seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
   if (!measured || measured.round === 0)
     return `${device}; ${rays}. Digits are counted against exact on every ray.`;
-  const spread = Math.max(
-    ...measured.rows.flatMap(({ roots }) => (roots ? [relativeSpread(roots.ns)] : [])),
-  );
-  const busy = `quartiles up to ${Math.round(100 * spread)} % apart${spread > BUSY ? ': the machine looked busy' : ''}`;
-  const step = `timer step ${display(1000 * measured.clockStep, 3)} µs`;
+  const spread = spreadOfRows(measured.rows, 'roots');
+  const busy = `times of the best round; one in four took at least ${Math.round(100 * spread)} % longer${spread > BUSY ? ': the machine was busy' : ''}`;
+  const step = `timer step ${stepWords(measured.clockStep)}`;
   const roots = `certified’s roots by ${measured.accelerated ? 'WebAssembly' : 'script alone'}`;
   return `${device}; ${step}; ${measured.round} rounds, ${rays}; ${roots}; ${busy}. Digits are counted against exact on every ray.`;
 }
+
+/** 5 µs, 1 ms: a step of a clock has no more than two figures worth telling. */
+export const stepWords = (ms: number): string =>
+  ms < 0.9995 ? `${rounded(1000 * ms, 2)} µs` : `${rounded(ms, 2)} ms`;
 
 function browserName(agent: string): string {
   const found = /(Firefox|Edg|OPR|Chrome)\/([\d]+)/.exec(agent) ?? /(Version)\/([\d]+)/.exec(agent);

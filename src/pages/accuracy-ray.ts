@@ -3,18 +3,28 @@ import type { MeasuredRow } from '../lab/session.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
 import { ladderTable, SAYS } from '../panels/ladder-table.ts';
 import { createNudges } from '../panels/nudges.ts';
+import { QUESTION_WORDS, questionOf } from '../state/accuracy/frontier.ts';
 import type { RayModel } from '../state/accuracy/ladder.ts';
+import type { AccuracySettings } from '../state/accuracy/settings.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState } from '../state/state.ts';
+import { familyName } from './accuracy-heads.ts';
 
 /** This ray through the ladder, where its digits go, and what one double changes. */
 export function createRayView(dispatch: Dispatch) {
   const nudges = createNudges(dispatch);
-  return (state: AppState, ray: RayModel, measured: readonly MeasuredRow[]): TemplateResult => {
+  return (
+    state: AppState,
+    ray: RayModel,
+    measured: readonly MeasuredRow[],
+    { family, worth }: AccuracySettings,
+  ): TemplateResult => {
+    const question = questionOf(worth);
     const timings = new Map(
-      measured.flatMap(({ id, roots }) => (roots ? [[id, roots] as const] : [])),
+      measured.flatMap((row) => (row[question] ? [[row.id, row[question]] as const] : [])),
     );
-    const model = { rows: ray.rows, where: ray.where, timings, chosen: state.method };
+    const timed = `“${familyName(family)}” rays, ${QUESTION_WORDS[question]}`;
+    const model = { rows: ray.rows, where: ray.where, timings, timed, chosen: state.method };
     return html`<div class="acc-head">
         <h2>This ray</h2>
         <p>${ray.words}</p>

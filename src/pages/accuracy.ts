@@ -7,7 +7,7 @@ import type { MeasuredRow } from '../lab/session.ts';
 import { findFamily } from '../math/families.ts';
 import { quote } from '../math/invalid-input.ts';
 import { measureBar } from '../panels/measure-bar.ts';
-import { frontierOf, titleOf } from '../state/accuracy/frontier.ts';
+import { frontierOf, questionOf, titleOf } from '../state/accuracy/frontier.ts';
 import { hardnessOf } from '../state/accuracy/hardness.ts';
 import { createRayModel, type RayModel } from '../state/accuracy/ladder.ts';
 import {
@@ -106,9 +106,17 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
         if (!sameRays(measuring.request, measureRequest(settings))) measuring.cancel();
       }
       const rows = rowsNow();
-      render(rayView(state, ray, rows), top);
+      render(rayView(state, ray, rows, settings), top);
       const data = frontierOf({ rows }, settings, state.method);
-      render(frontierHead(settings, sentenceOf(rows, titleOf), frontierSaves, set), leftHead);
+      render(
+        frontierHead(
+          settings,
+          sentenceOf(rows, questionOf(settings.worth), titleOf),
+          frontierSaves,
+          set,
+        ),
+        leftHead,
+      );
       leftPlot.hidden = data === null;
       render(data ? nothing : emptyFrontier(rows, measuring.running, measure), leftEmpty);
       if (data) frontier.render(data);

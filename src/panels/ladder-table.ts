@@ -1,6 +1,6 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { HINTS } from '../lab/hints.ts';
-import { grouped, multiple } from '../lab/sentence.ts';
+import { grouped, priceText } from '../lab/sentence.ts';
 import type { Timing } from '../lab/session.ts';
 import type { MethodRow, RootRow } from '../lab/this-ray.ts';
 import { JUDGEMENTS } from '../lab/verdict.ts';
@@ -16,6 +16,8 @@ export interface LadderModel {
   readonly where: ReadonlyMap<string, string>;
   /** By method; empty until something is measured. */
   readonly timings: ReadonlyMap<string, Timing>;
+  /** Whose times these are: “far away” rays, both roots. */
+  readonly timed: string;
   readonly chosen: string;
 }
 
@@ -30,21 +32,18 @@ export const SAYS: Readonly<Record<Verdict, string>> = {
 
 /** This ray through every method: a row each. */
 export function ladderTable(model: LadderModel, choose: (id: string) => void): TemplateResult {
-  const heads: readonly (readonly [name: string, words: string, title?: string])[] = [
-    ['verdict', 'verdict'],
-    ['roots', 'roots'],
-    ['digits', 'digits that are right'],
-    ['error', 'error'],
-    ['ns', 'ns', 'nanoseconds a ray for both roots, median, on the rays of the plot below'],
-    ['time', 'time', 'as a multiple of the textbook method, on the rays of the plot below'],
-    ['where', 'where digits go'],
-  ];
+  const head = (name: string, words: string, rows = 2): TemplateResult =>
+    html`<th role="columnheader" scope="col" rowspan=${rows} class=${`head-${name}`}>${words}</th>`;
   return html`<table class="ladder" role="table" aria-label="This ray by every method">
+    <caption class="ladder-timed">ns and ×: of ${model.timed}, below</caption>
     <thead role="rowgroup">
       <tr role="row">
-        <th role="columnheader" scope="col" class="name-head">method</th>
-        ${heads.map(([name, words, title]) => html`<th role="columnheader" scope="col" class=${`head-${name}`} title=${title ?? nothing}>${words}</th>`)}
+        <th role="columnheader" scope="col" rowspan="2" class="name-head">method</th>
+        ${head('verdict', 'verdict')}${head('roots', 'roots')}${head('digits', 'digits that are right')}${head('error', 'error')}
+        <th role="columnheader" scope="colgroup" colspan="2" class="head-timed">${model.timed}, below</th>
+        ${head('where', 'where digits go')}
       </tr>
+      <tr role="row">${head('ns', 'ns', 1)}${head('time', '× textbook', 1)}</tr>
     </thead>
     <tbody role="rowgroup">
       ${model.rows.map((row) => ladderRow(row, model, choose))}
@@ -77,18 +76,14 @@ function ladderRow(
     <td role="cell" class="roots">${roots(row)}</td>
     <td role="cell" class="digits">${digitCell(row.digits, 'digits')}</td>
     <td role="cell" class="errors">${errors(row.roots)}</td>
-    <td role="cell" class="ns">${timing ? number('ns', timing.ns.median, nanoseconds(timing.ns.median)) : '–'}</td>
-    <td role="cell" class="time">${timing ? number('ratio', timing.ratio.median, `${multiple(timing.ratio.median)}×`) : '–'}</td>
+    <td role="cell" class="ns">${timing ? number('ns', timing.ns.value, priceText(timing.ns)) : '–'}</td>
+    <td role="cell" class="time">${timing ? number('ratio', timing.times.value, `${priceText(timing.times)}×`) : '–'}</td>
     <td role="cell" class="where">${model.where.get(method.id) ?? ''}</td>
   </tr>`;
 }
 
 const number = (quantity: string, x: number, text: string): TemplateResult =>
   html`<span data-quantity=${quantity} data-value=${shortest(x)}>${text}</span>`;
-
-/** 19.3, 102, 4 245: three figures, and no decimals that nobody measured. */
-export const nanoseconds = (ns: number): string =>
-  ns >= 99.95 ? grouped(Math.round(ns)) : String(Number(ns.toPrecision(3)));
 
 function verdict({ found, judgement }: MethodRow): TemplateResult {
   const right = judgement === 'right';

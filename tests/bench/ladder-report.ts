@@ -1,3 +1,4 @@
+import { priceOf } from '../../src/lab/price.ts';
 import type { Quality } from '../../src/lab/quality.ts';
 import type { Times } from '../../src/lab/run.ts';
 import { quantile, quartiles } from '../../src/lab/stats.ts';
@@ -14,19 +15,20 @@ export interface Measured {
 
 export const MARKS = ['<!-- bench -->', '<!-- /bench -->'] as const;
 
-/** Ratios to textbook, round by round: median (quartiles). */
+/** To textbook: of the best rounds (quartiles, round by round). */
 export function ratios(times: Times, id: string): string {
-  const { low, median, high } = quartilesOf(times, id);
-  return `${median.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})`;
+  const base = times.get('textbook') ?? [];
+  const { low, high } = quartiles((times.get(id) ?? []).map((x, k) => x / (base[k] ?? 1)));
+  return `${ratioOf(times, id)} (${low.toFixed(2)}–${high.toFixed(2)})`;
 }
 
-function quartilesOf(times: Times, id: string) {
-  const base = times.get('textbook') ?? [];
-  return quartiles((times.get(id) ?? []).map((x, k) => x / (base[k] ?? 1)));
-}
+const leastOf = (times: Times, id: string): number => priceOf(times.get(id) ?? []).least;
+
+const ratioOf = (times: Times, id: string): string =>
+  (leastOf(times, id) / leastOf(times, 'textbook')).toFixed(2);
 
 export const nanoseconds = (times: Times, id: string, rays: number): string =>
-  Math.round((quartiles(times.get(id) ?? []).median / rays) * 1e6).toString();
+  Math.round((leastOf(times, id) / rays) * 1e6).toString();
 
 const row = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
 
@@ -66,7 +68,7 @@ export function headline(measured: readonly Measured[]): string[] {
   const of = (id: string): Measured | undefined => measured.find(({ family }) => family.id === id);
   const price = (id: string, form: 'roots' | 'classes', rung: string): string => {
     const found = of(id);
-    return found ? quartilesOf(found[form], rung).median.toFixed(2) : '–';
+    return found ? ratioOf(found[form], rung) : '–';
   };
   const rungs = [...(measured[0]?.quality.keys() ?? [])];
   const total = measured.reduce((sum, { rays }) => sum + rays, 0);

@@ -20,7 +20,7 @@ import {
 } from './ladder-report.ts';
 
 /*
- * What each rung costs, as a ratio to the textbook batch on the same rays in the same round, and what it gets wrong. Rays are drawn from seed
+ * What each rung costs, as a ratio to the textbook batch on the same rays, and what it gets wrong. Rays are drawn from seed
  * 2026 in the order of their family (the mix: 99 % typical, 1 % hard, in random order). Writes docs/bench.md, and its first table into the
  * README; a smaller run, by `--families a,b` or `--rounds 3`, writes both below test-results/ unless `--write` says otherwise.
  */
@@ -130,7 +130,7 @@ const print = (more: readonly string[]): void => {
 const about = [
   '# What accuracy costs',
   '',
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time, as ratios to the \`textbook\` batch on the same rays in the same round: median (quartiles). Ulps are counted from the correctly rounded root, for rays whose class is right. \`certified\` has its roots of batches by WebAssembly (src/math/accelerate.ts) and, in the last row, by TypeScript alone: the same bits. Written by \`npm run bench -- ladder\`.`,
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time of the best round, as ratios to that of the \`textbook\` batch on the same rays (quartiles of the ratios round by round). Ulps are counted from the correctly rounded root, for rays whose class is right. \`certified\` has its roots of batches by WebAssembly (src/math/accelerate.ts) and, in the last row, by TypeScript alone: the same bits. Written by \`npm run bench -- ladder\`.`,
   '',
 ];
 print(objects());

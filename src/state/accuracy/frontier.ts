@@ -1,7 +1,7 @@
 import { digitCount } from '../../lab/digits.ts';
-import { grouped, multiple } from '../../lab/sentence.ts';
+import type { Price } from '../../lab/price.ts';
+import { grouped, priceText, type Question } from '../../lab/sentence.ts';
 import type { Measured, MeasuredRow, Timing } from '../../lab/session.ts';
-import type { Quartiles } from '../../lab/stats.ts';
 import { findMethod } from '../../math/intersect.ts';
 import { display } from '../../text/format.ts';
 import type { Cost, Worth } from './settings.ts';
@@ -11,7 +11,7 @@ export interface FrontierData {
     readonly id: string;
     readonly name: string;
     readonly words: string;
-    readonly cost: Quartiles;
+    readonly cost: Price;
     readonly worth: number;
   }[];
   readonly chosen: string;
@@ -19,6 +19,9 @@ export interface FrontierData {
   readonly worthTitle: string;
   readonly worthTicks: readonly { readonly value: number; readonly label: string }[];
 }
+
+/** A verdict alone costs less than roots do: the plot, the table and the sentence ask the same. */
+export const questionOf = (worth: Worth): Question => (worth === 'wrong' ? 'classes' : 'roots');
 
 export const titleOf = (id: string): string => findMethod(id)?.title ?? id;
 
@@ -29,8 +32,7 @@ export function frontierOf(
   chosen: string,
 ): FrontierData | null {
   const marks = rows.flatMap((row) => {
-    // A verdict alone costs less than roots do.
-    const timing = worth === 'wrong' ? row.classes : row.roots;
+    const timing = row[questionOf(worth)];
     const value = worthOf(row, worth);
     if (!timing || Number.isNaN(value)) return [];
     const { id } = row;
@@ -39,7 +41,7 @@ export function frontierOf(
         id,
         name: `${titleOf(id)}${failures(row)}`,
         words: wordsOf(row, timing),
-        cost: cost === 'ns' ? timing.ns : timing.ratio,
+        cost: cost === 'ns' ? timing.ns : timing.times,
         worth: value,
       },
     ];
@@ -48,11 +50,16 @@ export function frontierOf(
   return {
     marks,
     chosen,
-    costTitle: `${cost === 'ns' ? 'ns per ray' : 'times the textbook method'}, ${worth === 'wrong' ? 'verdict only' : 'both roots'}, median`,
+    costTitle: `${cost === 'ns' ? 'ns per ray' : 'times the textbook method'}, ${QUESTION_WORDS[questionOf(worth)]}, the best round`,
     worthTitle: WORTH_TITLES[worth],
     worthTicks: worth === 'wrong' ? shareTicks(marks) : DIGIT_TICKS,
   };
 }
+
+export const QUESTION_WORDS: Readonly<Record<Question, string>> = {
+  classes: 'verdict only',
+  roots: 'both roots',
+};
 
 const WORTH_TITLES: Readonly<Record<Worth, string>> = {
   digits: 'digits right, in 9 rays of 10',
@@ -89,11 +96,11 @@ function failures({ quality }: MeasuredRow): string {
   return parts.length > 0 ? `: ${parts.join(', ')}` : '';
 }
 
-function wordsOf({ id, quality }: MeasuredRow, { ns, ratio }: Timing): string {
+function wordsOf({ id, quality }: MeasuredRow, { ns, times }: Timing): string {
   const digits = Number.isNaN(quality.digits)
     ? 'no roots to compare'
     : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
   const wrong = `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ${grouped(quality.undecided)} undecided`;
-  const time = `${display(ns.median, 3)} ns a ray, ${multiple(ratio.median)} times textbook`;
+  const time = `${priceText(ns)} ns a ray, ${priceText(times)} times textbook`;
   return `${titleOf(id)}: ${digits}; ${wrong}; ${time}`;
 }

@@ -3,8 +3,9 @@ import { answer } from '../../../src/lab/answer.ts';
 import { digitCount } from '../../../src/lab/digits.ts';
 import type { LabReply } from '../../../src/lab/messages.ts';
 import { batchesOf } from '../../../src/lab/plan.ts';
+import { multipleOf, priceOf } from '../../../src/lab/price.ts';
 import { qualityOf } from '../../../src/lab/quality.ts';
-import { grouped, multiple, sentenceOf } from '../../../src/lab/sentence.ts';
+import { grouped, priceText, sentenceOf } from '../../../src/lab/sentence.ts';
 import { type Measured, type MeasuredRow, measureSession } from '../../../src/lab/session.ts';
 import { DIAL_FAMILIES, difficulties, linesOf, sweepSession } from '../../../src/lab/sweep.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
@@ -43,9 +44,10 @@ describe('a session', () => {
     expect(last?.share).toBe(1);
     expect(last?.rays).toBe(192);
     for (const row of last?.rows ?? []) {
-      expect(row.roots?.ratio).toEqual({ low: 1, median: 1, high: 1 });
+      expect(row.roots?.times).toMatchObject({ value: 1, least: expect.closeTo(1, 1) });
       // Every call lasts one tick of 10 ms, for 192 rays.
-      expect(row.classes?.ns.median).toBeCloseTo(1e7 / 192, 6);
+      expect(row.classes?.ns.least).toBeCloseTo(1e7 / 192, 6);
+      expect(row.classes?.ns.value).toBe(52_000);
     }
     const shares = all.map(({ share }) => share);
     expect([...shares].sort((a, b) => a - b)).toEqual(shares);
@@ -114,10 +116,11 @@ describe('quality', () => {
 });
 
 describe('the sentence', () => {
-  const timing = (ratio: number) => ({
-    ns: { low: ratio, median: 10 * ratio, high: ratio },
-    ratio: { low: ratio, median: ratio, high: ratio },
-  });
+  const base = priceOf([10, 10, 10, 10]);
+  const timing = (ratio: number) => {
+    const ns = priceOf([10, 10, 10, 10].map((ms) => ms * ratio));
+    return { ns, times: multipleOf(ns, base) };
+  };
   const [quality] = allOf('typical')[0]?.rows ?? [];
   const row = (
     id: string,
@@ -146,23 +149,26 @@ describe('the sentence', () => {
       row('certified', { mostUlps: 1 }, 2.004, 1.0561),
       row('exact', {}, 220.4, 180),
     ];
-    expect(sentenceOf(rows, titleOf)).toBe(
-      'On these rays, the textbook formula misjudges 1\u202f234 of 3\u202f072. Right verdicts for all of them cost 1.06 times the textbook formula (certified); faithful roots 2 times the textbook formula (certified).',
+    expect(sentenceOf(rows, 'roots', titleOf)).toBe(
+      'On these rays, the textbook formula misjudges 1\u202f234 of 3\u202f072. Faithful roots for all of them cost 2 times as much as the textbook formula’s (certified).',
     );
-    expect(multiple(1.0561)).toBe('1.06');
-    expect(multiple(220.4)).toBe('220');
+    expect(sentenceOf(rows, 'classes', titleOf)).toBe(
+      'On these rays, the textbook formula misjudges 1\u202f234 of 3\u202f072. Right verdicts alone, without roots, cost 1.06 times as much as the textbook formula’s (certified).',
+    );
+    expect(priceText(timing(1.0561).times)).toBe('1.06');
+    expect(priceText(timing(220.4).times)).toBe('220');
     expect(grouped(1234567)).toBe('1\u202f234\u202f567');
   });
 
   test('does not call roots faithful where no ray has one', () => {
     const none = { digits: Number.NaN, leastDigits: Number.NaN };
-    expect(sentenceOf([row('textbook', none, 1, 1)], titleOf)).toBe(
-      'On these rays, the textbook formula has every verdict right. Right verdicts for all of them cost 1 times the textbook formula (textbook).',
+    expect(sentenceOf([row('textbook', none, 1, 1)], 'roots', titleOf)).toBe(
+      'On these rays, the textbook formula has every verdict right. It is the cheapest method, too, with right answers for all of them, both roots asked for.',
     );
   });
 
   test('says nothing before there is a time', () => {
-    expect(sentenceOf(allOf('typical')[0]?.rows ?? [], titleOf)).toBe('');
+    expect(sentenceOf(allOf('typical')[0]?.rows ?? [], 'roots', titleOf)).toBe('');
   });
 });
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { quantile, quartiles, relativeSpread } from '../../../src/lab/stats.ts';
+import { quantile, quartiles } from '../../../src/lab/stats.ts';
 
 test('quartiles do not care for the order, nor for one wild value', () => {
   expect(quartiles([5, 1, 3, 2, 4])).toEqual({ low: 2, median: 3, high: 4 });
@@ -12,8 +12,4 @@ test('quantiles between infinite neighbours stay infinite', () => {
     Number.POSITIVE_INFINITY,
   );
   expect(quantile([], 0.5)).toBeNaN();
-});
-
-test('the spread is a share of the median', () => {
-  expect(relativeSpread({ low: 9, median: 10, high: 12 })).toBe(0.3);
 });

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { multiple } from '../../../src/lab/sentence.ts';
+import { priceText } from '../../../src/lab/sentence.ts';
 import { measureSession } from '../../../src/lab/session.ts';
 import { sweepSession } from '../../../src/lab/sweep.ts';
 import { findFamily } from '../../../src/math/families.ts';
@@ -39,10 +39,12 @@ describe('the frontier', () => {
       const mark = data?.marks.find(({ id }) => id === row.id);
       expect(mark?.cost).toEqual(row.roots?.ns);
       expect(mark?.worth).toBe(row.quality.digits);
-      expect(mark?.words).toContain(`${multiple(row.roots?.ratio.median ?? 0)} times textbook`);
+      expect(mark?.words).toContain(
+        row.roots ? `${priceText(row.roots.times)} times textbook` : '-',
+      );
     }
     expect(frontierOf(rows, { worth: 'digits', cost: 'times' }, 'exact')?.marks[0]?.cost).toEqual(
-      rows.rows[0]?.roots?.ratio,
+      rows.rows[0]?.roots?.times,
     );
   });
 
