@@ -21,8 +21,7 @@ const out = createAnswers(1);
  * What certified gets wrong on this ray, in words, or null: as an object, in a batch by roots, and in a batch by class only. Each root must be one of
  * the doubles around the exact one.
  */
-export function disagreement(shape: Shape, ray: Ray): string | null {
-  const truth = exactHits(shape, ray);
+export function disagreement(shape: Shape, ray: Ray, truth = exactHits(shape, ray)): string | null {
   const found = intersect(shape, ray, 'certified');
   const kernel = certified.batch(shape);
   if (!kernel) return `no kernel for ${shape.kind}`;
@@ -48,16 +47,20 @@ const allFaithful = (ts: readonly number[], truth: readonly ExactHit[]): boolean
   ts.every((t, k) => faithful((truth[k] as ExactHit).t, t)) &&
   (ts.length < 2 || (ts[0] as number) <= (ts[1] as number));
 
-/** The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is not exactly zero where it must be. */
-export function misplaced({ shape, ray }: Question): Hit[] {
-  const truth = exactHits(shape, ray);
+/**
+ * The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is not exactly zero where it must be. Where a normal leaves the
+ * doubles it has no way to keep: then each component is one of the doubles around the exact one.
+ */
+export function misplaced({ shape, ray }: Question, truth = exactHits(shape, ray)): Hit[] {
   return intersect(shape, ray, 'certified').hits.filter(({ point, normal, singular }, k) => {
     const hit = truth.hits[k] as ExactHit;
     const zero = hit.normal.every((n) => exactly.sign(n) === 0);
     const inRange = normal.every(Number.isFinite) && Math.hypot(...normal) > 1e-290;
     const upright = zero
       ? normal.every((n) => Object.is(n, 0))
-      : !inRange || straight(hit.normal, normal);
+      : inRange
+        ? straight(hit.normal, normal)
+        : normal.every((n, i) => faithful(hit.normal[i] as Surd, n));
     return (
       !point.every((x, i) => faithful(hit.point[i] as Surd, x)) || singular !== zero || !upright
     );

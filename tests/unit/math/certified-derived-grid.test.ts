@@ -11,7 +11,7 @@ import {
   rootsPass,
 } from '../../../src/math/methods/certified/grid-places.ts';
 import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
-import { FOUND, T0, T1 } from '../../../src/math/methods/certified/one-ray.ts';
+import { createFound, T0, T1 } from '../../../src/math/methods/certified/one-ray.ts';
 import { AT_SCALED } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
@@ -153,7 +153,8 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
   }
 
   const grid = at.createGrid();
-  const putRoots = rootsPass(grid);
+  const found = createFound();
+  const putRoots = rootsPass(grid, found);
   /** OFF_X and the like of d = (x, y, z) and A = b = D/4 = 1, |d| = 1. */
   function offs(E: Vec3, t: readonly [number, number], P: number, off = 0, d: Vec3 = [1, 1, 1]) {
     grid.fill(0);
@@ -161,7 +162,7 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
     [grid[at.DX], grid[at.DY], grid[at.DZ]] = d;
     grid[at.REACH_P] = P;
     grid[at.OFF_D] = off;
-    [FOUND[T0], FOUND[T1]] = t;
+    [found[T0], found[T1]] = t;
     putRoots({ origin: E, direction: d });
     return [at.OFF_X, at.OFF_Y, at.OFF_Z].map((k) => grid[k] ?? 0);
   }

@@ -1,10 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
+import { createRoots } from '../../../src/math/methods/certified/hit-quadric.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
-import { plainQuadric } from '../../../src/math/methods/certified/plain-quadric.ts';
-import { QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-roots.ts';
+import { putRoots, QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-roots.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -134,7 +133,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
     places.R[places.F] = F;
     places.R[places.F + 1] = F * U;
     expect(places.putStep(0, 1, offF, 1, eta)).toBe(eta <= 0.25);
-    const [, delta = 0, off = 0] = ROOTS;
+    const [, delta = 0, off = 0] = places.STEP;
     return Math.max(
       ...[-1, 1].flatMap((s) =>
         [-1, 1].map((r) => abs((F + s * offF) / (1 + r * eta) + delta) / off),
@@ -151,7 +150,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
   });
   test('and by rounding it, and the point', () => {
     step(0, 0, 0);
-    const covered = (ROOTS[2] ?? 0) - 2 ** -1072;
+    const covered = (places.STEP[2] ?? 0) - 2 ** -1072;
     const onPoint = add(low(0), add(low(1), mul(known(2 * U), known(1)))).off;
     const first = low(1).x + 2 * U;
     const share = (onPoint + U * first + 4 * UU) / covered;
@@ -172,7 +171,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       const offSlope = places.ERROR_SLOPE * abs(x);
       const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
       const bent = abs(2 * x - (places.R[places.F] ?? 0) / (2 * x));
-      return (ROOTS[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED));
+      return (places.STEP[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED));
     });
     for (const share of shares) expect(share).toBeCloseTo(1, 13);
   });
@@ -212,6 +211,8 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
   test('each root is charged with what A, b, C and D are off, once', () => {
     const random = seeded(SEED);
     const some = () => uniform(random, -1, 1);
+    const numbers = algebra.createAlgebra();
+    const roots = createRoots();
     let asked = 0;
     for (let n = 0; n < 900; n++) {
       const shape: Shape = {
@@ -221,18 +222,19 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
         radius: some() ** 2,
       };
       const ray: Ray = { origin: [3, some(), some()], direction: [-1, some(), some()] };
-      if (plainQuadric(quadricOf(shape) as Quadric, ray)?.class !== 'two') continue;
+      algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);
+      if (!((numbers[algebra.D] ?? 0) > 0 && putRoots(numbers, roots))) continue;
       asked++;
       const [A, b, C, D] = [algebra.A, algebra.B, algebra.C, algebra.D].map((k) =>
-        abs(algebra.ALGEBRA[k] ?? 0),
+        abs(numbers[k] ?? 0),
       ) as [number, number, number, number];
-      const [offA, offB, offC, offD] = algebra.ALGEBRA.slice(algebra.OFF) as unknown as number[];
+      const [offA, offB, offC, offD] = numbers.slice(algebra.OFF) as unknown as number[];
       const s = Math.sqrt(D);
       const offQ = ((offB ?? 0) + (offD ?? 0) / s) / (b + s);
       const charged = [offQ + (offA ?? 0) / A, offQ + (offC ?? 0) / C];
       const own = ROUNDED_Q + QUOTIENT;
-      const shares = [2, 5].map((k) => (ROOTS[k] ?? 0) / abs(ROOTS[k - 2] ?? 0) - own);
-      const signs = (algebra.ALGEBRA[algebra.A] ?? 0) > 0 === (algebra.ALGEBRA[algebra.B] ?? 0) > 0;
+      const shares = [2, 5].map((k) => (roots[k] ?? 0) / abs(roots[k - 2] ?? 0) - own);
+      const signs = (numbers[algebra.A] ?? 0) > 0 === (numbers[algebra.B] ?? 0) > 0;
       for (const [k, share] of shares.entries()) {
         const by = charged[signs ? k : 1 - k] as number;
         expect(share / by).toBeCloseTo(1, 6);

@@ -7,9 +7,11 @@ import { type Family, findFamily, type Question } from '../../../src/math/famili
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { CurvedDetails } from '../../../src/math/intersection.ts';
+import { createAlgebra, putAlgebra } from '../../../src/math/methods/certified/algebra.ts';
 import { openClasses } from '../../../src/math/methods/certified/class-quadric.ts';
-import { ROOTS } from '../../../src/math/methods/certified/hit-quadric.ts';
+import { createRoots } from '../../../src/math/methods/certified/hit-quadric.ts';
 import { plainQuadric } from '../../../src/math/methods/certified/plain-quadric.ts';
+import { putRoots } from '../../../src/math/methods/certified/plain-roots.ts';
 import { certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -83,6 +85,8 @@ test.each(CANCELLED)(
   '%s: what one ray is told in plain numbers is faithful (seed 95)',
   (_, make) => {
     const random = seeded(SEED);
+    const algebra = createAlgebra();
+    const roots = createRoots();
     let plain = 0;
     for (let k = 0; k < 600; k++) {
       const { shape, ray } = make(random);
@@ -90,8 +94,10 @@ test.each(CANCELLED)(
       const found = q && plainQuadric(q, ray);
       if (!found) continue;
       plain += 1;
+      putAlgebra(q, ray, algebra);
+      putRoots(algebra, roots);
       for (const [k, hit] of exactHits(shape, ray).hits.entries()) {
-        const at = ROOTS.subarray(3 * k, 3 * k + 3);
+        const at = roots.subarray(3 * k, 3 * k + 3);
         const told = exact.add(exact.of(at[0] as number), exact.of(at[1] as number));
         const off = exact.sub(told, hit.t);
         const size = exact.sign(off) < 0 ? exact.neg(off) : off;

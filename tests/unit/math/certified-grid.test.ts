@@ -11,7 +11,13 @@ import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/gri
 import { FAITHFUL, placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
 import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
-import { FOUND, findRoots, T0, T1, VERDICT } from '../../../src/math/methods/certified/one-ray.ts';
+import {
+  createFound,
+  findRoots,
+  T0,
+  T1,
+  VERDICT,
+} from '../../../src/math/methods/certified/one-ray.ts';
 import {
   certifiedQuadric,
   readQuadric,
@@ -32,8 +38,9 @@ const { add, sub, mul, sqr, sign, of, toNumber } = exact;
 const size = (x: Surd): Surd => (sign(x) < 0 ? exact.neg(x) : x);
 const grid = at.createGrid();
 const putCoefficients = coefficientsPass(grid);
-const putRoots = rootsPass(grid);
-const hitAt = placePass(grid);
+const found = createFound();
+const putRoots = rootsPass(grid, found);
+const hitAt = placePass(grid, found);
 const value = (k: number): number => grid[k] as number;
 
 function made(id: string, random: Random): Question {
@@ -159,8 +166,8 @@ describe('parts on grids', () => {
       const { shape, ray } = crossing(random, axis);
       const read = readQuadric(shape);
       if (!read) throw new Error('a curved shape is needed');
-      findRoots(read.q, ray);
-      if (FOUND[VERDICT] !== 2) continue;
+      findRoots(read.q, ray, found);
+      if (found[VERDICT] !== 2) continue;
       const truth = exactHits(shape, ray).hits;
       putCoefficients(read.c.numbers, ray);
       putRoots(ray);
@@ -431,10 +438,18 @@ describe('what the bounds do not settle is left open', () => {
 
   test('where A is not certain, the roots are not asked for: they would be in vain', () => {
     const read = readQuadric({ kind: 'cone', vertex: [0, 0, 0], slope: 0.75 });
-    FOUND.fill(-7);
-    const direction: Vec3 = [0.75, 1, 2 ** -30];
-    expect(read && gridQuadric(read.q, read.c, { origin: [3, 1, 2], direction })).toBeNull();
-    expect([...FOUND]).toEqual([-7, -7, -7, -7]);
+    let reads = 0;
+    const counted = (direction: Vec3): Ray => ({
+      get origin(): Vec3 {
+        reads += 1;
+        return [3, 1, 2];
+      },
+      direction,
+    });
+    expect(read && gridQuadric(read.q, read.c, counted([0.75, 1, 2 ** -30]))).toBeNull();
+    expect(reads).toBe(1);
+    expect(read && gridQuadric(read.q, read.c, counted([0.25, 1, -0.5]))?.class).toBe('two');
+    expect(reads).toBeGreaterThan(2);
   });
 
   const axes = [0, 1, 2] as const;
@@ -447,7 +462,7 @@ describe('what the bounds do not settle is left open', () => {
     const read = readQuadric({ ...shape, center } as Shape);
     if (!read) throw new Error('a curved shape is needed');
     const asked = { ...ray, origin };
-    findRoots(read.q, asked);
+    findRoots(read.q, asked, found);
     putCoefficients(read.c.numbers, asked);
     putRoots(asked);
     axes.forEach((i) => {

@@ -26,7 +26,14 @@ export const SMALLEST_D = 2 ** -670;
 export const LARGE = 2 ** 200;
 
 /** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */
-export const ALGEBRA = new Float64Array(21);
+export type Algebra = Float64Array;
+
+/**
+ * Each stage has one of its own, as each may have the ray in units of its own: one that they shared was refilled in other units by a call between writing and
+ * reading (tests/repro).
+ */
+export const createAlgebra = (): Algebra => new Float64Array(21);
+
 export const A = 0;
 export const B = 2;
 export const C = 4;
@@ -40,8 +47,8 @@ export const SIZE = 20;
 export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
   al * bl - (p - ah * bh - al * bh - ah * bl);
 
-/** Puts A, b, C and D/4 of a ray. In one piece: a call that is not inlined boxes its doubles. */
-export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray): void {
+/** Puts A, b, C and D/4 of a ray into `algebra`. In one piece: a call that is not inlined boxes its doubles. */
+export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): void {
   const x = d[0];
   const y = q.hasY ? d[1] : 0;
   const z = d[2];
@@ -150,27 +157,27 @@ export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray): void {
   const size = Math.abs(a);
   const Am = round + size * yy;
   const Cm = wide + size * qq + rho;
-  ALGEBRA[A] = Ah;
-  ALGEBRA[A + 1] = Al;
-  ALGEBRA[B] = bh;
-  ALGEBRA[B + 1] = bl;
-  ALGEBRA[C] = Ch;
-  ALGEBRA[C + 1] = Cl;
-  ALGEBRA[D] = Dh;
-  ALGEBRA[D + 1] = sumError(D0, D1, Dh);
-  ALGEBRA[OFF] = ERROR_A * Am + SMALLEST;
-  ALGEBRA[OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST;
-  ALGEBRA[OFF + 2] = ERROR_C * Cm + SMALLEST;
-  ALGEBRA[OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_D;
-  ALGEBRA[P] = px;
-  ALGEBRA[P + 1] = pxl;
-  ALGEBRA[P + 2] = py;
-  ALGEBRA[P + 3] = pyl;
-  ALGEBRA[P + 4] = pz;
-  ALGEBRA[P + 5] = pzl;
-  ALGEBRA[FLARE] = a;
-  ALGEBRA[FLARE + 1] = aLow;
+  algebra[A] = Ah;
+  algebra[A + 1] = Al;
+  algebra[B] = bh;
+  algebra[B + 1] = bl;
+  algebra[C] = Ch;
+  algebra[C + 1] = Cl;
+  algebra[D] = Dh;
+  algebra[D + 1] = sumError(D0, D1, Dh);
+  algebra[OFF] = ERROR_A * Am + SMALLEST;
+  algebra[OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST;
+  algebra[OFF + 2] = ERROR_C * Cm + SMALLEST;
+  algebra[OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_D;
+  algebra[P] = px;
+  algebra[P + 1] = pxl;
+  algebra[P + 2] = py;
+  algebra[P + 3] = pyl;
+  algebra[P + 4] = pz;
+  algebra[P + 5] = pzl;
+  algebra[FLARE] = a;
+  algebra[FLARE + 1] = aLow;
   const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
   const exactA = !q.squared || (yy < LARGE && qq < LARGE);
-  ALGEBRA[SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
+  algebra[SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
 }

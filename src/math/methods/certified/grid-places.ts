@@ -3,7 +3,7 @@ import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { ERROR } from './grid-coefficients.ts';
 import * as at from './grid-scratch.ts';
-import { FOUND, T0, T1 } from './one-ray.ts';
+import { type Found, T0, T1 } from './one-ray.ts';
 import { AT_SCALED } from './scaled-quadric.ts';
 
 /*
@@ -27,19 +27,18 @@ export const FAITHFUL = 0.9 * 2 ** -54;
 export const CUT_TIME = 2 ** 27;
 export const CUT_ORIGIN = 2 ** 2;
 
-/** Once FOUND holds the roots. */
+/** Once `found` holds the roots. */
 export type RootsPass = (ray: Ray) => void;
-/** The hit at root `k` of FOUND, `turn` 1 for the near and −1 for the far one; null where a coordinate, or the way of the normal, stays open. */
+/** The hit at root `k` of `found`, `turn` 1 for the near and −1 for the far one; null where a coordinate, or the way of the normal, stays open. */
 export type PlacePass = (numbers: Float64Array, k: number, turn: number) => Hit | null;
 
 /** √D/4 and what is common to both hits. */
-export function rootsPass(grid: at.Grid): RootsPass {
+export function rootsPass(grid: at.Grid, found: Found): RootsPass {
   const SPLITTER = HALVES;
   const GRID_T = CUT_TIME;
   const GRID_E = CUT_ORIGIN;
   const BOUND = ERROR;
   const BOUND_POINT = POINT;
-  const found = FOUND;
   return ({ origin: E }) => {
     const A = grid[at.A] as number;
     const D = grid[at.D] as number;
@@ -83,10 +82,9 @@ export function rootsPass(grid: at.Grid): RootsPass {
   };
 }
 
-export function placePass(grid: at.Grid): PlacePass {
+export function placePass(grid: at.Grid, found: Found): PlacePass {
   const NUMBER = AT_SCALED;
   const SURE = FAITHFUL;
-  const found = FOUND;
   return (numbers, k, turn) => {
     const t = found[k] as number;
     const cut = grid[at.CUT_T] as number;

@@ -4,7 +4,7 @@ import type { Ray } from '../../ray.ts';
 import { coefficientsPass, ERROR } from './grid-coefficients.ts';
 import { FAITHFUL, placePass, rootsPass } from './grid-places.ts';
 import * as at from './grid-scratch.ts';
-import { findRoots, T0, T1 } from './one-ray.ts';
+import { createFound, findRoots, T0, T1 } from './one-ray.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
 /*
@@ -25,8 +25,9 @@ export const gridQuadric = onGrids();
 function onGrids(): Answer {
   const grid = at.createGrid();
   const putCoefficients = coefficientsPass(grid);
-  const putRoots = rootsPass(grid);
-  const hitAt = placePass(grid);
+  const found = createFound();
+  const putRoots = rootsPass(grid, found);
+  const hitAt = placePass(grid, found);
   const BOUND = ERROR;
   const SURE = FAITHFUL;
   const SMALL = 1 / BOX;
@@ -58,7 +59,7 @@ function onGrids(): Answer {
     };
     if (D < 0)
       return { class: 'none', hits: [], method: 'certified', decidedBy: 'filter', details };
-    findRoots(q, ray, c);
+    findRoots(q, ray, found, c);
     putRoots(ray);
     const near = hitAt(c.numbers, T0, 1);
     const far = near && hitAt(c.numbers, T1, -1);

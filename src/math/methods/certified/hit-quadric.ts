@@ -2,7 +2,7 @@ import type { Quadric } from '../../batch/quadric.ts';
 import { productError, SPLITTER, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { ALGEBRA, FLARE, lost, P } from './algebra.ts';
+import { type Algebra, FLARE, lost, P } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
 
 /*
@@ -13,24 +13,28 @@ import { FAITHFUL } from './faithful.ts';
 const UU = 2 ** -106;
 /** Of the normal's longest component: its direction is promised within 2^-50. */
 const STRAIGHT = 2 ** -52;
-const LOST = 2 ** -1070;
-const SMALLEST = 2 ** -600;
+export const LOST = 2 ** -1070;
+export const SMALLEST = 2 ** -600;
 
-/** t, tl and off of the near root; the same of the far one. */
-export const ROOTS = new Float64Array(6);
+/** t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra. */
+export type Roots = Float64Array;
+export const createRoots = (): Roots => new Float64Array(6);
 
-const at = (k: number): number => ALGEBRA[k] as number;
-
-/** The hit at root k of ROOTS, which goes by the double that was `certified` for it, with E − C and a from ALGEBRA; null where a coordinate, or the way of the normal, stays open. */
+/**
+ * The hit at root k of `roots`, which goes by the double that was `certified` for it, with E − C and a from `algebra`; null where a coordinate, or the way of the
+ * normal, stays open.
+ */
 export function hitAt(
   q: Quadric,
   { origin: E, direction: d }: Ray,
+  algebra: Algebra,
+  roots: Roots,
   k: number,
   certified: number,
 ): Hit | null {
-  const t = ROOTS[k] as number;
-  const tl = ROOTS[k + 1] as number;
-  const off = ROOTS[k + 2] as number;
+  const t = roots[k] as number;
+  const tl = roots[k + 1] as number;
+  const off = roots[k + 2] as number;
   let big = SPLITTER * t;
   const th = big - (big - t);
   const tm = t - th;
@@ -63,20 +67,25 @@ export function hitAt(
     offY + 16 * UU * Math.abs(Y) <= FAITHFUL * Math.abs(pointY) &&
     offZ + 16 * UU * Math.abs(Z) <= FAITHFUL * Math.abs(pointZ);
   if (!faithful) return null;
-  const px = at(P);
-  const py = at(P + 2);
-  const pz = at(P + 4);
+  const px = algebra[P] as number;
+  const py = algebra[P + 2] as number;
+  const pz = algebra[P + 4] as number;
   const nx = px + mx;
   const ny = py + my;
   const nz = pz + mz;
-  const normalX = nx + (sumError(px, mx, nx) + lx + at(P + 1));
-  const rise = sumError(py, my, ny) + ly + at(P + 3);
+  const normalX = nx + (sumError(px, mx, nx) + lx + (algebra[P + 1] as number));
+  const rise = sumError(py, my, ny) + ly + (algebra[P + 3] as number);
   const above = ny + rise;
-  const normalZ = nz + (sumError(pz, mz, nz) + lz + at(P + 5));
-  const a = at(FLARE);
+  const normalZ = nz + (sumError(pz, mz, nz) + lz + (algebra[P + 5] as number));
+  const a = algebra[FLARE] as number;
   const down = a * above;
   const normalY = q.hasY
-    ? -(down + (productError(a, above, down) + a * (rise - (above - ny)) + at(FLARE + 1) * above))
+    ? -(
+        down +
+        (productError(a, above, down) +
+          a * (rise - (above - ny)) +
+          (algebra[FLARE + 1] as number) * above)
+      )
     : 0;
   const size = Math.abs(a);
   const long = Math.max(Math.abs(normalX), Math.abs(normalY), Math.abs(normalZ));

@@ -11,6 +11,8 @@ import type { Lattice } from './lattice.ts';
  * So the middle of the rough roots, off by 5u√Q/|A| and by what 1/A is off, is known to 2^-36 of their distance and each of them to 2^-28.9. That is less than
  * 2^-7 units of t, since pass 3 asks of both points to be within 2^24 units of the centre and |d| has at least 2^4, so their distance is below
  * 2^21: the whole number next to a rough root is at most 0.51 units from the root.
+ *
+ * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks for a gap between them, and leaves such a ray open.
  */
 const CLEAR = 2 ** -20;
 const CERTAIN = -28 * 2 ** -53;

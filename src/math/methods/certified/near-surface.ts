@@ -7,7 +7,7 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { ALGEBRA, C, ERROR_C, FLARE, OFF, P } from './algebra.ts';
+import { type Algebra, C, ERROR_C, FLARE, OFF, P } from './algebra.ts';
 
 /*
  * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the surface: added up from the exact terms of its expansion. There are 38:
@@ -22,20 +22,22 @@ export const ERROR_LEVELS = 9 * UU;
 export const SMALLEST_C = 2 ** -870;
 
 const levels = newLevels();
-const at = (k: number): number => ALGEBRA[k] as number;
 
 /** The sum, and one of its levels, as hi and lo. */
 const R = new Float64Array(4);
 const LEVEL = 2;
 
-/** Puts C and its bound once more, from p and a in ALGEBRA. A C that is 0 exactly is off by nothing. */
-export function sharpenC(r: number): void {
-  const a = at(FLARE);
+/**
+ * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one: SMALLEST_C is wider than the SMALLEST of algebra.ts. A C that is 0
+ * exactly is off by nothing.
+ */
+export function sharpenC(algebra: Algebra, r: number): void {
+  const a = algebra[FLARE] as number;
   const rho = r * r;
   levels.fill(0);
-  addSquare(P, 1, 0);
-  addSquare(P + 4, 1, 0);
-  if (a !== 0) addSquare(P + 2, -a, -at(FLARE + 1));
+  addSquare(algebra, P, 1, 0);
+  addSquare(algebra, P + 4, 1, 0);
+  if (a !== 0) addSquare(algebra, P + 2, -a, -(algebra[FLARE + 1] as number));
   accumulate(levels, -rho);
   accumulate(levels, -squareError(r, rho));
   // r², or a = c², underflowed, and its error with it.
@@ -45,21 +47,24 @@ export function sharpenC(r: number): void {
     dd.set(R, LEVEL, levels[k] as number);
     dd.add(R, 0, 0, LEVEL);
   }
-  ALGEBRA[C] = R[0] as number;
-  ALGEBRA[C + 1] = R[1] as number;
-  const Cm = at(OFF + 2) / ERROR_C;
-  ALGEBRA[OFF + 2] = exactlyZero(levels)
+  const before = algebra[OFF + 2] as number;
+  const Cm = before / ERROR_C;
+  const off = exactlyZero(levels)
     ? 0
-    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(at(C));
+    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(R[0] as number);
+  if (!(off < before)) return;
+  algebra[C] = R[0] as number;
+  algebra[C + 1] = R[1] as number;
+  algebra[OFF + 2] = off;
 }
 
 /** Whether the product p of something that is not 0 is so small that bits of it, or all, are lost, and a zero would prove nothing. */
 const lost = (x: number, p: number): boolean => x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
 
 /** Adds (hi + lo)²·(a + aLow) for hi and lo at k. */
-function addSquare(k: number, a: number, aLow: number): void {
-  const hi = at(k);
-  const lo = at(k + 1);
+function addSquare(algebra: Algebra, k: number, a: number, aLow: number): void {
+  const hi = algebra[k] as number;
+  const lo = algebra[k + 1] as number;
   if (hi === 0) return;
   addScaled(hi * hi, squareError(hi, hi * hi), a, aLow);
   if (lo === 0) return;

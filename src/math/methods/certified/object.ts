@@ -10,13 +10,10 @@ import { CertifiedAnswer, exactly } from './answer.ts';
 import { gridQuadric } from './grid-quadric.ts';
 import { planarRoots } from './kernel-planar.ts';
 import {
-  FOUND,
+  createFound,
+  createOneRay,
+  type Found,
   findRoots,
-  left,
-  out,
-  rays,
-  setRay,
-  slot,
   stageFound,
   stageOf,
   T0,
@@ -27,6 +24,7 @@ import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
 import { readQuadric } from './scaled-quadric.ts';
 import { solvePlanarSlowly } from './slow-planar.ts';
+import { certifiedSlot } from './slow-quadric.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
 
@@ -47,12 +45,13 @@ const copyOf = ({ origin, direction }: Ray): Ray => ({
 });
 const copied = (v: Vec3): Vec3 => [v[0], v[1], v[2]];
 
+const found = createFound();
+
 function curved(q: Quadric, asked: Ray): Intersection {
   const ray = copyOf(asked);
-  findRoots(q, ray);
-  const verdict = FOUND[VERDICT] as number;
-  const stage = stageFound();
-  return new CertifiedAnswer(verdict, stage, hitsOf(q, ray, verdict), q, ray);
+  findRoots(q, ray, found);
+  const verdict = found[VERDICT] as number;
+  return new CertifiedAnswer(verdict, stageFound(found), hitsOf(q, ray, found), q, ray);
 }
 
 function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
@@ -63,9 +62,10 @@ function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
 }
 
 /** A single root was found by whole numbers already. */
-function hitsOf(q: Quadric, ray: Ray, verdict: number): Hit[] {
-  const t0 = FOUND[T0] as number;
-  const t1 = FOUND[T1] as number;
+function hitsOf(q: Quadric, ray: Ray, found: Found): Hit[] {
+  const verdict = found[VERDICT];
+  const t0 = found[T0] as number;
+  const t1 = found[T1] as number;
   if (verdict === TWO) return twoHits(q, ray, t0, t1);
   return verdict === NONE || Number.isNaN(t0) ? [] : [exactHit(q, ray, 0, t0)];
 }
@@ -75,6 +75,9 @@ const exactHit = (shape: Quadric | Planar, ray: Ray, k: number, t: number): Hit 
   ...(exactly(shape, ray).hits[k] as Hit),
   t,
 });
+
+const { rays, out, left, setRay } = createOneRay();
+const slot = certifiedSlot();
 
 function flat(shape: Planar, ray: Ray): Intersection {
   const s: Planar = { ...shape, N: copied(shape.N), P: copied(shape.P) };

@@ -1,4 +1,11 @@
-import { createAnswers, createRays, NONE, type Rays, TWO } from '../../batch/batch.ts';
+import {
+  type Answers,
+  createAnswers,
+  createRays,
+  NONE,
+  type Rays,
+  TWO,
+} from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
@@ -9,24 +16,32 @@ import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.t
 /*
  * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either of two doubles.
  */
-export const rays = Object.assign(createRays(1), { count: 1 });
-export const out = createAnswers(1);
-export const left: OpenRays = { count: 0, open: new Int32Array(1) };
-export const slot: CertifiedSlot = certifiedSlot();
 
-/** What was found of the last ray: the two roots, NaN where there is none, the verdict, and whether by which stage. In doubles: fields of an object would be boxed. */
-export const FOUND = new Float64Array(4);
+/** A batch of one ray with its answers, and the function that puts a ray into it. */
+export interface OneRay {
+  readonly rays: Rays;
+  readonly out: Answers;
+  readonly left: OpenRays;
+  readonly setRay: (ray: Ray) => void;
+}
+
+export function createOneRay(): OneRay {
+  const rays = Object.assign(createRays(1), { count: 1 });
+  const left = { count: 0, open: new Int32Array(1) };
+  return { rays, out: createAnswers(1), left, setRay: into(rays) };
+}
+
+/** What was found of a ray: the two roots, NaN where there is none, the verdict, and by which stage. In doubles: fields of an object would be boxed. */
+export type Found = Float64Array;
+export const createFound = (): Found => new Float64Array(4);
 export const T0 = 0;
 export const T1 = 1;
 export const VERDICT = 2;
 export const STAGE = 3;
 const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
-export const stageFound = (): DecidedBy => STAGES[FOUND[STAGE] as number] ?? 'exact';
+export const stageFound = (found: Found): DecidedBy => STAGES[found[STAGE] as number] ?? 'exact';
 
-/** Closures over their arrays, as in lattice-scratch.ts. */
-export const setRay = into(rays);
-export const findRoots = finder();
-
+/** A closure over its arrays, as in lattice-scratch.ts. */
 function into({ Ex, Ey, Ez, dx, dy, dz }: Rays): (ray: Ray) => void {
   return ({ origin: E, direction: d }) => {
     Ex[0] = E[0];
@@ -38,18 +53,18 @@ function into({ Ex, Ey, Ez, dx, dy, dz }: Rays): (ray: Ray) => void {
   };
 }
 
-/** Fills FOUND by the stages that a batch goes through. `c` is what certifiedQuadric makes of `q`, for whoever has it at hand. */
-function finder(): (q: Quadric, ray: Ray, c?: CertifiedQuadric) => void {
-  const found = FOUND;
-  const one = rays;
-  const open = left;
-  const answers = out;
+/** Fills `found` by the stages that a batch goes through. `c` is what certifiedQuadric makes of `q`, for whoever has it at hand. */
+export const findRoots = finder();
+
+function finder(): (q: Quadric, ray: Ray, found: Found, c?: CertifiedQuadric) => void {
+  const { rays, out, left, setRay } = createOneRay();
   const { t0, t1 } = out;
-  return (q, ray, c = certifiedQuadric(q)) => {
+  const slot = certifiedSlot();
+  return (q, ray, found, c = certifiedQuadric(q)) => {
     if (c.inBox) {
       setRay(ray);
-      bothRoots(q, c, one, answers, open);
-      if (open.count === 0) {
+      bothRoots(q, c, rays, out, left);
+      if (left.count === 0) {
         const t = t0[0] as number;
         found[T0] = t;
         found[T1] = t1[0] as number;
@@ -58,15 +73,11 @@ function finder(): (q: Quadric, ray: Ray, c?: CertifiedQuadric) => void {
         return;
       }
     }
-    findSlowly(q, ray);
+    found[VERDICT] = solveSlowly(q, ray, slot);
+    found[T0] = slot.t0;
+    found[T1] = slot.t1;
+    found[STAGE] = slot.exact ? 2 : 1;
   };
-}
-
-function findSlowly(q: Quadric, ray: Ray): void {
-  FOUND[VERDICT] = solveSlowly(q, ray, slot);
-  FOUND[T0] = slot.t0;
-  FOUND[T1] = slot.t1;
-  FOUND[STAGE] = slot.exact ? 2 : 1;
 }
 
 export const stageOf = ({ exact }: CertifiedSlot): DecidedBy => (exact ? 'exact' : 'double-double');

@@ -5,9 +5,9 @@ import { productError, squareError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
-import { ALGEBRA, P as ALGEBRA_P } from './algebra.ts';
+import { FLARE as ALGEBRA_FLARE, P as ALGEBRA_P, createAlgebra } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
-import { hitAt, ROOTS } from './hit-quadric.ts';
+import { createRoots, hitAt } from './hit-quadric.ts';
 
 /*
  * Points and normals where a faithful root t is known and the exact one, t*, is wanted: δ = t* − t is one Newton step on a residual in double-double
@@ -48,7 +48,11 @@ const FLARE = 12;
 const at = (k: number): number => R[k] as number;
 const G = [0, 2, 4] as const;
 
-/** Puts g, and E − C where hitAt reads it: the stage that found t may have had it in other units. */
+/** What hitAt reads, in the ray's own units: the stage that found t may have had it in others. */
+const algebra = createAlgebra();
+export const STEP = createRoots();
+
+/** Puts g, and E − C for hitAt. */
 function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
   for (let i = 0; i < 3; i++) {
     const e = origin[i] as number;
@@ -56,8 +60,8 @@ function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
     const x = direction[i] as number;
     R[S] = e - c;
     R[S + 1] = sumError(e, -c, at(S));
-    ALGEBRA[ALGEBRA_P + 2 * i] = at(S);
-    ALGEBRA[ALGEBRA_P + 2 * i + 1] = at(S + 1);
+    algebra[ALGEBRA_P + 2 * i] = at(S);
+    algebra[ALGEBRA_P + 2 * i + 1] = at(S + 1);
     R[V] = t * x;
     R[V + 1] = productError(t, x, at(V));
     dd.add(R, G[i] as number, S, V);
@@ -69,7 +73,11 @@ function putSquare(out: number, x: number): void {
   R[out + 1] = squareError(x, at(out));
 }
 
-/** δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough. */
+/**
+ * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has overflowed (faithful.ts): η, δ and Δ would be 0, and E + t d would
+ * pass for the point. |F'| < ∞ also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN, except that F/2h is 0 where 2h is ∞, and
+ * then F' is ∞ or NaN by 2h itself.
+ */
 export function putStep(
   k: number,
   t: number,
@@ -80,17 +88,17 @@ export function putStep(
   const steep = Math.abs(slope);
   const eta = (offSlope + SMALLEST) / steep;
   const delta = -at(F) / slope;
-  ROOTS[k] = t;
-  ROOTS[k + 1] = delta;
-  ROOTS[k + 2] = (offF + SMALLEST) / steep + (2 * U * eta + ROUNDED) * Math.abs(t) + TINY;
-  return eta <= 0.25;
+  STEP[k] = t;
+  STEP[k + 1] = delta;
+  STEP[k + 2] = (offF + SMALLEST) / steep + (2 * U * eta + ROUNDED) * Math.abs(t) + TINY;
+  return eta <= 0.25 && steep < Number.POSITIVE_INFINITY;
 }
 
 /** (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish while s is long. */
 const times = (a: number, [x, y, z]: Vec3, s: number): number =>
   x * (s * x) + z * (s * z) - a * (y * (s * y));
 
-/** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. Asked after plainQuadric, whose a hitAt reads. */
+/** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. */
 export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
   // A cylinder does not look at y: from E's own height nothing is subtracted.
@@ -99,6 +107,8 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   if (q.squared) putSquare(FLARE, q.flare);
   else dd.set(R, FLARE, q.flare);
   const a = at(FLARE);
+  algebra[ALGEBRA_FLARE] = a;
+  algebra[ALGEBRA_FLARE + 1] = at(FLARE + 1);
   const size = Math.abs(a);
   dd.sqr(R, F, 0);
   dd.sqr(R, S, 4);
@@ -124,7 +134,7 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
       offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope)),
     );
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
-  return known && narrow ? hitAt(q, ray, k, t) : null;
+  return known && narrow ? hitAt(q, ray, algebra, STEP, k, t) : null;
 }
 
 /** As `placeOnQuadric`; the normal is N itself. */
@@ -148,8 +158,8 @@ export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null 
     size = Math.max(size, Math.abs(n), Math.abs(at(g)));
   }
   if (!putStep(0, t, ERROR_FLAT * sharp, rate, ERROR_RATE * steep) || !(size < WIDE)) return null;
-  const delta = ROOTS[1] as number;
-  const off = ROOTS[2] as number;
+  const delta = STEP[1] as number;
+  const off = STEP[2] as number;
   const point: [number, number, number] = [0, 0, 0];
   for (let i = 0; i < 3; i++) {
     const e = E[i] as number;

@@ -2,11 +2,11 @@ import { TWO } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { A, ALGEBRA, B, C, D, OFF, putAlgebra, SIZE } from './algebra.ts';
+import { A, B, C, createAlgebra, D, OFF, putAlgebra, SIZE } from './algebra.ts';
 import { DIRECT_ERROR } from './class-quadric.ts';
 import { FAITHFUL } from './faithful.ts';
-import { hitAt } from './hit-quadric.ts';
-import { FOUND, findRoots, T0, T1, VERDICT } from './one-ray.ts';
+import { createRoots, hitAt } from './hit-quadric.ts';
+import { createFound, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 import { putRoots } from './plain-roots.ts';
 
 /*
@@ -17,12 +17,16 @@ import { putRoots } from './plain-roots.ts';
  * less of Am and Cm and with SMALLEST, as both are below LARGE. And roots of a faithful D are so far apart that they keep their order.
  */
 
-const at = (k: number): number => ALGEBRA[k] as number;
+/* In the ray's own units: findRoots may go on to others, with arrays of its own. */
+const algebra = createAlgebra();
+const roots = createRoots();
+const found = createFound();
+const at = (k: number): number => algebra[k] as number;
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 
 /** The whole answer, or null where one of its numbers stays open. */
 export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
-  putAlgebra(q, ray);
+  putAlgebra(q, ray, algebra);
   const D1 = at(D);
   const faithful =
     at(OFF + 1) <= FAITHFUL * Math.abs(at(B)) &&
@@ -40,10 +44,10 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   // Where the filter of the batch kernels would have been sure, the lower halves were not needed for the class.
   const decidedBy = Math.abs(D1) > DIRECT_ERROR * at(SIZE) ? 'filter' : 'double-double';
   if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
-  if (!putRoots()) return null;
-  findRoots(q, ray);
-  if (FOUND[VERDICT] !== TWO) return null;
-  const near = hitAt(q, ray, 0, FOUND[T0] as number);
-  const far = near && hitAt(q, ray, 3, FOUND[T1] as number);
+  if (!putRoots(algebra, roots)) return null;
+  findRoots(q, ray, found);
+  if (found[VERDICT] !== TWO) return null;
+  const near = hitAt(q, ray, algebra, roots, 0, found[T0] as number);
+  const far = near && hitAt(q, ray, algebra, roots, 3, found[T1] as number);
   return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
 }

@@ -3,9 +3,9 @@ import type { RootSlot } from '../../batch/exact-quadric.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
-import { A, ALGEBRA, B, C, D, lost, OFF, putAlgebra, SIZE } from './algebra.ts';
+import { A, type Algebra, B, C, createAlgebra, D, lost, OFF, putAlgebra, SIZE } from './algebra.ts';
 import { FAITHFUL } from './faithful.ts';
-import { ROOTS } from './hit-quadric.ts';
+import { createRoots, type Roots } from './hit-quadric.ts';
 import { sharpenC } from './near-surface.ts';
 
 /*
@@ -32,51 +32,71 @@ export const QUOTIENT = 30 * UU;
 /** Where C's bound is a larger share of it, E is so near to the surface that C cancels beyond twice the digits. */
 const SHARP = FAITHFUL / 2;
 
-const at = (k: number): number => ALGEBRA[k] as number;
+const algebra = createAlgebra();
+const roots = createRoots();
 
 /** The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. */
 export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
-  putAlgebra(q, ray);
-  const D1 = at(D);
-  if (!(at(SIZE) > 0 && Math.abs(D1) > at(OFF + 3))) return UNKNOWN;
+  putAlgebra(q, ray, algebra);
+  const D1 = algebra[D] as number;
+  const sure = (algebra[SIZE] as number) > 0 && Math.abs(D1) > (algebra[OFF + 3] as number);
+  if (!sure) return UNKNOWN;
   if (D1 < 0) return NONE;
-  if (!(at(OFF + 2) <= SHARP * Math.abs(at(C)))) sharpenC(q.r);
-  if (!putRoots()) return UNKNOWN;
+  const near = !((algebra[OFF + 2] as number) <= SHARP * Math.abs(algebra[C] as number));
+  if (near) sharpenC(algebra, q.r);
+  if (!putRoots(algebra, roots)) return UNKNOWN;
   // No root is −0.
-  slot.t0 = (ROOTS[0] as number) + 0;
-  slot.t1 = (ROOTS[3] as number) + 0;
+  slot.t0 = (roots[0] as number) + 0;
+  slot.t1 = (roots[3] as number) + 0;
   return TWO;
 }
 
 /** Not where a root has vanished below the doubles, and its bound with it. */
-const isFaithful = (k: number): boolean =>
-  (ROOTS[k + 2] as number) < FAITHFUL * Math.abs(ROOTS[k] as number);
+const isFaithful = (roots: Roots, k: number): boolean =>
+  (roots[k + 2] as number) < FAITHFUL * Math.abs(roots[k] as number);
 
-/** Puts both roots; false where one of them is not known to be faithful. */
-export function putRoots(): boolean {
-  const D1 = at(D);
+/** Puts both roots of `algebra`, whose SIZE says that its numbers are finite; false where one of them is not known to be faithful. */
+export function putRoots(algebra: Algebra, roots: Roots): boolean {
+  const D1 = algebra[D] as number;
   const s = Math.sqrt(D1);
   const ss = s * s;
-  const sl = (D1 - ss - squareError(s, ss) + at(D + 1)) / (2 * s);
-  const b = at(B);
+  const sl = (D1 - ss - squareError(s, ss) + (algebra[D + 1] as number)) / (2 * s);
+  const b = algebra[B] as number;
   const turn = b < 0 ? 1 : -1;
   // q = −(b ± √D) with b's sign.
   const q0 = -b + turn * s;
-  const q1 = sumError(-b, turn * s, q0) + (turn * sl - at(B + 1));
+  const q1 = sumError(-b, turn * s, q0) + (turn * sl - (algebra[B + 1] as number));
   const qh = q0 + q1;
   const ql = q1 - (qh - q0);
-  const offQ = (at(OFF + 1) + at(OFF + 3) / s) / Math.abs(qh) + ROUNDED_Q;
-  const A1 = at(A);
+  const offQ =
+    ((algebra[OFF + 1] as number) + (algebra[OFF + 3] as number) / s) / Math.abs(qh) + ROUNDED_Q;
+  const A1 = algebra[A] as number;
   const lower = A1 > 0 === qh < 0 ? 0 : 3;
-  quotient(lower, qh, ql, A1, at(A + 1), offQ + at(OFF) / Math.abs(A1) + QUOTIENT);
-  const C1 = at(C);
-  const zero = at(OFF + 2) === 0;
-  const offC = zero ? 0 : at(OFF + 2) / Math.abs(C1);
-  quotient(3 - lower, C1, at(C + 1), qh, ql, offQ + offC + QUOTIENT);
-  return isFaithful(lower) && (zero || isFaithful(3 - lower));
+  quotient(
+    roots,
+    lower,
+    qh,
+    ql,
+    A1,
+    algebra[A + 1] as number,
+    offQ + (algebra[OFF] as number) / Math.abs(A1) + QUOTIENT,
+  );
+  const C1 = algebra[C] as number;
+  const zero = (algebra[OFF + 2] as number) === 0;
+  const offC = zero ? 0 : (algebra[OFF + 2] as number) / Math.abs(C1);
+  quotient(roots, 3 - lower, C1, algebra[C + 1] as number, qh, ql, offQ + offC + QUOTIENT);
+  return isFaithful(roots, lower) && (zero || isFaithful(roots, 3 - lower));
 }
 
-function quotient(k: number, n: number, nl: number, m: number, ml: number, off: number): void {
+function quotient(
+  roots: Roots,
+  k: number,
+  n: number,
+  nl: number,
+  m: number,
+  ml: number,
+  off: number,
+): void {
   const inverse = 1 / m;
   const t = n * inverse;
   const p = t * m;
@@ -87,7 +107,7 @@ function quotient(k: number, n: number, nl: number, m: number, ml: number, off: 
   const rest = n - p - lost(th, t - th, mh, m - mh, p) + (nl - t * ml);
   const lo = rest * inverse;
   const hi = t + lo;
-  ROOTS[k] = hi;
-  ROOTS[k + 1] = lo - (hi - t);
-  ROOTS[k + 2] = off * Math.abs(hi);
+  roots[k] = hi;
+  roots[k + 1] = lo - (hi - t);
+  roots[k + 2] = off * Math.abs(hi);
 }
