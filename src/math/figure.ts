@@ -1,6 +1,5 @@
-import { exact } from './arithmetic/exact.ts';
-import type { Surd } from './exact/surd.ts';
-import { evaluate, type Values } from './formula/evaluate.ts';
+import { type TypedNumber, typed } from './arithmetic/typed.ts';
+import { evaluate, type Triple, type Values } from './formula/evaluate.ts';
 import type { Sign } from './intersection.ts';
 import { valuesOf } from './methods/tree-method.ts';
 import type { Ray } from './ray.ts';
@@ -18,44 +17,49 @@ export interface Span {
   readonly touches: boolean;
 }
 
-/** How many of the figure's conditions hold with equality where the line meets its plane; exact. */
-export function borderConditions(shape: Shape, ray: Ray): number {
-  const { formula, values } = exactly(shape, ray);
+/** How many of the figure's conditions hold with equality where the line meets its plane; typed. */
+export function borderConditions(shape: Shape, ray: Ray, given?: Values<TypedNumber>): number {
+  const { formula, values } = exactly(shape, ray, given);
   if (!formula?.bound) return 0;
-  const rate = evaluate(formula.rate, exact, values);
-  if (exact.sign(rate) === 0) return 0;
-  const t = evaluate(formula.t, exact, values);
-  const { E, d } = values.vectors as Record<'E' | 'd', readonly [Surd, Surd, Surd]>;
-  const at = (i: 0 | 1 | 2): Surd => exact.add(E[i], exact.mul(t, d[i]));
+  const rate = evaluate(formula.rate, typed, values);
+  if (typed.sign(rate) === 0) return 0;
+  const t = evaluate(formula.t, typed, values);
+  const { E, d } = values.vectors as Record<'E' | 'd', Triple<TypedNumber>>;
+  const at = (i: 0 | 1 | 2): TypedNumber => typed.add(E[i], typed.mul(t, d[i]));
   const placed = withPoint(values, [at(0), at(1), at(2)]);
   return formula.bound.conditions.filter(({ left, right }) => {
-    const difference = exact.sub(evaluate(left, exact, placed), evaluate(right, exact, placed));
-    return exact.sign(difference) === 0;
+    const difference = typed.sub(evaluate(left, typed, placed), evaluate(right, typed, placed));
+    return typed.sign(difference) === 0;
   }).length;
 }
 
 /** Null where the line is not in the figure's plane, or passes beside the figure. */
-export function spanInFigure(shape: Shape, ray: Ray): Span | null {
-  const { formula, values } = exactly(shape, ray);
+export function spanInFigure(shape: Shape, ray: Ray, given?: Values<TypedNumber>): Span | null {
+  const { formula, values } = exactly(shape, ray, given);
   if (!formula?.bound) return null;
   const isZero = (tree: FlatFormula['rate']): boolean =>
-    exact.sign(evaluate(tree, exact, values)) === 0;
+    typed.sign(evaluate(tree, typed, values)) === 0;
   if (!isZero(formula.rate) || !isZero(formula.offset)) return null;
-  const span = formula.bound.span(values, exact);
+  const span = formula.bound.span(values, typed);
   if (!span) return null;
   const [from, to] = span;
   return {
-    from: exact.toNumber(from),
-    to: exact.toNumber(to),
-    sides: [exact.sign(from) as Sign, exact.sign(to) as Sign],
-    touches: exact.sign(exact.sub(to, from)) === 0,
+    from: typed.toNumber(from),
+    to: typed.toNumber(to),
+    sides: [typed.sign(from) as Sign, typed.sign(to) as Sign],
+    touches: typed.sign(typed.sub(to, from)) === 0,
   };
 }
 
-function exactly(shape: Shape, ray: Ray): { formula: FlatFormula | null; values: Values<Surd> } {
+/** The numbers that are stored in shape and ray, or those that are `given` in their place. */
+function exactly(
+  shape: Shape,
+  ray: Ray,
+  given: Values<TypedNumber> | undefined,
+): { formula: FlatFormula | null; values: Values<TypedNumber> } {
   const formula = definitionOf(shape).formula(shape);
   return {
     formula: formula.family === 'flat' ? formula : null,
-    values: valuesOf(shape, ray, exact),
+    values: given ?? valuesOf(shape, ray, typed),
   };
 }

@@ -1,4 +1,6 @@
+import type { TypedNumber } from '../math/arithmetic/typed.ts';
 import { borderConditions, spanInFigure } from '../math/figure.ts';
+import type { Values } from '../math/formula/evaluate.ts';
 import type { FlatDetails, Intersection, PlaneHit } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
@@ -18,6 +20,7 @@ export function flatVerdict(
   details: FlatDetails,
   shape: Shape,
   ray: Ray,
+  given?: Values<TypedNumber>,
 ): Said {
   const { plane, offset, rate, signs } = details;
   if (found.class === 'undecided') {
@@ -26,14 +29,14 @@ export function flatVerdict(
   const { name } = definitionOf(shape).named(shape);
   if (plane) {
     const relations: Comparison[] = [{ left: 'N.d', relation: '≠', right: '0' }];
-    return { relations, pieces: planePieces(found, plane, name, shape, ray) };
+    return { relations, pieces: planePieces(found, plane, name, shape, ray, given) };
   }
   if (found.class === 'none') {
     return { relations: [zero('N.d')], pieces: ['parallel to the plane, beside it: no point'] };
   }
   return {
     relations: [zero('N.d'), zero('N.(E-P)')],
-    pieces: ['the line lies in the plane', ...inPlane(details, name, shape, ray)],
+    pieces: ['the line lies in the plane', ...inPlane(details, name, shape, ray, given)],
   };
 }
 
@@ -45,12 +48,13 @@ function planePieces(
   name: string,
   shape: Shape,
   ray: Ray,
+  given?: Values<TypedNumber>,
 ): Piece[] {
   const where = WHERE[sideKey(sideOfPlane(found))];
   if (found.class === 'one') {
     if (plane.holds.length === 0) return [`one point${where}`];
     const { border } = definitionOf(shape).named(shape);
-    const equalities = border.length === 0 ? 0 : borderConditions(shape, ray);
+    const equalities = border.length === 0 ? 0 : borderConditions(shape, ray, given);
     return [`one point, ${border[equalities - 1] ?? `inside the ${name}`}${where}`];
   }
   const far = distanceKnown(plane);
@@ -68,10 +72,11 @@ function inPlane(
   name: string,
   shape: Shape,
   ray: Ray,
+  given?: Values<TypedNumber>,
 ): readonly Piece[] {
   if (meetsFigure === null) return [': no single point'];
   if (!meetsFigure) return [` and passes beside the ${name}: no point of it`];
-  const span = spanInFigure(shape, ray);
+  const span = spanInFigure(shape, ray, given);
   if (!span) return [` and crosses the ${name}: no single point`];
   const [first, last] = span.sides;
   const stretch = STRETCH[`${sideKey(first)}${sideKey(last)}` as Sides];

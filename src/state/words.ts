@@ -1,3 +1,5 @@
+import type { TypedNumber } from '../math/arithmetic/typed.ts';
+import type { Values } from '../math/formula/evaluate.ts';
 import type { Intersection } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
@@ -28,15 +30,23 @@ export interface HitWords {
   readonly text: string;
 }
 
-/** The case in words, true of the line and of the ray from E. The table behind it: verdict-table.ts. */
-export function verdictWords(found: Intersection, shape: Shape, ray: Ray): VerdictWords {
+/**
+ * The case in words, true of the line and of the ray from E. The table behind it: verdict-table.ts. `given` are the
+ * numbers that `found` is about, where they are not those that shape and ray store.
+ */
+export function verdictWords(
+  found: Intersection,
+  shape: Shape,
+  ray: Ray,
+  given?: Values<TypedNumber>,
+): VerdictWords {
   const { details } = found;
   if (details.family === 'curved') {
     const naming = definitionOf(shape).named(shape);
     const { relations, text } = curvedVerdict(found, details, naming);
     return { relations, pieces: [text], text };
   }
-  const { relations, pieces } = flatVerdict(found, details, shape, ray);
+  const { relations, pieces } = flatVerdict(found, details, shape, ray, given);
   const text = pieces.map((piece) => (typeof piece === 'string' ? piece : display(piece.value)));
   return { relations, pieces, text: text.join('') };
 }

@@ -83,19 +83,32 @@ function overOneRoot(a: Surd, b: Surd): readonly [Surd, Surd, Dyadic] {
   if (p.v.m === 0n) return [p, b, b.D];
   const q = folded(b);
   if (q.v.m === 0n) return [p, q, p.D];
+  const both = dyadicRoot(dy.mul(p.D, q.D));
+  if (both) return [p, overRoot(q, p.D, both), p.D];
   const roots = `√${dy.toNumber(a.D)} and √${dy.toNumber(b.D)}`;
   throw new RangeError(`surds over different roots do not combine: ${roots}`);
 }
 
 const sameForm = (a: Dyadic, b: Dyadic): boolean => a === b || (a.e === b.e && a.m === b.m);
 
+/** The same value over √D, for √(D·a.D) = both: √8 is 4/2 times √2. */
+const overRoot = (a: Surd, D: Dyadic, both: Dyadic): Surd => ({
+  u: dy.mul(a.u, D),
+  v: dy.mul(a.v, both),
+  w: dy.mul(a.w, D),
+  D,
+});
+
 /** The same value with v = 0 if √D is dyadic. */
 function folded(a: Surd): Surd {
   if (a.v.m === 0n) return a;
-  const odd = a.D.e & 1;
-  const m = odd === 0 ? a.D.m : a.D.m << 1n;
+  const rootD = dyadicRoot(a.D);
+  return rootD ? ratio(dy.add(a.u, dy.mul(a.v, rootD)), a.w) : a;
+}
+
+function dyadicRoot(D: Dyadic): Dyadic | null {
+  const odd = D.e & 1;
+  const m = odd === 0 ? D.m : D.m << 1n;
   const root = isqrt(m);
-  if (root * root !== m) return a;
-  const rootD = { m: root, e: (a.D.e - odd) / 2 };
-  return ratio(dy.add(a.u, dy.mul(a.v, rootD)), a.w);
+  return root * root === m ? { m: root, e: (D.e - odd) / 2 } : null;
 }

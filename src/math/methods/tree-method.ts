@@ -43,13 +43,8 @@ export function treeMethod<T>(
   form: Form = courseForm,
 ): Method {
   const rung: Rung<T> = { arithmetic, form, solver, decidedBy, id: about.id };
-  const intersect = (shape: Shape, ray: Ray): Intersection => {
-    const formula = formulaOf(shape);
-    const values = valuesOf(shape, ray, arithmetic);
-    return formula.family === 'curved'
-      ? intersectCurved(formula, values, rung)
-      : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
-  };
+  const intersect = (shape: Shape, ray: Ray): Intersection =>
+    intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), rung);
   return {
     ...about,
     coefficients(shape, ray) {
@@ -62,6 +57,19 @@ export function treeMethod<T>(
     solve: (A, B, C) => solveDoubles(A, B, C, rung),
     parts: (use) => use(arithmetic, form, solver),
   };
+}
+
+/** By the given values in place of those that are stored in shape and ray. */
+export function intersectValues<T>(
+  shape: Shape,
+  ray: Ray,
+  values: Values<T>,
+  rung: Rung<T>,
+): Intersection {
+  const formula = formulaOf(shape);
+  return formula.family === 'curved'
+    ? intersectCurved(formula, values, rung)
+    : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
 }
 
 function formulaOf(shape: Shape): CurvedFormula | FlatFormula {
