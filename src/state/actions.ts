@@ -1,14 +1,21 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { AppState, PageId } from './state.ts';
+import type { TypedTexts } from './typed-texts.ts';
 import type { View } from './view.ts';
 
 /** Everything that can happen to the state. A dragged handle and a slider send the same action. */
 export type Action =
   | { readonly type: 'shape'; readonly kind: string }
-  | { readonly type: 'origin'; readonly value: Vec3 }
-  | { readonly type: 'direction'; readonly value: Vec3 }
+  /** `texts`: what was typed for the value or its components, under 'E.x', 'cone.c'. */
+  | { readonly type: 'origin'; readonly value: Vec3; readonly texts?: TypedTexts }
+  | { readonly type: 'direction'; readonly value: Vec3; readonly texts?: TypedTexts }
   | { readonly type: 'unit'; readonly on: boolean }
-  | { readonly type: 'param'; readonly key: string; readonly value: Vec3 | number | string }
+  | {
+      readonly type: 'param';
+      readonly key: string;
+      readonly value: Vec3 | number | string;
+      readonly texts?: TypedTexts;
+    }
   | { readonly type: 'method'; readonly id: string }
   | { readonly type: 'view'; readonly view: View }
   | { readonly type: 'bead'; readonly t: number | null }

@@ -2,6 +2,7 @@ import { quote } from '../math/invalid-input.ts';
 import { SHAPES, type Shape } from '../math/shapes/index.ts';
 import { checkShape } from '../math/shapes/lookup.ts';
 import { type AppState, INITIAL, PAGES, type Settings } from './state.ts';
+import { readTexts, type TypedTexts } from './typed-texts.ts';
 import { decode, encode, MAX_KEYS } from './url.ts';
 
 /** A saved state: its link, and the shapes and other pages' settings that the link does not carry. */
@@ -10,11 +11,14 @@ interface Saved {
   readonly link: string;
   readonly shapes: readonly Shape[];
   readonly settings: Readonly<Record<string, Settings>>;
+  /** What was typed for the shapes' numbers. */
+  readonly typed: TypedTexts;
 }
 
 export function toFile(state: AppState): string {
-  const { shapes, settings } = state;
-  const saved: Saved = { graze: 1, link: encode(state), shapes: Object.values(shapes), settings };
+  const { shapes, settings, typed } = state;
+  const link = encode(state);
+  const saved: Saved = { graze: 1, link, shapes: Object.values(shapes), settings, typed };
   // JSON has no minus zero: written as a number it would come back as 0.
   return `${JSON.stringify(saved, (_, x) => (Object.is(x, -0) ? '-0' : x), 2)}\n`;
 }
@@ -31,15 +35,17 @@ export function fromFile(text: string): Opened {
   } catch {
     return { ok: false, reason: `${quote(text.slice(0, 30))} is not a saved state` };
   }
-  const { graze, link, shapes, settings } = (data ?? {}) as Partial<Saved>;
+  const { graze, link, shapes, settings, typed } = (data ?? {}) as Partial<Saved>;
   if (graze !== 1 || typeof link !== 'string') {
     return { ok: false, reason: 'this file holds no state of Graze' };
   }
   const problems: string[] = [];
   const known = Array.isArray(shapes) ? readShapes(shapes, problems) : {};
+  const all = { ...INITIAL.shapes, ...known };
   const base: AppState = {
     ...INITIAL,
-    shapes: { ...INITIAL.shapes, ...known },
+    shapes: all,
+    typed: readTexts(typed, all),
     settings: { ...INITIAL.settings, ...readSettings(settings) },
   };
   const state = decode(link, base);

@@ -21,6 +21,7 @@ const UNDOABLE = [
   'E',
   'd',
   'unit',
+  'typed',
   'method',
   'settings',
 ] as const satisfies readonly (keyof AppState)[];
@@ -83,6 +84,6 @@ function forth({ past, present, future }: History): History {
 }
 
 function restored(present: AppState, from: AppState): AppState {
-  const { page, kind, shapes, E, d, unit, method, settings } = from;
-  return { ...present, page, kind, shapes, E, d, unit, method, settings };
+  const { page, kind, shapes, E, d, unit, typed, method, settings } = from;
+  return { ...present, page, kind, shapes, E, d, unit, typed, method, settings };
 }

@@ -37,6 +37,8 @@ export interface AppState {
   /** As it was given; with `unit` the kernel gets d / |d| instead. */
   readonly d: Vec3;
   readonly unit: boolean;
+  /** What was typed for the numbers of E, d and the shapes, where it is more than the double's shortest text. */
+  readonly typed: Readonly<Record<string, string>>;
   readonly method: string;
   readonly view: View;
   /** t of the bead; null lets it rest where the picture is clearest. */
@@ -66,6 +68,7 @@ export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>>
   E: 'link',
   d: 'link',
   unit: 'link',
+  typed: 'file',
   method: 'link',
   view: 'link',
   bead: 'link',
@@ -114,6 +117,7 @@ export const INITIAL: AppState = {
   E: RAY_PARAMS.E.initial,
   d: RAY_PARAMS.d.initial,
   unit: false,
+  typed: {},
   method: DEFAULT_METHOD,
   view: 'iso',
   bead: null,

@@ -13,6 +13,7 @@ import {
   type Settings,
   shapeOf,
 } from './state.ts';
+import { retyped, type TypedTexts, untyped } from './typed-texts.ts';
 import { decode } from './url.ts';
 import { isView } from './view.ts';
 
@@ -22,13 +23,15 @@ export function update(state: AppState, action: Action): AppState {
     case 'shape':
       return findShape(action.kind) ? { ...state, kind: action.kind as ShapeKind } : state;
     case 'origin':
-      return allowed(RAY_PARAMS.E, action.value) ? { ...state, E: action.value } : state;
+      if (!allowed(RAY_PARAMS.E, action.value)) return state;
+      return retyped(state, { ...state, E: action.value }, action.texts);
     case 'direction':
-      return allowed(RAY_PARAMS.d, action.value) ? { ...state, d: action.value } : state;
+      if (!allowed(RAY_PARAMS.d, action.value)) return state;
+      return retyped(state, { ...state, d: action.value }, action.texts);
     case 'unit':
       return { ...state, unit: action.on };
     case 'param':
-      return withParam(state, action.key, action.value);
+      return withParam(state, action.key, action.value, action.texts);
     case 'method':
       return findMethod(action.id) ? { ...state, method: action.id } : state;
     case 'view':
@@ -73,10 +76,10 @@ function allowed(param: Param, value: unknown): boolean {
   }
 }
 
-function withParam(state: AppState, key: string, value: unknown): AppState {
+function withParam(state: AppState, key: string, value: unknown, texts?: TypedTexts): AppState {
   const param = findShape(state.kind)?.params.find((p) => p.key === key);
   if (!param || !allowed(param, value)) return state;
-  return withShape(state, { ...shapeOf(state), [key]: value } as Shape);
+  return retyped(state, withShape(state, { ...shapeOf(state), [key]: value } as Shape), texts);
 }
 
 function withSettings(
@@ -97,14 +100,20 @@ function withShape(state: AppState, shape: Shape): AppState {
 type What = Extract<Action, { type: 'reset' }>['what'];
 
 function reset(state: AppState, what: What): AppState {
-  if (what === 'E') return { ...state, E: INITIAL.E };
-  if (what === 'd') return { ...state, d: INITIAL.d };
+  const { kind } = state;
+  const without = (...letters: string[]): AppState => ({
+    ...state,
+    typed: untyped(state.typed, letters),
+  });
+  if (what === 'E') return { ...without('E'), E: INITIAL.E };
+  if (what === 'd') return { ...without('d'), d: INITIAL.d };
   if (what === 'all') {
     const { E, d, unit, bead, view } = INITIAL;
-    return withShape({ ...state, E, d, unit, bead, view }, initialShape(state.kind));
+    return withShape({ ...without('E', 'd', kind), E, d, unit, bead, view }, initialShape(kind));
   }
-  const param = findShape(state.kind)?.params.find(({ key }) => key === what.param);
-  return param ? withParam(state, param.key, param.initial) : state;
+  const param = findShape(kind)?.params.find(({ key }) => key === what.param);
+  if (!param) return state;
+  return withParam(without(`${kind}.${param.symbol}`), param.key, param.initial);
 }
 
 function openPreset(state: AppState, id: string): AppState {

@@ -5,7 +5,6 @@ import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
 import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { shortest } from '../text/format.ts';
 import { parseNumber } from '../text/parse.ts';
 import {
   type AppState,
@@ -18,6 +17,7 @@ import {
   type Settings,
   shapeOf,
 } from './state.ts';
+import { linkedTexts, linkNumber, type Place, rayPlaces, shapePlaces } from './typed-texts.ts';
 import { isView, type View } from './view.ts';
 
 /** Text of one key, and the reading of it. `read` throws InvalidInput with words that quote what was written. */
@@ -27,8 +27,7 @@ interface Codec<V> {
 }
 
 const number: Codec<number> = {
-  // A plus sign turns into a space in some programs that pass links on; the exponent does not need it.
-  write: (x) => shortest(x).replace('e+', 'e'),
+  write: linkNumber,
   read(text) {
     const parsed = parseNumber(text);
     if (!parsed.ok) throw new InvalidInput(parsed.reason);
@@ -106,12 +105,19 @@ function rayPairs(state: AppState): [string, string][] {
   const add = (key: string, value: string, initial: string): void => {
     if (value !== initial) pairs.push([key, value]);
   };
-  add('E', vector.write(state.E), vector.write(INITIAL.E));
-  add('d', vector.write(state.d), vector.write(INITIAL.d));
+  /** The numbers of one letter, each as it was typed. */
+  const written = (places: readonly Place[], symbol: string): string =>
+    places
+      .filter((place) => place.symbol === symbol)
+      .map(({ key, value }) => escaped(state.typed[key] ?? linkNumber(value)))
+      .join(',');
+  add('E', written(rayPlaces(state), 'E'), vector.write(INITIAL.E));
+  add('d', written(rayPlaces(state), 'd'), vector.write(INITIAL.d));
   add('unit', state.unit ? '1' : '0', '0');
   for (const param of findShape(state.kind)?.params ?? []) {
     const { write } = codecOf(param);
-    add(param.symbol, write(paramValue(shape, param.key)), write(param.initial));
+    const value = written(shapePlaces(shape), param.symbol);
+    add(param.symbol, value || write(paramValue(shape, param.key)), write(param.initial));
   }
   return pairs;
 }
@@ -163,6 +169,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     E: ray.E,
     d: ray.d,
     unit: ray.unit,
+    typed: aboutRay(page) ? linkedTexts(given, ray, before.typed) : before.typed,
     method,
     view: look.view,
     bead: look.bead,

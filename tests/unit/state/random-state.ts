@@ -3,8 +3,11 @@ import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import type { Action } from '../../../src/state/actions.ts';
 import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
+import { update } from '../../../src/state/update.ts';
 import { NAMED_VIEWS, ZOOM_RANGE } from '../../../src/state/view.ts';
+import { parseNumber } from '../../../src/text/parse.ts';
 
 /** Every finite double: −0, subnormals and MAX_VALUE come up often, ordinary numbers too. */
 const double = fc.oneof(
@@ -38,9 +41,43 @@ const view = fc.oneof(
   }),
 );
 
+/** What people type; each as it is kept. */
+const text = fc.constantFrom(
+  ...['1/3', 'sqrt(2)', '√2/2', '1e7', '.5', '2·10⁻³', '2^-40', '1/3 + 1', 'tan(30 deg)', '0.30'],
+  ...['pi', '6 / 2', 'sqrt 2', '1e+2 * 3', '30°'],
+);
+
+/** The state with some of its numbers typed: the first of E and of d, and one of the shape's. */
+function typedIn(state: AppState, [E, d, own]: readonly (string | null)[]): AppState {
+  const value = (typed: string): number => {
+    const parsed = parseNumber(typed);
+    return parsed.ok ? parsed.value : Number.NaN;
+  };
+  let next = state;
+  const put = (action: Action): void => {
+    next = update(next, action);
+  };
+  if (E) {
+    const [, y, z] = state.E;
+    put({ type: 'origin', value: [value(E), y, z], texts: { 'E.x': E } });
+  }
+  if (d) {
+    const [x, y] = state.d;
+    put({ type: 'direction', value: [x, y, value(d)], texts: { 'd.z': d } });
+  }
+  const { kind } = state;
+  const param = SHAPES.find((shape) => shape.kind === kind)?.params.at(-1);
+  if (own && param?.type === 'number') {
+    const texts = { [`${kind}.${param.symbol}`]: own };
+    put({ type: 'param', key: param.key, value: value(own), texts });
+  }
+  return next;
+}
+
 /** Any state that a link can carry in full. */
 export const anyState: fc.Arbitrary<AppState> = fc
   .record({
+    texts: fc.array(fc.option(text), { minLength: 3, maxLength: 3 }),
     page: fc.constantFrom(...PAGES.filter(({ ray }) => ray).map(({ id }) => id)),
     shape: anyShape,
     E: vector,
@@ -50,14 +87,17 @@ export const anyState: fc.Arbitrary<AppState> = fc
     view,
     bead: fc.option(double, { nil: null }),
   })
-  .map(({ shape, ...rest }) => ({
-    ...INITIAL,
-    ...rest,
-    // The look is Explore's own.
-    ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null }),
-    kind: shape.kind,
-    shapes: { ...INITIAL.shapes, [shape.kind]: shape },
-  }));
+  .map(({ shape, texts, ...rest }) => {
+    const state: AppState = {
+      ...INITIAL,
+      ...rest,
+      // The look is Explore's own.
+      ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null }),
+      kind: shape.kind,
+      shapes: { ...INITIAL.shapes, [shape.kind]: shape },
+    };
+    return typedIn(state, texts);
+  });
 
 /** A picture has to add a few lengths to one another: numbers with that much room below the largest double. */
 export const PICTURED = 1e300;

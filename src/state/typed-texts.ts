@@ -1,0 +1,124 @@
+import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
+import { findShape } from '../math/shapes/lookup.ts';
+import type { Param } from '../math/shapes/params.ts';
+import { AXES, type Vec3 } from '../math/vec3.ts';
+import { shortest } from '../text/format.ts';
+import { parseNumber } from '../text/parse.ts';
+import { type AppState, paramValue, RAY_PARAMS } from './state.ts';
+
+/**
+ * What was typed for a number, under its name: 'E.x', 'cone.c'. Only where it is more than the shortest text of the
+ * double that is stored: 1/3, sqrt(2), 1e7.
+ */
+export type TypedTexts = Readonly<Record<string, string>>;
+
+/** One number of the ray or of a shape. */
+export interface Place {
+  /** Its name in TypedTexts. */
+  readonly key: string;
+  /** The parameter's letter. */
+  readonly symbol: string;
+  /** Which component it is; null for a parameter that is one number. */
+  readonly index: 0 | 1 | 2 | null;
+  readonly value: number;
+}
+
+export function rayPlaces({ E, d }: Pick<AppState, 'E' | 'd'>): Place[] {
+  return [...places('', RAY_PARAMS.E, E), ...places('', RAY_PARAMS.d, d)];
+}
+
+export function shapePlaces(shape: Shape): Place[] {
+  const params = findShape(shape.kind)?.params ?? [];
+  return params.flatMap((param) => places(`${shape.kind}.`, param, paramValue(shape, param.key)));
+}
+
+function places(owner: string, param: Param, value: Vec3 | number | string): Place[] {
+  const { symbol } = param;
+  if (typeof value === 'number') return [{ key: owner + symbol, symbol, index: null, value }];
+  if (typeof value === 'string') return [];
+  return ([0, 1, 2] as const).map((index) => ({
+    key: `${owner}${symbol}.${AXES[index]}`,
+    symbol,
+    index,
+    value: value[index],
+  }));
+}
+
+/** As it is kept: with decimal points, since commas separate in a link; undefined where there is nothing to keep. */
+export function keptText(text: string | undefined, value: number): string | undefined {
+  const plain = text?.trim().replace(/,(?=\d)/g, '.');
+  if (plain === undefined || withoutPlus(plain) === linkNumber(value)) return undefined;
+  const parsed = parseNumber(plain);
+  return parsed.ok && Object.is(parsed.value, value) ? plain : undefined;
+}
+
+/** A plus sign turns into a space in some programs that pass links on; the exponent does not need it. */
+export const linkNumber = (x: number): string => withoutPlus(shortest(x));
+
+const withoutPlus = (text: string): string => text.replace(/e\+/i, 'e');
+
+/** The state after a change by which `texts` were typed; the texts of other numbers that changed are of the past. */
+export function retyped(before: AppState, after: AppState, texts: TypedTexts = {}): AppState {
+  const old = new Map(allPlaces(before).map(({ key, value }) => [key, value]));
+  const typed = textsWhere(allPlaces(after), ({ key, value }) => {
+    if (Object.hasOwn(texts, key)) return keptText(texts[key], value);
+    return Object.is(old.get(key), value) ? before.typed[key] : undefined;
+  });
+  return { ...after, typed: sameTexts(before.typed, typed) ? before.typed : typed };
+}
+
+/** The texts of one shape given up, or of the ray's letter. */
+export function untyped(texts: TypedTexts, letters: readonly string[]): TypedTexts {
+  const stays = ([key]: [string, string]): boolean =>
+    !letters.some((letter) => key === letter || key.startsWith(`${letter}.`));
+  const entries = Object.entries(texts);
+  const staying = entries.filter(stays);
+  return staying.length === entries.length ? texts : Object.fromEntries(staying);
+}
+
+/** What a file holds as typed, as far as it is about the shapes that are there. */
+export function readTexts(given: unknown, shapes: AppState['shapes']): TypedTexts {
+  const texts = (given ?? {}) as Readonly<Record<string, unknown>>;
+  return textsWhere(Object.values(shapes).flatMap(shapePlaces), ({ key, value }) => {
+    const text = texts[key];
+    return typeof text === 'string' ? keptText(text, value) : undefined;
+  });
+}
+
+/** The texts in a link's pairs, which are about the ray and one shape; the other shapes keep theirs. */
+export function linkedTexts(
+  given: ReadonlyMap<string, string>,
+  state: Pick<AppState, 'E' | 'd' | 'shapes' | 'kind'>,
+  before: TypedTexts,
+): TypedTexts {
+  const shape = state.shapes[state.kind];
+  const own = textsWhere([...rayPlaces(state), ...shapePlaces(shape)], (place) => {
+    const text = given.get(place.symbol);
+    return keptText(place.index === null ? text : text?.split(',')[place.index], place.value);
+  });
+  return { ...untyped(before, ['E', 'd', state.kind]), ...own };
+}
+
+function textsWhere(
+  among: readonly Place[],
+  textOf: (place: Place) => string | undefined,
+): TypedTexts {
+  const texts: Record<string, string> = {};
+  for (const place of among) {
+    const text = textOf(place);
+    if (text !== undefined) texts[place.key] = text;
+  }
+  return texts;
+}
+
+const KINDS = SHAPES.map(({ kind }) => kind) as readonly ShapeKind[];
+
+const allPlaces = (state: AppState): Place[] => [
+  ...rayPlaces(state),
+  ...KINDS.flatMap((kind) => shapePlaces(state.shapes[kind])),
+];
+
+function sameTexts(a: TypedTexts, b: TypedTexts): boolean {
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => a[key] === b[key]);
+}
