@@ -8,6 +8,9 @@ export const PLACES = 16;
 /** So that the most that a double can have counts as all of its places, and 7.9 as 7. */
 const SLACK = 0.05;
 
+/** What any double but the nearest has at most, so that one step off is never 16 digits in one row and 15 in the next. */
+const MOST_BUT_NEAREST = 15.9;
+
 /** −log10 of a relative error, between 0 and MOST_DIGITS; NaN errors leave no digit standing. */
 export function digitsOfError(relative: number): number {
   if (relative === 0) return MOST_DIGITS;
@@ -21,7 +24,7 @@ export function digitsOfError(relative: number): number {
 export function rightDigits(x: number, exact: Surd): number {
   const nearest = toNumber(exact);
   if (x === nearest) return MOST_DIGITS;
-  return trustedDigits(x, exact);
+  return Math.min(MOST_BUT_NEAREST, trustedDigits(x, exact));
 }
 
 /**
@@ -38,7 +41,7 @@ export function trustedDigits(x: number, exact: Surd): number {
 export function rightDigitsOfDouble(x: number, nearest: number): number {
   if (x === nearest) return MOST_DIGITS;
   if (!Number.isFinite(x) || !Number.isFinite(nearest) || nearest === 0) return 0;
-  return digitsOfError(Math.abs((x - nearest) / nearest));
+  return Math.min(MOST_BUT_NEAREST, digitsOfError(Math.abs((x - nearest) / nearest)));
 }
 
 /** Right digits as a whole number, 0 … 16: what a table says and what is printed bold. */

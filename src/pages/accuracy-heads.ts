@@ -103,17 +103,17 @@ export function emptyFrontier(
   </div>`;
 }
 
-/** The point that was picked, in numbers, and the way to one of its rays. */
+/** The point that was picked, in numbers, and the ways to one of its rays, with its method. */
 export function pickedWords(
   picked: Picked | null,
   quality: Summary | null,
-  open: () => void,
+  { open, take }: { readonly open: () => void; readonly take: () => void },
 ): TemplateResult {
   if (!picked || !quality)
     return html`<p class="acc-hint">Choose a point to see one of its rays.</p>`;
   const { wrong, undecided, rays, digits, leastDigits } = quality;
   return html`<p>
     <b>${titleOf(picked.id)}</b>: ${wrong} of ${rays} verdicts wrong, ${undecided} undecided; digits ${display(digits, 3)} in 9 rays of 10, ${display(leastDigits, 3)} in the worst.
-    ${quality.worst ? html`<button type="button" class="acc-link" @click=${open}>Open its worst ray in Explore</button>` : nothing}
+    ${quality.worst ? html`Its worst ray: <button type="button" class="acc-link" @click=${open}>open in Explore</button> <button type="button" class="acc-link" @click=${take}>make it “This ray”</button>` : nothing}
   </p>`;
 }

@@ -1,24 +1,28 @@
 import { html, type TemplateResult } from 'lit';
 import type { MeasuredRow } from '../lab/session.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
-import { ladderTable, SAYS } from '../panels/ladder-table.ts';
+import { ladderTable } from '../panels/ladder-table.ts';
 import { createNudges } from '../panels/nudges.ts';
+import { changeWords, flips } from '../state/accuracy/change-words.ts';
 import { QUESTION_WORDS, questionOf } from '../state/accuracy/frontier.ts';
 import type { RayModel } from '../state/accuracy/ladder.ts';
 import type { AccuracySettings } from '../state/accuracy/settings.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState } from '../state/state.ts';
+import { displayAll } from '../text/format.ts';
 import { familyName } from './accuracy-heads.ts';
 
 /** This ray through the ladder, where its digits go, and what one double changes. */
-export function createRayView(dispatch: Dispatch) {
-  const nudges = createNudges(dispatch);
+export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {
+  const answer = createAnswer(announce);
+  const nudges = createNudges(dispatch, answer.moved);
   return (
     state: AppState,
     ray: RayModel,
     measured: readonly MeasuredRow[],
     { family, worth }: AccuracySettings,
   ): TemplateResult => {
+    const answered = answer.wordsFor(ray, state.method);
     const question = questionOf(worth);
     const timings = new Map(
       measured.flatMap((row) => (row[question] ? [[row.id, row[question]] as const] : [])),
@@ -39,21 +43,33 @@ export function createRayView(dispatch: Dispatch) {
         <details>
           <summary>What does one double more or less change?</summary>
           ${nudges(state)}
+          <p class="nudge-answer">${answered || 'Move an input by one double: what that changes is said here.'}</p>
         </details>
       </div>`;
   };
 }
 
-/** Which methods say something else than before, for those who cannot see the column. */
-export function announceFlips(
-  before: RayModel,
-  after: RayModel,
-  announce: (words: string) => void,
-): void {
-  const flipped = after.rows.filter((row, i) => row.found.class !== before.rows[i]?.found.class);
-  if (flipped.length > 0) {
-    announce(
-      flipped.map(({ method, found }) => `${method.title}: ${SAYS[found.class]}`).join('; '),
-    );
-  }
+/** Remembers which inputs moved until the page is drawn, and what that changed until the ray is another one. It is said aloud, too. */
+function createAnswer(announce: (words: string) => void) {
+  const moved = new Map<string, { readonly from: number; to: number }>();
+  let last: RayModel | null = null;
+  let words = '';
+  return {
+    moved(name: string, from: number, to: number): void {
+      moved.set(name, { from: moved.get(name)?.from ?? from, to });
+    },
+    wordsFor(ray: RayModel, chosen: string): string {
+      if (last && last !== ray) {
+        const inputs = [...moved].map(
+          ([name, { from, to }]) => `${name} = ${displayAll(from)} → ${displayAll(to)}`,
+        );
+        words = inputs.length > 0 ? `${inputs.join(', ')}: ${changeWords(last, ray, chosen)}.` : '';
+        moved.clear();
+        const said = words || flips(last, ray);
+        if (said) announce(said);
+      }
+      last = ray;
+      return words;
+    },
+  };
 }

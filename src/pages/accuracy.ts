@@ -4,7 +4,7 @@ import { mountHardness } from '../charts/hardness.ts';
 import type { Picked } from '../charts/hardness-model.ts';
 import { sentenceOf } from '../lab/sentence.ts';
 import type { MeasuredRow } from '../lab/session.ts';
-import { findFamily } from '../math/families.ts';
+import { findFamily, type Question } from '../math/families.ts';
 import { quote } from '../math/invalid-input.ts';
 import { measureBar } from '../panels/measure-bar.ts';
 import { frontierOf, questionOf, titleOf } from '../state/accuracy/frontier.ts';
@@ -22,7 +22,7 @@ import type { Findings } from './accuracy-exports.ts';
 import { emptyFrontier, frontierHead, hardnessHead, pickedWords } from './accuracy-heads.ts';
 import { measureJob, spawnLab, sweepJob } from './accuracy-jobs.ts';
 import { measureRequest, provenanceOf, sameRays, sweepRequest } from './accuracy-plans.ts';
-import { announceFlips, createRayView } from './accuracy-ray.ts';
+import { createRayView } from './accuracy-ray.ts';
 import { plotSaves, saveButtons, tableSaves } from './accuracy-saves.ts';
 import type { MountPage } from './page.ts';
 import '../ui/dialog.css';
@@ -33,7 +33,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
-  const rayView = createRayView(dispatch);
+  const rayView = createRayView(dispatch, announce);
   const measuring = measureJob(spawnLab, changed);
   const sweeping = sweepJob(spawnLab, changed);
   let picked: Picked | null = null;
@@ -85,8 +85,16 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
 
   function openPicked(): void {
     const worst = pickedSummary()?.worst;
-    if (!worst || !shown) return;
-    dispatch({ type: 'link', hash: exploreLink(worst.shape, worst.ray, shown.state.method) });
+    if (!worst || !picked) return;
+    dispatch({ type: 'link', hash: exploreLink(worst.shape, worst.ray, picked.id) });
+  }
+
+  /** The picked method on its worst ray, in the table and in "Where did the digits go?". */
+  function takePicked(): void {
+    const worst = pickedSummary()?.worst;
+    if (!worst || !shown || !picked) return;
+    dispatch({ type: 'open', state: withRay(shown.state, worst, picked.id) });
+    top.scrollIntoView();
   }
 
   return {
@@ -94,7 +102,6 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
       const before = shown;
       const settings = settingsOf(state);
       const ray = rayModel(state);
-      if (before && before.ray !== ray) announceFlips(before.ray, ray, announce);
       shown = { state, settings, ray };
       const sweepAsked = sweepRequest(settings);
       const asked = sweeping.request;
@@ -129,7 +136,10 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
           picked,
         });
       }
-      render(pickedWords(picked, pickedSummary(), openPicked), rightFoot);
+      render(
+        pickedWords(picked, pickedSummary(), { open: openPicked, take: takePicked }),
+        rightFoot,
+      );
       const fits = sameRays(measuring.request, measureRequest(settings));
       render(
         html`${measureBar(
@@ -173,6 +183,12 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
 /** The settings of the link, with the defaults of what it does not say. */
 function settingsOf({ settings }: AppState): AccuracySettings {
   return readAccuracy(settings.accuracy).values;
+}
+
+function withRay(state: AppState, { shape, ray }: Question, method: string): AppState {
+  const shapes = { ...state.shapes, [shape.kind]: shape };
+  const { origin: E, direction: d } = ray;
+  return { ...state, kind: shape.kind, shapes, E, d, unit: false, method };
 }
 
 /** The places of the page, in the order in which the eye and the focus go. */

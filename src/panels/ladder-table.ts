@@ -5,6 +5,7 @@ import type { Timing } from '../lab/session.ts';
 import type { MethodRow, RootRow } from '../lab/this-ray.ts';
 import { JUDGEMENTS } from '../lab/verdict.ts';
 import type { Verdict } from '../math/intersection.ts';
+import { SAYS } from '../state/accuracy/change-words.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';
 import { symbol } from './formula.ts';
@@ -20,15 +21,6 @@ export interface LadderModel {
   readonly timed: string;
   readonly chosen: string;
 }
-
-export const SAYS: Readonly<Record<Verdict, string>> = {
-  two: 'two points',
-  tangent: 'touches once',
-  one: 'one point',
-  none: 'no point',
-  contained: 'lies in it',
-  undecided: 'cannot decide',
-};
 
 /** This ray through every method: a row each. */
 export function ladderTable(model: LadderModel, choose: (id: string) => void): TemplateResult {

@@ -22,7 +22,10 @@ type Step = (x: number) => number;
  * Every number that the kernel gets, each with a step to the doubles beside it: how little does it take to flip a verdict? The returned
  * view remembers what it sent until the page has been drawn with it, so that no key is lost, however fast they come.
  */
-export function createNudges(dispatch: Dispatch): (state: AppState) => TemplateResult {
+export function createNudges(
+  dispatch: Dispatch,
+  moved: (name: string, from: number, to: number) => void,
+): (state: AppState) => TemplateResult {
   const ahead = new Map<string, Ahead<Vec3 | number>>();
   const move = ({ symbol, value, send }: Source, i: number, step: Step): void => {
     const own = ahead.get(symbol) ?? new Ahead<Vec3 | number>();
@@ -34,6 +37,8 @@ export function createNudges(dispatch: Dispatch): (state: AppState) => TemplateR
         : (now.map((x, k) => (k === i ? step(x) : x)) as unknown as Vec3);
     own.set(next);
     send(next);
+    const part = (v: Vec3 | number): number => (typeof v === 'number' ? v : (v[i] as number));
+    moved(typeof now === 'number' ? symbol : `${symbol}.${AXES[i]}`, part(now), part(next));
   };
   return (
     state,

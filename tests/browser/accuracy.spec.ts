@@ -186,8 +186,14 @@ test('how hard: textbook ends in lost hits, and its worst ray opens in Explore',
   await line.focus();
   await page.keyboard.press('End');
   await expect(line).toHaveAttribute('aria-valuetext', /^textbook at 10.+ lose a hit/);
-  await page.getByRole('button', { name: 'Open its worst ray in Explore' }).click();
-  await expect(page).toHaveURL(/#\/explore\?/);
+  // With the method that was picked, whichever was chosen before.
+  await row(page, 'moment').getByRole('radio').check();
+  await page.getByRole('button', { name: 'make it “This ray”' }).click();
+  await expect(row(page, 'textbook')).toHaveClass(/is-chosen/);
+  await expect(row(page, 'textbook')).toContainText('misses a hit');
+  await row(page, 'moment').getByRole('radio').check();
+  await page.getByRole('button', { name: 'open in Explore', exact: true }).click();
+  await expect(page).toHaveURL(/#\/explore\?.*method=textbook/);
   await expect(page.getByRole('link', { name: 'Explore', exact: true })).toHaveAttribute(
     'aria-current',
     'page',
@@ -202,6 +208,9 @@ test('one double more flips a verdict, with the keys', async ({ page }) => {
   await page.getByRole('button', { name: 'E.x one double up' }).focus();
   await page.keyboard.press('ArrowUp');
   await expect(row(page, 'exact')).toContainText('no point');
+  await expect(page.locator('.nudge-answer')).toHaveText(
+    /^E\.x = 2 → 2\.0000000000000004: .*exact: touches once → no point \(right\)/,
+  );
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
   await expect(row(page, 'exact')).toContainText('two points');

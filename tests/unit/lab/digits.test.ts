@@ -39,6 +39,13 @@ describe('right digits', () => {
     expect([7.85, 7.96, 0.9, -1].map(digitCount)).toEqual([7, 8, 0, 0]);
     expect(rightDigits(nextUp(1), exact(1))).toBeCloseTo(15.65, 2);
   });
+
+  test('one step off the nearest double is 15 digits, wherever', () => {
+    for (const x of [1, 1.2, 1.5, 1.9, 1.999999, 1e-300, 7e200]) {
+      expect(digitCount(rightDigits(nextUp(x), exact(x)))).toBe(15);
+      expect(digitCount(rightDigitsOfDouble(nextUp(x), x))).toBe(15);
+    }
+  });
 });
 
 describe('marking', () => {

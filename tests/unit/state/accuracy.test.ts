@@ -4,6 +4,7 @@ import { measureSession } from '../../../src/lab/session.ts';
 import { sweepSession } from '../../../src/lab/sweep.ts';
 import { findFamily } from '../../../src/math/families.ts';
 import { SHAPES } from '../../../src/math/shapes/index.ts';
+import { changeWords } from '../../../src/state/accuracy/change-words.ts';
 import { frontierOf } from '../../../src/state/accuracy/frontier.ts';
 import { hardnessOf, tickOf } from '../../../src/state/accuracy/hardness.ts';
 import { createRayModel } from '../../../src/state/accuracy/ladder.ts';
@@ -166,5 +167,30 @@ describe('the settings of a link', () => {
     expect(readAccuracy({ family: 'mix', dial: '900' }).values.dial).toBe(100);
     expect(readAccuracy({ family: 'far-origin', dial: '-4' }).values.dial).toBe(0);
     expect(readAccuracy({ family: 'typical', dial: '3' }).values.dial).toBeNull();
+  });
+});
+
+describe('what another ray changes', () => {
+  const model = createRayModel();
+  const at = (x: string) =>
+    model(
+      decode(`#/accuracy?shape=cylinder&E=${x},0,-5&d=0,0,1&C=0,0,0&r=2&method=exact`, INITIAL),
+    );
+
+  test('verdicts, with what each is worth', () => {
+    const words = changeWords(at('2'), at('2+2^-51'), 'exact');
+    expect(words).toContain('exact: touches once → no point (right)');
+    expect(words).not.toContain('textbook, float32');
+  });
+
+  test('else the roots of the chosen method, before and after', () => {
+    const words = changeWords(at('1'), at('1.5'), 'exact');
+    expect(words).toMatch(
+      /^no verdict changes; exact: t₁ = 3\.26\d+ → 3\.67\d+ \(16 → 16 digits\)/,
+    );
+    expect(changeWords(at('1'), at('1'), 'exact')).toBe(
+      'no verdict changes; exact: t₁ stays, t₂ stays',
+    );
+    expect(changeWords(at('3'), at('4'), 'exact')).toBe('no verdict changes');
   });
 });
