@@ -1,15 +1,18 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
-import type { Values } from '../math/formula/evaluate.ts';
 import { type Expr, plus, scalar } from '../math/formula/expr.ts';
+import type { Intersection } from '../math/intersection.ts';
 import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
+import { type Exactly, rangeNote, rootTexts, shownResult } from '../state/exact-digits.ts';
+import { conditionDigits, putIn, resultsOf } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
 import { display } from '../text/format.ts';
+import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
 import { hitTable } from './hits.ts';
-import { digitsFor } from './room.ts';
+import { fitsInto, isHalf, LONG, type Room, roomsOf } from './room.ts';
 import {
   typesetNumbers,
   typesetNumbersInPieces,
@@ -21,15 +24,17 @@ import './algebra.css';
 
 /** From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the hits. */
 export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
-  const { derivation, title, shown } = model;
+  const { derivation, title, shown, found, exactly } = model;
+  const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
       <p class="lead"><span class="words">Put the ray into the ${title}:</span> ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">
-      ${derivation.steps.map((step, i) => stepLine(step, derivation, i < shown.steps))}
+      ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps))}
       ${shown.conditions ? conditions(derivation) : nothing}
+      ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
     ${shown.verdict ? verdict(model) : concealed()}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
@@ -49,63 +54,108 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResu
 }
 
 /** Hidden, a line keeps its formula and its place, but not its numbers. */
-function stepLine(step: Step, { numbers }: Derivation, shown: boolean): TemplateResult {
-  const { id, letter, expr, worked } = step;
-  const stacked = id !== 'D' && id !== 't';
+function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResult {
+  const { id, letter, expr } = step;
+  const { found, exactly } = model;
+  const line = shown ? numbersOf(step, model) : null;
+  const stacked = id !== 't' && (id !== 'D' || line?.below === true);
   const symbols = formula(typesetSymbols(expr), id === 't');
-  // With −B, √D and 2A worked out there is always room.
-  const { digits, long } = worked
-    ? { digits: 6, long: false }
-    : digitsFor(expr, numbers, stacked ? 'below' : 'behind');
-  const inNumbers = long
-    ? typesetNumbersInPieces(expr, numbers, digits).map((m) => html`${formula(m)} `)
-    : formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't');
+  const sign = line?.isFaithful === false ? '≈' : '=';
   return html`<div class="step ${stacked ? 'stacked' : 'inline'}" data-step=${id}>
     <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${letter ? formula(typesetSymbols(letter)) : nothing}</span>
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
       <span class="in-symbols">${symbols}</span>
-      ${stacked || !shown ? nothing : html`<span class="equals">=</span>`}
-      <span class=${long ? 'in-numbers long' : 'in-numbers'}>${shown ? inNumbers : '?'}</span>
+      ${stacked || line === null ? nothing : html`<span class="equals">${sign}</span>`}
+      ${line === null ? html`<span class="in-numbers">?</span>` : line.content}
     </span>
     ${
       step.value === null || !shown
         ? nothing
-        : html`<span class="equals">=</span><span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
-            Number.isNaN(step.value) ? 'no value' : value(id, step.value)
-          }</span>`
+        : html`<span class="equals">${sign}</span>${result(step, step.value, found, exactly)}`
     }
   </div>`;
+}
+
+interface NumbersLine {
+  readonly content: TemplateResult;
+  readonly below: boolean;
+  readonly isFaithful: boolean;
+}
+
+type Chosen = ReturnType<typeof putIn<Room>>;
+
+/** A step is made anew whenever one of its numbers changes; the page is drawn more often. */
+const chosenBefore = new WeakMap<Step, Chosen>();
+
+function chosen(step: Step, derivation: Derivation, found: Intersection, exactly: Exactly): Chosen {
+  const before = chosenBefore.get(step);
+  if (before !== undefined) return before;
+  const results = resultsOf(step, found, exactly);
+  const now = putIn(step, derivation, results, roomsOf(step), (digits, room) =>
+    fitsInto(step, derivation.numbers, digits, room),
+  );
+  chosenBefore.set(step, now);
+  return now;
+}
+
+/** The numbers put in, with so many digits that they give the result; or words where one of them is no finite number. */
+function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): NumbersLine {
+  const { id, expr, worked } = step;
+  const { numbers } = derivation;
+  const put = chosen(step, derivation, found, exactly);
+  if (put === null) {
+    const content = html`<span class="in-numbers words">a number of it is beyond the doubles</span>`;
+    return { content, below: id === 'D', isFaithful: true };
+  }
+  const { digits, isFaithful, room } = put;
+  const { long, below } = room ?? LONG;
+  const sign = !isFaithful && below ? html`≈ ` : nothing;
+  const content = below
+    ? html`<span class=${long ? 'in-numbers long' : 'in-numbers'}>${sign}${typesetNumbersInPieces(
+        expr,
+        numbers,
+        digits,
+      ).map((m) => html`${formula(m)} `)}</span>`
+    : html`<span class="in-numbers">${formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't')}</span>`;
+  return { content, below, isFaithful };
+}
+
+/** The value by the method, and beside it the exact digits where they differ, or what it is beyond. */
+function result(
+  { id, letter }: Step,
+  x: number,
+  found: Intersection,
+  exactly: Exactly,
+): TemplateResult {
+  const { text, beside } = shownResult(id, x, found, exactly);
+  return html`<span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
+    Number.isNaN(x) ? 'no value' : value(id, x, { text })
+  }${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
 }
 
 /** Two in a line where the numbers are short enough. */
 function conditions(derivation: Derivation): TemplateResult {
   const { conditions: all, numbers } = derivation;
-  const halves = all.every(
-    ({ relation: { left, right } }) => !digitsFor(plus(left, right), numbers, 'half').long,
-  );
+  const halves = all.every(({ relation: { left, right } }) => isHalf(plus(left, right), numbers));
   return html`<div class=${all.length > 1 && halves ? 'conditions halves' : 'conditions'}>
     ${all.map((c) => conditionLine(c, derivation))}
   </div>`;
 }
 
-const putIn = (expr: Expr, numbers: Values<number>): TemplateResult =>
-  typesetNumbers(expr, numbers, { worked: false, digits: 5 });
-
-function conditionLine(
-  { relation, left, right, holds }: ConditionStep,
-  { numbers }: Derivation,
-): TemplateResult {
+function conditionLine(condition: ConditionStep, { numbers }: Derivation): TemplateResult {
+  const { relation, left, right, holds } = condition;
   const words = holds === null ? 'cannot tell' : holds ? 'holds' : 'fails';
-  const put =
+  const { digits, isFaithful } = conditionDigits(condition, numbers);
+  const putIn = (expr: Expr): TemplateResult =>
+    typesetNumbers(expr, numbers, { worked: false, digits });
+  const sides =
     relation.left.op === 'norm'
-      ? html`${value('distance', left)} ≤ ${display(right)}`
-      : formula(
-          mathml`${putIn(relation.left, numbers)}<mo>≤</mo>${putIn(relation.right, numbers)}`,
-        );
+      ? html`${value('distance', left, { digits })} ≤ ${display(right, digits)}`
+      : formula(mathml`${putIn(relation.left)}<mo>≤</mo>${putIn(relation.right)}`);
   return html`<div class="condition" data-holds=${String(holds)}>
     <span class="in-symbols">${formula(typesetRelation(relation))}</span>
-    <span class="in-numbers">${put}</span>
+    <span class="in-numbers">${isFaithful ? nothing : 'rounded: '}${sides}</span>
     <span class="holds">${words}</span>
   </div>`;
 }
@@ -115,11 +165,14 @@ function verdict({
   found,
   contradicted,
   derivation,
+  exactly,
 }: ExploreModel): TemplateResult {
+  const roots = rootTexts(exactly.found.hits.map(({ t }) => t));
+  const at = roots.map((text, i) => `, t${subscript(i + 1)} = ${text}`).join('');
   return html`<p class="verdict">
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
     <strong>${pieces.map(said)}</strong></span>
-    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}</span>` : nothing}
+    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}${at}</span>` : nothing}
   </p>`;
 }
 

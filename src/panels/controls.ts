@@ -37,7 +37,7 @@ export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): Tem
     ${formula(R)}
     ${
       state.unit
-        ? html`<span class="unit-d">(${AXES.map((axis, i) => html`${i > 0 ? ', ' : nothing}${value(`d.${axis}`, ray.direction[i] ?? 0, 8)}`)})</span>`
+        ? html`<span class="unit-d">(${AXES.map((axis, i) => html`${i > 0 ? ', ' : nothing}${value(`d.${axis}`, ray.direction[i] ?? 0, { room: 8 })}`)})</span>`
         : nothing
     }
     <label class="unit"><input

@@ -1,55 +1,83 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import type { Hit } from '../math/intersection.ts';
+import type { Hit, Intersection } from '../math/intersection.ts';
 import { AXES, type Vec3 } from '../math/vec3.ts';
 import type { ExploreModel } from '../state/derive.ts';
+import { exactBeside, rootGap, rootTexts } from '../state/exact-digits.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
 /** One column group a root, rows t, P and N, so that x, y and z stand under each other. */
-export function hitTable({ hits, found }: ExploreModel): TemplateResult {
+export function hitTable({ hits, found, exactly }: ExploreModel): TemplateResult {
+  const texts = rootTexts(hits.map(({ t }) => t));
+  const gap = rootGap(found, exactly);
   return html`<div class="hits" data-count=${hits.length}>
-    ${hits.map((words, i) => column(words, hitOf(words, i, found), hits.length === 1 ? 16 : 9))}
+    ${hits.map((words, i) =>
+      column(words, hitOf(words, i, found), {
+        text: texts[i] ?? null,
+        exact: exactHit(words, i, found, exactly.found),
+      }),
+    )}
+    ${gap === null ? nothing : html`<p class="gap beside">${gap}</p>`}
   </div>`;
 }
 
-function hitOf(words: HitWords, i: number, found: ExploreModel['found']): Hit | null {
+function hitOf(words: HitWords, i: number, found: Intersection): Hit | null {
   if (words.role !== 'outside') return found.hits[i] ?? null;
   return found.details.family === 'flat' ? found.details.plane : null;
 }
 
-/** `room`: characters that a number has space for. */
-function column({ index, role, text, t }: HitWords, hit: Hit | null, room: number): TemplateResult {
+/** The same hit by exact arithmetic; null where that has other hits. */
+function exactHit(words: HitWords, i: number, found: Intersection, exact: Intersection) {
+  return exact.class === found.class ? hitOf(words, i, exact) : null;
+}
+
+interface Shown {
+  /** t as it is printed. */
+  readonly text: string | null;
+  readonly exact: Hit | null;
+}
+
+function column({ index, role, text, t }: HitWords, hit: Hit | null, shown: Shown): TemplateResult {
   const n = String(index);
   const rejected = role === 'outside';
+  const { exact } = shown;
+  const exactT = exact && exactBeside(t, exact.t);
   return html`<section class="hit hit-${role}" aria-label=${`Root ${index}: ${text}`}>
     <p class="chip" data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
     <p class="row t" data-symbol=${`t${n}`}>
       <span class="name">${symbol('t', n, 'sym', `t${n}`)}</span>
-      ${value(rejected ? 't' : `t${n}`, t)}
+      ${value(rejected ? 't' : `t${n}`, t, { text: shown.text, keeps: true })}
+      ${exactT ? html`<span class="beside">exact: ${exactT}</span>` : nothing}
     </p>
-    ${hit ? row('P', n, hit.point, rejected ? 'X' : `P${n}`, room) : nothing}
-    ${hit && !rejected ? normalRow(n, hit, room) : nothing}
+    ${hit ? row('P', n, hit.point, exact?.point, rejected ? 'X' : `P${n}`) : nothing}
+    ${hit && !rejected ? normalRow(n, hit, exact) : nothing}
   </section>`;
 }
 
+/** The coordinates, and under them the exact ones of those whose shown digits differ. */
 function row(
   letter: 'P' | 'N',
   n: string,
   v: Vec3,
+  exact: Vec3 | undefined,
   quantity: string,
-  room: number,
 ): TemplateResult {
   const cls = letter === 'N' ? 'sym sym-normal' : 'sym';
+  const beside = AXES.flatMap((axis, i) => {
+    const text = exact && exactBeside(v[i] ?? 0, exact[i] ?? 0);
+    return text ? [`${axis} ${text}`] : [];
+  });
   return html`<p class="row ${letter}" data-symbol=${`${letter}${n}`}>
     <span class="name">${symbol(letter, n, cls, `${letter}${n}`)}</span>
-    ${AXES.map((axis, i) => value(`${quantity}.${axis}`, v[i] ?? 0, room))}
+    ${AXES.map((axis, i) => value(`${quantity}.${axis}`, v[i] ?? 0))}
+    ${beside.length > 0 ? html`<span class="beside">exact: ${beside.join(', ')}</span>` : nothing}
   </p>`;
 }
 
-function normalRow(n: string, { normal, singular }: Hit, room: number): TemplateResult {
-  if (!singular) return row('N', n, normal, `N${n}`, room);
+function normalRow(n: string, { normal, singular }: Hit, exact: Hit | null): TemplateResult {
+  if (!singular) return row('N', n, normal, exact?.normal, `N${n}`);
   return html`<p class="row N">
     <span class="name">${symbol('N', n, 'sym sym-normal', `N${n}`)}</span>
     <span class="none">zero: no normal at this point</span>

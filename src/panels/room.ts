@@ -1,21 +1,60 @@
+import type { Step } from '../math/derivation.ts';
 import type { Values } from '../math/formula/evaluate.ts';
 import type { Expr, VectorExpr } from '../math/formula/expr.ts';
 import { AXES, axisIndex } from '../math/vec3.ts';
 import { display } from '../text/format.ts';
 
-/** Characters with numbers put in that fit: under the symbols, behind them in the same line, behind them in half a line. */
-const ROOM = { below: 58, behind: 32, half: 20 };
+/** Where numbers that are put in stand, in characters: of the whole, and of a piece that cannot be broken. */
+export interface Room {
+  readonly total: number;
+  readonly piece: number;
+  /** Broken into pieces, in a smaller type. */
+  readonly long: boolean;
+  /** Under the formula, not behind it. */
+  readonly below: boolean;
+}
 
-/** How many digits a line can have without being broken, and whether it has to be broken even with the fewest. */
-export function digitsFor(
-  expr: Expr,
+const BEHIND: Room = { total: 32, piece: 32, long: false, below: false };
+const BELOW: Room = { total: 58, piece: 58, long: false, below: true };
+/** Two lines. */
+export const LONG: Room = { total: 112, piece: 56, long: true, below: true };
+/** Digits of the numbers of t, −B, √D and 2A: there are at most three. */
+const FRACTION_DIGITS = 11;
+const HALF = 20;
+
+/** The rooms of a step's line, in the order in which they are tried. */
+export function roomsOf({ id, worked }: Step): readonly Room[] {
+  if (worked) return [BEHIND];
+  return id === 'D' ? [BEHIND, BELOW, LONG] : [BELOW, LONG];
+}
+
+/** Whether the line with so many digits has room there. */
+export function fitsInto(
+  { expr, worked }: Step,
   values: Values<number>,
-  place: keyof typeof ROOM,
-): { digits: number; long: boolean } {
-  for (const digits of [6, 5, 4]) {
-    if (charactersOf(expr, values, digits) <= ROOM[place]) return { digits, long: false };
+  digits: number,
+  { total, piece }: Room,
+): boolean {
+  if (worked) return digits <= FRACTION_DIGITS;
+  const length = charactersOf(expr, values, digits);
+  if (length > total) return false;
+  return length <= piece || piecesOf(expr, values, digits).every((part) => part <= piece);
+}
+
+/** Whether a condition leaves room for another one beside it. */
+export function isHalf(expr: Expr, values: Values<number>): boolean {
+  return charactersOf(expr, values, 4) <= HALF;
+}
+
+/** Between the pieces a line may be broken: the terms of a sum, the two sides of a dot product. */
+function piecesOf(expr: Expr, values: Values<number>, digits: number): number[] {
+  if (expr.op === 'sum') {
+    return expr.terms.map((term) => charactersOf(term.expr, values, digits) + 3);
   }
-  return { digits: 2, long: true };
+  if (expr.op === 'dot') {
+    return [expr.left, expr.right].map((side) => vector(side, values, digits) + 3);
+  }
+  return [charactersOf(expr, values, digits)];
 }
 
 /** About as many characters as the typeset line has; a pair of parentheses counts for each negative number. */

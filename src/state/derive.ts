@@ -5,6 +5,7 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { type Exactly, exactlyOf } from './exact-digits.ts';
 import { handlesOf } from './handles.ts';
 import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
@@ -25,6 +26,8 @@ export interface ExploreModel {
   readonly found: Intersection;
   /** The exact class, where the chosen method gives another one. */
   readonly contradicted: Verdict | null;
+  /** What exact arithmetic says, for what stands beside the method's digits. */
+  readonly exactly: Exactly;
   readonly derivation: Derivation;
   readonly verdict: VerdictWords;
   readonly hits: readonly HitWords[];
@@ -52,7 +55,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     rayOf({ E, d, unit } as AppState),
   );
   const solve = remember((shape: Shape, r: Ray, method: string) => intersect(shape, r, method));
-  const check = remember((shape: Shape, r: Ray) => intersect(shape, r, 'exact').class);
+  const check = remember(exactlyOf);
   const steps = remember(derivation);
   const strip = remember(stripOf);
   const stage = keepWhile(sameStage, stageOf);
@@ -72,7 +75,8 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
     const verdict = verdictWords(found, shape, r);
-    const exactClass = state.method === 'exact' ? found.class : check(shape, r);
+    const exactly = check(shape, r);
+    const exactClass = exactly.found.class;
     const graph = strip(found, shape, r, state.bead);
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
@@ -98,6 +102,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       ray: r,
       found,
       contradicted: exactClass === found.class ? null : exactClass,
+      exactly,
       derivation: derived,
       verdict,
       hits: hitWords(found),

@@ -14,6 +14,9 @@ const CLOSE = 0.02;
 /** Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between them. */
 const TOO_CLOSE = 1e-5;
 
+/** Room for differences of two such numbers. */
+const LARGEST = Number.MAX_VALUE / 4;
+
 /** All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away to show both. */
 export function windowOf(found: Intersection): Window {
   const roots = rootsOf(found).filter(Number.isFinite);
@@ -46,11 +49,11 @@ function turningPoint({ class: verdict, details }: Intersection): number[] {
 function around(points: readonly number[], roots: readonly number[]): Window {
   const least = Math.min(...points);
   const most = Math.max(...points);
-  const span = Math.min(most - least, Number.MAX_VALUE / 4);
+  const span = Math.min(most - least, LARGEST);
   const close = roots.length === 2 && (roots[1] ?? 0) - (roots[0] ?? 0) <= TOO_CLOSE * span;
   return {
-    from: least - 0.14 * span,
-    to: most + 0.3 * span,
+    from: Math.max(least - 0.14 * span, -LARGEST),
+    to: Math.min(most + 0.3 * span, LARGEST),
     note: close ? 't₁ and t₂ lie too close together to be told apart here' : null,
   };
 }

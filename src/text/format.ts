@@ -4,7 +4,9 @@ import { superscript } from './scripts.ts';
 export const MINUS = '\u2212';
 
 /** Doubles carry 15 decimal digits for certain; what differs only behind them is rounding noise. */
-const CERTAIN_DIGITS = 15;
+export const CERTAIN_DIGITS = 15;
+/** So many tell any two doubles apart. */
+export const ALL_DIGITS = 17;
 /** From 10⁶ and below 10⁻⁴ zeros would have to be counted; a power of ten says it at once. */
 const FIXED_BELOW = 6;
 const FIXED_FROM = -4;
@@ -65,8 +67,10 @@ function significant(x: number, digits: number): { figures: string; exponent: nu
 
 /** toExponential rounds the exact value of the double, so no power of ten is rounded on the way. */
 function scientific(x: number, digits: number): [figures: string, exponent: number] {
-  const [mantissa = '', exponent = ''] = x.toExponential(digits - 1).split('e');
-  return [mantissa.replace('.', ''), Number(exponent)];
+  // Seventeen digits are more than most doubles need: 0.3, not 0.29999999999999999.
+  const text = digits < ALL_DIGITS ? x.toExponential(digits - 1) : x.toExponential();
+  const [mantissa = '', exponent = ''] = text.split('e');
+  return [mantissa.replace('.', '').padEnd(digits, '0'), Number(exponent)];
 }
 
 /** Never with zeros that stand for digits which were rounded away: 123456 in three digits is 1.23 · 10⁵, not 123000. */

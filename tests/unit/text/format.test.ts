@@ -79,7 +79,8 @@ describe('display: at the edges of rounding', () => {
     expect(display(999.9, 3)).toBe('1.00 · 10³');
     expect(display(1234567.89, 9)).toBe('1234567.89');
     expect(display(1 / 3, 15)).toBe('0.333333333333333');
-    expect(display(0.1, 17)).toBe('0.10000000000000001');
+    expect(display(0.1, 17)).toBe('0.1');
+    expect(display(0.1 + 0.2, 17)).toBe('0.30000000000000004');
     expect(display(7.5, 1)).toBe('8');
   });
 });

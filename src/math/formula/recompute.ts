@@ -1,0 +1,126 @@
+import { displayParts, MINUS } from '../../text/format.ts';
+import { float64 } from '../arithmetic/float64.ts';
+import { type Ratio, ratios } from '../arithmetic/ratios.ts';
+import type { Vec3 } from '../vec3.ts';
+import { evaluate, type Triple, type Values } from './evaluate.ts';
+import { type Expr, scalar } from './expr.ts';
+import { isWorked } from './print/leaves.ts';
+
+/** How a line is written with its numbers put in. */
+export interface Written {
+  /** Whether −B, √D, 2A and N·d stand there worked out. */
+  readonly worked: boolean;
+  /** Significant digits of each number. */
+  readonly digits: number;
+}
+
+/** Digits of a result on the page. */
+const RESULT_DIGITS = 6;
+
+/**
+ * Whether a reader who works the line out from the numbers that are printed in it, without any
+ * rounding, gets the printed result in all its digits. False also where the line has no value.
+ */
+export function reproduces(
+  expr: Expr,
+  values: Values<number>,
+  written: Written,
+  result: number,
+  branch: 1 | -1 = 1,
+): boolean {
+  const value = recomputed(expr, values, written, branch);
+  return value !== null && roundsTo(value, result, RESULT_DIGITS);
+}
+
+/** The exact value of the line as it is printed; null where a number of it is not finite, or it has no value. */
+export function recomputed(
+  expr: Expr,
+  values: Values<number>,
+  { worked, digits }: Written,
+  branch: 1 | -1 = 1,
+): Ratio | null {
+  try {
+    const scalars: Record<string, Ratio> = {};
+    const put = worked ? workedOut(expr, values, digits, scalars) : expr;
+    for (const [id, x] of Object.entries(values.scalars)) {
+      if (Number.isFinite(x)) scalars[id] = asPrinted(x, digits);
+    }
+    const vectors = Object.fromEntries(
+      Object.entries(values.vectors).map(([id, v]) => [id, printedTriple(v, digits)]),
+    );
+    return evaluate(put, ratios, { scalars, vectors }, branch);
+  } catch (error) {
+    // No value for a symbol, a division by zero, the root of a negative number.
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+}
+
+/** Whether every number that is put in is finite. */
+export function isWritable(expr: Expr, values: Values<number>, worked: boolean): boolean {
+  if (worked && isWorked(expr)) return Number.isFinite(evaluate(expr, float64, values));
+  switch (expr.op) {
+    case 'scalar':
+      return Number.isFinite(values.scalars[expr.id]);
+    case 'sum':
+      return expr.terms.every((term) => isWritable(term.expr, values, worked));
+    case 'product':
+      return expr.factors.every((factor) => isWritable(factor, values, worked));
+    case 'quotient':
+      return isWritable(expr.over, values, worked) && isWritable(expr.under, values, worked);
+    case 'plus-minus':
+      return isWritable(expr.left, values, worked) && isWritable(expr.right, values, worked);
+    case 'negative':
+    case 'square':
+    case 'root':
+      return isWritable(expr.of, values, worked);
+    // Vectors are input, and input is finite.
+    default:
+      return true;
+  }
+}
+
+/** The tree with a new symbol for each part that is printed as one number. */
+function workedOut(
+  expr: Expr,
+  values: Values<number>,
+  digits: number,
+  scalars: Record<string, Ratio>,
+): Expr {
+  const of = (e: Expr): Expr => workedOut(e, values, digits, scalars);
+  if (isWorked(expr)) {
+    const id = `worked ${Object.keys(scalars).length}`;
+    scalars[id] = asPrinted(evaluate(expr, float64, values), digits);
+    return scalar(id);
+  }
+  if (expr.op === 'quotient') return { op: 'quotient', over: of(expr.over), under: of(expr.under) };
+  if (expr.op === 'plus-minus') {
+    return { op: 'plus-minus', left: of(expr.left), right: of(expr.right) };
+  }
+  return expr;
+}
+
+/** The decimal number that is printed for x, exactly. Throws RangeError where x is not finite. */
+export function asPrinted(x: number, digits: number): Ratio {
+  if (!Number.isFinite(x)) throw new RangeError(`no decimal for ${x}`);
+  const { mantissa, exponent } = displayParts(x, digits);
+  const [whole = '', fraction = ''] = mantissa.replace(MINUS, '').split('.');
+  const figures = BigInt(whole + fraction);
+  return { n: x < 0 ? -figures : figures, d: 1n, e: (exponent ?? 0) - fraction.length };
+}
+
+const printedTriple = (v: Vec3, digits: number): Triple<Ratio> => [
+  asPrinted(v[0], digits),
+  asPrinted(v[1], digits),
+  asPrinted(v[2], digits),
+];
+
+/** Whether `value`, rounded to so many significant digits, is printed as `result` is. */
+function roundsTo(value: Ratio, result: number, digits: number): boolean {
+  if (result === 0) return value.n === 0n;
+  if (!Number.isFinite(result)) return false;
+  const off = ratios.sub(value, asPrinted(result, digits));
+  const last = Number(result.toExponential(digits - 1).split('e')[1]) - digits + 1;
+  const half = { n: 5n, d: 1n, e: last - 1 };
+  return ratios.sign(ratios.sub(off, half)) <= 0 && ratios.sign(ratios.add(off, half)) >= 0;
+}

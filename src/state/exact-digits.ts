@@ -1,0 +1,161 @@
+import { exact } from '../math/arithmetic/exact.ts';
+import type { Derivation, Step } from '../math/derivation.ts';
+import { decimalDigits } from '../math/exact/decimal.ts';
+import type { Surd } from '../math/exact/surd.ts';
+import { DISCRIMINANT } from '../math/formula/common.ts';
+import { evaluate, withScalars } from '../math/formula/evaluate.ts';
+import { intersect } from '../math/intersect.ts';
+import type { Intersection } from '../math/intersection.ts';
+import { valuesOf } from '../math/methods/tree-method.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { ALL_DIGITS, CERTAIN_DIGITS, display, MINUS } from '../text/format.ts';
+import { superscript } from '../text/scripts.ts';
+
+/** What exact arithmetic says of a ray and a shape. */
+export interface Exactly {
+  readonly found: Intersection;
+  /** A, B, C and D, or N·(E − P) and N·d, by the names of their steps; not rounded. */
+  readonly quantities: Readonly<Record<string, Surd>>;
+}
+
+export function exactlyOf(shape: Shape, ray: Ray): Exactly {
+  const formula = definitionOf(shape).formula(shape);
+  const values = valuesOf(shape, ray, exact);
+  const found = intersect(shape, ray, 'exact');
+  if (formula.family === 'flat') {
+    const quantities = {
+      'N.(E-P)': evaluate(formula.offset, exact, values),
+      'N.d': evaluate(formula.rate, exact, values),
+    };
+    return { found, quantities };
+  }
+  const [A, B, C] = [formula.A, formula.B, formula.C].map((e) => evaluate(e, exact, values)) as [
+    Surd,
+    Surd,
+    Surd,
+  ];
+  const D = evaluate(DISCRIMINANT, exact, withScalars(values, { A, B, C }));
+  return { found, quantities: { A, B, C, D } };
+}
+
+const DIGITS = 6;
+/** The doubles end there. */
+const LARGEST = display(Number.MAX_VALUE, 2);
+const SMALLEST = display(Number.MIN_VALUE, 2);
+
+/** How a result stands on the page. */
+export interface ShownResult {
+  /** In place of the double's own digits, where it is no finite number, or 0 for what is not 0. */
+  readonly text: string | null;
+  /** What is said beside it. */
+  readonly beside: string | null;
+}
+
+/** A formula in floats means its own 0 and its own ∞; the other methods know more than the doubles that they show. */
+const knowsMore = ({ decidedBy }: Pick<Intersection, 'decidedBy'>): boolean =>
+  decidedBy !== 'formula';
+
+/** A step's value by the chosen method, with what has to stand beside it. */
+export function shownResult(
+  id: string,
+  value: number,
+  found: Pick<Intersection, 'decidedBy'>,
+  { quantities }: Exactly,
+): ShownResult {
+  const exactly = quantities[id];
+  if (exactly === undefined) return { text: null, beside: null };
+  if (Number.isNaN(value)) return { text: 'no value', beside: `exact: ${exactText(exactly)}` };
+  const rounded = exact.toNumber(exactly);
+  if (knowsMore(found) && isOutOfRange(value, exactly) && Object.is(value + 0, rounded + 0)) {
+    return { text: exactText(exactly), beside: null };
+  }
+  const text = exactBeside(value, rounded, exactly);
+  return { text: null, beside: text && `exact: ${text}` };
+}
+
+const isOutOfRange = (value: number, exactly: Surd): boolean =>
+  !Number.isFinite(value) || (value === 0 && exact.sign(exactly) !== 0);
+
+/** Which of the results no double can hold, and how it was solved all the same; null where all are in range. */
+export function rangeNote(
+  { steps }: Pick<Derivation, 'steps'>,
+  found: Intersection,
+  { quantities }: Exactly,
+): string | null {
+  const over = steps.filter(({ value }) => value !== null && !Number.isFinite(value));
+  const under = steps.filter(({ id, value }) => {
+    const exactly = quantities[id];
+    return value === 0 && exactly && knowsMore(found) && exact.sign(exactly) !== 0;
+  });
+  const parts = [
+    ...(over.length > 0 ? [`${named(over)} beyond ${LARGEST}`] : []),
+    ...(under.length > 0 ? [`${named(under)} below ${SMALLEST}`] : []),
+  ];
+  if (parts.length === 0) return null;
+  const how = found.decidedBy === 'exact' ? '; solved exactly' : '';
+  return `${parts.join(', ')} as a double${how}`;
+}
+
+const named = (steps: readonly Step[]): string =>
+  steps.map(({ id }) => id.replace('.', '·').replace('-', ` ${MINUS} `)).join(', ');
+
+/**
+ * The exact digits beside a number whose shown digits differ from them, so many that the difference is seen; null where
+ * they are the same. `exactly`, where it is known, gives the digits also beyond the doubles.
+ */
+export function exactBeside(value: number, rounded: number, exactly?: Surd): string | null {
+  if (value === rounded && (value !== 0 || !exactly || exact.sign(exactly) === 0)) return null;
+  const isBeyond = !Number.isFinite(rounded) || (rounded === 0 && exactly !== undefined);
+  if (isBeyond) return exactly ? exactText(exactly) : display(rounded);
+  if (display(value) === display(rounded)) return null;
+  return display(rounded, digitsToTell(value, rounded));
+}
+
+/** Six digits, or as many as two doubles need to be printed differently. */
+export function digitsToTell(a: number, b: number): number {
+  for (let digits = DIGITS; digits < ALL_DIGITS; digits++) {
+    if (a.toPrecision(digits) !== b.toPrecision(digits)) return digits;
+  }
+  return ALL_DIGITS;
+}
+
+/** Six digits of an exact number, also beyond the doubles. */
+export function exactText(a: Surd): string {
+  if (exact.sign(a) === 0) return '0';
+  const rounded = exact.toNumber(a);
+  if (Number.isFinite(rounded) && rounded !== 0) return display(rounded);
+  const { negative, digits, exponent } = decimalDigits(a, DIGITS);
+  const more = decimalDigits(a, CERTAIN_DIGITS).digits;
+  // As `display` has it: zeros at the end stay where digits were rounded away.
+  const figures = /^0*$/.test(more.slice(DIGITS)) ? digits.replace(/0+$/, '') : digits;
+  const fraction = figures.slice(1);
+  const sign = negative ? MINUS : '';
+  const power = `10${superscript(exponent)}`;
+  return figures === '1'
+    ? sign + power
+    : `${sign}${figures.charAt(0)}${fraction ? `.${fraction}` : ''} · ${power}`;
+}
+
+/** The roots as they are printed: with more digits where six would make two of them look alike. */
+export function rootTexts(roots: readonly number[]): string[] {
+  const [first, second] = roots;
+  if (first === undefined || second === undefined || display(first) !== display(second)) {
+    return roots.map((t) => display(t));
+  }
+  const digits = first === second ? DIGITS : digitsToTell(first, second);
+  return roots.map((t) => display(t, digits));
+}
+
+/** How far apart two roots are that read alike in six digits; null elsewhere. */
+export function rootGap(found: Intersection, exactly: Exactly): string | null {
+  const [first, second] = found.hits;
+  if (!first || !second || display(first.t) !== display(second.t)) return null;
+  const { A, D } = exactly.quantities;
+  if (exactly.found.class === 'two' && A && D) {
+    const size = exact.sign(A) < 0 ? exact.neg(A) : A;
+    return `exact: t₂ − t₁ = ${exactText(exact.div(exact.sqrt(D), size))}`;
+  }
+  return first.t === second.t ? 't₁ and t₂ are the same number here' : null;
+}
