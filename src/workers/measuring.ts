@@ -1,0 +1,15 @@
+import { answer } from '../lab/answer.ts';
+import type { LabRequest } from '../lab/messages.ts';
+import { accelerate } from '../math/accelerate.ts';
+
+/* The laboratory off the page's own thread: it may work without a pause, and is ended from outside. */
+
+accelerate();
+
+addEventListener('message', ({ data }: MessageEvent<LabRequest>) => {
+  answer(
+    data,
+    () => performance.now(),
+    (reply) => postMessage(reply),
+  );
+});
