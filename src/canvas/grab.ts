@@ -139,10 +139,10 @@ export class Grab {
 
   /** A key press on a handle; false if the key means nothing to it. */
   press(handle: Handle, event: KeyboardEvent): boolean {
-    const value = nudged(handle, event, this.#ground.space().stage.radius);
-    if (value === null) return false;
-    const refusal = handle.refusal(value);
-    if (refusal === null) this.#ground.dispatch(handle.action(value));
+    const nudge = nudged(handle, event, this.#ground.space().stage.radius);
+    if (nudge === null) return false;
+    const refusal = handle.refusal(nudge(handle.value));
+    if (refusal === null) this.#ground.dispatch(handle.action(nudge));
     this.#say(refusal ?? '');
     return true;
   }

@@ -1,5 +1,5 @@
 import { roundStep } from '../math/shapes/steps.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { type Vec3, withComponent } from '../math/vec3.ts';
 import type { Handle } from '../state/handles.ts';
 import type { Value } from '../state/snap.ts';
 import { keyStep } from '../ui/step.ts';
@@ -13,21 +13,23 @@ const MOVES: Readonly<Record<string, readonly [axis: 0 | 1 | 2, sign: 1 | -1]>> 
   PageDown: [2, -1],
 };
 
-/** The value one step on in the direction of a key, with Shift a tenth of one; null for other keys. */
-export function nudged(handle: Handle, event: KeyboardEvent, stageRadius: number): Value | null {
+/** One step on in the direction of a key, with Shift a tenth of one; null for other keys. */
+export function nudged(
+  handle: Handle,
+  event: KeyboardEvent,
+  stageRadius: number,
+): ((now: Value) => Value) | null {
   if (event.ctrlKey || event.metaKey || event.altKey) return null;
   const step = handle.step * (handle.isLength ? roundStep(stageRadius / 5) : 1);
   if (handle.type === 'reach') {
     const change = keyStep(event, step);
-    return change === null ? null : plain(handle.value + change);
+    return change === null ? null : (now) => plain((now as number) + change);
   }
   const move = MOVES[event.key];
   if (!move) return null;
   const [axis, sign] = move;
   const change = sign * (event.shiftKey ? step / 10 : step);
-  const put = (i: 0 | 1 | 2): number =>
-    i === axis ? plain(handle.value[i] + change) : handle.value[i];
-  return [put(0), put(1), put(2)] satisfies Vec3;
+  return (now) => withComponent(now as Vec3, axis, plain((now as Vec3)[axis] + change));
 }
 
 /** Freed of the noise of the addition (0.30000000000000004). */

@@ -10,6 +10,11 @@ export function component(v: Vec3, axis: Axis): number {
   return v[axisIndex(axis)];
 }
 
+/** `v` with its component at this index replaced. */
+export function withComponent(v: Vec3, index: number, x: number): Vec3 {
+  return v.map((old, i) => (i === index ? x : old)) as unknown as Vec3;
+}
+
 export function axisIndex(axis: Axis): 0 | 1 | 2 {
   return axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
 }

@@ -2,7 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import type { MeasuredRow } from '../lab/session.ts';
 import { digitSteps } from '../panels/digit-steps.ts';
 import { ladderTable } from '../panels/ladder-table.ts';
-import { createNudges } from '../panels/nudges.ts';
+import { nudges } from '../panels/nudges.ts';
 import { changeWords, flips } from '../state/accuracy/change-words.ts';
 import { QUESTION_WORDS, questionOf } from '../state/accuracy/frontier.ts';
 import type { RayModel } from '../state/accuracy/ladder.ts';
@@ -15,7 +15,6 @@ import { familyName } from './accuracy-heads.ts';
 /** This ray through the ladder, where its digits go, and what one double changes. */
 export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {
   const answer = createAnswer(announce);
-  const nudges = createNudges(dispatch, answer.moved);
   return (
     state: AppState,
     ray: RayModel,
@@ -32,7 +31,7 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
     return html`<div class="acc-head">
         <h2>This ray</h2>
         <p>${ray.words}</p>
-        <button type="button" class="button" @click=${() => dispatch({ type: 'open', state: { ...state, page: 'explore' } })}>Open in Explore</button>
+        <button type="button" class="button" @click=${() => dispatch({ type: 'page', page: 'explore' })}>Open in Explore</button>
       </div>
       ${ladderTable(model, (id) => dispatch({ type: 'method', id }))}
       <div class="acc-more">
@@ -42,7 +41,7 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
         </details>
         <details>
           <summary>What does one double more or less change?</summary>
-          ${nudges(state)}
+          ${nudges(state, dispatch, answer.moved)}
           <p class="nudge-answer">${answered || 'Move an input by one double: what that changes is said here.'}</p>
         </details>
       </div>`;

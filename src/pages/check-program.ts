@@ -50,6 +50,7 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     edit: write,
     pick(kind) {
       if (source() === templateNow()) write(template(kindsFor(kind)));
+      cases = kind;
       set({ cases: kind });
     },
     run: () => runs.run(source(), cases),

@@ -33,7 +33,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   const tools = pageTools(dispatch);
   const darkroom = createDarkroom({ spawn, workers: coresOf(navigator), changed });
   const easel = createEasel(parts.easel, {
-    split: (percent) => tools.set({ split: String(percent) }),
+    split: (edit) => tools.edit(({ split }) => ({ split: String(edit(split)) })),
     pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
     cursor: (x, y) => announce(`pixel ${x}, ${y}`),
     grab(x, y) {
@@ -43,8 +43,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
       return held !== null;
     },
     drag(x, y) {
-      const scene = held && dragged(held, x, y);
-      if (scene) tools.scene(scene);
+      if (held) tools.scene(dragged(held, x, y));
     },
   });
   const loupe = createLoupe(parts.loupes);
@@ -83,7 +82,8 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   const bar = ({ picture, shots }: Sight) =>
     pictureBar(picture, {
       set: tools.set,
-      compare: () => tools.set({ against: picture.against ? '' : 'start:none', show: 'both' }),
+      compare: () =>
+        tools.edit(({ against }) => ({ against: against ? '' : 'start:none', show: 'both' })),
       again: () => darkroom.again([shots.main, ...(shots.other ? [shots.other] : [])]),
       cancel: darkroom.cancel,
       save: () => void save(),

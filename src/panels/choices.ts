@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import './choices.css';
 
 export interface Choice {
@@ -24,8 +25,8 @@ export function tabs(
       more.length > 0
         ? html`<select class=${other ? 'tab-more chosen' : 'tab-more'} aria-label=${`${label}: more`}
             @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
-            ${other ? '' : html`<option value="" selected disabled>more …</option>`}
-            ${more.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
+            ${other ? '' : html`<option value="" .selected=${live(true)} disabled>more …</option>`}
+            ${more.map(({ id, title }) => html`<option value=${id} .selected=${live(id === chosen)}>${title}</option>`)}
           </select>`
         : ''
     }

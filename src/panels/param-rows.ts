@@ -7,7 +7,7 @@ import {
   type Param,
   type VectorParam,
 } from '../math/shapes/params.ts';
-import { AXES, type Vec3 } from '../math/vec3.ts';
+import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';
 import { symbol } from './formula.ts';
@@ -43,10 +43,8 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
   return html`<div class="param ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-triple=${triple}>
     <span class="letter">${symbol(letter, null, cls, letter)}</span>
     ${AXES.map((axis, i) => {
-      const put = (x: number): Vec3 =>
-        current.map((old, k) => (k === i ? x : old)) as unknown as Vec3;
       const label = `${letter}.${axis}`;
-      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send(put(e.detail))}>
+      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send((now) => withComponent(now as Vec3, i, e.detail))}>
         <span class="axis" aria-hidden="true">${axis}</span>
         <graze-number
           id=${`box-${label}`}
@@ -55,7 +53,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
           .label=${label}
           .symbol=${label}
           .quantity=${quantities ? label : ''}
-          .check=${(x: number) => refusal(param, put(x))}
+          .check=${(x: number) => refusal(param, withComponent(current, i, x))}
         ></graze-number>
         <graze-slider
           .value=${current[i] ?? 0}

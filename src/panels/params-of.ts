@@ -1,17 +1,15 @@
 import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Param } from '../math/shapes/params.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import type { Dispatch } from '../state/actions.ts';
+import type { Dispatch, Edit, ParamValue } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { paramValue, RAY_PARAMS } from '../state/state.ts';
-
-export type ParamValue = Vec3 | number | string;
 
 /** A parameter with its value now and the two things that can be done to it. */
 export interface Handle<P extends Param = Param> {
   readonly param: P;
   readonly value: ParamValue;
-  readonly send: (value: ParamValue) => void;
+  readonly send: (value: Edit<ParamValue>) => void;
   readonly reset: () => void;
   /** Whether its boxes carry the quantity; with a unit d the kernel's own d is told elsewhere. */
   readonly quantities: boolean;
@@ -22,14 +20,14 @@ export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle
     {
       param: RAY_PARAMS.E,
       value: state.E,
-      send: (value) => dispatch({ type: 'origin', value: value as Vec3 }),
+      send: (value) => dispatch({ type: 'origin', value: value as Edit<Vec3> }),
       reset: () => dispatch({ type: 'reset', what: 'E' }),
       quantities: true,
     },
     {
       param: RAY_PARAMS.d,
       value: state.d,
-      send: (value) => dispatch({ type: 'direction', value: value as Vec3 }),
+      send: (value) => dispatch({ type: 'direction', value: value as Edit<Vec3> }),
       reset: () => dispatch({ type: 'reset', what: 'd' }),
       quantities: !state.unit,
     },

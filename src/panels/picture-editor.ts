@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { SHAPES, type Shape } from '../math/shapes/index.ts';
 import { findShape } from '../math/shapes/lookup.ts';
-import { addLight, addShape, addThing, freeId, remove } from '../scene/edit.ts';
+import { addLight, addShape, addThing, freeId } from '../scene/edit.ts';
 import type { Scene } from '../scene/types.ts';
 import {
   LIGHT_KINDS,
@@ -10,14 +10,18 @@ import {
   newLight,
   newThing,
 } from '../state/picture/edits.ts';
+import type { ChangeScene } from './picture-fields.ts';
 import { lightForm } from './picture-light.ts';
 import { thingForm } from './picture-thing.ts';
 import { cameraForm, worldForm } from './picture-world.ts';
 import './picture-editor.css';
 
 export interface EditorTools {
-  /** The scene as it is to be; with what is to be edited next, if that changes. */
-  change(scene: Scene, edit?: string | null): void;
+  /** An edit of the scene as it is when the edit arrives. */
+  change: ChangeScene;
+  /** The same, with the name of what is new: its form is opened. */
+  add(edit: (scene: Scene) => readonly [next: Scene, id: string]): void;
+  remove(id: string): void;
   edit(id: string | null): void;
   save(): void;
   open(): void;
@@ -47,7 +51,7 @@ export function editor(
           materialWords(thing.material),
           edit === thing.id ? thingForm(scene, thing, tools.change) : null,
           tools,
-          () => tools.change(remove(scene, thing.id), null),
+          () => tools.remove(thing.id),
         ),
       )}
       ${scene.lights.map((light) =>
@@ -61,7 +65,7 @@ export function editor(
               : 'light',
           edit === light.id ? lightForm(scene, light, tools.change) : null,
           tools,
-          () => tools.change(remove(scene, light.id), null),
+          () => tools.remove(light.id),
         ),
       )}
       ${part(CAMERA, EYE, `${scene.camera.angle}°`, edit === CAMERA ? cameraForm(scene, tools.change) : null, tools, null)}
@@ -71,21 +75,23 @@ export function editor(
       <span>Add</span>
       ${SHAPES.map(
         ({ kind, title, icon }) =>
-          html`<button type="button" class="add" title=${`add a ${title}`} aria-label=${`add a ${title}`} @click=${() => {
-            const thing = newThing(scene, kind);
-            tools.change(addThing(scene, thing), thing.id);
-          }}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon} /></svg></button>`,
+          html`<button type="button" class="add" title=${`add a ${title}`} aria-label=${`add a ${title}`} @click=${() =>
+            tools.add((now) => {
+              const thing = newThing(now, kind);
+              return [addThing(now, thing), thing.id];
+            })}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon} /></svg></button>`,
       )}
-      <button type="button" class="textual" @click=${() => tools.change(addShape(scene, explored), freeId(scene, explored.kind))}>the ${findShape(explored.kind)?.title} of Explore</button>
+      <button type="button" class="textual" @click=${() => tools.add((now) => [addShape(now, explored), freeId(now, explored.kind)])}>the ${findShape(explored.kind)?.title} of Explore</button>
     </div>
     <div class="adding" role="group" aria-label="Add a light">
       <span>Add</span>
       ${LIGHT_KINDS.map(
         (kind) =>
-          html`<button type="button" class="textual" @click=${() => {
-            const light = newLight(scene, kind);
-            tools.change(addLight(scene, light), light.id);
-          }}>${LIGHT_WORDS[kind]}</button>`,
+          html`<button type="button" class="textual" @click=${() =>
+            tools.add((now) => {
+              const light = newLight(now, kind);
+              return [addLight(now, light), light.id];
+            })}>${LIGHT_WORDS[kind]}</button>`,
       )}
     </div>`;
 }

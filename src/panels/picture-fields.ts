@@ -1,8 +1,13 @@
 import { html, type TemplateResult } from 'lit';
-import { AXES, type Vec3 } from '../math/vec3.ts';
+import { live } from 'lit/directives/live.js';
+import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
+import type { Scene } from '../scene/types.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';
 import './picture-fields.css';
+
+/** Sends an edit of the scene: a form may have been drawn before the scene was changed last. */
+export type ChangeScene = (edit: (now: Scene) => Scene) => void;
 
 export interface NumberField {
   readonly label: string;
@@ -37,8 +42,8 @@ export interface TripleField {
   readonly value: Vec3;
   readonly names?: readonly [string, string, string];
   readonly step: number;
-  readonly check: (value: Vec3) => string | null;
-  readonly send: (value: Vec3) => void;
+  readonly check: (edit: (now: Vec3) => Vec3) => string | null;
+  readonly send: (edit: (now: Vec3) => Vec3) => void;
 }
 
 /** A word and three boxes; three numbers can be pasted into any of them. */
@@ -50,12 +55,14 @@ export function tripleField({
   check,
   send,
 }: TripleField): TemplateResult {
-  const put = (i: number, x: number): Vec3 =>
-    value.map((old, k) => (k === i ? x : old)) as unknown as Vec3;
-  const take = (next: Vec3): void => {
-    if (check(next) === null) send(next);
+  const put =
+    (i: number, x: number) =>
+    (now: Vec3): Vec3 =>
+      withComponent(now, i, x);
+  const take = (edit: (now: Vec3) => Vec3): void => {
+    if (check(edit) === null) send(edit);
   };
-  return html`<div class="field triple" role="group" aria-label=${label} @graze-triple=${(e: CustomEvent<Vec3>) => take(e.detail)}>
+  return html`<div class="field triple" role="group" aria-label=${label} @graze-triple=${(e: CustomEvent<Vec3>) => take(() => e.detail)}>
     <span class="field-label">${label}</span>
     ${AXES.map((axis, i) => {
       const name = `${label}, ${names?.[i] ?? axis}`;
@@ -80,7 +87,7 @@ export function checkField(
   value: boolean,
   send: (value: boolean) => void,
 ): TemplateResult {
-  return html`<label class="field-check"><input type="checkbox" .checked=${value} @change=${(e: Event) => send((e.target as HTMLInputElement).checked)} /> ${label}</label>`;
+  return html`<label class="field-check"><input type="checkbox" .checked=${live(value)} @change=${(e: Event) => send((e.target as HTMLInputElement).checked)} /> ${label}</label>`;
 }
 
 export function choiceField<W extends string>(

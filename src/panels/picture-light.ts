@@ -1,64 +1,61 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import type { Vec3 } from '../math/vec3.ts';
 import { changeLight } from '../scene/edit.ts';
 import type { Light, Scene } from '../scene/types.ts';
 import { asLight, LIGHT_KINDS, LIGHT_WORDS, refusalOf } from '../state/picture/edits.ts';
-import { choiceField, colourField, numberField, tripleField } from './picture-fields.ts';
+import {
+  type ChangeScene,
+  choiceField,
+  colourField,
+  numberField,
+  tripleField,
+} from './picture-fields.ts';
+
+type Edit = (now: Light) => Light;
 
 /** Kind, colour, strength and place of a light. */
-export function lightForm(
-  scene: Scene,
-  light: Light,
-  change: (scene: Scene) => void,
-): TemplateResult {
-  const put = (next: Light): Scene => changeLight(scene, light.id, () => next);
-  const check = (next: Light): string | null => refusalOf(put(next));
-  const send = (next: Light): void => {
-    if (check(next) === null) change(put(next));
+export function lightForm(scene: Scene, light: Light, change: ChangeScene): TemplateResult {
+  const check = (edit: Edit): string | null => refusalOf(changeLight(scene, light.id, edit));
+  const send = (edit: Edit): void => change((now) => changeLight(now, light.id, edit));
+  const number = (
+    label: 'strength' | 'radius',
+    value: number,
+    range: readonly [number, number],
+  ): TemplateResult =>
+    numberField({
+      ...{ label, value, range },
+      step: 0.05,
+      check: (x) => check((now) => ({ ...now, [label]: x })),
+      send: (x) => send((now) => ({ ...now, [label]: x })),
+    });
+  const triple = (label: 'towards' | 'at', value: Vec3): TemplateResult => {
+    // A light that has become of another kind meanwhile has no such vector: it stays as it is.
+    const as =
+      (edit: (now: Vec3) => Vec3): Edit =>
+      (now) => {
+        const given = (now as Partial<Readonly<Record<typeof label, Vec3>>>)[label];
+        return given ? { ...now, [label]: edit(given) } : now;
+      };
+    return tripleField({
+      ...{ label, value },
+      step: 0.1,
+      check: (edit) => check(as(edit)),
+      send: (edit) => send(as(edit)),
+    });
   };
   return html`<div class="field-line">
       ${choiceField(
         'kind',
         LIGHT_KINDS.map((kind) => [kind, LIGHT_WORDS[kind]] as const),
         light.light,
-        (kind) => send(asLight(light, kind, scene.camera.target)),
+        (kind) =>
+          change((now) =>
+            changeLight(now, light.id, (one) => asLight(one, kind, now.camera.target)),
+          ),
       )}
-      ${colourField('colour', light.colour, (colour) => send({ ...light, colour }))}
+      ${colourField('colour', light.colour, (colour) => send((now) => ({ ...now, colour })))}
     </div>
-    ${numberField({
-      label: 'strength',
-      value: light.strength,
-      range: [0, 2],
-      step: 0.05,
-      check: (strength) => check({ ...light, strength }),
-      send: (strength) => send({ ...light, strength }),
-    })}
-    ${
-      light.light === 'sun'
-        ? tripleField({
-            label: 'towards',
-            value: light.towards,
-            step: 0.1,
-            check: (towards) => check({ ...light, towards }),
-            send: (towards) => send({ ...light, towards }),
-          })
-        : tripleField({
-            label: 'at',
-            value: light.at,
-            step: 0.1,
-            check: (at) => check({ ...light, at }),
-            send: (at) => send({ ...light, at }),
-          })
-    }
-    ${
-      light.light === 'sphere'
-        ? numberField({
-            label: 'radius',
-            value: light.radius,
-            range: [0.05, 3],
-            step: 0.05,
-            check: (radius) => check({ ...light, radius }),
-            send: (radius) => send({ ...light, radius }),
-          })
-        : nothing
-    }`;
+    ${number('strength', light.strength, [0, 2])}
+    ${light.light === 'sun' ? triple('towards', light.towards) : triple('at', light.at)}
+    ${light.light === 'sphere' ? number('radius', light.radius, [0.05, 3]) : nothing}`;
 }

@@ -2,7 +2,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import { AXES } from '../math/vec3.ts';
 import { changeThing } from '../scene/edit.ts';
-import type { Material, Paint, Placed, Scene } from '../scene/types.ts';
+import type { Glass, Material, Paint, Placed, Scene } from '../scene/types.ts';
+import { applied } from '../state/actions.ts';
 import {
   canBeCapped,
   refusalOf,
@@ -14,6 +15,7 @@ import {
 import { initialShape, paramValue } from '../state/state.ts';
 import { paramRow } from './param-rows.ts';
 import {
+  type ChangeScene,
   checkField,
   choiceField,
   colourField,
@@ -27,82 +29,96 @@ const PATTERNS = [
   ['stripes', 'stripes'],
 ] as const satisfies readonly (readonly [Paint['pattern'], string])[];
 
+type Edit = (now: Placed) => Placed;
+
+/** An edit of the thing as it is when it arrives, and why the thing that is drawn may not become so. */
+interface Tools {
+  readonly send: (edit: Edit) => void;
+  readonly check: (edit: Edit) => string | null;
+}
+
 /** Shape, heights and material of a thing. */
-export function thingForm(
-  scene: Scene,
-  thing: Placed,
-  change: (scene: Scene) => void,
-): TemplateResult {
-  const put = (next: Placed): Scene => changeThing(scene, thing.id, () => next);
-  const send = (next: Placed): void => {
-    if (refusalOf(put(next)) === null) change(put(next));
+export function thingForm(scene: Scene, thing: Placed, change: ChangeScene): TemplateResult {
+  const tools: Tools = {
+    send: (edit) => change((now) => changeThing(now, thing.id, edit)),
+    check: (edit) => refusalOf(changeThing(scene, thing.id, edit)),
   };
   const initial = initialShape(thing.shape.kind);
   return html`${definitionOf(thing.shape).params.map((param) =>
     paramRow({
       param,
       value: paramValue(thing.shape, param.key),
-      send: (value) => send(withParam(thing, param, value)),
-      reset: () => send(withParam(thing, param, paramValue(initial, param.key))),
+      send: (value) =>
+        tools.send((now) =>
+          withParam(now, param, applied(value, paramValue(now.shape, param.key))),
+        ),
+      reset: () => tools.send((now) => withParam(now, param, paramValue(initial, param.key))),
       quantities: true,
     }),
   )}
-  ${heights(thing, put, send)}${materialForm(thing, put, send)}`;
+  ${heights(thing, tools)}${materialForm(thing.material, tools)}`;
 }
 
-type Put = (next: Placed) => Scene;
-type Send = (next: Placed) => void;
+interface Numbers {
+  readonly label: string;
+  readonly value: number;
+  readonly range: readonly [number, number];
+  readonly step: number;
+}
 
-function heights(thing: Placed, put: Put, send: Send): TemplateResult {
-  const { between, capped } = thing;
+/** A number of the thing: what the thing is with another one. */
+const numberOf = (
+  { send, check }: Tools,
+  field: Numbers,
+  edit: (x: number) => Edit,
+): TemplateResult =>
+  numberField({ ...field, check: (x) => check(edit(x)), send: (x) => send(edit(x)) });
+
+function heights({ shape, between, capped }: Placed, tools: Tools): TemplateResult {
+  const { send } = tools;
   return html`<div class="field-line">
-    ${checkField('only between two heights', between !== undefined, (on) => send(withHeights(thing, on)))}
-    ${between && canBeCapped(thing.shape) ? checkField('closed by circles', capped ?? false, (on) => send({ ...thing, capped: on })) : nothing}
+    ${checkField('only between two heights', between !== undefined, (on) => send((now) => withHeights(now, on)))}
+    ${between && canBeCapped(shape) ? checkField('closed by circles', capped ?? false, (on) => send((now) => ({ ...now, capped: on }))) : nothing}
   </div>
   ${
     between
-      ? html`<div class="field-pair">${(['from y', 'to y'] as const).map((label, i) => {
-          const changed = (y: number): Placed => ({
-            ...thing,
-            between: i === 0 ? [y, between[1]] : [between[0], y],
-          });
-          return numberField({
-            label,
-            value: between[i] ?? 0,
-            range: [-5, 5],
-            step: 0.1,
-            check: (y) => refusalOf(put(changed(y))),
-            send: (y) => send(changed(y)),
-          });
-        })}</div>`
+      ? html`<div class="field-pair">${(['from y', 'to y'] as const).map((label, i) =>
+          numberOf(
+            tools,
+            { label, value: between[i] ?? 0, range: [-5, 5], step: 0.1 },
+            (y) => (now) => {
+              if (!now.between) return now;
+              const [low, high] = now.between;
+              return { ...now, between: i === 0 ? [y, high] : [low, y] };
+            },
+          ),
+        )}</div>`
       : nothing
   }`;
 }
 
-function materialForm(thing: Placed, put: Put, send: Send): TemplateResult {
-  const { material } = thing;
-  const { paint, shine, mirror, glass } = material;
-  const as = (next: Material): Placed => ({ ...thing, material: next });
-  const share = (label: string, value: number, next: (x: number) => Material): TemplateResult =>
-    numberField({
-      label,
-      value,
-      range: [0, 1],
-      step: 0.05,
-      check: (x) => refusalOf(put(as(next(x)))),
-      send: (x) => send(as(next(x))),
-    });
+function materialForm({ paint, shine, mirror, glass }: Material, tools: Tools): TemplateResult {
+  const of =
+    (edit: (now: Material) => Material): Edit =>
+    (now) => ({ ...now, material: edit(now.material) });
+  // Paint and glass may have become others meanwhile, which have no such part: then the scene is refused, and stays.
+  const painted = (part: object): Edit =>
+    of((now) => ({ ...now, paint: { ...now.paint, ...part } as Paint }));
+  const glassy = (edit: (now: Glass) => Glass): Edit =>
+    of((now) => (now.glass ? { ...now, glass: edit(now.glass) } : now));
+  const { send, check } = tools;
+  const SHARE = { range: [0, 1], step: 0.05 } as const;
   return html`<div class="field-line">
-      ${choiceField('paint', PATTERNS, paint.pattern, (pattern) => send(as(withPattern(material, pattern))))}
-      ${colourField('colour', paint.colour, (colour) => send(as({ ...material, paint: { ...paint, colour } })))}
-      ${paint.pattern === 'plain' ? nothing : colourField('and', paint.other, (other) => send(as({ ...material, paint: { ...paint, other } })))}
+      ${choiceField('paint', PATTERNS, paint.pattern, (pattern) => send(of((now) => withPattern(now, pattern))))}
+      ${colourField('colour', paint.colour, (colour) => send(painted({ colour })))}
+      ${paint.pattern === 'plain' ? nothing : colourField('and', paint.other, (other) => send(painted({ other })))}
       ${
         paint.pattern === 'stripes'
           ? choiceField(
               'across',
               AXES.map((axis) => [axis, axis] as const),
               paint.axis,
-              (axis) => send(as({ ...material, paint: { ...paint, axis } })),
+              (axis) => send(painted({ axis })),
             )
           : nothing
       }
@@ -110,48 +126,40 @@ function materialForm(thing: Placed, put: Put, send: Send): TemplateResult {
     ${
       paint.pattern === 'plain'
         ? nothing
-        : numberField({
-            label: 'width',
-            value: paint.size,
-            range: [0.05, 4],
-            step: 0.05,
-            check: (size) => refusalOf(put(as({ ...material, paint: { ...paint, size } }))),
-            send: (size) => send(as({ ...material, paint: { ...paint, size } })),
-          })
+        : numberOf(
+            tools,
+            { label: 'width', value: paint.size, range: [0.05, 4], step: 0.05 },
+            (size) => painted({ size }),
+          )
     }
-    ${share('mirror', mirror, (x) => ({ ...material, mirror: x }))}
-    ${share('highlight', shine.strength, (x) => ({ ...material, shine: { ...shine, strength: x } }))}
+    ${numberOf(tools, { label: 'mirror', value: mirror, ...SHARE }, (x) => of((now) => ({ ...now, mirror: x })))}
+    ${numberOf(tools, { label: 'highlight', value: shine.strength, ...SHARE }, (strength) =>
+      of((now) => ({ ...now, shine: { ...now.shine, strength } })),
+    )}
     ${
       shine.strength > 0
-        ? numberField({
-            label: 'exponent',
-            value: shine.exponent,
-            range: [1, 200],
-            step: 1,
-            check: (x) => refusalOf(put(as({ ...material, shine: { ...shine, exponent: x } }))),
-            send: (x) => send(as({ ...material, shine: { ...shine, exponent: x } })),
-          })
+        ? numberOf(
+            tools,
+            { label: 'exponent', value: shine.exponent, range: [1, 200], step: 1 },
+            (exponent) => of((now) => ({ ...now, shine: { ...now.shine, exponent } })),
+          )
         : nothing
     }
-    <div class="field-line">${checkField('glass', glass !== undefined, (on) => send(as(withGlass(material, on))))}</div>
+    <div class="field-line">${checkField('glass', glass !== undefined, (on) => send(of((now) => withGlass(now, on))))}</div>
     ${
       glass
-        ? html`${numberField({
-            label: 'index',
-            value: glass.index,
-            range: [1, 2.5],
-            step: 0.01,
-            check: (index) => refusalOf(put(as({ ...material, glass: { ...glass, index } }))),
-            send: (index) => send(as({ ...material, glass: { ...glass, index } })),
-          })}
+        ? html`${numberOf(
+            tools,
+            { label: 'index', value: glass.index, range: [1, 2.5], step: 0.01 },
+            (index) => glassy((now) => ({ ...now, index })),
+          )}
           ${tripleField({
             label: 'absorption',
             value: glass.absorption,
             names: ['R', 'G', 'B'],
             step: 0.05,
-            check: (absorption) =>
-              refusalOf(put(as({ ...material, glass: { ...glass, absorption } }))),
-            send: (absorption) => send(as({ ...material, glass: { ...glass, absorption } })),
+            check: (edit) => check(glassy((now) => ({ ...now, absorption: edit(now.absorption) }))),
+            send: (edit) => send(glassy((now) => ({ ...now, absorption: edit(now.absorption) }))),
           })}`
         : nothing
     }`;

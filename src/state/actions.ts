@@ -1,19 +1,32 @@
 import type { Vec3 } from '../math/vec3.ts';
-import type { AppState, PageId } from './state.ts';
+import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';
 import type { View } from './view.ts';
+
+/**
+ * What a value is to be: itself, or made from what it is when the action arrives. The second is for whatever leaves a part
+ * as it is: the page may have been drawn before that part was changed last, so what stands on it is no base for an edit.
+ */
+export type Edit<T> = T | ((now: T) => T);
+
+export const applied = <T>(edit: Edit<T>, now: T): T =>
+  typeof edit === 'function' ? (edit as (now: T) => T)(now) : edit;
+
+export type ParamValue = Vec3 | number | string;
+/** Texts of a page's settings; null takes a key back to its default. */
+export type Changes = Readonly<Record<string, string | null>>;
 
 /** Everything that can happen to the state. A dragged handle and a slider send the same action. */
 export type Action =
   | { readonly type: 'shape'; readonly kind: string }
   /** `texts`: what was typed for the value or its components, under 'E.x', 'cone.c'. */
-  | { readonly type: 'origin'; readonly value: Vec3; readonly texts?: TypedTexts }
-  | { readonly type: 'direction'; readonly value: Vec3; readonly texts?: TypedTexts }
+  | { readonly type: 'origin'; readonly value: Edit<Vec3>; readonly texts?: TypedTexts }
+  | { readonly type: 'direction'; readonly value: Edit<Vec3>; readonly texts?: TypedTexts }
   | { readonly type: 'unit'; readonly on: boolean }
   | {
       readonly type: 'param';
       readonly key: string;
-      readonly value: Vec3 | number | string;
+      readonly value: Edit<ParamValue>;
       readonly texts?: TypedTexts;
     }
   | { readonly type: 'method'; readonly id: string }
@@ -21,8 +34,8 @@ export type Action =
   | { readonly type: 'bead'; readonly t: number | null }
   | { readonly type: 'reset'; readonly what: 'E' | 'd' | 'all' | { readonly param: string } }
   | { readonly type: 'page'; readonly page: PageId }
-  /** Of the page that is shown; null takes a key back to its default. */
-  | { readonly type: 'settings'; readonly values: Readonly<Record<string, string | null>> }
+  /** Of the page that is shown. */
+  | { readonly type: 'settings'; readonly values: Changes | ((now: Settings) => Changes) }
   | { readonly type: 'link'; readonly hash: string }
   /** A whole state, from a file. */
   | { readonly type: 'open'; readonly state: AppState }

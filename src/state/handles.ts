@@ -8,7 +8,7 @@ import { checkParam, type NumberParam, type VectorParam } from '../math/shapes/p
 import { unitVector } from '../math/unit.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { display, displayTriple } from '../text/format.ts';
-import type { Action } from './actions.ts';
+import type { Action, Edit, ParamValue } from './actions.ts';
 import type { Probe, Tangency, Value } from './snap.ts';
 import { paramValue, RAY_PARAMS } from './state.ts';
 
@@ -22,7 +22,8 @@ interface HandleBase {
   readonly isLength: boolean;
   /** Why a value is not allowed, in the math module's words; null if it is. */
   refusal(value: Value): string | null;
-  action(value: Value): Action;
+  /** The value itself while it is dragged, and an edit of it for a key. */
+  action(value: Edit<Value>): Action;
   /** Null where there is no discriminant, or where it would give away what is to be predicted. */
   readonly tangency: Tangency | null;
 }
@@ -63,14 +64,14 @@ export function handlesOf({ shape, E, d, unit, ray, drawing }: Given): Handle[] 
   const pointed = (to: Vec3): Ray => ({ origin, direction: unit ? unitVector(to) : to });
   const eye: PointHandle = {
     ...pointOf(RAY_PARAMS.E, E, E),
-    action: (value) => ({ type: 'origin', value: value as Vec3 }),
+    action: (value) => ({ type: 'origin', value: value as Edit<Vec3> }),
     tangency: tangencyOf((value) => [shape, { origin: value as Vec3, direction }]),
   };
   const tip: PointHandle = {
     ...pointOf(RAY_PARAMS.d, d, sum(origin, direction)),
     here: direction,
     origin,
-    action: (value) => ({ type: 'direction', value: value as Vec3 }),
+    action: (value) => ({ type: 'direction', value: value as Edit<Vec3> }),
     tangency: tangencyOf((value) => [shape, pointed(value as Vec3)]),
   };
   return [eye, tip, ...drawing.grips.flatMap((grip) => gripHandle(grip, shape, ray))];
@@ -80,7 +81,11 @@ function gripHandle(grip: Grip, shape: Shape, ray: Ray): Handle[] {
   const param = definitionOf(shape).params.find(({ key }) => key === grip.param);
   const value = paramValue(shape, grip.param);
   const rest = {
-    action: (to: Value): Action => ({ type: 'param', key: grip.param, value: to }),
+    action: (to: Edit<Value>): Action => ({
+      type: 'param',
+      key: grip.param,
+      value: to as Edit<ParamValue>,
+    }),
     tangency: tangencyOf((to) => [{ ...shape, [grip.param]: to } as Shape, ray]),
   };
   if (param?.type === 'vector' && grip.type === 'point') {

@@ -64,7 +64,7 @@ export function retyped(before: AppState, after: AppState, texts: TypedTexts = {
     if (Object.hasOwn(texts, key)) return keptText(texts[key], value);
     return Object.is(old.get(key), value) ? before.typed[key] : undefined;
   });
-  return { ...after, typed: sameTexts(before.typed, typed) ? before.typed : typed };
+  return sameTexts(after.typed, typed) ? after : { ...after, typed };
 }
 
 /** The texts of one shape given up, or of the ray's letter. */

@@ -2,12 +2,14 @@ import { findMethod } from '../math/intersect.ts';
 import type { Shape, ShapeKind } from '../math/shapes/index.ts';
 import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
-import type { Action } from './actions.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
 import { GALLERY } from './gallery/index.ts';
 import {
   type AppState,
   INITIAL,
   initialShape,
+  paramValue,
   RAY_PARAMS,
   rayOf,
   type Settings,
@@ -23,11 +25,9 @@ export function update(state: AppState, action: Action): AppState {
     case 'shape':
       return findShape(action.kind) ? { ...state, kind: action.kind as ShapeKind } : state;
     case 'origin':
-      if (!allowed(RAY_PARAMS.E, action.value)) return state;
-      return retyped(state, { ...state, E: action.value }, action.texts);
+      return withRay(state, 'E', action.value, action.texts);
     case 'direction':
-      if (!allowed(RAY_PARAMS.d, action.value)) return state;
-      return retyped(state, { ...state, d: action.value }, action.texts);
+      return withRay(state, 'd', action.value, action.texts);
     case 'unit':
       return { ...state, unit: action.on };
     case 'param':
@@ -43,7 +43,12 @@ export function update(state: AppState, action: Action): AppState {
     case 'page':
       return state.page === action.page ? state : { ...state, page: action.page, problems: [] };
     case 'settings':
-      return withSettings(state, action.values);
+      return withSettings(
+        state,
+        typeof action.values === 'function'
+          ? action.values(state.settings[state.page])
+          : action.values,
+      );
     case 'link':
       return decode(action.hash, state);
     case 'open':
@@ -76,16 +81,36 @@ function allowed(param: Param, value: unknown): boolean {
   }
 }
 
-function withParam(state: AppState, key: string, value: unknown, texts?: TypedTexts): AppState {
-  const param = findShape(state.kind)?.params.find((p) => p.key === key);
-  if (!param || !allowed(param, value)) return state;
-  return retyped(state, withShape(state, { ...shapeOf(state), [key]: value } as Shape), texts);
+/** To the sign of a zero. */
+function same(a: ParamValue, b: ParamValue): boolean {
+  if (typeof a !== 'object' || typeof b !== 'object') return Object.is(a, b);
+  return a.length === b.length && a.every((x, i) => Object.is(x, b[i]));
 }
 
-function withSettings(
+function withRay(state: AppState, key: 'E' | 'd', edit: Edit<Vec3>, texts?: TypedTexts): AppState {
+  const value = applied(edit, state[key]);
+  if (!allowed(RAY_PARAMS[key], value)) return state;
+  const next = same(value, state[key]) ? state : { ...state, [key]: value };
+  return retyped(state, next, texts);
+}
+
+function withParam(
   state: AppState,
-  values: Extract<Action, { type: 'settings' }>['values'],
+  key: string,
+  edit: Edit<ParamValue>,
+  texts?: TypedTexts,
 ): AppState {
+  const param = findShape(state.kind)?.params.find((p) => p.key === key);
+  if (!param) return state;
+  const shape = shapeOf(state);
+  const before = paramValue(shape, key);
+  const value = applied(edit, before);
+  if (!allowed(param, value)) return state;
+  const next = same(value, before) ? state : withShape(state, { ...shape, [key]: value } as Shape);
+  return retyped(state, next, texts);
+}
+
+function withSettings(state: AppState, values: Changes): AppState {
   const before = state.settings[state.page];
   if (Object.entries(values).every(([key, value]) => (before[key] ?? null) === value)) return state;
   const merged = Object.entries({ ...before, ...values });

@@ -85,7 +85,6 @@ export class GrazeSlider extends LitElement {
   }
 
   private send(value: number): void {
-    if (value === this.value) return;
     this.ahead.set(value);
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
     // A refused value leaves the thumb where the state is.

@@ -2,6 +2,7 @@ import { html, render, type TemplateResult } from 'lit';
 import { type EditorTools, editor } from '../../panels/picture-editor.ts';
 import { ledger } from '../../panels/picture-ledger.ts';
 import { methodPanel } from '../../panels/picture-method.ts';
+import { remove } from '../../scene/edit.ts';
 import { sceneToJson } from '../../scene/json.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
@@ -38,9 +39,16 @@ export function createBeside(
   let edited: string | null = null;
 
   const editorTools = ({ scene: now }: Sight['picture']): EditorTools => ({
-    change(scene, edit = edited) {
-      edited = edit;
-      tools.scene(scene);
+    change: tools.scene,
+    add: (add) =>
+      tools.scene((scene) => {
+        const [next, id] = add(scene);
+        edited = id;
+        return next;
+      }),
+    remove(id) {
+      edited = null;
+      tools.scene((scene) => remove(scene, id));
     },
     edit(id) {
       edited = id;
@@ -53,7 +61,7 @@ export function createBeside(
   const costs = ({ method }: AppState, sight: Sight): TemplateResult => {
     const { picture, uncounted, main } = sight;
     const tool = {
-      force: tools.force.bind(null, picture),
+      force: tools.force,
       measure: count,
       unmeasured: main?.state === 'finished' ? uncounted.length : 0,
       isMeasuring: isCounting() && uncounted.length > 0,

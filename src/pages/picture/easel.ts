@@ -17,7 +17,8 @@ export interface EaselModel {
 }
 
 export interface EaselActions {
-  split(percent: number): void;
+  /** Where the divider is to stand, from where it stands. */
+  split(edit: (percent: number) => number): void;
   pixel(x: number, y: number): void;
   /** The pixel cursor is here, not chosen yet. */
   cursor(x: number, y: number): void;
@@ -122,23 +123,23 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
     divider.focus({ preventScroll: true });
   });
   divider.addEventListener('pointermove', (event) => {
-    if (divider.hasPointerCapture(event.pointerId)) actions.split(toPercent(event.clientX));
+    if (divider.hasPointerCapture(event.pointerId)) actions.split(() => toPercent(event.clientX));
   });
   divider.addEventListener('keydown', (event) => {
     if (!model || event.ctrlKey || event.altKey || event.metaKey) return;
     const step = event.shiftKey ? STEP / 10 : STEP;
-    const targets: Readonly<Record<string, number>> = {
-      ArrowLeft: model.split - step,
-      ArrowDown: model.split - step,
-      ArrowRight: model.split + step,
-      ArrowUp: model.split + step,
-      Home: 0,
-      End: 100,
+    const edits: Readonly<Record<string, (percent: number) => number>> = {
+      ArrowLeft: (now) => now - step,
+      ArrowDown: (now) => now - step,
+      ArrowRight: (now) => now + step,
+      ArrowUp: (now) => now + step,
+      Home: () => 0,
+      End: () => 100,
     };
-    const target = targets[event.key];
-    if (target === undefined) return;
+    const edit = edits[event.key];
+    if (!edit) return;
     event.preventDefault();
-    actions.split(between(target));
+    actions.split((now) => between(edit(now)));
   });
 
   return {

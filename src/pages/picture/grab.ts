@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { changeThing } from '../../scene/edit.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';
-import { isPlace, refusalOf, withParam } from '../../state/picture/edits.ts';
+import { isPlace, withParam } from '../../state/picture/edits.ts';
 import { lensOf } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
@@ -33,8 +33,8 @@ export function grabAt(scene: Scene, seen: Picture, x: number, y: number): Grabb
   return { scene, id: thing.id, width, height, from: [x, y], depth: t / Math.hypot(...way) };
 }
 
-/** The scene with the thing dragged to another place of the picture; null if it may not be there. */
-export function dragged(held: Grabbed, x: number, y: number): Scene | null {
+/** Drags the thing to another place of the picture: from where it was taken, whatever else has changed since. */
+export function dragged(held: Grabbed, x: number, y: number): (now: Scene) => Scene {
   const { scene, id, width, height, from, depth } = held;
   const { right, up } = lensOf(scene.camera, width / height);
   const du = (2 * (x - from[0]) * depth) / width;
@@ -43,14 +43,15 @@ export function dragged(held: Grabbed, x: number, y: number): Scene | null {
   // Finer digits than a pixel would only make the numbers long.
   const grid = 10 ** Math.floor(Math.log10(pixel));
   const by = right.map((r, i) => Math.round((du * r + dv * (up[i] ?? 0)) / grid) * grid);
-  const moved = changeThing(scene, id, (thing) => movedBy(thing, by, grid));
-  return refusalOf(moved) === null ? moved : null;
+  const taken = scene.things.find((thing) => thing.id === id);
+  return (now) =>
+    changeThing(now, id, (thing) => (taken ? movedBy(thing, taken, by, grid) : thing));
 }
 
-function movedBy(thing: Placed, by: readonly number[], grid: number): Placed {
-  const param = definitionOf(thing.shape).params.find(isPlace);
+function movedBy(thing: Placed, taken: Placed, by: readonly number[], grid: number): Placed {
+  const param = definitionOf(taken.shape).params.find(isPlace);
   if (!param) return thing;
-  const place = (thing.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
+  const place = (taken.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
   if (!place) return thing;
   const digits = Math.max(0, -Math.floor(Math.log10(grid)));
   const next = (i: 0 | 1 | 2): number => {

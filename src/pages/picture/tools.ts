@@ -1,29 +1,43 @@
 import type { EffectId } from '../../scene/effects/index.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { Dispatch } from '../../state/actions.ts';
+import { refusalOf } from '../../state/picture/edits.ts';
 import { textOfScene } from '../../state/picture/scene-link.ts';
 import {
   changed,
   forcedTexts,
   type PictureKey,
   type PictureSettings,
+  pictureSettings,
 } from '../../state/picture/settings.ts';
+
+type Values = Readonly<Partial<Record<PictureKey, string>>>;
 
 /** What a person does on the page, as actions. */
 export interface PageTools {
-  set(values: Readonly<Partial<Record<PictureKey, string>>>): void;
-  scene(scene: Scene): void;
-  force(picture: PictureSettings, id: EffectId, how: 'on' | 'off' | 'no'): void;
+  set(values: Values): void;
+  /** Values that follow from those there are when the edit arrives. */
+  edit(values: (now: PictureSettings) => Values): void;
+  /** A scene that is refused changes nothing: the form that it comes from has said why. */
+  scene(edit: (now: Scene) => Scene): void;
+  force(id: EffectId, how: 'on' | 'off' | 'no'): void;
   /** The right side: 'method:…' or 'start:…'. */
   right(value: string): void;
 }
 
 export function pageTools(dispatch: Dispatch): PageTools {
   const set: PageTools['set'] = (values) => dispatch({ type: 'settings', values: changed(values) });
+  const edit: PageTools['edit'] = (values) =>
+    dispatch({ type: 'settings', values: (now) => changed(values(pictureSettings(now))) });
   return {
     set,
-    scene: (scene) => set({ scene: textOfScene(scene) }),
-    force: ({ forced }, id, how) => set(forcedTexts(forced, id, how)),
+    edit,
+    scene: (change) =>
+      edit(({ scene }) => {
+        const next = change(scene);
+        return refusalOf(next) === null ? { scene: textOfScene(next) } : {};
+      }),
+    force: (id, how) => edit(({ forced }) => forcedTexts(forced, id, how)),
     right(value) {
       const [what, ...rest] = value.split(':');
       if (what === 'method') dispatch({ type: 'method', id: rest.join(':') });

@@ -23,10 +23,13 @@ export function sceneFromText(text: string): Scene {
   return preset.scene;
 }
 
-/** The id of a preset's own scene, else the packed one. */
+/** The id of a preset's scene, also of one that was edited back to it; else the packed scene. */
 export function textOfScene(scene: Scene): string {
-  const preset = PRESETS.find((entry) => entry.scene === scene);
-  return preset?.id ?? MARK + packed(JSON.stringify(JSON.parse(sceneToJson(scene)).scene));
+  const json = sceneToJson(scene);
+  const preset = PRESETS.find(
+    (entry) => entry.scene === scene || sceneToJson(entry.scene) === json,
+  );
+  return preset?.id ?? MARK + packed(JSON.stringify(JSON.parse(json).scene));
 }
 
 /** Whether a text stands for an edited scene and not for a preset. */

@@ -34,8 +34,8 @@ describe('a thing dragged in the picture', () => {
     if (!at) throw new Error('not seen');
     const held = grabAt(preset.scene, before, Math.round(at.x), Math.round(at.y));
     expect(held?.id).toBe('ball');
-    const moved = held && dragged(held, held.from[0] - 4, held.from[1] - 3);
-    if (!moved) throw new Error('not moved');
+    if (!held) throw new Error('not held');
+    const moved = dragged(held, held.from[0] - 4, held.from[1] - 3)(preset.scene);
     const after = middleOf(index, moved, await picture(moved));
     // Its middle is known to a pixel: it is cut off by what stands before it, and grows as it comes nearer.
     expect(Math.abs((after?.x ?? 0) - at.x + 4)).toBeLessThan(1);
@@ -46,7 +46,7 @@ describe('a thing dragged in the picture', () => {
     for (const { scene } of PRESETS) {
       const seen = await picture(scene);
       const held = grabAt(scene, seen, 24, 14);
-      if (held) expect(dragged(held, 24, 14)).toEqual(scene);
+      if (held) expect(dragged(held, 24, 14)(scene)).toEqual(scene);
     }
   });
 
