@@ -1,4 +1,5 @@
 import { createAnswers, packRays, type Rays, verdictsOfRoots } from '../math/batch/batch.ts';
+import { kernelArray } from '../math/batch/memory.ts';
 import type { Family } from '../math/families.ts';
 import type { Verdict } from '../math/intersection.ts';
 import type { Method } from '../math/methods/define.ts';
@@ -30,7 +31,7 @@ export function batchesOf(family: Family, { seed, shapes, count, difficulty }: S
   const random: Random = seeded(seed);
   return Array.from({ length: shapes }, () => {
     const { shape, rays: list } = family.batch(random, count, difficulty);
-    const rays = packRays(list);
+    const rays = packRays(list, kernelArray);
     const out = createAnswers(count);
     exact.batch(shape).both(rays, out);
     return { shape, rays, verdicts: verdictsOfRoots(out, count), t0: out.t0, t1: out.t1 };
@@ -46,7 +47,7 @@ export function tasksOf(
   batches: readonly Batch[],
   form: Form,
 ): readonly (Task & { readonly checksum: () => number })[] {
-  const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)));
+  const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)), kernelArray);
   return methods.map((method) => {
     const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch(shape), rays }));
     let seen = 0;

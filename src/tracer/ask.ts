@@ -1,4 +1,5 @@
 import { type Answers, createAnswers, createRays, NONE, type Rays } from '../math/batch/batch.ts';
+import { kernelArray } from '../math/batch/memory.ts';
 import type { RootsBody } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
 import { departs } from './departs.ts';
@@ -54,9 +55,15 @@ export function createAsker(
   start: StartRule,
   heights: HeightsEffect | undefined,
 ): Asker {
-  const others: Packed = { rays: createRays(capacity), index: new Int32Array(capacity) };
-  const leaving: Packed = { rays: createRays(capacity), index: new Int32Array(capacity) };
-  const out = createAnswers(capacity);
+  const others: Packed = {
+    rays: createRays(capacity, kernelArray),
+    index: new Int32Array(capacity),
+  };
+  const leaving: Packed = {
+    rays: createRays(capacity, kernelArray),
+    index: new Int32Array(capacity),
+  };
+  const out = createAnswers(capacity, kernelArray);
   const byIdentity = start.rule === 'from';
 
   /** Both roots were asked for where one would do but for the heights: the second is theirs. */

@@ -1,4 +1,5 @@
 import { createRays } from '../math/batch/batch.ts';
+import { kernelArray } from '../math/batch/memory.ts';
 import type { Feelers, Lit, Wave, WorldLight } from '../scene/effects/body.ts';
 
 const doubles = (n: number): Float64Array => new Float64Array(n);
@@ -9,7 +10,7 @@ export function createWave(capacity: number): Wave {
   return {
     count: 0,
     depth: 0,
-    rays: createRays(n),
+    rays: createRays(n, kernelArray),
     sample: whole(n),
     path: whole(n),
     from: whole(n),
@@ -80,7 +81,7 @@ export function clear(wave: Wave, depth: number): void {
 export function createFeelers(capacity: number): Feelers {
   return {
     count: 0,
-    rays: createRays(capacity),
+    rays: createRays(capacity, kernelArray),
     limit: doubles(capacity),
     from: whole(capacity),
     blocker: whole(capacity),

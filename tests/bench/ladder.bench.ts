@@ -130,7 +130,7 @@ const print = (more: readonly string[]): void => {
 const about = [
   '# What accuracy costs',
   '',
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time of the best round, as ratios to that of the \`textbook\` batch on the same rays (quartiles of the ratios round by round). Ulps are counted from the correctly rounded root, for rays whose class is right. \`certified\` has its roots of batches by WebAssembly (src/math/accelerate.ts) and, in the last row, by TypeScript alone: the same bits. Written by \`npm run bench -- ladder\`.`,
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}, ${SHAPES} shapes × ${COUNT} rays a family, ${rounds} interleaved rounds. Processor time of the best round, as ratios to that of the \`textbook\` batch on the same rays (quartiles of the ratios round by round). Ulps are counted from the correctly rounded root, for rays whose class is right. \`certified\` has its roots of batches by WebAssembly (src/math/accelerate.ts) and, in the last row, by TypeScript alone: the same roots to the bit. Written by \`npm run bench -- ladder\`.`,
   '',
 ];
 print(objects());

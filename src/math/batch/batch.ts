@@ -1,6 +1,6 @@
 import type { Verdict } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
-import { doubles } from './memory.ts';
+import { type MakeArray, ownArray } from './memory.ts';
 
 /**
  * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made per ray. (`exact` makes big integers, and so does
@@ -68,14 +68,15 @@ export const TANGENT = 3;
 export const CONTAINED = 4;
 export const UNDECIDED = 5;
 
-export function createRays(capacity: number): Rays {
-  const array = (): Float64Array => doubles(capacity);
+/** `make` as in memory.ts: kernelArray saves copying for whoever keeps the arrays to himself. */
+export function createRays(capacity: number, make: MakeArray = ownArray): Rays {
+  const array = (): Float64Array => make(capacity);
   return { count: 0, Ex: array(), Ey: array(), Ez: array(), dx: array(), dy: array(), dz: array() };
 }
 
 /** The same rays as a structure of arrays. */
-export function packRays(list: readonly Ray[]): Rays {
-  const rays = createRays(list.length);
+export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays {
+  const rays = createRays(list.length, make);
   rays.count = list.length;
   list.forEach(({ origin, direction }, i) => {
     [rays.Ex[i], rays.Ey[i], rays.Ez[i]] = origin;
@@ -84,10 +85,10 @@ export function packRays(list: readonly Ray[]): Rays {
   return rays;
 }
 
-export function createAnswers(capacity: number): Answers {
+export function createAnswers(capacity: number, make: MakeArray = ownArray): Answers {
   return {
-    t0: doubles(capacity),
-    t1: doubles(capacity),
+    t0: make(capacity),
+    t1: make(capacity),
     margin: new Float64Array(capacity),
     rareCount: 0,
     rareIndex: new Int32Array(capacity),

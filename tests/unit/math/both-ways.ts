@@ -5,6 +5,7 @@ import {
   createRays,
   type Rays,
 } from '../../../src/math/batch/batch.ts';
+import { kernelArray } from '../../../src/math/batch/memory.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -14,7 +15,7 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 /** Where arrays are: `memory` is the kernels'. */
 export type Where = 'memory' | 'ordinary';
 
-/** Runs `make` where new arrays are made there. */
+/** Runs `make` where the arrays of kernelArray are made there. */
 export function arraysIn<T>(where: Where, make: () => T): T {
   if (where === 'memory') accelerate();
   else decelerate();
@@ -27,7 +28,7 @@ export function arraysIn<T>(where: Where, make: () => T): T {
 
 /** As packRays, in arrays that may be longer; what is in them beyond is no number of any ray. */
 export function packed(list: readonly Ray[], capacity = list.length): Rays {
-  const rays = createRays(capacity);
+  const rays = createRays(capacity, kernelArray);
   for (const array of [rays.Ex, rays.Ey, rays.Ez, rays.dx, rays.dy, rays.dz]) array.fill(BESIDE);
   rays.count = list.length;
   list.forEach(({ origin, direction }, i) => {
@@ -41,7 +42,7 @@ export function packed(list: readonly Ray[], capacity = list.length): Rays {
 export const BESIDE = 77.5;
 
 export function blank(capacity: number): Answers {
-  const out = createAnswers(capacity);
+  const out = createAnswers(capacity, kernelArray);
   for (const array of [out.t0, out.t1, out.margin]) array.fill(BESIDE);
   out.rareIndex.fill(-1);
   return out;

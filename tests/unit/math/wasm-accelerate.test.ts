@@ -12,11 +12,12 @@ async function fresh() {
   vi.resetModules();
   const { accelerate, decelerate } = await import('../../../src/math/accelerate.ts');
   const batch = await import('../../../src/math/batch/batch.ts');
+  const { kernelArray } = await import('../../../src/math/batch/memory.ts');
   const { certified } = await import('../../../src/math/methods/certified.ts');
   const { shape, rays } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(seeded(181), 300);
   const roots = () => {
-    const out = batch.createAnswers(rays.length);
-    certified.batch(shape).both(batch.packRays(rays), out);
+    const out = batch.createAnswers(rays.length, kernelArray);
+    certified.batch(shape).both(batch.packRays(rays, kernelArray), out);
     return { out, roots: [...out.t0, ...out.t1] };
   };
   return { accelerate, decelerate, roots };

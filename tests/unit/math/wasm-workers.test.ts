@@ -49,8 +49,8 @@ function buffersIn(value: unknown, seen = new Set<unknown>()): ArrayBuffer[] {
 
 /** The kernels' memory of the modules that are loaded now. */
 async function memory(): Promise<ArrayBufferLike> {
-  const { doubles } = await import('../../../src/math/batch/memory.ts');
-  const { buffer } = doubles(1);
+  const { kernelArray } = await import('../../../src/math/batch/memory.ts');
+  const { buffer } = kernelArray(1);
   expect(buffer.byteLength).toBeGreaterThan(2 ** 20);
   return buffer;
 }

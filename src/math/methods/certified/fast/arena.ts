@@ -6,9 +6,21 @@ const GAP = 192;
 const LINE = 64;
 const END = PAGES * 65536;
 
+/** What a view of a part belongs to: as long as the view is reached, so is the array. */
+const wholes = new WeakMap<ArenaArray, ArenaArray>();
+
+class ArenaArray extends Float64Array<ArrayBuffer> {
+  override subarray(begin?: number, end?: number): ArenaArray {
+    // Made by this class, as JavaScript does it, so that a view of a view counts as well.
+    const view = super.subarray(begin, end) as ArenaArray;
+    wholes.set(view, this);
+    return view;
+  }
+}
+
 /**
- * Arrays in the kernels' memory. What the collector finds unused is given out again, to arrays of the same size; when the memory is full there is null, and the
- * caller's ordinary array is copied block by block instead.
+ * Arrays in the kernels' memory. What the collector finds unused, with all of its subarrays, is given out again, to arrays of the same size; when the memory is full
+ * there is null, and the caller's ordinary array is copied block by block instead.
  */
 export function createArena(buffer: ArrayBuffer): Allocate {
   const free = new Map<number, number[]>();
@@ -26,7 +38,7 @@ export function createArena(buffer: ArrayBuffer): Allocate {
       offset = next;
       next += bytes;
     }
-    const array = new Float64Array(buffer, offset, length).fill(0);
+    const array = new ArenaArray(buffer, offset, length).fill(0);
     unused.register(array, { offset, bytes });
     return array;
   };
