@@ -6,6 +6,7 @@ import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { type Exactly, rangeNote, rootTexts, shownResult } from '../state/exact-digits.ts';
+import { heightsLine } from '../state/heights.ts';
 import { conditionDigits, putIn, resultsOf } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
 import { display } from '../text/format.ts';
@@ -37,6 +38,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
     ${shown.verdict ? verdict(model) : concealed()}
+    ${shown.hits ? heights(model) : nothing}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
   </section>`;
 }
@@ -174,6 +176,13 @@ function verdict({
     <strong>${pieces.map(said)}</strong></span>
     ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}${at}</span>` : nothing}
   </p>`;
+}
+
+/** Where the shape comes from a scene that shows only a part of it. */
+function heights({ state, title, ray, found }: ExploreModel): TemplateResult | typeof nothing {
+  const { between } = state;
+  if (!between) return nothing;
+  return html`<p class="kept-between" role="note">${heightsLine(title, between, ray, found.hits)}</p>`;
 }
 
 const said = (piece: Piece): TemplateResult | string =>

@@ -3,20 +3,23 @@ import type { Hit, Intersection } from '../math/intersection.ts';
 import { AXES, type Vec3 } from '../math/vec3.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { exactBeside, rootGap, rootTexts } from '../state/exact-digits.ts';
+import { whyCut } from '../state/heights.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
 /** One column group a root, rows t, P and N, so that x, y and z stand under each other. */
-export function hitTable({ hits, found, exactly }: ExploreModel): TemplateResult {
+export function hitTable({ hits, found, exactly, ray, state }: ExploreModel): TemplateResult {
   const texts = rootTexts(hits.map(({ t }) => t));
   const gap = rootGap(found, exactly);
+  const { between } = state;
   return html`<div class="hits" data-count=${hits.length}>
     ${hits.map((words, i) =>
       column(words, hitOf(words, i, found), {
         text: texts[i] ?? null,
         exact: exactHit(words, i, found, exactly.found),
+        cut: between !== null && whyCut(ray, words.t, between) !== null,
       }),
     )}
     ${gap === null ? nothing : html`<p class="gap beside">${gap}</p>`}
@@ -37,14 +40,21 @@ interface Shown {
   /** t as it is printed. */
   readonly text: string | null;
   readonly exact: Hit | null;
+  /** Not there in the scene that the shape comes from. */
+  readonly cut: boolean;
 }
 
-function column({ index, role, text, t }: HitWords, hit: Hit | null, shown: Shown): TemplateResult {
+function column(
+  { index, role, text: own, t }: HitWords,
+  hit: Hit | null,
+  shown: Shown,
+): TemplateResult {
+  const { exact, cut } = shown;
   const n = String(index);
+  const text = cut ? `${own}; cut off in the scene` : own;
   const rejected = role === 'outside';
-  const { exact } = shown;
   const exactT = exact && exactBeside(t, exact.t);
-  return html`<section class="hit hit-${role}" aria-label=${`Root ${index}: ${text}`}>
+  return html`<section class="hit hit-${role}" data-fate=${cut ? 'cut' : nothing} aria-label=${`Root ${index}: ${text}`}>
     <p class="chip" data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
     <p class="row t" data-symbol=${`t${n}`}>
       <span class="name">${symbol('t', n, 'sym', `t${n}`)}</span>

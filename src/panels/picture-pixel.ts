@@ -1,5 +1,6 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { type SurfaceStep, surfaceSteps } from '../state/picture/hit-steps.ts';
+import type { RootFate } from '../state/picture/root-fates.ts';
 import type { TreeRow } from '../state/picture/tree-rows.ts';
 import { exploreLink } from '../state/url.ts';
 import { display, shortest } from '../text/format.ts';
@@ -130,19 +131,23 @@ function swatch(kind: RayKind): TemplateResult {
 
 function openLink(row: TreeRow, method: string, words: string): TemplateResult | typeof nothing {
   if (!row.shape) return nothing;
-  return html`<a class="textual" href=${exploreLink(row.shape, row.ray, method)}>${words}</a>`;
+  return html`<a class="textual" href=${exploreLink(row.shape, row.ray, method, row.meeting.between)}>${words}</a>`;
 }
 
 /** The algebra of where the chosen ray ends, by the method that traced it. */
 function algebraOf(row: TreeRow, left: TreeRow | undefined, model: PixelModel): TemplateResult {
   const { node } = row;
-  const steps = row.shape ? surfaceSteps(row.shape, row.ray, model.method) : null;
+  const steps = row.shape ? surfaceSteps(row.shape, row.meeting, model.method) : null;
   return html`<section class="hit-algebra" aria-label="Algebra of the chosen ray">
-    ${steps ? html`<p class="hit-equation">${RAY_WORDS[row.kind]}, put into the ${steps.title}: ${formula(typesetSymbols(steps.f))} = 0</p>${steps.lines.map(stepLine)}<p class="hit-verdict">${steps.verdict}</p>` : nothing}
+    ${steps ? html`<p class="hit-equation">${RAY_WORDS[row.kind]}, put into the ${steps.title}: ${formula(typesetSymbols(steps.f))} = 0</p>${steps.lines.map(stepLine)}<p class="hit-verdict">${steps.verdict}</p>${steps.roots.map(rootLine)}` : nothing}
     ${node.end.end === 'hit' ? html`<p>point ${triple(node.end.point)}, normal ${triple(node.end.normal)}</p>` : nothing}
     ${left && left.t !== null && row.t !== null && !Object.is(left.t, row.t) ? html`<p>left t = ${shortest(left.t)}, right t = ${shortest(row.t)}</p>` : nothing}
     <p>${openLink(row, model.method, `Open this ${RAY_WORDS[row.kind]} in Explore`)}</p>
   </section>`;
+}
+
+function rootLine({ index, t, fate, words }: RootFate): TemplateResult {
+  return html`<p class="hit-root" data-fate=${fate} data-quantity=${`t${index}`} data-value=${shortest(t)}>${words}</p>`;
 }
 
 function stepLine({ step, numbers }: SurfaceStep): TemplateResult {

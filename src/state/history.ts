@@ -21,6 +21,7 @@ const UNDOABLE = [
   'E',
   'd',
   'unit',
+  'between',
   'typed',
   'method',
   'settings',

@@ -4,6 +4,7 @@ import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
 import type { Param } from '../math/shapes/params.ts';
 import { unitVector } from '../math/unit.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { Between } from './heights.ts';
 import type { View } from './view.ts';
 
 interface PageEntry {
@@ -43,6 +44,8 @@ export interface AppState {
   readonly view: View;
   /** t of the bead; null lets it rest where the picture is clearest. */
   readonly bead: number | null;
+  /** Heights between which the scene that this came from keeps the shape; null as soon as ray or shape are other ones. */
+  readonly between: Between | null;
   /** Of each page as it was left. */
   readonly settings: Readonly<Record<PageId, Settings>>;
   /** What was wrong with the link or file that was opened, in words. */
@@ -72,6 +75,7 @@ export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>>
   method: 'link',
   view: 'link',
   bead: 'link',
+  between: 'link',
   settings: 'link',
   problems: 'session',
   preset: 'session',
@@ -121,6 +125,7 @@ export const INITIAL: AppState = {
   method: DEFAULT_METHOD,
   view: 'iso',
   bead: null,
+  between: null,
   settings: Object.fromEntries(PAGES.map(({ id }) => [id, {}])) as unknown as AppState['settings'],
   problems: [],
   preset: null,

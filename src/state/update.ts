@@ -21,6 +21,16 @@ import { isView } from './view.ts';
 
 /** The next state. An action whose value is not allowed changes nothing: whoever sent it has said why. */
 export function update(state: AppState, action: Action): AppState {
+  const next = updated(state, action);
+  const other = next.kind !== state.kind || shapeOf(next) !== shapeOf(state);
+  const moved = next.E !== state.E || next.d !== state.d || next.unit !== state.unit;
+  // What a scene says of its own thing and ray is true of no other.
+  return (other || moved) && next.between && next.between === state.between
+    ? { ...next, between: null }
+    : next;
+}
+
+function updated(state: AppState, action: Action): AppState {
   switch (action.type) {
     case 'shape':
       return findShape(action.kind) ? { ...state, kind: action.kind as ShapeKind } : state;

@@ -6,6 +6,7 @@ import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { parseNumber } from '../text/parse.ts';
+import type { Between } from './heights.ts';
 import {
   type AppState,
   INITIAL,
@@ -47,6 +48,17 @@ const vector: Codec<Vec3> = {
   },
 };
 
+const heights: Codec<Between> = {
+  write: (all) => all.map(number.write).join(','),
+  read(text) {
+    const [low, high, ...more] = text.split(',').map(number.read);
+    if (low === undefined || high === undefined || more.length > 0 || !(low < high)) {
+      throw new InvalidInput(`${quote(text)} is not two heights, the lower one first`);
+    }
+    return [low, high];
+  },
+};
+
 const word: Codec<string> = { write: (text) => text, read: (text) => text };
 
 const view: Codec<View> = {
@@ -82,11 +94,16 @@ export function encode(state: AppState): string {
   return `#/${page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
 }
 
-/** The link of a shape and a ray on Explore, from wherever they are shown. */
-export function exploreLink(shape: Shape, ray: Ray, method: string): string {
+/** The link of a shape and a ray on Explore, from wherever they are shown; with the heights that the shape is kept between there. */
+export function exploreLink(
+  shape: Shape,
+  ray: Ray,
+  method: string,
+  between: Between | null = null,
+): string {
   const shapes = { ...INITIAL.shapes, [shape.kind]: shape };
   const { origin: E, direction: d } = ray;
-  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method });
+  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method, between });
 }
 
 const aboutRay = (page: PageId): boolean => PAGES.some(({ id, ray }) => id === page && ray);
@@ -127,6 +144,7 @@ function lookPairs(state: AppState): [string, string][] {
   const looked = view.write(state.view);
   if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
+  if (state.between) pairs.push(['between', heights.write(state.between)]);
   return pairs;
 }
 
@@ -173,6 +191,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     method,
     view: look.view,
     bead: look.bead,
+    between: page === 'explore' || !aboutRay(page) ? look.between : null,
     settings: { ...before.settings, [page]: own },
     problems,
     preset: null,
@@ -200,10 +219,11 @@ function readRay(
   };
 }
 
-function readLook(read: Read): Pick<AppState, 'view' | 'bead'> {
+function readLook(read: Read): Pick<AppState, 'view' | 'bead' | 'between'> {
   return {
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
+    between: read<Between | null>('between', heights, null),
   };
 }
 

@@ -74,7 +74,7 @@ function hitText(found: Intersection, i: number, role: HitRole, atE: boolean): s
 }
 
 /** Whether f changes from outside (+) to inside (−) there, from the sign of f′; nothing for a flat shape. */
-function crossing(found: Intersection, i: number): string {
+export function crossing(found: Intersection, i: number): string {
   const { class: verdict, hits, details } = found;
   if (details.family === 'flat') return sideOfPlane(found) === 0 ? 'in the plane' : '';
   if (verdict === 'tangent') return hits[i]?.singular ? 'double, no normal' : 'double, touches';

@@ -58,10 +58,14 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
     return 'asked';
   };
 
-  const rowsOf = (known: Known | null, sight: Sight): readonly TreeRow[] | null => {
+  const rowsOf = (
+    known: Known | null,
+    sight: Sight,
+    { settings }: Shot,
+  ): readonly TreeRow[] | null => {
     if (known === null || known === 'asked' || 'problem' in known) return null;
     const root = known.tree.rays[sampleOf(known.tree)];
-    return root ? treeRows(sight.picture.scene, root, opened) : null;
+    return root ? treeRows(sight.picture.scene, root, opened, settings) : null;
   };
 
   /** The middle one, unless another was chosen: it is the one that comparisons count. */
@@ -110,13 +114,13 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
         return html`<p class="pixel-problem" role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
         return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem}</p>`;
-      const rows = rowsOf(known, sight) ?? [];
+      const rows = rowsOf(known, sight, main) ?? [];
       const first = rows[0];
       if (isNew && first)
         actions.announce(
           `pixel ${pixel.join(', ')}: ${first.verdict}${first.rest}, ${rows.length} rays`,
         );
-      const left = other ? rowsOf(treeOf(other, pixel), sight) : null;
+      const left = other ? rowsOf(treeOf(other, pixel), sight, other) : null;
       return pixelPanel(
         {
           x: pixel[0],

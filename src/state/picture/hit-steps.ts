@@ -3,10 +3,10 @@ import type { Values } from '../../math/formula/evaluate.ts';
 import type { Expr } from '../../math/formula/expr.ts';
 import { intersect } from '../../math/intersect.ts';
 import { InvalidInput } from '../../math/invalid-input.ts';
-import type { Ray } from '../../math/ray.ts';
 import type { Shape } from '../../math/shapes/index.ts';
 import { definitionOf } from '../../math/shapes/lookup.ts';
-import { hitSentence, hitWords, verdictWords } from '../words.ts';
+import { verdictWords } from '../words.ts';
+import { type Meeting, type RootFate, rootFates } from './root-fates.ts';
 
 export interface SurfaceStep {
   readonly step: Step;
@@ -18,19 +18,23 @@ export interface SurfaceSteps {
   readonly f: Expr;
   readonly lines: readonly SurfaceStep[];
   readonly verdict: string;
+  readonly roots: readonly RootFate[];
 }
 
-/** The course's algebra of one ray and the whole shape; null for a ray that the math module refuses (an overflowed direction). */
-export function surfaceSteps(shape: Shape, ray: Ray, method: string): SurfaceSteps | null {
+/** The course's algebra of one ray and the whole shape, and what became of each root; null for a ray that the math module refuses (an overflowed direction). */
+export function surfaceSteps(shape: Shape, meeting: Meeting, method: string): SurfaceSteps | null {
+  const { ray, between } = meeting;
   try {
     const found = intersect(shape, ray, method);
     const { f, steps, numbers } = derivation(shape, ray, found);
-    const roots = hitWords(found).map(hitSentence);
+    const { name } = definitionOf(shape).named(shape);
+    const verdict = verdictWords(found, shape, ray).text;
     return {
-      title: definitionOf(shape).named(shape).name,
+      title: name,
       f,
       lines: steps.filter(({ value }) => value !== null).map((step) => ({ step, numbers })),
-      verdict: [verdictWords(found, shape, ray).text, ...roots].join('; '),
+      verdict: between ? `the whole ${name}: ${verdict}` : verdict,
+      roots: rootFates(found, meeting),
     };
   } catch (error) {
     if (error instanceof InvalidInput) return null;

@@ -1,9 +1,12 @@
 import type { Ray } from '../../math/ray.ts';
 import type { Shape } from '../../math/shapes/index.ts';
+import { isGlass } from '../../scene/facts.ts';
 import { type Surface, surfacesOf } from '../../scene/surfaces.ts';
 import type { Scene } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
-import type { RayKind, RayNode } from '../../tracer/types.ts';
+import type { RayKind, RayNode, TraceSettings } from '../../tracer/types.ts';
+import { surfaceSteps } from './hit-steps.ts';
+import { leastOf, type Meeting } from './root-fates.ts';
 
 /** A ray of a pixel's tree as a line of the list. */
 export interface TreeRow {
@@ -18,20 +21,29 @@ export interface TreeRow {
   readonly rest: string;
   /** Where it ended: its t on that surface, with the shape to open it with. */
   readonly shape: Shape | null;
+  readonly meeting: Meeting;
   readonly t: number | null;
   readonly node: RayNode;
   /** So many shadow rays to one light are one line; those that are blocked. */
   readonly group: { readonly count: number; readonly blocked: number } | null;
 }
 
+/** What of a picture's settings decides which root counts. */
+export type Tracing = Pick<TraceSettings, 'method' | 'start' | 'forced'>;
+
 /** Fewer shadow rays to one light than this stand each on its own line. */
 const GROUP_FROM = 3;
 
 /** The lines of a tree, each ray before those that it fires. `open`: paths of groups that are shown ray by ray. */
-export function treeRows(scene: Scene, root: RayNode, open: ReadonlySet<string>): TreeRow[] {
+export function treeRows(
+  scene: Scene,
+  root: RayNode,
+  open: ReadonlySet<string>,
+  how: Tracing,
+): TreeRow[] {
   const surfaces = surfacesOf(scene);
   const walk = (node: RayNode, path: string, depth: number): TreeRow[] => {
-    const own = rowOf(node, path, depth, scene, surfaces);
+    const own = rowOf(node, path, depth, scene, surfaces, how);
     return [own, ...children(node, path, depth + 1)];
   };
   const children = (node: RayNode, path: string, depth: number): TreeRow[] => {
@@ -48,7 +60,7 @@ export function treeRows(scene: Scene, root: RayNode, open: ReadonlySet<string>)
     return rows;
   };
   const rowTools = (node: RayNode, path: string, depth: number): TreeRow =>
-    rowOf(node, path, depth, scene, surfaces);
+    rowOf(node, path, depth, scene, surfaces, how);
   return walk(root, '0', 0);
 }
 
@@ -87,18 +99,42 @@ function rowOf(
   depth: number,
   scene: Scene,
   surfaces: readonly Surface[],
+  how: Tracing,
 ): TreeRow {
   const { kind, ray, weight, end } = node;
-  const from = surfaces[node.from];
-  const met = 'surface' in end ? surfaces[end.surface] : undefined;
+  // A ray that meets nothing is asked of the surface that it leaves.
+  const asked = 'surface' in end ? end.surface : surfaces[node.from] ? node.from : 0;
+  const surface = surfaces[asked];
+  const meeting: Meeting = {
+    ray,
+    between: (how.forced.heights !== 'off' && surface?.between) || null,
+    leaves: how.start.rule === 'from' && node.from === asked,
+    least: leastOf(how.start, kind === 'camera'),
+    most: end.end === 'light' ? end.t : Number.POSITIVE_INFINITY,
+    passes: kind === 'shadow' && isClear(scene, surface),
+  };
+  const { verdict, rest } = verdictOf(node, scene, surfaces);
+  const passed = 'surface' in end && surface ? cutWords(surface.shape, meeting, end.t, how) : '';
   return {
-    ...{ path, depth, kind, ray, weight, node },
-    ...verdictOf(node, scene, surfaces),
-    // A ray that meets nothing is asked of the surface that it leaves.
-    shape: (met ?? from ?? surfaces[0])?.shape ?? null,
+    ...{ path, depth, kind, ray, weight, node, verdict, meeting },
+    rest: rest + passed,
+    shape: surface?.shape ?? null,
     t: 't' in end ? end.t : null,
     group: null,
   };
+}
+
+function isClear({ things }: Scene, surface: Surface | undefined): boolean {
+  const thing = surface && things[surface.thing];
+  return thing !== undefined && isGlass(thing);
+}
+
+/** The roots of the surface that the ray has passed, since they are cut off. */
+function cutWords(shape: Shape, meeting: Meeting, hit: number, { method }: Tracing): string {
+  if (!meeting.between) return '';
+  const { roots = [] } = surfaceSteps(shape, meeting, method) ?? {};
+  const passed = roots.filter(({ fate, t }) => fate === 'cut' && t < hit);
+  return passed.map(({ words }) => `; ${words}`).join('');
 }
 
 function verdictOf(

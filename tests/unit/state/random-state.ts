@@ -4,6 +4,7 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
+import type { Between } from '../../../src/state/heights.ts';
 import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { NAMED_VIEWS, ZOOM_RANGE } from '../../../src/state/view.ts';
@@ -40,6 +41,12 @@ const view = fc.oneof(
     zoom: fc.double({ min: ZOOM_RANGE.least, max: ZOOM_RANGE.most, noNaN: true }),
   }),
 );
+
+/** Two heights, the lower one first. */
+const heights = fc
+  .tuple(double, double)
+  .filter(([a, b]) => a < b || a > b)
+  .map(([a, b]): Between => (a < b ? [a, b] : [b, a]));
 
 /** What people type; each as it is kept. */
 const text = fc.constantFrom(
@@ -86,13 +93,14 @@ export const anyState: fc.Arbitrary<AppState> = fc
     method: fc.constantFrom(...METHODS.map(({ id }) => id as string)),
     view,
     bead: fc.option(double, { nil: null }),
+    between: fc.option(heights, { nil: null }),
   })
   .map(({ shape, texts, ...rest }) => {
     const state: AppState = {
       ...INITIAL,
       ...rest,
       // The look is Explore's own.
-      ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null }),
+      ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null, between: null }),
       kind: shape.kind,
       shapes: { ...INITIAL.shapes, [shape.kind]: shape },
     };

@@ -5,23 +5,26 @@ import { surfaceSteps } from '../../../../src/state/picture/hit-steps.ts';
 import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
 import { treeScene } from '../../../../src/state/picture/tree-scene.ts';
 import { decode, exploreLink } from '../../../../src/state/url.ts';
-import type { RayNode } from '../../../../src/tracer/types.ts';
+import type { RayNode, TraceSettings } from '../../../../src/tracer/types.ts';
 import { flatten, TINY, tracerFor } from '../../tracer/tracing.ts';
 
 const NONE: ReadonlySet<string> = new Set();
 
 /** Every 37th pixel's tree of every preset, with the rows that the list shows. */
-async function trees(): Promise<{ id: string; root: RayNode; rows: TreeRow[]; all: TreeRow[] }[]> {
+async function trees(
+  how: Partial<TraceSettings> = {},
+): Promise<{ id: string; root: RayNode; rows: TreeRow[]; all: TreeRow[] }[]> {
   const found = [];
+  const settings = { ...TINY, ...how };
   for (const { id, scene } of PRESETS) {
-    const tracer = await tracerFor(scene);
+    const tracer = await tracerFor(scene, settings);
     for (let pixel = 0; pixel < TINY.width * TINY.height; pixel += 37) {
       const x = pixel % TINY.width;
       const [root] = tracer.record(x, (pixel - x) / TINY.width).rays;
       if (!root) throw new Error('no ray');
-      const rows = treeRows(scene, root, NONE);
+      const rows = treeRows(scene, root, NONE, settings);
       const groups = new Set(rows.filter(({ group }) => group).map(({ path }) => path));
-      found.push({ id, root, rows, all: treeRows(scene, root, groups) });
+      found.push({ id, root, rows, all: treeRows(scene, root, groups, settings) });
     }
   }
   return found;
@@ -95,13 +98,49 @@ describe('the rays of a pixel as a list', () => {
 
   test('its algebra has the numbers of the method', () => {
     for (const { all } of FOUND.filter((_, i) => i % 9 === 0)) {
-      for (const { shape, ray } of all) {
-        const steps = shape && surfaceSteps(shape, ray, 'certified');
+      for (const { shape, meeting } of all) {
+        const steps = shape && surfaceSteps(shape, meeting, 'certified');
         expect(steps?.lines.length).toBeGreaterThan(0);
         expect(steps?.verdict).not.toBe('');
       }
     }
   });
+
+  test.each([
+    ['certified, by identity', {}],
+    ['textbook, without a start rule', { method: 'textbook', start: { rule: 'none' } }],
+    [
+      'float32, with an epsilon',
+      { method: 'textbook32', start: { rule: 'epsilon', epsilon: 0.01 } },
+    ],
+    ['heights forced off', { forced: { heights: 'off' } }],
+  ] as const)(
+    '%s: the first hit that it names is the tracer’s, and a cut root none',
+    async (_, how) => {
+      const fates: Record<string, number> = {};
+      let hits = 0;
+      for (const { all } of Object.keys(how).length > 0 ? await trees(how) : FOUND) {
+        for (const { shape, meeting, node, rest } of all) {
+          const method = 'method' in how ? how.method : 'certified';
+          const steps = shape && surfaceSteps(shape, meeting, method);
+          if (!steps) continue;
+          for (const { fate } of steps.roots) fates[fate] = (fates[fate] ?? 0) + 1;
+          const named = steps.roots.filter(({ fate }) => fate === 'hit').map(({ t }) => t);
+          if (node.end.end === 'hit' || node.end.end === 'blocked') {
+            expect(named).toEqual([node.end.t]);
+            hits++;
+          } else expect(named).toEqual([]);
+          const cut = steps.roots.filter(({ fate, t }) => fate === 'cut' && t < (named[0] ?? t));
+          for (const { words } of cut) {
+            expect(words).toMatch(/cut off: y = (\S.*) [<>] (?!\1$)/);
+            expect(rest).toContain(words);
+          }
+        }
+      }
+      expect(hits).toBeGreaterThan(300);
+      expect((fates.cut ?? 0) > 20).toBe(!('forced' in how));
+    },
+  );
 });
 
 describe('the rays in space', () => {
