@@ -16,7 +16,7 @@ import { createStore } from './state/store.ts';
 import { decode, encode } from './state/url.ts';
 import { createAnnouncer } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
-import { download, pickFile, watchDrops } from './ui/files.ts';
+import { download, onTooLarge, pickFile, watchDrops } from './ui/files.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { watchHighlight } from './ui/highlight.ts';
 import { recall, remember, THEMES, watchTheme } from './ui/theme.ts';
@@ -248,6 +248,7 @@ document.addEventListener('keydown', (event) => {
   wanted.run();
 });
 watchDrops(document.body, openText);
+onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
 watchHighlight(app);
 renderAll();
 writeLink();

@@ -7,7 +7,7 @@ export class InvalidInput extends RangeError {
 
 export function requireFinite(name: string, x: unknown): asserts x is number {
   if (typeof x !== 'number' || !Number.isFinite(x)) {
-    throw new InvalidInput(`${name} must be a finite number, got ${quote(x)}`);
+    throw refused(name, 'must be a finite number', x);
   }
 }
 
@@ -24,7 +24,7 @@ export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3
   )
     return;
   if (!Array.isArray(v) || v.length !== 3) {
-    throw new InvalidInput(`${name} must have three components, got ${quote(v)}`);
+    throw refused(name, 'must have three components', v);
   }
   AXES.forEach((axis, i) => {
     requireFinite(`${name}.${axis}`, v[i]);
@@ -37,9 +37,16 @@ export function requireNonZero(name: string, v: Vec3): void {
   }
 }
 
+/** What a value must be, and what it is instead. */
+export function refused(name: string, must: string, x: unknown): InvalidInput {
+  const isMissing = x === undefined || x === null;
+  return new InvalidInput(isMissing ? `${name} is missing` : `${name} ${must}, got ${quote(x)}`);
+}
+
 export function quote(x: unknown): string {
   if (typeof x === 'string') return `'${x.slice(0, 60)}'`;
   if (Object.is(x, -0)) return '-0';
   if (Array.isArray(x)) return `(${x.slice(0, 4).map(quote).join(', ')})`;
-  return typeof x === 'object' && x !== null ? 'an object' : String(x);
+  if (x === undefined || x === null) return 'nothing';
+  return typeof x === 'object' ? 'an object' : String(x);
 }

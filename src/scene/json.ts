@@ -3,7 +3,7 @@ import type { Scene } from './types.ts';
 import { validateScene } from './validate.ts';
 
 /** A file longer than this is not one of ours: 250 things take about 80,000 characters. */
-const LONGEST = 400_000;
+export const LONGEST_JSON = 400_000;
 
 /** The text of a saved scene. */
 export function sceneToJson(scene: Scene): string {
@@ -18,8 +18,8 @@ export function sceneToJson(scene: Scene): string {
 
 /** The scene in a text, with or without its wrapping. Throws InvalidInput with what is wrong. */
 export function sceneFromJson(text: string): Scene {
-  if (text.length > LONGEST) {
-    throw new InvalidInput(`a scene has at most ${LONGEST} characters, got ${text.length}`);
+  if (text.length > LONGEST_JSON) {
+    throw new InvalidInput(`a scene has at most ${LONGEST_JSON} characters, got ${text.length}`);
   }
   const data = parsed(text);
   const wrapped = typeof data === 'object' && data !== null && 'graze' in data;

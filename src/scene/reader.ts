@@ -1,4 +1,4 @@
-import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
 import { AXES, type Axis, type Vec3 } from '../math/vec3.ts';
 
 /** Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`. Throws InvalidInput. */
@@ -8,9 +8,7 @@ export const number =
   (low: number, high: number): Read<number> =>
   (value, path) => {
     if (typeof value !== 'number' || !(value >= low && value <= high)) {
-      throw new InvalidInput(
-        `${path} must be a number from ${low} to ${high}, got ${quote(value)}`,
-      );
+      throw refused(path, `must be a number from ${low} to ${high}`, value);
     }
     return value;
   };
@@ -19,7 +17,7 @@ export const vector =
   (component: Read<number>): Read<Vec3> =>
   (value, path) => {
     if (!Array.isArray(value) || value.length !== 3) {
-      throw new InvalidInput(`${path} must have three components, got ${quote(value)}`);
+      throw refused(path, 'must have three components', value);
     }
     const at = (i: 0 | 1 | 2): number => component(value[i], `${path}.${AXES[i]}`);
     return [at(0), at(1), at(2)];
@@ -37,23 +35,21 @@ export const text =
   (longest: number): Read<string> =>
   (value, path) => {
     if (typeof value !== 'string' || value === '' || value.length > longest) {
-      throw new InvalidInput(
-        `${path} must be a text of 1 to ${longest} characters, got ${quote(value)}`,
-      );
+      throw refused(path, `must be a text of 1 to ${longest} characters`, value);
     }
     return value;
   };
 
 export const colour: Read<string> = (value, path) => {
   if (typeof value !== 'string' || !/^#[0-9a-f]{6}$/i.test(value)) {
-    throw new InvalidInput(`${path} must be a colour like '#8a5cc2', got ${quote(value)}`);
+    throw refused(path, `must be a colour like '#8a5cc2'`, value);
   }
   return value.toLowerCase();
 };
 
 export const flag: Read<boolean> = (value, path) => {
   if (typeof value !== 'boolean') {
-    throw new InvalidInput(`${path} must be true or false, got ${quote(value)}`);
+    throw refused(path, 'must be true or false', value);
   }
   return value;
 };
@@ -63,7 +59,7 @@ export const oneOf =
   (value, path) => {
     const found = words.find((word) => word === value);
     if (found === undefined) {
-      throw new InvalidInput(`${path} must be ${words.join(', ')}, got ${quote(value)}`);
+      throw refused(path, `must be ${words.join(', ')}`, value);
     }
     return found;
   };
@@ -73,8 +69,7 @@ export const axis: Read<Axis> = oneOf(AXES);
 export const listOf =
   <T>(item: Read<T>, most: number): Read<readonly T[]> =>
   (value, path) => {
-    if (!Array.isArray(value))
-      throw new InvalidInput(`${path} must be a list, got ${quote(value)}`);
+    if (!Array.isArray(value)) throw refused(path, 'must be a list', value);
     if (value.length > most) {
       throw new InvalidInput(`${path} may have at most ${most} entries, got ${value.length}`);
     }
@@ -115,7 +110,7 @@ export function variant<T>(key: string, variants: Readonly<Record<string, Read<T
 
 export function fieldsOf(value: unknown, path: string): Readonly<Record<string, unknown>> {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-    throw new InvalidInput(`${path || 'a scene'} must be an object, got ${quote(value)}`);
+    throw refused(path || 'a scene', 'must be an object', value);
   }
   return value as Readonly<Record<string, unknown>>;
 }

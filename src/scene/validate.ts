@@ -1,4 +1,4 @@
-import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { checkShape } from '../math/shapes/lookup.ts';
 import {
@@ -88,7 +88,7 @@ const shape: Read<Shape> = (value, path) => {
 
 const heights: Read<readonly [number, number]> = (value, path) => {
   if (!Array.isArray(value) || value.length !== 2) {
-    throw new InvalidInput(`${path} must be two heights, got ${quote(value)}`);
+    throw refused(path, 'must be two heights', value);
   }
   const low = coordinate(value[0], `${path}[0]`);
   const high = coordinate(value[1], `${path}[1]`);

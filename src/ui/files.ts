@@ -47,7 +47,18 @@ export function watchDrops(root: HTMLElement, opened: (text: string) => void): v
   });
 }
 
+let tooLarge = (_: string): void => {};
+
+/** Whom to tell, in words, that a file is too large to be opened. */
+export function onTooLarge(tell: (words: string) => void): void {
+  tooLarge = tell;
+}
+
 async function readText(file: File | undefined): Promise<string | null> {
   if (!file) return null;
-  return file.size > LARGEST_BYTES ? '' : file.text();
+  if (file.size <= LARGEST_BYTES) return file.text();
+  tooLarge(
+    `'${file.name.slice(0, 60)}' was not opened: it is larger than ${LARGEST_BYTES / 1e6} MB`,
+  );
+  return null;
 }

@@ -1,4 +1,4 @@
-import { InvalidInput, quote } from '../invalid-input.ts';
+import { InvalidInput, quote, refused } from '../invalid-input.ts';
 import type { ShapeDefinition } from './define.ts';
 import { SHAPES, type Shape } from './index.ts';
 import { checkParam } from './params.ts';
@@ -13,7 +13,10 @@ const BY_KIND: ReadonlyMap<unknown, unknown> = new Map(SHAPES.map((shape) => [sh
 
 export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   const found = findShape(shape?.kind);
-  if (!found) throw new InvalidInput(`unknown shape ${quote(shape?.kind)}`);
+  if (!found) {
+    if (shape?.kind === undefined || shape.kind === null) throw refused('kind', '', undefined);
+    throw new InvalidInput(`unknown shape ${quote(shape.kind)}`);
+  }
   return found;
 }
 

@@ -1,6 +1,6 @@
 import {
   InvalidInput,
-  quote,
+  refused,
   requireFinite,
   requireFiniteVector,
   requireNonZero,
@@ -64,7 +64,7 @@ export function lengthParam(about: Named<NumberParam>): NumberParam {
 export function checkParam(param: Param, value: unknown): void {
   if (param.type === 'axis') {
     if (!AXES.includes(value as Axis)) {
-      throw new InvalidInput(`${param.key} must be x, y or z, got ${quote(value)}`);
+      throw refused(param.key, 'must be x, y or z', value);
     }
   } else if (param.type === 'number') {
     requireFinite(param.key, value);

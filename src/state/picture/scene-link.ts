@@ -1,6 +1,6 @@
-import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
+import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { InvalidInput, quote } from '../../math/invalid-input.ts';
-import { sceneFromJson, sceneToJson } from '../../scene/json.ts';
+import { LONGEST_JSON, sceneFromJson, sceneToJson } from '../../scene/json.ts';
 import { PRESETS } from '../../scene/presets/index.ts';
 import type { Scene } from '../../scene/types.ts';
 
@@ -10,8 +10,9 @@ import type { Scene } from '../../scene/types.ts';
  */
 
 const MARK = '~';
-/** Deflate makes at most 1032 bytes of one: this keeps a stranger's link from filling the memory. */
 const LONGEST = 30_000;
+/** Bytes that are inflated at once: a link that makes too many of them is given up after one more portion. */
+const PORTION = 1024;
 
 export const DEFAULT_SCENE = 'cone-on-mirror';
 
@@ -46,8 +47,35 @@ function unpacked(text: string): string {
   }
   try {
     const bytes = strToU8(atob(text.replace(/-/g, '+').replace(/_/g, '/')), true);
-    return strFromU8(inflateSync(bytes));
-  } catch {
+    return inflated(bytes);
+  } catch (error) {
+    if (error instanceof InvalidInput) throw error;
     throw new InvalidInput(`${quote(`${MARK}${text.slice(0, 20)}`)} is not a packed scene`);
   }
+}
+
+/** Deflate makes up to 1032 bytes of one: no more than a scene may have are kept. */
+function inflated(bytes: Uint8Array): string {
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  let ended = false;
+  const stream = new Inflate((part, isLast) => {
+    parts.push(part);
+    length += part.length;
+    ended = isLast;
+  });
+  for (let at = 0; at < bytes.length; at += PORTION) {
+    stream.push(bytes.subarray(at, at + PORTION), at + PORTION >= bytes.length);
+    if (length > LONGEST_JSON) {
+      throw new InvalidInput(`a packed scene has at most ${LONGEST_JSON} characters`);
+    }
+  }
+  if (!ended) throw new RangeError('it ends too early');
+  const whole = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return strFromU8(whole);
 }

@@ -51,8 +51,8 @@ describe.each(vectors)('$kind, $key', ({ kind, key, param }) => {
   });
 
   test.each([
-    [undefined, `${key} must have three components, got undefined`],
-    [null, `${key} must have three components, got null`],
+    [undefined, `${key} is missing`],
+    [null, `${key} is missing`],
     [7, `${key} must have three components, got 7`],
     ['1,2,3', `${key} must have three components, got '1,2,3'`],
     [[], `${key} must have three components, got ()`],
@@ -60,8 +60,8 @@ describe.each(vectors)('$kind, $key', ({ kind, key, param }) => {
     [[1, 2, 3, 4], `${key} must have three components, got (1, 2, 3, 4)`],
     [{ x: 1, y: 2, z: 3 }, `${key} must have three components, got an object`],
     [['1', 2, 3], `${key}.x must be a finite number, got '1'`],
-    [[1, null, 3], `${key}.y must be a finite number, got null`],
-    [[1, 2, undefined], `${key}.z must be a finite number, got undefined`],
+    [[1, null, 3], `${key}.y is missing`],
+    [[1, 2, undefined], `${key}.z is missing`],
     [[1, 2, [3]], `${key}.z must be a finite number, got (3)`],
   ])('%s', (bad, message) => {
     expect(refusal(spoiled(kind, key, bad))).toBe(message);
@@ -70,7 +70,7 @@ describe.each(vectors)('$kind, $key', ({ kind, key, param }) => {
   test('missing', () => {
     const shape = { ...initialShape(kind) } as unknown as Anything;
     delete shape[key];
-    expect(refusal(shape)).toBe(`${key} must have three components, got undefined`);
+    expect(refusal(shape)).toBe(`${key} is missing`);
   });
 
   test('zero is refused only where it has no direction', () => {
@@ -87,8 +87,6 @@ describe.each(vectors)('$kind, $key', ({ kind, key, param }) => {
 describe.each(numbers)('$kind, $key', ({ kind, key, param }) => {
   test.each([
     ...NOT_FINITE,
-    [undefined, 'undefined'],
-    [null, 'null'],
     ['1', "'1'"],
     ['', "''"],
     [[1], '(1)'],
@@ -96,6 +94,10 @@ describe.each(numbers)('$kind, $key', ({ kind, key, param }) => {
     [{}, 'an object'],
   ] as [unknown, string][])('%s', (bad, text) => {
     expect(refusal(spoiled(kind, key, bad))).toBe(`${key} must be a finite number, got ${text}`);
+  });
+
+  test.each([undefined, null])('%s', (bad) => {
+    expect(refusal(spoiled(kind, key, bad))).toBe(`${key} is missing`);
   });
 
   test('negative', () => {
@@ -135,7 +137,7 @@ describe('the square’s axis', () => {
     ['w', "axis must be x, y or z, got 'w'"],
     ['X', "axis must be x, y or z, got 'X'"],
     ['', "axis must be x, y or z, got ''"],
-    [undefined, 'axis must be x, y or z, got undefined'],
+    [undefined, 'axis is missing'],
     [1, 'axis must be x, y or z, got 1'],
     [['x'], "axis must be x, y or z, got ('x')"],
   ])('%s', (bad, message) => {
@@ -154,8 +156,8 @@ describe('the ray', () => {
     });
 
     test.each([
-      [undefined, `${key} must have three components, got undefined`],
-      [null, `${key} must have three components, got null`],
+      [undefined, `${key} is missing`],
+      [null, `${key} is missing`],
       ['1,2,3', `${key} must have three components, got '1,2,3'`],
       [[1, 2], `${key} must have three components, got (1, 2)`],
       [[1, 2, 3, 4], `${key} must have three components, got (1, 2, 3, 4)`],
@@ -178,19 +180,17 @@ describe('the ray', () => {
 
   test.each([[null], [undefined], [7], ['E']])('%s instead of a ray', (bad) => {
     expect(() => intersect(shape, bad as unknown as Ray)).toThrow(InvalidInput);
-    expect(() => coefficients(shape, bad as unknown as Ray)).toThrow(
-      'origin must have three components, got undefined',
-    );
+    expect(() => coefficients(shape, bad as unknown as Ray)).toThrow('origin is missing');
   });
 });
 
 describe('the shape', () => {
   test.each([
-    [null, 'unknown shape undefined'],
-    [undefined, 'unknown shape undefined'],
-    [7, 'unknown shape undefined'],
-    ['cone', 'unknown shape undefined'],
-    [{}, 'unknown shape undefined'],
+    [null, 'kind is missing'],
+    [undefined, 'kind is missing'],
+    [7, 'kind is missing'],
+    ['cone', 'kind is missing'],
+    [{}, 'kind is missing'],
     [{ kind: 'torus' }, "unknown shape 'torus'"],
     [{ kind: 'Cone', vertex: [0, 0, 0], slope: 1 }, "unknown shape 'Cone'"],
     [{ kind: 'toString' }, "unknown shape 'toString'"],
@@ -208,7 +208,7 @@ describe('the method', () => {
     ['Exact', "unknown method 'Exact'"],
     ['', "unknown method ''"],
     ['toString', "unknown method 'toString'"],
-    [null, 'unknown method null'],
+    [null, 'unknown method nothing'],
     [3, 'unknown method 3'],
   ])('%s', (bad, message) => {
     expect(() => intersect(shape, GOOD, bad as string)).toThrow(new InvalidInput(message));

@@ -174,9 +174,9 @@ describe('not finite', () => {
     [[1, Infinity, 1], 'B must be a finite number, got Infinity'],
     [[1, 1, -Infinity], 'C must be a finite number, got -Infinity'],
     [['1', 1, 1], "A must be a finite number, got '1'"],
-    [[1, undefined, 1], 'B must be a finite number, got undefined'],
-    [[1, 1, null], 'C must be a finite number, got null'],
-    [[], 'A must be a finite number, got undefined'],
+    [[1, undefined, 1], 'B is missing'],
+    [[1, 1, null], 'C is missing'],
+    [[], 'A is missing'],
   ] as [number[], string][])('%j', ([A, B, C], message) => {
     const solve = () => solveQuadratic(A as number, B as number, C as number);
     expect(solve).toThrow(new InvalidInput(message));

@@ -109,7 +109,7 @@ describe('what is wrong is said, with where and what it was', () => {
       },
     ],
     [
-      'ambient must be a number from 0 to 1, got undefined',
+      'ambient is missing',
       (s) => {
         delete s.ambient;
       },
@@ -121,7 +121,7 @@ describe('what is wrong is said, with where and what it was', () => {
   });
 
   test.each<[unknown, string]>([
-    [null, 'a scene must be an object, got null'],
+    [null, 'a scene is missing'],
     [[], 'a scene must be an object, got ()'],
     ['x', "a scene must be an object, got 'x'"],
   ])('%j', (value, message) => {

@@ -44,7 +44,7 @@ describe('a scene in a link', () => {
 
   test.each([
     ['nothing', "there is no scene 'nothing'"],
-    ['~', "'' is not a saved scene"],
+    ['~', "'~' is not a packed scene"],
     ['~%%%', 'is not a packed scene'],
     ['~AAAA', 'is not a packed scene'],
     [`~${'A'.repeat(40_000)}`, 'at most 30000 letters, got 40000'],
