@@ -12,7 +12,7 @@ export interface Frame extends Metrics {
   readonly right: number;
   readonly top: number;
   readonly bottom: number;
-  /** Where the lowest value shown lies: over the words before, inside, after. */
+  /** Where the lowest value shown lies: over the words outside, inside, behind. */
   readonly floor: number;
   /** Too narrow for all digits beside each other. */
   readonly narrow: boolean;

@@ -22,22 +22,22 @@ export function rayAxis(model: StripModel, scales: Scales): TemplateResult {
   </g>`;
 }
 
-/** "behind", "before", "inside", "after", where there is room for the word. */
+/** "behind", "outside", "inside", where there is room for the word. */
 export function words(model: StripModel, scales: Scales): TemplateResult {
   const { bottom, em } = scales.frame;
   const y = fixed(bottom - 0.5 * em);
   return svg`${visible(model, scales)
-    .filter(({ from, to, stretch }) => to - from > (stretch.length * LETTER + 0.4) * em)
+    .filter(({ from, to, place }) => to - from > ((place ?? '').length * LETTER + 0.4) * em)
     .map(
-      ({ from, to, stretch }) =>
-        svg`<text class="strip-word" text-anchor="middle" x=${fixed((from + to) / 2)} y=${y}>${stretch}</text>`,
+      ({ from, to, place }) =>
+        svg`<text class="strip-word" text-anchor="middle" x=${fixed((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
     )}`;
 }
 
 function visible({ stretches }: StripModel, { frame, x }: Scales) {
   const inPlot = (t: number) => fixed(clamp(x(t), frame.left, frame.right));
   return stretches
-    .map(({ from, to, stretch }) => ({ from: inPlot(from), to: inPlot(to), stretch }))
+    .map(({ from, to, ...kept }) => ({ from: inPlot(from), to: inPlot(to), ...kept }))
     .filter(({ from, to }) => to > from);
 }
 

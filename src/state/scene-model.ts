@@ -3,7 +3,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { Handle } from './handles.ts';
 import type { View } from './view.ts';
 
-/** What a stretch of the ray is, seen from its start: behind E, before the first hit, inside, or after the last. */
+/** How a stretch of the ray is drawn: behind E, on the way to a hit, inside, or after the last hit. */
 export type Stretch = 'behind' | 'before' | 'inside' | 'after';
 
 export interface RaySegment {

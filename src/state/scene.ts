@@ -8,7 +8,7 @@ import { subscript } from '../text/scripts.ts';
 import type { Handle } from './handles.ts';
 import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
-import { pointAt, stretchesOf } from './strip.ts';
+import { pointAt } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
 import { windowOf } from './window.ts';
@@ -41,7 +41,7 @@ export function sceneOf(parts: Parts): SceneModel {
     ray: {
       origin: ray.origin,
       direction: ray.direction,
-      segments: reach ? segmentsOf(found, reach) : [],
+      segments: reach ? segmentsOf(strip, reach) : [],
       ticks: reach ? ticksOf(reach) : [],
       originDrawn,
     },
@@ -102,8 +102,15 @@ function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null
   };
 }
 
-function segmentsOf(found: Intersection, reach: { from: number; to: number }): RaySegment[] {
-  return stretchesOf(found, reach);
+/** The strip's stretches, as far as they reach. */
+function segmentsOf({ stretches }: StripModel, reach: { from: number; to: number }): RaySegment[] {
+  return stretches
+    .map(({ from, to, stretch }) => ({
+      from: Math.max(from, reach.from),
+      to: Math.min(to, reach.to),
+      stretch,
+    }))
+    .filter(({ from, to }) => from < to);
 }
 
 function ticksOf({ from, to }: { from: number; to: number }): number[] {

@@ -1,4 +1,5 @@
-import type { HitRole, Stretch } from './scene-model.ts';
+import type { HitRole } from './scene-model.ts';
+import type { PlacedStretch } from './stretches.ts';
 
 /** The graph of f on the ray's own t scale. */
 export interface StripModel {
@@ -18,11 +19,7 @@ export interface StripModel {
     readonly role: HitRole;
     readonly double: boolean;
   }[];
-  readonly stretches: readonly {
-    readonly from: number;
-    readonly to: number;
-    readonly stretch: Stretch;
-  }[];
+  readonly stretches: readonly PlacedStretch[];
   /** t, f(t) and R(t) of the bead. */
   readonly bead: {
     readonly t: number;

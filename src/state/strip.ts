@@ -1,9 +1,10 @@
 import { alongRay } from '../math/along.ts';
+import { spanInFigure } from '../math/figure.ts';
 import type { Intersection } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { display } from '../text/format.ts';
-import type { Stretch } from './scene-model.ts';
+import { stretchesOf } from './stretches.ts';
 import type { StripModel } from './strip-model.ts';
 import { restingBead, windowOf } from './window.ts';
 import { type HitWords, hitSentence, hitWords } from './words.ts';
@@ -15,7 +16,8 @@ export function stripOf(
   ray: Ray,
   bead: number | null,
 ): StripModel {
-  const window = windowOf(found);
+  const span = found.class === 'contained' ? spanInFigure(shape, ray) : null;
+  const window = windowOf(found, span ? [span.from, span.to] : []);
   const { A, B, C } = quadratic(found);
   const f = (t: number): number => (A * t + B) * t + C;
   const roots = hitWords(found);
@@ -32,7 +34,7 @@ export function stripOf(
       role,
       double: found.class === 'tangent',
     })),
-    stretches: stretchesOf(found, window),
+    stretches: stretchesOf(found, window, span),
     bead: { t, ...alongRay(shape, ray, t) },
     contained: found.class === 'contained',
     concealed: false,
@@ -68,49 +70,16 @@ function heights(
   return { low: Math.min(1.24 * least, -0.3 * high), high };
 }
 
-/**
- * What each stretch of the ray is to someone who follows it from E: behind, before anything was met, inside (f < 0),
- * or after. Outside again between two visits it is 'before' the next one.
- */
-export function stretchesOf(
-  found: Intersection,
-  { from, to }: { from: number; to: number },
-): { from: number; to: number; stretch: Stretch }[] {
-  const cuts = [0, ...found.hits.map(({ t }) => t)].filter((t) => t > from && t < to);
-  const bounds = [from, ...new Set(cuts.sort((a, b) => a - b)), to];
-  return bounds.slice(1).map((end, i) => {
-    const start = bounds[i] ?? from;
-    return { from: start, to: end, stretch: stretchAt(found, start, end) };
-  });
-}
-
-function stretchAt(found: Intersection, from: number, to: number): Stretch {
-  if (to <= 0) return 'behind';
-  if (isInside(found, from, to)) return 'inside';
-  const visible = found.hits.filter(({ t }) => t >= 0);
-  return visible.some(({ t }) => t >= to) || visible.length === 0 ? 'before' : 'after';
-}
-
-/** f < 0 between two roots or beyond them, by the signs that the method found; flat shapes have no inside. */
-function isInside(
-  { hits, class: verdict, details }: Intersection,
-  from: number,
-  to: number,
-): boolean {
-  if (details.family === 'flat') return false;
-  const { A, B, C } = details.signs;
-  const passed = hits.filter(({ t }) => t <= from).length;
-  const between = passed === 1 && hits.some(({ t }) => t >= to);
-  if (verdict === 'two') return A === 1 ? between : !between;
-  if (verdict === 'one') return (B === 1) === (passed === 0);
-  if (verdict === 'none' || verdict === 'tangent') return A === -1 || (A === 0 && C === -1);
-  return false;
-}
-
 function describe(found: Intersection, roots: readonly HitWords[]): string {
   const { A, B, C } = quadratic(found);
+  // A as a double may be 0 where A is not.
+  const bend = found.details.family === 'curved' ? (found.details.signs.A ?? A) : 0;
   const kind =
-    A === 0 ? 'a straight line' : A > 0 ? 'a parabola open upwards' : 'a parabola open downwards';
+    bend === 0
+      ? 'a straight line'
+      : bend > 0
+        ? 'a parabola open upwards'
+        : 'a parabola open downwards';
   const at = `f(0) = ${display(C)}`;
   if (found.class === 'contained') return 'f(t) is zero for every t.';
   if ([A, B, C].some(Number.isNaN)) return 'f(t) is not known: a number overflowed.';

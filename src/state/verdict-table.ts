@@ -82,10 +82,9 @@ export const CONSTANT: Row<'-' | '+'> = {
 export const WHERE: Row<Side> = { '+': '', '0': ', at E itself', '-': ', behind E' };
 
 /** A stretch of a line in a figure's plane, by the sides of its two ends. */
-export const STRETCH: Row<Sides | '00'> = {
+export const STRETCH: Row<Sides> = {
   '++': '',
   '0+': ', starting at E itself',
-  '00': ', E itself',
   '-+': ', E in between',
   '-0': ', ending at E itself',
   '--': ', all of it behind E',

@@ -17,8 +17,11 @@ const TOO_CLOSE = 1e-5;
 /** Room for differences of two such numbers. */
 const LARGEST = Number.MAX_VALUE / 4;
 
-/** All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away to show both. */
-export function windowOf(found: Intersection): Window {
+/**
+ * All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away to show both.
+ * `ends`: of what a line in a figure's plane has in common with the figure.
+ */
+export function windowOf(found: Intersection, ends: readonly number[] = []): Window {
   const roots = rootsOf(found).filter(Number.isFinite);
   const [first, last] = [roots[0], roots.at(-1)];
   if (first !== undefined && last !== undefined && first !== last) {
@@ -30,7 +33,7 @@ export function windowOf(found: Intersection): Window {
       return { from: first - 0.6 * gap, to: last + 0.6 * gap, note };
     }
   }
-  return around([0, 1, ...roots, ...turningPoint(found)], roots);
+  return around([0, 1, ...roots, ...ends.filter(Number.isFinite), ...turningPoint(found)], roots);
 }
 
 /** The points in t that the picture is about: the roots, and the plane's root where the figure is missed. */

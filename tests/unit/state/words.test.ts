@@ -4,7 +4,9 @@ import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { hitSentence, hitWords, verdictWords } from '../../../src/state/words.ts';
-import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math/shorthand.ts';
+import { circle, cone, cylinder, plane, ray, square } from '../math/shorthand.ts';
+
+/* Whether the sentences are true is asked in verdict-cells.test.ts. */
 
 const O: Vec3 = [0, 0, 0];
 const said = (shape: Shape, r: Ray, method = 'exact') => {
@@ -23,15 +25,7 @@ interface Case {
   readonly hits: readonly string[];
 }
 
-const CURVED: readonly Case[] = [
-  {
-    name: 'cylinder, ahead',
-    shape: cylinder(O, 1),
-    ray: ray([3, 0, 0], [-1, 0, 0]),
-    symbols: 'D > 0',
-    text: 'two points: the ray enters, then leaves',
-    hits: ['t₁ = 2, first hit, enters', 't₂ = 4, leaves'],
-  },
+const CASES: readonly Case[] = [
   {
     name: 'cylinder, from inside',
     shape: cylinder(O, 1),
@@ -39,30 +33,6 @@ const CURVED: readonly Case[] = [
     symbols: 'D > 0',
     text: 'two points: E is inside, the ray leaves',
     hits: ['t₁ = −0.5, behind E', 't₂ = 1.5, first hit, leaves'],
-  },
-  {
-    name: 'cylinder, behind',
-    shape: cylinder(O, 1),
-    ray: ray([3, 0, 0], [1, 0, 0]),
-    symbols: 'D > 0',
-    text: 'two points, both behind E: the ray itself misses',
-    hits: ['t₁ = −4, behind E', 't₂ = −2, behind E'],
-  },
-  {
-    name: 'cylinder, E on it, inwards',
-    shape: cylinder(O, 1),
-    ray: ray([1, 0, 0], [-1, 0, 0]),
-    symbols: 'D > 0',
-    text: 'two points: the ray enters at E itself, then leaves',
-    hits: ['t₁ = 0, E itself, enters', 't₂ = 2, leaves'],
-  },
-  {
-    name: 'cylinder, E on it, outwards',
-    shape: cylinder(O, 1),
-    ray: ray([1, 0, 0], [1, 0, 0]),
-    symbols: 'D > 0',
-    text: 'two points: one behind E, one at E itself, where the ray leaves',
-    hits: ['t₁ = −2, behind E', 't₂ = 0, E itself, leaves'],
   },
   {
     name: 'cylinder, tangent',
@@ -73,70 +43,6 @@ const CURVED: readonly Case[] = [
     hits: ['t₁ = 3, first hit, double, touches'],
   },
   {
-    name: 'cylinder, tangent behind',
-    shape: cylinder(O, 1),
-    ray: ray([3, 0, 1], [1, 0, 0]),
-    symbols: 'D = 0',
-    text: 'tangent: one double root, behind E',
-    hits: ['t₁ = −3, behind E'],
-  },
-  {
-    name: 'cylinder, missed',
-    shape: cylinder(O, 1),
-    ray: ray([3, 0, 2], [-1, 0, 0]),
-    symbols: 'D < 0',
-    text: 'no point: the ray misses',
-    hits: [],
-  },
-  {
-    name: 'cylinder, parallel, outside',
-    shape: cylinder(O, 1),
-    ray: ray([3, 0, 2], [0, 1, 0]),
-    symbols: 'A = 0, B = 0',
-    text: 'parallel to the axis, outside for ever: no root',
-    hits: [],
-  },
-  {
-    name: 'cylinder, parallel, inside',
-    shape: cylinder(O, 1),
-    ray: ray([0.5, 0, 0], [0, 1, 0]),
-    symbols: 'A = 0, B = 0',
-    text: 'parallel to the axis, inside for ever: no root',
-    hits: [],
-  },
-  {
-    name: 'cylinder, contained',
-    shape: cylinder(O, 1),
-    ray: ray([1, 0, 0], [0, 1, 0]),
-    symbols: 'A = 0, B = 0, C = 0',
-    text: 'the whole line lies in the surface: every t is a root',
-    hits: [],
-  },
-  {
-    name: 'cylinder of radius 0',
-    shape: cylinder(O, 0),
-    ray: ray([3, 0, 0], [-1, 0, 0]),
-    symbols: 'D = 0',
-    text: 'through the axis: one double root, no normal there',
-    hits: ['t₁ = 3, first hit, double, no normal'],
-  },
-  {
-    name: 'cone, from one nappe into the other',
-    shape: cone(O, 1),
-    ray: ray([1, -5, 0], [0, 1, 0]),
-    symbols: 'D > 0',
-    text: 'two points: the ray leaves, then enters again',
-    hits: ['t₁ = 4, first hit, leaves', 't₂ = 6, enters'],
-  },
-  {
-    name: 'cone, between the nappes',
-    shape: cone(O, 1),
-    ray: ray([1, 0, 0], [0, 1, 0]),
-    symbols: 'D > 0',
-    text: 'two points: one behind E, one where the ray enters',
-    hits: ['t₁ = −1, behind E', 't₂ = 1, first hit, enters'],
-  },
-  {
     name: 'cone, through the vertex',
     shape: cone(O, 1),
     ray: ray([3, 0, 0], [-1, 0, 0]),
@@ -145,71 +51,12 @@ const CURVED: readonly Case[] = [
     hits: ['t₁ = 3, first hit, double, no normal'],
   },
   {
-    name: 'cone, through the vertex, behind',
-    shape: cone(O, 1),
-    ray: ray([3, 0, 0], [1, 0, 0]),
+    name: 'cone of slope 0',
+    shape: cone(O, 0),
+    ray: ray([3, 2, 0], [-1, 0, 0]),
     symbols: 'D = 0',
-    text: 'through the vertex, behind E: one double root, no normal there',
-    hits: ['t₁ = −3, behind E'],
-  },
-  {
-    name: 'cone, parallel to a generator, entering',
-    shape: cone(O, 1),
-    ray: ray([3, 1, 0], [-1, -1, 0]),
-    symbols: 'A = 0',
-    text: 'parallel to a generator: one point, where the ray enters',
-    hits: ['t₁ = 2, first hit, enters'],
-  },
-  {
-    name: 'cone, parallel to a generator, behind',
-    shape: cone(O, 1),
-    ray: ray([3, 1, 0], [1, 1, 0]),
-    symbols: 'A = 0',
-    text: 'parallel to a generator: one point, behind E: the ray stays outside for ever',
-    hits: ['t₁ = −2, behind E'],
-  },
-  {
-    name: 'cone, in the plane that touches it',
-    shape: cone(O, 1),
-    ray: ray([2, 2, 3], [1, 1, 0]),
-    symbols: 'A = 0, B = 0',
-    text: 'parallel to a generator, outside for ever: no root',
-    hits: [],
-  },
-  {
-    name: 'hyperboloid, along an asymptote',
-    shape: hyperboloid(O, 1, 1),
-    ray: ray([2, 2, 0], [1, 1, 0]),
-    symbols: 'A = 0, B = 0',
-    text: 'parallel to a generator, inside for ever: no root',
-    hits: [],
-  },
-  {
-    name: 'hyperboloid of radius 0, through its centre',
-    shape: hyperboloid(O, 1, 0),
-    ray: ray([3, 0, 0], [-1, 0, 0]),
-    symbols: 'D = 0',
-    text: 'through the vertex: one double root, no normal there',
+    text: 'through the axis: one double root, no normal there',
     hits: ['t₁ = 3, first hit, double, no normal'],
-  },
-];
-
-const FLAT: readonly Case[] = [
-  {
-    name: 'plane',
-    shape: plane([0, 1, 0], O),
-    ray: ray([0, 3, 0], [1, -1, 0]),
-    symbols: 'N.d ≠ 0',
-    text: 'one point',
-    hits: ['t₁ = 3, first hit'],
-  },
-  {
-    name: 'plane behind',
-    shape: plane([0, 1, 0], O),
-    ray: ray([0, 3, 0], [1, 1, 0]),
-    symbols: 'N.d ≠ 0',
-    text: 'one point, behind E',
-    hits: ['t₁ = −3, behind E'],
   },
   {
     name: 'plane, E in it',
@@ -220,46 +67,6 @@ const FLAT: readonly Case[] = [
     hits: ['t₁ = 0, E itself, in the plane'],
   },
   {
-    name: 'plane, parallel',
-    shape: plane([0, 1, 0], O),
-    ray: ray([0, 3, 0], [1, 0, 0]),
-    symbols: 'N.d = 0',
-    text: 'parallel to the plane, beside it: no point',
-    hits: [],
-  },
-  {
-    name: 'plane, in it',
-    shape: plane([0, 1, 0], O),
-    ray: ray([0, 0, 0], [1, 0, 0]),
-    symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane: no single point',
-    hits: [],
-  },
-  {
-    name: 'circle, inside',
-    shape: circle([0, 1, 0], O, 1),
-    ray: ray([0.5, 3, 0], [0, -1, 0]),
-    symbols: 'N.d ≠ 0',
-    text: 'one point, inside the circle',
-    hits: ['t₁ = 3, first hit'],
-  },
-  {
-    name: 'circle, outside',
-    shape: circle([0, 1, 0], O, 1),
-    ray: ray([1.125, 3, 0], [0, -1, 0]),
-    symbols: 'N.d ≠ 0',
-    text: 'the plane is met 0.125 outside the circle: no point',
-    hits: ['t₁ = 3, outside by 0.125'],
-  },
-  {
-    name: 'circle, outside and behind',
-    shape: circle([0, 1, 0], O, 1),
-    ray: ray([1.125, 3, 0], [0, 1, 0]),
-    symbols: 'N.d ≠ 0',
-    text: 'the plane is met 0.125 outside the circle, behind E: no point',
-    hits: ['t₁ = −3, outside by 0.125'],
-  },
-  {
     name: 'circle, hardly outside: never 0',
     shape: circle([0, 1, 0], O, 1),
     ray: ray([1, 3, 1e-10], [0, -1, 0]),
@@ -268,28 +75,12 @@ const FLAT: readonly Case[] = [
     hits: ['t₁ = 3, outside by 5 · 10⁻²¹'],
   },
   {
-    name: 'circle, in its plane, crossing',
+    name: 'circle, in its plane',
     shape: circle([0, 1, 0], O, 1),
-    ray: ray([3, 0, 0], [1, 0, 0]),
+    ray: ray([3, 0, 0], [-1, 0, 0]),
     symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and in the circle from t = −4 to t = −2, all of it behind E',
+    text: 'the line lies in the plane and in the circle from t = 2 to t = 4',
     hits: [],
-  },
-  {
-    name: 'circle, in its plane, beside',
-    shape: circle([0, 1, 0], O, 1),
-    ray: ray([3, 0, 2], [1, 0, 0]),
-    symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and passes beside the circle: no point of it',
-    hits: [],
-  },
-  {
-    name: 'square, inside',
-    shape: square([1, 2, 3], 2, 'z'),
-    ray: ray([2, 3, 5], [0, 0, -2]),
-    symbols: 'N.d ≠ 0',
-    text: 'one point, inside the square',
-    hits: ['t₁ = 1, first hit'],
   },
   {
     name: 'square, off its corner',
@@ -299,30 +90,14 @@ const FLAT: readonly Case[] = [
     text: 'the plane is met 5 outside the square: no point',
     hits: ['t₁ = 1, outside by 5'],
   },
-  {
-    name: 'square, parallel',
-    shape: square([1, 2, 3], 2, 'z'),
-    ray: ray([6, 8, 5], [1, 0, 0]),
-    symbols: 'N.d = 0',
-    text: 'parallel to the plane, beside it: no point',
-    hits: [],
-  },
-  {
-    name: 'square, in its plane, beside',
-    shape: square([1, 2, 3], 2, 'z'),
-    ray: ray([6, 8, 3], [1, 0, 0]),
-    symbols: 'N.d = 0, N.(E-P) = 0',
-    text: 'the line lies in the plane and passes beside the square: no point of it',
-    hits: [],
-  },
 ];
 
 describe('verdict and hits in words', () => {
-  test.each([...CURVED, ...FLAT])('$name', ({ shape, ray: r, symbols, text, hits }) => {
+  test.each(CASES)('$name', ({ shape, ray: r, symbols, text, hits }) => {
     expect(said(shape, r)).toEqual({ symbols, text, hits });
   });
 
-  test('a method that cannot decide says so', () => {
+  test('a method that cannot decide says why', () => {
     const overflow = said(cylinder(O, 1e200), ray([2e200, 0, 0], [-1e200, 0, 0]), 'textbook');
     expect(overflow).toEqual({
       symbols: '',
@@ -331,6 +106,23 @@ describe('verdict and hits in words', () => {
     });
     const flat = said(plane([1e200, 0, 0], O), ray([1e200, 0, 0], [1e200, 0, 0]), 'textbook');
     expect(flat.text).toBe('cannot decide: a number overflowed');
+    const close = said(cylinder(O, 0.1), ray([3, 0, 0.1], [-0.7, 0, 0]), 'interval');
+    expect(close.text).toBe('cannot decide: the sign of D is not certain');
+  });
+
+  test('a root that is rounded to 0 is not at E itself', () => {
+    const hardly = (E: number) => ray([0, E, 0], [0, -1e300, 0]);
+    expect(said(plane([0, 1, 0], O), hardly(5e-324)).hits).toEqual(['t₁ = 0, first hit']);
+    expect(said(plane([0, 1, 0], O), hardly(-5e-324))).toMatchObject({
+      text: 'one point, behind E',
+      hits: ['t₁ = 0, behind E'],
+    });
+    const within = ray([1 - 2 ** -53, 0, 0], [1e308, 0, 0]);
+    expect(said(cylinder(O, 1), within).text).toBe('two points: E is inside, the ray leaves');
+    const wall = ray([-(2 ** -1000), 0, 0], [2 ** 1000, 0, 0]);
+    expect(said(cylinder([2 ** -1000, 0, 0], 2 ** -1001), wall).text).toBe(
+      'two points: the ray enters, then leaves',
+    );
   });
 
   test('between two visits the second hit is the first one ahead', () => {
