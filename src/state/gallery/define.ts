@@ -1,4 +1,8 @@
-import type { IntersectionClass } from '../../math/intersection.ts';
+/**
+ * Some words, and the claims that make them true: 'D > 0', 'E inside', 't2 leaves', 'textbook class none'. Each kind of
+ * claim has a check in tests/unit/state/gallery-claims.ts, and words that claim something must name a claim for it.
+ */
+export type Clause = readonly [words: string, ...claims: string[]];
 
 /** A state worth looking at. It is a link like any other, so whatever a preset can show, a person can send. */
 export interface Preset {
@@ -7,6 +11,16 @@ export interface Preset {
   /** One sentence: what to look at. */
   readonly look: string;
   readonly link: string;
-  /** What exact arithmetic says of it; held to that by a test. */
-  readonly class: IntersectionClass;
+  /** Title and sentence in clauses, with their claims. */
+  readonly told: readonly Clause[];
+}
+
+export function preset(id: string, title: Clause, look: readonly Clause[], link: string): Preset {
+  return {
+    id,
+    title: title[0],
+    look: look.map(([words]) => words).join(' '),
+    link: `#/explore?${link}`,
+    told: [title, ...look],
+  };
 }

@@ -1,39 +1,71 @@
-import type { Preset } from './define.ts';
+import { type Preset, preset } from './define.ts';
 
 export const SQUARE: readonly Preset[] = [
-  {
-    id: 'square-hit',
-    title: 'inside',
-    look: 'Four comparisons decide: both coordinates in the plane lie between P and P + L.',
-    link: '#/explore?shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.8,-0.2,-0.3',
-    class: 'one',
-  },
-  {
-    id: 'square-edge',
-    title: 'on an edge',
-    look: 'y is exactly Py + L: the edge belongs to the square.',
-    link: '#/explore?shape=square&P=0,0,-1&L=2&axis=x&E=3,2,0&d=-1,0,0',
-    class: 'one',
-  },
-  {
-    id: 'square-outside',
-    title: 'past a corner',
-    look: 'Beyond a corner the distance is measured to the corner, not to a side.',
-    link: '#/explore?shape=square&P=0,0,-1&L=2&axis=x&E=3,2.75,2&d=-1,0,0',
-    class: 'none',
-  },
-  {
-    id: 'square-floor',
-    title: 'lying down',
-    look: 'With the normal along y the square is a floor, and x and z are compared.',
-    link: '#/explore?shape=square&P=-1,0,-1&L=2&axis=y&E=3,2,1&d=-0.75,-0.5,-0.25',
-    class: 'one',
-  },
-  {
-    id: 'square-contained',
-    title: 'in its plane',
-    look: 'The ray lies in the plane and passes beside the square: still no single point.',
-    link: '#/explore?shape=square&P=-1,0,-1&L=2&axis=y&E=3,0,2&d=-1,0,0',
-    class: 'contained',
-  },
+  preset(
+    'square-hit',
+    ['inside', 'P1 inside the figure'],
+    [
+      ['Four comparisons decide:', '4 conditions'],
+      [
+        'both coordinates in the plane lie between P and P + L.',
+        'P1 inside the figure',
+        't1 ahead',
+      ],
+    ],
+    'shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.8,-0.2,-0.3',
+  ),
+  preset(
+    'square-edge',
+    ['on an edge', 'P1 on 1 limit'],
+    [
+      ['y is exactly Py + L:', 'P1.y = P.y + L'],
+      ['the edge belongs to the square.', 'class one', 'P1 on 1 limit'],
+    ],
+    'shape=square&P=0,0,-1&L=2&axis=x&E=3,2,0&d=-1,0,0',
+  ),
+  preset(
+    'square-outside',
+    ['past a corner', 'class none', '2 conditions fail'],
+    [
+      [
+        'Beyond a corner the distance is measured to the corner, not to a side.',
+        '2 conditions fail',
+        'figure missed by 1.25',
+        '1.25 from a corner',
+      ],
+    ],
+    'shape=square&P=0,0,-1&L=2&axis=x&E=3,2.75,2&d=-1,0,0',
+  ),
+  preset(
+    'square-floor',
+    ['lying down', 'normal along y'],
+    [
+      [
+        'With the normal along y the square is a floor,',
+        'normal along y',
+        'P1 inside the figure',
+        't1 ahead',
+      ],
+      ['and x and z are compared.', 'x and z compared'],
+    ],
+    'shape=square&P=-1,0,-1&L=2&axis=y&E=3,2,1&d=-0.75,-0.5,-0.25',
+  ),
+  preset(
+    'square-contained',
+    ['in its plane', 'class contained'],
+    [
+      [
+        'The ray lies in the plane and passes beside the square:',
+        'class contained',
+        'passes beside the figure',
+      ],
+      [
+        'every t solves the equation, and none gives a point of the square.',
+        'N.d = 0',
+        'N.(E-P) = 0',
+        'passes beside the figure',
+      ],
+    ],
+    'shape=square&P=-1,0,-1&L=2&axis=y&E=3,0,2&d=-1,0,0',
+  ),
 ];
