@@ -9,6 +9,7 @@ import { shell } from './pages/shell.ts';
 import { takeaways } from './pages/takeaways.ts';
 import { announcement } from './state/announce.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
+import { exampleOf } from './state/example.ts';
 import { fromFile, toFile } from './state/file.ts';
 import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
@@ -83,7 +84,7 @@ const dialogParts: DialogParts = {
   thumbnail: () => explore?.scene.thumbnail() ?? null,
   takeaways: async () =>
     desk.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
-  preset: () => store.get().preset,
+  example: () => exampleOf(store.get()),
   page: () => store.get().page,
   dispatch: store.dispatch,
   tools,

@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
+import type { Example } from '../state/example.ts';
 import type { PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
@@ -13,7 +14,7 @@ export interface DialogParts {
   readonly commands: readonly Command[];
   /** Draws small pictures, once the scene's code is there. */
   readonly thumbnail: () => Thumbnail | null;
-  readonly preset: () => string | null;
+  readonly example: () => Example | null;
   readonly page: () => PageId;
   readonly takeaways: () => Promise<readonly Takeaway[]>;
   readonly dispatch: Dispatch;
@@ -27,7 +28,7 @@ export type Dialogs = Readonly<Record<'gallery' | 'help' | 'share', () => void>>
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
-    galleryContent(parts.preset(), pick, parts.thumbnail()),
+    galleryContent(parts.example(), pick, parts.thumbnail()),
   );
   const pick = (id: string): void => {
     parts.dispatch({ type: 'preset', id });

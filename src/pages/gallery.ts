@@ -1,7 +1,8 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { SHAPES } from '../math/shapes/index.ts';
 import { createDerive } from '../state/derive.ts';
+import type { Example } from '../state/example.ts';
 import type { Preset } from '../state/gallery/define.ts';
 import { GALLERY } from '../state/gallery/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
@@ -13,7 +14,7 @@ export type Thumbnail = (host: HTMLElement, model: SceneModel) => void;
 
 /** Every preset with a small picture and its sentence, shape by shape. */
 export function galleryContent(
-  current: string | null,
+  current: Example | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
 ): TemplateResult {
@@ -22,7 +23,7 @@ export function galleryContent(
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>
         <h3>${title}</h3>
-        <div class="presets">${own.map((preset) => card(preset, preset.id === current, pick, thumbnail))}</div>
+        <div class="presets">${own.map((preset) => card(preset, current?.preset === preset ? current : null, pick, thumbnail))}</div>
       </section>`;
     })}
   </div>`;
@@ -30,7 +31,7 @@ export function galleryContent(
 
 function card(
   preset: Preset,
-  isCurrent: boolean,
+  current: Example | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
 ): TemplateResult {
@@ -43,11 +44,12 @@ function card(
     type="button"
     class="preset"
     data-preset=${preset.id}
-    aria-pressed=${isCurrent}
+    aria-pressed=${current !== null && !current.changed}
     @click=${() => pick(preset.id)}
   >
     <span class="thumbnail" aria-hidden="true" ${ref(draw)}></span>
     <strong>${preset.title}</strong>
+    ${current?.changed ? html`<span class="preset-look">Changed since: choosing it brings it back.</span>` : nothing}
     <span class="preset-look">${preset.look}</span>
   </button>`;
 }

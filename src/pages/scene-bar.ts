@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { ExploreModel } from '../state/derive.ts';
-import { GALLERY } from '../state/gallery/index.ts';
+import { titleOf } from '../state/example.ts';
 import type { Command } from './commands.ts';
 import './scene-bar.css';
 
@@ -11,21 +11,20 @@ export interface SceneBarTools {
 
 /** Over the scene: which example this is, and what can be done with the ray that is shown. */
 export function sceneBar(
-  { state }: ExploreModel,
+  { state, example }: ExploreModel,
   { command, playing }: SceneBarTools,
 ): TemplateResult {
-  const preset = GALLERY.find(({ id }) => id === state.preset);
   const run = (id: string) => () => command(id)?.run();
   const hidden = state.revealed !== null;
   return html`<div class="example">
       <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
-        example: <strong>${preset?.title ?? 'choose one'}</strong> <span aria-hidden="true">▾</span>
+        example: <strong>${example ? titleOf(example) : 'choose one'}</strong> <span aria-hidden="true">▾</span>
       </button>
       <span class="steps-through">
         ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
-      ${preset && !hidden ? html`<p class="look">${preset.look}</p>` : nothing}
+      ${example && !example.changed && !hidden ? html`<p class="look">${example.preset.look}</p>` : nothing}
     </div>
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}

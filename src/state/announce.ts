@@ -1,4 +1,5 @@
 import { findShape } from '../math/shapes/lookup.ts';
+import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import type { ExploreModel } from './derive.ts';
@@ -9,10 +10,23 @@ import { paramValue } from './state.ts';
  * double root, the ray touches, t₁ 3.46." Empty if nothing audible changed.
  */
 export function announcement(before: ExploreModel, after: ExploreModel): string {
-  const value = changedValue(before, after);
+  const value = newExample(before, after) || changedValue(before, after);
   const news = after.state.revealed === null ? consequence(before, after) : '';
-  return [value, news].filter(Boolean).join(' ');
+  const left = leavesExample(before, after) ? 'The example is changed.' : '';
+  return [value, news, left].filter(Boolean).join(' ');
 }
+
+/** "Example 5 of 41: in the plane. N·d = 0 and …": it was opened, or what was changed in it was undone. */
+function newExample({ example: old }: ExploreModel, { example, state }: ExploreModel): string {
+  if (!example || example.changed) return '';
+  if (old && !old.changed && old.number === example.number) return '';
+  const { number, of, preset } = example;
+  const look = state.revealed === null ? ` ${preset.look}` : '';
+  return `Example ${number} of ${of}: ${preset.title}.${look}`;
+}
+
+const leavesExample = (before: ExploreModel, after: ExploreModel): boolean =>
+  before.example?.changed === false && after.example?.changed === true;
 
 function changedValue(before: ExploreModel, after: ExploreModel): string {
   const { state: a, shape: old } = before;
@@ -24,7 +38,16 @@ function changedValue(before: ExploreModel, after: ExploreModel): string {
   const param = findShape(shape.kind)?.params.find(
     ({ key }) => paramValue(shape, key) !== paramValue(old, key),
   );
-  return param ? `${param.symbol} ${spoken(paramValue(shape, param.key))}.` : '';
+  if (!param) return '';
+  const value = spoken(paramValue(shape, param.key));
+  return `${param.symbol} ${value}${title === before.title ? '' : `: ${named(title)}`}.`;
+}
+
+/** "a cylinder" */
+function named(title: string): string {
+  if (title === 'axis' || title === 'point')
+    return `only ${title === 'axis' ? 'the axis' : 'the centre'} is left`;
+  return withArticle(title);
 }
 
 function spoken(value: ReturnType<typeof paramValue>): string {

@@ -6,6 +6,7 @@ import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
+import { type Example, exampleOf } from './example.ts';
 import { handlesOf } from './handles.ts';
 import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
@@ -29,6 +30,8 @@ export interface ExploreModel {
   /** What exact arithmetic says, for what stands beside the method's digits. */
   readonly exactly: Exactly;
   readonly derivation: Derivation;
+  /** The example that is shown, as it is or changed. */
+  readonly example: Example | null;
   readonly verdict: VerdictWords;
   readonly hits: readonly HitWords[];
   readonly strip: StripModel;
@@ -104,6 +107,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       contradicted: exactClass === found.class ? null : exactClass,
       exactly,
       derivation: derived,
+      example: exampleOf(state),
       verdict,
       hits: hitWords(found),
       strip: shown.hits ? graph : { ...graph, concealed: true },

@@ -3,6 +3,7 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import { multiplesWithin, roundStep } from '../math/shapes/steps.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import { withArticle } from '../text/article.ts';
 import { displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import type { Handle } from './handles.ts';
@@ -143,6 +144,3 @@ function describe(
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
   return [`${from} and ${withArticle(title)}: ${verdict}.`, ...hits].join(' ');
 }
-
-/** 'a cone', 'an ellipsoid' */
-const withArticle = (noun: string): string => `${/^[aeiou]/.test(noun) ? 'an' : 'a'} ${noun}`;

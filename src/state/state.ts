@@ -50,7 +50,7 @@ export interface AppState {
   readonly settings: Readonly<Record<PageId, Settings>>;
   /** What was wrong with the link or file that was opened, in words. */
   readonly problems: readonly string[];
-  /** The preset that was opened last, whatever has been moved since. */
+  /** The preset that was opened last, whatever has been moved since: see example.ts. */
   readonly preset: string | null;
   /** How many lines of the result are shown, for predicting first; null shows everything. */
   readonly revealed: number | null;

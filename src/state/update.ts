@@ -4,6 +4,7 @@ import { findShape } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
+import { exampleOf } from './example.ts';
 import { GALLERY } from './gallery/index.ts';
 import {
   type AppState,
@@ -66,7 +67,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'preset':
       return openPreset(state, action.id);
     case 'browse':
-      return openPreset(state, neighbour(state.preset, action.by));
+      return openPreset(state, neighbour(exampleOf(state)?.preset.id ?? state.preset, action.by));
     case 'reveal':
       return { ...state, revealed: action.lines };
     case 'ghost':

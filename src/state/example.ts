@@ -1,0 +1,39 @@
+import type { Preset } from './gallery/define.ts';
+import { GALLERY } from './gallery/index.ts';
+import { type AppState, INITIAL } from './state.ts';
+import { decode, encode } from './url.ts';
+
+/** The example that a state shows, or was made from. */
+export interface Example {
+  readonly preset: Preset;
+  /** From 1. */
+  readonly number: number;
+  readonly of: number;
+  /** Something was changed: the title is still where it came from, and the caption no longer speaks of what is shown. */
+  readonly changed: boolean;
+}
+
+let numbers: ReadonlyMap<string, number> | null = null;
+
+/** Whoever opens an example's link has the example, and so has whoever undoes what he changed in it. */
+export function exampleOf(state: AppState): Example | null {
+  numbers ??= new Map(GALLERY.map(({ link }, i) => [valuesOf(decode(link)), i]));
+  const same = numbers.get(valuesOf(state));
+  const at = same ?? GALLERY.findIndex(({ id }) => id === state.preset);
+  const preset = GALLERY[at];
+  if (!preset) return null;
+  const changed = same === undefined;
+  // With another shape nothing of the example is left.
+  if (changed && decode(preset.link).kind !== state.kind) return null;
+  return { preset, number: at + 1, of: GALLERY.length, changed };
+}
+
+/** What a caption speaks of: ray, shape and method, however one looks at them. */
+function valuesOf(state: AppState): string {
+  const { view, bead, settings } = INITIAL;
+  return encode({ ...state, page: 'explore', view, bead, settings });
+}
+
+/** "tangent", or "tangent, changed" */
+export const titleOf = ({ preset, changed }: Example): string =>
+  changed ? `${preset.title}, changed` : preset.title;
