@@ -12,7 +12,7 @@ export const CIRCLE: readonly Preset[] = [
         '1 condition',
       ],
     ],
-    'shape=circle&N=1,0.5,0&C=0,1,0&r=2&E=3,1,1&d=-0.8,-0.2,-0.3',
+    'shape=circle&N=1,0.5,0&C=0,1,0&r=2&E=3,1,1&d=-0.75,-0.5,-0.25',
   ),
   preset(
     'circle-rim',

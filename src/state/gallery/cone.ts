@@ -8,7 +8,7 @@ export const CONE: readonly Preset[] = [
       ['The ray crosses the lower nappe:', 'P1 below V', 'P2 below V', 't1 ahead'],
       ['it enters, then leaves.', 't1 enters', 't2 leaves'],
     ],
-    'shape=cone&V=0,3,0&c=0.5&E=3,1,1&d=-0.8,-0.2,-0.3',
+    'shape=cone&V=0,3,0&c=0.5&E=3,1,1&d=-0.75,-0.25,-0.25',
   ),
   preset(
     'cone-miss',

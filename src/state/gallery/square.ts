@@ -12,7 +12,7 @@ export const SQUARE: readonly Preset[] = [
         't1 ahead',
       ],
     ],
-    'shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.8,-0.2,-0.3',
+    'shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.75,-0.125,-0.25',
   ),
   preset(
     'square-edge',

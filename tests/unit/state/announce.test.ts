@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import type { Action } from '../../../src/state/actions.ts';
 import { announcement } from '../../../src/state/announce.ts';
 import { createDerive } from '../../../src/state/derive.ts';
@@ -47,4 +47,44 @@ test('what is hidden is not told', () => {
   const state = update(decode(NEAR, INITIAL), { type: 'reveal', lines: 0 });
   const next = update(state, { type: 'param', key: 'radius', value: 1.5 });
   expect(announcement(derive(state), derive(next))).toBe('r 1.5.');
+});
+
+describe('an example', () => {
+  const derive = createDerive();
+  const opened = update(INITIAL, { type: 'preset', id: 'circle-rim' });
+  const moved = update(opened, { type: 'param', key: 'radius', value: 3 });
+
+  test('is announced with its number, title, caption and verdict', () => {
+    const words = announcement(derive(INITIAL), derive(opened));
+    expect(words).toMatch(/^Example \d+ of \d+: on the rim\. \|P₁ − C\| is exactly r: the rim/);
+    expect(words).toContain('Now one point, on the rim, which belongs to the circle, t₁ 3.');
+  });
+
+  test('that is changed says so once, and is announced again when it is back', () => {
+    expect(announcement(derive(opened), derive(moved))).toBe(
+      'r 3. Now one point, inside the circle, t₁ 3. The example is changed.',
+    );
+    const further = update(moved, { type: 'param', key: 'radius', value: 4 });
+    expect(announcement(derive(moved), derive(further))).toBe('r 4.');
+    expect(announcement(derive(further), derive(opened))).toMatch(/^Example \d+ of/);
+  });
+
+  test('keeps its caption to itself while the results are hidden', () => {
+    const hidden = update(INITIAL, { type: 'reveal', lines: 0 });
+    const next = update(hidden, { type: 'preset', id: 'circle-rim' });
+    expect(announcement(derive(hidden), derive(next))).toMatch(
+      /^Example \d+ of \d+: on the rim\.$/,
+    );
+  });
+});
+
+test('a shape that becomes another one is named', () => {
+  const link = '#/explore?shape=hyperboloid&a=0.1&E=3,1,0.5&d=-1,0,0';
+  const at = (value: number) => heard(link, { type: 'param', key: 'flare', value });
+  expect(at(0)).toMatch(/^a 0: a cylinder\./);
+  expect(at(-1)).toMatch(/^a −1: a sphere\./);
+  expect(at(-0.5)).toMatch(/^a −0\.5: an ellipsoid\./);
+  expect(at(0.2)).toMatch(/^a 0\.2\./);
+  const flat = heard('#/explore?shape=cone&c=0.5', { type: 'param', key: 'slope', value: 0 });
+  expect(flat).toMatch(/^c 0: only the axis is left\./);
 });
