@@ -4,11 +4,13 @@ import { type Expr, plus, scalar } from '../math/formula/expr.ts';
 import type { Intersection } from '../math/intersection.ts';
 import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
+import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { type Exactly, rangeNote, rootTexts, shownResult } from '../state/exact-digits.ts';
 import { heightsLine } from '../state/heights.ts';
 import { conditionDigits, putIn, resultsOf } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
+import type { VerdictWords } from '../state/words.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
@@ -166,6 +168,7 @@ function verdict({
   verdict: { relations, pieces },
   found,
   contradicted,
+  asTyped,
   derivation,
   exactly,
 }: ExploreModel): TemplateResult {
@@ -174,7 +177,25 @@ function verdict({
   return html`<p class="verdict">
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
     <strong>${pieces.map(said)}</strong></span>
-    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}${at}</span>` : nothing}
+    ${contradicted ? html`<span class="contradicted">exact arithmetic${asTyped.differs ? ' on the stored numbers' : ''} says: ${contradicted}${at}</span>` : nothing}
+  </p>
+  ${typedWords(asTyped)}`;
+}
+
+/** What the numbers as typed give, where that is another case; and what is to be known of them. */
+function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothing {
+  if (!differs && notes.length === 0) return nothing;
+  const pieces = (words: VerdictWords, which: string): (TemplateResult | string)[] =>
+    words.pieces.map((piece) =>
+      typeof piece === 'string' ? piece : value(`${which}.${piece.quantity}`, piece.value),
+    );
+  return html`<p class="as-typed">
+    ${
+      differs
+        ? html`As typed: <strong data-quantity="typed.class" data-value=${differs.class}>${pieces(differs.typed, 'typed')}</strong>. As stored (${differs.because}): ${pieces(differs.stored, 'stored')}.`
+        : nothing
+    }
+    ${notes.join(' ')}
   </p>`;
 }
 

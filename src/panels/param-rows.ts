@@ -10,6 +10,7 @@ import {
 import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';
+import { textsOf } from '../ui/typed-event.ts';
 import { symbol } from './formula.ts';
 import type { Handle } from './params-of.ts';
 import { classOf } from './symbols.ts';
@@ -33,18 +34,23 @@ export function paramRow(handle: Handle): TemplateResult {
   return param.type === 'number' ? numberCell(handle, param) : axisCell(handle, param);
 }
 
-function vectorRow({ value, send, reset, quantities }: Handle, param: VectorParam): TemplateResult {
+function vectorRow(
+  { value, send, typed, reset, quantities }: Handle,
+  param: VectorParam,
+): TemplateResult {
   const current = value as Vec3;
   const { symbol: letter, title, range, step, initial } = param;
   const cls = classOf(letter, 'vector');
   const triple = (event: CustomEvent<Vec3>): void => {
-    if (refusal(param, event.detail) === null) send(event.detail);
+    if (refusal(param, event.detail) !== null) return;
+    const texts = textsOf(event).map((text, i) => [`${letter}.${AXES[i]}`, text] as const);
+    send(event.detail, Object.fromEntries(texts));
   };
   return html`<div class="param ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-triple=${triple}>
     <span class="letter">${symbol(letter, null, cls, letter)}</span>
     ${AXES.map((axis, i) => {
       const label = `${letter}.${axis}`;
-      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send((now) => withComponent(now as Vec3, i, e.detail))}>
+      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send((now) => withComponent(now as Vec3, i, e.detail), typedAs(label, e))}>
         <span class="axis" aria-hidden="true">${axis}</span>
         <graze-number
           id=${`box-${label}`}
@@ -52,6 +58,7 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
           .step=${step}
           .label=${label}
           .symbol=${label}
+          .typed=${typed(label)}
           .quantity=${quantities ? label : ''}
           .check=${(x: number) => refusal(param, withComponent(current, i, x))}
         ></graze-number>
@@ -69,11 +76,14 @@ function vectorRow({ value, send, reset, quantities }: Handle, param: VectorPara
   </div>`;
 }
 
-function numberCell({ value, send: put, reset }: Handle, param: NumberParam): TemplateResult {
+function numberCell(
+  { value, send: put, typed, reset }: Handle,
+  param: NumberParam,
+): TemplateResult {
   const current = value as number;
   const { symbol: letter, title, range, step, initial } = param;
   const cls = classOf(letter, 'scalar');
-  const send = (event: CustomEvent<number>): void => put(event.detail);
+  const send = (event: CustomEvent<number>): void => put(event.detail, typedAs(letter, event));
   return html`<div class="param single ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-value=${send}>
     <span class="letter">${symbol(letter, null, cls, letter)}</span>
     <span class="cell">
@@ -83,6 +93,7 @@ function numberCell({ value, send: put, reset }: Handle, param: NumberParam): Te
         .step=${step}
         .label=${`${letter}, ${title}`}
         .symbol=${letter}
+        .typed=${typed(letter)}
         .quantity=${letter}
         .check=${(x: number) => refusal(param, x)}
       ></graze-number>
@@ -113,6 +124,12 @@ function axisCell({ value, send, reset }: Handle, { title, initial }: AxisParam)
     )}</span>
     ${resetButton('axis', current === initial, reset)}
   </div>`;
+}
+
+/** What was typed for the one number of an event. */
+function typedAs(label: string, event: Event): Readonly<Record<string, string>> {
+  const [text] = textsOf(event);
+  return text === undefined ? {} : { [label]: text };
 }
 
 function equal(a: Vec3, b: Vec3): boolean {

@@ -4,12 +4,16 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { Dispatch, Edit, ParamValue } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { paramValue, RAY_PARAMS } from '../state/state.ts';
+import type { TypedTexts } from '../state/typed-texts.ts';
 
 /** A parameter with its value now and the two things that can be done to it. */
 export interface Handle<P extends Param = Param> {
   readonly param: P;
   readonly value: ParamValue;
-  readonly send: (value: Edit<ParamValue>) => void;
+  /** `texts`: what was typed for its numbers, under 'E.x', 'c'. */
+  readonly send: (value: Edit<ParamValue>, texts?: TypedTexts) => void;
+  /** What was typed for one of its numbers; '' where nothing is kept. */
+  readonly typed: (label: string) => string;
   readonly reset: () => void;
   /** Whether its boxes carry the quantity; with a unit d the kernel's own d is told elsewhere. */
   readonly quantities: boolean;
@@ -20,26 +24,33 @@ export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle
     {
       param: RAY_PARAMS.E,
       value: state.E,
-      send: (value) => dispatch({ type: 'origin', value: value as Edit<Vec3> }),
+      send: (value, texts) => dispatch({ type: 'origin', value: value as Edit<Vec3>, texts }),
+      typed: (label) => state.typed[label] ?? '',
       reset: () => dispatch({ type: 'reset', what: 'E' }),
       quantities: true,
     },
     {
       param: RAY_PARAMS.d,
       value: state.d,
-      send: (value) => dispatch({ type: 'direction', value: value as Edit<Vec3> }),
+      send: (value, texts) => dispatch({ type: 'direction', value: value as Edit<Vec3>, texts }),
+      typed: (label) => state.typed[label] ?? '',
       reset: () => dispatch({ type: 'reset', what: 'd' }),
       quantities: !state.unit,
     },
   ];
 }
 
-export function shapeHandles({ shape }: ExploreModel, dispatch: Dispatch): Handle[] {
+export function shapeHandles({ state, shape }: ExploreModel, dispatch: Dispatch): Handle[] {
   return definitionOf(shape).params.map((param) => ({
     param,
     value: paramValue(shape, param.key),
-    send: (value) => dispatch({ type: 'param', key: param.key, value }),
+    send: (value, texts = {}) =>
+      dispatch({ type: 'param', key: param.key, value, texts: ownedBy(shape.kind, texts) }),
+    typed: (label) => state.typed[`${shape.kind}.${label}`] ?? '',
     reset: () => dispatch({ type: 'reset', what: { param: param.key } }),
     quantities: true,
   }));
 }
+
+const ownedBy = (kind: string, texts: TypedTexts): TypedTexts =>
+  Object.fromEntries(Object.entries(texts).map(([label, text]) => [`${kind}.${label}`, text]));

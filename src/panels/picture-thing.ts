@@ -52,6 +52,7 @@ export function thingForm(scene: Scene, thing: Placed, change: ChangeScene): Tem
         tools.send((now) =>
           withParam(now, param, applied(value, paramValue(now.shape, param.key))),
         ),
+      typed: () => '',
       reset: () => tools.send((now) => withParam(now, param, paramValue(initial, param.key))),
       quantities: true,
     }),

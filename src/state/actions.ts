@@ -20,14 +20,18 @@ export type Changes = Readonly<Record<string, string | null>>;
 export type Action =
   | { readonly type: 'shape'; readonly kind: string }
   /** `texts`: what was typed for the value or its components, under 'E.x', 'cone.c'. */
-  | { readonly type: 'origin'; readonly value: Edit<Vec3>; readonly texts?: TypedTexts }
-  | { readonly type: 'direction'; readonly value: Edit<Vec3>; readonly texts?: TypedTexts }
+  | { readonly type: 'origin'; readonly value: Edit<Vec3>; readonly texts?: TypedTexts | undefined }
+  | {
+      readonly type: 'direction';
+      readonly value: Edit<Vec3>;
+      readonly texts?: TypedTexts | undefined;
+    }
   | { readonly type: 'unit'; readonly on: boolean }
   | {
       readonly type: 'param';
       readonly key: string;
       readonly value: Edit<ParamValue>;
-      readonly texts?: TypedTexts;
+      readonly texts?: TypedTexts | undefined;
     }
   | { readonly type: 'method'; readonly id: string }
   | { readonly type: 'view'; readonly view: View }

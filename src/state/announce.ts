@@ -59,10 +59,17 @@ function spoken(value: ReturnType<typeof paramValue>): string {
 function consequence(before: ExploreModel, after: ExploreModel): string {
   const moved = hitsSpoken(before) !== hitsSpoken(after);
   const changed = before.verdict.text !== after.verdict.text;
-  if (!moved && !changed) return '';
-  const hits = hitsSpoken(after);
-  if (!changed) return hits && `${hits}.`;
-  return `Now ${after.verdict.text}${hits ? `, ${hits}` : ''}.`;
+  const typed = typedSpoken(after);
+  const news = typed !== typedSpoken(before) ? typed : '';
+  const hits = moved || changed ? hitsSpoken(after) : '';
+  if (!changed) return [hits && `${hits}.`, news].filter(Boolean).join(' ');
+  return `Now ${after.verdict.text}${hits ? `, ${hits}` : ''}. ${news}`.trim();
+}
+
+/** What the numbers as typed say, where that is something else, and what is to be known of them. */
+function typedSpoken({ asTyped: { differs, notes } }: ExploreModel): string {
+  const typed = differs ? [`As typed: ${differs.typed.text}.`] : [];
+  return [...typed, ...notes].join(' ');
 }
 
 function hitsSpoken({ hits }: ExploreModel): string {

@@ -5,6 +5,7 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { type AsTyped, asTyped } from './as-typed.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
 import { type Example, exampleOf } from './example.ts';
 import { handlesOf } from './handles.ts';
@@ -29,6 +30,8 @@ export interface ExploreModel {
   readonly contradicted: Verdict | null;
   /** What exact arithmetic says, for what stands beside the method's digits. */
   readonly exactly: Exactly;
+  /** Where the numbers as typed give another case than the doubles that store them. */
+  readonly asTyped: AsTyped;
   readonly derivation: Derivation;
   /** The example that is shown, as it is or changed. */
   readonly example: Example | null;
@@ -59,6 +62,17 @@ export function createDerive(): (state: AppState) => ExploreModel {
   );
   const solve = remember((shape: Shape, r: Ray, method: string) => intersect(shape, r, method));
   const check = remember(exactlyOf);
+  const typed = remember(
+    (
+      texts: AppState['typed'],
+      shape: Shape,
+      E: AppState['E'],
+      d: AppState['d'],
+      unit: boolean,
+      ray: Ray,
+      found: Intersection,
+    ) => asTyped({ texts, shape, E, d, unit }, ray, found),
+  );
   const steps = remember(derivation);
   const strip = remember(stripOf);
   const stage = keepWhile(sameStage, stageOf);
@@ -106,6 +120,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       found,
       contradicted: exactClass === found.class ? null : exactClass,
       exactly,
+      asTyped: typed(state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
       derivation: derived,
       example: exampleOf(state),
       verdict,

@@ -21,7 +21,7 @@ const SEPARATORS: readonly RegExp[] = [/;/, /,?[\t\n]/, /,/, /,\s+/];
 export function parseTriple(text: string, options: NumberOptions = {}): Parsed<Triple> {
   if (text.trim() === '') return refused(EXAMPLE);
   if (text.length > MAX_LENGTH) return refused(`${quoted(text)} is too long for three numbers`);
-  const parts = separated(text) ?? spaced(text);
+  const parts = tripleTexts(text);
   if (parts === null) return refused(`${quoted(text)} is not three numbers`);
   const values: number[] = [];
   for (const part of parts) {
@@ -31,6 +31,11 @@ export function parseTriple(text: string, options: NumberOptions = {}): Parsed<T
   }
   const [x = 0, y = 0, z = 0] = values;
   return { ok: true, value: [x, y, z] };
+}
+
+/** The texts of the three numbers; null where there are not three. */
+export function tripleTexts(text: string): readonly string[] | null {
+  return separated(text) ?? spaced(text);
 }
 
 /** Whether a pasted text is meant for three boxes: '1, 2, x' is (and has a fault), '1,5' and '1 - 3' are not. */

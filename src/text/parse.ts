@@ -4,5 +4,5 @@ export type Parsed<Value> =
   | { readonly ok: false; readonly reason: string };
 
 export { hintOn, type NumberOptions, parseNumber, parseTyped } from './parse-number.ts';
-export { looksLikeTriple, parseTriple, type Triple } from './parse-triple.ts';
+export { looksLikeTriple, parseTriple, type Triple, tripleTexts } from './parse-triple.ts';
 export type { Typed, TypedBinary, TypedUnary } from './typed.ts';

@@ -1,13 +1,21 @@
 import { html, LitElement, nothing } from 'lit';
 import { display, shortest } from '../text/format.ts';
-import { looksLikeTriple, parseNumber, parseTriple, type Triple } from '../text/parse.ts';
+import {
+  hintOn,
+  looksLikeTriple,
+  parseNumber,
+  parseTriple,
+  type Triple,
+  tripleTexts,
+} from '../text/parse.ts';
 import { Ahead } from './ahead.ts';
 import { keyStep, onStep } from './step.ts';
+import { TypedEvent } from './typed-event.ts';
 
 /**
  * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. Six digits are shown; with the focus, what was
  * typed, or every digit. A text that is not allowed stays in the box with the reason below it, and nothing else changes.
- * Sends `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed.
+ * Sends `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with their texts.
  */
 export class GrazeNumberBox extends LitElement {
   static override properties = {
@@ -15,6 +23,7 @@ export class GrazeNumberBox extends LitElement {
     step: { type: Number },
     label: { type: String },
     symbol: { type: String },
+    typed: { type: String },
     quantity: { type: String },
     check: { attribute: false },
     text: { state: true },
@@ -25,6 +34,8 @@ export class GrazeNumberBox extends LitElement {
   declare step: number;
   declare label: string;
   declare symbol: string;
+  /** What the value was typed as, from a link for example; '' where that is not known. */
+  declare typed: string;
   /** The name in data-quantity; none if another element carries it. */
   declare quantity: string;
   /** Why a number is not allowed here, or null. */
@@ -34,7 +45,7 @@ export class GrazeNumberBox extends LitElement {
   declare private focused: boolean;
   private ahead = new Ahead();
   /** What was typed last and the value it gave: shown again as long as the value is still that one. */
-  private typed: { text: string; value: number } | null = null;
+  private last: { text: string; value: number } | null = null;
 
   constructor() {
     super();
@@ -42,6 +53,7 @@ export class GrazeNumberBox extends LitElement {
     this.step = 0.1;
     this.label = '';
     this.symbol = '';
+    this.typed = '';
     this.quantity = '';
     this.check = () => null;
     this.text = null;
@@ -60,6 +72,8 @@ export class GrazeNumberBox extends LitElement {
 
   protected override render() {
     const reasonId = `${this.id}-reason`;
+    const hint = this.focused && this.reason === null ? hintOn(this.written()) : null;
+    const described = this.reason !== null || hint !== null;
     return html`<input
         type="text"
         class="number"
@@ -69,7 +83,7 @@ export class GrazeNumberBox extends LitElement {
         .value=${this.text ?? this.shown()}
         aria-label=${this.label}
         aria-invalid=${this.reason === null ? 'false' : 'true'}
-        aria-describedby=${this.reason === null ? nothing : reasonId}
+        aria-describedby=${described ? reasonId : nothing}
         title=${shortest(this.value)}
         data-symbol=${this.symbol}
         data-quantity=${this.quantity || nothing}
@@ -84,14 +98,17 @@ export class GrazeNumberBox extends LitElement {
         this.reason === null
           ? nothing
           : html`<span class="reason" id=${reasonId} role="alert">${this.reason}</span>`
-      }`;
+      }${hint === null ? nothing : html`<span class="reason" id=${reasonId} role="status">${hint}</span>`}`;
   }
 
   private shown(): string {
     if (!this.focused) return display(this.value);
-    return this.typed && Object.is(this.typed.value, this.value)
-      ? this.typed.text
-      : shortest(this.value);
+    return this.written() || shortest(this.value);
+  }
+
+  /** What was typed for the value, here or elsewhere. */
+  private written(): string {
+    return this.last && Object.is(this.last.value, this.value) ? this.last.text : this.typed;
   }
 
   private forget(): void {
@@ -119,16 +136,16 @@ export class GrazeNumberBox extends LitElement {
     if (text === null) return;
     if (looksLikeTriple(text)) {
       const triple = parseTriple(text);
-      if (triple.ok) this.sendTriple(triple.value);
+      if (triple.ok) this.sendTriple(triple.value, text);
       else this.reason = triple.reason;
       return;
     }
     const parsed = parseNumber(text);
     this.reason = parsed.ok ? this.check(parsed.value) : parsed.reason;
     if (!parsed.ok || this.reason !== null) return;
-    this.typed = { text: text.trim(), value: parsed.value };
+    this.last = { text: text.trim(), value: parsed.value };
     this.text = null;
-    this.send(parsed.value);
+    this.send(parsed.value, [text]);
   }
 
   private key(event: KeyboardEvent): void {
@@ -145,7 +162,7 @@ export class GrazeNumberBox extends LitElement {
     );
     this.reason = this.check(next);
     if (this.reason === null) this.text = null;
-    if (this.reason === null) this.send(next);
+    if (this.reason === null) this.send(next, []);
   }
 
   private paste(event: ClipboardEvent): void {
@@ -154,17 +171,17 @@ export class GrazeNumberBox extends LitElement {
     const triple = parseTriple(text);
     if (!triple.ok) return;
     event.preventDefault();
-    this.sendTriple(triple.value);
+    this.sendTriple(triple.value, text);
   }
 
-  private sendTriple(triple: Triple): void {
+  private sendTriple(triple: Triple, text: string): void {
     this.forget();
-    this.dispatchEvent(new CustomEvent('graze-triple', { detail: triple, bubbles: true }));
+    this.dispatchEvent(new TypedEvent('graze-triple', triple, tripleTexts(text) ?? []));
   }
 
-  private send(value: number): void {
+  private send(value: number, texts: readonly string[]): void {
     this.ahead.set(value);
-    this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
+    this.dispatchEvent(new TypedEvent('graze-value', value, texts));
   }
 }
 

@@ -16,46 +16,52 @@ function bounds(x: TypedNumber): Interval {
   return { lo, hi };
 }
 
-/** Exactly where that can be; by bounds where two different roots meet. */
-function either<Args extends readonly TypedNumber[]>(
-  exactly: (...args: { [K in keyof Args]: Surd }) => TypedNumber,
-  roughly: (...args: { [K in keyof Args]: Interval }) => TypedNumber,
-): (...args: Args) => TypedNumber {
-  return (...args) => {
-    if (args.every(isExact)) {
-      try {
-        return exactly(...(args as unknown as { [K in keyof Args]: Surd }));
-      } catch (error) {
-        if (!(error instanceof RangeError)) throw error;
-      }
-    }
-    return roughly(...(args.map(bounds) as { [K in keyof Args]: Interval }));
-  };
+type Unary<T> = (a: T) => T;
+type Binary<T> = (a: T, b: T) => T;
+
+/** Null where two different roots meet. */
+function tried(exactly: () => TypedNumber): TypedNumber | null {
+  try {
+    return exactly();
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+}
+
+function unary(exactly: Unary<Surd>, roughly: Unary<Interval>): Unary<TypedNumber> {
+  return (a) => (isExact(a) ? tried(() => exactly(a)) : null) ?? roughly(bounds(a));
+}
+
+function binary(
+  exactly: (a: Surd, b: Surd) => TypedNumber,
+  roughly: Binary<Interval>,
+): Binary<TypedNumber> {
+  return (a, b) =>
+    (isExact(a) && isExact(b) ? tried(() => exactly(a, b)) : null) ?? roughly(bounds(a), bounds(b));
 }
 
 /** √p − √q = (p − q)/(√p + √q), whose numerator is exact: bounds that are as narrow for roots that are close. */
 function difference(a: Surd, b: Surd): TypedNumber {
-  try {
-    return exact.sub(a, b);
-  } catch (error) {
-    const roots = a.u.m === 0n && b.u.m === 0n && exact.sign(a) === exact.sign(b);
-    if (!roots) throw error;
-    const over = exact.sub(exact.sqr(a), exact.sqr(b));
-    return interval.div(bounds(over), interval.add(bounds(a), bounds(b)));
-  }
+  const known = tried(() => exact.sub(a, b));
+  if (known) return known;
+  const areRoots = a.u.m === 0n && b.u.m === 0n && exact.sign(a) === exact.sign(b);
+  if (!areRoots) return interval.sub(bounds(a), bounds(b));
+  const over = exact.sub(exact.sqr(a), exact.sqr(b));
+  return interval.div(bounds(over), interval.add(bounds(a), bounds(b)));
 }
 
 /** What people type, 0.3, 1/3, sqrt(2), and what follows: exact with one root in play, bounds with more. */
 export const typed: Arithmetic<TypedNumber> = {
   id: 'typed',
   of: surd.fromNumber,
-  add: either(exact.add, interval.add),
-  sub: either(difference, interval.sub),
-  mul: either(exact.mul, interval.mul),
-  div: either(exact.div, interval.div),
-  neg: either(exact.neg, interval.neg),
-  sqr: either(exact.sqr, interval.sqr),
-  sqrt: either(exact.sqrt, interval.sqrt),
+  add: binary(exact.add, interval.add),
+  sub: binary(difference, interval.sub),
+  mul: binary(exact.mul, interval.mul),
+  div: binary(exact.div, interval.div),
+  neg: unary(exact.neg, interval.neg),
+  sqr: unary(exact.sqr, interval.sqr),
+  sqrt: unary(exact.sqrt, interval.sqrt),
   sign: (a) => (isExact(a) ? exact.sign(a) : interval.sign(a)),
   toNumber: (a) => (isExact(a) ? exact.toNumber(a) : interval.toNumber(a)),
 };
