@@ -10,10 +10,11 @@ import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import { shortest } from '../text/format.ts';
 import { hintOn, parseTyped } from '../text/parse.ts';
+import { superscript } from '../text/scripts.ts';
 import type { AppState } from './state.ts';
 import { type Place, rayPlaces, shapePlaces, type TypedTexts } from './typed-texts.ts';
 import type { Piece } from './verdict-parts.ts';
-import { type VerdictWords, verdictWords } from './words.ts';
+import { textOf, type VerdictWords, verdictWords } from './words.ts';
 
 /** What is to be said where the numbers that were typed and the doubles that store them are not the same. */
 export interface AsTyped {
@@ -148,7 +149,7 @@ function inUnits(words: VerdictWords, length: number): VerdictWords {
     if (typeof piece === 'string' || !piece.quantity.startsWith('t.')) return piece;
     return { ...piece, value: piece.value * length };
   });
-  return { ...words, pieces };
+  return { ...words, pieces, text: textOf(pieces) };
 }
 
 function valuesOf(
@@ -200,7 +201,7 @@ function expansion(x: number): string {
     return `${sign}${digits.slice(0, exponent + 1)}.${digits.slice(exponent + 1)}`;
   }
   if (exponent < 0 && exponent > -5) return `${sign}0.${'0'.repeat(-exponent - 1)}${digits}`;
-  return `${sign}${digits.charAt(0)}.${digits.slice(1)} · 10^${exponent}`;
+  return `${sign}${digits.charAt(0)}.${digits.slice(1)} · 10${superscript(exponent)}`;
 }
 
 function roundingNote(numbers: readonly Meant[]): string[] {

@@ -47,9 +47,11 @@ export function verdictWords(
     return { relations, pieces: [text], text };
   }
   const { relations, pieces } = flatVerdict(found, details, shape, ray, given);
-  const text = pieces.map((piece) => (typeof piece === 'string' ? piece : display(piece.value)));
-  return { relations, pieces, text: text.join('') };
+  return { relations, pieces, text: textOf(pieces) };
 }
+
+export const textOf = (pieces: readonly Piece[]): string =>
+  pieces.map((piece) => (typeof piece === 'string' ? piece : display(piece.value))).join('');
 
 /** Every root with its role; a point of the plane outside the figure is listed too, as rejected. */
 export function hitWords(found: Intersection): HitWords[] {
