@@ -100,17 +100,17 @@ export function comparisonWords(
 
 /** `side`: the one that is not to be trusted, or on the left if both are. */
 function counts(
-  { verdicts, holes, ghosts, mostDigits }: Comparison,
+  { verdicts, holes, ghosts, others, mostDigits }: Comparison,
   side: 'left' | 'right',
 ): TemplateResult {
   const lost = Number.isNaN(mostDigits)
     ? nothing
-    : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
+    : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of their t lost`;
   const count = (name: string, n: number): TemplateResult =>
     html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
   const kinds =
     verdicts > 0
-      ? html`: the ${side} misses ${count('holes', holes)} that are hit, hits ${count('ghosts', ghosts)} that miss`
+      ? html`: the ${side} misses ${count('holes', holes)} that hit, hits with ${count('ghosts', ghosts)} that miss, and with ${count('others', others)} another surface`
       : nothing;
-  return html`<span class="counts">${count('verdicts', verdicts)} other verdicts${kinds}${lost}</span>`;
+  return html`<span class="counts">${count('verdicts', verdicts)} other verdicts of camera rays${kinds}${lost}</span>`;
 }

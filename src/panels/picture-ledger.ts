@@ -1,12 +1,15 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { EffectId } from '../scene/effects/index.ts';
+import { SIMPLIFICATIONS } from '../scene/simplifications.ts';
 import {
   grouped,
+  type KindRow,
   type LedgerModel,
   type LedgerRow,
   msWords,
   percent,
 } from '../state/picture/ledger.ts';
+import type { Progress } from '../state/picture/progress.ts';
 import { shortest } from '../text/format.ts';
 import type { Cost } from '../tracer/types.ts';
 import './picture-ledger.css';
@@ -27,12 +30,16 @@ const SAMPLE_WORDS: Readonly<Record<number, string>> = {
   16: 'sixteen through every pixel',
 };
 
-/** What was simulated, why, and what it cost; then what was not, and why not. */
-export function ledger(model: LedgerModel, tools: LedgerTools): TemplateResult {
+/** What was simulated, why, and what it cost; then what was not, and why not. `took`: from start to end, where it is done. */
+export function ledger(
+  model: LedgerModel,
+  took: Pick<Progress, 'msSpent' | 'workers'> | null,
+  tools: LedgerTools,
+): TemplateResult {
   const { camera, simulated, idle, total, pixels } = model;
   return html`<table class="ledger">
       <thead>
-        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th scope="col">rays</th><th scope="col">roots</th><th scope="col">ms</th><th scope="col">pixels it changes</th></tr>
+        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th scope="col">rays</th><th scope="col">solves</th><th scope="col">ms</th><th scope="col">pixels it changes</th></tr>
       </thead>
       <tbody class="entry" data-effect="camera">
         <tr>
@@ -52,21 +59,27 @@ export function ledger(model: LedgerModel, tools: LedgerTools): TemplateResult {
       </tbody>
     </table>
     <p class="ledger-kinds">${kinds(model)}</p>
+    ${model.total.rays > 0 ? countWords(model, took) : nothing}
     ${measureLine(tools)}
     <h3 class="ledger-title">Not simulated</h3>
     <ul class="idle">
       ${idle.map((row) => idleRow(row, pixels, tools))}
-      <li class="idle-row" data-effect="radiosity">
-        ${DASH}<span class="idle-name">light from other surfaces</span>
-        <span class="idle-reason">never: a constant stands in for it</span>
-      </li>
+    </ul>
+    <h3 class="ledger-title">Left out or simplified, in every picture</h3>
+    <ul class="idle">
+      ${SIMPLIFICATIONS.map(
+        ({ title, how, reason }) => html`<li class="idle-row" data-simplification=${title}>
+          ${DASH}<span class="idle-name">${title}</span>
+          <span class="idle-reason">${how}: ${reason}</span>
+        </li>`,
+      )}
     </ul>`;
 }
 
 function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateResult {
   const forcedOn = row.forced === 'on';
   const reason = forcedOn
-    ? html`<strong>forced on</strong>; not needed: ${row.reason}`
+    ? html`<strong>forced on</strong>; ${needWords(row)}: ${row.reason}`
     : row.reason;
   const toggle = forcedOn
     ? button(row, 'no', RELEASE, tools)
@@ -97,12 +110,27 @@ function under(
 function costCells(cost: Cost | null): TemplateResult {
   if (!cost) return html`<td></td><td></td><td></td>`;
   return html`<td data-quantity="rays" data-value=${cost.rays}>${grouped(cost.rays)}</td>
-    <td data-quantity="solves" data-value=${cost.roots} title=${`${grouped(cost.questions)} questions to a surface`}>${grouped(cost.roots)}</td>
+    <td data-quantity="solves" data-value=${cost.solves}>${grouped(cost.solves)}</td>
     <td data-quantity="ms" data-value=${shortest(cost.ms)}>${msWords(cost.ms)}</td>`;
 }
 
-function needed({ needed: is }: LedgerRow): TemplateResult {
-  return html`<span class="visually-hidden" data-quantity="needed" data-value=${String(is)}>${is ? ', needed' : ', not needed'}</span>`;
+const needWords = ({ needed, leftOut }: LedgerRow): string =>
+  needed ? 'needed' : leftOut ? 'left out' : 'not needed';
+
+function needed(row: LedgerRow): TemplateResult {
+  return html`<span class="visually-hidden" data-quantity="needed" data-value=${String(row.needed)}>, ${needWords(row)}</span>`;
+}
+
+/** What the columns count, and why the times add up to more than what the clock showed. */
+function countWords(
+  { total: { questions, solves, ms } }: LedgerModel,
+  took: Pick<Progress, 'msSpent' | 'workers'> | null,
+): TemplateResult {
+  const clock = took
+    ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`}`
+    : nothing;
+  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: roots worked out for that (${grouped(solves)}), whether there was one or not; finite heights take the second one, and that a line does not meet a shape at all is known without.
+    ms: the work of all workers added up (${msWords(ms)})${clock}.</p>`;
 }
 
 function changed({ pixels }: LedgerRow, all: number): TemplateResult | string {
@@ -121,7 +149,7 @@ function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateRe
   const lost = row.pixels === null ? nothing : html`; ${changed(row, pixels)} of the pixels differ`;
   return html`<li class="idle-row" data-effect=${row.id}>
     ${DASH}<span class="idle-name">${row.title}${needed(row)}<span class="visually-hidden" data-quantity="rays" data-value="0">, 0 rays</span></span>
-    <span class="idle-reason">${off ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}` : row.reason}</span>
+    <span class="idle-reason">${off ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}` : row.leftOut ? html`<strong>left out</strong>: ${row.reason}` : row.reason}</span>
     ${off ? button(row, 'no', RELEASE, tools) : button(row, 'on', 'force on', tools)}
   </li>`;
 }
@@ -137,12 +165,17 @@ function button(
 
 function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | typeof nothing {
   if (total.rays === 0) return nothing;
-  const count = (kind: keyof typeof of): TemplateResult =>
-    html`<span data-quantity="rays.${kind}" data-value=${of[kind]}>${grouped(of[kind])} ${kind}</span>`;
-  return html`${count('camera')} · ${count('shadow')} · ${count('reflected')} · ${count('refracted')};
-    <span data-quantity="rays.saved" data-value=${saved} title="what they could bring is less than half a level of 255">${grouped(saved)} saved by the weight bound</span>${
-      cut > 0 ? html`, ${grouped(cut)} cut off after the last bounce` : nothing
+  return html`Rays: ${of.map((row, i) => html`${i > 0 ? ' · ' : ''}${kindWords(row)}`)};
+    <span data-quantity="rays.saved" data-value=${saved}>${grouped(saved)} not fired, since they could bring less than half a level of 255</span>${
+      cut > 0 ? html`, ${grouped(cut)} not fired after the last bounce` : nothing
     }`;
+}
+
+/** Where two effects fire rays of one kind, each says how many. */
+function kindWords({ kind, rays, parts }: KindRow): TemplateResult {
+  const several = parts.every((part) => part.rays > 0) && parts.length > 1;
+  const words = parts.map((part) => `${grouped(part.rays)} ${part.words}`).join(', ');
+  return html`<span data-quantity="rays.${kind}" data-value=${rays}>${grouped(rays)} ${kind}</span>${several ? ` (${words})` : ''}`;
 }
 
 function measureLine({ measure, unmeasured, isMeasuring }: LedgerTools): TemplateResult {

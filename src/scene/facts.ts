@@ -14,18 +14,22 @@ export const blocks = (thing: Placed): boolean => !isGlass(thing);
 const isLit = ({ material }: Placed): boolean =>
   material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
 
-/** Why nothing in the scene can lie in a shadow, or null if something may. */
-export function whyNoShadow(scene: Scene): string | null {
-  if (scene.things.length === 0) return 'there is nothing in the scene';
-  const blockers = scene.things.filter(blocks);
-  const [blocker, another] = blockers;
-  if (!blocker) return 'everything is glass, which lets light through';
+/** Why nothing in the scene can lie in a shadow, or null if something may. `glass`: but for that of glass, which casts none here. */
+export function whyNoShadow(
+  scene: Scene,
+): { readonly reason: string; readonly glass: boolean } | null {
+  const no = (reason: string, glass = false) => ({ reason, glass });
+  if (scene.things.length === 0) return no('there is nothing in the scene');
   const lit = scene.things.filter(isLit);
-  if (lit.length === 0) return 'nothing shows light but what it mirrors';
+  if (lit.length === 0) return no('nothing shows light but what it mirrors or lets through');
+  const [blocker, another] = scene.things.filter(blocks);
+  if (!blocker) return no('glass is let through: a simplification', true);
   const alone = !another && lit.every((thing) => thing === blocker);
   if (!alone || !shadesNothing(blocker, scene.camera.eye)) return null;
-  const others = scene.things.length > 1 ? 'all else is glass' : 'it is alone';
-  return `${blocker.id} cannot shade itself on the side that is seen, and ${others}`;
+  const own = `${blocker.id} cannot shade itself on the side that is seen`;
+  return scene.things.length > 1
+    ? no(`glass is let through: a simplification; ${own}`, true)
+    : no(`${own}, and it is alone`);
 }
 
 /**

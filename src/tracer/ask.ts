@@ -45,8 +45,8 @@ export const startOf = (start: StartRule): number =>
 export interface HeightsEffect {
   readonly body: RootsBody;
   readonly clock: () => number;
-  /** Told of the second roots that it took, and of its time. */
-  readonly spend: (roots: number, ms: number) => void;
+  /** Told of the second roots that it had solved, and of its time. */
+  readonly spend: (solves: number, ms: number) => void;
 }
 
 /** Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where no target is cut. */
@@ -71,7 +71,7 @@ export function createAsker(
     target.kernel.both(rays, out);
     tally.questions += rays.count;
     const second = target.flat ? 0 : rays.count;
-    tally.roots += rays.count + (leaves ? second : 0);
+    tally.solves += rays.count + (leaves ? second : 0);
     if (!heights) return;
     const before = heights.clock();
     heights.body.choose(rays, out, target.low, target.high, tMin, leaves);
@@ -135,7 +135,7 @@ export function createAsker(
       }
       target.kernel.first(rays, tMin, Number.POSITIVE_INFINITY, out);
       tally.questions += rays.count;
-      tally.roots += rays.count;
+      tally.solves += rays.count;
     },
     firstOfLeaving(target, tally) {
       const { rays } = leaving;
@@ -146,7 +146,7 @@ export function createAsker(
       }
       target.kernel.both(rays, out);
       tally.questions += rays.count;
-      tally.roots += 2 * rays.count;
+      tally.solves += 2 * rays.count;
       dropStart(out, rays.count);
       const { t0, t1 } = out;
       for (let k = 0; k < rays.count; k++) {

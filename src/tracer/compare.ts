@@ -33,6 +33,8 @@ export interface Comparison {
   /** Of those: where `a` misses and `b` hits (holes, if b is right), and where only `a` hits. */
   readonly holes: number;
   readonly ghosts: number;
+  /** Of those: where both hit, but not the same surface. */
+  readonly others: number;
   /** Of the pixels where both hit the same surface; NaN if there are none. */
   readonly medianDigits: number;
   readonly mostDigits: number;
@@ -50,6 +52,7 @@ export function comparePictures(a: Picture, b: Picture): Comparison {
   const digits = new Float32Array(pixels);
   let holes = 0;
   let ghosts = 0;
+  let others = 0;
   for (let i = 0; i < pixels; i++) {
     levels[i] = levelsApart(a.rgba, b.rgba, 4 * i);
     const mine = a.surface[i] as number;
@@ -58,6 +61,7 @@ export function comparePictures(a: Picture, b: Picture): Comparison {
     digits[i] = mine === right ? digitsLost(a.t[i] as number, b.t[i] as number) : Number.NaN;
     if (mine === NOTHING && right !== NOTHING) holes += 1;
     if (mine !== NOTHING && right === NOTHING) ghosts += 1;
+    if (mine !== right && mine !== NOTHING && right !== NOTHING) others += 1;
   }
   const known = digits.filter((x) => !Number.isNaN(x)).sort();
   return {
@@ -69,6 +73,7 @@ export function comparePictures(a: Picture, b: Picture): Comparison {
     verdicts: map.reduce((n, kind) => n + (kind === OTHER_VERDICT ? 1 : 0), 0),
     holes,
     ghosts,
+    others,
     medianDigits: known[known.length >> 1] ?? Number.NaN,
     mostDigits: known.at(-1) ?? Number.NaN,
     largestLevel: levels.reduce((most, level) => Math.max(most, level), 0),

@@ -63,9 +63,9 @@ export function createEngine(
     heights && {
       body: heights.body,
       clock,
-      spend: (roots, ms) => {
+      spend: (solves, ms) => {
         const tally = book.tallyOf(heights.id);
-        tally.roots += roots;
+        tally.solves += solves;
         tally.ms += ms;
       },
     },

@@ -76,13 +76,13 @@ export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
 export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
 
 /**
- * What something cost. `questions`: how often a surface was asked about a ray. `roots`: the roots that were worked out for that; "does its line meet
- * you at all?" and "does it come back to you?" need none.
+ * What something cost. `questions`: how often a surface was asked about a ray. `solves`: how often a root was worked out for that, whether there is one or
+ * not; "does its line meet you at all?" and "does it come back to you?" need none. `ms`: of all workers added up, waiting included.
  */
 export interface Cost {
   readonly rays: number;
   readonly questions: number;
-  readonly roots: number;
+  readonly solves: number;
   readonly ms: number;
 }
 

@@ -3,11 +3,13 @@ import { describe, expect, test } from 'vitest';
 import { FAMILIES } from '../../src/math/families.ts';
 import { intersect, METHODS, SHAPES } from '../../src/math/index.ts';
 import { readSettings } from '../../src/pages/check-settings.ts';
+import { SIMPLIFICATIONS } from '../../src/scene/simplifications.ts';
 import { readAccuracy } from '../../src/state/accuracy/settings.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { readPicture } from '../../src/state/picture/settings.ts';
 import type { Settings } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
+import { MOST_BOUNCES } from '../../src/tracer/weight.ts';
 
 const root = new URL('../../', import.meta.url);
 const read = (path: string): string => readFileSync(new URL(path, root), 'utf8');
@@ -84,6 +86,16 @@ describe('what the README says', () => {
   test('its numbers are right', () => {
     expect(readme).toContain(`${GALLERY.length} examples`);
     expect(METHODS.map(({ id }) => id)).toEqual(expect.arrayContaining(['textbook', 'exact']));
+  });
+
+  test('what it says that pictures leave out is what the page lists', () => {
+    const [, paragraph = ''] =
+      /^\* Pictures leave out or simplify.*?\): ([\s\S]*?)\.\n\*/m.exec(readme) ?? [];
+    const listed = paragraph.replace(/\s+/g, ' ').split('; ');
+    expect(listed).toEqual(
+      SIMPLIFICATIONS.map(({ title, reason, file }) => `${title}: ${reason} (\`${file}\`)`),
+    );
+    expect(SIMPLIFICATIONS.map(({ reason }) => reason).join()).toContain(`${MOST_BOUNCES} bounces`);
   });
 
   test('the versions of Node agree', () => {

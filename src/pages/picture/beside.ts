@@ -66,7 +66,7 @@ export function createBeside(
       unmeasured: main?.state === 'finished' ? uncounted.length : 0,
       isMeasuring: isCounting() && uncounted.length > 0,
     };
-    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(sight.ledger, tool)}
+    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(sight.ledger, main?.state === 'finished' ? main : null, tool)}
       ${methodPanel(method, picture, dispatch)}</div>`;
   };
 

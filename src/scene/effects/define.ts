@@ -4,6 +4,8 @@ import type { EffectBody } from './body.ts';
 /** Whether a scene calls for an effect, and why or why not, in words that follow its name. */
 export interface Need {
   readonly needed: boolean;
+  /** Not needed by the scene as Graze simplifies it, though nature would show it. */
+  readonly leftOut: boolean;
   readonly reason: string;
 }
 
@@ -22,8 +24,11 @@ export const defineEffect = <const Id extends string>(
   effect: EffectDefinition<Id>,
 ): EffectDefinition<Id> => effect;
 
-export const needed = (reason: string): Need => ({ needed: true, reason });
-export const notNeeded = (reason: string): Need => ({ needed: false, reason });
+export const needed = (reason: string): Need => ({ needed: true, leftOut: false, reason });
+/** It would change nothing in nature either. */
+export const notNeeded = (reason: string): Need => ({ needed: false, leftOut: false, reason });
+/** It would change something in nature: the reason names the simplification. */
+export const leftOut = (reason: string): Need => ({ needed: false, leftOut: true, reason });
 
 /** 'one light', '3 lights', … */
 export const counted = (n: number, one: string, many = `${one}s`): string =>

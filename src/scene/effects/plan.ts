@@ -9,6 +9,7 @@ export interface PlannedEffect {
   readonly id: EffectId;
   readonly title: string;
   readonly needed: boolean;
+  readonly leftOut: boolean;
   readonly reason: string;
   /** Set only where it makes a difference: 'on' where it is not needed, 'off' where it is. */
   readonly forced: 'on' | 'off' | 'no';
@@ -19,11 +20,11 @@ export interface PlannedEffect {
 export function planEffects(scene: Scene, forced: Forced = {}): readonly PlannedEffect[] {
   const shown = shownScene(scene, forced);
   return EFFECTS.map(({ id, title, neededBy }) => {
-    const { needed, reason } = neededBy(forced[id] === 'off' ? scene : shown);
+    const { needed, leftOut, reason } = neededBy(forced[id] === 'off' ? scene : shown);
     const wanted = forced[id];
     const differs = wanted !== undefined && (wanted === 'on') !== needed;
     const runs = wanted === undefined ? needed : wanted === 'on';
-    return { id, title, needed, reason, forced: differs ? wanted : 'no', runs };
+    return { id, title, needed, leftOut, reason, forced: differs ? wanted : 'no', runs };
   });
 }
 

@@ -1,5 +1,5 @@
 import { blocks, whyNoShadow } from '../facts.ts';
-import { counted, defineEffect, needed, notNeeded } from './define.ts';
+import { counted, defineEffect, leftOut, needed, notNeeded } from './define.ts';
 
 export const shadow = defineEffect({
   id: 'shadow',
@@ -10,7 +10,7 @@ export const shadow = defineEffect({
     if (scene.lights.length === 0) return notNeeded('there is no light');
     if (lights === 0) return notNeeded('every light has a size: its shadows are soft');
     const why = whyNoShadow(scene);
-    if (why) return notNeeded(why);
+    if (why) return (why.glass ? leftOut : notNeeded)(why.reason);
     const things = scene.things.filter(blocks).length;
     const can = things === 1 ? 'can stand in its own light' : 'can stand in the way';
     return needed(`${counted(lights, 'light')} without size; ${counted(things, 'thing')} ${can}`);

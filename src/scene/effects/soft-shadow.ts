@@ -1,5 +1,5 @@
 import { whyNoShadow } from '../facts.ts';
-import { counted, defineEffect, needed, notNeeded } from './define.ts';
+import { counted, defineEffect, leftOut, needed, notNeeded } from './define.ts';
 
 export const softShadow = defineEffect({
   id: 'soft-shadow',
@@ -10,7 +10,8 @@ export const softShadow = defineEffect({
     if (scene.lights.length === 0) return notNeeded('there is no light');
     if (lights === 0) return notNeeded('no light has a size');
     const why = whyNoShadow(scene);
-    return why ? notNeeded(why) : needed(`${counted(lights, 'light')} with a size`);
+    if (why) return (why.glass ? leftOut : notNeeded)(why.reason);
+    return needed(`${counted(lights, 'light')} with a size`);
   },
   load: () => import('./soft-shadow-body.ts').then(({ body }) => body),
 });

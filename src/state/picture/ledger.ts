@@ -20,7 +20,7 @@ export interface LedgerModel {
   readonly simulated: readonly LedgerRow[];
   readonly idle: readonly LedgerRow[];
   readonly total: Cost;
-  readonly kinds: Readonly<Record<RayKind, number>>;
+  readonly kinds: readonly KindRow[];
   readonly saved: number;
   readonly cut: number;
   /** Of the picture. */
@@ -28,7 +28,14 @@ export interface LedgerModel {
   readonly samples: number;
 }
 
-const NOTHING_SPENT: Cost = { rays: 0, questions: 0, roots: 0, ms: 0 };
+/** Rays of one kind, and which effects fired them: the parts add up to all of them. */
+export interface KindRow {
+  readonly kind: RayKind;
+  readonly rays: number;
+  readonly parts: readonly { readonly words: string; readonly rays: number }[];
+}
+
+const NOTHING_SPENT: Cost = { rays: 0, questions: 0, solves: 0, ms: 0 };
 export const EMPTY_LEDGER: Ledger = {
   camera: NOTHING_SPENT,
   effects: {},
@@ -73,7 +80,7 @@ export function ledgerModel(
     simulated: rows.filter(({ runs }) => runs),
     idle: rows.filter(({ runs }) => !runs),
     total,
-    kinds,
+    kinds: kindRows(kinds, effects),
     saved,
     cut,
     pixels: settings.width * settings.height,
@@ -81,21 +88,51 @@ export function ledgerModel(
   };
 }
 
+function kindRows(
+  kinds: Ledger['kinds'],
+  effects: Readonly<Partial<Record<EffectId, Cost>>>,
+): KindRow[] {
+  const firedBy = (id: EffectId): number => effects[id]?.rays ?? 0;
+  const parts: Readonly<Partial<Record<RayKind, KindRow['parts']>>> = {
+    shadow: [
+      { words: 'to lights without size', rays: firedBy('shadow') },
+      { words: 'to lights with a size', rays: firedBy('soft-shadow') },
+    ],
+    reflected: [
+      { words: 'by mirrors', rays: firedBy('reflection') },
+      {
+        words: 'by glass (Fresnel), under refraction',
+        rays: firedBy('refraction') - kinds.refracted,
+      },
+    ],
+  };
+  return RAY_KINDS.map((kind) => ({ kind, rays: kinds[kind], parts: parts[kind] ?? [] }));
+}
+
+const RAY_KINDS = ['camera', 'shadow', 'reflected', 'refracted'] as const;
+
 const sum = (a: Cost, b: Cost): Cost => ({
   rays: a.rays + b.rays,
   questions: a.questions + b.questions,
-  roots: a.roots + b.roots,
+  solves: a.solves + b.solves,
   ms: a.ms + b.ms,
 });
 
 /** The ledger for a table program, one effect a line; what did not run is there too, with its reason. */
 export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): string {
-  const head = 'effect,needed,forced,reason,rays,questions,roots,ms,share,pixels changed';
+  const head =
+    'effect,needed,forced,reason,rays,questions,solves,ms of all workers,share,pixels changed';
   const costs = (cost: Cost | null): string =>
-    cost ? [cost.rays, cost.questions, cost.roots, cost.ms].join(',') : '0,0,0,0';
+    cost ? [cost.rays, cost.questions, cost.solves, cost.ms].join(',') : '0,0,0,0';
   const line = (row: LedgerRow): string =>
     [
-      ...[row.id, row.needed, row.forced, quoted(row.reason), costs(row.cost)],
+      ...[
+        row.id,
+        row.leftOut ? 'left out' : row.needed,
+        row.forced,
+        quoted(row.reason),
+        costs(row.cost),
+      ],
       ...[row.share, row.pixels ?? ''],
     ].join(',');
   return `${[

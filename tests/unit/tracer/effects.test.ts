@@ -93,7 +93,7 @@ describe('what an effect costs if it is forced on where nothing needs it', () =>
   });
 
   test('heights: the second root', async () => {
-    expect((await cost('heights')).effects.heights).toMatchObject({ rays: 0, roots: 48 * 27 });
+    expect((await cost('heights')).effects.heights).toMatchObject({ rays: 0, solves: 48 * 27 });
   });
 
   test.each<EffectId>(['absorption', 'pattern', 'highlights'])('%s: its code runs', async (id) => {
@@ -114,7 +114,7 @@ describe('the ledger', () => {
     const before = (await picture(scene)).ledger;
     const after = (await picture(without)).ledger;
     expect(before.effects.reflection?.rays).toBeGreaterThan(200);
-    expect(before.effects.reflection?.roots).toBeGreaterThan(200);
+    expect(before.effects.reflection?.solves).toBeGreaterThan(200);
     expect(after.effects.reflection).toBeUndefined();
     expect(planEffects(without).find(({ id }) => id === 'reflection')?.reason).toBe(
       'no material is a mirror',
@@ -135,9 +135,9 @@ describe('the ledger', () => {
 
   test('a shadow ray works out fewer roots than it asks questions', async () => {
     const { ledger } = await picture(presetOf('shadows'));
-    const { questions = 0, roots = 0, rays = 0 } = ledger.effects.shadow ?? {};
-    expect(roots).toBeLessThan(questions / 3);
-    expect(roots).toBeLessThan(rays);
+    const { questions = 0, solves = 0, rays = 0 } = ledger.effects.shadow ?? {};
+    expect(solves).toBeLessThan(questions / 3);
+    expect(solves).toBeLessThan(rays);
   });
 
   test('only glass and mirrors are asked: a ball that is neither fires no ray of theirs', async () => {

@@ -1,12 +1,11 @@
 import { describe, expect, test } from 'vitest';
-import { planEffects } from '../../../src/scene/effects/plan.ts';
 import { coneOnMirror } from '../../../src/scene/presets/cone-on-mirror.ts';
 import { everything } from '../../../src/scene/presets/everything.ts';
 import { glass } from '../../../src/scene/presets/glass.ts';
 import { shadows } from '../../../src/scene/presets/shadows.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { addLedgers, EMPTY_LEDGER, ledgerCsv, totalOf } from '../../../src/tracer/ledger.ts';
+import { addLedgers, EMPTY_LEDGER, totalOf } from '../../../src/tracer/ledger.ts';
 import { tracerOf } from '../../../src/tracer/prepare.ts';
 import { NOTHING, RAY_KINDS, type TileResult } from '../../../src/tracer/types.ts';
 import { HALF_A_LEVEL } from '../../../src/tracer/weight.ts';
@@ -98,21 +97,7 @@ describe('the weight bound', () => {
   });
 });
 
-describe('the ledger as a table', () => {
-  test('a line for each effect, run or not, and the kinds of rays', async () => {
-    const { ledger } = await picture(shadows.scene);
-    const lines = ledgerCsv(ledger, planEffects(shadows.scene)).trim().split('\n');
-    expect(lines[0]).toBe('effect,state,reason,rays,questions,roots,ms,share');
-    expect(lines.filter((line) => line.includes(',not needed,'))).toHaveLength(7);
-    expect(lines).toContain('reflection,not needed,"no material is a mirror",,,,,');
-    const shadow = lines.find((line) => line.startsWith('shadow,needed'));
-    expect(shadow).toContain(`,${ledger.kinds.shadow},`);
-    expect(lines).toContain(`shadow rays,,,${ledger.kinds.shadow},,,,`);
-    // A reason with a comma or a quote stays one cell.
-    const plan = planEffects(shadows.scene).map((one) => ({ ...one, reason: 'a "b", c' }));
-    expect(ledgerCsv(ledger, plan)).toContain('"a ""b"", c"');
-  });
-
+describe('the ledger', () => {
   test('adding ledgers adds all that they hold', async () => {
     const { ledger } = await picture(everything.scene);
     expect(addLedgers(EMPTY_LEDGER, ledger)).toEqual(ledger);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { remove } from '../../../../src/scene/edit.ts';
 import { EFFECTS } from '../../../../src/scene/effects/index.ts';
-import { findPreset } from '../../../../src/scene/presets/index.ts';
+import { findPreset, PRESETS } from '../../../../src/scene/presets/index.ts';
 import type { Scene } from '../../../../src/scene/types.ts';
 import {
   EMPTY_LEDGER,
@@ -11,7 +11,9 @@ import {
   msWords,
   percent,
 } from '../../../../src/state/picture/ledger.ts';
+import { comparePictures } from '../../../../src/tracer/compare.ts';
 import { DEFAULT_SETTINGS, type Ledger } from '../../../../src/tracer/types.ts';
+import { picture } from '../../tracer/tracing.ts';
 
 function scene(id: string): Scene {
   const preset = findPreset(id);
@@ -20,10 +22,10 @@ function scene(id: string): Scene {
 }
 
 const LEDGER: Ledger = {
-  camera: { rays: 100, questions: 500, roots: 50, ms: 2 },
+  camera: { rays: 100, questions: 500, solves: 50, ms: 2 },
   effects: {
-    shadow: { rays: 60, questions: 90, roots: 5, ms: 1 },
-    reflection: { rays: 30, questions: 60, roots: 7, ms: 5 },
+    shadow: { rays: 60, questions: 90, solves: 5, ms: 1 },
+    reflection: { rays: 30, questions: 60, solves: 7, ms: 5 },
   },
   kinds: { camera: 100, shadow: 60, reflected: 30, refracted: 0 },
   saved: 3,
@@ -51,7 +53,7 @@ describe('the ledger', () => {
   });
 
   test('the total is the sum of its rows', () => {
-    expect(model.total).toEqual({ rays: 190, questions: 650, roots: 62, ms: 8 });
+    expect(model.total).toEqual({ rays: 190, questions: 650, solves: 62, ms: 8 });
   });
 
   test('a count of pixels stands at its effect', () => {
@@ -99,6 +101,42 @@ describe('the ledger', () => {
     expect(lines.find((line) => line.startsWith('reflection'))).toMatch(
       /^reflection,true,no,"[^"]+",30,60,7,5,0\.625,77$/,
     );
+  });
+});
+
+describe.each(PRESETS.map(({ id, scene: of }) => [id, of] as const))('%s', async (_, of) => {
+  const { ledger } = await picture(of);
+  const model = ledgerModel(of, DEFAULT_SETTINGS, ledger, {});
+
+  test('what is shown adds up to what is shown', () => {
+    const rows = [model.camera, ...model.simulated].map(({ cost }) => cost);
+    for (const key of ['rays', 'questions', 'solves'] as const) {
+      const sum = rows.reduce((all, cost) => all + (cost?.[key] ?? 0), 0);
+      expect([key, sum]).toEqual([key, model.total[key]]);
+    }
+    expect(model.kinds.reduce((all, { rays }) => all + rays, 0)).toBe(model.total.rays);
+    for (const { kind, rays, parts } of model.kinds) {
+      if (parts.length === 0) continue;
+      expect(parts.every((part) => part.rays >= 0)).toBe(true);
+      expect([kind, parts.reduce((all, part) => all + part.rays, 0)]).toEqual([kind, rays]);
+    }
+  });
+
+  test('a comparison’s other verdicts are holes, ghosts and other surfaces', async () => {
+    const right = await picture(of);
+    for (const how of [{ method: 'textbook32' }, { start: { rule: 'none' } }] as const) {
+      const { verdicts, holes, ghosts, others } = comparePictures(await picture(of, how), right);
+      expect(holes + ghosts + others).toBe(verdicts);
+    }
+  });
+
+  test('what glass hides is said to be left out, and only that', () => {
+    const glass = of.things.some(({ material }) => material.glass);
+    for (const { id, needed, leftOut, reason } of [...model.simulated, ...model.idle]) {
+      expect(leftOut && needed).toBe(false);
+      expect([id, leftOut]).toEqual([id, /simplification/.test(reason)]);
+      if (leftOut) expect(glass).toBe(true);
+    }
   });
 });
 
