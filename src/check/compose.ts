@@ -1,14 +1,21 @@
 import { type Random, seeded } from '../math/rng.ts';
 import type { ShapeKind } from '../math/shapes/index.ts';
-import { courseOf } from './course.ts';
+import { type Course, courseOf } from './course.ts';
+import { type Derivation, derivationOf } from './derivation.ts';
 import type { Draft, Exercise, Level } from './exercises/define.ts';
 import { alike } from './grade.ts';
-import type { Suspect } from './judge.ts';
+import type { Misconception } from './misconceptions/define.ts';
 import { findMisconception } from './misconceptions/index.ts';
 import type { Answers, Field } from './types.ts';
 import { work } from './work.ts';
 
-/** A question with its numbers, what is right, and what each known mistake would give. */
+/** A known mistake with what it gives on this very input. */
+export interface Suspect {
+  readonly misconception: Misconception;
+  readonly answers: Answers;
+}
+
+/** A question with its numbers, what is right, and what each mistake gives that it was drawn to tell apart. */
 export interface Posed {
   readonly exercise: Exercise;
   readonly draft: Draft;
@@ -17,6 +24,13 @@ export interface Posed {
   /** What is told beside ray and shape. */
   readonly given: Answers;
   readonly suspects: readonly Suspect[];
+}
+
+/** The question as a derivation that starts from what is given. */
+export function derivationFor({ exercise, draft, fields, given }: Posed): Derivation {
+  const answers = (course: Course, own: Answers): Answers =>
+    exercise.answers(course, draft, { ...given, ...own });
+  return derivationOf(fields, courseOf(draft.shape), draft.watch, answers);
 }
 
 /** Far more draws than any exercise was seen to need; a generator that needs more is broken. */
@@ -37,13 +51,17 @@ function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Rand
   return draft && posedOf(exercise, draft);
 }
 
-/** The question about this input; null unless all that is watched gives answers that differ from the truth and from each other. */
+/**
+ * The question about this input; null unless all that is watched gives answers that differ from the truth and from each
+ * other. The lists of what is watched stay as they are: another entry would make old seeds pose other questions.
+ */
 function posedOf(exercise: Exercise, draft: Draft): Posed | null {
   const course = courseOf(draft.shape);
   const truth = exercise.answers(course, draft);
   const fields = exercise.fields(draft, truth);
+  const asked = fields.filter(({ id, mayBeAbsent }) => !mayBeAbsent || truth[id] !== undefined);
   const complete = (answers: Answers): boolean =>
-    fields.length > 0 && fields.every(({ id }) => answers[id] !== undefined);
+    asked.length > 0 && asked.every(({ id }) => answers[id] !== undefined);
   if (!complete(truth)) return null;
   const suspects = draft.watch.flatMap((id): Suspect[] => {
     const misconception = findMisconception(id);
@@ -53,7 +71,7 @@ function posedOf(exercise: Exercise, draft: Draft): Posed | null {
     return complete(answers) ? [{ misconception, answers }] : [];
   });
   const told = [truth, ...suspects.map(({ answers }) => answers)];
-  const apart = told.every((a, i) => told.slice(0, i).every((b) => !alike(fields, a, b)));
+  const apart = told.every((a, i) => told.slice(0, i).every((b) => !alike(asked, a, b)));
   if (!apart) return null;
   const all = exercise.given.length > 0 ? work(course, draft) : {};
   const given = Object.fromEntries(

@@ -1,83 +1,134 @@
-import { grade, type Mark, matches, type Texts } from './grade.ts';
+import { causesOf } from './causes.ts';
+import { before, type Derivation, fits, type Line, wayBy } from './derivation.ts';
+import { compared, grade, type Mark, readAnswer, roughly, type Texts } from './grade.ts';
 import type { Misconception } from './misconceptions/define.ts';
 import type { Answers, Field } from './types.ts';
-
-/** A known mistake with what it gives on this very input. */
-export interface Suspect {
-  readonly misconception: Misconception;
-  readonly answers: Answers;
-}
+import { WAYS, type Way } from './ways.ts';
 
 export interface Judged {
   readonly marks: Readonly<Record<string, Mark>>;
-  /** The one mistake that gives every wrong answer, if a known one does. */
-  readonly cause: Misconception | null;
-  /** Fields that are wrong, and yet right for the student's own earlier value. */
-  readonly follow: readonly string[];
-  readonly verdict: 'correct' | 'wrong' | 'invalid';
+  /** The mistakes that together give just these answers, wrong ones and right ones; none if no known ones do. */
+  readonly causes: readonly Misconception[];
+  /** Fields that are wrong, and yet right for the student's own earlier values; with the fields whose values these are. */
+  readonly follow: Readonly<Record<string, readonly Field[]>>;
+  /** Another way to derive it than the course's, on which every field that is marked right is right. */
+  readonly way: Way | null;
+  readonly verdict: 'correct' | 'rounded' | 'wrong' | 'invalid';
 }
 
-/**
- * Marks every field. Wrong answers are compared with what the suspects give: first for a mistake that explains all of
- * the answers, right ones included, then for the only one that explains the wrong ones.
- */
-export function judge(
-  fields: readonly Field[],
-  texts: Texts,
-  truth: Answers,
-  suspects: readonly Suspect[],
-  again: (own: Answers) => Answers = () => truth,
-): Judged {
-  const marks = Object.fromEntries(
-    fields.map(
-      (field) => [field.id, grade(field, texts[field.id] ?? '', truth[field.id])] as const,
-    ),
-  );
-  const verdicts = Object.values(marks).map(({ verdict }) => verdict);
-  const verdict = verdicts.includes('wrong')
-    ? 'wrong'
-    : verdicts.includes('invalid')
-      ? 'invalid'
-      : 'correct';
-  const cause = verdict === 'wrong' ? causeOf(fields, marks, suspects) : null;
-  return { marks, cause, follow: followers(fields, marks, again), verdict };
-}
-
-type Marks = Judged['marks'];
-
-function causeOf(
-  fields: readonly Field[],
-  marks: Marks,
-  suspects: readonly Suspect[],
-): Misconception | null {
-  const explains = (which: (mark: Mark) => boolean) => (suspect: Suspect) =>
-    fields.every((field) => {
-      const mark = marks[field.id];
-      if (!mark || mark.verdict === 'invalid' || !which(mark)) return true;
-      return matches(field, mark.value, suspect.answers[field.id]);
-    });
-  const all = suspects.find(explains(() => true));
-  if (all) return all.misconception;
-  const [only, ...others] = suspects.filter(explains(({ verdict }) => verdict === 'wrong'));
-  return only && others.length === 0 ? only.misconception : null;
-}
-
-/** A later answer that is right for the values before it: only the first wrong one is a mistake of its own. */
-function followers(
-  fields: readonly Field[],
-  marks: Marks,
-  again: (own: Answers) => Answers,
-): string[] {
-  const own: Record<string, Answers[string]> = {};
-  const found: string[] = [];
+/** Marks every line by itself and by those before it, and finds the mistakes that explain all of them. */
+export function judge(derivation: Derivation, texts: Texts): Judged {
+  const { fields } = derivation;
+  const lines = fields.flatMap((field): Line[] => {
+    const read = readAnswer(field, texts[field.id] ?? '');
+    return read.ok ? [{ field, given: read.given }] : [];
+  });
+  const found = bestOf(derivation, lines);
+  const truth = derivation.truth(found.course);
+  const marks: Record<string, Mark> = {};
+  const follow: Record<string, readonly Field[]> = {};
   for (const field of fields) {
-    const mark = marks[field.id];
-    if (!mark || mark.verdict === 'invalid') continue;
-    if (mark.verdict === 'wrong') {
-      const before = Object.keys(own).length > 0;
-      if (before && matches(field, mark.value, again(own)[field.id])) found.push(field.id);
-      own[field.id] = mark.value;
+    const mark = grade(field, texts[field.id] ?? '', truth[field.id]);
+    marks[field.id] = mark;
+    const at = lines.findIndex((line) => line.field === field);
+    if (mark.verdict === 'wrong' && found.standing[at] === 'follows') {
+      follow[field.id] = sources(derivation, found, lines, at, marks);
     }
   }
-  return found;
+  const wrong = found.standing.includes('wrong');
+  return {
+    marks,
+    causes: wrong ? causesOf(derivation, found.course, lines) : [],
+    follow,
+    way: found.way,
+    verdict: verdictOf(wrong, Object.values(marks)),
+  };
+}
+
+/** A line that follows is no mistake; but where it follows from nothing wrong, only from too few digits. */
+function verdictOf(wrong: boolean, marks: readonly Mark[]): Judged['verdict'] {
+  const some = (verdict: Mark['verdict']): boolean =>
+    marks.some((mark) => mark.verdict === verdict);
+  if (wrong) return 'wrong';
+  if (some('invalid')) return 'invalid';
+  return some('rounded') || some('wrong') ? 'rounded' : 'correct';
+}
+
+type Standing = 'right' | 'follows' | 'wrong';
+
+interface Found {
+  readonly course: Derivation['course'];
+  readonly way: Way | null;
+  readonly standing: readonly Standing[];
+}
+
+const wrongIn = ({ standing }: Found): number => standing.filter((s) => s === 'wrong').length;
+
+/** The course, or the way on which fewer lines are wrong than on the course. */
+function bestOf(derivation: Derivation, lines: readonly Line[]): Found {
+  const plain = foundBy(derivation, lines, derivation.course, null);
+  if (wrongIn(plain) === 0) return plain;
+  const typed: Answers = Object.fromEntries(
+    lines.map(({ field, given }) => [field.id, given.value]),
+  );
+  const first = plain.standing.indexOf('wrong');
+  let best = plain;
+  for (const way of WAYS) {
+    const course = wayBy(derivation, way, typed);
+    if (!course || !fits(derivation, course, lines, first)) continue;
+    const found = foundBy(derivation, lines, course, way);
+    const evidence = lines.filter(
+      (_, i) => fits(derivation, course, lines, i) && !isByCourse(derivation, lines, i),
+    ).length;
+    if (evidence >= way.evidence && wrongIn(found) < wrongIn(best)) best = found;
+  }
+  return best;
+}
+
+/** Whether the course's own formula gives this line from the lines before it. */
+function isByCourse(derivation: Derivation, lines: readonly Line[], i: number): boolean {
+  const line = lines[i];
+  if (!line) return false;
+  const expected = derivation.next(derivation.course, before(lines, i))[line.field.id];
+  return compared(line.field, line.given, expected) === 'correct';
+}
+
+function foundBy(
+  derivation: Derivation,
+  lines: readonly Line[],
+  course: Derivation['course'],
+  way: Way | null,
+): Found {
+  const truth = derivation.truth(course);
+  const standing = lines.map(({ field, given }, i): Standing => {
+    if (roughly(field, given, truth[field.id])) return 'right';
+    if (i === 0) return 'wrong';
+    const expected = derivation.next(course, before(lines, i))[field.id];
+    return roughly(field, given, expected) ? 'follows' : 'wrong';
+  });
+  return { course, way, standing };
+}
+
+/** The wrong lines that a line follows from, through others that follow as well. */
+function sources(
+  derivation: Derivation,
+  { course, standing }: Found,
+  lines: readonly Line[],
+  at: number,
+  marks: Judged['marks'],
+): Field[] {
+  const own = before(lines, at);
+  const id = lines[at]?.field.id ?? '';
+  const value = JSON.stringify(derivation.next(course, own)[id]);
+  const found = lines.slice(0, at).flatMap(({ field }, i): Field[] => {
+    const mark = marks[field.id];
+    if (!mark || mark.verdict === 'correct') return [];
+    const { [field.id]: _, ...others } = own;
+    const without = derivation.next(course, others)[id];
+    if (JSON.stringify(without) === value) return [];
+    return standing[i] === 'follows'
+      ? sources(derivation, { course, standing, way: null }, lines, i, marks)
+      : [field];
+  });
+  return [...new Set(found)];
 }

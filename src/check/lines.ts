@@ -1,14 +1,14 @@
 import { float64 } from '../math/arithmetic/float64.ts';
-import { type Values, withScalars } from '../math/formula/evaluate.ts';
+import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
 import { type Expr, type Relation, scalar } from '../math/formula/expr.ts';
 import { valuesOf } from '../math/methods/tree-method.ts';
-import { withPoint } from '../math/shapes/planar.ts';
+import { whichHold, withPoint } from '../math/shapes/planar.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Course, CurvedCourse, FlatCourse } from './course.ts';
 import { courseOf } from './course.ts';
 import type { Misconception } from './misconceptions/define.ts';
 import type { Answers, Input } from './types.ts';
-import { work } from './work.ts';
+import { asExactly, work } from './work.ts';
 
 /** One line of a derivation, right or edited, with the numbers that go into it. */
 export interface Line {
@@ -19,7 +19,9 @@ export interface Line {
   readonly exprs: readonly Expr[];
   /** For a condition of a figure, in place of a value. */
   readonly relation: Relation | null;
-  /** Both roots of the line t; the components of a triple. */
+  /** Whether the condition holds. */
+  readonly holds: boolean | null;
+  /** Both roots of the line t; the components of a triple; the two sides of a condition. */
   readonly values: readonly number[];
   readonly numbers: Values<number>;
   /** −B, √D and 2A worked out before they are put in. */
@@ -32,7 +34,7 @@ export function linesOf(course: Course, input: Input): readonly Line[] {
   const values = valuesOf(input.shape, input.ray, float64);
   return course.family === 'curved'
     ? curvedLines(course, found, values)
-    : flatLines(course, found, values);
+    : flatLines(course, found, values, input);
 }
 
 const number = (found: Answers, id: string): number | undefined => {
@@ -52,7 +54,7 @@ function line(
   values: readonly number[],
   numbers: Values<number>,
 ): Line {
-  return { id, letter, exprs, relation: null, values, numbers, worked: id === 't' };
+  return { id, letter, exprs, relation: null, holds: null, values, numbers, worked: id === 't' };
 }
 
 function curvedLines(course: CurvedCourse, found: Answers, values: Values<number>): Line[] {
@@ -84,22 +86,32 @@ function hitLines(
     : lines;
 }
 
-function flatLines(course: FlatCourse, found: Answers, values: Values<number>): Line[] {
+function flatLines(
+  course: FlatCourse,
+  found: Answers,
+  values: Values<number>,
+  { shape, ray }: Input,
+): Line[] {
   const value = (id: string): number => number(found, id) ?? Number.NaN;
   const lines = [
     line('N.(E-P)', null, [course.offset], [value('N.(E-P)')], values),
     line('N.d', null, [course.rate], [value('N.d')], values),
   ];
-  const t = number(found, 't');
+  const t = number(found, 't1');
   const point = triple(found, 'P1');
   if (t === undefined || !point) return lines;
   const withT = withScalars(values, { t });
-  const conditions = course.conditions.map(
-    (relation): Line => ({
-      ...line('inside', null, [], [], withPoint(withT, point)),
-      relation,
-    }),
-  );
+  const holds = asExactly((ar) => {
+    const given = valuesOf(shape, ray, ar);
+    const withExactT = withScalars(given, { t: evaluate(course.t, ar, given) });
+    const X = evaluateTriple(course.P, ar, withExactT);
+    return whichHold(course.conditions, withPoint(given, X), ar);
+  });
+  const conditions = course.conditions.map((relation, i): Line => {
+    const withX = withPoint(withT, point);
+    const sides = [relation.left, relation.right].map((side) => evaluate(side, float64, withX));
+    return { ...line('inside', null, [], sides, withX), relation, holds: holds[i] ?? null };
+  });
   return [
     ...lines,
     line('t', scalar('t'), [course.t], [t], values),
@@ -108,11 +120,11 @@ function flatLines(course: FlatCourse, found: Answers, values: Values<number>): 
   ];
 }
 
-/** The lines that a misconception changes: its own edited one, and those whose values follow from it. At most three. */
-export function editedLines(misconception: Misconception, input: Input): readonly Line[] {
+/** The lines that these mistakes change: the edited ones, and those whose values follow from them. At most three. */
+export function editedLines(mistakes: readonly Misconception[], input: Input): readonly Line[] {
   const course = courseOf(input.shape);
-  const edited = misconception.edit(course);
-  if (!edited) return [];
+  const edited = mistakes.reduce((made: Course, { edit }) => edit(made) ?? made, course);
+  if (edited === course) return [];
   const right = linesOf(course, input);
   const wrong = linesOf(edited, input);
   const changed = wrong.filter((one) => {

@@ -7,9 +7,15 @@ import type { Answers, Input } from './types.ts';
 /** How far f may be from 0 where the student's t was rounded to four digits, in parts of the sizes that make f up. */
 const NEARLY = 2e-3;
 
-/** What an answer means in the scene: where its t leads to, and on which side of the surface that is. '' if it has none. */
-export function meaningOf(input: Input, answers: Answers): string {
-  const t = ['t', 't1', 't2'].map((id) => answers[id]).find((x) => typeof x === 'number');
+/**
+ * What an answer means in the scene: where the t of one of these fields leads to, the first that has one, and on which
+ * side of the surface that is. '' if none has.
+ */
+export function meaningOf(input: Input, answers: Answers, fields: readonly string[]): string {
+  const t = fields
+    .filter((id) => /^t[12]?$/.test(id))
+    .map((id) => answers[id])
+    .find((x) => typeof x === 'number');
   if (typeof t !== 'number' || !Number.isFinite(t)) return '';
   const { point, f } = alongRay(input.shape, input.ray, t);
   const { title } = definitionOf(input.shape);

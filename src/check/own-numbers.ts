@@ -1,24 +1,27 @@
 import { courseOf } from './course.ts';
+import { derivationOf } from './derivation.ts';
 import { INSIDE } from './exercises/flat.ts';
-import { type Mark, matches, readAnswer, type Texts } from './grade.ts';
-import { judge, type Suspect } from './judge.ts';
+import { type Mark, roundedWords, type Texts } from './grade.ts';
+import { type Judged, judge } from './judge.ts';
 import type { Misconception } from './misconceptions/define.ts';
-import { MISCONCEPTIONS } from './misconceptions/index.ts';
 import {
+  ABSENT,
   type Answers,
   choiceField,
   directionField,
   type Field,
   type Input,
+  mayBeAbsent,
   numberField,
   tripleField,
 } from './types.ts';
+import type { Way } from './ways.ts';
 import { work } from './work.ts';
 
 export interface OwnLine {
   readonly field: Field;
   /** 'absent': rightly said not to exist. 'follows': wrong, and right for the student's own earlier values. */
-  readonly verdict: 'correct' | 'wrong' | 'follows' | 'absent' | 'invalid';
+  readonly verdict: 'correct' | 'rounded' | 'wrong' | 'follows' | 'absent' | 'invalid';
   /** Why it is wrong or unread, in a few words; '' if there is nothing to add. */
   readonly note: string;
 }
@@ -27,7 +30,10 @@ export interface OwnReport {
   readonly lines: readonly OwnLine[];
   /** The first line that is wrong by itself. */
   readonly firstWrong: Field | null;
-  readonly cause: Misconception | null;
+  /** What explains all lines, wrong ones and right ones. */
+  readonly causes: readonly Misconception[];
+  /** Another way than the course's, on which the lines marked right are right. */
+  readonly way: Way | null;
   /** "B is wrong; your t₁ and t₂ are right for your B." */
   readonly says: string;
 }
@@ -40,14 +46,14 @@ const CURVED: readonly Field[] = [
   tripleField('P2', 'P₂'),
   directionField('N1', 'N₁'),
   directionField('N2', 'N₂'),
-];
+].map(mayBeAbsent);
 
 const FLAT: readonly Field[] = [
   numberField('N.(E-P)', 'N·(E − P)'),
   numberField('N.d', 'N·d'),
   numberField('t1', 't'),
   tripleField('P1', 'P'),
-];
+].map(mayBeAbsent);
 
 const FIGURE: readonly Field[] = [...FLAT, choiceField('inside', 'the point is', INSIDE)];
 
@@ -58,85 +64,95 @@ export function ownFields({ shape }: Input): readonly Field[] {
   return course.conditions.length > 0 ? FIGURE : FLAT;
 }
 
-/** A line may also say that its quantity does not exist. */
-const SAYS_NONE = /^\s*(none|no|no root|does not exist|[-–—∅])\s*$/i;
-
 /** Marks each line that was typed, as far as the student got, and finds the first wrong step. */
 export function checkOwn(input: Input, texts: Texts): OwnReport {
-  const fields = ownFields(input);
   const course = courseOf(input.shape);
-  const truth = work(course, input);
-  const typed = fields.filter(({ id }) => (texts[id] ?? '').trim() !== '');
-  const valued = typed.filter(({ id }) => !SAYS_NONE.test(texts[id] ?? ''));
-  const judged = judge(valued, texts, truth, suspectsOf(input), (own) => work(course, input, own));
-  const lines = typed.map((field): OwnLine => {
+  const typed = ownFields(input).filter(({ id }) => (texts[id] ?? '').trim() !== '');
+  const derivation = derivationOf(typed, course, [], (edited, own) => work(edited, input, own));
+  const judged = judge(derivation, texts);
+  const truth = derivation.truth(course);
+  const lines = typed.flatMap((field): OwnLine[] => {
     const mark = judged.marks[field.id];
-    if (!mark) return saidNone(field, truth);
-    return lineOf(field, mark, judged.follow.includes(field.id), truth);
+    return mark ? [lineOf(field, mark, judged, truth)] : [];
   });
   const firstWrong = lines.find(({ verdict }) => verdict === 'wrong')?.field ?? null;
-  const cause = judged.cause ?? (firstWrong && causeOfOne(firstWrong, texts, input));
-  return { lines, firstWrong, cause, says: sentence(lines, firstWrong, typed.length) };
+  const { causes, way } = judged;
+  return { lines, firstWrong, causes, way, says: sentence(lines, judged, firstWrong) };
 }
 
-function suspectsOf(input: Input): Suspect[] {
-  const course = courseOf(input.shape);
-  return MISCONCEPTIONS.flatMap((misconception) => {
-    const edited = misconception.edit(course);
-    return edited ? [{ misconception, answers: work(edited, input) }] : [];
-  });
-}
-
-function saidNone(field: Field, truth: Answers): OwnLine {
-  const right = truth[field.id] === undefined;
-  const note = right ? 'rightly said not to exist' : 'it exists';
-  return { field, verdict: right ? 'absent' : 'wrong', note };
-}
-
-function lineOf(field: Field, mark: Mark, follows: boolean, truth: Answers): OwnLine {
+function lineOf(field: Field, mark: Mark, { follow }: Judged, truth: Answers): OwnLine {
   if (mark.verdict === 'invalid') return { field, verdict: 'invalid', note: mark.reason };
-  if (mark.verdict === 'correct') return { field, verdict: 'correct', note: '' };
-  if (follows) return { field, verdict: 'follows', note: 'right for your earlier values' };
+  const isAbsent = mark.value === ABSENT;
+  if (mark.verdict === 'correct') {
+    return { field, verdict: isAbsent ? 'absent' : 'correct', note: '' };
+  }
+  if (mark.verdict === 'rounded') {
+    return { field, verdict: 'rounded', note: roundedWords(mark.digits) };
+  }
+  if (follow[field.id]) return { field, verdict: 'follows', note: '' };
+  const exists = truth[field.id] !== undefined;
   return {
     field,
     verdict: 'wrong',
-    note: truth[field.id] === undefined ? 'it does not exist' : '',
+    note: isAbsent ? 'it exists' : exists ? '' : 'it does not exist',
   };
 }
 
-/** A mistake that gives this one value, on this line, from right values before it. */
-function causeOfOne(field: Field, texts: Texts, input: Input): Misconception | null {
-  const read = readAnswer(field, texts[field.id] ?? '');
-  if (!read.ok) return null;
-  const [only, ...others] = suspectsOf(input).filter(
-    ({ misconception, answers }) =>
-      misconception.line === lineName(field) && matches(field, read.value, answers[field.id]),
-  );
-  return only && others.length === 0 ? only.misconception : null;
+function sentence(lines: readonly OwnLine[], { follow }: Judged, firstWrong: Field | null): string {
+  if (lines.length === 0) return 'Nothing typed yet: fill in as much as you have.';
+  const which = (verdict: OwnLine['verdict']): Field[] =>
+    lines.filter((line) => line.verdict === verdict).map(({ field }) => field);
+  const unread = which('invalid');
+  const rounded = which('rounded');
+  const aside = [
+    ...(rounded.length > 0
+      ? [
+          `${listed(rounded)} ${be(rounded)} right as far as ${rounded.length > 1 ? 'they go' : 'it goes'}: give more digits.`,
+        ]
+      : []),
+    ...(unread.length > 0 ? [`${listed(unread)} could not be read.`] : []),
+  ];
+  return [
+    verdict(lines, which('wrong'), firstWrong, aside.length),
+    ...followed(which('follows'), follow),
+    ...aside,
+  ]
+    .filter(Boolean)
+    .join(' ');
 }
 
-/** t1 and t2 are both the line t of the derivation. */
-const lineName = ({ id }: Field): string => id.replace(/[12]$/, '');
-
-function sentence(lines: readonly OwnLine[], firstWrong: Field | null, typed: number): string {
-  if (typed === 0) return 'Nothing typed yet: fill in as much as you have.';
-  const names = (verdict: OwnLine['verdict']): string =>
-    listed(lines.filter((line) => line.verdict === verdict).map(({ field }) => field.label));
-  const unread = names('invalid');
-  const aside = unread ? ` ${unread} could not be read.` : '';
-  if (!firstWrong) {
-    return unread ? `All that could be read is right.${aside}` : 'All that you typed is right.';
+function verdict(
+  lines: readonly OwnLine[],
+  wrong: readonly Field[],
+  firstWrong: Field | null,
+  asides: number,
+): string {
+  if (firstWrong) {
+    return `${listed(wrong)} ${be(wrong)} wrong; the first wrong step is ${firstWrong.name}.`;
   }
-  const follows = lines.filter(({ verdict }) => verdict === 'follows');
-  const wrong = lines.filter(({ verdict }) => verdict === 'wrong').map(({ field }) => field.label);
-  const be = follows.length > 1 ? 'are' : 'is';
-  const because =
-    follows.length > 0 ? ` Your ${names('follows')} ${be} right for your ${listed(wrong)}.` : '';
-  const verb = wrong.length > 1 ? 'are' : 'is';
-  return `${listed(wrong)} ${verb} wrong; the first wrong step is ${firstWrong.label}.${because}${aside}`;
+  const some = (...verdicts: OwnLine['verdict'][]) =>
+    lines.some(({ verdict }) => verdicts.includes(verdict));
+  if (asides === 0 && !some('follows')) return 'All that you typed is right.';
+  return some('correct', 'absent') ? 'Nothing that could be read is wrong.' : '';
 }
 
-function listed(names: readonly string[]): string {
+/** "Your t₁ and t₂ are right for your B.", once for each set of earlier lines. */
+function followed(fields: readonly Field[], follow: Judged['follow']): string[] {
+  const groups = new Map<string, Field[]>();
+  for (const field of fields) {
+    const from = listed(follow[field.id] ?? []);
+    groups.set(from, [...(groups.get(from) ?? []), field]);
+  }
+  return [...groups].map(
+    ([from, some]) =>
+      `Your ${listed(some)} ${be(some)} right for your ${from || 'earlier values'}.`,
+  );
+}
+
+const be = (fields: readonly Field[]): string => (fields.length > 1 ? 'are' : 'is');
+
+function listed(fields: readonly Field[]): string {
+  const names = fields.map(({ name }) => name);
   return names.length < 2
     ? (names[0] ?? '')
     : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;

@@ -1,7 +1,7 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
 import type { Triple } from '../math/formula/evaluate.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import type { Answers } from './types.ts';
+import type { Answer, Answers } from './types.ts';
 
 /** A student's own value of a quantity, if there is a usable one. */
 export function ownNumber<T>(own: Answers, id: string, ar: Arithmetic<T>): T | undefined {
@@ -9,8 +9,10 @@ export function ownNumber<T>(own: Answers, id: string, ar: Arithmetic<T>): T | u
   return typeof x === 'number' && Number.isFinite(x) ? ar.of(x) : undefined;
 }
 
-export function ownTriple<T>(own: Answers, id: string, ar: Arithmetic<T>): Triple<T> | undefined {
-  const v = own[id];
+export const ownTriple = <T>(own: Answers, id: string, ar: Arithmetic<T>): Triple<T> | undefined =>
+  usableTriple(own[id], ar);
+
+export function usableTriple<T>(v: Answer | undefined, ar: Arithmetic<T>): Triple<T> | undefined {
   if (typeof v !== 'object' || !v.every(Number.isFinite)) return undefined;
   return [ar.of(v[0]), ar.of(v[1]), ar.of(v[2])];
 }

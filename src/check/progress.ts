@@ -42,18 +42,15 @@ const changed = (progress: Progress, index: number, by: Partial<Asked>): Progres
 export const typed = (progress: Progress, index: number, field: string, text: string): Progress =>
   changed(progress, index, { texts: { ...askedAt(progress, index).texts, [field]: text } });
 
-/** A judged answer. What comes after the solution was shown, or after a right answer, no longer counts. */
+/** A judged answer; one that could not be read, or has too few digits, is no try. What comes after the solution was shown, or after a right answer, no longer counts. */
 export function tried(progress: Progress, index: number, judged: Judged): Progress {
   const before = askedAt(progress, index);
-  if (judged.verdict === 'invalid' || before.solvedAt !== null || before.solutionShown) {
+  const counts = judged.verdict === 'correct' || judged.verdict === 'wrong';
+  if (!counts || before.solvedAt !== null || before.solutionShown) {
     return progress;
   }
   const tries = before.tries + 1;
-  const cause = judged.cause?.id;
-  const causes =
-    cause === undefined || before.causes.includes(cause)
-      ? before.causes
-      : [...before.causes, cause];
+  const causes = [...new Set([...before.causes, ...judged.causes.map(({ id }) => id)])];
   return changed(progress, index, {
     tries,
     causes,

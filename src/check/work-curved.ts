@@ -1,19 +1,16 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import {
-  evaluate,
-  evaluateTriple,
-  type Triple,
-  type Values,
-  withScalars,
-} from '../math/formula/evaluate.ts';
+import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
 import { valuesOf } from '../math/methods/tree-method.ts';
 import { withPoint } from '../math/shapes/planar.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { CurvedCourse, Rules } from './course.ts';
-import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
-import type { Answer, Answers, Input } from './types.ts';
+import { ownNumber, ownTriple, roundedTriple, usableTriple } from './own-values.ts';
+import { ABSENT, type Answer, type Answers, type Input } from './types.ts';
 
-/** A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. */
+/**
+ * A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. A line depends on lines
+ * before it only: D on A, B, C; the roots on all four; a point on its own root; a normal on its own point.
+ */
 export function curvedWork<T>(
   course: CurvedCourse,
   { shape, ray }: Input,
@@ -36,25 +33,49 @@ export function curvedWork<T>(
     ...{ A: toNumber(letters.A), B: toNumber(letters.B), C: toNumber(letters.C), D: toNumber(D) },
     case: verdict,
   };
-  const hits = ordered.map((root, i): Hit => {
-    const t = ownNumber(own, `t${i + 1}`, ar) ?? root;
-    return { t: toNumber(t), known: known[i] ?? true, ...hit(course, all, t, i + 1, own, ar) };
+  const forgotten = ordered.flatMap((root, i) =>
+    known[i] ? [] : [{ ...hitAt(course, all, root, undefined, ar), place: i, known: false }],
+  );
+  // The student's t1 and t2 count those roots only that were not forgotten.
+  const places = ordered.flatMap((_, i) => (known[i] ? [i] : []));
+  const kept = ([1, 2] as const).map((i): Hit => {
+    const place = places[i - 1] ?? i + 1;
+    const t = ownRoot(own, i, known[place] ? ordered[place] : undefined, ar);
+    return { ...hitAt(course, all, t, own[`P${i}`], ar), place, known: true };
   });
-  hits
-    .filter((one) => one.known)
-    .forEach(({ t, P, N }, i) => {
-      Object.assign(found, { [`t${i + 1}`]: t, [`P${i + 1}`]: P, [`N${i + 1}`]: N });
-    });
-  return { ...found, ...firstVisible(hits, verdict, course.rules) };
+  for (const [i, { t, P, N }] of kept.entries()) {
+    const some = { [`t${i + 1}`]: t, [`P${i + 1}`]: P, [`N${i + 1}`]: N };
+    for (const [id, x] of Object.entries(some)) if (x !== undefined) found[id] = x;
+  }
+  const hits = [...forgotten, ...kept].filter(({ t }) => t !== undefined);
+  hits.sort((a, b) => a.place - b.place);
+  const seen = firstVisible(hits as readonly Met[], verdict, course.rules);
+  const point = ownTriple(own, 'P', ar);
+  if (!point) return { ...found, ...seen };
+  const N = roundedTriple(evaluateTriple(course.N, ar, withPoint(values, point)), ar);
+  return { ...found, ...seen, P: roundedTriple(point, ar), N };
 }
 
-interface Hit {
-  readonly t: number;
-  readonly P: Vec3;
-  readonly N: Vec3;
+/** A root that a student has, or has found not to be there, is the student's; otherwise the formula's, if there is one. */
+function ownRoot<T>(own: Answers, i: 1 | 2, root: T | undefined, ar: Arithmetic<T>): T | undefined {
+  return own[`t${i}`] === ABSENT ? undefined : (ownNumber(own, `t${i}`, ar) ?? root);
+}
+
+/** What exists of a hit: its t, the point there and the normal at the point. */
+interface Place {
+  readonly t: number | undefined;
+  readonly P: Vec3 | undefined;
+  readonly N: Vec3 | undefined;
+}
+
+interface Hit extends Place {
+  /** Among the roots in the student's order, from 0. */
+  readonly place: number;
   /** Not on a nappe that was forgotten. */
   readonly known: boolean;
 }
+
+type Met = Hit & { readonly t: number };
 
 const COUNTED = ['none', 'one', 'two'];
 
@@ -94,23 +115,27 @@ function onKnownNappe<T>(
   return ar.sign(ar.sub(y, vertex[1])) >= 0;
 }
 
-function hit<T>(
+function hitAt<T>(
   { P, N }: CurvedCourse,
   values: Values<T>,
-  t: T,
-  index: number,
-  own: Answers,
+  t: T | undefined,
+  own: Answer | undefined,
   ar: Arithmetic<T>,
-): Pick<Hit, 'P' | 'N'> {
-  const computed: Triple<T> = evaluateTriple(P, ar, withScalars(values, { t }));
-  const point = ownTriple(own, `P${index}`, ar) ?? computed;
-  const normal = evaluateTriple(N, ar, withPoint(values, point));
-  return { P: roundedTriple(point, ar), N: roundedTriple(normal, ar) };
+): Place {
+  const { toNumber } = ar;
+  const computed = t === undefined ? undefined : evaluateTriple(P, ar, withScalars(values, { t }));
+  const point = own === ABSENT ? undefined : (usableTriple(own, ar) ?? computed);
+  const normal = point && evaluateTriple(N, ar, withPoint(values, point));
+  return {
+    t: t === undefined ? undefined : toNumber(t),
+    P: point && roundedTriple(point, ar),
+    N: normal && roundedTriple(normal, ar),
+  };
 }
 
 /** Of one or two roots, as the student has them. A tangent's one root is t1. */
 function firstVisible(
-  hits: readonly Hit[],
+  hits: readonly Met[],
   verdict: string,
   { behind, first, light }: Rules,
 ): Answers {
@@ -122,11 +147,13 @@ function firstVisible(
   if (!found) return { first: 'none', why, shadow: 'lit' };
   const hidden = (t > 0 || behind === 'accepted') && (light === 'forgotten' || t < 1);
   const shadow = hidden ? 'dark' : 'lit';
-  return { first: `t${hits.indexOf(found) + 1}`, why, shadow, t, P: found.P, N: found.N };
+  const { P, N } = found;
+  const place = { first: `t${hits.indexOf(found) + 1}`, why, shadow, t };
+  return P && N ? { ...place, P, N } : place;
 }
 
 /** Why the other root is not the first visible hit. */
-function reason(hits: readonly Hit[], found: Hit | undefined, verdict: string): string {
+function reason(hits: readonly Met[], found: Met | undefined, verdict: string): string {
   if (hits.length === 0) return 'no-root';
   if (!found) return 'behind';
   const other = hits.find((one) => one !== found);

@@ -1,12 +1,14 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
 import { evaluate, evaluateTriple, withScalars } from '../math/formula/evaluate.ts';
+import { type Expr, scalar } from '../math/formula/expr.ts';
 import { valuesOf } from '../math/methods/tree-method.ts';
 import { all, whichHold, withPoint } from '../math/shapes/planar.ts';
 import type { FlatCourse } from './course.ts';
 import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
-import type { Answer, Answers, Input } from './types.ts';
+import { rewrite } from './rewrite.ts';
+import { ABSENT, type Answer, type Answers, type Input } from './types.ts';
 
-/** N.d, N.(E-P), place, and where the plane is met t, P1, inside, case, first, N1 and the first visible P and N. */
+/** N.d, N.(E-P), place, and where the plane is met t1, P1, N1, inside, case, first, and t and P of a visible hit. */
 export function flatWork<T>(
   course: FlatCourse,
   { shape, ray }: Input,
@@ -14,33 +16,48 @@ export function flatWork<T>(
   ar: Arithmetic<T>,
 ): Answers {
   const values = valuesOf(shape, ray, ar);
-  const ownRate = ownNumber(own, 'N.d', ar);
-  const ownOffset = ownNumber(own, 'N.(E-P)', ar);
-  const rate = ownRate ?? evaluate(course.rate, ar, values);
-  const offset = ownOffset ?? evaluate(course.offset, ar, values);
+  const rate = ownNumber(own, RATE, ar) ?? evaluate(course.rate, ar, values);
+  const offset = ownNumber(own, OFFSET, ar) ?? evaluate(course.offset, ar, values);
   const found: Record<string, Answer> = {
-    'N.d': ar.toNumber(rate),
-    'N.(E-P)': ar.toNumber(offset),
+    [RATE]: ar.toNumber(rate),
+    [OFFSET]: ar.toNumber(offset),
   };
-  if (ar.sign(rate) === 0) return { ...found, ...parallel(ar.sign(offset) === 0, course) };
-  const chained = ownRate !== undefined || ownOffset !== undefined;
-  const computed = chained ? ar.div(ar.neg(offset), rate) : evaluate(course.t, ar, values);
-  const t = ownNumber(own, 't1', ar) ?? computed;
-  const point =
-    ownTriple(own, 'P1', ar) ?? evaluateTriple(course.P, ar, withScalars(values, { t }));
+  const ownT = ownNumber(own, 't1', ar);
+  const isParallel = ar.sign(rate) === 0;
+  if (isParallel && ownT === undefined) {
+    return { ...found, ...parallel(ar.sign(offset) === 0, course) };
+  }
+  const scalars = { [RATE]: rate, [OFFSET]: offset };
+  const t =
+    own.t1 === ABSENT
+      ? undefined
+      : (ownT ?? evaluate(inTheirNames(course), ar, withScalars(values, scalars)));
+  const computed =
+    t === undefined ? undefined : evaluateTriple(course.P, ar, withScalars(values, { t }));
+  const point = own.P1 === ABSENT ? undefined : (ownTriple(own, 'P1', ar) ?? computed);
+  const place = { ...found, place: 'meets', ...(t === undefined ? {} : { t1: ar.toNumber(t) }) };
+  if (!point) return place;
   const inside = all(whichHold(course.conditions, withPoint(values, point), ar)) ?? false;
-  const visible = inside && (ar.sign(t) >= 0 || course.rules.behind === 'accepted');
+  const ahead = t !== undefined && (ar.sign(t) >= 0 || course.rules.behind === 'accepted');
+  const visible = inside && ahead;
   const P = roundedTriple(point, ar);
   const N = values.vectors.N ? { N1: roundedTriple(values.vectors.N, ar) } : {};
   return {
-    ...found,
-    ...{ place: 'meets', t: ar.toNumber(t), t1: ar.toNumber(t), P1: P, ...N },
+    ...place,
+    ...{ P1: P, ...N },
     inside: inside ? 'inside' : 'outside',
     case: inside ? 'one' : 'none',
     first: visible ? 't1' : 'none',
-    ...(visible ? { P } : {}),
+    ...(visible ? { t: ar.toNumber(t), P } : {}),
   };
 }
+
+const RATE = 'N.d';
+const OFFSET = 'N.(E-P)';
+
+/** t in terms of the two lines before it, which a student may have otherwise. */
+const inTheirNames = ({ t, rate, offset }: FlatCourse): Expr =>
+  rewrite(t, (e) => (e === rate ? scalar(RATE) : e === offset ? scalar(OFFSET) : null));
 
 function parallel(inPlane: boolean, { rules }: FlatCourse): Answers {
   const asked = rules.parallel === 'asked' ? inPlane : rules.parallel === 'always in';

@@ -15,12 +15,16 @@ const NOTHING: Own = {};
  * Everything that these formulas give for this input. Exactly, rounded once at the end; where an edited formula has two
  * different square roots, or divides by zero, in doubles, as a program would.
  */
-export function work(course: Course, input: Input, own: Own = NOTHING): Answers {
+export const work = (course: Course, input: Input, own: Own = NOTHING): Answers =>
+  asExactly((ar) => workIn(course, input, own, ar));
+
+/** In exact arithmetic, or in doubles where an edited formula has no exact value. */
+export function asExactly<R>(f: <T>(ar: Arithmetic<T>) => R): R {
   try {
-    return workIn(course, input, own, exact);
+    return f(exact);
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
-    return workIn(course, input, own, float64);
+    return f(float64);
   }
 }
 

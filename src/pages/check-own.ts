@@ -47,7 +47,7 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
       };
       render(ownNumbers({ input: now, texts, report }, tools), body);
       const answers = report ? readAll(ownFields(now), texts) : null;
-      return { input: now, results: report !== null, answers };
+      return { input: now, results: report !== null, answers, given: {}, note: '' };
     },
   };
 }

@@ -76,7 +76,7 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     const { case: input, output } = selected;
     const t = output.type === 'value' ? output.t.slice(0, 2) : [];
     const answers = Object.fromEntries(t.map((x, i) => [`t${i + 1}`, x] as const));
-    picture.render({ input, results: true, answers });
+    picture.render({ input, results: true, answers, given: {}, note: '' });
   };
   return {
     render(settings) {

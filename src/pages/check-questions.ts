@@ -1,18 +1,16 @@
 import { html, render } from 'lit';
-import type { Posed } from '../check/compose.ts';
-import { courseOf } from '../check/course.ts';
+import { derivationFor, type Posed } from '../check/compose.ts';
+import { drawnInput } from '../check/drawn-input.ts';
 import { readAll } from '../check/grade.ts';
 import { type Judged, judge } from '../check/judge.ts';
 import { askedAt, hinted, type Progress, solutionShown, tried, typed } from '../check/progress.ts';
 import { plan, question } from '../check/session.ts';
 import { summary, summaryJson } from '../check/summary.ts';
-import type { Answers } from '../check/types.ts';
-import { work } from '../check/work.ts';
 import { answerForm, questionHead, questionText } from '../panels/check-question.ts';
 import { HINTS, type QuestionTools } from '../panels/check-question-view.ts';
 import { summaryTable } from '../panels/check-summary.ts';
 import { download } from '../ui/files.ts';
-import type { LeftPart, PartContext } from './check-part.ts';
+import type { LeftPart, PartContext, Shown } from './check-part.ts';
 
 export interface Questions extends LeftPart {
   readonly tools: QuestionTools;
@@ -26,16 +24,14 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
   let index = 0;
   let posed: Posed = question(progress.seed, index);
   let judged: Judged | null = null;
+  /** The same object while it shows the same. */
+  let picture: Shown | null = null;
   const keep = (next: Progress): void => {
     progress = next;
     memory.keep(progress);
     changed();
   };
-  const judgeNow = (): Judged => {
-    const { draft, fields, truth, suspects } = posed;
-    const again = (own: Answers): Answers => work(courseOf(draft.shape), draft, own);
-    return judge(fields, askedAt(progress, index).texts, truth, suspects, again);
-  };
+  const judgeNow = (): Judged => judge(derivationFor(posed), askedAt(progress, index).texts);
   /** A question that was solved before is still solved. */
   const recallVerdict = (): void => {
     judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
@@ -47,11 +43,16 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     posed = question(seed, at);
     recallVerdict();
   };
-  /** What has been committed, for the picture; null while a prediction is open. */
-  const committed = (): Answers | null => {
-    const { texts, solutionShown: shown } = askedAt(progress, index);
-    if (judged && judged.verdict !== 'invalid') return readAll(posed.fields, texts);
-    return shown ? {} : null;
+  /** Hits and normals stand in the picture when there is nothing left to find out; before, the student's own points. */
+  const shown = (): Shown => {
+    const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
+    const results = solvedAt !== null || given;
+    const committed = judged !== null && judged.verdict !== 'invalid';
+    const answers = committed ? readAll(posed.fields, texts) : null;
+    const drawn = results ? { input: posed.draft, note: '' } : drawnInput(posed, answers ?? {});
+    const next = { ...drawn, results, answers, given: posed.given };
+    if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
+    return picture ?? next;
   };
   let focusBody = (): void => {};
   const tools: QuestionTools = {
@@ -94,8 +95,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       };
       const table = summaryTable(summary(progress), { save, print, restart });
       render(html`${answerForm(view, tools)}${table}`, body);
-      const answers = committed();
-      return { input: posed.draft, results: answers !== null, answers };
+      return shown();
     },
   };
 }

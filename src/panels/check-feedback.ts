@@ -1,10 +1,13 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { courseOf } from '../check/course.ts';
-import { readAll } from '../check/grade.ts';
+import type { Posed } from '../check/compose.ts';
+import { drawnInput } from '../check/drawn-input.ts';
+import { readAll, roundedWords } from '../check/grade.ts';
 import type { Judged } from '../check/judge.ts';
-import { editedLines, type Line, linesOf } from '../check/lines.ts';
+import { editedLines } from '../check/lines.ts';
 import { meaningOf } from '../check/meaning.ts';
+import type { Misconception } from '../check/misconceptions/define.ts';
 import { type Asked, askedAt } from '../check/progress.ts';
+import { hintsOf, solutionOf } from '../check/solution.ts';
 import type { Answer, Field } from '../check/types.ts';
 import { shownAnswer } from './check-given.ts';
 import { derivationLines } from './check-lines.ts';
@@ -19,10 +22,28 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
     return html`<div class="feedback" data-verdict="invalid"><p class="verdict"><span class="glyph" aria-hidden="true">?</span> Not all of it could be read; this was no try.</p>${mayBeHelped(asked) ? helpButtons(asked, view, tools) : nothing}</div>`;
   }
   const read = readAll(posed.fields, asked.texts);
-  const meaning = meaningOf(posed.draft, read);
+  const { input } = drawnInput(posed, read);
+  const isWrong = ({ id }: Field): boolean => judged.marks[id]?.verdict === 'wrong';
+  const meant = posed.fields.filter((field) => judged.verdict !== 'wrong' || isWrong(field));
+  const meaning = meaningOf(
+    input,
+    read,
+    meant.map(({ id }) => id),
+  );
+  const way = judged.way
+    ? html`<p>What is marked right is right with ${judged.way.says}.</p>`
+    : nothing;
+  if (judged.verdict === 'rounded') {
+    return html`<div class="feedback" data-verdict="rounded">
+      <p class="verdict"><span class="glyph" aria-hidden="true">≈</span> ${roundedVerdict(judged)} This was no try.</p>
+      ${way}
+      ${mayBeHelped(asked) ? helpButtons(asked, view, tools) : nothing}
+    </div>`;
+  }
   if (judged.verdict === 'correct') {
     return html`<div class="feedback" data-verdict="correct">
       <p class="verdict"><span class="glyph" aria-hidden="true">=</span> Right.</p>
+      ${way}
       ${meaning ? html`<p>${meaning}</p>` : nothing}
       <div class="buttons">
         ${index + 1 < count ? html`<button type="button" class="button primary" @click=${() => tools.go(index + 1)}>Next question</button>` : nothing}
@@ -30,22 +51,44 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
       </div>
     </div>`;
   }
-  const { cause } = judged;
-  const isAbout = (id: string): boolean => posed.exercise.lines.includes(id) || id === cause?.line;
-  const edited = cause ? editedLines(cause, posed.draft).filter(({ id }) => isAbout(id)) : [];
-  return html`<div class="feedback" data-verdict="wrong" data-cause=${cause?.id ?? nothing}>
-    <p class="verdict"><span class="glyph" aria-hidden="true">≠</span> ${
-      cause ? html`Not right. This is what comes out with ${cause.says}.` : 'Not right.'
-    }</p>
-    ${cause ? html`<p>It happens on ${lineName(cause.line)}. ${cause.remedy}</p>` : nothing}
+  const { causes } = judged;
+  const isAbout = (id: string): boolean =>
+    posed.exercise.lines.includes(id) || causes.some(({ line }) => line === id);
+  const edited = editedLines(causes, input).filter(({ id }) => isAbout(id));
+  return html`<div class="feedback" data-verdict="wrong" data-cause=${ids(causes) || nothing}>
+    <p class="verdict"><span class="glyph" aria-hidden="true">≠</span> Not right.${causes.length > 0 ? ` ${namedCauses(causes)}` : ''}</p>
+    ${causes.map((cause) => html`<p>${whereAndWhat(cause, causes.length > 1)}</p>`)}
     ${edited.length > 0 ? html`<p class="then">Then, as in your answer:</p>${derivationLines(edited, 'numbers')}` : nothing}
+    ${way}
     ${meaning ? html`<p>${meaning}</p>` : nothing}
     ${helpButtons(asked, view, tools)}
   </div>`;
 }
 
+/** "Right to 3 digits, give one more." */
+function roundedVerdict({ marks }: Judged): string {
+  const digits = Object.values(marks).flatMap((mark) =>
+    mark.verdict === 'rounded' ? [mark.digits] : [],
+  );
+  const words =
+    digits.length > 0
+      ? roundedWords(Math.min(...digits))
+      : 'right for what you rounded before it, give more digits';
+  return `${words[0]?.toUpperCase()}${words.slice(1)}.`;
+}
+
+/** "This is what comes out with B/2 in place of B, and with + r² in place of − r²." */
+export const namedCauses = (causes: readonly Misconception[]): string =>
+  `This is what comes out with ${causes.map(({ says }) => says).join(', together with ')}.`;
+
+/** Where a mistake happens and what to look at; which one it is where there are two. */
+export const whereAndWhat = ({ says, line, remedy }: Misconception, isOneOfSome: boolean): string =>
+  `${isOneOfSome ? `${says[0]?.toUpperCase()}${says.slice(1)}: it` : 'It'} happens on ${lineName(line)}. ${remedy}`;
+
+export const ids = (causes: readonly Misconception[]): string =>
+  causes.map(({ id }) => id).join(' ');
+
 const NAMES: Readonly<Record<string, string>> = {
-  t: 'the line of the roots, t',
   first: 'the choice of the first visible hit',
   case: 'the case distinction',
   inside: 'the test of the figure’s bounds',
@@ -83,29 +126,33 @@ const solutionButton = (asked: Asked, tools: QuestionTools): TemplateResult | ty
     : html`<button type="button" class="button" @click=${tools.solution}>Show the solution</button>`;
 
 export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | typeof nothing {
-  const { exercise, draft, fields, truth } = posed;
   if (asked.hints === 0 && !asked.solutionShown) return nothing;
-  const lines = linesOf(courseOf(draft.shape), draft);
-  const about = lines.filter(({ id }) => exercise.lines.includes(id));
+  const given = hintsOf(posed).slice(0, asked.hints);
+  const last = given.length - 1;
   return html`<div class="helps" role="status">
-    ${asked.hints > 0 ? html`<p class="hint">Hint: ${exercise.clue}</p>` : nothing}
-    ${asked.hints > 1 && asked.hints < HINTS ? derivationLines(about, 'symbols') : nothing}
-    ${asked.hints >= HINTS && !asked.solutionShown ? derivationLines(withoutResults(about), 'numbers') : nothing}
-    ${
-      asked.solutionShown
-        ? html`<section class="solution" aria-label="Solution">
-          <h3>Solution</h3>
-          <p>${fields.map((field, i) => html`${i > 0 ? ', ' : nothing}${field.label} ${field.kind === 'choice' ? '' : '= '}${solved(field, truth[field.id])}`)}</p>
-          ${derivationLines(lines, 'numbers')}
-        </section>`
-        : nothing
-    }
+    ${given.map(({ words, lines, layer }, i) => {
+      // Each set of lines takes the place of the one before; the words stay.
+      const shown = i === last && !asked.solutionShown && lines.length > 0;
+      return html`${words ? html`<p class="hint">Hint: ${words}</p>` : nothing}${shown ? derivationLines(lines, layer) : nothing}`;
+    })}
+    ${asked.solutionShown ? solution(posed) : nothing}
   </div>`;
 }
 
-/** The last hint puts the numbers in and leaves the arithmetic to the student. */
-const withoutResults = (lines: readonly Line[]): readonly Line[] =>
-  lines.map((line) => ({ ...line, values: [] }));
+/** The lines, why they decide it, and last the answers to what was asked. */
+function solution(posed: Posed): TemplateResult {
+  const { lines, decision } = solutionOf(posed);
+  const answers = posed.fields.map(
+    (field, i) =>
+      html`${i > 0 ? ', ' : nothing}${field.label} ${field.kind === 'choice' ? '' : '= '}${solved(field, posed.truth[field.id])}`,
+  );
+  return html`<section class="solution" aria-label="Solution">
+    <h3>Solution</h3>
+    ${lines.length > 0 ? derivationLines(lines, 'numbers') : nothing}
+    ${decision.map((words) => html`<p>${words}</p>`)}
+    <p class="so">So ${answers}.</p>
+  </section>`;
+}
 
 function solved(field: Field, answer: Answer | undefined): TemplateResult | string {
   if (answer === undefined) return 'does not exist';

@@ -9,7 +9,7 @@ export interface FieldView {
   /** Right, wrong or unread, in a word; '' before anything was judged. */
   readonly mark: string;
   /** Which glyph stands beside the word. */
-  readonly glyph: '' | '=' | '≠' | '?' | '→';
+  readonly glyph: '' | '=' | '≠' | '?' | '→' | '≈';
   readonly invalid: boolean;
   readonly onText: (text: string) => void;
 }

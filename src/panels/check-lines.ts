@@ -1,6 +1,6 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { Line } from '../check/lines.ts';
-import type { Expr } from '../math/formula/expr.ts';
+import type { Expr, Relation } from '../math/formula/expr.ts';
 import { display } from '../text/format.ts';
 import { formula } from './formula.ts';
 import {
@@ -21,13 +21,13 @@ export function derivationLines(lines: readonly Line[], layer: Layer): TemplateR
 }
 
 function written(line: Line, layer: Layer): TemplateResult {
-  const { letter, exprs, relation, numbers, worked } = line;
+  const { letter, exprs, relation, holds, values, numbers, worked } = line;
   if (relation) {
     const put = (expr: Expr) => typesetNumbers(expr, numbers, { worked: false, digits: 6 });
     return html`${formula(typesetRelation(relation))}${
       layer === 'symbols'
         ? nothing
-        : html` <span class="put-in">${formula(mathml`${put(relation.left)}<mo>${relation.relation}</mo>${put(relation.right)}`)}</span>`
+        : html` <span class="put-in">${formula(mathml`${put(relation.left)}<mo>${relation.relation}</mo>${put(relation.right)}`)}</span>${values.length === 2 && holds !== null ? html` <span class="result">${sides(relation, values, holds)}</span>` : nothing}`
     }`;
   }
   const name = letter ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : nothing;
@@ -42,6 +42,12 @@ function written(line: Line, layer: Layer): TemplateResult {
   const put = row(exprs.map((expr) => typesetNumbers(expr, numbers, { worked, digits: 6 })));
   return html`${symbols} <span class="put-in">${formula(mathml`<mo form="infix">=</mo>${put}`)}</span>
     <span class="result">${result(line)}</span>`;
+}
+
+/** "that is 6.5 ≤ 6: false" */
+function sides({ relation }: Relation, values: readonly number[], holds: boolean): TemplateResult {
+  const [left = 0, right = 0] = values;
+  return html`that is ${formula(mathml`${typesetNumber(left)}<mo>${relation}</mo>${typesetNumber(right)}`)}: ${holds ? 'true' : 'false'}`;
 }
 
 /** One tree as it is, three as a triple. */

@@ -5,8 +5,8 @@ import { editedLines } from '../check/lines.ts';
 import { type OwnLine, type OwnReport, ownFields } from '../check/own-numbers.ts';
 import type { Input } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
-import { lineName } from './check-feedback.ts';
-import { fieldRow } from './check-field.ts';
+import { ids, namedCauses, whereAndWhat } from './check-feedback.ts';
+import { type FieldView, fieldRow } from './check-field.ts';
 import { inputRow } from './check-given.ts';
 import { derivationLines } from './check-lines.ts';
 
@@ -23,19 +23,17 @@ export interface OwnTools {
   clear(): void;
 }
 
-const MARKS: Readonly<Record<OwnLine['verdict'], readonly [FieldGlyph, string]>> = {
+const MARKS: Readonly<Record<OwnLine['verdict'], readonly [FieldView['glyph'], string]>> = {
   correct: ['=', 'right'],
   absent: ['=', 'right: it does not exist'],
+  rounded: ['≈', ''],
   wrong: ['≠', 'not right'],
   follows: ['→', 'right for your earlier values'],
   invalid: ['?', ''],
 };
 
-type FieldGlyph = '=' | '≠' | '?' | '→';
-
 /** What the mark's own words do not say yet. */
-const says = (line: OwnLine | undefined): string =>
-  line?.verdict === 'wrong' || line?.verdict === 'invalid' ? line.note : '';
+const says = (line: OwnLine | undefined): string => line?.note ?? '';
 
 /** A student's own derivation, line by line; whatever is empty is not asked for. */
 export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): TemplateResult {
@@ -69,11 +67,14 @@ export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): 
   </form>`;
 }
 
-function verdict({ says, firstWrong, cause }: OwnReport, input: Input): TemplateResult {
-  const edited = cause ? editedLines(cause, input) : [];
-  return html`<div class="feedback" data-verdict=${firstWrong ? 'wrong' : 'correct'} data-cause=${cause?.id ?? nothing}>
+function verdict(report: OwnReport, input: Input): TemplateResult {
+  const { says, firstWrong, causes, way } = report;
+  const edited = editedLines(causes, input);
+  return html`<div class="feedback" data-verdict=${firstWrong ? 'wrong' : 'correct'} data-cause=${ids(causes) || nothing}>
     <p class="verdict"><span class="glyph" aria-hidden="true">${firstWrong ? '≠' : '='}</span> ${says}</p>
-    ${cause ? html`<p>This is what comes out with ${cause.says}. It happens on ${lineName(cause.line)}. ${cause.remedy}</p>` : nothing}
+    ${way ? html`<p>What is marked right is right with ${way.says}.</p>` : nothing}
+    ${causes.length > 0 ? html`<p>${namedCauses(causes)}</p>` : nothing}
+    ${causes.map((cause) => html`<p>${whereAndWhat(cause, causes.length > 1)}</p>`)}
     ${edited.length > 0 ? derivationLines(edited, 'numbers') : nothing}
   </div>`;
 }

@@ -1,11 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { FOUR_DIGITS_WORDS } from '../check/grade.ts';
+import { FOUR_DIGITS_WORDS, type Mark, roundedWords } from '../check/grade.ts';
 import { type Asked, askedAt } from '../check/progress.ts';
 import { summary } from '../check/summary.ts';
 import type { Field } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import { feedback, helpButtons, helps, mayBeHelped } from './check-feedback.ts';
-import { fieldRow } from './check-field.ts';
+import { type FieldView, fieldRow } from './check-field.ts';
 import { inputRow, shownAnswer } from './check-given.ts';
 import type { QuestionTools, QuestionView } from './check-question-view.ts';
 import './check-question.css';
@@ -41,7 +41,7 @@ export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
 
 export function questionText({ posed }: QuestionView): TemplateResult {
   const { draft, exercise, given } = posed;
-  const unknown = exercise.id === 'tangent' ? (draft.param?.key ?? null) : null;
+  const unknown = exercise.asksForParam ? (draft.param?.key ?? null) : null;
   const { title } = definitionOf(draft.shape);
   const told = Object.entries(given);
   return html`<div class="question-text">
@@ -79,6 +79,13 @@ export function answerForm(view: QuestionView, tools: QuestionTools): TemplateRe
   </form>`;
 }
 
+function markOf(mark: Mark, follows: boolean): readonly [FieldView['glyph'], string] {
+  if (mark.verdict === 'invalid') return ['?', mark.reason];
+  if (mark.verdict === 'rounded') return ['≈', roundedWords(mark.digits)];
+  if (follows) return ['→', 'right for your earlier value'];
+  return mark.verdict === 'correct' ? ['=', 'right'] : ['≠', 'not right'];
+}
+
 function answerRow(
   field: Field,
   { judged, index }: QuestionView,
@@ -86,25 +93,8 @@ function answerRow(
   tools: QuestionTools,
 ) {
   const mark = judged?.marks[field.id];
-  const follows = judged?.follow.includes(field.id) ?? false;
-  const words = !mark
-    ? ''
-    : mark.verdict === 'invalid'
-      ? mark.reason
-      : follows
-        ? 'right for your earlier value'
-        : mark.verdict === 'correct'
-          ? 'right'
-          : 'not right';
-  const glyph = !mark
-    ? ''
-    : mark.verdict === 'invalid'
-      ? '?'
-      : follows
-        ? '→'
-        : mark.verdict === 'correct'
-          ? '='
-          : '≠';
+  const follows = judged?.follow[field.id] !== undefined;
+  const [glyph, words] = mark ? markOf(mark, follows) : (['', ''] as const);
   return fieldRow({
     field,
     id: `answer-${index}-${field.id}`,

@@ -70,7 +70,7 @@ function hitMarks(found: Intersection, stage: Stage): HitMark[] {
 }
 
 /** Where the ray, over the strip's stretch of t and a little beyond, is inside the stage; null if nowhere. */
-function clipToStage(
+export function clipToStage(
   { origin, direction }: Ray,
   { center, radius }: Stage,
   window: { readonly from: number; readonly to: number },

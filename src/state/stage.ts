@@ -13,13 +13,17 @@ const FAR = 8;
 const LOW = -0.44;
 const HIGH = 0.56;
 
+/** The part of the world that is drawn, with E and where the ray meets the shape. */
+export const stageOf = (shape: Shape, ray: Ray, found: Intersection): Stage =>
+  stageAround(shape, [ray.origin, ...interesting(found)]);
+
 /**
- * The part of the world that is drawn. It grows smoothly with what has to be seen, so that a slider never makes the
+ * The part of the world with these places. It grows smoothly with what has to be seen, so that a slider never makes the
  * picture jump; far from the origin, or when everything is tiny, it is centred on the shape.
  */
-export function stageOf(shape: Shape, ray: Ray, found: Intersection): Stage {
+export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
   const anchor = definitionOf(shape).anchor(shape);
-  const points = [ray.origin, ...interesting(found)].filter((p) => p.every(Number.isFinite));
+  const points = places.filter((p) => p.every(Number.isFinite));
   const spread = Math.max(anchor.size, ...points.map((p) => distance(p, anchor.at)));
   const atHand =
     distance(anchor.at, HAND.center) <= HAND.reach &&

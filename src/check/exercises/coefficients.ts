@@ -25,7 +25,7 @@ export const coefficients: Exercise = {
   ask: () => 'Put the ray into the equation of the surface: find A, B and C of A t² + B t + C = 0.',
   given: [],
   fields: () => IDS.map((id) => numberField(id)),
-  answers: (course, draft) => chosen(work(course, draft), IDS),
+  answers: (course, draft, own) => chosen(work(course, draft, own), IDS),
   clue: 'Write E + t d for (x, y, z) and sort by powers of t.',
   lines: IDS,
 };

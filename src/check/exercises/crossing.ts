@@ -3,9 +3,11 @@ import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, choiceField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
+import { byParam, linearWords } from './by-param.ts';
 import { CASES, type Draft, type Exercise } from './define.ts';
 import { drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
 import { numberParams, withParam } from './params.ts';
+import { caseWords } from './words.ts';
 
 /** "A little": both must agree, so that nothing else happens in between. */
 const LITTLE = 1 / 64;
@@ -47,6 +49,23 @@ export const crossing: Exercise = {
     choiceField('after', `${param?.symbol} a little above`, CASES),
   ],
   answers: (course, draft) => answersAt(course, draft, LITTLE),
+  argue: (draft) => {
+    const { param, shape, ray } = draft;
+    const by = byParam(draft);
+    if (!param || !by) return { rule: '', put: '', decision: [] };
+    const { symbol, value } = param;
+    const at = (x: number): string => {
+      const words = caseWords(work(courseOf(shape), { shape: withParam(shape, param, x), ray }));
+      return `${symbol} = ${display(x)}: ${words}`;
+    };
+    const A = `A = ${linearWords(by.A, by.u)}`;
+    const D = `D = ${linearWords(by.D, by.u)}`;
+    return {
+      rule: 'The sign of D decides where A ≠ 0; where A = 0, B t + C = 0 is left.',
+      put: `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} = ${display(value)}?`,
+      decision: [`${A} and ${D}.`, at(value - LITTLE), at(value), at(value + LITTLE)],
+    };
+  },
   clue: 'Write D, and A, as functions of the parameter, and see where they change their sign.',
   lines: ['A', 'D'],
 };

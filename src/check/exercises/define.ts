@@ -14,6 +14,16 @@ export interface Draft extends Input {
   readonly param?: { readonly symbol: string; readonly key: string; readonly value: number };
 }
 
+/** How the lines are to be read. */
+export interface Argument {
+  /** With the second hint: the rule in words; '' where the lines say it. */
+  readonly rule: string;
+  /** The third hint where the lines with numbers would be none, or too much; '' for those lines. */
+  readonly put: string;
+  /** The end of the solution: why its answers follow. The answers themselves come after it. */
+  readonly decision: readonly string[];
+}
+
 /** A kind of question: how it is drawn, what is asked, and what the (right or edited) formulas answer. */
 export interface Exercise {
   readonly id: string;
@@ -26,10 +36,15 @@ export interface Exercise {
   draw(random: Random, kind: ShapeKind, level: Level): Draft | null;
   /** One or two sentences; ray, shape and what is given stand beside it. */
   ask(draft: Draft): string;
+  /** Whether the draft's parameter is what is asked for: it is shown nowhere before the question is solved. */
+  readonly asksForParam?: true;
   /** Quantities that are told. */
   readonly given: readonly string[];
   fields(draft: Draft, truth: Answers): readonly Field[];
-  answers(course: Course, draft: Draft): Answers;
+  /** From the start, or from what is given and what a student already has. */
+  answers(course: Course, draft: Draft, own?: Answers): Answers;
+  /** What the lines alone do not say. */
+  argue?(draft: Draft, found: Answers): Argument;
   /** The first hint, in words. */
   readonly clue: string;
   /** The lines of the derivation that it is about: A, B, C, D, t, P, N, N.d, N.(E-P), inside. */

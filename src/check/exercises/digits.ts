@@ -8,9 +8,10 @@ import type { CurvedDetails } from '../../math/intersection.ts';
 import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
 import type { Shape } from '../../math/shapes/index.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
 import type { Exercise } from './define.ts';
-import { drawUntil, kindsOf } from './draw.ts';
+import { drawUntil, kindsOf, numberOf } from './draw.ts';
 
 const LINES = [
   { id: 'A', title: 'A: its terms cancel' },
@@ -86,6 +87,20 @@ export const digits: Exercise = {
   ],
   answers: (course, draft) =>
     course.rules.loss === 'measured' ? (measured(draft) ?? {}) : { line: 't', cure: 'stable' },
+  argue: (draft, found) => {
+    const [B, D] = [numberOf(found, 'B'), numberOf(found, 'D')];
+    const product = 4 * numberOf(found, 'A') * numberOf(found, 'C');
+    const { lines, cures } = keptDigits(draft) ?? { lines: [], cures: [] };
+    const digits = (kept: number): string => kept.toFixed(0);
+    return {
+      rule: 'A line loses the digits in which its terms agree, and later lines cannot get them back.',
+      put: `B² = ${display(B * B)} and 4AC = ${display(product)}; −B = ${display(-B)} and √D = ${display(Math.sqrt(D))}: which of them nearly cancel? Or do the terms of A, B or C already?`,
+      decision: [
+        `Right digits, line by line: ${lines.map(([id, kept]) => `${id} ${digits(kept)}`).join(', ')}.`,
+        `Right digits of the roots: ${cures.map(({ id, kept }) => `${id} ${digits(kept)}`).join(', ')}.`,
+      ],
+    };
+  },
   clue: 'Two nearly equal numbers that are subtracted leave only the digits in which they differ.',
   lines: ['A', 'B', 'C', 'D', 't'],
 };
@@ -99,8 +114,8 @@ export function digitsRight(x: number, truth: number): number {
   return Number.isFinite(error) ? Math.min(16, Math.max(0, -Math.log10(error))) : 0;
 }
 
-/** Null where it is not clear-cut. */
-function measured({ shape, ray }: Input): Answers | null {
+/** Right digits of each line of the textbook method, and of the roots by each method; null where it has no two roots. */
+function keptDigits({ shape, ray }: Input): Kept | null {
   const of = (id: string) => findMethod(id)?.intersect(shape, ray);
   const exact = of('exact');
   const textbook = of('textbook');
@@ -119,10 +134,22 @@ function measured({ shape, ray }: Input): Answers | null {
     digitsRight(own[id], truth[id]),
   ]);
   lines.push(['t', rootDigits('textbook')]);
+  return { lines, cures: CURES.map(({ id }) => ({ id, kept: rootDigits(id) })) };
+}
+
+interface Kept {
+  readonly lines: readonly (readonly [string, number])[];
+  readonly cures: readonly { readonly id: string; readonly kept: number }[];
+}
+
+/** Null where it is not clear-cut. */
+function measured(input: Input): Answers | null {
+  const found = keptDigits(input);
+  if (!found) return null;
+  const { lines, cures } = found;
   const at = lines.findIndex(([, kept]) => kept < KEPT);
   const line = lines[at];
   if (line && line[1] > LOST) return null;
-  const cures = CURES.map(({ id }) => ({ id, kept: rootDigits(id) }));
   const best = cures.findIndex(({ kept }) => kept >= KEPT);
   const cure = cures[best];
   if (!cure || cures.slice(0, best).some(({ kept }) => kept > LOST)) return null;

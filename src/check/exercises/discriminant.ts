@@ -4,6 +4,7 @@ import { choiceField, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { CASES, type Exercise } from './define.ts';
 import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { caseWords } from './words.ts';
 
 export const discriminant: Exercise = {
   id: 'discriminant',
@@ -26,7 +27,8 @@ export const discriminant: Exercise = {
   ask: () => 'Find the discriminant D, and say in how many points the line of the ray meets it.',
   given: ['A', 'B', 'C'],
   fields: () => [numberField('D'), choiceField('case', 'the line has', CASES)],
-  answers: (course, draft) => chosen(work(course, draft), ['D', 'case']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['D', 'case']),
+  argue: (_, found) => ({ rule: '', put: '', decision: [caseWords(found)] }),
   clue: 'The sign of D decides: two roots, one double root, or none.',
   lines: ['D'],
 };

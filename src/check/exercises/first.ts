@@ -1,4 +1,5 @@
 import { pick } from '../../math/rng.ts';
+import { display } from '../../text/format.ts';
 import { choiceField, type Input } from '../types.ts';
 import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
@@ -43,7 +44,22 @@ export const first: Exercise = {
     choiceField('first', 'first visible hit', WHICH),
     choiceField('why', 'because', WHY),
   ],
-  answers: (course, draft) => chosen(work(course, draft), ['first', 'why']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['first', 'why']),
+  argue: (_, found) => {
+    const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
+    const both = `${display(t1)} < ${display(t2)}`;
+    const decision =
+      t1 >= 0
+        ? `0 ≤ ${both}: both are in front of E, t₁ is nearer, t₂ is farther along the ray.`
+        : t2 >= 0
+          ? `${display(t1)} < 0 ≤ ${display(t2)}: t₁ is behind E, only t₂ is in front of it.`
+          : `${both} < 0: both are behind E, so neither is visible.`;
+    return {
+      rule: 'Of the roots that are not negative, the smallest is seen first.',
+      put: `Is ${display(t1)} ≥ 0? Is ${display(t2)} ≥ 0? Which of those that are is smaller?`,
+      decision: [decision],
+    };
+  },
   clue: 'A ray starts at E, where t = 0, and runs towards larger t.',
   lines: ['t'],
 };

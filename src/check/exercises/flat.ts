@@ -30,9 +30,9 @@ const BOUNDS = ['rim-squared', 'corner-as-middle'];
 function isFit(input: Input, plain: boolean): boolean {
   const course = courseOf(input.shape);
   const found = roughWork(course, input);
-  const t = numberOf(found, 't');
+  const t = numberOf(found, 't1');
   if (!(Math.abs(t) > 0 && Math.abs(t) <= 12) || hasUnitLength(input.ray.direction)) return false;
-  if (!allClean(found, ['t', 'P1'])) return false;
+  if (!allClean(found, ['t1', 'P1'])) return false;
   if (!hasBound(input)) return true;
   if (plain) return found.inside === 'outside';
   return BOUNDS.some((id) => {
@@ -58,15 +58,26 @@ export const flat: Exercise = {
   },
   ask: (draft) =>
     hasBound(draft)
-      ? 'Find N·d, the t at which the ray meets the plane, and whether the point is inside.'
-      : 'Find N·d, and the t at which the ray meets the plane.',
+      ? 'Find N·d, the t at which the line of the ray meets the plane, and whether that point is inside.'
+      : 'Find N·d, and the t at which the line of the ray meets the plane.',
   given: [],
   fields: (draft) => [
     numberField('N.d', 'N·d'),
-    numberField('t', 't'),
+    numberField('t1', 't'),
     ...(hasBound(draft) ? [choiceField('inside', 'the point is', INSIDE)] : []),
   ],
-  answers: (course, draft) => chosen(work(course, draft), ['N.d', 't', 'inside']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['N.d', 't1', 'inside']),
+  argue: (draft, found) => ({
+    rule: '',
+    put: '',
+    decision: hasBound(draft)
+      ? [
+          found.inside === 'inside'
+            ? 'What bounds the figure holds: the point is inside.'
+            : 'Not all that bounds the figure holds: the point is outside.',
+        ]
+      : [],
+  }),
   clue: 'Put R(t) = E + t d into the equation of the plane and solve for t.',
-  lines: ['N.d', 'N.(E-P)', 't', 'inside'],
+  lines: ['N.d', 'N.(E-P)', 't', 'P', 'inside'],
 };

@@ -22,7 +22,7 @@ export const normal: Exercise = {
     'Find the course’s normal N at the hit point P. Its length does not matter, its direction does.',
   given: ['P'],
   fields: () => [directionField('N')],
-  answers: (course, draft) => chosen(work(course, draft), ['N']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['N']),
   clue: 'The normal is half the gradient of the surface’s equation at P.',
   lines: ['N'],
 };

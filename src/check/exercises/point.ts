@@ -1,3 +1,4 @@
+import { display } from '../../text/format.ts';
 import { tripleField } from '../types.ts';
 import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
@@ -28,7 +29,19 @@ export const point: Exercise = {
   ask: () => 'At which point P does the ray first meet the surface?',
   given: ['t1', 't2'],
   fields: () => [tripleField('P')],
-  answers: (course, draft) => chosen(work(course, draft), ['P']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['P']),
+  argue: (_, found) => {
+    const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
+    return {
+      rule: '',
+      put: '',
+      decision: [
+        t1 >= 0
+          ? `0 ≤ ${display(t1)} < ${display(t2)}: the ray meets t₁ first.`
+          : `${display(t1)} < 0 ≤ ${display(t2)}: t₁ is behind E, so the ray meets t₂ first.`,
+      ],
+    };
+  },
   clue: 'Choose the root that is seen first, and go that many lengths of d from E.',
   lines: ['P'],
 };

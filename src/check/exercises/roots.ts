@@ -2,6 +2,7 @@ import { numberField } from '../types.ts';
 import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
 import { chosen, drawInput, hasUnitLength, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
+import { withSign } from './words.ts';
 
 export const roots: Exercise = {
   id: 'roots',
@@ -24,7 +25,15 @@ export const roots: Exercise = {
   ask: () => 'Find both roots, the smaller one first.',
   given: ['A', 'B', 'C'],
   fields: () => [numberField('t1', 't₁'), numberField('t2', 't₂')],
-  answers: (course, draft) => chosen(work(course, draft), ['t1', 't2']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['t1', 't2']),
+  argue: (_, found) => ({
+    rule: '',
+    put: '',
+    decision:
+      numberOf(found, 'A') < 0
+        ? [`A = ${withSign(numberOf(found, 'A'))}: the plus sign gives the smaller root, t₁.`]
+        : [`A = ${withSign(numberOf(found, 'A'))}: the minus sign gives the smaller root, t₁.`],
+  }),
   clue: 'Work out D first. Then both signs of ± give a root each; where A < 0 the order turns.',
   lines: ['D', 't'],
 };

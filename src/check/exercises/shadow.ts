@@ -1,4 +1,5 @@
 import { pick } from '../../math/rng.ts';
+import { display } from '../../text/format.ts';
 import { choiceField, type Input } from '../types.ts';
 import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
@@ -36,7 +37,21 @@ export const shadow: Exercise = {
   ask: () => 'A light stands at E + d. Does the surface hide it from E?',
   given: ['t1', 't2'],
   fields: () => [choiceField('shadow', 'then', SHADOW)],
-  answers: (course, draft) => chosen(work(course, draft), ['shadow']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['shadow']),
+  argue: (_, found) => {
+    const ts = ['t1', 't2'].map((id) => numberOf(found, id));
+    const names = ['t₁', 't₂'];
+    const where = (t: number): string =>
+      t < 0 ? 'behind E' : t < 1 ? 'between E and the light' : 'beyond the light';
+    const each = ts.map((t, i) => `${names[i]} = ${display(t)} is ${where(t)}`);
+    const hides = ts.some((t) => t > 0 && t < 1);
+    const so = hides ? 'the surface stands before the light' : 'nothing stands before the light';
+    return {
+      rule: 'A point hides the light if 0 < t < 1 there.',
+      put: ts.map((t) => `Does ${display(t)} lie between 0 and 1?`).join(' '),
+      decision: [`${each.join(', ')}: ${so}.`],
+    };
+  },
   clue: 'The light is at t = 1. Only what lies between E and the light can hide it.',
   lines: ['t'],
 };

@@ -1,8 +1,10 @@
+import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
-import { choiceField, numberField } from '../types.ts';
+import { choiceField, mayBeAbsent, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { CASES, type Exercise } from './define.ts';
 import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { caseWords } from './words.ts';
 
 /** A = 0 for a curved shape: a line, with one root or none. */
 export const linear: Exercise = {
@@ -24,13 +26,20 @@ export const linear: Exercise = {
     return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
   ask: () =>
-    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t?',
+    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t? (Otherwise a dash.)',
   given: ['A', 'B', 'C'],
-  fields: (_, truth) => [
-    choiceField('case', 'the line has', CASES),
-    ...(truth.t1 === undefined ? [] : [numberField('t1', 't₁')]),
-  ],
-  answers: (course, draft) => chosen(work(course, draft), ['case', 't1']),
+  // The box stands there in any case: whether it is needed is part of the question.
+  fields: () => [choiceField('case', 'the line has', CASES), mayBeAbsent(numberField('t1', 't₁'))],
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['case', 't1']),
+  argue: (_, found) => {
+    const [B, C] = [numberOf(found, 'B'), numberOf(found, 'C')];
+    const t = found.t1 === undefined ? [] : [`t₁ = −C/B = ${display(numberOf(found, 't1'))}.`];
+    return {
+      rule: 'One root if B ≠ 0. If B = 0, either every t is a root or none, as C = 0 or not.',
+      put: `Which t make ${display(B)} · t + ${C < 0 ? `(${display(C)})` : display(C)} zero?`,
+      decision: [caseWords(found), ...t],
+    };
+  },
   clue: 'With A = 0 no square is left: B t + C = 0.',
   lines: ['A', 'B', 'C', 't'],
 };
@@ -44,7 +53,7 @@ export const PLACES = [
 /** N·d = 0 for a flat one. */
 export const parallel: Exercise = {
   id: 'parallel',
-  topic: 'N·d = 0',
+  topic: 'the line and the plane',
   paper: true,
   kinds: kindsOf('flat'),
   draw(random, kind, level) {
@@ -63,7 +72,20 @@ export const parallel: Exercise = {
     numberField('N.(E-P)', 'N·(E − P)'),
     choiceField('place', 'the line', PLACES),
   ],
-  answers: (course, draft) => chosen(work(course, draft), ['N.d', 'N.(E-P)', 'place']),
+  answers: (course, draft, own) => chosen(work(course, draft, own), ['N.d', 'N.(E-P)', 'place']),
+  argue: (_, found) => {
+    const [rate, offset] = [numberOf(found, 'N.d'), numberOf(found, 'N.(E-P)')];
+    const so = found.place === 'in' ? 'so the line lies in it' : 'so the line passes beside it';
+    return {
+      rule: '',
+      put: '',
+      decision: [
+        rate === 0
+          ? `N·d = 0: parallel. N·(E − P) = ${display(offset)}: E is ${offset === 0 ? 'in' : 'not in'} the plane, ${so}.`
+          : `N·d = ${display(rate)} is not 0: the line meets the plane in one point.`,
+      ],
+    };
+  },
   clue: 'N·d says how fast the ray nears the plane, N·(E − P) where it starts.',
   lines: ['N.d', 'N.(E-P)'],
 };

@@ -2,9 +2,11 @@ import { float64 } from '../../math/arithmetic/float64.ts';
 import { evaluate, evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
 import { valuesOf } from '../../math/methods/tree-method.ts';
 import { pick } from '../../math/rng.ts';
+import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, type Input, numberField } from '../types.ts';
 import { roughWork } from '../work.ts';
+import { byParam, linearWords } from './by-param.ts';
 import type { Draft, Exercise } from './define.ts';
 import { drawInput, kindsOf, numberOf } from './draw.ts';
 import { numberParams } from './params.ts';
@@ -31,15 +33,49 @@ export const tangent: Exercise = {
   },
   ask: ({ param }) =>
     `Which positive ${param?.symbol} makes the ray’s line tangent to the surface? (The value is to be found; all else stays.)`,
+  asksForParam: true,
   given: [],
   fields: ({ param }) => [numberField('value', param?.symbol)],
   answers(course, draft): Answers {
-    const [value, another] = tangentValues(course, draft);
+    const [value, another] = isOther(course, draft)
+      ? tangentValues(course, draft)
+      : rightValues(draft);
     return value === undefined || another !== undefined ? {} : { value };
+  },
+  argue: (draft) => {
+    const by = byParam(draft);
+    if (!draft.param || !by) return { rule: '', put: '', decision: [] };
+    const { D, u, isSquared } = by;
+    const { symbol } = draft.param;
+    const zero = -D.start / D.slope;
+    const form = `D = ${linearWords(D, u)}`;
+    return {
+      rule: '',
+      put: `With everything but ${symbol} put in, ${form}. For which ${symbol} > 0 is that 0?`,
+      decision: [
+        `${form} is 0 for ${u} = ${display(zero)}${isSquared ? `, so ${symbol} = √${display(zero)} = ${display(Math.sqrt(zero))}` : ''}.`,
+      ],
+    };
   },
   clue: 'Tangent means D = 0. Write D with the parameter as the unknown.',
   lines: ['A', 'B', 'C', 'D'],
 };
+
+/** Whether one of the lines is edited that the value depends on. */
+function isOther(course: Course, { shape }: Draft): boolean {
+  const right = courseOf(shape);
+  if (course.family === 'flat' || right.family === 'flat') return true;
+  return (['A', 'B', 'C', 'D'] as const).some((id) => course[id] !== right[id]);
+}
+
+const known = new WeakMap<Draft, number[]>();
+
+/** Most mistakes lie on other lines: the search is long, and made once for all of them. */
+function rightValues(draft: Draft): number[] {
+  const found = known.get(draft) ?? tangentValues(courseOf(draft.shape), draft);
+  known.set(draft, found);
+  return found;
+}
 
 const LARGEST = 27;
 /** An odd count of steps to the whole, so that no step ends on the values that are likely to be roots. */

@@ -36,6 +36,7 @@ import {
   normalSign,
   normalTurned,
 } from './normals.ts';
+import { ON_PAPER } from './on-paper.ts';
 import {
   aEpsilon,
   dEpsilon,
@@ -49,7 +50,7 @@ import {
   tIsDistance,
 } from './roots.ts';
 
-/** Every known mistake, in the order of the lines in which they happen. A new one is one value and one word here. */
+/** Every mistake that a program can show, in the order of the lines in which they happen. A new one is one value and one word here. */
 export const MISCONCEPTIONS: readonly Misconception[] = [
   radiusNotSquared,
   slopeNotSquared,
@@ -92,5 +93,8 @@ export const MISCONCEPTIONS: readonly Misconception[] = [
   alwaysTheRoot,
 ];
 
+/** And those that only lines on paper show. */
+export const ALL_MISCONCEPTIONS: readonly Misconception[] = [...MISCONCEPTIONS, ...ON_PAPER];
+
 export const findMisconception = (id: string): Misconception | undefined =>
-  MISCONCEPTIONS.find((one) => one.id === id);
+  ALL_MISCONCEPTIONS.find((one) => one.id === id);

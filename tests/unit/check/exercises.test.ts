@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { type Posed, pose } from '../../../src/check/compose.ts';
+import { derivationFor, type Posed, pose } from '../../../src/check/compose.ts';
 import type { Level } from '../../../src/check/exercises/define.ts';
 import { isClean } from '../../../src/check/exercises/draw.ts';
 import { EXERCISES } from '../../../src/check/exercises/index.ts';
@@ -14,14 +14,14 @@ const SEEDS = 200;
 
 const asText = (answer: Answer | undefined): string => {
   if (typeof answer === 'number') return Number.isNaN(answer) ? '1/0' : shortest(answer);
-  return typeof answer === 'object' ? answer.map(shortest).join('; ') : (answer ?? '');
+  return typeof answer === 'object' ? answer.map(shortest).join('; ') : (answer ?? '-');
 };
 
 const texts = (fields: readonly Field[], answers: Answers): Texts =>
   Object.fromEntries(fields.map(({ id }) => [id, asText(answers[id])] as const));
 
 const answered = (posed: Posed, answers: Answers) =>
-  judge(posed.fields, texts(posed.fields, answers), posed.truth, posed.suspects);
+  judge(derivationFor(posed), texts(posed.fields, answers));
 
 /** The truth again, by the exact rung and nothing of src/check. */
 function byExactRung({ draft, fields }: Posed): Answers {
@@ -34,9 +34,9 @@ function byExactRung({ draft, fields }: Posed): Answers {
       : {}),
     ...(flat ? { 'N.d': flat.rate, 'N.(E-P)': flat.offset } : {}),
     case: verdict,
-    t1: hits[0]?.t,
+    t1: flat ? flat.plane?.t : hits[0]?.t,
     t2: hits[1]?.t,
-    t: flat ? flat.plane?.t : first?.t,
+    t: first?.t,
     P: first?.point,
     N: first?.normal,
     inside: flat?.plane?.inside ? 'inside' : 'outside',
@@ -78,7 +78,8 @@ describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
       if (exercise.id === 'digits') return;
       for (const posed of all) {
         const truth = byExactRung(posed);
-        expect(Object.keys(truth)).toEqual(posed.fields.map(({ id }) => id));
+        const asked = posed.fields.filter((field) => !field.mayBeAbsent || truth[field.id]);
+        for (const { id } of asked) expect(truth[id], id).toBeDefined();
         expect(alike(posed.fields, truth, posed.truth), JSON.stringify([posed.draft, truth])).toBe(
           true,
         );
@@ -87,15 +88,16 @@ describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
 
     test('each misconception is rejected and named', () => {
       let named = 0;
-      for (const posed of all) {
+      // Every fourth is enough to meet each of them often.
+      for (const posed of all.filter((_, i) => i % 4 === 0)) {
         for (const { misconception, answers } of posed.suspects) {
           const judged = answered(posed, answers);
           expect(judged.verdict).toBe('wrong');
-          expect(judged.cause?.id).toBe(misconception.id);
+          expect(judged.causes.map(({ id }) => id)).toEqual([misconception.id]);
           named++;
         }
       }
-      expect(named).toBeGreaterThanOrEqual(SEEDS / 2);
+      expect(named).toBeGreaterThanOrEqual(SEEDS / 8);
     });
 
     test('no two misconceptions coincide', () => {
@@ -147,7 +149,7 @@ describe('the opposite ray and the swapped roots', () => {
       const [a, b] = intersect(posed.draft.shape, back, 'exact').hits;
       const judged = answered(posed, { t1: a?.t ?? 0, t2: b?.t ?? 0 });
       expect(judged.verdict).toBe('wrong');
-      expect(judged.cause?.id).toBe('lost-minus');
+      expect(judged.causes[0]?.id).toBe('lost-minus');
     }
   });
 
@@ -157,7 +159,7 @@ describe('the opposite ray and the swapped roots', () => {
       const { hits } = intersect(posed.draft.shape, posed.draft.ray, 'exact');
       const t = hits.find((hit) => hit.t >= 0)?.t ?? 0;
       const judged = answered(posed, { P: [E[0] - t * d[0], E[1] - t * d[1], E[2] - t * d[2]] });
-      expect(judged.cause?.id).toBe('backwards');
+      expect(judged.causes[0]?.id).toBe('backwards');
     }
   });
 
@@ -166,7 +168,7 @@ describe('the opposite ray and the swapped roots', () => {
       const { t1 = 0, t2 = 0 } = posed.truth;
       const judged = answered(posed, { t1: t2, t2: t1 });
       expect(judged.verdict).toBe('wrong');
-      expect(judged.cause?.id).toBe('swapped-roots');
+      expect(judged.causes[0]?.id).toBe('swapped-roots');
     }
   });
 });

@@ -1,0 +1,70 @@
+import type { Course } from './course.ts';
+import { type Derivation, fits, type Line, mistakesIn } from './derivation.ts';
+import type { Misconception } from './misconceptions/define.ts';
+
+/** More than two at once could be found in anything. */
+const MOST = 2;
+
+type Mistakes = readonly Misconception[];
+
+/**
+ * The mistakes that, made together, give every line: the wrong ones and the right ones, each from the start or from the
+ * student's own lines before it. As few as can be; none where several sets would do.
+ */
+export function causesOf(derivation: Derivation, course: Course, lines: readonly Line[]): Mistakes {
+  for (let count = 1; count <= MOST; count++) {
+    const found = search(derivation, course, lines, count, []);
+    if (found.length > 0) return only(found, derivation, lines);
+  }
+  return [];
+}
+
+function search(
+  derivation: Derivation,
+  course: Course,
+  lines: readonly Line[],
+  left: number,
+  made: Mistakes,
+): Mistakes[] {
+  const open = lines.findIndex((_, i) => !fits(derivation, course, lines, i));
+  if (open < 0) return made.length > 0 ? [made] : [];
+  if (left === 0) return [];
+  const found = [...mistakesIn(course)].flatMap(([mistake, edited]) =>
+    !made.includes(mistake) && fitsUpTo(derivation, edited, lines, open)
+      ? search(derivation, edited, lines, left - 1, [...made, mistake])
+      : [],
+  );
+  return found;
+}
+
+/** A mistake that explains a line must leave the lines before it as they are. */
+function fitsUpTo(
+  derivation: Derivation,
+  course: Course,
+  lines: readonly Line[],
+  last: number,
+): boolean {
+  for (let i = 0; i <= last; i++) if (!fits(derivation, course, lines, i)) return false;
+  return true;
+}
+
+/** The one set; of several the one that the question is about, or the one whose lines the student shows. */
+function only(found: readonly Mistakes[], { watch }: Derivation, lines: readonly Line[]): Mistakes {
+  const shown = new Set(lines.map(({ field }) => lineOf(field.id)));
+  const wishes: readonly ((mistake: Misconception) => boolean)[] = [
+    () => true,
+    ({ id }) => watch.includes(id),
+    ({ line }) => shown.has(line),
+  ];
+  for (const wish of wishes) {
+    const [one, ...others] = found.filter((mistakes) => mistakes.every(wish));
+    if (one && others.every((other) => sameSet(one, other))) return one;
+  }
+  return [];
+}
+
+const sameSet = (a: Mistakes, b: Mistakes): boolean =>
+  a.length === b.length && a.every((mistake) => b.includes(mistake));
+
+/** t1 and t2 are both the line t of the derivation. */
+export const lineOf = (id: string): string => id.replace(/[12]$/, '');

@@ -1,0 +1,106 @@
+import type { Course } from './course.ts';
+import { agrees, type Given } from './grade.ts';
+import type { Misconception } from './misconceptions/define.ts';
+import { ALL_MISCONCEPTIONS } from './misconceptions/index.ts';
+import { ABSENT, type Answers, type Field } from './types.ts';
+import type { Way } from './ways.ts';
+
+/** A line that a student wrote. */
+export interface Line {
+  readonly field: Field;
+  readonly given: Given;
+}
+
+/** What is asked for, line by line, and what right or edited formulas give for it. */
+export interface Derivation {
+  /** In the order of the derivation: a line depends on lines before it only. */
+  readonly fields: readonly Field[];
+  readonly course: Course;
+  /** The mistakes that the input was drawn to tell apart: preferred where others give the same. */
+  readonly watch: readonly string[];
+  /** What these formulas give from the start. */
+  truth(course: Course): Answers;
+  /** The same from values that a student already has. */
+  next(course: Course, own: Answers): Answers;
+}
+
+/** A derivation that works nothing out twice. */
+export function derivationOf(
+  fields: readonly Field[],
+  course: Course,
+  watch: readonly string[],
+  answers: (course: Course, own: Answers) => Answers,
+): Derivation {
+  const known = new WeakMap<Course, Answers>();
+  return {
+    fields,
+    course,
+    watch,
+    next: answers,
+    truth(edited) {
+      const found = known.get(edited) ?? answers(edited, {});
+      known.set(edited, found);
+      return found;
+    },
+  };
+}
+
+const edits = new WeakMap<Course, ReadonlyMap<Misconception, Course>>();
+
+/** Every known mistake that these formulas have room for, with the formulas that it makes of them. */
+export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
+  const known = edits.get(course);
+  if (known) return known;
+  const made = new Map<Misconception, Course>();
+  for (const misconception of ALL_MISCONCEPTIONS) {
+    const edited = misconception.edit(course);
+    if (edited) made.set(misconception, edited);
+  }
+  edits.set(course, made);
+  return made;
+}
+
+const ways = new WeakMap<Course, Map<Way, Course | null>>();
+
+/** The course as this way writes it. A way that depends on what was typed is made anew each time. */
+export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Course | null {
+  if (way.isOwn) return way.edit(course, own, truth(course));
+  const known = ways.get(course) ?? new Map<Way, Course | null>();
+  ways.set(course, known);
+  const found = known.get(way) ?? way.edit(course, own, truth(course));
+  known.set(way, found);
+  return found;
+}
+
+/** Whether these formulas give line `i`, from the start or from the lines that the student has before it. */
+export function fits(
+  { truth, next }: Derivation,
+  course: Course,
+  lines: readonly Line[],
+  i: number,
+): boolean {
+  const line = lines[i];
+  if (!line) return false;
+  const { field, given } = line;
+  const fromStart = truth(course);
+  if (agrees(field, given, fromStart[field.id])) return true;
+  // Lines that are just those from the start lead nowhere else.
+  const leadsElsewhere = lines.slice(0, i).some((one) => !isSame(one, fromStart));
+  return leadsElsewhere && agrees(field, given, next(course, before(lines, i))[field.id]);
+}
+
+/** Far below any digit that somebody types, far above the rounding of doubles. */
+const EXACT = 1e-12;
+
+function isSame({ field, given: { value } }: Line, answers: Answers): boolean {
+  const truth = answers[field.id] ?? ABSENT;
+  const near = (x: number, y: number | undefined): boolean =>
+    y !== undefined && Math.abs(x - y) <= EXACT * Math.abs(y);
+  if (typeof value === 'number') return typeof truth === 'number' && near(value, truth);
+  if (typeof value === 'string') return value === truth;
+  return typeof truth === 'object' && value.every((x, k) => near(x, truth[k]));
+}
+
+/** The values of the lines before line `i`. */
+export const before = (lines: readonly Line[], i: number): Answers =>
+  Object.fromEntries(lines.slice(0, i).map(({ field, given }) => [field.id, given.value]));
