@@ -20,6 +20,7 @@ import { copyText } from './ui/clipboard.ts';
 import { download, onTooLarge, pickFile, watchDrops } from './ui/files.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { watchHighlight } from './ui/highlight.ts';
+import { late } from './ui/late.ts';
 import { recall, remember, THEMES, watchTheme } from './ui/theme.ts';
 import './ui/tokens.css';
 import './ui/base.css';
@@ -35,7 +36,7 @@ const TITLE = document.title;
 const app = document.getElementById('app') as HTMLElement;
 const header = document.createElement('div');
 const main = document.createElement('main');
-app.append(header, main);
+app.replaceChildren(header, main);
 
 let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
@@ -98,12 +99,14 @@ const dialogParts: DialogParts = {
 let dialogs: Promise<Dialogs> | null = null;
 /** Their code is loaded when the first of them is asked for. */
 function openDialog(name: keyof Dialogs): void {
-  dialogs ??= import('./pages/dialogs.ts').then(({ createDialogs }) => createDialogs(dialogParts));
+  dialogs ??= late(() => import('./pages/dialogs.ts')).then(({ createDialogs }) =>
+    createDialogs(dialogParts),
+  );
   dialogs.then(
     (made) => made[name](),
     () => {
       dialogs = null;
-      say('this could not be loaded: try it again');
+      say('this could not be loaded: try it again, or reload the page');
     },
   );
 }
@@ -145,6 +148,10 @@ function renderAll(): void {
     shell(state, store.dispatch, {
       theme: theme.current(),
       command,
+      turn(page) {
+        store.dispatch({ type: 'page', page });
+        desk.again();
+      },
       canUndo: store.canUndo(),
       canRedo: store.canRedo(),
       said,

@@ -1,6 +1,7 @@
 import type { LabReply, LabRequest } from '../lab/messages.ts';
 import type { Measured, MeasureRequest } from '../lab/session.ts';
 import type { SweepPoint, SweepRequest } from '../lab/sweep.ts';
+import { late } from '../ui/late.ts';
 
 /** A worker of the laboratory, as far as the page needs one. */
 export interface LabWorker {
@@ -125,7 +126,7 @@ function createJob<Request, Result>(
 export async function spawnLab(): Promise<LabWorker> {
   const { default: Lab } =
     import.meta.env.MODE === 'single'
-      ? await import('../workers/lab.ts?worker&inline')
-      : await import('../workers/lab.ts?worker');
+      ? await late(() => import('../workers/lab.ts?worker&inline'))
+      : await late(() => import('../workers/lab.ts?worker'));
   return new Lab();
 }

@@ -1,12 +1,18 @@
+import { html, render, type TemplateResult } from 'lit';
 import type { AppState, PageId } from '../state/state.ts';
+import { notLoaded } from '../ui/late.ts';
 import { LATER, type MountPage, type PageContext, type PageView } from './page.ts';
 
 /** Loading that takes longer than this is said. */
 const PATIENCE_MS = 300;
+/** After this long the request may be lost. */
+const LONG_MS = 15_000;
 
 export interface Desk {
   /** Puts the page of this state on the desk, and draws it. */
   show(state: AppState): void;
+  /** Asks again for the page that is shown, if its code did not come. */
+  again(): void;
   /** The page that lies there, if its code has arrived; Explore is not among them. */
   current(): PageView | null;
 }
@@ -25,6 +31,8 @@ export interface DeskTools extends PageContext {
 export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
   const hosts = new Map<PageId, HTMLElement>();
   const views = new Map<PageId, PageView>();
+  /** Pages whose code did not come, each with a way to ask for it again. */
+  const failed = new Map<PageId, () => void>();
   let shown: PageId | null = null;
 
   const place = (page: PageId): void => {
@@ -35,6 +43,7 @@ export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
     hosts.set(page, host);
     main.replaceChildren(host);
     if (!known) mount(page, host);
+    else failed.get(page)?.();
   };
 
   const mount = (page: PageId, host: HTMLElement): void => {
@@ -44,26 +53,36 @@ export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
   };
 
   const load = (page: PageId, code: () => Promise<MountPage>, host: HTMLElement): void => {
-    const notice = document.createElement('p');
+    const notice = document.createElement('div');
     notice.className = 'page-waiting';
-    notice.setAttribute('role', 'status');
-    host.append(notice);
-    const waiting = setTimeout(() => {
-      notice.textContent = 'loading…';
-    }, PATIENCE_MS);
+    host.replaceChildren(notice);
+    const put = (words: TemplateResult): void => {
+      render(words, notice);
+    };
+    const again = (): void => load(page, code, host);
+    const timers = [
+      setTimeout(() => put(html`<p role="status">loading…</p>`), PATIENCE_MS),
+      setTimeout(() => put(notLoaded('This page has not come yet.', again)), LONG_MS),
+    ];
+    const settled = (): void => {
+      for (const timer of timers) clearTimeout(timer);
+    };
+    failed.delete(page);
     code().then(
       (mountPage) => {
-        clearTimeout(waiting);
-        notice.remove();
+        settled();
+        // What was asked for twice comes twice.
+        if (views.has(page)) return;
+        host.replaceChildren();
         const view = mountPage(host, tools);
         views.set(page, view);
         if (shown === page) tools.arrived(view);
         tools.changed();
       },
       () => {
-        clearTimeout(waiting);
-        hosts.delete(page);
-        notice.textContent = 'This page could not be loaded. Choose it again to try once more.';
+        settled();
+        failed.set(page, again);
+        put(notLoaded('This page could not be loaded.', again));
       },
     );
   };
@@ -73,6 +92,9 @@ export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
       if (state.page !== shown) place(state.page);
       if (LATER[state.page]) views.get(state.page)?.render(state);
       else tools.explore.render(state);
+    },
+    again: () => {
+      if (shown !== null) failed.get(shown)?.();
     },
     current: () => (shown === null ? null : (views.get(shown) ?? null)),
   };

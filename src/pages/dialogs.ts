@@ -1,10 +1,11 @@
-import { html } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
 import type { Example } from '../state/example.ts';
 import type { PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
+import { notLoaded } from '../ui/late.ts';
 import type { Command, PageTools } from './commands.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
@@ -44,10 +45,21 @@ export function createDialogs(parts: DialogParts): Dialogs {
 }
 
 function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
-  let items: readonly Takeaway[] | null = null;
-  const dialog = createDialog('File and export', () =>
-    items ? shareContent(items, { copy, keep, ...actions }) : html`<p>loading…</p>`,
-  );
+  let items: readonly Takeaway[] | 'loading' | 'failed' = 'loading';
+  const content = (): TemplateResult => {
+    if (items === 'loading') return html`<p role="status">loading…</p>`;
+    if (items === 'failed') return notLoaded('What can be copied or saved did not come.', load);
+    return shareContent(items, { copy, keep, ...actions });
+  };
+  const dialog = createDialog('File and export', content);
+  const put = (next: typeof items): void => {
+    items = next;
+    dialog.refresh();
+  };
+  const load = (): void => {
+    put('loading');
+    takeaways().then(put, () => put('failed'));
+  };
   const close = (act: () => void) => () => {
     dialog.close();
     act();
@@ -70,9 +82,6 @@ function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
   };
   return () => {
     dialog.open();
-    void takeaways().then((found) => {
-      items = found;
-      dialog.refresh();
-    });
+    load();
   };
 }

@@ -1,5 +1,7 @@
+import { html, nothing, render } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
+import { late, notLoaded } from '../ui/late.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import type { Thumbnail } from './gallery.ts';
 
@@ -21,31 +23,37 @@ export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
   let code: SceneCode | null = null;
   let mounted: ReturnType<SceneCode['mountScene']> | null = null;
   let disposed = false;
-  const notice = document.createElement('p');
+  const notice = document.createElement('div');
   notice.className = 'scene-waiting';
-  notice.setAttribute('role', 'status');
-  const say = (words: string): void => {
-    notice.textContent = words;
+  const load = (): void => {
     host.append(notice);
+    render(nothing, notice);
+    const waiting = setTimeout(
+      () => render(html`<p role="status">drawing…</p>`, notice),
+      PATIENCE_MS,
+    );
+    late(() => import('../canvas/scene.ts')).then(
+      (loaded) => {
+        clearTimeout(waiting);
+        notice.remove();
+        if (disposed) return;
+        code = loaded;
+        mounted = loaded.mountScene(host, dispatch);
+        if (model) mounted.render(model);
+      },
+      () => {
+        clearTimeout(waiting);
+        render(
+          notLoaded(
+            'The picture could not be loaded. All numbers, formulas and the plot work.',
+            load,
+          ),
+          notice,
+        );
+      },
+    );
   };
-  const waiting = setTimeout(() => say('drawing…'), PATIENCE_MS);
-  const done = (): void => {
-    clearTimeout(waiting);
-    notice.remove();
-  };
-  import('../canvas/scene.ts').then(
-    (loaded) => {
-      done();
-      if (disposed) return;
-      code = loaded;
-      mounted = loaded.mountScene(host, dispatch);
-      if (model) mounted.render(model);
-    },
-    () => {
-      done();
-      say('The picture could not be loaded. All numbers, formulas and the plot work.');
-    },
-  );
+  load();
   return {
     render(next) {
       model = next;

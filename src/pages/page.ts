@@ -1,5 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState, PageId, Settings } from '../state/state.ts';
+import { late } from '../ui/late.ts';
 import type { Takeaway } from './share.ts';
 
 /**
@@ -40,7 +41,7 @@ export interface Readable {
 
 /** By the id of the page: its code, loaded when it is first shown. */
 export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
-  accuracy: async () => (await import('./accuracy.ts')).mountAccuracy,
-  check: async () => (await import('./check.ts')).mountCheck,
-  picture: () => import('./picture.ts').then(({ loadPicture }) => loadPicture()),
+  accuracy: () => late(() => import('./accuracy.ts')).then(({ mountAccuracy }) => mountAccuracy),
+  check: () => late(() => import('./check.ts')).then(({ mountCheck }) => mountCheck),
+  picture: () => late(() => import('./picture.ts')).then(({ loadPicture }) => loadPicture()),
 };

@@ -10,6 +10,8 @@ import './shell.css';
 export interface ShellTools {
   readonly theme: Theme;
   readonly command: (id: string) => Command | undefined;
+  /** Shows a page; one that could not be loaded is tried again. */
+  readonly turn: (page: PageId) => void;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   /** What was just done, in words; '' for nothing. */
@@ -22,7 +24,7 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
   const turnTo = (page: PageId) => (event: MouseEvent) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
     event.preventDefault();
-    dispatch({ type: 'page', page });
+    tools.turn(page);
   };
   return html`<header class="header">
       <h1 class="visually-hidden">Graze: where does a ray meet a surface?</h1>

@@ -1,4 +1,5 @@
 import type { ExploreModel } from '../state/derive.ts';
+import { late } from '../ui/late.ts';
 import { svgText } from '../ui/svg-text.ts';
 import type { Explore } from './explore.ts';
 import type { Takeaway } from './share.ts';
@@ -6,7 +7,7 @@ import type { Takeaway } from './share.ts';
 /** What can be taken from the Explore page: texts made from the model, and its two pictures. */
 export async function takeaways(explore: Explore, model: () => ExploreModel): Promise<Takeaway[]> {
   // Printers are of no use before somebody asks for one.
-  const { EXPORTS } = await import('../state/exports/index.ts');
+  const { EXPORTS } = await late(() => import('../state/exports/index.ts'));
   const texts = EXPORTS.map(
     ({ id, title, extension, mime, text }): Takeaway => ({
       id,

@@ -78,23 +78,6 @@ test.describe('from page to page', () => {
   });
 });
 
-test.describe('when a page’s code does not come', () => {
-  test.use({ provoked: NO_SCENE });
-  test('a sentence says so, the others work, and it can be tried again', async ({ page }) => {
-    let broken = true;
-    await page.route(/\/check-[^/]*\.js$/, (route) => (broken ? route.abort() : route.continue()));
-    await withoutScene(page);
-    await open(page, '#/explore');
-    await page.getByRole('link', { name: 'Check', exact: true }).click();
-    await expect(page.locator('.page-waiting')).toContainText('could not be loaded');
-    await page.getByRole('link', { name: 'Explore', exact: true }).click();
-    await expect(page.locator('[data-quantity="class"]')).toBeVisible();
-    broken = false;
-    await page.getByRole('link', { name: 'Check', exact: true }).click();
-    await expect(page.getByRole('heading', { name: /Question 1/ })).toBeVisible();
-  });
-});
-
 test('a saved state brings back every page’s settings', async ({ page }) => {
   await page.goto(`./#/picture?${SMALL}`);
   await expect(page.locator('[data-trace="finished"]')).toBeVisible();

@@ -382,3 +382,16 @@ describe('these rules would notice', () => {
     expect(wrongActs(one('src/workers/lab.ts', 'self.onmessage = () => {};'))).toEqual([]);
   });
 });
+
+test('late code is asked for by `late`, which fetches again what failed', () => {
+  const asks = Object.entries(SRC).flatMap(([path, source]) =>
+    // A worker has no document; the offline file carries what is imported as text.
+    /^src\/scene\/effects\//.test(path)
+      ? []
+      : [...source.matchAll(/^.*[^.\w]import\(.*$/gm)]
+          .map(([line]) => line)
+          .filter((line) => !/typeof import\(|\?raw/.test(line)),
+  );
+  expect(asks.length).toBeGreaterThan(5);
+  for (const line of asks) expect(line).toMatch(/late\(\(\) => import\(/);
+});

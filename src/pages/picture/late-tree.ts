@@ -1,4 +1,6 @@
+import { nothing, render } from 'lit';
 import type { TreeModel } from '../../canvas/tree.ts';
+import { late, notLoaded } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
 /** The view in space, whose code is loaded with the first pixel that is chosen. The list stands without it. */
@@ -13,13 +15,15 @@ export function lateTree(host: HTMLElement): LateTree {
   let asked = false;
   const load = (): void => {
     asked = true;
-    import('../../canvas/tree.ts').then(
+    render(nothing, host);
+    late(() => import('../../canvas/tree.ts')).then(
       ({ mountTree }) => {
         mounted = mountTree(host);
         if (model) mounted.render(model);
       },
       () => {
-        host.textContent = 'The view in space could not be loaded. The list has every ray.';
+        const words = 'The view in space could not be loaded. The list has every ray.';
+        render(notLoaded(words, load), host);
       },
     );
   };

@@ -1,3 +1,4 @@
+import { late } from '../../ui/late.ts';
 import type { WorkerLike } from '../../workers/trace-job.ts';
 
 export type Spawn = () => WorkerLike;
@@ -9,7 +10,7 @@ export type Spawn = () => WorkerLike;
 export async function tracerSpawner(): Promise<Spawn> {
   const { default: TraceWorker } =
     import.meta.env.MODE === 'single'
-      ? await import('../../workers/trace.ts?worker&inline')
-      : await import('../../workers/trace.ts?worker');
+      ? await late(() => import('../../workers/trace.ts?worker&inline'))
+      : await late(() => import('../../workers/trace.ts?worker'));
   return () => new TraceWorker();
 }
