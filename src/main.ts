@@ -20,7 +20,7 @@ import { copyText } from './ui/clipboard.ts';
 import { download, onTooLarge, pickFile, watchDrops } from './ui/files.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { watchHighlight } from './ui/highlight.ts';
-import { late } from './ui/late.ts';
+import { late, watchStyles } from './ui/late.ts';
 import { recall, remember, THEMES, watchTheme } from './ui/theme.ts';
 import './ui/tokens.css';
 import './ui/base.css';
@@ -258,5 +258,6 @@ document.addEventListener('keydown', (event) => {
 watchDrops(document.body, openText);
 onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
 watchHighlight(app);
+watchStyles(document);
 renderAll();
 writeLink();

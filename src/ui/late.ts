@@ -6,14 +6,15 @@ import { html, type TemplateResult } from 'lit';
  */
 
 const failedStyles = new Set<HTMLLinkElement>();
-// Errors of elements do not bubble.
-document.addEventListener(
-  'error',
-  ({ target }) => {
+
+/** Remembers style sheets that do not come; called once. */
+export function watchStyles(root: Document): void {
+  const failed = ({ target }: Event): void => {
     if (target instanceof HTMLLinkElement && target.rel === 'stylesheet') failedStyles.add(target);
-  },
-  true,
-);
+  };
+  // Errors of elements do not bubble.
+  root.addEventListener('error', failed, true);
+}
 
 /** Loads what is not there yet; asked again after a failure, it fetches what failed again, style sheets included. */
 export async function late<T>(load: () => Promise<T>): Promise<T> {
