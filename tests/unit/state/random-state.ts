@@ -84,7 +84,6 @@ function typedIn(state: AppState, [E, d, own]: readonly (string | null)[]): AppS
 /** Any state that a link can carry in full. */
 export const anyState: fc.Arbitrary<AppState> = fc
   .record({
-    texts: fc.array(fc.option(text), { minLength: 3, maxLength: 3 }),
     page: fc.constantFrom(...PAGES.filter(({ ray }) => ray).map(({ id }) => id)),
     shape: anyShape,
     E: vector,
@@ -93,6 +92,7 @@ export const anyState: fc.Arbitrary<AppState> = fc
     method: fc.constantFrom(...METHODS.map(({ id }) => id as string)),
     view,
     bead: fc.option(double, { nil: null }),
+    texts: fc.array(fc.option(text), { minLength: 3, maxLength: 3 }),
     between: fc.option(heights, { nil: null }),
   })
   .map(({ shape, texts, ...rest }) => {
