@@ -3,6 +3,7 @@ import { findShape } from '../math/shapes/lookup.ts';
 import type { Param } from '../math/shapes/params.ts';
 import { AXES, type Vec3 } from '../math/vec3.ts';
 import { shortest } from '../text/format.ts';
+import { normalise } from '../text/normalise.ts';
 import { parseNumber } from '../text/parse.ts';
 import { type AppState, paramValue, RAY_PARAMS } from './state.ts';
 
@@ -47,7 +48,7 @@ function places(owner: string, param: Param, value: Vec3 | number | string): Pla
 /** As it is kept: with decimal points, since commas separate in a link; undefined where there is nothing to keep. */
 export function keptText(text: string | undefined, value: number): string | undefined {
   const plain = text?.trim().replace(/,(?=\d)/g, '.');
-  if (plain === undefined || withoutPlus(plain) === linkNumber(value)) return undefined;
+  if (plain === undefined || spelled(plain) === linkNumber(value)) return undefined;
   const parsed = parseNumber(plain);
   return parsed.ok && Object.is(parsed.value, value) ? plain : undefined;
 }
@@ -55,7 +56,10 @@ export function keptText(text: string | undefined, value: number): string | unde
 /** A plus sign turns into a space in some programs that pass links on; the exponent does not need it. */
 export const linkNumber = (x: number): string => withoutPlus(shortest(x));
 
-const withoutPlus = (text: string): string => text.replace(/e\+/i, 'e');
+/** Of +3 and of −3 with a typographic minus there is nothing to keep. */
+const spelled = (text: string): string => withoutPlus(normalise(text)).replace(/^\+/, '');
+
+const withoutPlus = (text: string): string => text.replace('e+', 'e');
 
 /** The state after a change by which `texts` were typed; the texts of other numbers that changed are of the past. */
 export function retyped(before: AppState, after: AppState, texts: TypedTexts = {}): AppState {

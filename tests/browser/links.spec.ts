@@ -2,7 +2,7 @@ import { SHAPES, type Shape, type Vec3 } from '../../src/math/index.ts';
 import { pick, type Random, randomSign, seeded, uniform, wide } from '../../src/math/rng.ts';
 import { checkParam } from '../../src/math/shapes/params.ts';
 import { cone } from './support/cases.ts';
-import { expectInLink, press, slider, typeInto } from './support/controls.ts';
+import { box, expectInLink, press, slider, typeInto } from './support/controls.ts';
 import { expected, linkOf } from './support/expected.ts';
 import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -104,12 +104,29 @@ test('a hash typed into the address bar shows its state, also right after a chan
   await expect(page.locator('[data-quantity="E.z"]')).toHaveAttribute('data-value', '5');
 });
 
+test('what was typed is in the link, and in its box again after a reload', async ({ page }) => {
+  await open(page, '#/explore?shape=cone&V=0,0,0&c=0.5&E=1,3,0&d=1,3,0&method=exact');
+  await expect(page.locator('.as-typed')).toHaveCount(0);
+  await typeInto(page, 'c', '1/3');
+  await expectInLink(page, { c: '1/3' });
+  await page.reload();
+  await expect(page.locator('[data-quantity="typed.class"]')).toHaveAttribute(
+    'data-value',
+    'contained',
+  );
+  await box(page, 'c').focus();
+  await expect(box(page, 'c')).toHaveValue('1/3');
+  await typeInto(page, 'c', 'tan(30)');
+  await expect(box(page, 'c')).toHaveAccessibleDescription(/radians; tan\(30 deg\) in degrees/);
+  await expectInLink(page, { c: 'tan(30)' });
+});
+
 test('history does not grow while something is slid, typed or turned', async ({ page }) => {
   await open(page, '#/explore?shape=cone&method=exact');
   const before = await page.evaluate(() => history.length);
   for (let i = 0; i < 12; i++) await press(page, slider(page, 'E.x'), 'ArrowRight');
   await typeInto(page, 'c', '1/3');
-  await expectInLink(page, { E: '4.2,1,1', c: String(1 / 3), method: 'exact' });
+  await expectInLink(page, { E: '4.2,1,1', c: '1/3', method: 'exact' });
   expect(await page.evaluate(() => history.length)).toBe(before);
 });
 

@@ -85,7 +85,9 @@ describe('what was typed', () => {
     expect(put(0.25, '1/3')).toEqual({});
     expect(put(0.25, '0.25')).toEqual({});
     expect(put(0.25, ' 0,25 ')).toEqual({});
-    expect(put(1e21, '1e+21')).toEqual({});
+    expect(put(1e21, '1E+21')).toEqual({});
+    expect(put(3, '+3')).toEqual({});
+    expect(put(-3, '−3')).toEqual({});
     expect(put(0.25, ' 0,5/2 ')).toEqual({ 'cone.c': '0.5/2' });
   });
 });
