@@ -58,15 +58,18 @@ export function sceneOf(parts: Parts): SceneModel {
   };
 }
 
+/** A float method may know that a point is outside the figure and, for an overflow, not where: that one has no mark. */
 function hitMarks(found: Intersection, stage: Stage): HitMark[] {
   const { details, hits } = found;
-  return hitWords(found).map(({ index, role, t }, i) => {
-    const hit = role === 'outside' && details.family === 'flat' ? details.plane : hits[i];
-    const point = hit?.point ?? [0, 0, 0];
-    const drawn = point.every(Number.isFinite) && isDrawn(point, stage);
-    const normal = hit && !hit.singular && role !== 'outside' ? hit.normal : null;
-    return { index, role, t, point, normal, drawn };
-  });
+  return hitWords(found)
+    .map(({ index, role, t }, i) => {
+      const hit = role === 'outside' && details.family === 'flat' ? details.plane : hits[i];
+      const point = hit?.point ?? [0, 0, 0];
+      const drawn = point.every(Number.isFinite) && isDrawn(point, stage);
+      const normal = hit && !hit.singular && role !== 'outside' ? hit.normal : null;
+      return { index, role, t, point, normal, drawn };
+    })
+    .filter(({ point }) => !point.some(Number.isNaN));
 }
 
 /** Where the ray, over the strip's stretch of t and a little beyond, is inside the stage; null if nowhere. */

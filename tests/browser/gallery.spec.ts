@@ -2,6 +2,7 @@ import { intersect } from '../../src/math/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
+import { typeInto } from './support/controls.ts';
 import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
@@ -46,6 +47,22 @@ test.describe('without the picture', () => {
 
   test('the far one says that the textbook formula is contradicted', async ({ page }) => {
     await open(page, GALLERY.find(({ id }) => id === 'cylinder-far')?.link ?? '');
-    await expect(page.locator('.contradicted')).toHaveText('exact arithmetic says: two');
+    await expect(page.locator('.verdict')).toContainText('the ray misses');
+    await expect(page.locator('.contradicted')).toContainText('exact arithmetic says: two');
+  });
+
+  test('an example that was changed says so, and no longer has a caption', async ({ page }) => {
+    const rim = GALLERY.find(({ id }) => id === 'circle-rim');
+    await open(page, rim?.link ?? '');
+    const name = page.locator('.example-name strong');
+    await expect(name).toHaveText('on the rim');
+    await expect(page.locator('.look')).toHaveText(rim?.look ?? '');
+    await typeInto(page, 'r', '1.5');
+    await expect(name).toHaveText('on the rim, changed');
+    await expect(page.locator('.look')).toHaveCount(0);
+    await page.locator('.example-name').focus();
+    await page.keyboard.press('Control+z');
+    await expect(name).toHaveText('on the rim');
+    await expect(page.locator('.look')).toHaveText(rim?.look ?? '');
   });
 });
