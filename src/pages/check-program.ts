@@ -1,4 +1,5 @@
 import { html, render } from 'lit';
+import { tooLong } from '../check/program/script.ts';
 import { example, template } from '../check/program/template.ts';
 import { editor, exchange, programHead } from '../panels/check-program.ts';
 import type { ProgramTools } from '../panels/check-program-view.ts';
@@ -28,26 +29,48 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
   const picture = turnablePicture(failing, changed);
   const runs = createRuns(host, changed);
   let cases = '';
-  let written = memory.program();
+  // A text that is too long for the box, kept by an older version, stays where it is until another is written.
+  const kept = memory.program();
+  let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
+  let written = unshown === null ? kept : null;
+  let refusal =
+    unshown === null
+      ? ''
+      : `The program that this device remembers is not shown: ${tooLong(unshown)}.`;
   const templateNow = (): string => template(kindsFor(cases));
   const source = (): string => written ?? templateNow();
-  const write = (text: string): void => {
-    written = text;
-    memory.keepProgram(text);
+  const refuse = (words: string): void => {
+    refusal = words;
+    changed();
+  };
+  /** What stands in the box stays there if the new text is not taken. */
+  const takes = (text: string, what = 'This text'): boolean => {
+    const reason = tooLong(text);
+    if (reason) refuse(`${what} was not taken: ${reason}.`);
+    return reason === '';
+  };
+  const write = (text: string, what?: string): void => {
+    if (takes(text, what)) {
+      written = text;
+      unshown = null;
+      refusal = '';
+      memory.keepProgram(text);
+    }
     changed();
   };
   const isOurs = (text: string): boolean => {
-    const kinds = kindsFor(cases);
-    return text.trim() === '' || text === templateNow() || kinds.some((k) => text === example(k));
+    const choices = [kindsFor(cases), ...kindsFor('all').map((kind) => [kind])];
+    return text.trim() === '' || choices.some((k) => text === template(k) || text === example(k));
   };
   /** What somebody wrote is not thrown away for a template: it goes below it. */
-  const offer = (text: string): void => {
+  const offer = (text: string, what: string): void => {
     const before = source();
-    const kept = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;
-    write(isOurs(before) ? text : text + kept);
+    const below = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;
+    write(isOurs(before) ? text : text + below, what);
   };
   const tools: ProgramTools = {
-    edit: write,
+    edit: (text) => write(text),
+    takes: (text) => takes(text),
     pick(kind) {
       if (source() === templateNow()) write(template(kindsFor(kind)));
       cases = kind;
@@ -57,10 +80,12 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     cancel: () => runs.cancel(),
     async openFile() {
       const text = await pickFile('.js,.mjs,text/javascript');
-      if (text !== null) write(text);
+      if (text === '') refuse('The file is empty, or larger than 2 MB.');
+      else if (text !== null) write(text, 'The file');
     },
-    template: () => offer(templateNow()),
-    example: () => offer(example(kindsFor(cases)[0] ?? 'cylinder')),
+    saveUnshown: () => download('intersect.js', unshown ?? '', 'text/javascript'),
+    template: () => offer(templateNow(), 'With what stands here, the template'),
+    example: () => offer(example(kindsFor(cases)), 'With what stands here, the example'),
     select: (failure) => runs.select(failure),
     saveCases: (format) =>
       download(`graze-cases.${format}`, runs.file(format, cases), TYPES[format]),
@@ -83,7 +108,10 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
       ({ cases } = settings);
       const run = runs.get();
       const link = run.selected && exploreLink(run.selected.case);
-      const view = { ...run, source: source(), kind: cases, link };
+      const view = {
+        ...run,
+        ...{ source: source(), refusal, unshown: unshown !== null, kind: cases, link },
+      };
       render(
         html`${programHead(view, tools)}${editor(view, tools)}${programReport(view, tools)}`,
         main,
@@ -95,7 +123,7 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     cases: (format) => runs.file(format, cases),
     open(text) {
       if (!/\bintersect\b/.test(text) || !/function|=>/.test(text)) return runs.grade(text, cases);
-      write(text);
+      write(text, 'The file');
       return true;
     },
     cancel: () => runs.cancel(),

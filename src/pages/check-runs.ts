@@ -1,9 +1,11 @@
 import type { Case } from '../check/program/cases.ts';
 import { casesFor } from '../check/program/cases.ts';
-import { casesCsv, casesJson, readResults } from '../check/program/exchange.ts';
+import { casesCsv, casesJson } from '../check/program/exchange.ts';
 import type { Output } from '../check/program/judge.ts';
-import { asScript } from '../check/program/protocol.ts';
+import type { ConsoleLine, Timing } from '../check/program/protocol.ts';
 import { type Failure, type Report, reportOf } from '../check/program/report.ts';
+import { readResults } from '../check/program/results.ts';
+import { adviceFor, asScript, tooLong } from '../check/program/script.ts';
 import { textbookFor } from '../check/program/template.ts';
 import { SHAPES, type ShapeKind } from '../math/shapes/index.ts';
 import { runInSandbox } from './sandbox.ts';
@@ -16,13 +18,21 @@ const TIMED = 24;
 export const kindsFor = (cases: string): readonly ShapeKind[] =>
   SHAPES.map(({ kind }) => kind).filter((kind) => cases === 'all' || cases === kind);
 
+/** Of what the program says outside of its results, so much is shown. */
+const MOST_NOTES = 3;
+const MOST_LINES = 101;
+
 /** What a run of a program has led to so far. */
 export interface RunState {
   readonly running: { readonly done: number; readonly total: number } | null;
   readonly trouble: string;
   readonly notes: readonly string[];
+  /** What the program wrote on its console. */
+  readonly lines: readonly ConsoleLine[];
   readonly report: Report | null;
-  readonly multiple: number | null;
+  readonly timing: Timing | null;
+  /** Why there is no timing; '' where that needs no words. */
+  readonly untimed: string;
   readonly selected: Failure | null;
   /** How many runs have come to their end. */
   readonly finished: number;
@@ -32,8 +42,10 @@ const NOTHING: RunState = {
   running: null,
   trouble: '',
   notes: [],
+  lines: [],
   report: null,
-  multiple: null,
+  timing: null,
+  untimed: '',
   selected: null,
   finished: 0,
 };
@@ -73,6 +85,11 @@ export function createRuns(host: Element, changed: () => void): Runs {
     get: () => state,
     run(source, kinds) {
       close?.();
+      const refusal = tooLong(source);
+      if (refusal) {
+        finish([], [], `This program is not run: ${refusal}.`);
+        return;
+      }
       const cases = casesFor(kindsFor(kinds), CASES_SEED);
       const outputs: Output[] = [];
       state = { ...fresh(), running: { done: 0, total: cases.length } };
@@ -93,12 +110,24 @@ export function createRuns(host: Element, changed: () => void): Runs {
           outputs.push(output);
           put({ running: { done: outputs.length, total: cases.length } });
         },
-        note: (message) => put({ notes: [...state.notes, message].slice(-3) }),
-        timing: (multiple) => put({ multiple }),
+        note: (message) => put({ notes: [...state.notes, message].slice(-MOST_NOTES) }),
+        console: (line) => put({ lines: [...state.lines, line].slice(0, MOST_LINES) }),
+        unsteady(index) {
+          const words = `${cases[index]?.id}, run twice, gave two results: nothing here may depend on chance or on earlier calls`;
+          put({ notes: [...state.notes, words] });
+        },
+        timing: (timing) => put({ timing }),
+        untimed: (untimed) => put({ untimed }),
         end(ending) {
-          if (ending.how === 'refused') {
-            const where = ending.line === null ? '' : `Line ${ending.line}: `;
-            finish(cases, outputs, `${where}${ending.message}`);
+          if (ending.how === 'unopened') {
+            const words = `The sandbox could not be opened: ${ending.message}. Your program was not run.`;
+            finish(cases, [], words);
+          } else if (ending.how === 'refused') {
+            const { line, message } = ending;
+            const last = source.split('\n').length;
+            const where = line === null ? '' : `Line ${Math.min(line, last)}: `;
+            const advice = adviceFor(source, message);
+            finish(cases, outputs, `${where}${message}${advice && `. ${advice}`}`);
           } else if (ending.how === 'stopped' && outputs.length < cases.length) {
             const at = `Stopped at case ${outputs.length + 1} of ${cases.length}: ${ending.message}.`;
             finish(cases, [...outputs, { type: 'stopped' }], at);

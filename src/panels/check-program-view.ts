@@ -1,7 +1,12 @@
+import type { ConsoleLine, Timing } from '../check/program/protocol.ts';
 import type { Failure, Report } from '../check/program/report.ts';
 
 export interface ProgramView {
   readonly source: string;
+  /** Why a text was not taken into the box; '' if none was refused. */
+  readonly refusal: string;
+  /** A remembered program that is too long for the box: it can still be saved. */
+  readonly unshown: boolean;
   /** A shape's kind, or 'all'. */
   readonly kind: string;
   /** While it runs: how many of the cases came back. */
@@ -9,9 +14,12 @@ export interface ProgramView {
   /** Why it did not run, or not to the end; '' if it did. */
   readonly trouble: string;
   readonly notes: readonly string[];
+  readonly lines: readonly ConsoleLine[];
   readonly report: Report | null;
   /** Its time in textbook times; null if it was not measured. */
-  readonly multiple: number | null;
+  readonly timing: Timing | null;
+  /** Why it was not. */
+  readonly untimed: string;
   readonly selected: Failure | null;
   /** How many runs have come to their end. */
   readonly finished: number;
@@ -21,10 +29,13 @@ export interface ProgramView {
 
 export interface ProgramTools {
   edit(source: string): void;
+  /** Whether the box may hold this; if not, it is said why. */
+  takes(source: string): boolean;
   pick(kind: string): void;
   run(): void;
   cancel(): void;
   openFile(): void;
+  saveUnshown(): void;
   template(): void;
   example(): void;
   select(failure: Failure): void;

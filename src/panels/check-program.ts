@@ -1,4 +1,5 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { FORMAT_WORDS } from '../check/program/exchange.ts';
 import { SHAPES } from '../math/shapes/index.ts';
 import type { ProgramTools, ProgramView } from './check-program-view.ts';
@@ -22,28 +23,47 @@ export function programHead(view: ProgramView, tools: ProgramTools): TemplateRes
   </div>`;
 }
 
-export function editor({ source }: ProgramView, tools: ProgramTools): TemplateResult {
+export function editor(view: ProgramView, tools: ProgramTools): TemplateResult {
+  const { source, refusal } = view;
   const lines = source.split('\n').length;
   return html`<div class="editor" .style=${`--rows: ${Math.min(26, Math.max(11, lines))}`}>
-      <div class="line-numbers" aria-hidden="true">${Array.from({ length: lines }, (_, i) => html`<span>${i + 1}</span>`)}</div>
+      <div class="line-numbers" aria-hidden="true">${numbersTo(lines)}</div>
       <textarea
         class="code"
         aria-label="JavaScript that defines intersect(shape, ray)"
+        aria-describedby="program-refusal"
         spellcheck="false"
         autocapitalize="off"
         autocomplete="off"
         wrap="off"
-        .value=${source}
+        .value=${live(source)}
         @input=${(event: Event) => tools.edit((event.target as HTMLTextAreaElement).value)}
+        @beforeinput=${(event: InputEvent) => refuse(event, tools)}
         @scroll=${follow}
       ></textarea>
     </div>
+    <p class="refusal" id="program-refusal" role="alert">${refusal || nothing}${
+      view.unshown
+        ? html` <button type="button" class="link" @click=${tools.saveUnshown}>Save it as a file</button>`
+        : nothing
+    }</p>
     <div class="buttons">
       <button type="button" class="button small" @click=${tools.template}>Template</button>
       <button type="button" class="button small" @click=${tools.example}>Example</button>
       <span class="tolerance">in a sandbox without network, storage or page</span>
     </div>`;
 }
+
+/** What would be too long does not even get into the box: laying it out could take longer than anybody waits. */
+function refuse(event: InputEvent, tools: ProgramTools): void {
+  const { value, selectionStart, selectionEnd } = event.target as HTMLTextAreaElement;
+  const text = value.slice(0, selectionStart) + (event.data ?? '') + value.slice(selectionEnd);
+  if (event.data && !tools.takes(text)) event.preventDefault();
+}
+
+/** One text: as many elements as lines would hold up the page. */
+const numbersTo = (count: number): string =>
+  Array.from({ length: count }, (_, i) => i + 1).join('\n');
 
 /** The numbers stay beside their lines. */
 function follow(event: Event): void {

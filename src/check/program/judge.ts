@@ -10,9 +10,16 @@ export type Output =
     }
   | { readonly type: 'threw'; readonly message: string; readonly line: number | null }
   /** A result of another form than `{ t, normal? }`. */
-  | { readonly type: 'shape'; readonly message: string }
+  | {
+      readonly type: 'shape';
+      readonly message: string;
+      /** The roots that it holds all the same, if that is plain. */
+      readonly meant: readonly number[] | null;
+    }
   /** It did not come back: the watchdog ended the run. */
-  | { readonly type: 'stopped' };
+  | { readonly type: 'stopped' }
+  /** There is none: the run ended before, or a file has no result for it. */
+  | { readonly type: 'missing' };
 
 export interface Verdict {
   readonly passed: boolean;
@@ -39,6 +46,8 @@ export function judgeCase({ expected, family }: Case, output: Output): Verdict {
   switch (output.type) {
     case 'stopped':
       return failed('did not end within a second');
+    case 'missing':
+      return failed('no result');
     case 'shape':
       return failed(output.message);
     case 'threw': {

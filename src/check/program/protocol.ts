@@ -13,6 +13,21 @@ export interface Run {
   readonly timed: readonly number[];
 }
 
+/** The program's time in textbook times: the quartiles of several rounds. */
+export interface Timing {
+  readonly low: number;
+  readonly median: number;
+  readonly high: number;
+}
+
+/** A line that the program wrote on its console; 'more' stands for all that come after it. */
+export interface ConsoleLine {
+  readonly level: string;
+  readonly text: string;
+  /** During which case; null before the first. */
+  readonly index: number | null;
+}
+
 /** What comes back. */
 export type Reply =
   | { readonly type: 'ready' }
@@ -26,8 +41,15 @@ export type Reply =
     }
   /** Something that was tried outside of any case. */
   | { readonly type: 'note'; readonly id: number; readonly message: string }
-  | { readonly type: 'timing'; readonly id: number; readonly multiple: number }
-  /** No sign of life for a second: the worker was ended. */
+  | ({ readonly type: 'console'; readonly id: number } & ConsoleLine)
+  /** The same case, run twice, gave two answers. */
+  | { readonly type: 'unsteady'; readonly id: number; readonly index: number }
+  | ({ readonly type: 'timing'; readonly id: number } & Timing)
+  /** Why its time was not measured. */
+  | { readonly type: 'untimed'; readonly id: number; readonly message: string }
+  /** Still measuring. */
+  | { readonly type: 'tick'; readonly id: number }
+  /** Too long without a sign of life, or too long at all: the worker was ended. */
   | { readonly type: 'stopped'; readonly id: number; readonly message: string }
   | { readonly type: 'done'; readonly id: number };
 
@@ -42,28 +64,38 @@ export function readReply(data: unknown): Reply | null {
   if (data.type === 'ready') return { type: 'ready' };
   const { id, type } = data;
   if (typeof id !== 'number') return null;
+  const index = isIndex(data.index) ? data.index : null;
   switch (type) {
     case 'case': {
       const output = readOutput(data.output);
-      return output && Number.isSafeInteger(data.index)
-        ? { type, id, index: data.index as number, output }
-        : null;
+      return output && index !== null ? { type, id, index, output } : null;
     }
     case 'refused':
       return { type, id, message: text(data.message), line: lineOf(data.line) };
     case 'note':
     case 'stopped':
+    case 'untimed':
       return { type, id, message: text(data.message) };
+    case 'console':
+      return { type, id, level: text(data.level), text: text(data.text), index };
+    case 'unsteady':
+      return index === null ? null : { type, id, index };
     case 'timing': {
-      const multiple = data.multiple;
-      return typeof multiple === 'number' && multiple > 0 ? { type, id, multiple } : null;
+      const { low, median, high } = data;
+      const usable = isPositive(low) && isPositive(median) && isPositive(high);
+      return usable ? { type, id, low, median, high } : null;
     }
+    case 'tick':
     case 'done':
       return { type, id };
     default:
       return null;
   }
 }
+
+const isIndex = (x: unknown): x is number => Number.isSafeInteger(x) && (x as number) >= 0;
+const isPositive = (x: unknown): x is number =>
+  typeof x === 'number' && x > 0 && Number.isFinite(x);
 
 function readOutput(data: unknown): Output | null {
   if (!isRecord(data)) return null;
@@ -79,20 +111,36 @@ function readOutput(data: unknown): Output | null {
 
 /** `{ t: number[], normal?: number[][] }`, or what is wrong with it. */
 export function readValue(value: unknown): Output {
-  const wrong = (message: string): Output => ({ type: 'shape', message });
-  if (Array.isArray(value)) return wrong('returned an array: return { t: [ … ] }');
-  if (!isRecord(value)) return wrong(`returned ${named(value)}: return { t: [ … ] }`);
+  const wrong = (message: string, t: unknown = null): Output => ({
+    type: 'shape',
+    message,
+    meant: meantBy(t),
+  });
+  if (Array.isArray(value)) return wrong('returned an array: return { t: [ … ] }', value);
+  if (!isRecord(value)) {
+    return wrong(`returned ${named(value)}: return { t: [ … ] }`, value ?? []);
+  }
   const { t, normal } = value;
-  if (!Array.isArray(t)) return wrong(`t is ${named(t)}, not an array of numbers`);
+  if (!Array.isArray(t)) return wrong(`t is ${named(t)}, not an array of numbers`, t ?? []);
   if (t.length > MOST_ROOTS) return wrong(`t has ${t.length} entries`);
   const strange = t.find((x) => typeof x !== 'number');
   if (t.some((x) => typeof x !== 'number'))
-    return wrong(`t holds ${named(strange)}, not only numbers`);
+    return wrong(`t holds ${named(strange)}, not only numbers`, t);
   if (normal === undefined || normal === null) return { type: 'value', t, normal: null };
   if (!Array.isArray(normal) || !normal.slice(0, MOST_ROOTS).every(isTriple)) {
-    return wrong('normal is not an array of triples of numbers');
+    return wrong('normal is not an array of triples of numbers', t);
   }
   return { type: 'value', t, normal: normal.slice(0, MOST_ROOTS) };
+}
+
+/** The roots in a result of another form, if they are plain; null otherwise. */
+function meantBy(value: unknown): readonly number[] | null {
+  const list = Array.isArray(value) ? value : [value];
+  const isWritten = (x: unknown): boolean =>
+    typeof x === 'string' && x.trim() !== '' && !Number.isNaN(Number(x));
+  const numbers = list.map((x) => (isWritten(x) ? Number(x) : x));
+  const plain = list.length <= MOST_ROOTS && numbers.every((x) => typeof x === 'number');
+  return plain ? (numbers as number[]) : null;
 }
 
 const isTriple = (v: unknown): v is number[] =>
@@ -105,12 +153,3 @@ const named = (value: unknown): string => (value === undefined ? 'nothing' : quo
 const text = (value: unknown): string => String(value).slice(0, LONGEST_MESSAGE);
 const lineOf = (value: unknown): number | null =>
   Number.isSafeInteger(value) && (value as number) > 0 ? (value as number) : null;
-
-/** A module's `export` has no place in the script that the sandbox makes of it; every line stays where it is. */
-export const asScript = (source: string): string =>
-  source
-    .replace(
-      /^([ \t]*)export[ \t]+(?:default[ \t]+)?(?=async\b|function\b|const\b|let\b|var\b|class\b)/gm,
-      '$1',
-    )
-    .replace(/^[ \t]*export[ \t]*\{[^}\n]*\}[ \t]*;?/gm, '');

@@ -1,5 +1,7 @@
+import { intersect } from '../../math/intersect.ts';
 import { type Case, GROUPS, type GroupId } from './cases.ts';
 import { judgeCase, type Output, type Verdict } from './judge.ts';
+import { remarks } from './remarks.ts';
 import { type Finding, findings } from './suspects.ts';
 
 export interface Failure {
@@ -20,22 +22,40 @@ export interface FamilyReport {
   readonly first: Failure | null;
 }
 
-export interface Report {
+/** How many of a group are right: the program's, and what methods of the ladder get there. */
+export interface GroupScore {
+  readonly id: GroupId;
+  readonly title: string;
   readonly passed: number;
   readonly total: number;
-  /** Cases that were not run, because the run was stopped. */
+  /** Only of hard cases: elsewhere both get all. */
+  readonly others: readonly { readonly method: string; readonly passed: number }[];
+}
+
+export interface Report {
+  readonly groups: readonly GroupScore[];
+  /** Cases without a result. They count as not right. */
   readonly left: number;
-  /** It never returned a root. */
+  /** It never returned a root: then a miss, too, is no more than silence, and counts for nothing. */
   readonly silent: boolean;
+  /** The reason of all failures, if there are many and they have one; '' otherwise. */
+  readonly common: string;
+  /** What can be said of the results as a whole. */
+  readonly remarks: readonly string[];
   readonly families: readonly FamilyReport[];
   readonly findings: readonly Finding[];
 }
 
-/** Family by family. `outputs` may be shorter than `cases`: the run was stopped there. */
+const MISSING: Output = { type: 'missing' };
+
+/** Group by group, family by family. `outputs` may be shorter than `cases`, or have holes. */
 export function reportOf(cases: readonly Case[], outputs: readonly (Output | undefined)[]): Report {
-  const run = cases.flatMap((one, i) => {
-    const output = outputs[i];
-    return output ? [{ case: one, output, verdict: judgeCase(one, output) }] : [];
+  const all = cases.map((_, i) => outputs[i] ?? MISSING);
+  const silent = all.every(isSilent);
+  const run = cases.map((one, i): Failure => {
+    const output = all[i] ?? MISSING;
+    const verdict = judgeCase(one, output);
+    return { case: one, output, verdict: silent && verdict.passed ? SILENCE : verdict };
   });
   const families = GROUPS.flatMap(({ id: group }) => {
     const inGroup = run.filter((one) => one.case.group === group);
@@ -47,16 +67,57 @@ export function reportOf(cases: readonly Case[], outputs: readonly (Output | und
     });
   });
   return {
-    passed: run.filter(({ verdict }) => verdict.passed).length,
-    total: run.length,
-    left: cases.length - run.length,
-    silent: run.every(({ output }) => output.type === 'value' && output.t.length === 0),
+    groups: GROUPS.map(({ id, title }) => scoreOf(id, title, run)),
+    left: all.filter(({ type }) => type === 'missing').length,
+    silent,
+    common: commonReason(run),
+    remarks: remarks(cases, all),
     families,
-    findings: findings(
-      run.map((one) => one.case),
-      run.map((one) => one.output),
-    ),
+    findings: silent ? [] : findings(cases, all),
   };
+}
+
+const isSilent = (output: Output): boolean =>
+  output.type === 'value'
+    ? output.t.length === 0
+    : output.type !== 'shape' || !output.meant || output.meant.length === 0;
+
+const SILENCE: Verdict = {
+  passed: false,
+  digits: null,
+  says: 'no root, but it never returns one',
+};
+
+/** What hard cases are compared with: the formula as it is taught, and the best that doubles allow. */
+const COMPARED = ['textbook', 'certified'];
+
+function scoreOf(id: GroupId, title: string, run: readonly Failure[]): GroupScore {
+  const members = run.filter((one) => one.case.group === id);
+  const methods = id === 'hard' ? COMPARED : [];
+  return {
+    ...{ id, title, total: members.length },
+    passed: members.filter(({ verdict }) => verdict.passed).length,
+    others: methods.map((method) => ({
+      method,
+      passed: members.filter((one) => isRightBy(method, one.case)).length,
+    })),
+  };
+}
+
+function isRightBy(method: string, one: Case): boolean {
+  const { hits } = intersect(one.shape, one.ray, method);
+  const output: Output = {
+    type: 'value',
+    t: hits.map(({ t }) => t),
+    normal: hits.map(({ normal }) => normal),
+  };
+  return judgeCase(one, output).passed;
+}
+
+function commonReason(run: readonly Failure[]): string {
+  const failures = run.filter(({ verdict }) => !verdict.passed);
+  const [kind = '', ...others] = new Set(failures.map(({ verdict }) => kindOf(verdict.says)));
+  return failures.length > 1 && others.length === 0 ? kind : '';
 }
 
 function familyReport(group: GroupId, family: string, members: readonly Failure[]): FamilyReport {
@@ -92,5 +153,8 @@ function reasons(failures: readonly Failure[]): string {
 function kindOf(says: string): string {
   if (/ digits? right$|no digit right$/.test(says)) return 'fewer than nine digits right';
   if (/^answers t = /.test(says)) return 'answers, although the input is invalid';
+  if (/^t is -?[\d.]/.test(says)) return 't is a number, not an array of numbers';
+  if (/^returned -?[\d.]/.test(says)) return 'returned a number: return { t: [ … ] }';
+  if (/^t holds '/.test(says)) return 't holds text, not only numbers';
   return says;
 }

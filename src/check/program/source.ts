@@ -31,12 +31,13 @@ export function programOf(
   kind: ShapeKind,
   edit: CourseEdit = UNEDITED,
   name = 'intersect',
+  before: readonly string[] = [],
 ): string | null {
   const shape = drawShape(seeded(1), kind, 1);
   const course = edit(courseOf(shape));
   if (!course) return null;
   const body = course.family === 'curved' ? curved(course) : flat(course, insideTest(shape, edit));
-  const lines = [...symbolsOf(shape), ...body].map((line) => `  ${line}`);
+  const lines = [...before, ...symbolsOf(shape), ...body].map((line) => `  ${line}`);
   return [`function ${name}(shape, ray) {`, ...lines, '}', ''].join('\n');
 }
 

@@ -1,98 +1,301 @@
+import type { ShapeKind } from '../../math/shapes/index.ts';
 import { type Course, courseOf } from '../course.ts';
-import type { Misconception } from '../misconceptions/define.ts';
-import { MISCONCEPTIONS } from '../misconceptions/index.ts';
-import type { Answers } from '../types.ts';
+import type { Answers, Input } from '../types.ts';
 import { roughWork } from '../work.ts';
 import type { Case } from './cases.ts';
+import { FLAWS, type Flaw, type Root } from './flaws.ts';
 import { type Output, sameDirection } from './judge.ts';
 
+/** A cause that explains every case of its branch, those that come out right included. */
 export interface Finding {
-  readonly misconception: Misconception;
-  /** Of the cases on which it shows, so many came out just as it says. */
-  readonly agrees: number;
-  readonly of: number;
-}
-
-/** Enough cases to tell, and nearly all of them alike: a program is one formula, not a mixture. */
-const LEAST = 3;
-const SHARE = 0.9;
-
-interface Lists {
-  readonly t: readonly number[];
-  readonly normal: readonly (readonly number[])[];
+  readonly flaw: Flaw;
+  /** Another that gives the same on all of these cases. */
+  readonly or: Flaw | null;
+  readonly branch: Branch;
+  /** Cases of the branch: so many in all, and so many that it makes different. */
+  readonly cases: number;
+  readonly changed: number;
+  readonly kinds: readonly ShapeKind[];
 }
 
 /**
- * The misconceptions that the program's own values show: on the cases where the edited formulas differ from the right
- * ones, in doubles both, the program returns what the edited ones do.
+ * Cases that a program usually treats in lines of their own. What is in general position is explained first; a special branch is
+ * explained only on top of that, so that no flaw of a branch is named for what is wrong everywhere.
  */
+export const BRANCHES = {
+  general: 'in general position',
+  tangent: 'with a tangent (D = 0)',
+  border: 'on a rim or an edge',
+  linear: 'with A = 0',
+  parallel: 'with N·d = 0',
+  degenerate: 'with a degenerate shape',
+  hard: 'called hard',
+} as const;
+export type Branch = keyof typeof BRANCHES;
+
+/** Fewer cases than this are no evidence. */
+const LEAST = 3;
+/** Of the hard cases some may be lost to rounding in another order of operations. */
+const HARD_SHARE = 0.9;
+
+interface Seen {
+  readonly one: Case;
+  readonly branch: Branch;
+  readonly right: readonly Root[];
+  /** Null where the program threw. */
+  readonly t: readonly number[] | null;
+  readonly normal: readonly (readonly number[])[] | null;
+}
+
+/** The flaws that a program's own values show, shape by shape: each shape may have a program of its own. */
 export function findings(cases: readonly Case[], outputs: readonly Output[]): Finding[] {
-  const usable = cases.flatMap((one, i) => {
-    const output = outputs[i];
-    if (!one.expected || output?.type !== 'value') return [];
-    return [{ one, output, right: listsOf(roughWork(courseOf(one.shape), one)) }];
-  });
-  // No root at all fits whatever leaves no roots; it is no sign of anything.
-  if (usable.every(({ output }) => output.t.length === 0)) return [];
-  const found = MISCONCEPTIONS.flatMap((misconception): Finding[] => {
-    const editedOf = onceFor(misconception);
-    let agrees = 0;
-    let of = 0;
-    for (const { one, output, right } of usable) {
-      const edited = editedOf(courseOf(one.shape));
-      if (!edited) continue;
-      // Most are out of the question after a few cases.
-      if (of >= ENOUGH && agrees < of / 2) break;
-      const withEdit = listsOf(roughWork(edited, one));
-      const withNormals = output.normal !== null;
-      if (same(withEdit, right, withNormals)) continue;
-      of++;
-      if (same(withEdit, { t: output.t, normal: output.normal ?? [] }, withNormals)) agrees++;
+  const kinds = [...new Set(cases.map(({ shape }) => shape.kind))];
+  const merged = new Map<string, Finding>();
+  for (const kind of kinds) {
+    const seen = cases.flatMap((one, i) => {
+      const output = outputs[i];
+      return Object.is(one.shape.kind, kind) && output ? seenOf(one, output) : [];
+    });
+    // What has roots tells most formulas apart at once.
+    const telling = [...seen.filter(hasRoots), ...seen.filter((one) => !hasRoots(one))];
+    for (const found of findingsFor(kind, telling)) {
+      const key = `${found.flaw.id} ${found.branch}`;
+      const known = merged.get(key);
+      merged.set(key, known ? sum(known, found) : found);
     }
-    return agrees >= LEAST && agrees >= SHARE * of ? [{ misconception, agrees, of }] : [];
+  }
+  return [...merged.values()];
+}
+
+const sum = (a: Finding, b: Finding): Finding => ({
+  ...a,
+  // Only what is as likely on both.
+  or: a.or === b.or ? a.or : null,
+  cases: a.cases + b.cases,
+  changed: a.changed + b.changed,
+  kinds: [...a.kinds, ...b.kinds],
+});
+
+function seenOf(one: Case, output: Output): Seen[] {
+  if (!one.expected || output.type === 'stopped' || output.type === 'missing') return [];
+  const found = roughWork(courseOf(one.shape), one);
+  const right = rootsOf(found);
+  const branch = branchOf(one, found);
+  if (branch === 'hard' && !settled(one.expected.t, right)) return [];
+  const t = output.type === 'value' ? output.t : output.type === 'shape' ? output.meant : null;
+  return [{ one, branch, right, t, normal: output.type === 'value' ? output.normal : null }];
+}
+
+const hasRoots = ({ t }: Seen): boolean => t !== null && t.length > 0;
+
+/** Whether doubles find what is exactly there: elsewhere rounding decides, and no formula can be told from another. */
+const settled = (truth: readonly number[], right: readonly Root[]): boolean =>
+  truth.length === right.length && truth.every((t, i) => near(t, right[i]?.t ?? Number.NaN, 1));
+
+function branchOf({ group, family, expected }: Case, found: Answers): Branch {
+  if (group === 'hard') return 'hard';
+  if (family.endsWith('exactly')) return 'border';
+  if (family.includes('degenerate')) return 'degenerate';
+  if (found.A === 0) return 'linear';
+  if (found['N.d'] === 0) return 'parallel';
+  return expected?.class === 'tangent' ? 'tangent' : 'general';
+}
+
+function rootsOf(found: Answers): Root[] {
+  if (found.case === 'contained' || found.inside === 'outside') return [];
+  return ['1', '2'].flatMap((i): Root[] => {
+    const t = found[`t${i}`];
+    const normal = found[`N${i}`];
+    return typeof t === 'number' ? [{ t, normal: typeof normal === 'object' ? normal : [] }] : [];
   });
-  return found.sort((a, b) => b.agrees - a.agrees);
 }
 
-/** Cases on which an edit shows, after which a half that does not agree rules it out. */
-const ENOUGH = 8;
+/** What a program with these flaws, and no other, would return. */
+function predicted(flaws: readonly Flaw[], one: Input, edits: Edits): readonly Root[] {
+  const input = flaws.reduce<Input>((taken, flaw) => flaw.input?.(taken) ?? taken, one);
+  const found = roughWork(edits(flaws, courseOf(input.shape)), input);
+  const about = { input: one, found };
+  return flaws.reduce(
+    (roots, flaw) => flaw.answer?.(roots, about) ?? roots,
+    rootsOf(found) as readonly Root[],
+  );
+}
 
-/** The edit of each course, made once. */
-function onceFor({ edit }: Misconception): (course: Course) => Course | null {
-  const known = new Map<Course, Course | null>();
-  return (course) => {
-    const found = known.get(course);
-    if (found !== undefined) return found;
-    const edited = edit(course);
-    known.set(course, edited);
-    return edited;
+type Edits = (flaws: readonly Flaw[], course: Course) => Course;
+
+/** Courses with their edits, each made once. */
+function rememberedEdits(): Edits {
+  const known = new Map<Course, Map<Flaw, Course>>();
+  const edited = (course: Course, flaw: Flaw): Course => {
+    const own = known.get(course) ?? new Map<Flaw, Course>();
+    known.set(course, own);
+    const found = own.get(flaw) ?? flaw.course?.(course) ?? course;
+    own.set(flaw, found);
+    return found;
   };
+  return (flaws, course) => flaws.reduce(edited, course);
 }
 
-function listsOf(found: Answers): Lists {
-  const ids = found.case === 'contained' || found.inside === 'outside' ? [] : ['1', '2'];
+function findingsFor(kind: ShapeKind, seen: readonly Seen[]): Finding[] {
+  const trial = newTrial();
+  const within = (branch: Branch): readonly Seen[] => seen.filter((one) => one.branch === branch);
+  const general = within('general');
+  const hard = within('hard');
+  // What is wrong everywhere has no name: then nothing that is wrong somewhere can be told from it.
+  const causes = causesOf(general, hard, trial);
+  if (!causes) return [];
+  const found: Finding[] = [];
+  const all: Flaw[] = [];
+  const add = ({ flaw, or }: Cause, branch: Branch, others: readonly Flaw[]): void => {
+    const of = within(branch);
+    const changed = trial.changes(flaw, others, of).length;
+    found.push({ flaw, or, branch, cases: of.length, changed, kinds: [kind] });
+    all.push(flaw);
+  };
+  for (const cause of causes) {
+    add(
+      cause,
+      'general',
+      causes.filter((one) => one !== cause).map(({ flaw }) => flaw),
+    );
+  }
+  for (const branch of Object.keys(BRANCHES) as Branch[]) {
+    const of = within(branch);
+    const fitting = (flaw: Flaw): boolean =>
+      (branch === 'hard' ? trial.helps : trial.explains)(flaw, all, of) &&
+      trial.misfits([...all, flaw], general).length === 0;
+    if (branch === 'general' || trial.misfits(all, of).length < LEAST) continue;
+    const cause = causeOf(FLAWS.filter(fitting));
+    if (cause) add(cause, branch, [...all]);
+  }
+  return found;
+}
+
+interface Cause {
+  readonly flaw: Flaw;
+  readonly or: Flaw | null;
+}
+
+/** The first of several that cannot be told apart, and the next that is not called the same. */
+function causeOf([flaw, ...others]: readonly Flaw[]): Cause | null {
+  if (!flaw) return null;
+  return { flaw, or: others.find(({ id }) => id !== flaw.id) ?? null };
+}
+
+/**
+ * The one flaw or the two that explain all cases in general position; none for a right program; null if there are none such.
+ * Hard cases do not decide, but they add evidence and tell two apart that are alike elsewhere.
+ */
+function causesOf(
+  general: readonly Seen[],
+  hard: readonly Seen[],
+  { misfits, explains, changes }: Trial,
+): readonly Cause[] | null {
+  if (misfits([], general, 1).length === 0) return [];
+  const both = [...general, ...hard];
+  if (!both.some(hasRoots)) return null;
+  // A wrong root that is just the flaw's is a sign, and so are a few roots; whatever leaves no roots fits much too often.
+  const isEvidence = (flaws: readonly Flaw[]): boolean => {
+    const off = new Set(misfits(flaws, both));
+    const fitting = both.filter((one) => !off.has(one) && hasRoots(one));
+    return fitting.length >= LEAST || misfits([], fitting, 1).length > 0;
+  };
+  const alternatives = (others: readonly Flaw[]): Cause | null => {
+    const fitting = FLAWS.filter(
+      (flaw) => explains(flaw, others, general, both) && isEvidence([...others, flaw]),
+    ).map((flaw) => ({ flaw, off: misfits([...others, flaw], hard).length }));
+    const least = Math.min(...fitting.map(({ off }) => off));
+    return causeOf(fitting.flatMap(({ flaw, off }) => (off === least ? [flaw] : [])));
+  };
+  const one = alternatives([]);
+  if (one) return [one];
+  for (const [i, first] of FLAWS.entries()) {
+    for (const second of FLAWS.slice(i + 1)) {
+      if (misfits([first, second], general, 1).length > 0) continue;
+      const needed = (flaw: Flaw, other: Flaw): boolean =>
+        changes(flaw, [other], both).length >= LEAST;
+      if (!needed(first, second) || !needed(second, first)) continue;
+      const [a, b] = [alternatives([second]), alternatives([first])];
+      if (a && b) return [a, b];
+    }
+  }
+  return null;
+}
+
+/** What programs with these flaws return, compared with what was seen. */
+interface Trial {
+  /** The cases that come out otherwise; no more than so many are looked for. */
+  misfits(flaws: readonly Flaw[], of: readonly Seen[], most?: number): readonly Seen[];
+  /** The cases that a flaw makes different, on top of the others. */
+  changes(flaw: Flaw, others: readonly Flaw[], of: readonly Seen[]): readonly Seen[];
+  /** All cases come out as with it, and enough of these, or of a larger set, are changed by it. */
+  explains(
+    flaw: Flaw,
+    others: readonly Flaw[],
+    of: readonly Seen[],
+    larger?: readonly Seen[],
+  ): boolean;
+  /** Nearly all that it changes come out as with it, and many that did not before. */
+  helps(flaw: Flaw, others: readonly Flaw[], of: readonly Seen[]): boolean;
+}
+
+function newTrial(): Trial {
+  const edits = rememberedEdits();
+  const rootsWith = (flaws: readonly Flaw[], { one }: Seen): readonly Root[] =>
+    predicted(inOrder(flaws), one, edits);
+  const misfits: Trial['misfits'] = (flaws, of, most = of.length) => {
+    const found: Seen[] = [];
+    for (const seen of of) {
+      if (found.length >= most) break;
+      const fits = seen.t !== null && same(rootsWith(flaws, seen), seen.t, seen.normal);
+      if (!fits) found.push(seen);
+    }
+    return found;
+  };
+  const changes: Trial['changes'] = (flaw, others, of) =>
+    of.filter((seen) => {
+      const without = rootsWith(others, seen);
+      const normals = seen.normal && without.map(({ normal }) => normal);
+      const t = without.map((root) => root.t);
+      return !same(rootsWith([...others, flaw], seen), t, normals);
+    });
   return {
-    t: ids.flatMap((i) => {
-      const x = found[`t${i}`];
-      return typeof x === 'number' ? [x] : [];
-    }),
-    normal: ids.flatMap((i) => {
-      const n = found[`N${i}`];
-      return typeof n === 'object' ? [n] : [];
-    }),
+    misfits,
+    changes,
+    explains: (flaw, others, of, larger = of) =>
+      misfits([...others, flaw], of, 1).length === 0 &&
+      changes(flaw, others, larger).length >= LEAST,
+    helps(flaw, others, of) {
+      const changed = changes(flaw, others, of);
+      const off = misfits([...others, flaw], changed).length;
+      return (
+        off <= (1 - HARD_SHARE) * changed.length && misfits(others, changed).length - off >= LEAST
+      );
+    },
   };
 }
+
+/** As they come in a program: what is done to the roots comes after what is done to the formulas. */
+const inOrder = (flaws: readonly Flaw[]): readonly Flaw[] =>
+  flaws.length < 2 ? flaws : FLAWS.filter((one) => flaws.includes(one));
 
 /** Two programs that do the same, each in its own order of operations. */
 const ALIKE = 1e-6;
 
-function same(a: Lists, b: Lists, withNormals: boolean): boolean {
-  if (a.t.length !== b.t.length) return false;
-  if (!a.t.every((x, i) => near(x, b.t[i] ?? Number.NaN))) return false;
-  return !withNormals || a.normal.every((n, i) => sameDirection(b.normal[i] ?? [], n));
+function same(
+  roots: readonly Root[],
+  t: readonly number[],
+  normals: readonly (readonly number[])[] | null,
+): boolean {
+  if (roots.length !== t.length) return false;
+  const size = Math.max(1, ...t.filter(Number.isFinite).map(Math.abs));
+  if (!roots.every((root, i) => near(root.t, t[i] ?? Number.NaN, size))) return false;
+  return !normals || roots.every(({ normal }, i) => sameDirection(normals[i] ?? [], normal));
 }
 
-function near(x: number, y: number): boolean {
+/** A root that is exactly 0 is compared in lengths of d, or of the other root. */
+function near(x: number, y: number, size: number): boolean {
   if (!Number.isFinite(x) || !Number.isFinite(y)) return Number.isFinite(x) === Number.isFinite(y);
-  return Math.abs(x - y) <= ALIKE * Math.max(Math.abs(x), Math.abs(y));
+  const off = Math.abs(x - y);
+  return off <= ALIKE * Math.max(Math.abs(x), Math.abs(y)) || off <= 1e-12 * size;
 }

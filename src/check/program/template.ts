@@ -33,21 +33,49 @@ export function template(kinds: readonly ShapeKind[]): string {
   ].join('\n');
 }
 
-/** The textbook program for one shape. */
-export const example = (kind: ShapeKind): string => programOf(kind) ?? '';
+/** The textbook program for these shapes, with what it takes to refuse wrong input. */
+export const example = (kinds: readonly ShapeKind[]): string =>
+  textbookFor(kinds, 'intersect', refusals);
 
-/** The textbook method for several shapes, as one function of this name. */
-export function textbookFor(kinds: readonly ShapeKind[], name: string): string {
+/** What throws where a number is none, or is out of its range; in the symbols of the program. */
+function refusals(kind: ShapeKind): string[] {
+  const params = findShape(kind)?.params ?? [];
+  const vectors = params.filter(({ type }) => type === 'vector').map((p) => `...shape.${p.key}`);
+  const numbers = params.filter(({ type }) => type === 'number').map((p) => `shape.${p.key}`);
+  const all = ['...ray.origin', '...ray.direction', ...vectors, ...numbers].join(', ');
+  const isZero = (v: string): string => `${v}.every((x) => x === 0)`;
+  const wrong = [
+    isZero('ray.direction'),
+    ...params.flatMap((param) => {
+      if (param.type === 'vector' && param.nonZero) return [isZero(`shape.${param.key}`)];
+      const bounded = param.type === 'number' && param.least !== undefined;
+      return bounded ? [`shape.${param.key} < ${param.least}`] : [];
+    }),
+  ];
+  return [
+    `if (![${all}].every(Number.isFinite)) throw new Error('not a number');`,
+    `if (${wrong.join(' || ')}) throw new Error('out of range');`,
+  ];
+}
+
+/** The textbook method for several shapes, as one function of this name; each begins with these lines. */
+export function textbookFor(
+  kinds: readonly ShapeKind[],
+  name: string,
+  before: (kind: ShapeKind) => readonly string[] = () => [],
+): string {
+  const part = (kind: ShapeKind, as: string): string =>
+    programOf(kind, (course) => course, as, before(kind)) ?? '';
   const [only, ...others] = kinds;
-  if (only && others.length === 0) return programOf(only, (course) => course, name) ?? '';
-  const parts = kinds.map((kind) => programOf(kind, (course) => course, `${name}_${kind}`) ?? '');
+  if (only && others.length === 0) return part(only, name);
+  const parts = kinds.map((kind) => part(kind, `${name}_${kind}`));
   const choose = kinds.map((kind) => `    case '${kind}': return ${name}_${kind}(shape, ray);`);
   return [
     ...parts,
     `function ${name}(shape, ray) {`,
     '  switch (shape.kind) {',
     ...choose,
-    '    default: return { t: [] };',
+    "    default: throw new Error('no such shape');",
     '  }',
     '}',
     '',

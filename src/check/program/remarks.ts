@@ -1,0 +1,104 @@
+import { intersect } from '../../math/intersect.ts';
+import type { Case } from './cases.ts';
+import { judgeCase, NEEDED_DIGITS, type Output } from './judge.ts';
+
+interface Pair {
+  readonly t: number;
+  readonly truth: number;
+}
+
+/** What can be said in one line of all results together, whatever the formulas are. */
+export function remarks(cases: readonly Case[], outputs: readonly Output[]): string[] {
+  return [
+    nullForMiss(cases, outputs),
+    nothingForTwo(cases, outputs),
+    roundedRoots(cases, outputs) || fewDigits(cases, outputs),
+  ].filter((words) => words !== '');
+}
+
+/** So many cases of one kind are no accident. */
+const LEAST = 3;
+
+function nullForMiss(cases: readonly Case[], outputs: readonly Output[]): string {
+  const nothing = (one: Case, i: number): boolean => {
+    const output = outputs[i];
+    const empty = output?.type === 'shape' && output.meant?.length === 0;
+    return empty && one.expected?.t.length === 0;
+  };
+  const misses = cases.filter(nothing);
+  if (misses.length < LEAST) return '';
+  return `On ${misses.length} misses it returns no { t: [] }: a miss is an empty array, not null or nothing.`;
+}
+
+/** Roots elsewhere, and none where there are two: whatever it is, D decides it. */
+function nothingForTwo(cases: readonly Case[], outputs: readonly Output[]): string {
+  const of = (one: Case, i: number): readonly number[] | null => {
+    const output = outputs[i];
+    return output?.type === 'value' && one.expected ? output.t : null;
+  };
+  const two = cases.flatMap((one, i) =>
+    one.group !== 'hard' && one.expected?.t.length === 2 ? [of(one, i)] : [],
+  );
+  const some = cases.some((one, i) => (of(one, i)?.length ?? 0) > 0);
+  const none = two.length > LEAST && two.every((t) => t?.length === 0);
+  return some && none
+    ? 'Where there are two roots it never returns one: look at D and its sign.'
+    : '';
+}
+
+/** Roots beside the true ones, where as many were returned. */
+const pairsOf = (cases: readonly Case[], outputs: readonly Output[]): Pair[] =>
+  cases.flatMap(({ expected, group }, i) => {
+    const output = outputs[i];
+    if (!expected || group === 'hard' || output?.type !== 'value') return [];
+    if (output.t.length !== expected.t.length) return [];
+    return output.t.map((t, k) => ({ t, truth: expected.t[k] ?? Number.NaN }));
+  });
+
+/** Rounded to decimals or digits, or kept in single precision: each t, and not because the truth is so. */
+function roundedRoots(cases: readonly Case[], outputs: readonly Output[]): string {
+  const pairs = pairsOf(cases, outputs);
+  const is = (round: (x: number) => number): boolean =>
+    pairs.every(({ t }) => round(t) === t) &&
+    pairs.filter(({ truth }) => round(truth) !== truth).length >= LEAST;
+  const close = (round: (x: number) => number): boolean =>
+    pairs.filter(({ t, truth }) => round(truth) === t).length >= 0.8 * pairs.length;
+  for (let n = 0; n < NEEDED_DIGITS; n++) {
+    const decimals = (x: number): number => Number(x.toFixed(n));
+    if (is(decimals) && close(decimals)) {
+      return `Every t is rounded to ${n} decimals: return all its digits.`;
+    }
+    const digits = (x: number): number => Number(x.toPrecision(n + 1));
+    if (is(digits) && close(digits)) {
+      return `Every t is rounded to ${n + 1} digits: return all of them.`;
+    }
+  }
+  return is(Math.fround)
+    ? 'Every t is a number of single precision (float32): compute and keep it in doubles.'
+    : '';
+}
+
+/** Nowhere more than float32 gives, though right: single precision somewhere on the way. */
+function fewDigits(cases: readonly Case[], outputs: readonly Output[]): string {
+  const ordinary = cases.flatMap((one, i) => {
+    const output = outputs[i];
+    const own = one.group === 'ordinary' && output ? judgeCase(one, output).digits : null;
+    return own === null || own === 0 ? [] : [{ one, own }];
+  });
+  const own = median(ordinary.map(({ own }) => own));
+  const single = median(
+    ordinary.map(({ one }) => {
+      const { hits } = intersect(one.shape, one.ray, 'textbook32');
+      const output: Output = { type: 'value', t: hits.map(({ t }) => t), normal: null };
+      return judgeCase(one, output).digits ?? 0;
+    }),
+  );
+  const alike = ordinary.length > LEAST && Math.abs(own - single) <= 1.5 && own < NEEDED_DIGITS;
+  if (!alike) return '';
+  return `On ordinary cases about ${Math.round(own)} digits of t are right, as of the textbook method in single precision (float32); doubles give 15.`;
+}
+
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[sorted.length >> 1] ?? Number.NaN;
+}
