@@ -149,7 +149,7 @@ const isTriple = (v: unknown): v is number[] =>
 const isRecord = (value: unknown): value is Unknown =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-const named = (value: unknown): string => (value === undefined ? 'nothing' : quote(value));
+const named = (value: unknown): string => (value === null ? 'null' : quote(value));
 const text = (value: unknown): string => String(value).slice(0, LONGEST_MESSAGE);
 const lineOf = (value: unknown): number | null =>
   Number.isSafeInteger(value) && (value as number) > 0 ? (value as number) : null;
