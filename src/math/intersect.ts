@@ -2,6 +2,7 @@ import type { Coefficients, Intersection, QuadraticAnswer } from './intersection
 import {
   InvalidInput,
   quote,
+  requireFields,
   requireFinite,
   requireFiniteVector,
   requireNonZero,
@@ -11,7 +12,9 @@ import type { Method } from './methods/define.ts';
 import { METHODS } from './methods/index.ts';
 import type { Ray } from './ray.ts';
 import type { Shape } from './shapes/index.ts';
-import { checkShape } from './shapes/lookup.ts';
+import { checkedShape } from './shapes/lookup.ts';
+import type { Given } from './vec3.ts';
+import { plainVector } from './vec3.ts';
 
 /**
  * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each root one of the two doubles around it, at a price that
@@ -29,30 +32,31 @@ export interface IntersectOptions {
    * no rule can know: whether E was on the surface at all. A ray declared to leave a surface that it does not start on loses a
    * true hit; and where E has been rounded so far that the line misses the surface, there is nothing to drop.
    */
-  readonly from?: Shape | undefined;
+  readonly from?: Given<Shape> | null | undefined;
 }
 
 /**
  * Where the whole line R(t) = E + t d meets the shape, t of any sign, ascending; t counts in lengths of d.
- * Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an unknown kind or method.
+ * Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an unknown kind or method, and on a field that is not the shape's, the
+ * ray's or an option. Vectors may be any list of three numbers, a Float64Array for one.
  * What the answer is worth depends on the method: see its `promise`.
  */
 export function intersect(
-  shape: Shape,
-  ray: Ray,
+  shape: Given<Shape>,
+  ray: Given<Ray>,
   method: string = DEFAULT_METHOD,
-  { from }: IntersectOptions = NO_OPTIONS,
+  options?: IntersectOptions | null,
 ): Intersection {
   const rung = methodOf(method);
-  checkShape(shape);
-  checkRay(ray);
-  const found = rung.intersect(shape, ray);
-  if (from === undefined) return found;
-  checkShape(from);
-  return withoutStart(found, shape, from);
+  const surface = checkedShape(shape);
+  const found = rung.intersect(surface, checkedRay(ray));
+  requireFields('set of options', options, OPTIONS);
+  const from = options?.from;
+  if (from === undefined || from === null) return found;
+  return withoutStart(found, surface, checkedShape(from));
 }
 
-const NO_OPTIONS: IntersectOptions = {};
+const OPTIONS = ['from'];
 
 /**
  * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape f is the line with
@@ -60,14 +64,12 @@ const NO_OPTIONS: IntersectOptions = {};
  * by 'textbook' it is the course's own float64 evaluation. Throws InvalidInput as `intersect` does.
  */
 export function coefficients(
-  shape: Shape,
-  ray: Ray,
+  shape: Given<Shape>,
+  ray: Given<Ray>,
   method: string = DEFAULT_METHOD,
 ): Coefficients {
   const rung = methodOf(method);
-  checkShape(shape);
-  checkRay(ray);
-  return rung.coefficients(shape, ray);
+  return rung.coefficients(checkedShape(shape), checkedRay(ray));
 }
 
 /**
@@ -100,8 +102,16 @@ function methodOf(id: string): Method {
   return found;
 }
 
-export function checkRay(ray: Ray): void {
-  requireFiniteVector('origin', ray?.origin);
-  requireFiniteVector('direction', ray.direction);
-  requireNonZero('direction', ray.direction);
+const RAY = ['origin', 'direction'];
+
+/** The ray with plain arrays: itself, where they are. */
+export function checkedRay(ray: Given<Ray>): Ray {
+  if (typeof ray === 'object') requireFields('ray', ray, RAY);
+  const origin = ray?.origin;
+  const direction = ray?.direction;
+  requireFiniteVector('origin', origin);
+  requireFiniteVector('direction', direction);
+  requireNonZero('direction', direction);
+  if (Array.isArray(origin) && Array.isArray(direction)) return ray as Ray;
+  return { origin: plainVector(origin), direction: plainVector(direction) };
 }

@@ -1,4 +1,4 @@
-import { AXES, type Vec3 } from './vec3.ts';
+import { AXES } from './vec3.ts';
 
 /** Thrown for an input that is not in the domain. The message is short, lower-case and quotes the value. */
 export class InvalidInput extends RangeError {
@@ -13,7 +13,8 @@ export function requireFinite(name: string, x: unknown): asserts x is number {
 
 const isOrdinary = (x: unknown): boolean => typeof x === 'number' && x - x === 0;
 
-export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3 {
+/** Three finite numbers in any kind of list. */
+export function requireFiniteVector(name: string, v: unknown): asserts v is ArrayLike<number> {
   // Nearly every vector is in order: words are put together only for one that is not.
   if (
     Array.isArray(v) &&
@@ -23,7 +24,7 @@ export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3
     isOrdinary(v[2])
   )
     return;
-  if (!Array.isArray(v) || v.length !== 3) {
+  if (!isList(v) || v.length !== 3) {
     throw refused(name, 'must have three components', v);
   }
   AXES.forEach((axis, i) => {
@@ -31,9 +32,33 @@ export function requireFiniteVector(name: string, v: unknown): asserts v is Vec3
   });
 }
 
-export function requireNonZero(name: string, v: Vec3): void {
+const isList = (x: unknown): x is ArrayLike<unknown> =>
+  typeof x === 'object' && x !== null && Number.isSafeInteger((x as ArrayLike<unknown>).length);
+
+/**
+ * Throws InvalidInput if `given` has a field of its own that is not among `fields`: a height of a cylinder would be ignored in silence. One that is undefined is as good
+ * as missing. `besides` is one more field, which need not be told of.
+ */
+export function requireFields(
+  what: string,
+  given: object | null | undefined,
+  fields: readonly string[],
+  besides?: string,
+): void {
+  for (const key in given) {
+    if (key === besides || fields.includes(key)) continue;
+    const own = Object.hasOwn(given, key) && given[key as keyof typeof given] !== undefined;
+    if (own) {
+      throw new InvalidInput(
+        `${quote(key)} means nothing for a ${what}, which has ${fields.join(', ')}`,
+      );
+    }
+  }
+}
+
+export function requireNonZero(name: string, v: ArrayLike<number>): void {
   if (v[0] === 0 && v[1] === 0 && v[2] === 0) {
-    throw new InvalidInput(`${name} must not be zero, got (${v.join(', ')})`);
+    throw new InvalidInput(`${name} must not be zero, got ${quote(v)}`);
   }
 }
 
@@ -46,7 +71,7 @@ export function refused(name: string, must: string, x: unknown): InvalidInput {
 export function quote(x: unknown): string {
   if (typeof x === 'string') return `'${x.slice(0, 60)}'`;
   if (Object.is(x, -0)) return '-0';
-  if (Array.isArray(x)) return `(${x.slice(0, 4).map(quote).join(', ')})`;
+  if (isList(x)) return `(${Array.prototype.slice.call(x, 0, 4).map(quote).join(', ')})`;
   if (x === undefined || x === null) return 'nothing';
   return typeof x === 'object' ? 'an object' : String(x);
 }

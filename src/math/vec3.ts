@@ -1,6 +1,17 @@
 /** A point or a direction in space, components along x, y and z. */
 export type Vec3 = readonly [number, number, number];
 
+/**
+ * What a caller may give: for each vector any list of three numbers, a Float64Array for one. The answers are made of plain arrays.
+ */
+export type Given<T> = T extends unknown
+  ? { readonly [K in keyof T]: T[K] extends Vec3 ? ArrayLike<number> : T[K] }
+  : never;
+
+/** x, y and z as a plain array. */
+export const plainVector = (v: ArrayLike<number>): Vec3 =>
+  (Array.isArray(v) ? v : [v[0], v[1], v[2]]) as unknown as Vec3;
+
 export type Axis = 'x' | 'y' | 'z';
 
 export const AXES: readonly Axis[] = ['x', 'y', 'z'];

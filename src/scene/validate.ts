@@ -1,6 +1,6 @@
 import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
 import type { Shape } from '../math/shapes/index.ts';
-import { checkShape } from '../math/shapes/lookup.ts';
+import { checkedShape, definitionOf } from '../math/shapes/lookup.ts';
 import {
   axis,
   colour,
@@ -68,12 +68,7 @@ const material = record<Material>(
 const shape: Read<Shape> = (value, path) => {
   const given = fieldsOf(value, path);
   try {
-    const { kind, params } = checkShape(value as Shape);
-    for (const key of Object.keys(given)) {
-      if (key !== 'kind' && !params.some((param) => param.key === key)) {
-        throw new InvalidInput(`${quote(key)} means nothing for a ${kind}`);
-      }
-    }
+    const { kind, params } = definitionOf(checkedShape(value as Shape));
     const own = params.map(({ key, type }) => {
       const read: Read<unknown> =
         type === 'vector' ? point : type === 'number' ? coordinate : (x) => x;

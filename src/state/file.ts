@@ -1,6 +1,6 @@
 import { quote } from '../math/invalid-input.ts';
 import { SHAPES, type Shape } from '../math/shapes/index.ts';
-import { checkShape } from '../math/shapes/lookup.ts';
+import { checkedShape } from '../math/shapes/lookup.ts';
 import { type AppState, INITIAL, PAGES, type Settings } from './state.ts';
 import { readTexts, type TypedTexts } from './typed-texts.ts';
 import { decode, encode, MAX_KEYS } from './url.ts';
@@ -67,10 +67,8 @@ function readShapes(shapes: readonly unknown[], problems: string[]): Record<stri
   const found: Record<string, Shape> = {};
   for (const shape of shapes.slice(0, SHAPES.length)) {
     try {
-      const { kind, params } = checkShape(shape as Shape);
-      const given = shape as Readonly<Record<string, unknown>>;
-      const own = params.map(({ key }) => [key, given[key]] as const);
-      found[kind] = { kind, ...Object.fromEntries(own) } as unknown as Shape;
+      const own = checkedShape(shape as Shape);
+      found[own.kind] = own;
     } catch (error) {
       problems.push(
         `opened without a shape: ${error instanceof Error ? error.message : 'unreadable'}`,

@@ -1,4 +1,5 @@
 import type { Verdict } from '../intersection.ts';
+import { requireFinite, requireNonZero } from '../invalid-input.ts';
 import type { Ray } from '../ray.ts';
 import { type MakeArray, ownArray } from './memory.ts';
 
@@ -35,7 +36,11 @@ export interface Answers {
   readonly rareVerdict: Uint8Array;
 }
 
-/** A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the answers. */
+/**
+ * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the answers. Of a ray that is not `exact` and `certified` throw InvalidInput,
+ * with its index, and no ray has an answer then: t0, t1 and margin are NaN, nothing is listed. The other rungs go on, with what their arithmetic makes of it. A number
+ * that the formula does not look at, as a cylinder's does not at Ey and dy, may be anything.
+ */
 export interface Kernel {
   /** The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a flat one. */
   readonly met: 'two' | 'one';
@@ -95,6 +100,27 @@ export function createAnswers(capacity: number, make: MakeArray = ownArray): Ans
     rareVerdict: new Uint8Array(capacity),
   };
 }
+
+/** For kernels that throw: whether ray i is in order, asked of those only that take long anyway. `looksAtY` as Quadric.hasY. */
+export function checkRay(rays: Rays, i: number, looksAtY: boolean, out: Answers): void {
+  const ex = rays.Ex[i] as number;
+  const ey = rays.Ey[i] as number;
+  const ez = rays.Ez[i] as number;
+  const x = rays.dx[i] as number;
+  const y = rays.dy[i] as number;
+  const z = rays.dz[i] as number;
+  // x − x is 0 for a finite x only.
+  const around = ex - ex + (ez - ez) + (x - x) + (z - z);
+  const along = looksAtY ? ey - ey + (y - y) : 0;
+  if (around + along === 0 && (x !== 0 || y !== 0 || z !== 0)) return;
+  for (const answers of [out.t0, out.t1, out.margin]) answers.fill(Number.NaN, 0, rays.count);
+  out.rareCount = 0;
+  const parts = looksAtY ? PARTS : PARTS.filter((part) => !part.endsWith('y'));
+  for (const part of parts) requireFinite(`ray ${i}: ${part}`, rays[part][i]);
+  requireNonZero(`ray ${i}: direction`, [x, y, z]);
+}
+
+const PARTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 
 /** For kernels: puts ray i on the list. */
 export function list(out: Answers, i: number, verdict: number): void {

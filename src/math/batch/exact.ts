@@ -1,5 +1,14 @@
 import type { Shape } from '../shapes/index.ts';
-import { type Answers, type Kernel, list, NONE, type Rays, selectFirst, TWO } from './batch.ts';
+import {
+  type Answers,
+  checkRay,
+  type Kernel,
+  list,
+  NONE,
+  type Rays,
+  selectFirst,
+  TWO,
+} from './batch.ts';
 import { solvePlanarExactly } from './exact-planar.ts';
 import { type RootSlot, solveExactly } from './exact-quadric.ts';
 import { type Planar, planarOf } from './planar.ts';
@@ -19,6 +28,7 @@ function exactQuadric(q: Quadric): Kernel {
     const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
     out.rareCount = 0;
     for (let i = 0; i < count; i++) {
+      checkRay(rays, i, q.hasY, out);
       const verdict = solveExactly(
         q,
         Ex[i] as number,
@@ -44,6 +54,7 @@ function exactPlanar(s: Planar): Kernel {
     const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
     out.rareCount = 0;
     for (let i = 0; i < count; i++) {
+      checkRay(rays, i, true, out);
       const verdict = solvePlanarExactly(
         s,
         Ex[i] as number,

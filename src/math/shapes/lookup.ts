@@ -1,4 +1,5 @@
-import { InvalidInput, quote, refused } from '../invalid-input.ts';
+import { InvalidInput, quote, refused, requireFields } from '../invalid-input.ts';
+import { type Given, plainVector } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { SHAPES, type Shape } from './index.ts';
 import { checkParam } from './params.ts';
@@ -11,6 +12,10 @@ export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
 
 const BY_KIND: ReadonlyMap<unknown, unknown> = new Map(SHAPES.map((shape) => [shape.kind, shape]));
 
+const FIELDS: ReadonlyMap<string, readonly string[]> = new Map(
+  SHAPES.map(({ kind, params }) => [kind, params.map(({ key }) => key)]),
+);
+
 export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   const found = findShape(shape?.kind);
   if (!found) {
@@ -20,10 +25,24 @@ export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   return found;
 }
 
-/** Throws InvalidInput unless every parameter of the shape is there and in its range. */
-export function checkShape(shape: Shape): ShapeDefinition<Shape> {
-  const definition = definitionOf(shape);
+/**
+ * The shape with its vectors as plain arrays: itself, where they are. Throws InvalidInput unless every parameter of its kind is there and in its range, and nothing
+ * else.
+ */
+export function checkedShape(shape: Given<Shape>): Shape {
+  const { kind, params } = definitionOf(shape as Shape);
   const given = shape as unknown as Readonly<Record<string, unknown>>;
-  for (const param of definition.params) checkParam(param, given[param.key]);
-  return definition;
+  requireFields(kind, given, FIELDS.get(kind) ?? [], 'kind');
+  let plain = true;
+  for (const param of params) {
+    const value = given[param.key];
+    checkParam(param, value);
+    if (param.type === 'vector' && !Array.isArray(value)) plain = false;
+  }
+  if (plain) return shape as Shape;
+  const own = params.map(({ key, type }) => [
+    key,
+    type === 'vector' ? plainVector(given[key] as ArrayLike<number>) : given[key],
+  ]);
+  return { kind, ...Object.fromEntries(own) } as Shape;
 }

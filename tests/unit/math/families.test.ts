@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import { FAMILIES, type Family, findFamily, type Question } from '../../../src/math/families.ts';
-import { checkRay } from '../../../src/math/intersect.ts';
+import { checkedRay } from '../../../src/math/intersect.ts';
 import type { CurvedDetails, FlatDetails, Intersection } from '../../../src/math/intersection.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { type Random, seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
-import { checkShape } from '../../../src/math/shapes/lookup.ts';
+import { checkedShape } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { onBoundary } from './boundary.ts';
 import { rayCases } from './read-vectors.ts';
@@ -80,8 +80,8 @@ describe.each(FAMILIES)('$id', ({ make, batch, dial }) => {
   test('asks valid questions, at both ends of its dial too', () => {
     for (const difficulty of [undefined, ...(dial ? dial.range : [])]) {
       for (const { shape, ray } of many(seeded(1), difficulty)) {
-        checkShape(shape);
-        checkRay(ray);
+        checkedShape(shape);
+        checkedRay(ray);
       }
     }
   });
@@ -93,8 +93,8 @@ describe.each(FAMILIES)('$id', ({ make, batch, dial }) => {
 
   test('a batch is many rays for one shape', () => {
     const { shape, rays } = batch(seeded(4), 50);
-    checkShape(shape);
-    rays.forEach(checkRay);
+    checkedShape(shape);
+    rays.forEach(checkedRay);
     expect(rays).toHaveLength(50);
     expect(new Set(rays.map((ray) => JSON.stringify(ray))).size).toBeGreaterThan(10);
     expect(shape).toEqual(make(seeded(4)).shape);

@@ -61,7 +61,7 @@ describe('what is wrong is said, with where and what it was', () => {
       },
     ],
     [
-      "things[3].shape: 'colour' means nothing for a cylinder",
+      "things[3].shape: 'colour' means nothing for a cylinder, which has center, radius",
       (s) => {
         (thing(s, 3).shape as Loose).colour = '#ffffff';
       },

@@ -1,5 +1,6 @@
 import {
   type Answers,
+  checkRay,
   type Kernel,
   list,
   NONE,
@@ -40,6 +41,7 @@ export function certifiedPlanar(s: Planar): Kernel {
     planarRoots(s, rays, out, left);
     for (let k = 0; k < left.count; k++) {
       const i = left.open[k] as number;
+      checkRay(rays, i, true, out);
       const verdict = solvePlanarSlowly(s, rays, i, out, slot);
       out.t0[i] = verdict === ONE ? slot.t0 : Number.NaN;
       out.t1[i] = Number.NaN;

@@ -1,5 +1,6 @@
 import {
   type Answers,
+  checkRay,
   type Kernel,
   list,
   NONE,
@@ -31,6 +32,7 @@ export function certifiedKernel(q: Quadric): Kernel {
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     for (let k = 0; k < left.count; k++) {
       const i = left.open[k] as number;
+      checkRay(rays, i, q.hasY, out);
       E[0] = Ex[i] as number;
       E[1] = Ey[i] as number;
       E[2] = Ez[i] as number;
