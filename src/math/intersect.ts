@@ -1,5 +1,6 @@
 import type { Coefficients, Intersection, QuadraticAnswer } from './intersection.ts';
 import {
+  countFields,
   InvalidInput,
   quote,
   requireFields,
@@ -50,7 +51,7 @@ export function intersect(
   const rung = methodOf(method);
   const surface = checkedShape(shape);
   const found = rung.intersect(surface, checkedRay(ray));
-  requireFields('set of options', options, OPTIONS);
+  if (options) requireFields('set of options', options, OPTIONS);
   const from = options?.from;
   if (from === undefined || from === null) return found;
   return withoutStart(found, surface, checkedShape(from));
@@ -106,9 +107,12 @@ const RAY = ['origin', 'direction'];
 
 /** The ray with plain arrays: itself, where they are. */
 export function checkedRay(ray: Given<Ray>): Ray {
-  if (typeof ray === 'object') requireFields('ray', ray, RAY);
   const origin = ray?.origin;
   const direction = ray?.direction;
+  if (typeof ray === 'object' && ray !== null) {
+    const whole = origin !== undefined && direction !== undefined && countFields(ray) === 2;
+    if (!whole) requireFields('ray', ray, RAY);
+  }
   requireFiniteVector('origin', origin);
   requireFiniteVector('direction', direction);
   requireNonZero('direction', direction);

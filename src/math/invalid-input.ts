@@ -56,6 +56,13 @@ export function requireFields(
   }
 }
 
+/** How many fields it has. Where that is as many as are needed, and these are there, no name need be looked at, which costs more. */
+export function countFields(given: object): number {
+  let count = 0;
+  for (const _ in given) count += 1;
+  return count;
+}
+
 export function requireNonZero(name: string, v: ArrayLike<number>): void {
   if (v[0] === 0 && v[1] === 0 && v[2] === 0) {
     throw new InvalidInput(`${name} must not be zero, got ${quote(v)}`);

@@ -1,4 +1,4 @@
-import { InvalidInput, quote, refused, requireFields } from '../invalid-input.ts';
+import { countFields, InvalidInput, quote, refused, requireFields } from '../invalid-input.ts';
 import { type Given, plainVector } from '../vec3.ts';
 import type { ShapeDefinition } from './define.ts';
 import { SHAPES, type Shape } from './index.ts';
@@ -32,10 +32,11 @@ export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
 export function checkedShape(shape: Given<Shape>): Shape {
   const { kind, params } = definitionOf(shape as Shape);
   const given = shape as unknown as Readonly<Record<string, unknown>>;
-  requireFields(kind, given, FIELDS.get(kind) ?? [], 'kind');
+  const odd = countFields(given) !== params.length + 1;
   let plain = true;
   for (const param of params) {
     const value = given[param.key];
+    if (odd || value === undefined) requireFields(kind, given, FIELDS.get(kind) ?? [], 'kind');
     checkParam(param, value);
     if (param.type === 'vector' && !Array.isArray(value)) plain = false;
   }
