@@ -133,9 +133,7 @@ function result(
   exactly: Exactly,
 ): TemplateResult {
   const { text, beside } = shownResult(id, x, found, exactly);
-  return html`<span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
-    Number.isNaN(x) ? 'no value' : value(id, x, { text })
-  }${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
+  return html`<span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, x, { text })}${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
 }
 
 /** Two in a line where the numbers are short enough. */

@@ -35,7 +35,7 @@ function stepRow(step: Step, isWorst: boolean): TemplateResult {
     <th scope="row">
       <span class="visually-hidden">${letter && letter !== expr ? `${plainText(letter)} = ` : ''}${step.text}</span>
       <span aria-hidden="true">${formula(mathml`${name}${typesetSymbols(expr)}`)}</span></th>
-    <td data-value=${shortest(own)}>${Number.isNaN(own) ? 'not a number' : markedNumber(markDigits(own, count))}</td>
+    <td data-value=${Number.isNaN(own) ? nothing : shortest(own)}>${Number.isNaN(own) ? 'not a number' : markedNumber(markDigits(own, count))}</td>
     <td>${digitCell(digits, null)}</td>
     <td class="exactly">${exactly(exact)}</td>
     <td class="lost">${lost >= 0.5 ? html`${isWorst ? html`<b>◀ ${display(lost, 2)} digits</b>` : `${display(lost, 2)}`}` : nothing}</td>

@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { display, displayAll, shortest } from '../text/format.ts';
 
 interface Look {
@@ -11,19 +11,23 @@ interface Look {
   readonly keeps?: boolean;
 }
 
-/** A computed number on the page: shown in six digits, carried in full by data-value; a click shows every digit. */
+/**
+ * A computed number on the page: shown in six digits, carried in full by data-value; a click shows every digit. What a
+ * method lost carries none.
+ */
 export function value(
   quantity: string,
   x: number,
   { room = Number.POSITIVE_INFINITY, digits = 6, text = null, keeps = text === null }: Look = {},
 ): TemplateResult {
   const short = text ?? displayWithin(x, room, digits);
+  const has = !Number.isNaN(x);
   const long = keeps ? displayAll(x) : (text ?? displayAll(x));
   return html`<button
     type="button"
     class=${short.length > room ? 'value tight' : 'value'}
-    data-quantity=${quantity}
-    data-value=${shortest(x)}
+    data-quantity=${has ? quantity : nothing}
+    data-value=${has ? shortest(x) : nothing}
     title=${`${long} (click for all digits)`}
     @click=${toggleDigits}
   ><span class="short">${short}</span><span class="long">${long}</span></button>`;

@@ -10,8 +10,15 @@ import { valuesOf } from '../math/methods/tree-method.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
-import { ALL_DIGITS, CERTAIN_DIGITS, display, MINUS } from '../text/format.ts';
-import { superscript } from '../text/scripts.ts';
+import {
+  ALL_DIGITS,
+  CERTAIN_DIGITS,
+  type DisplayParts,
+  display,
+  displayParts,
+  inOne,
+  MINUS,
+} from '../text/format.ts';
 
 /** What exact arithmetic says of a ray and a shape. */
 export interface Exactly {
@@ -122,20 +129,20 @@ export function digitsToTell(a: number, b: number): number {
 }
 
 /** Six digits of an exact number, also beyond the doubles. */
-export function exactText(a: Surd): string {
-  if (exact.sign(a) === 0) return '0';
+export const exactText = (a: Surd): string => inOne(exactParts(a));
+
+export function exactParts(a: Surd): DisplayParts {
   const rounded = exact.toNumber(a);
-  if (Number.isFinite(rounded) && rounded !== 0) return display(rounded);
+  if (exact.sign(a) === 0 || (Number.isFinite(rounded) && rounded !== 0)) {
+    return displayParts(rounded);
+  }
   const { negative, digits, exponent } = decimalDigits(a, DIGITS);
   const more = decimalDigits(a, CERTAIN_DIGITS).digits;
   // As `display` has it: zeros at the end stay where digits were rounded away.
   const figures = /^0*$/.test(more.slice(DIGITS)) ? digits.replace(/0+$/, '') : digits;
   const fraction = figures.slice(1);
-  const sign = negative ? MINUS : '';
-  const power = `10${superscript(exponent)}`;
-  return figures === '1'
-    ? sign + power
-    : `${sign}${figures.charAt(0)}${fraction ? `.${fraction}` : ''} · ${power}`;
+  const mantissa = `${negative ? MINUS : ''}${figures.charAt(0)}${fraction ? `.${fraction}` : ''}`;
+  return { mantissa, exponent };
 }
 
 /** The roots as they are printed: with more digits where six would make two of them look alike. */

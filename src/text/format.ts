@@ -11,6 +11,9 @@ export const ALL_DIGITS = 17;
 const FIXED_BELOW = 6;
 const FIXED_FROM = -4;
 
+/** What stands for a number that a method lost: ∞ − ∞, 0 · ∞. */
+export const NO_VALUE = 'no value';
+
 export interface DisplayParts {
   /** With its sign, a true minus; '∞' for an infinity. */
   readonly mantissa: string;
@@ -30,7 +33,11 @@ export function displayAll(x: number): string {
 
 /** x rounded to `digits` significant digits: 0.72, 5.50860 (more digits follow), −1.2 · 10⁷. Never 0 for what is not 0. */
 export function display(x: number, digits = 6): string {
-  const { mantissa, exponent } = displayParts(x, digits);
+  return inOne(displayParts(x, digits));
+}
+
+/** The two parts as one text; a mantissa of 1 goes without saying. */
+export function inOne({ mantissa, exponent }: DisplayParts): string {
   if (exponent === null) return mantissa;
   const power = `10${superscript(exponent)}`;
   if (mantissa === '1') return power;
@@ -45,7 +52,7 @@ export function displayTriple(v: readonly [number, number, number], digits = 6):
 /** What `display` writes, in two parts, for a view that typesets the power itself. Both zeros are '0'. */
 export function displayParts(x: number, digits = 6): DisplayParts {
   if (x === 0) return { mantissa: '0', exponent: null };
-  if (Number.isNaN(x)) return { mantissa: 'undefined', exponent: null };
+  if (Number.isNaN(x)) return { mantissa: NO_VALUE, exponent: null };
   const sign = x < 0 ? MINUS : '';
   if (!Number.isFinite(x)) return { mantissa: `${sign}∞`, exponent: null };
   const { figures, exponent } = significant(Math.abs(x), digits);

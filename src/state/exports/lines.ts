@@ -1,14 +1,17 @@
 import type { ConditionStep, Step } from '../../math/derivation.ts';
 import type { Expr, Relation } from '../../math/formula/expr.ts';
-import { inNumbers, inSymbols, numberTriple } from '../../math/formula/print/leaves.ts';
+import { inNumbers, inSymbols, numberTriple, partsPiece } from '../../math/formula/print/leaves.ts';
 import type { Marks } from '../../math/formula/print/math-notation.ts';
 import type { ExploreModel } from '../derive.ts';
+import { exactParts, rangeNote, shownResult } from '../exact-digits.ts';
+import { putIn, resultsOf } from '../put-in.ts';
 import { hitLines } from './hit-lines.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';
 
-/** The page's algebra from the ray to the hits: symbols, numbers put in, value; six digits, as on the page. */
+/** The page's algebra from the ray to the hits: symbols, numbers put in, value; digits as on the page. */
 export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
-  const { derivation, contradicted } = model;
+  const { derivation, contradicted, found, exactly } = model;
+  const range = rangeNote(derivation, found, exactly);
   return [
     ...given(model, marks),
     relationLine(derivation.surface, marks),
@@ -20,6 +23,7 @@ export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M
     },
     ...derivation.steps.flatMap((step) => stepLines(step, model, marks)),
     ...derivation.conditions.flatMap((condition) => conditionLines(condition, model, marks)),
+    ...(range ? [wordsLine<M>(range)] : []),
     verdictLine(model, marks),
     ...(contradicted ? [wordsLine<M>(`exact arithmetic says: ${contradicted}`)] : []),
     ...hitLines(model, marks),
@@ -54,17 +58,35 @@ function relationLine<M>({ left, relation, right }: Relation, marks: Marks<M>): 
 }
 
 /** A quantity without a letter of its own is its symbols: they stand on the left. */
-function stepLines<M>(
-  { letter, expr, value, worked }: Step,
-  { derivation }: ExploreModel,
-  marks: Marks<M>,
-): Line<M>[] {
+function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): Line<M>[] {
+  const { id, letter, expr, value, worked } = step;
+  const { derivation, found, exactly } = model;
   const symbols = inSymbols(expr, marks);
-  const put = inNumbers(expr, marks, derivation.numbers, { worked, digits: DIGITS });
-  const right = value === null ? put : marks.join([put, marks.operator('='), number(value, marks)]);
-  return letter
-    ? [equation(inSymbols(letter, marks), symbols), equation(null, right)]
-    : [equation(symbols, right)];
+  const put = putIn(step, derivation, resultsOf(step, found, exactly), [null], () => true);
+  const sign = put?.isFaithful === false ? '≈' : '=';
+  const result = value === null ? null : resultPiece(id, value, model, marks);
+  const numbers = put && inNumbers(expr, marks, derivation.numbers, { worked, digits: put.digits });
+  const parts = [numbers, result].filter((m) => m !== null);
+  const right = marks.join(parts.flatMap((m, i) => (i > 0 ? [marks.operator(sign), m] : [m])));
+  // A line that ends with its numbers gives the roots below.
+  const relation = result === null ? sign : '=';
+  const lines: Line<M>[] = letter ? [equation(inSymbols(letter, marks), symbols)] : [];
+  if (parts.length === 0) return lines;
+  return [...lines, { left: letter ? null : symbols, relation, right, words: '' }];
+}
+
+/** The value; for what no double holds the exact power of ten. */
+function resultPiece<M>(
+  id: string,
+  value: number,
+  { found, exactly }: ExploreModel,
+  marks: Marks<M>,
+): M {
+  const isBeyond = shownResult(id, value, found, exactly).text !== null;
+  const quantity = exactly.quantities[id];
+  return isBeyond && quantity && !Number.isNaN(value)
+    ? partsPiece(exactParts(quantity), marks).m
+    : number(value, marks);
 }
 
 /** The condition in symbols, then in numbers; of a length only the value is told, as on the page. */

@@ -164,7 +164,7 @@ test.each([
   [-1.5e-9, '−1.5·10^−9'],
   [1 / 3, '0.333333'],
   [Number.NEGATIVE_INFINITY, '−∞'],
-  [Number.NaN, 'undefined'],
+  [Number.NaN, 'no value'],
 ])('%d is typeset as %s', (x, text) => {
   expect(read(typesetNumber(x))).toBe(text);
 });

@@ -45,7 +45,7 @@ describe('display: meaning', () => {
       '0',
       '∞',
       '−∞',
-      'undefined',
+      'no value',
     ]);
   });
 });

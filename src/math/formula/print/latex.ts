@@ -8,6 +8,7 @@ const OPERATORS: Readonly<Record<Sign, string>> = {
   '·': ' \\cdot ',
   ',': ', ',
   '=': ' = ',
+  '≈': ' \\approx ',
   '≠': ' \\ne ',
   '<': ' < ',
   '>': ' > ',
@@ -57,6 +58,7 @@ const ESCAPED: Readonly<Record<string, string>> = {
   '≤': '$\\le$',
   '≥': '$\\ge$',
   '≠': '$\\ne$',
+  '≈': '$\\approx$',
   '±': '$\\pm$',
   '’': "'",
 };
@@ -64,7 +66,7 @@ const ESCAPED: Readonly<Record<string, string>> = {
 /** Words of the page inside of \text{}: nothing but ASCII, so that it does not matter which engine sets it. */
 export function latexText(words: string): string {
   const escaped = words
-    .replace(/[\\^~−·∞√≤≥≠±’&%#_{}$]/g, (c) => ESCAPED[c] ?? `\\${c}`)
+    .replace(/[\\^~−·∞√≤≥≠≈±’&%#_{}$]/g, (c) => ESCAPED[c] ?? `\\${c}`)
     .replace(/[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, (run) => `$^{${plainPowers(run).slice(1)}}$`)
     .replace(/[₀-₉]+/g, (run) => `$_{${[...run].map((d) => '₀₁₂₃₄₅₆₇₈₉'.indexOf(d)).join('')}}$`);
   return `\\text{${escaped}}`;

@@ -1,4 +1,4 @@
-import { displayParts, MINUS } from '../../../text/format.ts';
+import { type DisplayParts, displayParts, MINUS } from '../../../text/format.ts';
 import { float64 } from '../../arithmetic/float64.ts';
 import { AXES, axisIndex } from '../../vec3.ts';
 import { evaluate, type Values } from '../evaluate.ts';
@@ -23,17 +23,17 @@ export function inNumbers<M>(
 
 /** A number as it is typeset: true minus, powers of ten raised. */
 export function numberPiece<M>(x: number, marks: Marks<M>, digits = 6): Piece<M> {
-  const { mantissa, exponent } = displayParts(x, digits);
+  return partsPiece(displayParts(x, digits), marks);
+}
+
+export function partsPiece<M>({ mantissa, exponent }: DisplayParts, marks: Marks<M>): Piece<M> {
   const negative = mantissa.startsWith(MINUS);
   const sign = negative ? [marks.minus] : [];
   const figures = marks.numeral(negative ? mantissa.slice(MINUS.length) : mantissa);
   const power =
     exponent === null
       ? []
-      : [
-          marks.operator('·'),
-          marks.power(marks.numeral('10'), numberPiece(exponent, marks, digits).m),
-        ];
+      : [marks.operator('·'), marks.power(marks.numeral('10'), numberPiece(exponent, marks).m)];
   return {
     m: marks.join([...sign, figures, ...power]),
     rank: negative || exponent !== null ? RANK.product : RANK.single,

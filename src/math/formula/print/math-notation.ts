@@ -3,7 +3,7 @@ import type { Expr, VectorExpr } from '../expr.ts';
 import type { Notation, WrittenTerm } from './printer.ts';
 
 export type Sort = 'scalar' | 'vector';
-export type Sign = '+' | '−' | '±' | '·' | ',' | '=' | '≠' | '<' | '>' | '≤';
+export type Sign = '+' | '−' | '±' | '·' | ',' | '=' | '≈' | '≠' | '<' | '>' | '≤';
 
 /** The marks that mathematics is written with, in some medium M: LaTeX, MathML, templates of a page. */
 export interface Marks<M> {
