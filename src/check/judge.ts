@@ -2,7 +2,7 @@ import { causesOf } from './causes.ts';
 import { before, type Derivation, fits, type Line, wayBy } from './derivation.ts';
 import { compared, grade, type Mark, readAnswer, roughly, type Texts } from './grade.ts';
 import type { Misconception } from './misconceptions/define.ts';
-import type { Answers, Field } from './types.ts';
+import { ABSENT, type Answers, type Field } from './types.ts';
 import { WAYS, type Way } from './ways.ts';
 
 export interface Judged {
@@ -109,7 +109,7 @@ function foundBy(
   return { course, way, standing };
 }
 
-/** The wrong lines that a line follows from, through others that follow as well. */
+/** The wrong lines that a line follows from: with the right value in such a line's place it would come out otherwise. */
 function sources(
   derivation: Derivation,
   { course, standing }: Found,
@@ -118,14 +118,14 @@ function sources(
   marks: Judged['marks'],
 ): Field[] {
   const own = before(lines, at);
+  const truth = derivation.truth(course);
   const id = lines[at]?.field.id ?? '';
   const value = JSON.stringify(derivation.next(course, own)[id]);
   const found = lines.slice(0, at).flatMap(({ field }, i): Field[] => {
     const mark = marks[field.id];
     if (!mark || mark.verdict === 'correct') return [];
-    const { [field.id]: _, ...others } = own;
-    const without = derivation.next(course, others)[id];
-    if (JSON.stringify(without) === value) return [];
+    const right = { ...own, [field.id]: truth[field.id] ?? ABSENT };
+    if (JSON.stringify(derivation.next(course, right)[id]) === value) return [];
     return standing[i] === 'follows'
       ? sources(derivation, { course, standing, way: null }, lines, i, marks)
       : [field];

@@ -1,5 +1,6 @@
 import type { Texts } from './grade.ts';
 import type { Judged } from './judge.ts';
+import { plan } from './session.ts';
 
 /** How far one question got. */
 export interface Asked {
@@ -70,14 +71,23 @@ export function readProgress(text: string | null): Progress | null {
     const value: unknown = JSON.parse(text ?? '');
     if (!isRecord(value) || !Number.isSafeInteger(value.seed) || !isRecord(value.asked))
       return null;
+    const slots = plan(value.seed as number);
     const asked = Object.entries(value.asked).flatMap(([index, one]) => {
       const read = readAsked(one);
-      return /^\d{1,3}$/.test(index) && read ? [[index, read] as const] : [];
+      if (!/^\d{1,3}$/.test(index) || !read) return [];
+      const texts = renamed(read.texts, slots[Number(index)]?.exercise);
+      return [[index, { ...read, texts }] as const];
     });
     return { seed: value.seed as number, asked: Object.fromEntries(asked) };
   } catch {
     return null;
   }
+}
+
+/** The t of flat questions was once kept as 't', and is 't1' since: what was typed is still there. */
+function renamed(texts: Texts, exercise: string | undefined): Texts {
+  const { t, ...others } = texts;
+  return exercise === 'flat' && t !== undefined ? { t1: t, ...others } : texts;
 }
 
 /** Sessions that a device keeps; the one that was touched longest ago goes first. */

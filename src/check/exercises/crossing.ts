@@ -54,16 +54,16 @@ export const crossing: Exercise = {
     const by = byParam(draft);
     if (!param || !by) return { rule: '', put: '', decision: [] };
     const { symbol, value } = param;
-    const at = (x: number): string => {
-      const words = caseWords(work(courseOf(shape), { shape: withParam(shape, param, x), ray }));
-      return `${symbol} = ${display(x)}: ${words}`;
+    const at = (off: number, name: string): string => {
+      const input = { shape: withParam(shape, param, value + off), ray };
+      return `${symbol} = ${display(value)}${name}: ${caseWords(work(courseOf(shape), input))}`;
     };
     const A = `A = ${linearWords(by.A, by.u)}`;
     const D = `D = ${linearWords(by.D, by.u)}`;
     return {
       rule: 'The sign of D decides where A ≠ 0; where A = 0, B t + C = 0 is left.',
       put: `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} = ${display(value)}?`,
-      decision: [`${A} and ${D}.`, at(value - LITTLE), at(value), at(value + LITTLE)],
+      decision: [`${A} and ${D}.`, at(-LITTLE, ' − 1/64'), at(0, ''), at(LITTLE, ' + 1/64')],
     };
   },
   clue: 'Write D, and A, as functions of the parameter, and see where they change their sign.',

@@ -91,7 +91,7 @@ export const digits: Exercise = {
     const [B, D] = [numberOf(found, 'B'), numberOf(found, 'D')];
     const product = 4 * numberOf(found, 'A') * numberOf(found, 'C');
     const { lines, cures } = keptDigits(draft) ?? { lines: [], cures: [] };
-    const digits = (kept: number): string => kept.toFixed(0);
+    const digits = (kept: number): number => Math.floor(kept);
     return {
       rule: 'A line loses the digits in which its terms agree, and later lines cannot get them back.',
       put: `B² = ${display(B * B)} and 4AC = ${display(product)}; −B = ${display(-B)} and √D = ${display(Math.sqrt(D))}: which of them nearly cancel? Or do the terms of A, B or C already?`,

@@ -56,7 +56,7 @@ export const first: Exercise = {
           : `${both} < 0: both are behind E, so neither is visible.`;
     return {
       rule: 'Of the roots that are not negative, the smallest is seen first.',
-      put: `Is ${display(t1)} ≥ 0? Is ${display(t2)} ≥ 0? Which of those that are is smaller?`,
+      put: `Is ${display(t1)} ≥ 0? Is ${display(t2)} ≥ 0? Which is the smaller of those?`,
       decision: [decision],
     };
   },
