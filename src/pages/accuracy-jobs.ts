@@ -2,6 +2,7 @@ import type { LabReply, LabRequest } from '../lab/messages.ts';
 import type { Measured, MeasureRequest } from '../lab/session.ts';
 import type { SweepPoint, SweepRequest } from '../lab/sweep.ts';
 import { late } from '../ui/late.ts';
+import { startWatched } from '../workers/life.ts';
 
 /** A worker of the laboratory, as far as the page needs one. */
 export interface LabWorker {
@@ -128,5 +129,5 @@ export async function spawnLab(): Promise<LabWorker> {
     import.meta.env.MODE === 'single'
       ? await late(() => import('../workers/lab.ts?worker&inline'))
       : await late(() => import('../workers/lab.ts?worker'));
-  return new Lab();
+  return startWatched((options) => new Lab(options));
 }

@@ -1,10 +1,12 @@
 import { answer } from '../lab/answer.ts';
 import type { LabRequest } from '../lab/messages.ts';
 import { accelerate } from '../math/accelerate.ts';
+import { liveAs } from './life.ts';
 
 /* The laboratory off the page's own thread: it may work without a pause, and is ended from outside. */
 
 accelerate();
+liveAs(self.name);
 
 addEventListener('message', ({ data }: MessageEvent<LabRequest>) => {
   answer(

@@ -1,8 +1,10 @@
 import { accelerate } from '../math/accelerate.ts';
 import { prepareTracer, type Tracer } from '../tracer/prepare.ts';
+import { liveAs } from './life.ts';
 import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
 
 accelerate();
+liveAs(self.name);
 
 /** The tracer of the last scene, ready or not yet. */
 let ready: Promise<Tracer> = Promise.reject(new Error('no scene yet'));

@@ -1,4 +1,5 @@
 import { late } from '../../ui/late.ts';
+import { startWatched } from '../../workers/life.ts';
 import type { WorkerLike } from '../../workers/trace-job.ts';
 
 export type Spawn = () => WorkerLike;
@@ -12,5 +13,5 @@ export async function tracerSpawner(): Promise<Spawn> {
     import.meta.env.MODE === 'single'
       ? await late(() => import('../../workers/trace.ts?worker&inline'))
       : await late(() => import('../../workers/trace.ts?worker'));
-  return () => new TraceWorker();
+  return () => startWatched((options) => new TraceWorker(options));
 }
