@@ -21,7 +21,8 @@ import { download, onTooLarge, pickFile, watchDrops } from './ui/files.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { watchHighlight } from './ui/highlight.ts';
 import { late, watchStyles } from './ui/late.ts';
-import { recall, remember, THEMES, watchTheme } from './ui/theme.ts';
+import { onNotKept, recall, remember } from './ui/storage.ts';
+import { THEMES, watchTheme } from './ui/theme.ts';
 import './ui/tokens.css';
 import './ui/base.css';
 import './ui/fields.css';
@@ -32,6 +33,8 @@ const LINK_DELAY_MS = 150;
 const SAID_MS = 2500;
 const SINGLE_KEYS = 'graze.single-keys';
 const TITLE = document.title;
+const NOT_KEPT =
+  'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts until the page is closed. Programs and summaries can be saved by File and export';
 
 const app = document.getElementById('app') as HTMLElement;
 const header = document.createElement('div');
@@ -257,6 +260,11 @@ document.addEventListener('keydown', (event) => {
 });
 watchDrops(document.body, openText);
 onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
+onNotKept(() => {
+  const { problems } = store.get();
+  if (problems.includes(NOT_KEPT)) return;
+  store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
+});
 watchHighlight(app);
 watchStyles(document);
 renderAll();

@@ -1,6 +1,6 @@
 import type { Texts } from '../check/grade.ts';
 import { type Progress, readSessions, started, withSession } from '../check/progress.ts';
-import { recall, remember } from '../ui/theme.ts';
+import { recall, remember } from '../ui/storage.ts';
 
 const SESSIONS = 'graze.check.sessions';
 const PROGRAM = 'graze.check.program';

@@ -1,6 +1,10 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Measured } from '../lab/session.ts';
+import { display } from '../text/format.ts';
 import './measure-bar.css';
+
+/** A timer this coarse makes a measurement several times as long. */
+const COARSE_MS = 0.5;
 
 export interface MeasureModel {
   /** Null: nothing was measured yet. */
@@ -36,9 +40,14 @@ export function measureBar(model: MeasureModel, actions: MeasureActions): Templa
 
 function leftText(measured: Measured | null): string {
   if (!measured || measured.share === 0) return 'the first round';
-  const { round, rounds, secondsLeft } = measured;
+  const { round, rounds, secondsLeft, clockStep } = measured;
   const seconds = Math.max(1, Math.round(secondsLeft));
-  return `round ${Math.min(round + 1, rounds)} of ${rounds}, about ${seconds} s left`;
+  // A sample takes many steps of the timer, however short its batch is.
+  const why =
+    clockStep >= COARSE_MS
+      ? `: the timer here steps by ${display(clockStep, 2)} ms, so samples are long`
+      : '';
+  return `round ${Math.min(round + 1, rounds)} of ${rounds}, about ${seconds} s left${why}`;
 }
 
 function stateText(measured: Measured | null): string {

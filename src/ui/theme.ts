@@ -1,3 +1,5 @@
+import { recall, remember } from './storage.ts';
+
 export const THEMES = ['system', 'light', 'dark', 'projector'] as const;
 export type Theme = (typeof THEMES)[number];
 
@@ -32,21 +34,4 @@ export function watchTheme(root: HTMLElement, changed: () => void): ThemeSwitch 
       apply();
     },
   };
-}
-
-/** What the device remembers, or null; storage is denied to files opened from disk in some browsers. */
-export function recall(key: string): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-export function remember(key: string, value: string): void {
-  try {
-    localStorage.setItem(key, value);
-  } catch {
-    // Then it lasts as long as the page.
-  }
 }
