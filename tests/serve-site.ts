@@ -12,17 +12,29 @@ const TYPES: Readonly<Record<string, string>> = {
   '.woff2': 'font/woff2',
 };
 
-/** Builds the site and serves it on a free port of this machine, with the headers that the dev server gives. */
-export async function serveSite(): Promise<{ url: string; close: () => void }> {
+interface Hosting {
+  /** Where on the host the site lies: '/', or a folder as '/x/y/'. */
+  readonly folder: string;
+  /** Whether the headers are sent that the dev server gives; a plain host sends none. */
+  readonly isolated: boolean;
+}
+
+/** Builds the site and serves it on a free port of this machine. */
+export async function serveSite(
+  { folder, isolated }: Hosting = { folder: '/', isolated: true },
+): Promise<{ url: string; close: () => void }> {
   await build({ logLevel: 'warn' });
   const server = createServer((request, response) => {
     const path = (request.url ?? '/').split('?')[0] ?? '/';
-    const file = join(SITE, path === '/' ? 'index.html' : path);
+    const file = join(SITE, path === folder ? 'index.html' : path.slice(folder.length));
     try {
+      if (!path.startsWith(folder)) throw new RangeError(path);
       statSync(file);
       response.setHeader('Content-Type', TYPES[extname(file)] ?? 'application/octet-stream');
-      response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
-      response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
+      if (isolated) {
+        response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
+        response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
+      }
       response.end(readFileSync(file));
     } catch {
       response.statusCode = 404;
@@ -33,5 +45,5 @@ export async function serveSite(): Promise<{ url: string; close: () => void }> {
     server.listen(0, '127.0.0.1', resolve);
   });
   const { port } = server.address() as { port: number };
-  return { url: `http://127.0.0.1:${port}/`, close: () => server.close() };
+  return { url: `http://127.0.0.1:${port}${folder}`, close: () => server.close() };
 }

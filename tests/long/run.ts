@@ -1,0 +1,84 @@
+// npm run test:long -- --only firefox,webkit: what takes too long for `npm test`, or needs other browsers.
+import { spawnSync } from 'node:child_process';
+import { parseArgs } from 'node:util';
+import { serveSite } from '../serve-site.ts';
+import { BROWSERS, type BrowserName, found, reference } from './browsers.ts';
+import { type Seen, tour } from './tour.ts';
+
+/** Commands of package.json, each with what makes it long. */
+const COMMANDS: Readonly<Record<string, readonly string[]>> = {
+  rays: ['fuzz', '--rays', '1e7'],
+  page: ['fuzz:page', '--actions', '5000'],
+  bench: ['bench'],
+};
+const STEPS = [...BROWSERS, ...Object.keys(COMMANDS)];
+
+const { values } = parseArgs({
+  options: { only: { type: 'string', default: STEPS.join() }, seed: { type: 'string' } },
+});
+const steps = values.only.split(',');
+const unknown = steps.filter((step) => !STEPS.includes(step));
+if (unknown.length > 0) throw new RangeError(`no step ${unknown}: there are ${STEPS.join(', ')}`);
+
+let passed = 0;
+let failed = 0;
+const skipped: string[] = [];
+const judge = (name: string, ok: boolean): void => {
+  console.log(`${ok ? '  ok ' : 'FAILED'} ${name}`);
+  if (ok) passed += 1;
+  else failed += 1;
+};
+
+const browsers = BROWSERS.filter((name) => steps.includes(name));
+if (browsers.length > 0) await tours(browsers);
+for (const [step, [script = '', ...args]] of Object.entries(COMMANDS)) {
+  if (!steps.includes(step)) continue;
+  const seed = values.seed === undefined || step === 'bench' ? [] : ['--seed', values.seed];
+  const argv = ['run', script, '--', ...args, ...seed];
+  judge(`npm ${argv.join(' ')}`, spawnSync('npm', argv, { stdio: 'inherit' }).status === 0);
+}
+for (const name of skipped)
+  console.log(`NOT RUN: ${name}: it is not here and could not be installed`);
+console.log(
+  `${passed} passed, ${failed} failed${skipped.length > 0 ? `, ${skipped.length} skipped` : ''}`,
+);
+process.exitCode = failed > 0 ? 1 : 0;
+
+/** As a plain host serves it: no headers, in a folder. */
+async function tours(names: readonly BrowserName[]): Promise<void> {
+  const site = await serveSite({ folder: '/x/y/', isolated: false });
+  try {
+    const own = await reference();
+    const wanted = await tour(own, site.url).finally(own.close);
+    for (const name of names) {
+      console.log(`${name}:`);
+      const browser = await found(name);
+      if (!browser) {
+        skipped.push(name);
+        continue;
+      }
+      try {
+        compare(name, wanted, await tour(browser, site.url));
+      } catch (error) {
+        judge(`${name}: ${(error as Error).message}`, false);
+      } finally {
+        await browser.close();
+      }
+    }
+  } finally {
+    site.close();
+  }
+}
+
+function compare(name: string, wanted: Seen, got: Seen): void {
+  for (const [what, value] of Object.entries(wanted)) {
+    judge(`${name}: ${what}`, got[what] === value);
+    if (got[what] !== value) console.log(firstDifference(value, got[what] ?? ''));
+  }
+}
+
+function firstDifference(wanted: string, got: string): string {
+  const lines = got.split('\n');
+  const at = wanted.split('\n').findIndex((line, i) => line !== lines[i]);
+  return `    Chromium: ${wanted.split('\n')[at]}\n    here:     ${lines[at]}`;
+}
