@@ -1,6 +1,7 @@
 import { nothing, render } from 'lit';
 import { pictureBar } from '../panels/picture-bar.ts';
 import { type CompareTools, sidePickers } from '../panels/picture-compare.ts';
+import { firstAgainst } from '../state/picture/against.ts';
 import { readPicture } from '../state/picture/settings.ts';
 import { download } from '../ui/files.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
@@ -83,7 +84,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
     pictureBar(picture, {
       set: tools.set,
       compare: () =>
-        tools.edit(({ against }) => ({ against: against ? '' : 'start:none', show: 'both' })),
+        tools.edit(({ against, sceneText, start }) => ({
+          against: against ? '' : firstAgainst(sceneText, start, shots.main.settings.method),
+          show: 'both',
+        })),
       again: () => darkroom.again([shots.main, ...(shots.other ? [shots.other] : [])]),
       cancel: darkroom.cancel,
       save: () => void save(),

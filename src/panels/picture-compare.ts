@@ -110,7 +110,7 @@ function counts(
     html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
   const kinds =
     verdicts > 0
-      ? html`: the ${side} misses ${count('holes', holes)} that hit, hits with ${count('ghosts', ghosts)} that miss, and with ${count('others', others)} another surface`
+      ? html`: on the ${side} ${count('holes', holes)} lose their hit, ${count('ghosts', ghosts)} hit where nothing is, ${count('others', others)} hit another surface`
       : nothing;
   return html`<span class="counts">${count('verdicts', verdicts)} other verdicts of camera rays${kinds}${lost}</span>`;
 }

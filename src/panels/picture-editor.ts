@@ -1,14 +1,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { SHAPES, type Shape } from '../math/shapes/index.ts';
-import { findShape } from '../math/shapes/lookup.ts';
+import { definitionOf, findShape } from '../math/shapes/lookup.ts';
 import { addLight, addShape, addThing, freeId } from '../scene/edit.ts';
 import type { Scene } from '../scene/types.ts';
 import {
   LIGHT_KINDS,
   LIGHT_WORDS,
-  materialWords,
   newLight,
   newThing,
+  thingWords,
 } from '../state/picture/edits.ts';
 import type { ChangeScene } from './picture-fields.ts';
 import { lightForm } from './picture-light.ts';
@@ -48,7 +48,7 @@ export function editor(
         part(
           thing.id,
           html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d=${findShape(thing.shape.kind)?.icon ?? ''} /></svg>`,
-          materialWords(thing.material),
+          thingWords(thing),
           edit === thing.id ? thingForm(scene, thing, tools.change) : null,
           tools,
           () => tools.remove(thing.id),
@@ -81,7 +81,7 @@ export function editor(
               return [addThing(now, thing), thing.id];
             })}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon} /></svg></button>`,
       )}
-      <button type="button" class="textual" @click=${() => tools.add((now) => [addShape(now, explored), freeId(now, explored.kind)])}>the ${findShape(explored.kind)?.title} of Explore</button>
+      <button type="button" class="textual" @click=${() => tools.add((now) => [addShape(now, explored), freeId(now, explored.kind)])}>the ${definitionOf(explored).named(explored).name} of Explore</button>
     </div>
     <div class="adding" role="group" aria-label="Add a light">
       <span>Add</span>

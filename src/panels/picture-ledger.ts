@@ -64,8 +64,12 @@ export function ledger(
     <h3 class="ledger-title">Not simulated</h3>
     <ul class="idle">
       ${idle.map((row) => idleRow(row, pixels, tools))}
-    </ul>
-    <h3 class="ledger-title">Left out or simplified, in every picture</h3>
+    </ul>`;
+}
+
+/** What no picture shows as nature does, and what is done instead. */
+export function simplifications(): TemplateResult {
+  return html`<h3 class="ledger-title">Left out or simplified, in every picture</h3>
     <ul class="idle">
       ${SIMPLIFICATIONS.map(
         ({ title, how, reason }) => html`<li class="idle-row" data-simplification=${title}>
@@ -129,7 +133,7 @@ function countWords(
   const clock = took
     ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`}`
     : nothing;
-  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: roots worked out for that (${grouped(solves)}), whether there was one or not; finite heights take the second one, and that a line does not meet a shape at all is known without.
+  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}). To say that a line misses a shape, often none is; finite heights need the second one.
     ms: the work of all workers added up (${msWords(ms)})${clock}.</p>`;
 }
 

@@ -1,4 +1,5 @@
 import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { jsonFault } from './json-fault.ts';
 import type { Scene } from './types.ts';
 import { validateScene } from './validate.ts';
 
@@ -30,6 +31,6 @@ function parsed(text: string): unknown {
   try {
     return JSON.parse(text, (_, x) => (x === '-0' ? -0 : x));
   } catch {
-    throw new InvalidInput(`${quote(text.slice(0, 30))} is not a saved scene`);
+    throw new InvalidInput(jsonFault(text) ?? `${quote(text.slice(0, 30))} is not a saved scene`);
   }
 }

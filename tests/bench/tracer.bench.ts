@@ -76,7 +76,7 @@ print(
 );
 
 print('\n## Million rays a second, 160 × 90\n');
-row(['preset', 'rays', ...methods.map(({ id }) => id)]);
+row(['preset', `rays by ${methods[0]?.id}`, ...methods.map(({ id }) => id)]);
 row(['---', '---', ...methods.map(() => '---')]);
 for (const { id, scene } of presets) {
   const found: Timed[] = [];

@@ -1,9 +1,10 @@
 import { html, render, type TemplateResult } from 'lit';
 import { type EditorTools, editor } from '../../panels/picture-editor.ts';
-import { ledger } from '../../panels/picture-ledger.ts';
+import { ledger, simplifications } from '../../panels/picture-ledger.ts';
 import { methodPanel } from '../../panels/picture-method.ts';
 import { remove } from '../../scene/edit.ts';
 import { sceneToJson } from '../../scene/json.ts';
+import { jsonFault } from '../../scene/json-fault.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import { download, pickFile } from '../../ui/files.ts';
@@ -67,7 +68,8 @@ export function createBeside(
       isMeasuring: isCounting() && uncounted.length > 0,
     };
     return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(sight.ledger, main?.state === 'finished' ? main : null, tool)}
-      ${methodPanel(method, picture, dispatch)}</div>`;
+      ${methodPanel(method, picture, dispatch)}
+      ${simplifications()}</div>`;
   };
 
   const form = (state: AppState, { picture }: Sight): TemplateResult =>
@@ -93,7 +95,10 @@ export function createBeside(
 async function openFile(dispatch: Dispatch): Promise<void> {
   const text = await pickFile('.json,application/json');
   if (text === null || openScene(text, dispatch)) return;
-  dispatch({ type: 'say', problems: ['this file holds no scene'] });
+  dispatch({
+    type: 'say',
+    problems: [`this file holds no scene: ${jsonFault(text) ?? 'it has no things'}`],
+  });
 }
 
 const TITLES = { ledger: 'What this picture needed', scene: 'Scene' } as const;

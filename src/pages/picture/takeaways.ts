@@ -76,6 +76,7 @@ function looksLikeScene(text: string): boolean {
     if (typeof data !== 'object' || data === null) return false;
     return 'things' in data || ('graze' in data && data.graze === 'scene');
   } catch {
-    return false;
+    // A scene with a slip in it is still meant to be one: the place of the slip is said when it is read.
+    return /"things"|"graze"\s*:\s*"scene"/.test(text);
   }
 }

@@ -4,6 +4,7 @@ export const grazing: ScenePreset = {
   id: 'grazing',
   reason:
     'Camera rays and light run along the surfaces: D is nearly 0, and a few wrong digits decide hit or miss.',
+  compare: 'method:textbook',
   scene: {
     title: 'grazing rays',
     camera: { eye: [0, 1000.9, 300_000_000], target: [0, 1000, 0], angle: 0.0000012 },

@@ -4,6 +4,7 @@ export const selfIntersection: ScenePreset = {
   id: 'self-intersection',
   reason:
     'Three quadrics and a lamp: without a start rule a third of the pixels shade themselves, by the exact method too.',
+  compare: 'start:none',
   scene: {
     title: 'three quadrics, one lamp',
     camera: { eye: [0.6, 3, 10], target: [0.2, 1, 0], angle: 34 },

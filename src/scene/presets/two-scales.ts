@@ -7,6 +7,7 @@ export const twoScales: ScenePreset = {
   id: 'two-scales',
   reason:
     'Things of a hundred-thousandth before hills of thousands of millions: an epsilon that cures the hills swallows the little shadows.',
+  compare: 'start:0.001',
   scene: {
     title: 'two scales',
     camera: { eye: [1 * U, 3 * U, 9 * U], target: [0, 1.2 * U, 0], angle: 34 },

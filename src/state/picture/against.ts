@@ -1,6 +1,7 @@
-import { findMethod } from '../../math/intersect.ts';
+import { DEFAULT_METHOD, findMethod } from '../../math/intersect.ts';
 import { InvalidInput, quote } from '../../math/invalid-input.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
+import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';
 import { readStart, startText, startWords } from './start.ts';
 
@@ -31,6 +32,13 @@ export const AGAINST = {
     return `${against.force}:${against.effect}`;
   },
 } as const;
+
+/** What Compare begins with: what the scene's reason speaks of, or else the start rule. Never a picture with itself. */
+export function firstAgainst(sceneText: string, start: StartRule, method: string): string {
+  const wanted = findPreset(sceneText)?.compare ?? 'start:none';
+  if (wanted === `method:${method}`) return `method:${DEFAULT_METHOD}`;
+  return wanted === `start:${startText(start)}` ? 'start:from' : wanted;
+}
 
 /** The settings of the other side. */
 export function otherSide(settings: TraceSettings, against: Against): TraceSettings {

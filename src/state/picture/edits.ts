@@ -127,6 +127,12 @@ export function asLight(light: Light, kind: Light['light'], target: Vec3): Light
   return { light: 'sphere', id, colour, strength, at, radius };
 }
 
+/** What a thing is, in a few words: a hyperboloid with a = −1 is a sphere. */
+export function thingWords({ id, shape, material }: Placed): string {
+  const { name } = definitionOf(shape).named(shape);
+  return [...(id === name ? [] : [name]), materialWords(material)].filter(Boolean).join('; ');
+}
+
 /** What a material is, in a word or two. */
 export function materialWords({ paint, mirror, glass }: Material): string {
   const words = [

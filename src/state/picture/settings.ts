@@ -106,7 +106,15 @@ export function readPicture(settings: Settings): {
       problems.push(`opened without ${key}: ${error.message}`);
     }
   }
-  return { settings: Object.fromEntries(usable), problems };
+  const found = Object.fromEntries(usable);
+  const { width, height, pixel } = pictureSettings(found);
+  if (found.pixel && !pixel) {
+    problems.push(
+      `opened without pixel: ${quote(found.pixel)} is outside of a picture of ${width} × ${height}`,
+    );
+    delete found.pixel;
+  }
+  return { settings: found, problems };
 }
 
 /** A change of settings as the action 'settings' wants it: what is a default is taken out of the link. */

@@ -113,6 +113,11 @@ describe('settings', () => {
     expect(pictureSettings({ size: '160x90', pixel: '159,89' }).pixel).toEqual([159, 89]);
     expect(pictureSettings({ size: '160x90', pixel: '160,0' }).pixel).toBeNull();
     expect(pictureSettings({ size: '160x90', pixel: '0,90' }).pixel).toBeNull();
+    expect(readPicture({ size: '160x90', pixel: '9999,1' })).toEqual({
+      settings: { size: '160x90' },
+      problems: ["opened without pixel: '9999,1' is outside of a picture of 160 × 90"],
+    });
+    expect(readPicture({ size: '160x90', pixel: '159,89' }).problems).toEqual([]);
   });
 
   test('a default is taken out of the link', () => {

@@ -1,0 +1,53 @@
+import { quote } from '../math/invalid-input.ts';
+
+/** Nested deeper than any scene: where it happens counts as the fault. */
+const DEEPEST = 500;
+
+const SPACE = /[ \t\n\r]*/y;
+const STRING = /"(?:[^"\\\p{Cc}]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/uy;
+const SIMPLE = /true|false|null|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
+
+/** Where a text stops being JSON (RFC 8259), in words; null if it is. The engines' own messages differ, and some name no place. */
+export function jsonFault(text: string): string | null {
+  let at = 0;
+  const skip = (pattern: RegExp): boolean => {
+    pattern.lastIndex = at;
+    const found = pattern.exec(text);
+    at += found?.[0].length ?? 0;
+    return found !== null;
+  };
+  const take = (letter: string): boolean => {
+    skip(SPACE);
+    const found = text[at] === letter;
+    at += found ? 1 : 0;
+    skip(SPACE);
+    return found;
+  };
+  /** Items with commas between them, up to `end`. */
+  const list = (end: string, item: () => boolean): boolean => {
+    if (take(end)) return true;
+    do {
+      if (!item()) return false;
+    } while (take(','));
+    return take(end);
+  };
+  const value = (depth: number): boolean => {
+    if (depth > DEEPEST) return false;
+    if (take('{')) return list('}', () => skip(STRING) && take(':') && value(depth + 1));
+    if (take('[')) return list(']', () => value(depth + 1));
+    return text[at] === '"' ? skip(STRING) : skip(SIMPLE);
+  };
+  skip(SPACE);
+  if (value(0)) {
+    skip(SPACE);
+    if (at === text.length) return null;
+  }
+  return placeOf(text, at);
+}
+
+function placeOf(text: string, at: number): string {
+  const lines = text.slice(0, at).split('\n');
+  const place = `line ${lines.length}, column ${(lines.at(-1)?.length ?? 0) + 1}`;
+  if (at >= text.length) return `${place}: the text ends before it is complete`;
+  return `${place}: ${quote(text.slice(at, at + 20))} does not belong there`;
+}

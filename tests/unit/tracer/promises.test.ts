@@ -1,0 +1,68 @@
+import { describe, expect, test } from 'vitest';
+import { PRESETS } from '../../../src/scene/presets/index.ts';
+import { surfacesOf } from '../../../src/scene/surfaces.ts';
+import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/against.ts';
+import { comparePictures } from '../../../src/tracer/compare.ts';
+import { DEFAULT_SETTINGS, type TraceSettings } from '../../../src/tracer/types.ts';
+import { picture } from './tracing.ts';
+
+/* What Compare shows first is what the scene's reason promises. */
+
+const SETTINGS: TraceSettings = { ...DEFAULT_SETTINGS, width: 72, height: 40 };
+const FROM = { rule: 'from' } as const;
+
+async function compared(id: string, text: string) {
+  const preset = PRESETS.find((one) => one.id === id);
+  const against = AGAINST.read(text);
+  if (!preset || !against) throw new Error(`${id}, ${text}`);
+  const [left, right] = await Promise.all([
+    picture(preset.scene, otherSide(SETTINGS, against)),
+    picture(preset.scene, SETTINGS),
+  ]);
+  return { found: comparePictures(left, right), left, right, surfaces: surfacesOf(preset.scene) };
+}
+
+describe('a scene that promises a comparison opens with one that keeps it', () => {
+  test('far: float32 sees what is not there, the textbook loses the silhouettes', async () => {
+    const { found } = await compared('far', firstAgainst('far', FROM, 'certified'));
+    expect(found.ghosts).toBeGreaterThan(found.pixels / 3);
+    const textbook = (await compared('far', 'method:textbook')).found;
+    expect(textbook.holes + textbook.ghosts).toBeGreaterThan(textbook.pixels / 50);
+  });
+
+  test('grazing: a few wrong digits decide hit or miss', async () => {
+    const { found } = await compared('grazing', firstAgainst('grazing', FROM, 'certified'));
+    expect(found.holes + found.ghosts).toBeGreaterThan(found.pixels / 50);
+  });
+
+  test('self-intersection: a third of the pixels, by the exact method too', async () => {
+    const text = firstAgainst('self-intersection', FROM, 'exact');
+    const { found } = await compared('self-intersection', text);
+    expect(found.differing / found.pixels).toBeCloseTo(1 / 3, 1);
+    expect(found.verdicts).toBe(0);
+  });
+
+  test('two-scales: what cures the hills swallows the little shadows', async () => {
+    const text = firstAgainst('two-scales', FROM, 'certified');
+    const differing = async (against: string, isHill: boolean): Promise<number> => {
+      const { found, right, surfaces } = await compared('two-scales', against);
+      const hill = (k: number): boolean => (surfaces[right.surface[k] ?? -1]?.thing ?? 0) >= 3;
+      return found.levels.reduce((n, level, k) => n + (level > 0 && hill(k) === isHill ? 1 : 0), 0);
+    };
+    expect(await differing('start:none', true)).toBeGreaterThan(50);
+    expect(await differing(text, true)).toBe(0);
+    expect(await differing(text, false)).toBeGreaterThan(20);
+  });
+});
+
+test('a comparison is never of a picture with itself, and every preset’s can be read', () => {
+  for (const { id } of PRESETS) {
+    for (const start of ['from', 'none'] as const) {
+      for (const method of ['textbook32', 'textbook', 'certified']) {
+        const settings = { ...SETTINGS, method, start: { rule: start } } as TraceSettings;
+        const against = AGAINST.read(firstAgainst(id, settings.start, method));
+        expect(against && otherSide(settings, against)).not.toEqual(settings);
+      }
+    }
+  }
+});
