@@ -39,7 +39,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
       ${shown.conditions ? conditions(derivation) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
-    ${shown.verdict ? verdict(model) : concealed()}
+    ${shown.verdict ? verdict(model, dispatch) : concealed()}
     ${shown.hits ? heights(model) : nothing}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
   </section>`;
@@ -162,20 +162,16 @@ function conditionLine(condition: ConditionStep, { numbers }: Derivation): Templ
   </div>`;
 }
 
-function verdict({
-  verdict: { relations, pieces },
-  found,
-  contradicted,
-  asTyped,
-  derivation,
-  exactly,
-}: ExploreModel): TemplateResult {
+function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
+  const { verdict, found, contradicted, derivation, exactly, near, asTyped } = model;
+  const { relations, pieces } = verdict;
   const roots = rootTexts(exactly.found.hits.map(({ t }) => t));
   const at = roots.map((text, i) => `, t${subscript(i + 1)} = ${text}`).join('');
   return html`<p class="verdict">
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
     <strong>${pieces.map(said)}</strong></span>
-    ${contradicted ? html`<span class="contradicted">exact arithmetic${asTyped.differs ? ' on the stored numbers' : ''} says: ${contradicted}${at}</span>` : nothing}
+    ${contradicted ? html`<span class="contradicted">exact arithmetic${asTyped.differs ? ' on the stored numbers' : ''} says: ${contradicted}${at}${near ? `; ${near.text}` : ''}</span>` : nothing}
+    ${near?.canTouch ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent' })}>Make it exactly tangent</button>` : nothing}
   </p>
   ${typedWords(asTyped)}`;
 }

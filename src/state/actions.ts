@@ -50,6 +50,8 @@ export type Action =
   | { readonly type: 'reveal'; readonly lines: number | null }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
+  /** To the nearest ray and shape that touch exactly, where there are such. */
+  | { readonly type: 'tangent' }
   | { readonly type: 'say'; readonly problems: readonly string[] }
   | { readonly type: 'dismiss' }
   | { readonly type: 'undo' }

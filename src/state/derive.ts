@@ -8,7 +8,9 @@ import { definitionOf } from '../math/shapes/lookup.ts';
 import { type AsTyped, asTyped } from './as-typed.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
 import { type Example, exampleOf } from './example.ts';
-import { handlesOf } from './handles.ts';
+import { type Handle, handlesOf } from './handles.ts';
+import { type NearTangent, nearTangent } from './near-tangent.ts';
+import { nearestTangent } from './nearest-tangent.ts';
 import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
@@ -36,6 +38,8 @@ export interface ExploreModel {
   /** The example that is shown, as it is or changed. */
   readonly example: Example | null;
   readonly verdict: VerdictWords;
+  /** Where the numbers cannot be set any nearer to tangency. */
+  readonly near: (NearTangent & { readonly canTouch: boolean }) | null;
   readonly hits: readonly HitWords[];
   readonly strip: StripModel;
   readonly scene: SceneModel;
@@ -81,6 +85,12 @@ export function createDerive(): (state: AppState) => ExploreModel {
     (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
       handlesOf({ shape, E, d, unit, ray, drawing }),
   );
+  const nearly = remember(
+    (shape: Shape, ray: Ray, exactly: Exactly, held: readonly Handle[], state: AppState) => {
+      const near = nearTangent(shape, ray, exactly, held);
+      return near && { ...near, canTouch: nearestTangent(state) !== null };
+    },
+  );
   const ghostly = remember((ghost: Ghost | null) =>
     ghost ? { ray: ghost.ray, found: intersect(ghost.shape, ghost.ray) } : null,
   );
@@ -91,12 +101,18 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const title = definition.named(shape).name;
     const r = ray(state.E, state.d, state.unit);
     const found = solve(shape, r, state.method);
-    const verdict = verdictWords(found, shape, r);
     const exactly = check(shape, r);
     const exactClass = exactly.found.class;
     const graph = strip(found, shape, r, state.bead);
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
+    const held = handles(shape, state.E, state.d, state.unit, r, picture);
+    const near = nearly(shape, r, exactly, held, state);
+    const words = verdictWords(found, shape, r);
+    const verdict =
+      near && exactClass === found.class
+        ? { ...words, pieces: [near.text], text: near.text }
+        : words;
     const scene = sceneOf({
       title,
       verdict: verdict.text,
@@ -104,7 +120,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       found,
       stage: s,
       drawing: picture,
-      handles: handles(shape, state.E, state.d, state.unit, r, picture),
+      handles: held,
       strip: graph,
       view: state.view,
       ghost: ghostly(state.ghost),
@@ -124,6 +140,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       derivation: derived,
       example: exampleOf(state),
       verdict,
+      near,
       hits: hitWords(found),
       strip: shown.hits ? graph : { ...graph, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene),

@@ -6,6 +6,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
 import { exampleOf } from './example.ts';
 import { GALLERY } from './gallery/index.ts';
+import { nearestTangent } from './nearest-tangent.ts';
 import {
   type AppState,
   INITIAL,
@@ -72,6 +73,8 @@ function updated(state: AppState, action: Action): AppState {
       return { ...state, revealed: action.lines };
     case 'ghost':
       return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
+    case 'tangent':
+      return toTangent(state);
     case 'say':
       return { ...state, problems: action.problems };
     case 'dismiss':
@@ -81,6 +84,16 @@ function updated(state: AppState, action: Action): AppState {
       // The history answers these; a state alone has no past.
       return state;
   }
+}
+
+function toTangent(state: AppState): AppState {
+  const found = nearestTangent(state);
+  if (!found) return state;
+  const turned = withRay(withRay(state, 'E', found.E), 'd', found.d);
+  return Object.entries(found.shape).reduce(
+    (now, [key, value]) => withParam(now, key, value as ParamValue),
+    turned,
+  );
 }
 
 function allowed(param: Param, value: unknown): boolean {

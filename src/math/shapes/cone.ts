@@ -7,6 +7,7 @@ import { pointGrip, slopeGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
+import { short, shortPoint } from './short.ts';
 
 /** Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|. */
 export interface Cone {
@@ -67,6 +68,14 @@ export const cone: ShapeDefinition<Cone> = {
   meaning: ({ slope }) =>
     slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
+  circleNear({ vertex, slope, ...rest }, height, hypotenuse, bits) {
+    const c = short(slope, bits);
+    const k = short(height / hypotenuse, bits);
+    const shape = { ...rest, vertex: shortPoint(vertex, bits), slope: c };
+    // On the lower nappe the radius is −c times the height.
+    const side = c * k < 0 ? -1 : 1;
+    return { shape, height: k * hypotenuse, unit: side * c * k, out: side * c, up: hypotenuse };
+  },
   draw: ({ vertex, slope }, stage) => ({
     ...drawRevolution({ center: vertex, a: slope * slope, r: 0 }, 'V', stage),
     grips: [pointGrip('vertex', vertex), slopeGrip('slope', vertex, slope, stage)],

@@ -7,6 +7,7 @@ import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { axisPoint, drawRevolution } from './revolve.ts';
+import { short, shortPoint } from './short.ts';
 
 /** Axis parallel to y; the centre's y does not matter. */
 export interface Cylinder {
@@ -58,6 +59,11 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   body: quadricBody(NUMBERS.read),
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
+  circleNear({ center, radius, ...rest }, height, hypotenuse, bits) {
+    const unit = short(radius / hypotenuse, bits);
+    const shape = { ...rest, center: shortPoint(center, bits), radius: unit * hypotenuse };
+    return { shape, height: short(height, bits), unit, out: 0, up: 1 };
+  },
   draw({ center, radius }, stage) {
     const middle = axisPoint(center, stage);
     return {

@@ -55,5 +55,29 @@ export interface ShapeDefinition<S extends { readonly kind: string }> {
   meaning(shape: S): string;
   /** The point that the picture keeps in view, and a length of the shape's own about it (0 if it has none). */
   anchor(shape: S): { readonly at: Vec3; readonly size: number };
+  /** For exactly tangent rays; a flat shape has none. */
+  readonly circleNear?: CircleNear<S>;
   draw(shape: S, stage: Stage): Drawing;
+}
+
+/**
+ * A shape near this one, in numbers of few bits, with a circle near this height whose radius is a
+ * multiple of `hypotenuse`; null where there is no circle.
+ */
+export type CircleNear<S> = (
+  shape: S,
+  height: number,
+  hypotenuse: number,
+  bits: number,
+) => ShortCircle<S> | null;
+
+export interface ShortCircle<S> {
+  readonly shape: S;
+  /** Over the shape's point. */
+  readonly height: number;
+  /** Divided by the hypotenuse. */
+  readonly unit: number;
+  /** The meridian rises by `up` where the radius grows by `out` hypotenuses. */
+  readonly out: number;
+  readonly up: number;
 }

@@ -9,6 +9,7 @@ import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
+import { short, shortPoint } from './short.ts';
 
 /** Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²). */
 export interface Hyperboloid {
@@ -66,6 +67,33 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   body: quadricBody(NUMBERS.read),
   meaning: ({ flare, radius }) => meaningOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
+  circleNear({ center, flare, radius, ...rest }, height, hypotenuse, bits) {
+    const at = shortPoint(center, bits);
+    const r = Math.abs(radius);
+    if (Math.abs(height) * 16 < r) {
+      const unit = short(r / hypotenuse, bits);
+      const shape = { ...rest, center: at, flare: short(flare, bits), radius: unit * hypotenuse };
+      return { shape, height: 0, unit, out: 0, up: 1 };
+    }
+    // R² − r² = a h² by its factors: R − r = λh, R + r = μh, a = λμ.
+    const ratio = r / Math.abs(height);
+    const root = Math.sqrt(ratio * ratio + flare);
+    if (!(root > 0)) return null;
+    const lambda = short(flare / (ratio + root), bits);
+    const w = short(root / hypotenuse, bits);
+    const mu = 2 * hypotenuse * w - lambda;
+    const k = short(Math.abs(height), bits);
+    const a = lambda * mu;
+    const shape = { ...rest, center: at, flare: a, radius: (k * (mu - lambda)) / 2 };
+    const side = height < 0 ? -1 : 1;
+    return {
+      shape,
+      height: side * k,
+      unit: k * w,
+      out: side * a,
+      up: w * hypotenuse * hypotenuse,
+    };
+  },
   draw: ({ center, flare, radius }, stage) => ({
     ...drawRevolution({ center, a: flare, r: radius }, 'C', stage),
     grips: [

@@ -1,0 +1,123 @@
+import { exact } from '../math/arithmetic/exact.ts';
+import type { Surd } from '../math/exact/surd.ts';
+import { nextDown, nextUp } from '../math/float/ulp.ts';
+import { POINT } from '../math/formula/common.ts';
+import { evaluateTriple, squaredNorm, withScalars } from '../math/formula/evaluate.ts';
+import { valuesOf } from '../math/methods/tree-method.ts';
+import type { Ray } from '../math/ray.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import { withPoint } from '../math/shapes/planar.ts';
+import { display } from '../text/format.ts';
+import { type Exactly, exactText } from './exact-digits.ts';
+import type { Handle } from './handles.ts';
+import type { Tangency, Value } from './snap.ts';
+
+/** A ray that could not be brought nearer to tangency by the doubles of what is moved. */
+export interface NearTangent {
+  /** "touches as nearly as doubles can: D = −1.1 · 10⁻¹⁵; exactly, it misses by 1.2 · 10⁻¹⁶" */
+  readonly text: string;
+  /** What the words mean: which number's neighbour gives D the other sign. */
+  readonly reason: string;
+}
+
+/** |D| beside B² + |4AC|, below which the neighbours are asked. Rounded input moves D by far less. */
+const SMALL = 1e-6;
+
+/**
+ * Whether D, which is not 0, is 0 or has the other sign for a neighbouring double of E, of d or of a
+ * number of the shape: a step in the last place of each coordinate, at most. Then there is nothing
+ * between here and the other side that could be set.
+ */
+export function nearTangent(
+  shape: Shape,
+  ray: Ray,
+  exactly: Exactly,
+  handles: readonly Handle[],
+): NearTangent | null {
+  const { details, hits } = exactly.found;
+  if (details.family !== 'curved') return null;
+  const { A, B, C, D, signs } = details;
+  if (!signs.A || !signs.D || !(Math.abs(D) <= SMALL * (B * B + Math.abs(4 * A * C)))) return null;
+  const side = signs.D;
+  const by = handles.find(({ tangency, value }) => tangency && turns(value, side, tangency));
+  const exactD = exactly.quantities.D;
+  if (!by || !exactD) return null;
+  const gap = distanceToSurface(shape, ray, exactly);
+  const apart = hits.length === 2 && exactly.quantities.A ? rootsApart(exactly) : null;
+  const how =
+    gap === null ? '' : `; exactly, it ${DEEDS[`${signs.D} ${signs.A}`]} ${display(gap, 2)}`;
+  const text = `touches as nearly as doubles can: D = ${exactText(exactD)}${how}${apart ? `, t₂ − t₁ = ${apart}` : ''}`;
+  return {
+    text,
+    reason: `At a neighbouring double of ${by.symbol}, D is 0 or has the other sign.`,
+  };
+}
+
+/** By the signs of D and A: where the line is beside the surface. */
+const DEEDS: Readonly<Record<string, string>> = {
+  '-1 1': 'misses by',
+  '-1 -1': 'stays inside by',
+  '1 1': 'goes in by',
+  '1 -1': 'comes out by',
+};
+
+function rootsApart({ quantities: { A, D } }: Exactly): string | null {
+  if (!A || !D) return null;
+  return exactText(exact.div(exact.sqrt(D), exact.sign(A) < 0 ? exact.neg(A) : A));
+}
+
+/** Whether a step of at most one unit in the last place of each coordinate takes D over 0. */
+function turns(value: Value, side: number, { exact: ask }: Tangency): boolean {
+  const parts = typeof value === 'number' ? [value] : [...value];
+  const made = (next: readonly number[]): Value =>
+    typeof value === 'number' ? (next[0] ?? value) : (next as unknown as Value);
+  const largest = Math.max(...parts.map(Math.abs));
+  const unit = nextUp(largest) - largest;
+  const best = [...parts];
+  for (const [i, x] of parts.entries()) {
+    // A coordinate near 0 has finer doubles: it is moved as far as the largest one is.
+    const steps = [Math.max(nextUp(x), x + unit), Math.min(nextDown(x), x - unit)];
+    const asked = steps.map((to) => ({ to, probe: ask(made(parts.with(i, to))) }));
+    if (asked.some(({ probe }) => probe.sign !== null && probe.sign !== side)) return true;
+    const [a, b] = asked;
+    if (a && b) best[i] = Math.abs(a.probe.size) < Math.abs(b.probe.size) ? a.to : b.to;
+  }
+  const { sign } = ask(made(best));
+  return sign !== null && sign !== side;
+}
+
+/** Of the distance itself this share may be wrong by the surface's curvature. */
+const LINEAR = 1e-3;
+
+/**
+ * How far the line stays from the surface, or goes beyond it: |f| / |∇F| where f turns, with
+ * f = −D/4A, in exact arithmetic up to the last rounding. That is the first term of a series in f;
+ * null where the next one counts, as beside a vertex.
+ */
+export function distanceToSurface(shape: Shape, ray: Ray, { quantities }: Exactly): number | null {
+  const { A, B, D } = quantities;
+  const formula = definitionOf(shape).formula(shape);
+  if (!A || !B || !D || formula.family !== 'curved') return null;
+  const two = exact.of(2);
+  const t = exact.neg(exact.div(B, exact.mul(two, A)));
+  const f = exact.div(D, exact.mul(exact.of(4), A));
+  const values = valuesOf(shape, ray, exact);
+  const place = evaluateTriple(POINT, exact, withScalars(values, { t }));
+  const half = evaluateTriple(formula.normal, exact, withPoint(values, place));
+  const steep: Surd = squaredNorm(half, exact);
+  if (exact.sign(steep) === 0) return null;
+  const size = Math.abs(exact.toNumber(f));
+  const slope = 2 * Math.sqrt(exact.toNumber(steep));
+  // F's second derivatives are 2 and −2a, and half of ∂F/∂y is −a (y − Cy).
+  const above = exact.add(place[1], exact.of(1));
+  const next = evaluateTriple(
+    formula.normal,
+    exact,
+    withPoint(values, [place[0], above, place[2]]),
+  );
+  const bend = 2 * Math.max(1, Math.abs(exact.toNumber(exact.sub(next[1], half[1]))));
+  const found = size / slope;
+  const isLinear = (found * bend) / slope < LINEAR;
+  return found > 0 && Number.isFinite(found) && isLinear ? found : null;
+}
