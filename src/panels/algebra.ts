@@ -6,11 +6,15 @@ import { METHODS } from '../math/methods/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { type Exactly, rangeNote, rootTexts, shownResult } from '../state/exact-digits.ts';
+import { type Exactly, rangeNote, shownResult } from '../state/exact-digits.ts';
 import { heightsLine } from '../state/heights.ts';
 import { conditionDigits, putIn, resultsOf } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
+
 import type { VerdictWords } from '../state/words.ts';
+
+import { rootTexts } from '../text/apart.ts';
+
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
@@ -190,6 +194,8 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
         : nothing
     }
     ${notes.join(' ')}
+    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}${at}${near ? `; ${near.text}` : ''}</span>` : nothing}
+    ${near?.canTouch ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent' })}>Make it exactly tangent</button>` : nothing}
   </p>`;
 }
 

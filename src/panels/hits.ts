@@ -2,10 +2,11 @@ import { html, nothing, svg, type TemplateResult } from 'lit';
 import type { Hit, Intersection } from '../math/intersection.ts';
 import { AXES, type Vec3 } from '../math/vec3.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { exactBeside, rootGap, rootTexts } from '../state/exact-digits.ts';
+import { exactBeside, rootGap } from '../state/exact-digits.ts';
 import { whyCut } from '../state/heights.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
+import { rootTexts } from '../text/apart.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 

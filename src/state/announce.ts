@@ -1,4 +1,5 @@
 import { findShape } from '../math/shapes/lookup.ts';
+import { rootTexts } from '../text/apart.ts';
 import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
@@ -73,5 +74,9 @@ function typedSpoken({ asTyped: { differs, notes } }: ExploreModel): string {
 }
 
 function hitsSpoken({ hits }: ExploreModel): string {
-  return hits.map(({ index, t }) => `t${subscript(index)} ${display(t, 3)}`).join(', ');
+  const texts = rootTexts(
+    hits.map(({ t }) => t),
+    3,
+  );
+  return hits.map(({ index }, i) => `t${subscript(index)} ${texts[i]}`).join(', ');
 }

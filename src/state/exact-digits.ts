@@ -10,8 +10,8 @@ import { valuesOf } from '../math/methods/tree-method.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { digitsToTell } from '../text/apart.ts';
 import {
-  ALL_DIGITS,
   CERTAIN_DIGITS,
   type DisplayParts,
   display,
@@ -120,14 +120,6 @@ export function exactBeside(value: number, rounded: number, exactly?: Surd): str
   return display(rounded, digitsToTell(value, rounded));
 }
 
-/** Six digits, or as many as two doubles need to be printed differently. */
-export function digitsToTell(a: number, b: number): number {
-  for (let digits = DIGITS; digits < ALL_DIGITS; digits++) {
-    if (a.toPrecision(digits) !== b.toPrecision(digits)) return digits;
-  }
-  return ALL_DIGITS;
-}
-
 /** Six digits of an exact number, also beyond the doubles. */
 export const exactText = (a: Surd): string => inOne(exactParts(a));
 
@@ -143,16 +135,6 @@ export function exactParts(a: Surd): DisplayParts {
   const fraction = figures.slice(1);
   const mantissa = `${negative ? MINUS : ''}${figures.charAt(0)}${fraction ? `.${fraction}` : ''}`;
   return { mantissa, exponent };
-}
-
-/** The roots as they are printed: with more digits where six would make two of them look alike. */
-export function rootTexts(roots: readonly number[]): string[] {
-  const [first, second] = roots;
-  if (first === undefined || second === undefined || display(first) !== display(second)) {
-    return roots.map((t) => display(t));
-  }
-  const digits = first === second ? DIGITS : digitsToTell(first, second);
-  return roots.map((t) => display(t, digits));
 }
 
 /** How far apart two roots are that read alike in six digits; null elsewhere. */

@@ -40,6 +40,7 @@ export function nearTangent(
   const { A, B, C, D, signs } = details;
   if (!signs.A || !signs.D || !(Math.abs(D) <= SMALL * (B * B + Math.abs(4 * A * C)))) return null;
   const side = signs.D;
+  if (![...ray.origin, ...ray.direction, D].every(isOrdinary)) return null;
   const by = handles.find(({ tangency, value }) => tangency && turns(value, side, tangency));
   const exactD = exactly.quantities.D;
   if (!by || !exactD) return null;
@@ -47,12 +48,15 @@ export function nearTangent(
   const apart = hits.length === 2 && exactly.quantities.A ? rootsApart(exactly) : null;
   const how =
     gap === null ? '' : `; exactly, it ${DEEDS[`${signs.D} ${signs.A}`]} ${display(gap, 2)}`;
-  const text = `touches as nearly as doubles can: D = ${exactText(exactD)}${how}${apart ? `, t₂ − t₁ = ${apart}` : ''}`;
+  const text = `touches as nearly as doubles can: D = ${shortly(exactD)}${how}${apart ? `, t₂ − t₁ = ${apart}` : ''}`;
   return {
     text,
     reason: `At a neighbouring double of ${by.symbol}, D is 0 or has the other sign.`,
   };
 }
+
+/** Beyond such sizes exact numbers are too long to ask for so many neighbours at every step. */
+const isOrdinary = (x: number): boolean => x === 0 || (Math.abs(x) < 1e50 && Math.abs(x) > 1e-50);
 
 /** By the signs of D and A: where the line is beside the surface. */
 const DEEDS: Readonly<Record<string, string>> = {
@@ -64,7 +68,13 @@ const DEEDS: Readonly<Record<string, string>> = {
 
 function rootsApart({ quantities: { A, D } }: Exactly): string | null {
   if (!A || !D) return null;
-  return exactText(exact.div(exact.sqrt(D), exact.sign(A) < 0 ? exact.neg(A) : A));
+  return shortly(exact.div(exact.sqrt(D), exact.sign(A) < 0 ? exact.neg(A) : A));
+}
+
+/** Two digits, or more where no double is near it. */
+function shortly(a: Surd): string {
+  const x = exact.toNumber(a);
+  return x === 0 || !Number.isFinite(x) ? exactText(a) : display(x, 2);
 }
 
 /** Whether a step of at most one unit in the last place of each coordinate takes D over 0. */

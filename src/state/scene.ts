@@ -13,7 +13,7 @@ import { pointAt } from './strip.ts';
 import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
 import { windowOf } from './window.ts';
-import { hitSentence, hitWords } from './words.ts';
+import { hitSentences, hitWords } from './words.ts';
 
 interface Parts {
   /** What the shape is, and the case in words. */
@@ -140,9 +140,9 @@ function describe(
   { origin, direction }: Ray,
   found: Intersection,
 ): string {
-  const hits = hitWords(found).map((words, i) => {
+  const hits = hitSentences(hitWords(found)).map((sentence, i) => {
     const hit = found.hits[i];
-    return `${hitSentence(words)}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
+    return `${sentence}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
   });
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
   return [`${from} and ${withArticle(title)}: ${verdict}.`, ...hits].join(' ');

@@ -7,7 +7,7 @@ import { display } from '../text/format.ts';
 import { stretchesOf } from './stretches.ts';
 import type { StripModel } from './strip-model.ts';
 import { restingBead, windowOf } from './window.ts';
-import { type HitWords, hitSentence, hitWords } from './words.ts';
+import { type HitWords, hitSentences, hitWords } from './words.ts';
 
 /** The graph of f over the window, with the stretches of the ray and the bead. */
 export function stripOf(
@@ -84,6 +84,6 @@ function describe(found: Intersection, roots: readonly HitWords[]): string {
   if (found.class === 'contained') return 'f(t) is zero for every t.';
   if ([A, B, C].some(Number.isNaN)) return 'f(t) is not known: a number overflowed.';
   if (A === 0 && B === 0) return `f(t) is constant: ${at}.`;
-  const where = roots.length === 0 ? 'it has no root' : roots.map(hitSentence).join('; ');
+  const where = roots.length === 0 ? 'it has no root' : hitSentences(roots).join('; ');
   return `f(t) is ${kind}, ${at}; ${where}.`;
 }

@@ -4,6 +4,7 @@ import type { Intersection } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
+import { rootTexts } from '../text/apart.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { curvedVerdict } from './curved-verdict.ts';
@@ -85,7 +86,8 @@ export function crossing(found: Intersection, i: number): string {
   return rising ? 'leaves' : 'enters';
 }
 
-/** "t₁ = 2.26918, first hit, enters" */
-export function hitSentence({ index, t, text }: HitWords): string {
-  return `t${subscript(index)} = ${display(t)}, ${text}`;
+/** "t₁ = 2.26918, first hit, enters"; two roots never read alike. */
+export function hitSentences(hits: readonly HitWords[]): string[] {
+  const texts = rootTexts(hits.map(({ t }) => t));
+  return hits.map(({ index, text }, i) => `t${subscript(index)} = ${texts[i]}, ${text}`);
 }

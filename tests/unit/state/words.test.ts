@@ -3,7 +3,7 @@ import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { hitSentence, hitWords, verdictWords } from '../../../src/state/words.ts';
+import { hitSentences, hitWords, verdictWords } from '../../../src/state/words.ts';
 import { circle, cone, cylinder, plane, ray, square } from '../math/shorthand.ts';
 
 /* Whether the sentences are true is asked in verdict-cells.test.ts. */
@@ -13,7 +13,7 @@ const said = (shape: Shape, r: Ray, method = 'exact') => {
   const found = intersect(shape, r, method);
   const { relations, text } = verdictWords(found, shape, r);
   const symbols = relations.map(({ left, relation, right }) => `${left} ${relation} ${right}`);
-  return { symbols: symbols.join(', '), text, hits: hitWords(found).map(hitSentence) };
+  return { symbols: symbols.join(', '), text, hits: hitSentences(hitWords(found)) };
 };
 
 interface Case {
