@@ -194,8 +194,6 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
         : nothing
     }
     ${notes.join(' ')}
-    ${contradicted ? html`<span class="contradicted">exact arithmetic says: ${contradicted}${at}${near ? `; ${near.text}` : ''}</span>` : nothing}
-    ${near?.canTouch ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent' })}>Make it exactly tangent</button>` : nothing}
   </p>`;
 }
 
