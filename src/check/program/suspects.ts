@@ -110,15 +110,36 @@ function rootsOf(found: Answers): Root[] {
   });
 }
 
-/** What a program with these flaws, and no other, would return. */
-function predicted(flaws: readonly Flaw[], one: Input, edits: Edits): readonly Root[] {
-  const input = flaws.reduce<Input>((taken, flaw) => flaw.input?.(taken) ?? taken, one);
-  const found = roughWork(edits(flaws, courseOf(input.shape)), input);
-  const about = { input: one, found };
-  return flaws.reduce(
-    (roots, flaw) => flaw.answer?.(roots, about) ?? roots,
-    rootsOf(found) as readonly Root[],
-  );
+type Predict = (flaws: readonly Flaw[], one: Input) => readonly Root[];
+
+/** What a program with these flaws, and no other, would return. What the same formulas give is worked out once. */
+function prediction(): Predict {
+  const edits = rememberedEdits();
+  const known = new Map<Input, Map<string, Worked>>();
+  const changesFormulas = (flaw: Flaw, one: Input): boolean => {
+    if (flaw.input && flaw.input(one) !== one) return true;
+    const course = courseOf(one.shape);
+    return flaw.course !== undefined && edits([flaw], course) !== course;
+  };
+  const workedOut = (flaws: readonly Flaw[], one: Input): Worked => {
+    const input = flaws.reduce<Input>((taken, flaw) => flaw.input?.(taken) ?? taken, one);
+    const found = roughWork(edits(flaws, courseOf(input.shape)), input);
+    return { about: { input: one, found }, roots: rootsOf(found) };
+  };
+  return (flaws, one) => {
+    const own = known.get(one) ?? new Map<string, Worked>();
+    known.set(one, own);
+    const formulas = flaws.filter((flaw) => changesFormulas(flaw, one));
+    const key = formulas.map(({ id }) => id).join();
+    const { about, roots } = own.get(key) ?? workedOut(formulas, one);
+    own.set(key, { about, roots });
+    return flaws.reduce((left, flaw) => flaw.answer?.(left, about) ?? left, roots);
+  };
+}
+
+interface Worked {
+  readonly about: { readonly input: Input; readonly found: Answers };
+  readonly roots: readonly Root[];
 }
 
 type Edits = (flaws: readonly Flaw[], course: Course) => Course;
@@ -240,9 +261,9 @@ interface Trial {
 }
 
 function newTrial(): Trial {
-  const edits = rememberedEdits();
+  const predicted = prediction();
   const rootsWith = (flaws: readonly Flaw[], { one }: Seen): readonly Root[] =>
-    predicted(inOrder(flaws), one, edits);
+    predicted(inOrder(flaws), one);
   const misfits: Trial['misfits'] = (flaws, of, most = of.length) => {
     const found: Seen[] = [];
     for (const seen of of) {
@@ -277,7 +298,8 @@ function newTrial(): Trial {
 
 /** As they come in a program: what is done to the roots comes after what is done to the formulas. */
 const inOrder = (flaws: readonly Flaw[]): readonly Flaw[] =>
-  flaws.length < 2 ? flaws : FLAWS.filter((one) => flaws.includes(one));
+  [...flaws].sort((a, b) => (ORDER.get(a) ?? 0) - (ORDER.get(b) ?? 0));
+const ORDER = new Map(FLAWS.map((flaw, i) => [flaw, i] as const));
 
 /** Two programs that do the same, each in its own order of operations. */
 const ALIKE = 1e-6;
