@@ -1,8 +1,8 @@
 import { DEFAULT_METHOD, findMethod } from '../math/intersect.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
 import type { Ray } from '../math/ray.ts';
-import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
-import { findShape } from '../math/shapes/lookup.ts';
+import type { Shape, ShapeKind } from '../math/shapes/index.ts';
+import { findShape, knownAs } from '../math/shapes/lookup.ts';
 import { checkParam, type Param } from '../math/shapes/params.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { parseNumber } from '../text/parse.ts';
@@ -206,7 +206,7 @@ function readRay(
   read: Read,
   before: AppState,
 ): Pick<AppState, 'kind' | 'shapes' | 'E' | 'd' | 'unit'> {
-  const kind = read('shape', word, INITIAL.kind, (v) => oneOf('shape', v, SHAPES)) as ShapeKind;
+  const kind = read('shape', word, INITIAL.kind, knownKind) as ShapeKind;
   const shape = readShape(kind, (param) =>
     read(param.symbol, codecOf(param), param.initial, (v) => checkParam(param, v)),
   );
@@ -264,10 +264,12 @@ function plain(text: string): string {
   }
 }
 
-function oneOf(key: string, value: string, entries: readonly { readonly kind: string }[]): void {
-  if (!entries.some(({ kind }) => kind === value)) {
-    throw new InvalidInput(`${quote(value)} is not a ${key}`);
-  }
+function knownKind(kind: string): void {
+  if (findShape(kind)) return;
+  const known = knownAs(kind);
+  throw new InvalidInput(
+    known ? `${quote(kind)} is called ${known} here` : `${quote(kind)} is not a shape`,
+  );
 }
 
 function flag(text: string): void {

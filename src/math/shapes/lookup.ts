@@ -16,6 +16,16 @@ const FIELDS: ReadonlyMap<string, readonly string[]> = new Map(
   SHAPES.map(({ kind, params }) => [kind, params.map(({ key }) => key)]),
 );
 
+/** What a name that people may look for is here: "a hyperboloid with a = -1"; null for a name that nothing has. */
+export function knownAs(name: unknown): string | null {
+  for (const { kind } of SHAPES) {
+    const { title, alsoCalled = {} } = findShape(kind) ?? {};
+    if (Object.hasOwn(alsoCalled, String(name)))
+      return `a ${title} with ${alsoCalled[String(name)]}`;
+  }
+  return null;
+}
+
 export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   const found = findShape(shape?.kind);
   if (!found) {

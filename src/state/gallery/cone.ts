@@ -41,7 +41,7 @@ export const CONE: readonly Preset[] = [
       ['D = 0 away from the vertex:', 'D = 0', 'P1 below V'],
       ['the ray touches the wall and goes on outside.', 't1 touches', 'f > 0 elsewhere'],
     ],
-    'shape=cone&V=0,3,0&c=0.5&E=1,1,3&d=0,0,-1',
+    'shape=cone&V=0,3,0&c=0.5&E=1,1,3&d=0,0,-1&view=ray',
   ),
   preset(
     'cone-vertex',

@@ -34,7 +34,7 @@ export const HYPERBOLOID: readonly Preset[] = [
         'with E.y -1: class two',
       ],
     ],
-    'shape=hyperboloid&C=0,1,0&a=0.5&r=1&E=3,1,1.5&d=-1,0,0',
+    'shape=hyperboloid&C=0,1,0&a=0.5&r=1&E=3,1,1.5&d=-1,0,0&view=ray',
   ),
   preset(
     'hyperboloid-out-in',
