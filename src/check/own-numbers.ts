@@ -64,8 +64,22 @@ export function ownFields({ shape }: Input): readonly Field[] {
   return course.conditions.length > 0 ? FIGURE : FLAT;
 }
 
-/** Marks each line that was typed, as far as the student got, and finds the first wrong step. */
+/**
+ * Marks each line that was typed, as far as the student got, and finds the first wrong step. What is right for the scene's
+ * numbers as they were typed is right, and so is what is right for the doubles that store them.
+ */
 export function checkOwn(input: Input, texts: Texts): OwnReport {
+  const { shape, ray } = input;
+  const stored = markedBy({ shape, ray }, texts);
+  return input.typed ? better(stored, markedBy(input, texts)) : reportOf(stored);
+}
+
+interface Marked {
+  readonly lines: readonly OwnLine[];
+  readonly judged: Judged;
+}
+
+function markedBy(input: Input, texts: Texts): Marked {
   const course = courseOf(input.shape);
   const typed = ownFields(input).filter(({ id }) => (texts[id] ?? '').trim() !== '');
   const derivation = derivationOf(typed, course, [], (edited, own) => work(edited, input, own));
@@ -75,10 +89,47 @@ export function checkOwn(input: Input, texts: Texts): OwnReport {
     const mark = judged.marks[field.id];
     return mark ? [lineOf(field, mark, judged, truth)] : [];
   });
+  return { lines, judged };
+}
+
+function reportOf({ lines, judged }: Marked, aside = ''): OwnReport {
   const firstWrong = lines.find(({ verdict }) => verdict === 'wrong')?.field ?? null;
   const { causes, way } = judged;
-  return { lines, firstWrong, causes, way, says: sentence(lines, judged, firstWrong) };
+  const says = [sentence(lines, judged, firstWrong), aside].filter(Boolean).join(' ');
+  return { lines, firstWrong, causes, way, says };
 }
+
+/** Of two ways to take the numbers, the one with fewer faults; a line that is right by the other is right. */
+function better(stored: Marked, typed: Marked): OwnReport {
+  const faults = ({ lines }: Marked): number =>
+    lines.filter((line) => line.verdict === 'wrong' || line.verdict === 'follows').length;
+  const [best, other] = faults(typed) < faults(stored) ? [typed, stored] : [stored, typed];
+  const lines = best.lines.map((line, i) => {
+    const second = other.lines[i];
+    return line.verdict === 'wrong' && second && isRight(second) ? second : line;
+  });
+  const rescued = lines.some((line, i) => line !== best.lines[i]);
+  // What would explain a line that is right after all explains nothing.
+  const judged = rescued ? { ...best.judged, causes: [] } : best.judged;
+  const only = (by: Marked, others: Marked): Field[] =>
+    lines.flatMap(({ field }, i) => {
+      const [one, two] = [by.lines[i], others.lines[i]];
+      return one && two && isRight(one) && !isRight(two) ? [field] : [];
+    });
+  const [asTyped, asStored] = [only(typed, stored), only(stored, typed)];
+  const aside = [
+    ...said(asTyped, 'the numbers as typed, not for the doubles that store them'),
+    ...said(asStored, 'the doubles that store the numbers, not for the numbers as typed'),
+  ];
+  return reportOf({ lines, judged }, aside.join(' '));
+}
+
+const isRight = ({ verdict }: OwnLine): boolean => verdict === 'correct' || verdict === 'absent';
+
+const said = (fields: readonly Field[], forWhat: string): string[] =>
+  fields.length > 0 ? [`${capital(listed(fields))} ${be(fields)} right for ${forWhat}.`] : [];
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 function lineOf(field: Field, mark: Mark, { follow }: Judged, truth: Answers): OwnLine {
   if (mark.verdict === 'invalid') return { field, verdict: 'invalid', note: mark.reason };

@@ -1,3 +1,5 @@
+import type { Surd } from '../math/exact/surd.ts';
+import type { Values } from '../math/formula/evaluate.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import type { Vec3 } from '../math/vec3.ts';
@@ -6,6 +8,8 @@ import type { Vec3 } from '../math/vec3.ts';
 export interface Input {
   readonly shape: Shape;
   readonly ray: Ray;
+  /** The numbers exactly as they were typed, where those are others than the doubles that store them. */
+  readonly typed?: Values<Surd> | null;
 }
 
 /** A number, a point or normal, or the id of a choice. NaN: the formula has no value there. */

@@ -1,11 +1,10 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
 import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
 import { withPoint } from '../math/shapes/planar.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { CurvedCourse, Rules } from './course.ts';
 import { ownNumber, ownTriple, roundedTriple, usableTriple } from './own-values.ts';
-import { ABSENT, type Answer, type Answers, type Input } from './types.ts';
+import { ABSENT, type Answer, type Answers } from './types.ts';
 
 /**
  * A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. A line depends on lines
@@ -13,11 +12,10 @@ import { ABSENT, type Answer, type Answers, type Input } from './types.ts';
  */
 export function curvedWork<T>(
   course: CurvedCourse,
-  { shape, ray }: Input,
+  values: Values<T>,
   own: Answers,
   ar: Arithmetic<T>,
 ): Answers {
-  const values = valuesOf(shape, ray, ar);
   const coefficient = (id: 'A' | 'B' | 'C'): T =>
     ownNumber(own, id, ar) ?? evaluate(course[id], ar, values);
   const letters = { A: coefficient('A'), B: coefficient('B'), C: coefficient('C') };

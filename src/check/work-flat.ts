@@ -1,21 +1,19 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { evaluate, evaluateTriple, withScalars } from '../math/formula/evaluate.ts';
+import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
 import { type Expr, scalar } from '../math/formula/expr.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
 import { all, whichHold, withPoint } from '../math/shapes/planar.ts';
 import type { FlatCourse } from './course.ts';
 import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
 import { rewrite } from './rewrite.ts';
-import { ABSENT, type Answer, type Answers, type Input } from './types.ts';
+import { ABSENT, type Answer, type Answers } from './types.ts';
 
 /** N.d, N.(E-P), place, and where the plane is met t1, P1, N1, inside, case, first, and t and P of a visible hit. */
 export function flatWork<T>(
   course: FlatCourse,
-  { shape, ray }: Input,
+  values: Values<T>,
   own: Answers,
   ar: Arithmetic<T>,
 ): Answers {
-  const values = valuesOf(shape, ray, ar);
   const rate = ownNumber(own, RATE, ar) ?? evaluate(course.rate, ar, values);
   const offset = ownNumber(own, OFFSET, ar) ?? evaluate(course.offset, ar, values);
   const found: Record<string, Answer> = {

@@ -1,6 +1,9 @@
 import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
 import { exact } from '../math/arithmetic/exact.ts';
 import { float64 } from '../math/arithmetic/float64.ts';
+import type { Surd } from '../math/exact/surd.ts';
+import { mapped, type Values } from '../math/formula/evaluate.ts';
+import { valuesOf } from '../math/methods/tree-method.ts';
 import type { Course } from './course.ts';
 import type { Answers, Input } from './types.ts';
 import { curvedWork } from './work-curved.ts';
@@ -16,24 +19,29 @@ const NOTHING: Own = {};
  * different square roots, or divides by zero, in doubles, as a program would.
  */
 export const work = (course: Course, input: Input, own: Own = NOTHING): Answers =>
-  asExactly((ar) => workIn(course, input, own, ar));
+  asExactly((ar, take) =>
+    workIn(course, input.typed ? mapped(input.typed, take) : numbersOf(input, ar), own, ar),
+  );
 
 /** In exact arithmetic, or in doubles where an edited formula has no exact value. */
-export function asExactly<R>(f: <T>(ar: Arithmetic<T>) => R): R {
+export function asExactly<R>(f: <T>(ar: Arithmetic<T>, take: (x: Surd) => T) => R): R {
   try {
-    return f(exact);
+    return f(exact, (x) => x);
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
-    return f(float64);
+    return f(float64, exact.toNumber);
   }
 }
 
+const numbersOf = <T>({ shape, ray }: Input, ar: Arithmetic<T>): Values<T> =>
+  valuesOf(shape, ray, ar);
+
 /** The same in doubles throughout: for looking through many inputs. */
 export const roughWork = (course: Course, input: Input): Answers =>
-  workIn(course, input, NOTHING, float64);
+  workIn(course, numbersOf(input, float64), NOTHING, float64);
 
-function workIn<T>(course: Course, input: Input, own: Own, ar: Arithmetic<T>): Answers {
+function workIn<T>(course: Course, values: Values<T>, own: Own, ar: Arithmetic<T>): Answers {
   return course.family === 'curved'
-    ? curvedWork(course, input, own, ar)
-    : flatWork(course, input, own, ar);
+    ? curvedWork(course, values, own, ar)
+    : flatWork(course, values, own, ar);
 }

@@ -5,6 +5,7 @@ import type { Input } from '../check/types.ts';
 import { ownNumbers } from '../panels/check-own.ts';
 import { controls } from '../panels/controls.ts';
 import { shapePicker } from '../panels/shape-picker.ts';
+import { typedValues } from '../state/as-typed.ts';
 import { createDerive } from '../state/derive.ts';
 import { type AppState, rayOf, shapeOf } from '../state/state.ts';
 import type { LeftPart, PartContext } from './check-part.ts';
@@ -14,6 +15,7 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
   const derive = createDerive();
   let texts: Texts = memory.own();
   let input: Input | null = null;
+  let typed: AppState['typed'] | null = null;
   let report: OwnReport | null = null;
   const put = (next: Texts): void => {
     texts = next;
@@ -24,10 +26,11 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
   /** The same object while its numbers are the same: the picture and the report belong to it. */
   const inputOf = (state: AppState): Input => {
     const next = { shape: shapeOf(state), ray: rayOf(state) };
-    if (input && sameInput(input, next)) return input;
+    if (input && sameInput(input, next) && typed === state.typed) return input;
     report = null;
-    input = next;
-    return next;
+    typed = state.typed;
+    input = { ...next, typed: typedValues({ ...state, shape: next.shape, texts: typed }) };
+    return input;
   };
   return {
     render(head, body, state) {

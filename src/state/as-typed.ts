@@ -1,9 +1,15 @@
-import { type TypedNumber, typed } from '../math/arithmetic/typed.ts';
+import { exact as exactly } from '../math/arithmetic/exact.ts';
 import { intersectTyped } from '../math/as-typed.ts';
 import { decimalDigits } from '../math/exact/decimal.ts';
 import { exactOf } from '../math/exact/of-typed.ts';
 import { compare, fromNumber, type Surd } from '../math/exact/surd.ts';
-import { lift, type Triple, type Values } from '../math/formula/evaluate.ts';
+import {
+  lift,
+  squaredNorm,
+  type Triple,
+  type Values,
+  withVector,
+} from '../math/formula/evaluate.ts';
 import type { Intersection, Verdict } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
@@ -52,20 +58,42 @@ interface Meant extends Place {
 
 /** `found`: what exact arithmetic says of the stored numbers. */
 export function asTyped(given: Given, ray: Ray, found: Intersection): AsTyped {
-  const all = [...rayPlaces(given), ...shapePlaces(given.shape)].map((p) => meant(p, given));
+  const all = allMeant(given);
   const hints = all.flatMap(({ key, symbol, text }) => {
     const hint = given.texts[key] === undefined ? null : hintOn(text);
     return hint === null ? [] : [`${symbol}: ${hint}.`];
   });
   const rounded = all.filter((one) => one.rounded);
-  const exactly = all.every(({ isStored }) => isStored) && !given.unit;
-  const differs =
-    exactly || all.some((one) => one.computed) ? null : compared(all, given, ray, found);
+  const differs = isTyped(all, given) ? compared(all, given, ray, found) : null;
   const roots = differs === 'undecided' ? all.filter(isRoot) : [];
   return {
     differs: differs === 'undecided' ? null : differs,
     notes: [...hints, ...roundingNote([...rounded, ...roots])],
   };
+}
+
+const allMeant = (given: Given): Meant[] =>
+  [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
+
+/** Whether the numbers were typed, and are not just what is stored. */
+const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
+  (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
+
+/** The numbers as typed, d at unit length if it is; null where they are just what is stored, or no one root holds them. */
+export function typedValues(given: Given): Values<Surd> | null {
+  const all = allMeant(given);
+  if (!isTyped(all, given)) return null;
+  const values = valuesOf(given, all, ({ exact }) => exact);
+  const { d } = values.vectors;
+  if (!given.unit || !d) return values;
+  try {
+    const length = exactly.sqrt(squaredNorm(d, exactly));
+    const unit = [exactly.div(d[0], length), exactly.div(d[1], length), exactly.div(d[2], length)];
+    return withVector(values, 'd', unit as unknown as Triple<Surd>);
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
 }
 
 /** What a double may have been typed as: its shortest text, if that is a decimal that doubles tell from all others. */
@@ -136,7 +164,7 @@ interface Case {
 
 const storedOf = ({ value }: Meant): Surd => fromNumber(value);
 
-function caseOf({ shape, E, d, unit }: Given, values: Values<TypedNumber>): Case {
+function caseOf({ shape, E, d, unit }: Given, values: Values<Surd>): Case {
   const ray: Ray = { origin: E, direction: d };
   const found = intersectTyped(shape, ray, values);
   const words = verdictWords(found, shape, ray, values);
@@ -156,12 +184,12 @@ function valuesOf(
   { shape, E, d }: Given,
   all: readonly Meant[],
   exact: (one: Meant) => Surd,
-): Values<TypedNumber> {
+): Values<Surd> {
   const own = definitionOf(shape).values(shape);
   const vectors = { ...own.vectors, E, d };
-  const values = lift({ scalars: own.scalars, vectors }, typed);
+  const values = lift({ scalars: own.scalars, vectors }, exactly);
   const scalars = { ...values.scalars };
-  const triples: Record<string, Triple<TypedNumber>> = { ...values.vectors };
+  const triples: Record<string, Triple<Surd>> = { ...values.vectors };
   for (const one of all) {
     const { symbol, index } = one;
     if (index === null) scalars[symbol] = exact(one);

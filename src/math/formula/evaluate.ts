@@ -1,5 +1,5 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
-import { type AXES, axisIndex, type Vec3 } from '../vec3.ts';
+import { type AXES, axisIndex } from '../vec3.ts';
 import type { Expr, VectorExpr } from './expr.ts';
 
 export type Triple<T> = readonly [T, T, T];
@@ -11,16 +11,17 @@ export interface Values<T> {
 }
 
 /** Doubles as numbers of another system; each is taken over exactly where the system is wide enough. */
-export function lift<T>(values: Values<number>, arithmetic: Arithmetic<T>): Values<T> {
+export const lift = <T>(values: Values<number>, { of }: Arithmetic<T>): Values<T> =>
+  mapped(values, of);
+
+/** Every number of the values in another system. */
+export function mapped<S, T>(values: Values<S>, of: (x: S) => T): Values<T> {
   const scalars: Record<string, T> = {};
   const vectors: Record<string, Triple<T>> = {};
-  for (const [id, x] of Object.entries(values.scalars)) scalars[id] = arithmetic.of(x);
-  for (const [id, v] of Object.entries(values.vectors)) vectors[id] = liftTriple(v, arithmetic);
+  for (const [id, x] of Object.entries(values.scalars)) scalars[id] = of(x);
+  for (const [id, v] of Object.entries(values.vectors))
+    vectors[id] = [of(v[0]), of(v[1]), of(v[2])];
   return { scalars, vectors };
-}
-
-function liftTriple<T>(v: Vec3, { of }: Arithmetic<T>): Triple<T> {
-  return [of(v[0]), of(v[1]), of(v[2])];
 }
 
 export function withScalars<T>(values: Values<T>, scalars: Readonly<Record<string, T>>): Values<T> {
