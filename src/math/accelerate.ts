@@ -5,9 +5,10 @@ import { useFastRoots } from './methods/certified/roots-quadric.ts';
 let made: Fast | null | undefined;
 
 /**
- * Lets `certified` find the roots of batches by WebAssembly, two rays at a time: the same numbers, at the prices in docs/bench.md, which are those of arrays by
- * `kernelArray` (batch/memory.ts). False where WebAssembly is not to be had; then all stays as it was. For Node and workers: a page whose content security policy forbids
- * WebAssembly would report the attempt.
+ * Lets `certified` find the roots of batches by WebAssembly, two rays at a time: the same numbers,
+ * at the prices in docs/bench.md, which are those of arrays by `kernelArray` (batch/memory.ts).
+ * False where WebAssembly is not to be had; then all stays as it was. For Node and workers: a page
+ * whose content security policy forbids WebAssembly would report the attempt.
  */
 export function accelerate(): boolean {
   if (made === undefined) made = createFast();

@@ -14,4 +14,4 @@ export { InvalidInput } from './invalid-input.ts';
 export { METHODS } from './methods/index.ts';
 export type { Ray } from './ray.ts';
 export { SHAPES, type Shape } from './shapes/index.ts';
-export type { Vec3 } from './vec3.ts';
+export type { Given, Vec3 } from './vec3.ts';

@@ -37,10 +37,11 @@ export interface IntersectOptions {
 }
 
 /**
- * Where the whole line R(t) = E + t d meets the shape, t of any sign, ascending; t counts in lengths of d.
- * Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an unknown kind or method, and on a field that is not the shape's, the
- * ray's or an option. Vectors may be any list of three numbers, a Float64Array for one.
- * What the answer is worth depends on the method: see its `promise`.
+ * Where the whole line R(t) = E + t d meets the shape, t of any sign, ascending; t counts in
+ * lengths of d. Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius
+ * or side, an unknown kind or method, and on a field that is not the shape's, the ray's or an
+ * option. Vectors may be any list of three numbers, a Float64Array for one. What the answer is
+ * worth depends on the method: see its `promise`.
  */
 export function intersect(
   shape: Given<Shape>,

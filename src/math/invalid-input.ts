@@ -36,8 +36,9 @@ const isList = (x: unknown): x is ArrayLike<unknown> =>
   typeof x === 'object' && x !== null && Number.isSafeInteger((x as ArrayLike<unknown>).length);
 
 /**
- * Throws InvalidInput if `given` has a field of its own that is not among `fields`: a height of a cylinder would be ignored in silence. One that is undefined is as good
- * as missing. `besides` is one more field, which need not be told of.
+ * Throws InvalidInput if `given` has a field of its own that is not among `fields`: a height of a
+ * cylinder would be ignored in silence. One that is undefined is as good as missing. `besides` is
+ * one more field, which need not be told of.
  */
 export function requireFields(
   what: string,
@@ -56,7 +57,10 @@ export function requireFields(
   }
 }
 
-/** How many fields it has. Where that is as many as are needed, and these are there, no name need be looked at, which costs more. */
+/**
+ * How many fields it has. Where that is as many as are needed, and these are there, no name need be
+ * looked at, which costs more.
+ */
 export function countFields(given: object): number {
   let count = 0;
   for (const _ in given) count += 1;

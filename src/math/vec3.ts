@@ -2,7 +2,8 @@
 export type Vec3 = readonly [number, number, number];
 
 /**
- * What a caller may give: for each vector any list of three numbers, a Float64Array for one. The answers are made of plain arrays.
+ * What a caller may give: for each vector any list of three numbers, a Float64Array for one. The
+ * answers are made of plain arrays.
  */
 export type Given<T> = T extends unknown
   ? { readonly [K in keyof T]: T[K] extends Vec3 ? ArrayLike<number> : T[K] }

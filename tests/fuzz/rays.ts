@@ -12,10 +12,13 @@ import { unlike } from './unlike.ts';
 
 /*
  * Certified against exact on as many rays as wanted:  npm run fuzz -- --rays 1e7 --seed 1
- * The class and roots as an object and in a batch, the points and normals of the object; and, for one ray in eight, a batch of neighbours by WebAssembly against one
- * without, bit by bit. Hard rays of every family, in turn bent by a few doubles, or given other exponents, so that they land beside what their family aims at; the
- * same as whole scenes in units near the thresholds of the source; and rays for which C, which cancels, is near one of them (tests/unit/math/whole-scenes.ts).
- * --only scaled,aimed asks about these kinds. A failure is shrunk and printed as a line for tests/repro.
+ * The class and roots as an object and in a batch, the points and normals of the object; and, for
+ * one ray in eight, a batch of neighbours by WebAssembly against one without, bit by bit. Hard rays
+ * of every family, in turn bent by a few doubles, or given other exponents, so that they land
+ * beside what their family aims at; the same as whole scenes in units near the thresholds of the
+ * source; and rays for which C, which cancels, is near one of them
+ * (tests/unit/math/whole-scenes.ts). --only scaled,aimed asks about these kinds. A failure is
+ * shrunk and printed as a line for tests/repro.
  */
 const option = (name: string, usual: number): number => {
   const at = process.argv.indexOf(`--${name}`);

@@ -3,8 +3,8 @@ import type { Ray, Shape } from '../../src/math/index.ts';
 import { disagreement, misplaced } from '../unit/math/against-exact.ts';
 
 /*
- * Points of `certified` that were off by up to 150 orders of magnitude: the stage that finds the roots had refilled, in units of its own, the numbers that the point
- * was then made of.
+ * Points of `certified` that were off by up to 150 orders of magnitude: the stage that finds the
+ * roots had refilled, in units of its own, the numbers that the point was then made of.
  */
 const CASES: readonly [Shape, Ray][] = [
   [

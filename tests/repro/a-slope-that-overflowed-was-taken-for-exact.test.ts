@@ -2,7 +2,10 @@ import { expect, test } from 'vitest';
 import type { Ray, Shape } from '../../src/math/index.ts';
 import { misplaced } from '../unit/math/against-exact.ts';
 
-/* F' was ∞ and its error finite: as known perfectly as can be, and so the step from the rounded root to the exact one was 0. */
+/*
+ * F' was ∞ and its error finite: as known perfectly as can be, and so the step from the rounded
+ * root to the exact one was 0.
+ */
 const CASES: readonly [Shape, Ray][] = [
   [
     { kind: 'cylinder', center: [0, 0, 0], radius: 1e20 },

@@ -37,9 +37,11 @@ export interface Answers {
 }
 
 /**
- * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the answers. Of a ray that is not `exact` and `certified` throw InvalidInput,
- * with its index, and no ray has an answer then: t0, t1 and margin are NaN, nothing is listed. The other rungs go on, with what their arithmetic makes of it. A number
- * that the formula does not look at, as a cylinder's does not at Ey and dy, may be anything.
+ * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the
+ * answers. At a ray that is not, `exact` and `certified` throw InvalidInput, with its index; then no
+ * ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other rungs go on with
+ * what their arithmetic makes of it. Numbers that the formula does not look at may be anything: a
+ * cylinder's does not look at Ey and dy.
  */
 export interface Kernel {
   /** The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a flat one. */
@@ -101,7 +103,10 @@ export function createAnswers(capacity: number, make: MakeArray = ownArray): Ans
   };
 }
 
-/** For kernels that throw: whether ray i is in order, asked of those only that take long anyway. `looksAtY` as Quadric.hasY. */
+/**
+ * For kernels that throw: InvalidInput, and no answers, if ray i is not in order. Asked only of rays
+ * that take long anyway. `looksAtY` as Quadric.hasY.
+ */
 export function checkRay(rays: Rays, i: number, looksAtY: boolean, out: Answers): void {
   const ex = rays.Ex[i] as number;
   const ey = rays.Ey[i] as number;

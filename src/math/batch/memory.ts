@@ -15,7 +15,9 @@ export function useMemory(make: Allocate | null): void {
 export const ownArray: MakeArray = (length) => new Float64Array(length);
 
 /**
- * Where WebAssembly is used, in its memory, so that nothing need be copied: about a tenth of what `certified` costs for both roots. For arrays that stay where they
- * are made: the buffer is shared with all others of this kind, so it cannot be transferred, and cloning one array copies all of it.
+ * Where WebAssembly is used, in its memory, so that nothing need be copied: about a tenth of what
+ * `certified` costs for both roots. For arrays that stay where they are made: the buffer is shared
+ * with all others of this kind, so it cannot be transferred, and cloning one array copies all of
+ * it.
  */
 export const kernelArray: MakeArray = (length) => allocate?.(length) ?? ownArray(length);

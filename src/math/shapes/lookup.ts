@@ -36,8 +36,8 @@ export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
 }
 
 /**
- * The shape with its vectors as plain arrays: itself, where they are. Throws InvalidInput unless every parameter of its kind is there and in its range, and nothing
- * else.
+ * The shape with its vectors as plain arrays: itself, where they are. Throws InvalidInput unless
+ * every parameter of its kind is there and in its range, and nothing else.
  */
 export function checkedShape(shape: Given<Shape>): Shape {
   const { kind, params } = definitionOf(shape as Shape);

@@ -48,8 +48,9 @@ const allFaithful = (ts: readonly number[], truth: readonly ExactHit[]): boolean
   (ts.length < 2 || (ts[0] as number) <= (ts[1] as number));
 
 /**
- * The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is not exactly zero where it must be. Where a normal leaves the
- * doubles it has no way to keep: then each component is one of the doubles around the exact one.
+ * The hits whose point is not faithful in each coordinate, or whose normal points elsewhere or is
+ * not exactly zero where it must be. Where a normal leaves the doubles it has no way to keep: then
+ * each component is one of the doubles around the exact one.
  */
 export function misplaced({ shape, ray }: Question, truth = exactHits(shape, ray)): Hit[] {
   return intersect(shape, ray, 'certified').hits.filter(({ point, normal, singular }, k) => {

@@ -5,7 +5,10 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import { initialShape } from '../../../src/state/state.ts';
 import { ray } from './shorthand.ts';
 
-/* What a caller may give that is not quite a Shape, a Ray or options: more fields, other kinds of lists, null. */
+/*
+ * What a caller may give that is not quite a Shape, a Ray or options: more fields, other kinds of
+ * lists, null.
+ */
 
 const GOOD: Ray = ray([4, 0.5, 3], [-1, 0.25, -0.5]);
 const KINDS = SHAPES.map(({ kind }) => kind);

@@ -5,7 +5,10 @@ import { accelerate, decelerate } from '../../../src/math/accelerate.ts';
 import { createAnswers, createRays, packRays } from '../../../src/math/batch/batch.ts';
 import { kernelArray, type MakeArray, ownArray } from '../../../src/math/batch/memory.ts';
 
-/* What becomes of batch arrays in the kernels' memory when parts of them are kept, with a real collector, and what cloning them costs. */
+/*
+ * What becomes of batch arrays in the kernels' memory when parts of them are kept, with a real
+ * collector, and what cloning them costs.
+ */
 
 setFlagsFromString('--expose-gc');
 const collect = runInNewContext('gc') as () => void;
@@ -18,7 +21,10 @@ afterAll(decelerate);
 
 const placeOf = (array: Float64Array): string => `${array.byteOffset}`;
 
-/** Drops an array of this length without views, collects, and waits until its place is given out again. */
+/**
+ * Drops an array of this length without views, collects, and waits until its place is given out
+ * again.
+ */
 async function untilReused(length: number): Promise<void> {
   const dropped = new Set<string>();
   await vi.waitFor(() => {

@@ -17,8 +17,9 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
 /*
- * Hard rays in other units: all lengths times one power of two, d times another. Where these stand is what decides which stage answers, and what overflows or
- * underflows on the way; the mantissas have no say in it. So they are drawn near the powers of two at which the source compares.
+ * Hard rays in other units: all lengths times one power of two, d times another. Where these stand
+ * is what decides which stage answers, and what overflows or underflows on the way; the mantissas
+ * have no say in it. So they are drawn near the powers of two at which the source compares.
  */
 
 const limits = [
@@ -40,8 +41,8 @@ const threshold = (random: Random): number =>
 const near = (random: Random, at: number): number => Math.round(at) + integer(random, -3, 3);
 
 /**
- * Exponents of the lengths and of d by which one of them, or what the algebra makes of both, is near a threshold: lengths l, l² or l⁴, d likewise, b and
- * F' ~ l d, D ~ l² d², t ~ l / d.
+ * Exponents of the lengths and of d by which one of them, or what the algebra makes of both, is
+ * near a threshold: lengths l, l² or l⁴, d likewise, b and F' ~ l d, D ~ l² d², t ~ l / d.
  */
 export function units(random: Random): { readonly length: number; readonly speed: number } {
   const one = (): number => near(random, threshold(random) / pick(random, [1, 2, 4]));
@@ -64,7 +65,10 @@ export function units(random: Random): { readonly length: number; readonly speed
 const MAX = Number.MAX_VALUE;
 const finite = (x: number): number => (x > MAX ? MAX : x < -MAX ? -MAX : x);
 
-/** The question with its largest length near 2^length and its largest part of d near 2^speed; as it was, where d or a normal would vanish. */
+/**
+ * The question with its largest length near 2^length and its largest part of d near 2^speed; as it
+ * was, where d or a normal would vanish.
+ */
 export function inUnits({ shape, ray }: Question, length: number, speed: number): Question {
   const largest = (xs: readonly number[]): number => Math.max(...xs.map(Math.abs));
   const isLength = (key: string, x: unknown): boolean =>
@@ -94,7 +98,10 @@ export function scaled(question: Question, random: Random): Question {
   return inUnits(question, length, speed);
 }
 
-/** E so far off a surface that C, which cancels, is near a threshold, with d by which D or F' is near one, or is of ordinary size. */
+/**
+ * E so far off a surface that C, which cancels, is near a threshold, with d by which D or F' is
+ * near one, or is of ordinary size.
+ */
 export function aimed(random: Random): Question {
   const C = near(
     random,

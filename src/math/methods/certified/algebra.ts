@@ -29,8 +29,8 @@ export const LARGE = 2 ** 200;
 export type Algebra = Float64Array;
 
 /**
- * Each stage has one of its own, as each may have the ray in units of its own: one that they shared was refilled in other units by a call between writing and
- * reading (tests/repro).
+ * Each stage has one of its own, as each may have the ray in units of its own: one that they shared
+ * was refilled in other units by a call between writing and reading (tests/repro).
  */
 export const createAlgebra = (): Algebra => new Float64Array(21);
 
@@ -47,7 +47,10 @@ export const SIZE = 20;
 export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
   al * bl - (p - ah * bh - al * bh - ah * bl);
 
-/** Puts A, b, C and D/4 of a ray into `algebra`. In one piece: a call that is not inlined boxes its doubles. */
+/**
+ * Puts A, b, C and D/4 of a ray into `algebra`. In one piece: a call that is not inlined boxes its
+ * doubles.
+ */
 export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): void {
   const x = d[0];
   const y = q.hasY ? d[1] : 0;

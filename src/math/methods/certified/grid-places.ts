@@ -29,7 +29,10 @@ export const CUT_ORIGIN = 2 ** 2;
 
 /** Once `found` holds the roots. */
 export type RootsPass = (ray: Ray) => void;
-/** The hit at root `k` of `found`, `turn` 1 for the near and −1 for the far one; null where a coordinate, or the way of the normal, stays open. */
+/**
+ * The hit at root `k` of `found`, `turn` 1 for the near and −1 for the far one; null where a
+ * coordinate, or the way of the normal, stays open.
+ */
 export type PlacePass = (numbers: Float64Array, k: number, turn: number) => Hit | null;
 
 /** √D/4 and what is common to both hits. */

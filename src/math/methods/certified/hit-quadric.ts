@@ -16,13 +16,15 @@ const STRAIGHT = 2 ** -52;
 export const LOST = 2 ** -1070;
 export const SMALLEST = 2 ** -600;
 
-/** t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra. */
+/**
+ * t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra.
+ */
 export type Roots = Float64Array;
 export const createRoots = (): Roots => new Float64Array(6);
 
 /**
- * The hit at root k of `roots`, which goes by the double that was `certified` for it, with E − C and a from `algebra`; null where a coordinate, or the way of the
- * normal, stays open.
+ * The hit at root k of `roots`, which goes by the double that was `certified` for it, with E − C
+ * and a from `algebra`; null where a coordinate, or the way of the normal, stays open.
  */
 export function hitAt(
   q: Quadric,

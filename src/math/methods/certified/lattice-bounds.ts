@@ -12,7 +12,8 @@ import type { Lattice } from './lattice.ts';
  * 2^-7 units of t, since pass 3 asks of both points to be within 2^24 units of the centre and |d| has at least 2^4, so their distance is below
  * 2^21: the whole number next to a rough root is at most 0.51 units from the root.
  *
- * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks for a gap between them, and leaves such a ray open.
+ * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks
+ * for a gap between them, and leaves such a ray open.
  */
 const CLEAR = 2 ** -20;
 const CERTAIN = -28 * 2 ** -53;

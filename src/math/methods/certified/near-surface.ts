@@ -28,8 +28,8 @@ const R = new Float64Array(4);
 const LEVEL = 2;
 
 /**
- * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one: SMALLEST_C is wider than the SMALLEST of algebra.ts. A C that is 0
- * exactly is off by nothing.
+ * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one:
+ * SMALLEST_C is wider than the SMALLEST of algebra.ts. A C that is 0 exactly is off by nothing.
  */
 export function sharpenC(algebra: Algebra, r: number): void {
   const a = algebra[FLARE] as number;

@@ -31,7 +31,10 @@ export function createOneRay(): OneRay {
   return { rays, out: createAnswers(1), left, setRay: into(rays) };
 }
 
-/** What was found of a ray: the two roots, NaN where there is none, the verdict, and by which stage. In doubles: fields of an object would be boxed. */
+/**
+ * What was found of a ray: the two roots, NaN where there is none, the verdict, and by which stage.
+ * In doubles: fields of an object would be boxed.
+ */
 export type Found = Float64Array;
 export const createFound = (): Found => new Float64Array(4);
 export const T0 = 0;
@@ -53,7 +56,10 @@ function into({ Ex, Ey, Ez, dx, dy, dz }: Rays): (ray: Ray) => void {
   };
 }
 
-/** Fills `found` by the stages that a batch goes through. `c` is what certifiedQuadric makes of `q`, for whoever has it at hand. */
+/**
+ * Fills `found` by the stages that a batch goes through. `c` is what certifiedQuadric makes of `q`,
+ * for whoever has it at hand.
+ */
 export const findRoots = finder();
 
 function finder(): (q: Quadric, ray: Ray, found: Found, c?: CertifiedQuadric) => void {

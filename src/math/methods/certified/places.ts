@@ -74,9 +74,10 @@ function putSquare(out: number, x: number): void {
 }
 
 /**
- * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has overflowed (faithful.ts): η, δ and Δ would be 0, and E + t d would
- * pass for the point. |F'| < ∞ also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN, except that F/2h is 0 where 2h is ∞, and
- * then F' is ∞ or NaN by 2h itself.
+ * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has
+ * overflowed (faithful.ts): η, δ and Δ would be 0, and E + t d would pass for the point. |F'| < ∞
+ * also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN,
+ * except that F/2h is 0 where 2h is ∞, and then F' is ∞ or NaN by 2h itself.
  */
 export function putStep(
   k: number,
@@ -98,7 +99,10 @@ export function putStep(
 const times = (a: number, [x, y, z]: Vec3, s: number): number =>
   x * (s * x) + z * (s * z) - a * (y * (s * y));
 
-/** The hit at the faithful root t, or null where a component stays open, or all of the normal's are zero. */
+/**
+ * The hit at the faithful root t, or null where a component stays open, or all of the normal's are
+ * zero.
+ */
 export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
   // A cylinder does not look at y: from E's own height nothing is subtracted.

@@ -55,7 +55,10 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
 const isFaithful = (roots: Roots, k: number): boolean =>
   (roots[k + 2] as number) < FAITHFUL * Math.abs(roots[k] as number);
 
-/** Puts both roots of `algebra`, whose SIZE says that its numbers are finite; false where one of them is not known to be faithful. */
+/**
+ * Puts both roots of `algebra`, whose SIZE says that its numbers are finite; false where one of
+ * them is not known to be faithful.
+ */
 export function putRoots(algebra: Algebra, roots: Roots): boolean {
   const D1 = algebra[D] as number;
   const s = Math.sqrt(D1);

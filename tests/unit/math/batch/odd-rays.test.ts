@@ -7,7 +7,10 @@ import { exact } from '../../../../src/math/methods/exact.ts';
 import { integer, seeded, uniform } from '../../../../src/math/rng.ts';
 import { initialShape } from '../../../../src/state/state.ts';
 
-/* One ray of a batch that is none, at any place and in any number: said with its index, and no answer is left standing. */
+/*
+ * One ray of a batch that is none, at any place and in any number: said with its index, and no
+ * answer is left standing.
+ */
 
 const COUNT = 37;
 const PARTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;

@@ -19,8 +19,9 @@ class ArenaArray extends Float64Array<ArrayBuffer> {
 }
 
 /**
- * Arrays in the kernels' memory. What the collector finds unused, with all of its subarrays, is given out again, to arrays of the same size; when the memory is full
- * there is null, and the caller's ordinary array is copied block by block instead.
+ * Arrays in the kernels' memory. What the collector finds unused, with all of its subarrays, is
+ * given out again, to arrays of the same size; when the memory is full there is null, and the
+ * caller's ordinary array is copied block by block instead.
  */
 export function createArena(buffer: ArrayBuffer): Allocate {
   const free = new Map<number, number[]>();
