@@ -416,10 +416,13 @@ test.describe('on a phone', () => {
   });
 });
 
-for (const width of [600, 768, 1024, 1100, 1920]) {
+for (const width of [600, 768, 1000, 1024, 1100, 1920]) {
   test(`nothing sticks out to the side at ${width} px`, async ({ page }) => {
     await page.setViewportSize({ width, height: 800 });
-    await openPicture(page, `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none`);
+    await openPicture(
+      page,
+      `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none&split=100`,
+    );
     const seen = await page.evaluate(() => document.scrollingElement?.scrollWidth);
     expect(seen).toBe(width);
   });

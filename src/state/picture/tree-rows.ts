@@ -105,19 +105,26 @@ function rowOf(
   // A ray that meets nothing is asked of the surface that it leaves.
   const asked = 'surface' in end ? end.surface : surfaces[node.from] ? node.from : 0;
   const surface = surfaces[asked];
-  const meeting: Meeting = {
+  const meetingOf = (index: number): Meeting => ({
     ray,
-    between: (how.forced.heights !== 'off' && surface?.between) || null,
-    leaves: how.start.rule === 'from' && node.from === asked,
+    between: (how.forced.heights !== 'off' && surfaces[index]?.between) || null,
+    leaves: how.start.rule === 'from' && node.from === index,
     least: leastOf(how.start, kind === 'camera'),
     most: end.end === 'light' ? end.t : Number.POSITIVE_INFINITY,
     passes: kind === 'shadow' && isClear(scene, surface),
-  };
+  });
   const { verdict, rest } = verdictOf(node, scene, surfaces);
-  const passed = 'surface' in end && surface ? cutWords(surface.shape, meeting, end.t, how) : '';
+  // Before a circle that closes an end the ray may have passed a root of what it closes.
+  const side = surfaces.findIndex(
+    ({ thing, part }) => thing === surface?.thing && part === 'shape',
+  );
+  const shape = surfaces[side]?.shape;
+  const passed = 'surface' in end && shape ? cutWords(shape, meetingOf(side), end.t, how) : [];
+  const of = side === asked ? '' : 'of its side ';
   return {
-    ...{ path, depth, kind, ray, weight, node, verdict, meeting },
-    rest: rest + passed,
+    ...{ path, depth, kind, ray, weight, node, verdict },
+    meeting: meetingOf(asked),
+    rest: rest + passed.map((words) => `; ${of}${words}`).join(''),
     shape: surface?.shape ?? null,
     t: 't' in end ? end.t : null,
     group: null,
@@ -129,12 +136,16 @@ function isClear({ things }: Scene, surface: Surface | undefined): boolean {
   return thing !== undefined && isGlass(thing);
 }
 
-/** The roots of the surface that the ray has passed, since they are cut off. */
-function cutWords(shape: Shape, meeting: Meeting, hit: number, { method }: Tracing): string {
-  if (!meeting.between) return '';
+/** The roots of a shape that the ray has passed before its hit, since they are cut off. */
+function cutWords(
+  shape: Shape,
+  meeting: Meeting,
+  hit: number,
+  { method }: Tracing,
+): readonly string[] {
+  if (!meeting.between) return [];
   const { roots = [] } = surfaceSteps(shape, meeting, method) ?? {};
-  const passed = roots.filter(({ fate, t }) => fate === 'cut' && t < hit);
-  return passed.map(({ words }) => `; ${words}`).join('');
+  return roots.filter(({ fate, t }) => fate === 'cut' && t < hit).map(({ words }) => words);
 }
 
 function verdictOf(

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { intersect } from '../../../../src/math/index.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
+import { sixShapes } from '../../../../src/scene/presets/six-shapes.ts';
 import { surfaceSteps } from '../../../../src/state/picture/hit-steps.ts';
 import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
 import { treeScene } from '../../../../src/state/picture/tree-scene.ts';
@@ -141,6 +142,27 @@ describe('the rays of a pixel as a list', () => {
       expect((fates.cut ?? 0) > 20).toBe(!('forced' in how));
     },
   );
+});
+
+test('before the circle that closes an end, the cut root of the side is named', async () => {
+  const things = sixShapes.scene.things.map((thing) =>
+    thing.id === 'cylinder' ? { ...thing, capped: true } : thing,
+  );
+  const scene = { ...sixShapes.scene, things };
+  const tracer = await tracerFor(scene);
+  let named = 0;
+  for (let x = 28; x < 42; x++) {
+    for (let y = 5; y < 20; y++) {
+      const [root] = tracer.record(x, y).rays;
+      const [row] = root ? treeRows(scene, root, NONE, TINY) : [];
+      const end = root?.end;
+      if (end?.end !== 'hit' || row?.verdict !== 'cylinder, its upper end') continue;
+      expect(row.rest).toMatch(/ at t = \S+; of its side t₁ = \S+, cut off: y = \S+ > 1\.9$/);
+      expect(Number(/side t₁ = ([\d.]+)/.exec(row.rest)?.[1])).toBeLessThan(end.t);
+      named++;
+    }
+  }
+  expect(named).toBeGreaterThan(3);
 });
 
 describe('the rays in space', () => {
