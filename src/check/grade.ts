@@ -38,8 +38,8 @@ const EVIDENCE = 3;
 
 /** Text to a value; an infinite value is an answer (a division by zero gives one), and not a right one. */
 export function readAnswer(field: Field, text: string): Read {
-  if (text.trim() === '') return { ok: false, reason: 'not answered' };
   if (field.mayBeAbsent && SAYS_NONE.test(text)) return read(ABSENT);
+  if (text.trim() === '') return { ok: false, reason: 'not answered' };
   if (field.kind === 'choice') {
     return field.options.some(({ id }) => id === text)
       ? read(text)
@@ -58,7 +58,7 @@ const read = (value: Answer, text = ''): Read => ({
 });
 
 /** A line may also say that its quantity does not exist. */
-const SAYS_NONE = /^\s*(none|no|no root|does not exist|[-–—−∅])\s*$/i;
+const SAYS_NONE = /^\s*(none|no|no root|does not exist|[-–—−∅])?\s*$/i;
 
 /** How a value that was read stands to a right one: right, right as far as it goes, or wrong. */
 export function compared(

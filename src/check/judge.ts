@@ -19,16 +19,22 @@ export interface Judged {
 /** Marks every line by itself and by those before it, and finds the mistakes that explain all of them. */
 export function judge(derivation: Derivation, texts: Texts): Judged {
   const { fields } = derivation;
+  const textOf = ({ id }: Field): string => texts[id] ?? '';
+  // An empty box says that there is none only where all else is answered.
+  const complete = fields.every((field) => readAnswer(field, textOf(field)).ok);
+  const isOpen = (field: Field): boolean => !complete && textOf(field).trim() === '';
   const lines = fields.flatMap((field): Line[] => {
-    const read = readAnswer(field, texts[field.id] ?? '');
-    return read.ok ? [{ field, given: read.given }] : [];
+    const read = readAnswer(field, textOf(field));
+    return read.ok && !isOpen(field) ? [{ field, given: read.given }] : [];
   });
   const found = bestOf(derivation, lines);
   const truth = derivation.truth(found.course);
   const marks: Record<string, Mark> = {};
   const follow: Record<string, readonly Field[]> = {};
   for (const field of fields) {
-    const mark = grade(field, texts[field.id] ?? '', truth[field.id]);
+    const mark: Mark = isOpen(field)
+      ? { verdict: 'invalid', reason: 'not answered' }
+      : grade(field, textOf(field), truth[field.id]);
     marks[field.id] = mark;
     const at = lines.findIndex((line) => line.field === field);
     if (mark.verdict === 'wrong' && found.standing[at] === 'follows') {

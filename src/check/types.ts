@@ -40,7 +40,7 @@ export interface Field {
   readonly name: string;
   /** For a choice. */
   readonly options: readonly Option[];
-  /** Whether a dash is an answer: the quantity may not exist. */
+  /** Whether a dash, or nothing, is an answer: the quantity may not exist. */
   readonly mayBeAbsent: boolean;
 }
 

@@ -26,7 +26,7 @@ export const linear: Exercise = {
     return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
   ask: () =>
-    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t? (Otherwise a dash.)',
+    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t? (Otherwise leave t₁ empty.)',
   given: ['A', 'B', 'C'],
   // The box stands there in any case: whether it is needed is part of the question.
   fields: () => [choiceField('case', 'the line has', CASES), mayBeAbsent(numberField('t1', 't₁'))],

@@ -186,6 +186,26 @@ test('digits are lost on every line but B, and every cure is the right one somew
   for (const { line, cure } of truths) expect(line === 'nowhere').toBe(cure === 'textbook');
 });
 
+test('an empty box says that there is no root, once the rest is answered', () => {
+  const linear = EXERCISES.find(({ id }) => id === 'linear');
+  const posed = Array.from(
+    { length: 20 },
+    (_, i) => linear && pose(linear, (['cone', 'cylinder'] as const)[i % 2] ?? 'cone', i, 2),
+  );
+  const truths = new Set<unknown>();
+  for (const one of posed) {
+    if (!one) throw new RangeError('linear');
+    const { case: verdict, t1 } = one.truth;
+    truths.add(t1 === undefined);
+    // Whether the box is needed is told neither by the form nor by its absence from an answer.
+    expect(one.fields.map(({ id }) => id)).toEqual(['case', 't1']);
+    const judged = judge(derivationFor(one), { case: String(verdict), t1: '' });
+    expect(judged.verdict).toBe(t1 === undefined ? 'correct' : 'wrong');
+    expect(judge(derivationFor(one), {}).verdict).toBe('invalid');
+  }
+  expect(truths.size).toBe(2);
+});
+
 describe('a session', () => {
   test.each([1, 2, 41, 1000])('of seed %i has every shape and rises', (seed) => {
     const slots = plan(seed);
