@@ -105,7 +105,7 @@ function counts(
 ): TemplateResult {
   const lost = Number.isNaN(mostDigits)
     ? nothing
-    : html`, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of their t lost`;
+    : html`; where both hit the same, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
   const count = (name: string, n: number): TemplateResult =>
     html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
   const kinds =

@@ -133,7 +133,7 @@ function countWords(
   const clock = took
     ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`}`
     : nothing;
-  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}). To say that a line misses a shape, often none is; finite heights need the second one.
+  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}): often none is needed to say that a line misses a shape, and finite heights need the second one.
     ms: the work of all workers added up (${msWords(ms)})${clock}.</p>`;
 }
 
