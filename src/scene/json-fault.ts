@@ -48,6 +48,7 @@ export function jsonFault(text: string): string | null {
 function placeOf(text: string, at: number): string {
   const lines = text.slice(0, at).split('\n');
   const place = `line ${lines.length}, column ${(lines.at(-1)?.length ?? 0) + 1}`;
-  if (at >= text.length) return `${place}: the text ends before it is complete`;
+  if (at >= text.length)
+    return `${place}: the text ends too early, after ${quote(text.slice(-20))}`;
   return `${place}: ${quote(text.slice(at, at + 20))} does not belong there`;
 }

@@ -33,7 +33,7 @@ test('a fault is found just where JSON.parse finds one; text with one letter cha
 
 test('the place is that of the slip', () => {
   expect(jsonFault('{\n  "a": 1,\n  "b" 2\n}')).toMatch(/^line 3, column 7: '2\s/);
-  expect(jsonFault('[1, 2')).toBe('line 1, column 6: the text ends before it is complete');
+  expect(jsonFault('[1, 2')).toBe("line 1, column 6: the text ends too early, after '[1, 2'");
   expect(jsonFault(`${'['.repeat(9000)}`)).toMatch(/^line 1, column \d+/);
   const lines = sceneToJson(plain.scene).split('\n');
   lines[5] = lines[5]?.replace(':', '') ?? '';

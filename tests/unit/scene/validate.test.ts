@@ -129,7 +129,9 @@ describe('what is wrong is said, with where and what it was', () => {
   });
 
   test('text that is not JSON, and a file that is too long', () => {
-    expect(() => sceneFromJson('{"a":')).toThrow(`'{"a":' is not a saved scene`);
+    expect(() => sceneFromJson('{"a":')).toThrow(
+      `line 1, column 6: the text ends too early, after '{"a":'`,
+    );
     expect(() => sceneFromJson(' '.repeat(400_001))).toThrow('at most 400000 characters');
     expect(() => sceneFromJson('{"graze":"scene"}')).toThrow(InvalidInput);
   });
