@@ -184,7 +184,8 @@ function verdict(
   const some = (...verdicts: OwnLine['verdict'][]) =>
     lines.some(({ verdict }) => verdicts.includes(verdict));
   if (asides === 0 && !some('follows')) return 'All that you typed is right.';
-  return some('correct', 'absent') ? 'Nothing that could be read is wrong.' : '';
+  if (!some('correct', 'absent')) return '';
+  return some('invalid') ? 'Nothing that could be read is wrong.' : 'Nothing of it is wrong.';
 }
 
 /** "Your t₁ and t₂ are right for your B.", once for each set of earlier lines. */

@@ -83,7 +83,9 @@ export const namedCauses = (causes: readonly Misconception[]): string =>
 
 /** Where a mistake happens and what to look at; which one it is where there are two. */
 export const whereAndWhat = ({ says, line, remedy }: Misconception, isOneOfSome: boolean): string =>
-  `${isOneOfSome ? `${says[0]?.toUpperCase()}${says.slice(1)}: it` : 'It'} happens on ${lineName(line)}. ${remedy}`;
+  isOneOfSome
+    ? `On ${lineName(line)}: ${says}. ${remedy}`
+    : `It happens on ${lineName(line)}. ${remedy}`;
 
 export const ids = (causes: readonly Misconception[]): string =>
   causes.map(({ id }) => id).join(' ');
