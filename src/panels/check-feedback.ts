@@ -82,7 +82,10 @@ export const namedCauses = (causes: readonly Misconception[]): string =>
   `This is what comes out with ${causes.map(({ says }) => says).join(', together with ')}.`;
 
 /** Where a mistake happens and what to look at; which one it is where there are two. */
-export const whereAndWhat = ({ says, line, remedy }: Misconception, isOneOfSome: boolean): string =>
+export const whereAndWhat = (
+  { says, line, remedy }: Misconception,
+  isOneOfSome: boolean,
+): string =>
   isOneOfSome
     ? `On ${lineName(line)}: ${says}. ${remedy}`
     : `It happens on ${lineName(line)}. ${remedy}`;
