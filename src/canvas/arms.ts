@@ -1,4 +1,5 @@
 import { AXES } from '../math/vec3.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { italic } from './captions.ts';
 import type { Segment } from './labels.ts';
 import type { Layer } from './layer.ts';
@@ -57,12 +58,12 @@ export function drawArms(layer: Layer, { handle, place }: Placed, lens: Lens, th
     if (!arm || !axis) continue;
     const { from: spot, dx, dy, length } = arm;
     const turn = (Math.atan2(dy, dx) * 180) / Math.PI;
-    const transform = `translate(${spot.x.toFixed(2)} ${spot.y.toFixed(2)}) rotate(${turn.toFixed(2)})`;
-    const [from, to] = [Math.min(FROM * scale, length / 2).toFixed(1), length.toFixed(1)];
+    const transform = `translate(${coordinate(spot.x)} ${coordinate(spot.y)}) rotate(${turn.toFixed(2)})`;
+    const [from, to] = [coordinate(Math.min(FROM * scale, length / 2)), coordinate(length)];
     const shaft = `M${from} 0H${to}`;
     const names = { 'data-handle': handle.symbol, 'data-symbol': handle.symbol, 'data-axis': i };
     layer.show(`${axis} gap`, 'path', { class: 'scene-arm-gap', d: shaft, transform });
-    const hit = { class: 'scene-arm-hit', d: `M${from} 0h${(length + 2).toFixed(1)}` };
+    const hit = { class: 'scene-arm-hit', d: `M${from} 0h${coordinate(length + 2)}` };
     layer.show(`${axis} hit`, 'path', { ...hit, ...names, transform });
     const head = `m0 0l${-9 * scale} ${-4 * scale}v${8 * scale}z`;
     layer.show(`${axis} arm`, 'path', { class: 'scene-arm', d: shaft + head, transform });

@@ -1,3 +1,4 @@
+import { coordinate } from '../text/coordinate.ts';
 import { italic } from './captions.ts';
 import type { Layer } from './layer.ts';
 import type { Lens } from './lens.ts';
@@ -28,7 +29,7 @@ export function drawAxes(layer: Layer, lens: Lens, scale: number, font: number):
   for (const { name, dx, dy } of arms) {
     const length = Math.hypot(dx, dy);
     layer.show(`${name} arm`, 'path', {
-      d: `M${x.toFixed(2)} ${y.toFixed(2)}l${dx.toFixed(2)} ${dy.toFixed(2)}`,
+      d: `M${coordinate(x)} ${coordinate(y)}l${coordinate(dx)} ${coordinate(dy)}`,
       'stroke-width': 1.5 * scale,
     });
     const isShort = length < SHORT * scale;

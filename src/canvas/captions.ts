@@ -1,3 +1,4 @@
+import { coordinate } from '../text/coordinate.ts';
 import type { Caption, Figures } from './figures.ts';
 import { type Box, type Obstacles, placeLabels } from './labels.ts';
 import type { Layer } from './layer.ts';
@@ -66,7 +67,7 @@ export function drawPointers(
     layer.show(`${pointer.key} arrow`, 'path', {
       class: `scene-pointer scene-tone-${pointer.tone}`,
       d: 'M0 0H14M9 -4.5L14 0L9 4.5',
-      transform: `translate(${(box.x + from * dx).toFixed(2)} ${(box.y + from * dy).toFixed(2)}) rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
+      transform: `translate(${coordinate(box.x + from * dx)} ${coordinate(box.y + from * dy)}) rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
     });
   }
   return boxes;

@@ -1,4 +1,5 @@
 import type { Handle } from '../state/handles.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { ARM, armSegments, drawArms } from './arms.ts';
 import { italic } from './captions.ts';
 import type { Caption } from './figures.ts';
@@ -54,7 +55,7 @@ export class Grips {
         'data-handle': handle.symbol,
         'data-symbol': handle.symbol,
         ...spoken(handle, isActive ? held.reason : '', keys),
-        transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`,
+        transform: `translate(${coordinate(x)} ${coordinate(y)})`,
       },
       handle.type === 'reach' ? [...ROOM, GRIP] : ROOM,
     );

@@ -1,3 +1,5 @@
+import { coordinate } from '../text/coordinate.ts';
+
 const SVG = 'http://www.w3.org/2000/svg';
 
 export type Attributes = Readonly<Record<string, string | number>>;
@@ -68,5 +70,5 @@ function create(tag: string): SVGElement {
 /** Hundredths of a pixel are enough, and NaN never becomes an attribute. */
 export function text(value: string | number): string {
   if (typeof value === 'string') return value;
-  return Number.isFinite(value) ? String(Math.round(value * 100) / 100) : '0';
+  return String(coordinate(value));
 }

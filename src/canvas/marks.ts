@@ -1,3 +1,4 @@
+import { coordinate } from '../text/coordinate.ts';
 import type { Layer, Part } from './layer.ts';
 import type { Spot } from './lens.ts';
 
@@ -69,7 +70,7 @@ export function drawMarks(
   for (const { key, kind, symbols, spot, turn = 0, size = 1 } of marks) {
     const isLit = lit !== null && symbols.includes(lit);
     const emphasis = isLit ? 1.25 : 1;
-    const place = `translate(${spot.x.toFixed(2)} ${spot.y.toFixed(2)})`;
+    const place = `translate(${coordinate(spot.x)} ${coordinate(spot.y)})`;
     const rotate = turn ? ` rotate(${turn.toFixed(2)})` : '';
     layer.show(
       `${key} ${kind}`,
@@ -113,15 +114,15 @@ export function drawArrows(
     const head = Math.min(HEAD * size, length);
     const half = (HALF_HEAD * head) / HEAD;
     const angle = (Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
-    const [l, n] = [length.toFixed(2), (length - head).toFixed(2)];
+    const [l, n] = [coordinate(length), coordinate(length - head)];
     const d =
-      length < DOT ? 'M0 0h.01' : `M0 0H${n}M${l} 0L${n} ${half.toFixed(2)}V${(-half).toFixed(2)}Z`;
+      length < DOT ? 'M0 0h.01' : `M0 0H${n}M${l} 0L${n} ${coordinate(half)}V${coordinate(-half)}Z`;
     layer.show(key, 'path', {
       class: `scene-normal${isLit ? ' lit' : ''}`,
       'data-symbol': symbols[0] ?? key,
       d,
       'stroke-width': 2.6 * size,
-      transform: `translate(${from.x.toFixed(2)} ${from.y.toFixed(2)}) rotate(${angle.toFixed(2)})`,
+      transform: `translate(${coordinate(from.x)} ${coordinate(from.y)}) rotate(${angle.toFixed(2)})`,
     });
   }
   layer.end();

@@ -1,4 +1,5 @@
 import type { SceneModel } from '../state/scene-model.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { display } from '../text/format.ts';
 import { type Box, overlap } from './labels.ts';
 import type { Layer } from './layer.ts';
@@ -76,5 +77,5 @@ function smallestStep(ticks: readonly number[]): number {
 }
 
 function pair(x: number, y: number): string {
-  return `${x.toFixed(2)} ${y.toFixed(2)}`;
+  return `${coordinate(x)} ${coordinate(y)}`;
 }

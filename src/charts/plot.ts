@@ -1,4 +1,5 @@
 import { svg, type TemplateResult } from 'lit';
+import { coordinate } from '../text/coordinate.ts';
 import type { Box, Placed, Wish } from './place-labels.ts';
 import { LETTER, type Metrics } from './strip-frame.ts';
 import './strip.css';
@@ -42,7 +43,7 @@ export const fieldBox = ({ left, right, top, bottom, em }: Field): Box => ({
   height: bottom - top + 1.4 * em - 4,
 });
 
-export const px = (x: number): string => x.toFixed(1);
+export const px = (x: number): string => coordinate(x).toFixed(1);
 
 /** Lines at the y ticks, and the axis at the bottom with its ticks and title. */
 export function axes(

@@ -1,8 +1,9 @@
 import { html, svg, type TemplateResult } from 'lit';
 import type { StripModel } from '../state/strip-model.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { display, displayTriple, shortest } from '../text/format.ts';
 import { clamp } from './steps.ts';
-import { fixed, heightAt, type Parabola } from './strip-curve.ts';
+import { heightAt, type Parabola } from './strip-curve.ts';
 import type { Frame } from './strip-frame.ts';
 import { halo } from './strip-roots.ts';
 import type { Scales } from './strip-scales.ts';
@@ -16,8 +17,8 @@ export function bead(
 ): TemplateResult {
   const { frame } = scales;
   const { t } = model.bead;
-  const x = fixed(clamp(scales.x(t), frame.left, frame.right));
-  const y = fixed(beadHeight(model, scales, parabola));
+  const x = coordinate(clamp(scales.x(t), frame.left, frame.right));
+  const y = coordinate(beadHeight(model, scales, parabola));
   const isOff = t < model.from || t > model.to;
   return svg`
     <line class="strip-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>

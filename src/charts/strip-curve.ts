@@ -1,4 +1,5 @@
 import type { StripModel } from '../state/strip-model.ts';
+import { coordinate } from '../text/coordinate.ts';
 import type { Frame } from './strip-frame.ts';
 
 /** v(u) = a u² + b u + c: the graph in units of the plot, u from left (0) to right (1), v from bottom (0) to top (1). */
@@ -63,7 +64,7 @@ export function areaPath(parabola: Parabola, frame: Frame): string {
         piece.where === 'drawn'
           ? start(parabola, piece, frame) + arc(parabola, piece, frame)
           : `${point(frame, piece.from, LOWEST)}L${point(frame, piece.to, LOWEST)}`;
-      return `M${fixed(place(frame, piece.from, 0).x)},${fixed(zero)}L${edge}V${fixed(zero)}Z`;
+      return `M${coordinate(place(frame, piece.from, 0).x)},${coordinate(zero)}L${edge}V${coordinate(zero)}Z`;
     })
     .join('');
 }
@@ -121,10 +122,5 @@ function place({ left, right, top, floor }: Frame, u: number, v: number) {
 
 function point(frame: Frame, u: number, v: number): string {
   const { x, y } = place(frame, u, v);
-  return `${fixed(x)},${fixed(y)}`;
-}
-
-/** A hundredth of a pixel is finer than any screen. */
-export function fixed(px: number): number {
-  return Math.round(px * 100) / 100;
+  return `${coordinate(x)},${coordinate(y)}`;
 }

@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
+import { coordinate } from '../text/coordinate.ts';
 import { superscript } from '../text/scripts.ts';
 import { clamp } from './steps.ts';
-import { fixed } from './strip-curve.ts';
 import { type Frame, LETTER } from './strip-frame.ts';
 import type { Scales, Tick } from './strip-scales.ts';
 
@@ -12,34 +12,34 @@ const [ASIDE, UNDER] = [0.65, 1.4];
 export function grid(scales: Scales, id: string): TemplateResult {
   const { frame, x } = scales;
   const { left, right, top, bottom } = frame;
-  const zero = fixed(clamp(x(0), left, right));
+  const zero = coordinate(clamp(x(0), left, right));
   const showsZero = x(0) >= left && x(0) <= right;
   return svg`
-    <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${fixed(zero - left)} height=${bottom - top}></rect>
+    <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${coordinate(zero - left)} height=${bottom - top}></rect>
     ${scales.fTicks.map((tick) => fTick(tick, frame))}${scales.tTicks.map((tick) => tTick(tick, frame))}
     ${names(scales)}
     ${showsZero ? svg`<line class="strip-zero" data-symbol="E" x1=${zero} x2=${zero} y1=${top} y2=${bottom}></line>` : ''}`;
 }
 
 function fTick({ at, label }: Tick, { left, right, top, em }: Frame): TemplateResult {
-  const y = fixed(at);
+  const y = coordinate(at);
   // The highest label would touch the name of the axis.
   const text =
     y < top + 0.5 * em
       ? ''
-      : svg`<text class="strip-tick" text-anchor="end" x=${fixed(left - ASIDE * em)} y=${fixed(y + 0.35 * em)}>${label}</text>`;
+      : svg`<text class="strip-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
   return svg`<line class="strip-grid" x1=${left} x2=${right} y1=${y} y2=${y}></line>${text}`;
 }
 
 function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResult {
-  const x = fixed(at);
+  const x = coordinate(at);
   const half = (label.length * LETTER * em) / 2;
   // A label at an end must neither cover the name t nor leave the strip.
   const fits = at - half > 2 * em && at + half < width;
   const text = fits
-    ? svg`<text class="strip-tick" text-anchor="middle" x=${x} y=${fixed(bottom + UNDER * em)}>${label}</text>`
+    ? svg`<text class="strip-tick" text-anchor="middle" x=${x} y=${coordinate(bottom + UNDER * em)}>${label}</text>`
     : '';
-  return svg`<line class="strip-nick" x1=${x} x2=${x} y1=${bottom} y2=${fixed(bottom + 0.35 * em)}></line>${text}`;
+  return svg`<line class="strip-nick" x1=${x} x2=${x} y1=${bottom} y2=${coordinate(bottom + 0.35 * em)}></line>${text}`;
 }
 
 /** The names of the axes, and the power of ten that was taken out of the labels of f. */
@@ -47,16 +47,16 @@ function names({ frame: { left, top, bottom, em }, power }: Scales): TemplateRes
   const common =
     power === 0
       ? ''
-      : svg`<text class="strip-tick strip-power" text-anchor="end" x=${fixed(left - 0.2 * em)} y=${fixed(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
+      : svg`<text class="strip-tick strip-power" text-anchor="end" x=${coordinate(left - 0.2 * em)} y=${coordinate(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
   return svg`${common}
-    <text class="strip-var" x=${fixed(1.2 * em)} y=${fixed(bottom + UNDER * em)}>𝑡</text>
-    <text class="strip-var" text-anchor="end" x=${fixed(left - ASIDE * em)} y=${fixed(top - 0.45 * em)}>𝑓(𝑡)</text>`;
+    <text class="strip-var" x=${coordinate(1.2 * em)} y=${coordinate(bottom + UNDER * em)}>𝑡</text>
+    <text class="strip-var" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(top - 0.45 * em)}>𝑓(𝑡)</text>`;
 }
 
 /** Patterns and clips that the layers refer to. */
 export function definitions(scales: Scales, id: string): TemplateResult {
   const { left, right, top, bottom } = scales.frame;
-  const y = fixed(clamp(scales.y(0), top, bottom));
+  const y = coordinate(clamp(scales.y(0), top, bottom));
   const width = right - left;
   return svg`<defs>
     <pattern id="${id}-hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">

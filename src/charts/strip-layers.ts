@@ -1,18 +1,19 @@
 import { svg, type TemplateResult } from 'lit';
 import type { StripModel } from '../state/strip-model.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { clamp } from './steps.ts';
-import { areaPath, curvePath, fixed, type Parabola } from './strip-curve.ts';
+import { areaPath, curvePath, type Parabola } from './strip-curve.ts';
 import { LETTER } from './strip-frame.ts';
 import type { Scales, Tick } from './strip-scales.ts';
 
 /** The t axis at f = 0, in the ray's own line styles, with its ticks. */
 export function rayAxis(model: StripModel, scales: Scales): TemplateResult {
   const { top, bottom, mark } = scales.frame;
-  const y = fixed(clamp(scales.y(0), top, bottom));
+  const y = coordinate(clamp(scales.y(0), top, bottom));
   const tick = ({ at, value }: Tick) =>
     value === 0
       ? ''
-      : svg`<line class="strip-ray strip-mark" x1=${fixed(at)} x2=${fixed(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
+      : svg`<line class="strip-ray strip-mark" x1=${coordinate(at)} x2=${coordinate(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
   return svg`<g data-symbol="d">
     ${visible(model, scales).map(
       ({ from, to, stretch }) =>
@@ -25,17 +26,17 @@ export function rayAxis(model: StripModel, scales: Scales): TemplateResult {
 /** "behind", "outside", "inside", where there is room for the word. */
 export function words(model: StripModel, scales: Scales): TemplateResult {
   const { bottom, em } = scales.frame;
-  const y = fixed(bottom - 0.5 * em);
+  const y = coordinate(bottom - 0.5 * em);
   return svg`${visible(model, scales)
     .filter(({ from, to, place }) => to - from > ((place ?? '').length * LETTER + 0.4) * em)
     .map(
       ({ from, to, place }) =>
-        svg`<text class="strip-word" text-anchor="middle" x=${fixed((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
+        svg`<text class="strip-word" text-anchor="middle" x=${coordinate((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
     )}`;
 }
 
 function visible({ stretches }: StripModel, { frame, x }: Scales) {
-  const inPlot = (t: number) => fixed(clamp(x(t), frame.left, frame.right));
+  const inPlot = (t: number) => coordinate(clamp(x(t), frame.left, frame.right));
   return stretches
     .map(({ from, to, ...kept }) => ({ from: inPlot(from), to: inPlot(to), ...kept }))
     .filter(({ from, to }) => to > from);

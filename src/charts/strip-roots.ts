@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import type { StripModel } from '../state/strip-model.ts';
+import { coordinate } from '../text/coordinate.ts';
 import { clamp } from './steps.ts';
-import { fixed } from './strip-curve.ts';
 import type { Scales } from './strip-scales.ts';
 
 type Root = StripModel['roots'][number];
@@ -20,7 +20,7 @@ const AWAY = 9;
 /** The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with its name. */
 export function roots(model: StripModel, scales: Scales): TemplateResult {
   const { frame, x } = scales;
-  const y = fixed(clamp(scales.y(0), frame.top, frame.bottom));
+  const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));
   const visible = model.roots.filter(({ t }) => x(t) >= frame.left && x(t) <= frame.right);
   // The first hit last, so that it lies on top when the two are a pixel apart.
   const ordered = [...visible].sort(
@@ -29,7 +29,7 @@ export function roots(model: StripModel, scales: Scales): TemplateResult {
   return svg`${ordered.map(
     (
       root,
-    ) => svg`<g class="strip-root strip-${root.role}" data-symbol="t${root.index}" transform="translate(${fixed(x(root.t))},${y})">
+    ) => svg`<g class="strip-root strip-${root.role}" data-symbol="t${root.index}" transform="translate(${coordinate(x(root.t))},${y})">
       ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em)}
     </g>`,
   )}`;
@@ -53,7 +53,7 @@ export function halo(radius: number, scale: number): TemplateResult {
 function label({ index, double }: Root, { side, dx, below }: Place, em: number): TemplateResult {
   const up = side === 'middle' ? 1.05 * em : 0.65 * em;
   const dy = below ? up + 0.85 * em : -up;
-  return svg`<text class="strip-name" text-anchor=${side} x=${fixed(dx)} y=${fixed(dy)}>𝑡<tspan class="strip-index" dy="0.22em">${index}</tspan>${
+  return svg`<text class="strip-name" text-anchor=${side} x=${coordinate(dx)} y=${coordinate(dy)}>𝑡<tspan class="strip-index" dy="0.22em">${index}</tspan>${
     double ? svg`<tspan class="strip-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
   }</text>`;
 }

@@ -1,6 +1,7 @@
 import { ticks as niceTicks } from 'd3-array';
 import type { StripModel } from '../state/strip-model.ts';
 import { display } from '../text/format.ts';
+import { clamp } from './steps.ts';
 import type { Frame } from './strip-frame.ts';
 
 export interface Tick {
@@ -28,6 +29,8 @@ const [LARGEST_LABEL, SMALLEST_LABEL] = [9999, 0.1];
 
 /** Between these a step of d3's ticks and its reciprocal are both doubles; beyond, its count of ticks overflows. */
 const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
+
+const FAR = 1e4;
 
 /** Null when the stretch has no extent that ticks can be set on. */
 export function scalesOf(model: StripModel, frame: Frame): Scales | null {
@@ -65,7 +68,9 @@ function linear(domain: Pair, range: Pair): Linear {
   });
 }
 
-const share = ([from, to]: Pair, value: number): number => (value - from) / (to - from);
+/** What lies many plots away is far enough there: 0 times an infinite share would be no number. */
+const share = ([from, to]: Pair, value: number): number =>
+  clamp((value - from) / (to - from), -FAR, FAR);
 const between = ([from, to]: Pair, part: number): number => from * (1 - part) + to * part;
 
 /** As many as their labels leave room for; far from 0 the labels are long. */
