@@ -1,5 +1,5 @@
 import { html, LitElement, nothing } from 'lit';
-import { display, shortest } from '../text/format.ts';
+import { shortest } from '../text/format.ts';
 import {
   hintOn,
   looksLikeTriple,
@@ -9,11 +9,12 @@ import {
   tripleTexts,
 } from '../text/parse.ts';
 import { Ahead } from './ahead.ts';
+import { fitting } from './fitting.ts';
 import { keyStep, onStep } from './step.ts';
 import { TypedEvent } from './typed-event.ts';
 
 /**
- * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. Six digits are shown; with the focus, what was
+ * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. As many of six digits as fit are shown, with ≈ where they are not all; with the focus, what was
  * typed, or every digit. A text that is not allowed stays in the box with the reason below it, and nothing else changes.
  * Sends `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with their texts.
  */
@@ -29,6 +30,8 @@ export class GrazeNumberBox extends LitElement {
     text: { state: true },
     reason: { state: true },
     focused: { state: true },
+    room: { state: true },
+    font: { state: true },
   };
   declare value: number;
   declare step: number;
@@ -43,6 +46,9 @@ export class GrazeNumberBox extends LitElement {
   declare private text: string | null;
   declare private reason: string | null;
   declare private focused: boolean;
+  /** In px; 0 until it is known. */
+  declare private room: number;
+  declare private font: string;
   private ahead = new Ahead();
   /** What was typed last and the value it gave: shown again as long as the value is still that one. */
   private last: { text: string; value: number } | null = null;
@@ -59,6 +65,37 @@ export class GrazeNumberBox extends LitElement {
     this.text = null;
     this.reason = null;
     this.focused = false;
+    this.room = 0;
+    this.font = '';
+  }
+
+  private readonly observer = new ResizeObserver(() => this.measure());
+  private readonly themes = new MutationObserver(() => this.measure());
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.updateComplete.then(() => {
+      const input = this.querySelector('input');
+      if (input) this.observer.observe(input);
+    });
+    // Another theme has another size of type in a box of the same size.
+    this.themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer.disconnect();
+    this.themes.disconnect();
+  }
+
+  /** The room for digits, and their type; once for each size, so that a moved slider measures nothing. */
+  private measure(): void {
+    const input = this.querySelector('input');
+    if (!input || this.focused) return;
+    const style = getComputedStyle(input);
+    const padding = Number.parseFloat(style.paddingLeft) + Number.parseFloat(style.paddingRight);
+    this.room = input.clientWidth - padding - 1;
+    this.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
   }
 
   protected override createRenderRoot(): HTMLElement {
@@ -102,7 +139,7 @@ export class GrazeNumberBox extends LitElement {
   }
 
   private shown(): string {
-    if (!this.focused) return display(this.value);
+    if (!this.focused) return fitting(this.value, this.room, this.font);
     return this.written() || shortest(this.value);
   }
 

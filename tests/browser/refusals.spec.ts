@@ -87,7 +87,7 @@ test('the arrows step in a box, and what was typed is shown again with the focus
   await typeInto(page, 'E.x', '1/3');
   await box(page, 'E.y').focus();
   await settle(page);
-  await expect(input).toHaveValue('0.333333');
+  await expect(input).toHaveValue(/^≈0\.3+$/);
   await input.focus();
   await settle(page);
   await expect(input).toHaveValue('1/3');

@@ -1,0 +1,32 @@
+import { CERTAIN_DIGITS, display, MINUS } from '../text/format.ts';
+
+let context: CanvasRenderingContext2D | null = null;
+
+/** The width in px of a text in a font. */
+function widthOf(text: string, font: string): number {
+  context ??= document.createElement('canvas').getContext('2d');
+  if (!context) return 0;
+  if (context.font !== font) context.font = font;
+  return context.measureText(text).width;
+}
+
+/** A number for a narrow box: whole where it has room, else rounded, with a sign that says so. */
+export function fitting(x: number, room: number, font: string): string {
+  if (room <= 0) return display(x);
+  return shortened(x, (text) => widthOf(text, font) <= room);
+}
+
+/** As many digits as fit, six at most; ≈ before what is not all of the number. Never cut: a mark at the least. */
+export function shortened(x: number, fits: (text: string) => boolean): string {
+  const whole = display(x, CERTAIN_DIGITS);
+  const marked = (text: string, digits: number): string => {
+    const isWhole = display(Number(x.toPrecision(digits)), CERTAIN_DIGITS) === whole;
+    return `${isWhole ? '' : '≈'}${text}`;
+  };
+  const candidates = [
+    ...[6, 5, 4, 3, 2, 1].map((n) => marked(display(x, n).replaceAll(' ', ''), n)),
+    // Narrower than a raised power.
+    ...[3, 2, 1].map((n) => marked(x.toExponential(n - 1).replaceAll('-', MINUS), n)),
+  ];
+  return candidates.find(fits) ?? '≈…';
+}
