@@ -5,8 +5,8 @@ import type { Input } from '../check/types.ts';
 import { ownNumbers } from '../panels/check-own.ts';
 import { controls } from '../panels/controls.ts';
 import { shapePicker } from '../panels/shape-picker.ts';
-import { typedValues } from '../state/as-typed.ts';
 import { createDerive } from '../state/derive.ts';
+import { typedValues } from '../state/meant.ts';
 import { type AppState, rayOf, shapeOf } from '../state/state.ts';
 import type { LeftPart, PartContext } from './check-part.ts';
 

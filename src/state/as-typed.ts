@@ -1,24 +1,21 @@
-import { exact as exactly } from '../math/arithmetic/exact.ts';
 import { intersectTyped } from '../math/as-typed.ts';
 import { decimalDigits } from '../math/exact/decimal.ts';
-import { exactOf } from '../math/exact/of-typed.ts';
-import { compare, fromNumber, type Surd } from '../math/exact/surd.ts';
-import {
-  lift,
-  squaredNorm,
-  type Triple,
-  type Values,
-  withVector,
-} from '../math/formula/evaluate.ts';
+import { fromNumber, type Surd } from '../math/exact/surd.ts';
+import type { Values } from '../math/formula/evaluate.ts';
 import type { Intersection, Verdict } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { shortest } from '../text/format.ts';
-import { hintOn, parseTyped } from '../text/parse.ts';
+import { hintOn } from '../text/parse.ts';
 import { superscript } from '../text/scripts.ts';
-import type { AppState } from './state.ts';
-import { type Place, rayPlaces, shapePlaces, type TypedTexts } from './typed-texts.ts';
+import {
+  allMeant,
+  type Given,
+  isAllowed,
+  isRoot,
+  isTyped,
+  type Meant,
+  storedOf,
+  valuesOf,
+} from './meant.ts';
 import type { Piece } from './verdict-parts.ts';
 import { textOf, type VerdictWords, verdictWords } from './words.ts';
 
@@ -38,24 +35,6 @@ export interface Difference {
   readonly because: string;
 }
 
-/** The scene as it was given: the doubles of the state, and the texts of those that were typed. */
-export interface Given extends Pick<AppState, 'E' | 'd' | 'unit'> {
-  readonly shape: Shape;
-  readonly texts: TypedTexts;
-}
-
-/** A number of the ray or the shape, as it was meant. */
-interface Meant extends Place {
-  readonly text: string;
-  /** The typed number; the stored one where the text has no exact value. */
-  readonly exact: Surd;
-  readonly isStored: boolean;
-  /** Has no exact value: pi, sin(1). */
-  readonly rounded: boolean;
-  /** A double of 16 or 17 digits that nobody typed: it came out of a drag or a computation. */
-  readonly computed: boolean;
-}
-
 /** `found`: what exact arithmetic says of the stored numbers. */
 export function asTyped(given: Given, ray: Ray, found: Intersection): AsTyped {
   const all = allMeant(given);
@@ -72,64 +51,6 @@ export function asTyped(given: Given, ray: Ray, found: Intersection): AsTyped {
   };
 }
 
-const allMeant = (given: Given): Meant[] =>
-  [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
-
-/** Whether the numbers were typed, and are not just what is stored. */
-const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
-  (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
-
-/** The numbers as typed, d at unit length if it is; null where they are just what is stored, or no one root holds them. */
-export function typedValues(given: Given): Values<Surd> | null {
-  const all = allMeant(given);
-  if (!isTyped(all, given)) return null;
-  const values = valuesOf(given, all, ({ exact }) => exact);
-  const { d } = values.vectors;
-  if (!given.unit || !d) return values;
-  try {
-    const length = exactly.sqrt(squaredNorm(d, exactly));
-    const unit = [exactly.div(d[0], length), exactly.div(d[1], length), exactly.div(d[2], length)];
-    return withVector(values, 'd', unit as unknown as Triple<Surd>);
-  } catch (error) {
-    if (error instanceof RangeError) return null;
-    throw error;
-  }
-}
-
-/** What a double may have been typed as: its shortest text, if that is a decimal that doubles tell from all others. */
-const TYPED_DIGITS = 15;
-
-function meant(place: Place, { texts }: Given): Meant {
-  const { key, value } = place;
-  const written = texts[key];
-  const stored = fromNumber(value);
-  if (written === undefined && isShort(value)) {
-    const text = shortest(value);
-    return { ...place, text, exact: stored, isStored: true, rounded: false, computed: false };
-  }
-  const text = written ?? shortest(value);
-  const tree = parseTyped(text);
-  const exact = tree && exactOf(tree);
-  const isStored = exact !== null && compare(exact, stored) === 0;
-  const digits = text
-    .replace(/e.*/, '')
-    .replace(/\D/g, '')
-    .replace(/^0+|0+$/g, '').length;
-  return {
-    ...place,
-    text,
-    exact: exact ?? stored,
-    isStored: isStored || exact === null,
-    rounded: exact === null,
-    computed: written === undefined && !isStored && digits > TYPED_DIGITS,
-  };
-}
-
-/** Few digits behind the point in binary: its decimal has few too, and is the double itself. */
-const isShort = (x: number): boolean => Number.isInteger(x * 1024) && Math.abs(x) < 1e9;
-
-const isRoot = ({ exact }: Meant): boolean => exact.v.m !== 0n;
-
 function compared(
   all: readonly Meant[],
   given: Given,
@@ -137,6 +58,13 @@ function compared(
   found: Intersection,
 ): Difference | 'undecided' | null {
   const { shape } = given;
+  if (
+    !isAllowed(
+      given,
+      valuesOf(given, all, ({ exact }) => exact),
+    )
+  )
+    return 'undecided';
   const of = (exact: (one: Meant) => Surd): Case => caseOf(given, valuesOf(given, all, exact));
   const asTyped = of(({ exact }) => exact);
   if (asTyped.found.class === 'undecided') return 'undecided';
@@ -162,8 +90,6 @@ interface Case {
   readonly words: VerdictWords;
 }
 
-const storedOf = ({ value }: Meant): Surd => fromNumber(value);
-
 function caseOf({ shape, E, d, unit }: Given, values: Values<Surd>): Case {
   const ray: Ray = { origin: E, direction: d };
   const found = intersectTyped(shape, ray, values);
@@ -178,29 +104,6 @@ function inUnits(words: VerdictWords, length: number): VerdictWords {
     return { ...piece, value: piece.value * length };
   });
   return { ...words, pieces, text: textOf(pieces) };
-}
-
-function valuesOf(
-  { shape, E, d }: Given,
-  all: readonly Meant[],
-  exact: (one: Meant) => Surd,
-): Values<Surd> {
-  const own = definitionOf(shape).values(shape);
-  const vectors = { ...own.vectors, E, d };
-  const values = lift({ scalars: own.scalars, vectors }, exactly);
-  const scalars = { ...values.scalars };
-  const triples: Record<string, Triple<Surd>> = { ...values.vectors };
-  for (const one of all) {
-    const { symbol, index } = one;
-    if (index === null) scalars[symbol] = exact(one);
-    else triples[symbol] = put(triples[symbol], index, exact(one));
-  }
-  return { scalars, vectors: triples };
-}
-
-function put<T>(v: Triple<T> | undefined, index: 0 | 1 | 2, x: T): Triple<T> {
-  if (!v) throw new RangeError('a parameter whose letter no formula has');
-  return [index === 0 ? x : v[0], index === 1 ? x : v[1], index === 2 ? x : v[2]];
 }
 
 /** Sizes aside: how far outside a point is may well differ in the last digits. */

@@ -243,6 +243,17 @@ describe('a unit d', () => {
 });
 
 describe('nothing is said', () => {
+  test('where the typed numbers are no ray or no shape', () => {
+    for (const pairs of [
+      'd=0.1+0.2-0.3,0,0',
+      'N=0,0.1%2B0.2-0.3,0',
+      'd=0.1%2B0.2-0.3,0,0&unit=1',
+    ]) {
+      const { differs, notes } = saidOf(`#/explore?shape=plane&P=0,0,0&E=1,1,1&${pairs}`);
+      expect([differs, notes]).toEqual([null, []]);
+    }
+  });
+
   test.each([
     ['of doubles that nobody typed', 'E=0.30000000000000004,0.4,2&d=0,0,-1'],
     ['of whole numbers and halves', 'E=0.5,0,2&d=0,0,-1'],

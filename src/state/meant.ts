@@ -1,0 +1,129 @@
+import { exact as exactly } from '../math/arithmetic/exact.ts';
+import { exactOf } from '../math/exact/of-typed.ts';
+import { compare, fromNumber, isZero, type Surd } from '../math/exact/surd.ts';
+import {
+  lift,
+  squaredNorm,
+  type Triple,
+  type Values,
+  withVector,
+} from '../math/formula/evaluate.ts';
+import type { Shape } from '../math/shapes/index.ts';
+import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Param } from '../math/shapes/params.ts';
+import { shortest } from '../text/format.ts';
+import { parseTyped } from '../text/parse.ts';
+import { type AppState, RAY_PARAMS } from './state.ts';
+import { type Place, rayPlaces, shapePlaces, type TypedTexts } from './typed-texts.ts';
+
+/** The scene as it was given: the doubles of the state, and the texts of those that were typed. */
+export interface Given extends Pick<AppState, 'E' | 'd' | 'unit'> {
+  readonly shape: Shape;
+  readonly texts: TypedTexts;
+}
+
+/** A number of the ray or the shape, as it was meant. */
+export interface Meant extends Place {
+  readonly text: string;
+  /** The typed number; the stored one where the text has no exact value. */
+  readonly exact: Surd;
+  readonly isStored: boolean;
+  /** Has no exact value: pi, sin(1). */
+  readonly rounded: boolean;
+  /** A double of 16 or 17 digits that nobody typed: it came out of a drag or a computation. */
+  readonly computed: boolean;
+}
+
+export const allMeant = (given: Given): Meant[] =>
+  [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
+
+/** Whether the numbers were typed, and are not just what is stored. */
+export const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
+  (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
+
+/** The numbers as typed, d at unit length if it is; null where they are just what is stored, or no one root holds them. */
+export function typedValues(given: Given): Values<Surd> | null {
+  const all = allMeant(given);
+  if (!isTyped(all, given)) return null;
+  const values = valuesOf(given, all, ({ exact }) => exact);
+  if (!isAllowed(given, values)) return null;
+  const { d } = values.vectors;
+  if (!given.unit || !d) return values;
+  try {
+    const length = exactly.sqrt(squaredNorm(d, exactly));
+    const unit = [exactly.div(d[0], length), exactly.div(d[1], length), exactly.div(d[2], length)];
+    return withVector(values, 'd', unit as unknown as Triple<Surd>);
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+}
+
+/** What a double may have been typed as: its shortest text, if that is a decimal that doubles tell from all others. */
+const TYPED_DIGITS = 15;
+
+function meant(place: Place, { texts }: Given): Meant {
+  const { key, value } = place;
+  const written = texts[key];
+  const stored = fromNumber(value);
+  if (written === undefined && isShort(value)) {
+    const text = shortest(value);
+    return { ...place, text, exact: stored, isStored: true, rounded: false, computed: false };
+  }
+  const text = written ?? shortest(value);
+  const tree = parseTyped(text);
+  const exact = tree && exactOf(tree);
+  const isStored = exact !== null && compare(exact, stored) === 0;
+  const digits = text
+    .replace(/e.*/, '')
+    .replace(/\D/g, '')
+    .replace(/^0+|0+$/g, '').length;
+  return {
+    ...place,
+    text,
+    exact: exact ?? stored,
+    isStored: isStored || exact === null,
+    rounded: exact === null,
+    computed: written === undefined && !isStored && digits > TYPED_DIGITS,
+  };
+}
+
+/** Few digits behind the point in binary: its decimal has few too, and is the double itself. */
+const isShort = (x: number): boolean => Number.isInteger(x * 1024) && Math.abs(x) < 1e9;
+
+export const isRoot = ({ exact }: Meant): boolean => exact.v.m !== 0n;
+
+export const storedOf = ({ value }: Meant): Surd => fromNumber(value);
+
+export function valuesOf(
+  { shape, E, d }: Given,
+  all: readonly Meant[],
+  exact: (one: Meant) => Surd,
+): Values<Surd> {
+  const own = definitionOf(shape).values(shape);
+  const vectors = { ...own.vectors, E, d };
+  const values = lift({ scalars: own.scalars, vectors }, exactly);
+  const scalars = { ...values.scalars };
+  const triples: Record<string, Triple<Surd>> = { ...values.vectors };
+  for (const one of all) {
+    const { symbol, index } = one;
+    if (index === null) scalars[symbol] = exact(one);
+    else triples[symbol] = put(triples[symbol], index, exact(one));
+  }
+  return { scalars, vectors: triples };
+}
+
+function put<T>(v: Triple<T> | undefined, index: 0 | 1 | 2, x: T): Triple<T> {
+  if (!v) throw new RangeError('a parameter whose letter no formula has');
+  return [index === 0 ? x : v[0], index === 1 ? x : v[1], index === 2 ? x : v[2]];
+}
+
+/** What is allowed of the stored numbers need not be of the typed ones: 0.1 + 0.2 - 0.3 is no direction. */
+export function isAllowed({ shape }: Given, { scalars, vectors }: Values<Surd>): boolean {
+  return [RAY_PARAMS.d, ...definitionOf(shape).params].every((param: Param) => {
+    if (param.type === 'vector') return !param.nonZero || !vectors[param.symbol]?.every(isZero);
+    if (param.type === 'axis' || param.least === undefined) return true;
+    const x = scalars[param.symbol];
+    return x === undefined || compare(x, fromNumber(param.least)) >= 0;
+  });
+}
