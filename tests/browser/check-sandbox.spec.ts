@@ -257,7 +257,7 @@ test('errors come with the line in the student’s code', async ({ page }) => {
   const source =
     'function helper(x) {\n  return x.nothing.more;\n}\n\nexport function intersect(shape, ray) {\n  return helper({});\n}\n';
   await runProgram(page, source);
-  expect(await told(page)).toMatch(/threw in line 2: Cannot read properties of undefined/);
+  expect(await told(page)).toMatch(/threw in line 2: .*undefined/);
   await runProgram(page, 'function intersect(shape, ray) {\n  return {\n}\n\nlet let = 3;\n');
   expect(await told(page)).toMatch(/Line \d: syntax error/);
   await runProgram(page, '\n\nnope();');
