@@ -23,6 +23,20 @@ import { isView } from './view.ts';
 
 /** The next state. An action whose value is not allowed changes nothing: whoever sent it has said why. */
 export function update(state: AppState, action: Action): AppState {
+  const next = step(state, action);
+  return next === state || action.type === 'link' || action.type === 'open'
+    ? next
+    : kept(state, next);
+}
+
+/** An example that came by its link is remembered as soon as it is changed. */
+function kept(state: AppState, next: AppState): AppState {
+  if (state.preset !== null || next.preset !== null) return next;
+  const example = exampleOf(state);
+  return example ? { ...next, preset: example.preset.id } : next;
+}
+
+function step(state: AppState, action: Action): AppState {
   const next = updated(state, action);
   const other = next.kind !== state.kind || shapeOf(next) !== shapeOf(state);
   const moved = next.E !== state.E || next.d !== state.d || next.unit !== state.unit;

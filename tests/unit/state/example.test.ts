@@ -27,6 +27,8 @@ describe.each(GALLERY.map(({ id, title }, i) => [id, `${i + 1} ${title}`] as con
     test('is the example again when its link is opened', () => {
       const again = decode(encode(open.present), INITIAL);
       expect([again.preset, shown(again)]).toEqual([null, named]);
+      const edited = doing(historyOf(again), { type: 'method', id: 'stable' });
+      expect(shown(edited.present)).toBe(`${named}, changed`);
     });
 
     test('changed says so, and undone no more', () => {
