@@ -56,8 +56,11 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   const frontierSaves = plotSaves('frontier', leftPlot);
   const hardnessSaves = plotSaves('difficulty', rightPlot);
 
+  /** What is measured is read from the settings when they are drawn next: they may have been changed since the last time. */
+  let isAsked = false;
   function measure(): void {
-    if (shown) measuring.start(measureRequest(shown.settings));
+    isAsked = true;
+    changed();
   }
 
   function rowsNow(): readonly MeasuredRow[] {
@@ -92,8 +95,9 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   /** The picked method on its worst ray, in the table and in "Where did the digits go?". */
   function takePicked(): void {
     const worst = pickedSummary()?.worst;
-    if (!worst || !shown || !picked) return;
-    dispatch({ type: 'open', state: withRay(shown.state, worst, picked.id) });
+    if (!worst || !picked) return;
+    const { id } = picked;
+    dispatch({ type: 'open', state: (now) => withRay(now, worst, id) });
     top.scrollIntoView();
   }
 
@@ -109,6 +113,8 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
         picked = null;
         sweeping.start(sweepAsked);
       }
+      if (isAsked) measuring.start(measureRequest(settings));
+      isAsked = false;
       if (before && measuring.running) {
         if (!sameRays(measuring.request, measureRequest(settings))) measuring.cancel();
       }

@@ -41,8 +41,8 @@ export type Action =
   /** Of the page that is shown. */
   | { readonly type: 'settings'; readonly values: Changes | ((now: Settings) => Changes) }
   | { readonly type: 'link'; readonly hash: string }
-  /** A whole state, from a file. */
-  | { readonly type: 'open'; readonly state: AppState }
+  /** A whole state: from a file, or made of the one there is. */
+  | { readonly type: 'open'; readonly state: Edit<AppState> }
   | { readonly type: 'preset'; readonly id: string }
   /** The next preset, or the one before. */
   | { readonly type: 'browse'; readonly by: 1 | -1 }

@@ -78,7 +78,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'link':
       return decode(action.hash, state);
     case 'open':
-      return action.state;
+      return applied(action.state, state);
     case 'preset':
       return openPreset(state, action.id);
     case 'browse':

@@ -35,8 +35,8 @@ function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
 
 /** Says what did not come, with the two ways on. `what`: 'This page could not be loaded.' */
 export function notLoaded(what: string, again: () => void): TemplateResult {
-  return html`<p class="not-loaded" role="alert">${what}
-    <button type="button" class="button" @click=${again}>Try again</button>
-    <button type="button" class="button" title="After a new version was put online, only this helps; the link keeps what is shown" @click=${() => location.reload()}>Reload Graze</button>
-  </p>`;
+  return html`<div class="not-loaded" role="alert"><p>${what}</p>
+    <button type="button" @click=${again}>Try again</button>
+    <button type="button" title="After a new version was put online, only this helps; the link keeps what is shown" @click=${() => location.reload()}>Reload Graze</button>
+  </div>`;
 }

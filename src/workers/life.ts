@@ -8,14 +8,17 @@ interface Alive {
   readonly alive: true;
 }
 
-/** In the worker, which was started under a name of its own. */
-export function liveAs(name: string): void {
-  void navigator.locks
-    ?.request(name, () => {
+/** In the worker, which was started under a name of its own. Work that never pauses waits for this, or nothing is told. */
+export function liveAs(name: string): Promise<void> {
+  return new Promise((held) => {
+    if (!navigator.locks) return held();
+    const hold = (): Promise<never> => {
       postMessage({ alive: true } satisfies Alive);
+      held();
       return new Promise(() => {});
-    })
-    .catch(() => {});
+    };
+    navigator.locks.request(name, hold).catch(() => held());
+  });
 }
 
 /** Starts a worker that gets an `error` event, with words in it, when it has died. */

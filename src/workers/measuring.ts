@@ -6,9 +6,10 @@ import { liveAs } from './life.ts';
 /* The laboratory off the page's own thread: it may work without a pause, and is ended from outside. */
 
 accelerate();
-liveAs(self.name);
+const living = liveAs(self.name);
 
-addEventListener('message', ({ data }: MessageEvent<LabRequest>) => {
+addEventListener('message', async ({ data }: MessageEvent<LabRequest>) => {
+  await living;
   answer(
     data,
     () => performance.now(),

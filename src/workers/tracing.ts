@@ -4,7 +4,7 @@ import { liveAs } from './life.ts';
 import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
 
 accelerate();
-liveAs(self.name);
+const living = liveAs(self.name);
 
 /** The tracer of the last scene, ready or not yet. */
 let ready: Promise<Tracer> = Promise.reject(new Error('no scene yet'));
@@ -22,7 +22,7 @@ self.addEventListener('message', ({ data }: MessageEvent<ToTraceWorker>) => {
 async function answer(asked: ToTraceWorker): Promise<void> {
   const { job } = asked;
   if (asked.type === 'scene') {
-    ready = prepareTracer(asked.scene, asked.settings, clock);
+    ready = living.then(() => prepareTracer(asked.scene, asked.settings, clock));
     const { parts } = await ready;
     post({ type: 'ready', job, effects: parts.map(({ id }) => id) });
     return;

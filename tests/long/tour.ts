@@ -114,6 +114,7 @@ export async function tour(browser: Tourist, url: string): Promise<Seen> {
     await open(`#/${page}${page === 'picture' ? `?${PICTURE}` : ''}`);
     seen[`${page} on 390 px`] = await browser.run(() => {
       const { scrollWidth } = document.documentElement;
+      if (innerWidth > 400) throw new Error(`the window did not become narrow: ${innerWidth} px`);
       return scrollWidth <= innerWidth ? 'fits' : `${scrollWidth} wide in ${innerWidth}`;
     });
   }

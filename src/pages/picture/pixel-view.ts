@@ -38,10 +38,15 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
   let opened: ReadonlySet<string> = new Set();
   let shown = '';
 
+  const keyOf = (shot: Shot, [x, y]: readonly [number, number]) => `${x},${y} ${shot.key}`;
+
   const treeOf = (shot: Shot, [x, y]: readonly [number, number]): Known => {
-    const key = `${x},${y} ${shot.key}`;
-    const known = trees.get(key);
-    if (known) return known;
+    const key = keyOf(shot, [x, y]);
+    return trees.get(key) ?? ask(shot, [x, y]);
+  };
+
+  const ask = (shot: Shot, [x, y]: readonly [number, number]): Known => {
+    const key = keyOf(shot, [x, y]);
     trees.set(key, 'asked');
     const [oldest] = trees.keys();
     if (trees.size > MOST_TREES && oldest !== undefined) trees.delete(oldest);
@@ -113,7 +118,7 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
       if (known === 'asked')
         return html`<p class="pixel-problem" role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
-        return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem}</p>`;
+        return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;
       const rows = rowsOf(known, sight, main) ?? [];
       const first = rows[0];
       if (isNew && first)

@@ -22,9 +22,13 @@ export function createRecorder(spawn: () => WorkerLike): Recorder {
     worker.addEventListener('message', ({ data }) => {
       if (data.job === job) answer?.(data);
     });
-    worker.addEventListener('error', ({ message = 'the worker failed' }) =>
-      answer?.({ type: 'failed', job, message }),
-    );
+    worker.addEventListener('error', ({ message = 'the worker failed' }) => {
+      // The next question gets a new one.
+      worker?.terminate();
+      worker = null;
+      ready = null;
+      answer?.({ type: 'failed', job, message });
+    });
     return worker;
   };
 

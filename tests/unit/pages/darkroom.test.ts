@@ -271,16 +271,18 @@ describe('the recorder', () => {
   });
 
   test('a failure is that question’s alone', async () => {
-    const hand = fakeWorker();
-    const recorder = createRecorder(() => hand);
+    const [dead, fresh] = [fakeWorker(), fakeWorker()];
+    const hands = [dead, fresh];
+    const recorder = createRecorder(() => hands.shift() as FakeWorker);
     const first = recorder.record(shots().main, 1, 1);
     await new Promise((done) => setTimeout(done));
-    hand.crash('broken');
+    dead.crash('broken');
     await expect(first).rejects.toThrow('broken');
+    expect(dead.terminated).toBe(true);
     const second = recorder.record(shots().main, 2, 2);
     for (let k = 0; k < 10; k++) {
       await new Promise((done) => setTimeout(done));
-      await hand.step();
+      await fresh.step();
     }
     await expect(second).resolves.toMatchObject({ x: 2, y: 2 });
   });
