@@ -3,6 +3,7 @@ import type { Family } from './families/define.ts';
 import { circle, circleRim, square, squareEdge } from './families/figures.ts';
 import { generator, linear, nearGenerator } from './families/generators.ts';
 import { mix } from './families/mix.ts';
+import { familiesOfShape, type Hardness, type ShapeFamily } from './families/of-shape.ts';
 import { farOrigin, typical } from './families/ordinary.ts';
 import { plane, planeFar, planeGrazing } from './families/planes.ts';
 import { extremeParameter, outOfRange, scaleRay, scaleWorld } from './families/scales.ts';
@@ -11,9 +12,29 @@ import { exactTangent, nearTangent, nearTangentFar } from './families/tangents.t
 import { vertex } from './families/vertex.ts';
 import { degenerate, flatDegenerate } from './families/whole.ts';
 
+import type { ShapeDefinition } from './shapes/define.ts';
+import { SHAPES, type Shape } from './shapes/index.ts';
+
 export type { Dial, Family, Question } from './families/define.ts';
 
-/** Every family there is, easy ones first and flat ones last. A new one is one entry. */
+const DEFINITIONS = SHAPES as unknown as readonly ShapeDefinition<Shape>[];
+
+/** By kind, of the shapes that have no families written for them. */
+const OF_SHAPE: ReadonlyMap<string, readonly ShapeFamily[]> = new Map(
+  DEFINITIONS.filter(({ ownFamilies }) => !ownFamilies).map((definition) => [
+    definition.kind,
+    familiesOfShape(definition),
+  ]),
+);
+
+/** Families made for one shape: those of that hardness; none for the shapes that have their own. */
+export const madeFamilies = (kind: string, hardness: Hardness | 'invalid'): readonly Family[] =>
+  (OF_SHAPE.get(kind) ?? []).flatMap((made) => (made.hardness === hardness ? [made.family] : []));
+
+/**
+ * Every family there is: curved shapes easy ones first, then flat ones, then those made for single
+ * shapes. A new one is one entry.
+ */
 export const FAMILIES: readonly Family[] = [
   typical,
   mix,
@@ -43,6 +64,7 @@ export const FAMILIES: readonly Family[] = [
   circleRim,
   square,
   squareEdge,
+  ...[...OF_SHAPE.values()].flat().map(({ family }) => family),
 ];
 
 export const findFamily = (id: string): Family | undefined =>

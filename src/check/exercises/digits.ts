@@ -7,6 +7,7 @@ import { findMethod } from '../../math/intersect.ts';
 import type { CurvedDetails } from '../../math/intersection.ts';
 import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
 import type { Shape } from '../../math/shapes/index.ts';
+import { findShape } from '../../math/shapes/lookup.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
@@ -68,7 +69,8 @@ export const digits: Exercise = {
   id: 'digits',
   topic: 'where the digits go',
   paper: false,
-  kinds: kindsOf('curved'),
+  // The shapes that the draws above are about.
+  kinds: kindsOf('curved').filter((kind) => findShape(kind)?.ownFamilies),
   draw(random, kind) {
     const make = pick(random, DRAWS);
     const made = drawUntil(

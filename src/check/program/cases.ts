@@ -1,4 +1,4 @@
-import { findFamily } from '../../math/families.ts';
+import { findFamily, madeFamilies } from '../../math/families.ts';
 import { intersect } from '../../math/intersect.ts';
 import type { Intersection } from '../../math/intersection.ts';
 import { pick, type Random, seeded } from '../../math/rng.ts';
@@ -72,6 +72,11 @@ export function casesFor(kinds: readonly ShapeKind[], seed: number): readonly Ca
         const title = exactly ? `${family.title}, exactly` : family.title;
         return familyCases(kind, group, { id, title, draw }, seed);
       }),
+    ),
+    ...GROUPS.flatMap((group) =>
+      madeFamilies(kind, group.id).flatMap((family) =>
+        familyCases(kind, group, { ...family, draw: (random) => family.make(random) }, seed),
+      ),
     ),
     ...invalidCases(kind),
   ]);

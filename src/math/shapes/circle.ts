@@ -115,6 +115,7 @@ export const circle: ShapeDefinition<Circle> = {
   }),
   numbers: NUMBERS,
   body: planarBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw: ({ normal, center, radius }) => ({

@@ -58,6 +58,7 @@ export const cone: ShapeDefinition<Cone> = {
       initial: 0.5,
       range: [0, 2],
       step: 0.02,
+      unit: 'ratio',
     },
   ],
   surface: axialSurface(QUADRIC),
@@ -65,6 +66,7 @@ export const cone: ShapeDefinition<Cone> = {
   values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: ({ slope }) =>
     slope === 0 ? 'c = 0: only the axis is left' : 'at height h the radius is |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),

@@ -57,6 +57,7 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   circleNear({ center, radius, ...rest }, height, hypotenuse, bits) {

@@ -48,6 +48,16 @@ export function flareGrip(
   return { type: 'reach', param, from, direction, reach, isLength: false, value };
 }
 
+/** A paraboloid's k, on the circle at a height from its vertex on the side where it is: k = reach² / height. */
+export function widthGrip(param: string, vertex: Vec3, width: number, stage: Stage): Grip {
+  const h = (width < 0 ? -LEVER : LEVER) * stage.radius;
+  const from: Vec3 = [vertex[0], vertex[1] + h, vertex[2]];
+  const value = (reach: number): number => reach * (reach / h);
+  const reach = Math.sqrt(width / h) * Math.abs(h);
+  const direction = { about: AXIS };
+  return { type: 'reach', param, from, direction, reach, isLength: false, value };
+}
+
 /** A square's side, at the corner opposite to its own. */
 export function sideGrip(param: string, corner: Vec3, side: number, normal: Axis): Grip {
   const [first, second] = inPlaneAxes(normal).map(unitAlong) as [Vec3, Vec3];

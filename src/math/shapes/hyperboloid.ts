@@ -41,7 +41,7 @@ const NUMBERS: QuadricNumbers<Hyperboloid> = {
 export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   kind: 'hyperboloid',
   title: 'hyperboloid',
-  alsoCalled: { sphere: 'a = -1', ellipsoid: 'a < 0' },
+  alsoCalled: { ellipsoid: 'a < 0' },
   named: ({ flare, radius }) => nameOf(flare, radius),
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
   params: [
@@ -54,6 +54,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
       initial: 0.4,
       range: [-2, 2],
       step: 0.05,
+      unit: 'ratio',
     },
     lengthParam({ key: 'radius', symbol: 'r', title: 'radius of the waist', initial: 1 }),
   ],
@@ -65,6 +66,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: ({ flare, radius }) => meaningOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   circleNear({ center, flare, radius, ...rest }, height, hypotenuse, bits) {

@@ -3,11 +3,22 @@ import { cone } from './cone.ts';
 import { cylinder } from './cylinder.ts';
 import type { ShapeDefinition } from './define.ts';
 import { hyperboloid } from './hyperboloid.ts';
+import { paraboloid } from './paraboloid.ts';
 import { plane } from './plane.ts';
+import { sphere } from './sphere.ts';
 import { square } from './square.ts';
 
 /** Every shape there is, in the order of the menu. A new shape is one new file and one word here. */
-export const SHAPES = [plane, cylinder, cone, hyperboloid, circle, square] as const;
+export const SHAPES = [
+  plane,
+  cylinder,
+  cone,
+  hyperboloid,
+  circle,
+  square,
+  sphere,
+  paraboloid,
+] as const;
 
 type ShapeOf<D> = D extends ShapeDefinition<infer S> ? S : never;
 

@@ -31,6 +31,8 @@ export interface NumberParam extends ParamBase {
   readonly initial: number;
   readonly range: readonly [number, number];
   readonly step: number;
+  /** What it is measured in; a ratio stays when a whole scene is scaled. */
+  readonly unit: 'length' | 'ratio';
   /** Smallest value allowed, if there is one. */
   readonly least?: number;
 }
@@ -57,7 +59,7 @@ export function normalParam(initial: Vec3): VectorParam {
 
 /** A length, 0 allowed. */
 export function lengthParam(about: Named<NumberParam>): NumberParam {
-  return { type: 'number', ...about, range: [0, 4], step: 0.05, least: 0 };
+  return { type: 'number', ...about, range: [0, 4], step: 0.05, unit: 'length', least: 0 };
 }
 
 /** Throws InvalidInput if `value` is not allowed for the parameter. */

@@ -34,6 +34,7 @@ export const plane: ShapeDefinition<Plane> = {
   values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
   numbers: NUMBERS,
   body: planarBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: () => '',
   anchor: ({ point }) => ({ at: point, size: 0 }),
   draw: ({ normal, point }, stage) => ({

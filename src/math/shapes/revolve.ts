@@ -14,10 +14,19 @@ export interface Revolution {
 
 /** The drawn part of a surface of revolution: between the stage's heights, and not wider than the stage. */
 export function drawRevolution(surface: Revolution, symbol: string, stage: Stage): Figure {
-  const { center } = surface;
   const pieces = profile(surface, stage).map((piece) => patchOf(surface, piece, stage));
+  return aboutAxis(pieces, surface.center, symbol, stage);
+}
+
+/** The patches with the axis and the marked point of a surface of revolution. */
+export function aboutAxis(
+  patches: readonly Patch[],
+  center: Vec3,
+  symbol: string,
+  stage: Stage,
+): Figure {
   return {
-    patches: pieces,
+    patches,
     lines: [
       { from: [center[0], stage.low, center[2]], to: [center[0], overshoot(stage), center[2]] },
     ],
@@ -34,7 +43,8 @@ export function axisPoint(center: Vec3, { low, high }: Stage): Vec3 {
   return [center[0], Math.min(Math.max(center[1], low), high), center[2]];
 }
 
-interface Piece {
+/** Heights between which a surface is drawn, and how it ends there. */
+export interface Piece {
   readonly from: number;
   readonly to: number;
   readonly start: PatchEnd;
@@ -91,15 +101,37 @@ function nappes(y: number, from: number, to: number): Piece[] {
 }
 
 function patchOf({ center, a, r: waist }: Revolution, piece: Piece, stage: Stage): Patch {
-  const [cx, cy, cz] = center;
-  const height = heights(piece);
+  const cy = center[1];
   const root = Math.sqrt(Math.abs(a));
   const radius = (y: number): number => {
     const h = root * Math.abs(y - cy);
     return a < 0 ? leg(waist, h) : Math.hypot(h, waist);
   };
-  const step = roundStep(stage.radius / 5);
-  const rings = multiplesWithin(piece.from, piece.to, step).map(height.inverse);
+  const patch = revolvedPatch(center, radius, (y) => -a * (y - cy), piece, heights(piece), stage);
+  const { at } = heights(piece);
+  return {
+    ...patch,
+    normal(u, v) {
+      // At a cone's vertex the gradient is zero, but each generator still has a side to show.
+      if (waist !== 0 || radius(at(v)) !== 0) return patch.normal(u, v);
+      const angle = 2 * Math.PI * u;
+      const sign = piece.end === 'point' ? 1 : -1;
+      return [Math.sin(angle), sign * root, Math.cos(angle)];
+    },
+    stepsV: waist === 0 || a === 0 ? 1 : 32,
+  };
+}
+
+/** A surface about a vertical axis: its radius and the y of its normal, by height. */
+export function revolvedPatch(
+  [cx, , cz]: Vec3,
+  radius: (y: number) => number,
+  normalY: (y: number) => number,
+  piece: Piece,
+  height: Heights,
+  stage: Stage,
+): Patch {
+  const rings = multiplesWithin(piece.from, piece.to, roundStep(stage.radius / 5));
   return {
     at(u, v) {
       const y = height.at(v);
@@ -111,27 +143,25 @@ function patchOf({ center, a, r: waist }: Revolution, piece: Piece, stage: Stage
       const y = height.at(v);
       const angle = 2 * Math.PI * u;
       const r = radius(y);
-      // At a cone's vertex the gradient is zero, but each generator still has a side to show.
-      if (r === 0 && waist === 0) {
-        const sign = piece.end === 'point' ? 1 : -1;
-        return [Math.sin(angle), sign * root, Math.cos(angle)];
-      }
-      return [r * Math.sin(angle), -a * (y - cy), r * Math.cos(angle)];
+      return [r * Math.sin(angle), normalY(y), r * Math.cos(angle)];
     },
     closed: true,
-    rings,
+    rings: rings.map(height.inverse),
     start: piece.start,
     end: piece.end,
     sides: 'joins',
-    stepsV: waist === 0 || a === 0 ? 1 : 32,
+    stepsV: 32,
   };
 }
 
+/** v in [0, 1] to a height and back. */
+export interface Heights {
+  at(v: number): number;
+  inverse(y: number): number;
+}
+
 /** v to height and back. Towards a rounded end the heights close up, so that the end is round in the picture too. */
-function heights({ from, to, start, end }: Piece): {
-  at: (v: number) => number;
-  inverse: (y: number) => number;
-} {
+function heights({ from, to, start, end }: Piece): Heights {
   const middle = (from + to) / 2;
   const half = (to - from) / 2;
   if (start !== 'point' || end !== 'point') {

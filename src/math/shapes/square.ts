@@ -159,6 +159,7 @@ export const square: ShapeDefinition<Square> = {
   }),
   numbers: NUMBERS,
   body: planarBody(NUMBERS.read),
+  ownFamilies: true,
   meaning: ({ side }) => (side === 0 ? 'L = 0: only the corner is left' : ''),
   anchor: ({ corner, side, axis }) => ({
     at: middle(corner, side, axis),

@@ -1,11 +1,17 @@
 import { describe, expect, test } from 'vitest';
-import { FAMILIES, type Family, findFamily, type Question } from '../../../src/math/families.ts';
+import {
+  FAMILIES,
+  type Family,
+  findFamily,
+  madeFamilies,
+  type Question,
+} from '../../../src/math/families.ts';
 import { checkedRay } from '../../../src/math/intersect.ts';
 import type { CurvedDetails, FlatDetails, Intersection } from '../../../src/math/intersection.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { type Random, seeded } from '../../../src/math/rng.ts';
-import type { Shape } from '../../../src/math/shapes/index.ts';
-import { checkedShape } from '../../../src/math/shapes/lookup.ts';
+import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
+import { checkedShape, findShape } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { onBoundary } from './boundary.ts';
 import { rayCases } from './read-vectors.ts';
@@ -59,10 +65,19 @@ function wholeA({ shape, ray: { direction } }: Question): number {
 }
 
 describe('the list', () => {
-  test('has every family of MATH.md §6, the vectors’ own, and the mix', () => {
+  test('has every family of the vectors for the course’s shapes, each id once', () => {
     const ids = FAMILIES.map(({ id }) => id);
-    expect(new Set(ids).size).toBe(28);
-    expect([...ids].sort()).toEqual([...new Set([...rayCases.map((c) => c.family), 'mix'])].sort());
+    expect(new Set(ids).size).toBe(ids.length);
+    const known = rayCases.filter(({ shape }) => findShape(shape.kind)?.ownFamilies);
+    expect(ids).toEqual(expect.arrayContaining(known.map((c) => c.family)));
+  });
+
+  test('every shape has its own families or is given some of each hardness', () => {
+    for (const { kind, ownFamilies } of SHAPES) {
+      const made = (['ordinary', 'special', 'hard'] as const).map((h) => madeFamilies(kind, h));
+      expect([kind, made.every((list) => list.length > 0)]).toEqual([kind, !ownFamilies]);
+      expect([kind, made.some((list) => list.length > 0)]).toEqual([kind, !ownFamilies]);
+    }
   });
 
   test('every one says what is in it in a sentence', () => {

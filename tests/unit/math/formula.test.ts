@@ -64,7 +64,7 @@ const written: Arithmetic<string> = {
 
 const letters = (v: string): Triple<string> => [`${v}x`, `${v}y`, `${v}z`];
 const NAMES: Values<string> = {
-  scalars: Object.fromEntries([...'ABCDEacdrLtqxyz'].map((letter) => [letter, letter])),
+  scalars: Object.fromEntries([...'ABCDEacdkrLtqxyz'].map((letter) => [letter, letter])),
   vectors: Object.fromEntries([...'NPCVEdX'].map((letter) => [letter, letters(letter)])),
 };
 const program = (expr: Expr, branch?: 1 | -1): string => evaluate(expr, written, NAMES, branch);
@@ -166,6 +166,20 @@ const CURVED: Record<string, Record<string, string>> = {
     B: '((((2 * dx) * (Ex - Cx)) + ((2 * dz) * (Ez - Cz))) - (((2 * a) * dy) * (Ey - Cy)))',
     C: '((((Ex - Cx)² + (Ez - Cz)²) - (a * (Ey - Cy)²)) - r²)',
     normal: '(x - Cx), (-a * (y - Cy)), (z - Cz)',
+  },
+  sphere: {
+    surface: '(((x - Cx)² + (y - Cy)²) + (z - Cz)²) = r²',
+    A: '((dx² + dy²) + dz²)',
+    B: '((((2 * dx) * (Ex - Cx)) + ((2 * dy) * (Ey - Cy))) + ((2 * dz) * (Ez - Cz)))',
+    C: '((((Ex - Cx)² + (Ey - Cy)²) + (Ez - Cz)²) - r²)',
+    normal: '(x - Cx), (y - Cy), (z - Cz)',
+  },
+  paraboloid: {
+    surface: '((x - Vx)² + (z - Vz)²) = (k * (y - Vy))',
+    A: '(dx² + dz²)',
+    B: '((((2 * dx) * (Ex - Vx)) + ((2 * dz) * (Ez - Vz))) - (k * dy))',
+    C: '(((Ex - Vx)² + (Ez - Vz)²) - (k * (Ey - Vy)))',
+    normal: '(x - Vx), -(k / 2), (z - Vz)',
   },
 };
 

@@ -121,6 +121,7 @@ test('which numbers may not be negative: radii and sides', () => {
     'hyperboloid radius',
     'circle radius',
     'square side',
+    'sphere radius',
   ]);
 });
 

@@ -69,9 +69,19 @@ const PLAIN: readonly [shape: Shape, hit: Ray, miss: Ray][] = [
     { origin: [0.5, 0.5, 2], direction: [0.125, 0.25, -1] },
     { origin: [0.5, 0.5, 2], direction: [0.125, 0.5, -1] },
   ],
+  [
+    { kind: 'sphere', center: [0, 0, 0], radius: 1 },
+    { origin: [-3, 0, 0], direction: [1, 0, 0] },
+    { origin: [-3, 0, 2], direction: [1, 0, 0] },
+  ],
+  [
+    { kind: 'paraboloid', vertex: [0, 0, 0], width: 1 },
+    { origin: [-3, 1, 0], direction: [1, 0, 0] },
+    { origin: [-3, -1, 0], direction: [1, 0, 0] },
+  ],
 ];
 
-test('all six shapes are among the plain questions', () => {
+test('all shapes are among the plain questions', () => {
   expect(PLAIN.map(([{ kind }]) => kind).sort()).toEqual(SHAPES.map(({ kind }) => kind).sort());
 });
 

@@ -36,10 +36,12 @@ export interface QuadraticCase {
 
 const here = (name: string): URL => new URL(`../../vectors/${name}`, import.meta.url);
 
-export const rayCases: readonly VectorCase[] = readFileSync(here('rays.jsonl'), 'utf8')
-  .trim()
-  .split('\n')
-  .map((line) => JSON.parse(line) as VectorCase);
+export const rayCases: readonly VectorCase[] = ['rays.jsonl', 'more-shapes.jsonl'].flatMap((name) =>
+  readFileSync(here(name), 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line) as VectorCase),
+);
 
 export const quadraticCases: readonly QuadraticCase[] = JSON.parse(
   readFileSync(here('quadratics.json'), 'utf8'),

@@ -2,7 +2,7 @@ import { Decimal } from 'decimal.js';
 import { describe, expect, test } from 'vitest';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, pick, type Random, seeded, uniform, wide } from '../../../src/math/rng.ts';
-import type { Shape } from '../../../src/math/shapes/index.ts';
+import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import {
   circle,
@@ -60,18 +60,23 @@ function reference(digits: number) {
     return [at(0), at(1), at(2)];
   }
 
-  function curved(center: Vec3, a: Decimal, rho: Decimal, r: Ray): Answer {
+  /** The surface (x−Cx)² + (z−Cz)² = a(y−Cy)² + k(y−Cy) + ρ. */
+  function curved(center: Vec3, a: Decimal, rho: Decimal, r: Ray, k = of(0)): Answer {
     const [E, d, C3] = [of3(r.origin), of3(r.direction), of3(center)];
     const p = sub3(E, C3);
     const metric = (u: D3, v: D3): Decimal =>
       u[0].mul(v[0]).add(u[2].mul(v[2])).sub(a.mul(u[1]).mul(v[1]));
-    const [A, B, C] = [metric(d, d), metric(d, p).mul(2), metric(p, p).sub(rho)];
+    const [A, B, C] = [
+      metric(d, d),
+      metric(d, p).mul(2).sub(k.mul(d[1])),
+      metric(p, p).sub(k.mul(p[1])).sub(rho),
+    ];
     const D = B.mul(B).sub(A.mul(C).mul(4));
     const hit = (t: Decimal) => {
       const point = pointAt(E, d, t);
       const n = (i: 0 | 1 | 2): Decimal =>
         cleaned(point[i].sub(C3[i]), point[i].abs().add(C3[i].abs()));
-      return { t, point, normal: [n(0), a.neg().mul(n(1)), n(2)] as D3 };
+      return { t, point, normal: [n(0), a.neg().mul(n(1)).sub(k.div(2)), n(2)] as D3 };
     };
     const answer = (verdict: string, ts: Decimal[]): Answer => ({
       class: verdict,
@@ -118,6 +123,10 @@ function reference(digits: number) {
         return curved(shape.vertex, of(shape.slope).pow(2), of(0), r);
       case 'hyperboloid':
         return curved(shape.center, of(shape.flare), of(shape.radius).pow(2), r);
+      case 'sphere':
+        return curved(shape.center, of(-1), of(shape.radius).pow(2), r);
+      case 'paraboloid':
+        return curved(shape.vertex, of(0), of(0), r, of(shape.width));
       case 'plane':
         return flat(shape.normal, shape.point, r, () => true);
       case 'circle': {
@@ -225,6 +234,8 @@ function shapesOf(x: () => number, random: Random): Shape[] {
     plane(nonZero(), v()),
     circle(nonZero(), v(), size()),
     square(v(), size(), pick(random, ['x', 'y', 'z'])),
+    { kind: 'sphere', center: v(), radius: size() },
+    { kind: 'paraboloid', vertex: v(), width: x() },
   ];
 }
 
@@ -238,7 +249,7 @@ describe.each(RANGES)('$name ($count rays at each shape, seed $seed)', (range) =
     return shapesOf(x, random).map((shape) => ({ shape, r, answer: answerOf(shape, r) }));
   }).flat();
 
-  test.each(['cylinder', 'cone', 'hyperboloid', 'plane', 'circle', 'square'])(
+  test.each(SHAPES.map(({ kind }) => kind))(
     '%s: class, coefficients, roots, points and normals, bit for bit',
     (kind) => {
       const own = cases.filter(({ shape }) => shape.kind === kind);
@@ -249,7 +260,10 @@ describe.each(RANGES)('$name ($count rays at each shape, seed $seed)', (range) =
 
   test('among them are hits and misses of every shape', () => {
     const seen = new Set(cases.map(({ shape, answer }) => `${shape.kind} ${answer.class}`));
-    const curved = ['cylinder', 'cone', 'hyperboloid'].flatMap((k) => [`${k} two`, `${k} none`]);
+    const curved = ['cylinder', 'cone', 'hyperboloid', 'sphere', 'paraboloid'].flatMap((k) => [
+      `${k} two`,
+      `${k} none`,
+    ]);
     const flat = ['plane one', 'circle one', 'circle none', 'square none'];
     expect([...seen]).toEqual(expect.arrayContaining([...curved, ...flat]));
   });

@@ -37,6 +37,8 @@ export function wild(seed: number, count: number): Question[] {
       side: Math.abs(any()),
       axis: (['x', 'y', 'z'] as const)[integer(random, 0, 2)] as 'x',
     }),
+    () => ({ kind: 'sphere', center: vector(), radius: Math.abs(any()) }),
+    () => ({ kind: 'paraboloid', vertex: vector(), width: any() }),
   ];
   return Array.from({ length: count }, (_, i) => ({
     shape: (shapes[i % shapes.length] as () => Shape)(),

@@ -369,7 +369,7 @@ describe.each(WORLDS)('a world of size %d', (size) => {
       if (type === 'vector' && !('nonZero' in param)) {
         return [{ type: 'param', key, value: scaled(value as Vec3) }];
       }
-      return type === 'number' && 'least' in param
+      return type === 'number' && 'unit' in param && param.unit === 'length'
         ? [{ type: 'param', key, value: (value as number) * size }]
         : [];
     });

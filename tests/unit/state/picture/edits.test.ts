@@ -93,7 +93,7 @@ describe('a thing', () => {
     )
       .filter(({ shape }) => canBeCapped(shape))
       .map(({ shape }) => shape.kind);
-    expect(capped).toEqual(['cylinder', 'cone', 'hyperboloid']);
+    expect(capped).toEqual(['cylinder', 'cone', 'hyperboloid', 'sphere', 'paraboloid']);
   });
 
   test('keeps its colours from pattern to pattern', () => {

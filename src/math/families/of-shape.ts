@@ -1,0 +1,161 @@
+import { intersect } from '../intersect.ts';
+import type { Ray } from '../ray.ts';
+import { pick, type Random, uniform } from '../rng.ts';
+import type { ShapeDefinition } from '../shapes/define.ts';
+import type { Shape } from '../shapes/index.ts';
+import type { Param } from '../shapes/params.ts';
+import type { Axis, Vec3 } from '../vec3.ts';
+import { type Family, family, type Setting, tenTo } from './define.ts';
+import {
+  along,
+  inBox,
+  inQuarters,
+  minus,
+  nonZero,
+  nudgedVector,
+  plus,
+  quarter,
+  stepsOf,
+  times,
+  unitDirection,
+} from './parts.ts';
+
+/* Families made from a shape's own parameters, for a shape that has none written for it. */
+
+type AnyDefinition = ShapeDefinition<Shape>;
+type Value = Vec3 | number | Axis;
+
+interface Placed extends Setting {
+  readonly at: Vec3;
+  readonly size: number;
+}
+
+function shapeWith({ kind, params, anchor }: AnyDefinition, draw: (param: Param) => Value): Placed {
+  const values = params.map((param) => [param.key, draw(param)] as const);
+  const shape = { kind, ...Object.fromEntries(values) } as unknown as Shape;
+  const { at, size } = anchor(shape);
+  return { shape, at, size: size || 1 };
+}
+
+/** Numbers within the ends of their sliders, points up to 2 from the origin. */
+const ordinaryShape = (random: Random, definition: AnyDefinition): Placed =>
+  shapeWith(definition, (param) => {
+    if (param.type === 'axis') return pick(random, ['x', 'y', 'z']);
+    if (param.type === 'vector') return param.nonZero ? unitDirection(random) : inBox(random, 2);
+    return uniform(random, Math.max(param.range[0], param.least ?? param.range[0]), param.range[1]);
+  });
+
+/** Every number a whole number of quarters: sums, products and squares of a few are exact. */
+const quarterShape = (random: Random, definition: AnyDefinition): Placed =>
+  shapeWith(definition, (param) => {
+    if (param.type === 'axis') return pick(random, ['x', 'y', 'z']);
+    if (param.type === 'number') {
+      const x = quarter(random, 3);
+      return param.least === undefined ? x : Math.max(param.least, Math.abs(x));
+    }
+    return param.nonZero ? nonZero(() => inQuarters(random, 2)) : inQuarters(random, 2);
+  });
+
+/** Towards a place up to 1.5 sizes from the shape's anchor. */
+const aimed = (random: Random, { at, size }: Placed, origin: Vec3): Vec3 =>
+  minus(plus(at, inBox(random, 1.5 * size)), origin);
+
+function ordinaryRay(random: Random, placed: Placed): Ray {
+  const origin = plus(placed.at, inBox(random, 5 * Math.max(1, placed.size)));
+  return { origin, direction: aimed(random, placed, origin) };
+}
+
+const isMet = (shape: Shape, origin: Vec3, direction: Vec3): boolean =>
+  intersect(shape, { origin, direction }).class !== 'none';
+
+/** Draws of an end of the bisection, before a shape is given up as always or never met. */
+const TRIES = 60;
+
+/**
+ * A ray between one that meets the shape and one that does not: the direction is halved between the
+ * two until they are neighbours, then moved by up to 2^k doubles.
+ */
+function nearTangentRay(random: Random, placed: Placed, k: number): Ray {
+  const { origin, direction } = ordinaryRay(random, placed);
+  const { shape } = placed;
+  const met = isMet(shape, origin, direction);
+  let other = direction;
+  for (let i = 0; i < TRIES && isMet(shape, origin, other) === met; i++) {
+    other = i % 2 ? unitDirection(random) : aimed(random, placed, origin);
+  }
+  let [near, far] = [direction, other];
+  for (let i = 0; i < TRIES; i++) {
+    const middle = times(0.5, plus(near, far));
+    if (isMet(shape, origin, middle) === met) near = middle;
+    else far = middle;
+  }
+  return { origin, direction: nudgedVector(random, near, stepsOf(k)) };
+}
+
+/** How hard a family's rays are, for who asks for an easy or a hard one. */
+export type Hardness = 'ordinary' | 'special' | 'hard';
+
+export interface ShapeFamily {
+  readonly hardness: Hardness;
+  readonly family: Family;
+}
+
+/** Four families of rays about one shape, called after its kind. */
+export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily[] {
+  const { kind, title } = definition;
+  const of = (random: Random): Placed => ordinaryShape(random, definition);
+  return [
+    {
+      hardness: 'ordinary',
+      family: family({
+        id: kind,
+        title,
+        idea: `A ${title} and a ray in no special position.`,
+        dial: null,
+        setting: of,
+        ray: ordinaryRay,
+      }),
+    },
+    {
+      hardness: 'special',
+      family: family({
+        id: `${kind}-quarters`,
+        title: `${title} in quarters`,
+        idea: 'Every number is a whole number of quarters, so that exact tangents and zeros come up.',
+        dial: null,
+        setting: (random) => quarterShape(random, definition),
+        ray: (random) => ({
+          origin: inQuarters(random, 3),
+          direction: nonZero(() => inQuarters(random, 1)),
+        }),
+      }),
+    },
+    {
+      hardness: 'hard',
+      family: family({
+        id: `${kind}-far`,
+        title: `${title}, far origin`,
+        idea: 'E is many sizes away and aimed at the shape.',
+        dial: { title: 'E is 10^k sizes away', range: [0, 12], usual: [3, 9] },
+        setting: of,
+        ray(random, placed, k) {
+          const direction = unitDirection(random);
+          const aim = plus(placed.at, inBox(random, placed.size));
+          const distance = tenTo(k) * placed.size * uniform(random, 1, 2);
+          return { origin: along(aim, -distance, direction), direction };
+        },
+      }),
+    },
+    {
+      hardness: 'hard',
+      family: family({
+        id: `${kind}-near-tangent`,
+        title: `${title}, near tangent`,
+        idea: 'Between a direction that meets the shape and its neighbour that does not, moved by a few doubles.',
+        dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
+        setting: of,
+        ray: nearTangentRay,
+      }),
+    },
+  ];
+}
