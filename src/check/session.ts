@@ -3,6 +3,7 @@ import type { ShapeKind } from '../math/shapes/index.ts';
 import { type Posed, pose } from './compose.ts';
 import type { Level } from './exercises/define.ts';
 import { EXERCISES } from './exercises/index.ts';
+import { FIRST_SET, setOf } from './sets.ts';
 
 export interface Slot {
   readonly exercise: string;
@@ -10,28 +11,25 @@ export interface Slot {
   readonly level: Level;
 }
 
-/** How often an exercise comes up; the flat shapes have only two, so each of these shapes gets its own question. */
-const TIMES: Readonly<Record<string, number>> = { flat: 3 };
-
 const levelAt = (i: number, count: number): Level =>
   i * 3 < count ? 1 : i * 3 < 2 * count ? 2 : 3;
 
-/** The questions of a session, easy ones first; every shape appears. Which shape is asked where depends on the seed. */
-export function plan(seed: number): readonly Slot[] {
+/** The questions of a session, easy ones first. Which shape is asked where depends on the seed. */
+export function plan(seed: number, set: string = FIRST_SET): readonly Slot[] {
   const random = seeded(seed);
   let turn = integer(random, 0, 2);
-  const slots = EXERCISES.flatMap(({ id, kinds }) =>
-    Array.from({ length: TIMES[id] ?? 1 }, () => {
+  const slots = setOf(set).turns.flatMap(({ exercise, times, kinds }) =>
+    Array.from({ length: times }, () => {
       turn++;
-      return { exercise: id, kind: kinds[turn % kinds.length] as ShapeKind };
+      return { exercise, kind: kinds[turn % kinds.length] as ShapeKind };
     }),
   );
   return slots.map((slot, i) => ({ ...slot, level: levelAt(i, slots.length) }));
 }
 
 /** Question `index` (from 0) of the session. */
-export function question(seed: number, index: number): Posed {
-  const slot = plan(seed)[index];
+export function question(seed: number, index: number, set: string = FIRST_SET): Posed {
+  const slot = plan(seed, set)[index];
   const exercise = EXERCISES.find(({ id }) => id === slot?.exercise);
   if (!slot || !exercise) throw new RangeError(`no question ${index + 1}`);
   // Neighbouring seeds and questions must not share their numbers: an odd factor spreads them over 32 bits.

@@ -7,6 +7,7 @@ import { type Failure, type Report, reportOf } from '../check/program/report.ts'
 import { readResults } from '../check/program/results.ts';
 import { adviceFor, asScript, tooLong } from '../check/program/script.ts';
 import { textbookFor } from '../check/program/template.ts';
+import { FIRST_SET, setOf } from '../check/sets.ts';
 import { SHAPES, type ShapeKind } from '../math/shapes/index.ts';
 import { runInSandbox } from './sandbox.ts';
 
@@ -15,8 +16,11 @@ const CASES_SEED = 41;
 /** Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to be short. */
 const TIMED = 24;
 
+/** All shapes are those of the first set: what a link to all cases meant when it was written. */
 export const kindsFor = (cases: string): readonly ShapeKind[] =>
-  SHAPES.map(({ kind }) => kind).filter((kind) => cases === 'all' || cases === kind);
+  cases === 'all'
+    ? setOf(FIRST_SET).shapes
+    : SHAPES.map(({ kind }) => kind).filter((kind) => cases === kind);
 
 /** Of what the program says outside of its results, so much is shown. */
 const MOST_NOTES = 3;

@@ -31,7 +31,9 @@ interface Parts {
 
 export function sceneOf(parts: Parts): SceneModel {
   const { title, verdict, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
-  const hits = hitMarks(found, stage);
+  const all = hitMarks(found, stage);
+  // A float rung may know t and lose the place on the way to it.
+  const hits = all.filter(({ point }) => !point.some(Number.isNaN));
   const reach = clipToStage(ray, stage, strip);
   const originDrawn = isDrawn(ray.origin, stage);
   const point: Vec3 = strip.bead.point;
@@ -53,7 +55,7 @@ export function sceneOf(parts: Parts): SceneModel {
       : null,
     handles,
     view,
-    notes: notesOf(ray, hits, originDrawn),
+    notes: notesOf(ray, all, originDrawn),
     description: describe(title, verdict, ray, found),
   };
 }
@@ -125,11 +127,13 @@ function ticksOf({ from, to }: { from: number; to: number }): number[] {
 function notesOf(ray: Ray, hits: readonly HitMark[], originDrawn: boolean): string[] {
   const outside = hits
     .filter(({ drawn }) => !drawn)
-    .map(({ index, point }) =>
-      point.every(Number.isFinite)
-        ? `P${subscript(index)} ${displayTriple(point, 3)} lies outside the drawn part`
-        : `P${subscript(index)} lies beyond the doubles`,
-    );
+    .map(({ index, point }) => {
+      const name = `P${subscript(index)}`;
+      if (point.some(Number.isNaN)) return `${name} overflowed on the way: its place is not known`;
+      return point.every(Number.isFinite)
+        ? `${name} ${displayTriple(point, 3)} lies outside the drawn part`
+        : `${name} lies beyond the doubles`;
+    });
   const E = `E ${displayTriple(ray.origin, 3)} lies outside the drawn part`;
   return originDrawn ? outside : [E, ...outside];
 }

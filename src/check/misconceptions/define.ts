@@ -46,8 +46,8 @@ function changed<C extends Course>(course: C, edited: Partial<C> | null): C | nu
   return some ? { ...course, ...edited } : null;
 }
 
-/** The same line, or three components that are. */
+/** The same tree, or three components that are: on a sphere P − C is the normal. */
 function same(a: unknown, b: unknown): boolean {
-  if (!Array.isArray(a) || !Array.isArray(b)) return a === b;
-  return a.length === b.length && a.every((x, i) => x === b[i]);
+  if (!Array.isArray(a) || !Array.isArray(b)) return JSON.stringify(a) === JSON.stringify(b);
+  return a.length === b.length && a.every((x, i) => same(x, b[i]));
 }

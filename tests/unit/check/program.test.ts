@@ -10,10 +10,11 @@ import {
   tooLong,
 } from '../../../src/check/program/script.ts';
 import { example, template, textbookFor } from '../../../src/check/program/template.ts';
-import { intersect, SHAPES } from '../../../src/math/index.ts';
+import { FIRST_SET, setOf } from '../../../src/check/sets.ts';
+import { intersect } from '../../../src/math/index.ts';
 import { curved, exactly, run } from './students.ts';
 
-const KINDS = SHAPES.map(({ kind }) => kind);
+const KINDS = setOf(FIRST_SET).shapes;
 const SEED = 41;
 
 describe('cases', () => {

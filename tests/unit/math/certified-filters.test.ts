@@ -6,7 +6,6 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
-import { exactKernel } from '../../../src/math/batch/exact.ts';
 import { FAMILIES, findFamily, type Question } from '../../../src/math/families.ts';
 import { scale } from '../../../src/math/float/bits.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
@@ -21,7 +20,7 @@ import { disagreement } from './against-exact.ts';
 function filtersAgree({ shape, ray }: Question): void {
   const rays = packRays([ray]);
   const out = createAnswers(1);
-  exactKernel(shape)?.both(rays, out);
+  exact.batch(shape).both(rays, out);
   const [truth] = verdictsOfRoots(out, 1);
   const kernel = certified.batch(shape);
   kernel.classes(rays, out);

@@ -6,6 +6,7 @@ import { certified } from '../../../src/math/methods/certified.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
+import { findShape } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
 
@@ -32,7 +33,8 @@ function mapped(
   const turned = (key: string, x: unknown): unknown => {
     if (key === 'normal') return undirected(v, x as Vec3);
     if (Array.isArray(x)) return v(x as unknown as Vec3);
-    return key === 'radius' || key === 'side' ? length(x as number) : x;
+    const param = findShape(shape.kind)?.params.find((one) => one.key === key);
+    return param?.type === 'number' && param.unit === 'length' ? length(x as number) : x;
   };
   const entries = Object.entries(shape).map(([key, x]) => [key, turned(key, x)] as const);
   return {

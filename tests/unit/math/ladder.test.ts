@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
 import { createAnswers, packRays, verdictsOfRoots } from '../../../src/math/batch/batch.ts';
-import { exactKernel } from '../../../src/math/batch/exact.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -252,7 +251,9 @@ describe('interval: whenever it decides, it is right', () => {
     for (const { shape, ray } of questions) {
       const { class: verdict, hits } = method('interval').intersect(shape, ray);
       if (verdict === 'undecided') continue;
-      exactKernel(shape)?.both(packRays([ray]), out);
+      method('exact')
+        .batch(shape)
+        .both(packRays([ray]), out);
       const [truth] = verdictsOfRoots(out, 1);
       expect([JSON.stringify({ shape, ray }), verdict]).toEqual([
         JSON.stringify({ shape, ray }),
