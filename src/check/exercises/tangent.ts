@@ -29,6 +29,8 @@ export const tangent: Exercise = {
     const draft: Draft = { shape, ray, param, watch: [] };
     const [root, another] = tangentValues(course, draft);
     if (root === undefined || another !== undefined) return null;
+    // The drawn value may be a double root of D, which does not change sign there: two right answers.
+    if (Math.abs(root - param.value) > NO_LINE) return null;
     return { ...draft, watch: WATCH };
   },
   ask: ({ param }) =>

@@ -92,6 +92,22 @@ function nearTangentRay(random: Random, placed: Placed, k: number): Ray {
   return { origin, direction: nudgedVector(random, near, stepsOf(k)) };
 }
 
+/** Every second one is looked for until it is no plain hit or miss: tangent, linear, in the surface. */
+function rayInQuarters(random: Random, { shape }: Placed): Ray {
+  const special = random() < 0.5;
+  const draw = (): Ray => ({
+    origin: inQuarters(random, 3),
+    direction: nonZero(() => inQuarters(random, 1)),
+  });
+  let ray = draw();
+  for (let i = 0; special && i < TRIES; i++) {
+    const { class: found } = intersect(shape, ray);
+    if (found !== 'two' && found !== 'none') break;
+    ray = draw();
+  }
+  return ray;
+}
+
 /** How hard a family's rays are, for who asks for an easy or a hard one. */
 export type Hardness = 'ordinary' | 'special' | 'hard';
 
@@ -124,10 +140,7 @@ export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily
         idea: 'Every number is a whole number of quarters, so that exact tangents and zeros come up.',
         dial: null,
         setting: (random) => quarterShape(random, definition),
-        ray: (random) => ({
-          origin: inQuarters(random, 3),
-          direction: nonZero(() => inQuarters(random, 1)),
-        }),
+        ray: rayInQuarters,
       }),
     },
     {
