@@ -34,6 +34,16 @@ test('no root follows from a negative D, and sentences go forward only', () => {
   );
 });
 
+test('without a point there is no normal, and with an own root there is an own point', () => {
+  const { lines } = checkOwn(CYLINDER, { t1: 'none', P1: 'none', N1: '-' });
+  expect(lines.map(({ verdict }) => verdict)).toEqual(['wrong', 'follows', 'follows']);
+  const past: Input = { ...CYLINDER, ray: { ...CYLINDER.ray, origin: [-4, 1, 30] } };
+  const claimed = checkOwn(past, { t1: '2', P1: '0, 2, 29.4' });
+  expect(claimed.lines.map(({ verdict }) => verdict)).toEqual(['wrong', 'follows']);
+  const alone = checkOwn(CYLINDER, { P1: 'none', N1: 'none' });
+  expect(alone.lines.map(({ verdict }) => verdict)).toEqual(['wrong', 'follows']);
+});
+
 test('three digits, and what follows from them, are no mistakes', () => {
   const report = checkOwn(CYLINDER, {
     ...{ A: '4.09', B: '-20.6', C: '22', D: '64.4' },

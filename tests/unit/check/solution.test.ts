@@ -1,8 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { type Posed, pose } from '../../../src/check/compose.ts';
+import { courseOf } from '../../../src/check/course.ts';
+import { byParam, linearWords } from '../../../src/check/exercises/by-param.ts';
 import { CASES } from '../../../src/check/exercises/define.ts';
 import { EXERCISES } from '../../../src/check/exercises/index.ts';
+import { withParam } from '../../../src/check/exercises/params.ts';
 import { hintsOf, solutionOf } from '../../../src/check/solution.ts';
+import { work } from '../../../src/check/work.ts';
 import { display } from '../../../src/text/format.ts';
 
 const LEVELS = [1, 2, 3] as const;
@@ -89,6 +93,29 @@ describe('the decision says what is right', () => {
         .join();
       expect(words).not.toContain(`${posed.draft.param?.symbol} = ${display(value)}`);
     }
+  });
+
+  test('A and D are linear in the parameter or in its square, as the words say', () => {
+    for (const { draft } of [...posedBy('tangent'), ...posedBy('crossing')]) {
+      const [by, { param, shape, ray }] = [byParam(draft), draft];
+      if (!by || !param) throw new RangeError('no parameter');
+      for (const value of [0.25, 1.5, 3, 7]) {
+        const u = by.isSquared ? value * value : value;
+        const input = { shape: withParam(shape, param, value), ray };
+        const found = work(courseOf(shape), input);
+        for (const id of ['A', 'D'] as const) {
+          const { start, slope } = by[id];
+          expect(start + slope * u, `${id} ${JSON.stringify(input)}`).toBeCloseTo(
+            Number(found[id]),
+            6,
+          );
+        }
+      }
+    }
+    expect(linearWords({ start: 36, slope: -4 }, 'r²')).toBe('36 − 4 r²');
+    expect(linearWords({ start: -5, slope: 1 }, 'a')).toBe('−5 + a');
+    expect(linearWords({ start: 0, slope: -1 }, 'c²')).toBe('−c²');
+    expect(linearWords({ start: 2.5, slope: 0 }, 'r²')).toBe('2.5');
   });
 
   test('first and shadow: by the intervals', () => {
