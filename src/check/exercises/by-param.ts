@@ -6,19 +6,17 @@ import type { Draft } from './define.ts';
 import { numberOf } from './draw.ts';
 import { withParam } from './params.ts';
 
-/** start + slope·u, where u is the parameter or its square. */
-interface Linear {
+/** start + linear·p + square·p² */
+export interface Quadratic {
   readonly start: number;
-  readonly slope: number;
+  readonly linear: number;
+  readonly square: number;
 }
 
-/** A and D as functions of the draft's parameter p: both are linear in p or in p², for every shape of the course. */
+/** A and D as functions of the draft's parameter p: of degree 2 at most, for every shape. */
 export interface ByParam {
-  readonly A: Linear;
-  readonly D: Linear;
-  readonly isSquared: boolean;
-  /** "r" or "r²" */
-  readonly u: string;
+  readonly A: Quadratic;
+  readonly D: Quadratic;
 }
 
 export function byParam({ shape, ray, param }: Draft): ByParam | null {
@@ -26,23 +24,29 @@ export function byParam({ shape, ray, param }: Draft): ByParam | null {
   const course = courseOf(shape);
   const at = (value: number): Answers =>
     work(course, { shape: withParam(shape, param, value), ray });
-  const [zero, one, two] = [at(0), at(1), at(2)];
-  const of = (id: string): Linear => ({
-    start: numberOf(zero, id),
-    slope: numberOf(one, id) - numberOf(zero, id),
-  });
-  const grows = (id: string): number => {
-    const { start, slope } = of(id);
-    return slope === 0 ? 0 : (numberOf(two, id) - start) / slope;
+  const found = [at(0), at(1), at(2)];
+  const of = (id: string): Quadratic => {
+    const [zero = 0, one = 0, two = 0] = found.map((answers) => numberOf(answers, id));
+    const square = (two - 2 * one + zero) / 2;
+    return { start: zero, linear: one - zero - square, square };
   };
-  const isSquared = [grows('A'), grows('D')].includes(4);
-  return { A: of('A'), D: of('D'), isSquared, u: isSquared ? `${param.symbol}²` : param.symbol };
+  return { A: of('A'), D: of('D') };
 }
 
 /** "36 − 4 r²" */
-export function linearWords({ start, slope }: Linear, u: string): string {
-  if (slope === 0) return display(start);
-  const size = Math.abs(slope) === 1 ? u : `${display(Math.abs(slope))} ${u}`;
-  if (start === 0) return slope < 0 ? `−${size}` : size;
-  return `${display(start)} ${slope < 0 ? '−' : '+'} ${size}`;
+export function quadraticWords({ start, linear, square }: Quadratic, p: string): string {
+  const terms = (
+    [
+      [start, ''],
+      [linear, p],
+      [square, `${p}²`],
+    ] as const
+  ).filter(([factor]) => factor !== 0);
+  const words = terms.map(([factor, symbol], i) => {
+    const size = Math.abs(factor);
+    const one = symbol === '' ? display(size) : size === 1 ? symbol : `${display(size)} ${symbol}`;
+    const minus = i === 0 ? '−' : '− ';
+    return `${factor < 0 ? minus : i === 0 ? '' : '+ '}${one}`;
+  });
+  return words.length === 0 ? '0' : words.join(' ');
 }

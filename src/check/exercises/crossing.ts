@@ -3,7 +3,7 @@ import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, choiceField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
-import { byParam, linearWords } from './by-param.ts';
+import { byParam, quadraticWords } from './by-param.ts';
 import { CASES, type Draft, type Exercise } from './define.ts';
 import { drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
 import { numberParams, withParam } from './params.ts';
@@ -58,8 +58,8 @@ export const crossing: Exercise = {
       const input = { shape: withParam(shape, param, value + off), ray };
       return `${symbol} = ${display(value)}${name}: ${caseWords(work(courseOf(shape), input))}`;
     };
-    const A = `A = ${linearWords(by.A, by.u)}`;
-    const D = `D = ${linearWords(by.D, by.u)}`;
+    const A = `A = ${quadraticWords(by.A, symbol)}`;
+    const D = `D = ${quadraticWords(by.D, symbol)}`;
     return {
       rule: 'The sign of D decides where A ≠ 0; where A = 0, B t + C = 0 is left.',
       put: `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} = ${display(value)}?`,

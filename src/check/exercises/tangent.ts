@@ -6,7 +6,7 @@ import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, type Input, numberField } from '../types.ts';
 import { roughWork } from '../work.ts';
-import { byParam, linearWords } from './by-param.ts';
+import { byParam, quadraticWords } from './by-param.ts';
 import type { Draft, Exercise } from './define.ts';
 import { drawInput, kindsOf, numberOf } from './draw.ts';
 import { numberParams } from './params.ts';
@@ -47,16 +47,19 @@ export const tangent: Exercise = {
   argue: (draft) => {
     const by = byParam(draft);
     if (!draft.param || !by) return { rule: '', put: '', decision: [] };
-    const { D, u, isSquared } = by;
-    const { symbol } = draft.param;
-    const zero = -D.start / D.slope;
-    const form = `D = ${linearWords(D, u)}`;
+    const { symbol, value } = draft.param;
+    const { start, linear, square } = by.D;
+    const form = `D = ${quadraticWords(by.D, symbol)}`;
+    // Without a linear term the root of a number is all that is left to draw.
+    const zero = -start / square;
+    const so =
+      linear === 0
+        ? `${symbol}² = ${display(zero)}, so ${symbol} = √${display(zero)} = ${display(value)}`
+        : `${symbol} = ${display(value)}`;
     return {
       rule: '',
       put: `With everything but ${symbol} put in, ${form}. For which ${symbol} > 0 is that 0?`,
-      decision: [
-        `${form} is 0 for ${u} = ${display(zero)}${isSquared ? `, so ${symbol} = √${display(zero)} = ${display(Math.sqrt(zero))}` : ''}.`,
-      ],
+      decision: [`${form} is 0 for ${so}.`],
     };
   },
   clue: 'Tangent means D = 0. Write D with the parameter as the unknown.',

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { type Posed, pose } from '../../../src/check/compose.ts';
 import { courseOf } from '../../../src/check/course.ts';
-import { byParam, linearWords } from '../../../src/check/exercises/by-param.ts';
+import { byParam, quadraticWords } from '../../../src/check/exercises/by-param.ts';
 import { CASES } from '../../../src/check/exercises/define.ts';
 import { EXERCISES } from '../../../src/check/exercises/index.ts';
 import { withParam } from '../../../src/check/exercises/params.ts';
@@ -95,27 +95,32 @@ describe('the decision says what is right', () => {
     }
   });
 
-  test('A and D are linear in the parameter or in its square, as the words say', () => {
-    for (const { draft } of [...posedBy('tangent'), ...posedBy('crossing')]) {
+  test('A and D are quadratic in the parameter, as the words say', () => {
+    const tangents = posedBy('tangent').map(({ draft }) => draft);
+    const posedAsTangent = new Set(tangents);
+    for (const draft of [...tangents, ...posedBy('crossing').map((one) => one.draft)]) {
       const [by, { param, shape, ray }] = [byParam(draft), draft];
       if (!by || !param) throw new RangeError('no parameter');
       for (const value of [0.25, 1.5, 3, 7]) {
-        const u = by.isSquared ? value * value : value;
         const input = { shape: withParam(shape, param, value), ray };
         const found = work(courseOf(shape), input);
         for (const id of ['A', 'D'] as const) {
-          const { start, slope } = by[id];
-          expect(start + slope * u, `${id} ${JSON.stringify(input)}`).toBeCloseTo(
-            Number(found[id]),
-            6,
-          );
+          const { start, linear, square } = by[id];
+          const sum = start + linear * value + square * value * value;
+          expect(sum, `${id} ${JSON.stringify(input)}`).toBeCloseTo(Number(found[id]), 6);
         }
       }
+      const { start, linear, square } = by.D;
+      const { value } = param;
+      if (posedAsTangent.has(draft)) {
+        expect(start + linear * value + square * value * value).toBeCloseTo(0, 6);
+      }
     }
-    expect(linearWords({ start: 36, slope: -4 }, 'r²')).toBe('36 − 4 r²');
-    expect(linearWords({ start: -5, slope: 1 }, 'a')).toBe('−5 + a');
-    expect(linearWords({ start: 0, slope: -1 }, 'c²')).toBe('−c²');
-    expect(linearWords({ start: 2.5, slope: 0 }, 'r²')).toBe('2.5');
+    expect(quadraticWords({ start: 36, linear: 0, square: -4 }, 'r')).toBe('36 − 4 r²');
+    expect(quadraticWords({ start: -5, linear: 1, square: 0 }, 'a')).toBe('−5 + a');
+    expect(quadraticWords({ start: 0, linear: -3, square: 1 }, 'w')).toBe('−3 w + w²');
+    expect(quadraticWords({ start: 2.5, linear: 0, square: 0 }, 'r')).toBe('2.5');
+    expect(quadraticWords({ start: 0, linear: 0, square: 0 }, 'r')).toBe('0');
   });
 
   test('first and shadow: by the intervals', () => {
