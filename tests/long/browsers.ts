@@ -8,8 +8,6 @@ export interface Tourist {
   goto(url: string): Promise<void>;
   /** Runs a function in the page; it may use nothing but what it is given. */
   run<A, R>(act: (given: A) => R | Promise<R>, given?: A): Promise<Awaited<R>>;
-  /** Of the window, in CSS pixels. */
-  width(width: number): Promise<void>;
   close(): Promise<void>;
 }
 
@@ -87,7 +85,6 @@ async function byPlaywright(browser: Browser): Promise<Tourist> {
   return {
     goto: async (url) => void (await page.goto(url)),
     run: (act, given) => page.evaluate(act as never, given) as never,
-    width: (width) => page.setViewportSize({ width, height: 844 }),
     close: () => browser.close(),
   };
 }

@@ -42,7 +42,6 @@ function tourist(session: string, child: ChildProcess): Tourist {
       if (error !== undefined) throw new Error(error);
       return value as never;
     },
-    width: async (width) => void (await ask(`${session}/window/rect`, { width, height: 844 })),
     async close() {
       await fetch(session, { method: 'DELETE' }).catch(() => null);
       end(child);
