@@ -7,9 +7,9 @@ import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
 import { notLoaded } from '../ui/late.ts';
 import type { Command, PageTools } from './commands.ts';
+import { shareContent, type Takeaway } from './export-dialog.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
-import { shareContent, type Takeaway } from './share.ts';
 
 export interface DialogParts {
   readonly commands: readonly Command[];

@@ -1,7 +1,7 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState, PageId, Settings } from '../state/state.ts';
 import { late } from '../ui/late.ts';
-import type { Takeaway } from './share.ts';
+import type { Takeaway } from './export-dialog.ts';
 
 /**
  * How a page other than Explore is made. It is one entry in PAGES (state/state.ts) and one in LATER below; its code is a
@@ -41,7 +41,9 @@ export interface Readable {
 
 /** By the id of the page: its code, loaded when it is first shown. */
 export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
-  accuracy: () => late(() => import('./accuracy.ts')).then(({ mountAccuracy }) => mountAccuracy),
-  check: () => late(() => import('./check.ts')).then(({ mountCheck }) => mountCheck),
-  picture: () => late(() => import('./picture.ts')).then(({ loadPicture }) => loadPicture()),
+  accuracy: () =>
+    late(() => import('./accuracy/accuracy-page.ts')).then(({ mountAccuracy }) => mountAccuracy),
+  check: () => late(() => import('./check/check-page.ts')).then(({ mountCheck }) => mountCheck),
+  picture: () =>
+    late(() => import('./picture/picture-page.ts')).then(({ loadPicture }) => loadPicture()),
 };

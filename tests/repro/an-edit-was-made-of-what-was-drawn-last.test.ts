@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { SHAPES } from '../../src/math/index.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { pageTools } from '../../src/pages/picture/tools.ts';
+import { pageTools } from '../../src/pages/picture/page-actions.ts';
 import { rayHandles, shapeHandles } from '../../src/panels/params-of.ts';
 import { addThing, changeThing } from '../../src/scene/edit.ts';
 import { EFFECTS } from '../../src/scene/effects/index.ts';

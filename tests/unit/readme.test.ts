@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { FAMILIES } from '../../src/math/families.ts';
 import { intersect, METHODS, SHAPES } from '../../src/math/index.ts';
-import { readSettings } from '../../src/pages/check-settings.ts';
+import { readSettings } from '../../src/pages/check/settings.ts';
 import { SIMPLIFICATIONS } from '../../src/scene/simplifications.ts';
 import { readAccuracy } from '../../src/state/accuracy/settings.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';

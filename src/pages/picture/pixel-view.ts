@@ -5,9 +5,9 @@ import { sideWords } from '../../state/picture/against.ts';
 import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';
 import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
 import type { RayNode, RayTree } from '../../tracer/types.ts';
-import type { Recorder } from './recorder.ts';
-import type { Shot } from './shot.ts';
-import type { Sight } from './sight.ts';
+import type { Sight } from './picture-model.ts';
+import type { Recorder } from './ray-recorder.ts';
+import type { Shot } from './trace-request.ts';
 
 export interface PixelView {
   /** The list of rays of the pixel that is chosen, or how to choose one. */

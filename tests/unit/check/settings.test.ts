@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { plan } from '../../../src/check/session.ts';
 import { SHAPES } from '../../../src/math/index.ts';
-import { PARTS, readSettings, settingsFor, settingsOf } from '../../../src/pages/check-settings.ts';
+import { PARTS, readSettings, settingsFor, settingsOf } from '../../../src/pages/check/settings.ts';
 
 const withoutNulls = (texts: Readonly<Record<string, string | null>>): Record<string, string> =>
   Object.fromEntries(

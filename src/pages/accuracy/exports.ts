@@ -1,0 +1,80 @@
+import { html, type TemplateResult } from 'lit';
+import { download } from '../../ui/files.ts';
+import { svgPng, svgText } from '../../ui/svg-text.ts';
+import type { Takeaway } from '../export-dialog.ts';
+import { type Findings, toCsv, toJson } from './result-files.ts';
+
+/** The figures as texts. */
+export function tableSaves(findings: () => Findings | null): Takeaway[] {
+  const textOf = (write: (found: Findings) => string) => (): string => {
+    const found = findings();
+    return found ? write(found) : '';
+  };
+  return [
+    {
+      id: 'table-csv',
+      title: 'table as CSV',
+      file: 'graze-accuracy.csv',
+      type: 'text/csv',
+      text: textOf(toCsv),
+      blob: null,
+    },
+    {
+      id: 'all-json',
+      title: 'everything as JSON',
+      file: 'graze-accuracy.json',
+      type: 'application/json',
+      text: textOf(toJson),
+      blob: null,
+    },
+  ];
+}
+
+/** A plot as a vector drawing and as pixels, as it stands on the page. */
+export function plotSaves(name: string, plot: HTMLElement): Takeaway[] {
+  const drawn = (): SVGSVGElement | null => plot.querySelector('svg');
+  const paper = (): string => getComputedStyle(document.body).getPropertyValue('--bg');
+  return [
+    {
+      id: `${name}-svg`,
+      title: `the ${name} plot as SVG`,
+      file: `graze-${name}.svg`,
+      type: 'image/svg+xml',
+      text: () => {
+        const svg = drawn();
+        return svg ? svgText(svg, paper()) : '';
+      },
+      blob: null,
+    },
+    {
+      id: `${name}-png`,
+      title: `the ${name} plot as PNG`,
+      file: `graze-${name}.png`,
+      type: 'image/png',
+      text: null,
+      blob: async () => {
+        const svg = drawn();
+        return svg ? svgPng(svg, paper()) : null;
+      },
+    },
+  ];
+}
+
+/** A button for each, called as `name` says. */
+export function saveButtons(
+  all: readonly Takeaway[],
+  name: (item: Takeaway) => string,
+): TemplateResult {
+  return html`${all.map(
+    (item) =>
+      html`<button type="button" class="acc-link" aria-label=${`Save ${item.title}`} @click=${() => save(item)}>${name(item)}</button>`,
+  )}`;
+}
+
+export const extensionOf = ({ file }: Takeaway): string =>
+  file.split('.').at(-1)?.toUpperCase() ?? '';
+
+async function save({ file, type, text, blob }: Takeaway): Promise<void> {
+  const content = text?.() ?? (await blob?.());
+  if (content) download(file, content, type);
+}

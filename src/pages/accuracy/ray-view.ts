@@ -1,0 +1,74 @@
+import { html, type TemplateResult } from 'lit';
+import type { MeasuredRow } from '../../lab/session.ts';
+import { digitSteps } from '../../panels/digit-steps.ts';
+import { ladderTable } from '../../panels/ladder-table.ts';
+import { nudges } from '../../panels/nudges.ts';
+import { changeWords, flips } from '../../state/accuracy/change-words.ts';
+import { QUESTION_WORDS, questionOf } from '../../state/accuracy/frontier.ts';
+import type { RayModel } from '../../state/accuracy/ladder.ts';
+import type { AccuracySettings } from '../../state/accuracy/settings.ts';
+import type { Dispatch } from '../../state/actions.ts';
+import type { AppState } from '../../state/state.ts';
+import { displayAll } from '../../text/format.ts';
+import { familyName } from './plot-headings.ts';
+
+/** This ray through the ladder, where its digits go, and what one double changes. */
+export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {
+  const answer = createAnswer(announce);
+  return (
+    state: AppState,
+    ray: RayModel,
+    measured: readonly MeasuredRow[],
+    { family, worth }: AccuracySettings,
+  ): TemplateResult => {
+    const answered = answer.wordsFor(ray, state.method);
+    const question = questionOf(worth);
+    const timings = new Map(
+      measured.flatMap((row) => (row[question] ? [[row.id, row[question]] as const] : [])),
+    );
+    const timed = `“${familyName(family)}” rays, ${QUESTION_WORDS[question]}`;
+    const model = { rows: ray.rows, where: ray.where, timings, timed, chosen: state.method };
+    return html`<div class="acc-head">
+        <h2>This ray</h2>
+        <p>${ray.words}</p>
+        <button type="button" class="button" @click=${() => dispatch({ type: 'page', page: 'explore' })}>Open in Explore</button>
+      </div>
+      ${ladderTable(model, (id) => dispatch({ type: 'method', id }))}
+      <div class="acc-more">
+        <details>
+          <summary>Where did the digits go?</summary>
+          ${digitSteps(ray.chosenTitle, ray.losses)}
+        </details>
+        <details>
+          <summary>What does one double more or less change?</summary>
+          ${nudges(state, dispatch, answer.moved)}
+          <p class="nudge-answer">${answered || 'Move an input by one double: what that changes is said here.'}</p>
+        </details>
+      </div>`;
+  };
+}
+
+/** Remembers which inputs moved until the page is drawn, and what that changed until the ray is another one. It is said aloud, too. */
+function createAnswer(announce: (words: string) => void) {
+  const moved = new Map<string, { readonly from: number; to: number }>();
+  let last: RayModel | null = null;
+  let words = '';
+  return {
+    moved(name: string, from: number, to: number): void {
+      moved.set(name, { from: moved.get(name)?.from ?? from, to });
+    },
+    wordsFor(ray: RayModel, chosen: string): string {
+      if (last && last !== ray) {
+        const inputs = [...moved].map(
+          ([name, { from, to }]) => `${name} = ${displayAll(from)} → ${displayAll(to)}`,
+        );
+        words = inputs.length > 0 ? `${inputs.join(', ')}: ${changeWords(last, ray, chosen)}.` : '';
+        moved.clear();
+        const said = words || flips(last, ray);
+        if (said) announce(said);
+      }
+      last = ray;
+      return words;
+    },
+  };
+}

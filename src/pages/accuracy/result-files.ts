@@ -1,0 +1,81 @@
+import type { MeasuredRow } from '../../lab/session.ts';
+import type { SweepPoint } from '../../lab/sweep.ts';
+import type { RayModel } from '../../state/accuracy/ladder.ts';
+import type { AccuracySettings } from '../../state/accuracy/settings.ts';
+import { shortest } from '../../text/format.ts';
+
+/** Everything that was found, with where it comes from. */
+export interface Findings {
+  readonly provenance: string;
+  readonly settings: AccuracySettings;
+  readonly ray: RayModel;
+  readonly rows: readonly MeasuredRow[];
+  readonly sweep: readonly SweepPoint[];
+}
+
+/** What belongs to the method on one ray, and what to the many rays that were measured. */
+const OF_THIS_RAY = ['verdict', 'judgement', 't1', 't1 digits', 't2', 't2 digits'];
+const OF_THE_FAMILY = [
+  ...['rays', 'wrong', 'undecided', 'digits in 9 rays of 10', 'digits in the worst ray'],
+  ...['most ulps', 'ns', 'ns of the best round', 'ns of 3 rounds in 4 at most', 'times textbook'],
+  ...['ns of a verdict alone', 'times textbook of a verdict alone'],
+];
+
+const headOf = (family: string): string =>
+  [
+    'method',
+    ...OF_THIS_RAY.map((name) => `this ray: ${name}`),
+    ...OF_THE_FAMILY.map((name) => `${family} rays: ${name}`),
+  ].join(',');
+
+/** One line a method; empty where nothing was measured. */
+export function toCsv({ settings, ray, rows }: Findings): string {
+  const lines = ray.rows.map(({ method, found, judgement, roots }) => {
+    const row = rows.find(({ id }) => id === method.id);
+    const [first, second] = roots;
+    const { quality, roots: timing, classes } = row ?? {};
+    return [
+      method.id,
+      found.class,
+      judgement,
+      first?.t,
+      first?.digits,
+      second?.t,
+      second?.digits,
+      quality?.rays,
+      quality?.wrong,
+      quality?.undecided,
+      quality?.digits,
+      quality?.leastDigits,
+      quality?.mostUlps,
+      timing?.ns.value,
+      timing?.ns.least,
+      timing?.ns.most,
+      timing?.times.value,
+      classes?.ns.value,
+      classes?.times.value,
+    ]
+      .map(cell)
+      .join(',');
+  });
+  return `${[headOf(settings.family), ...lines].join('\n')}\n`;
+}
+
+function cell(x: string | number | null | undefined): string {
+  if (x === undefined || x === null || Number.isNaN(x)) return '';
+  return typeof x === 'number' ? shortest(x) : x;
+}
+
+/** JSON has no infinities and no NaN: they are written as strings. */
+export function toJson({ ray, ...rest }: Findings): string {
+  const thisRay = ray.rows.map(({ method, found, judgement, roots }) => ({
+    method: method.id,
+    verdict: found.class,
+    judgement,
+    roots: roots.map(({ t, digits, ulps, pointError }) => ({ t, digits, ulps, pointError })),
+  }));
+  return `${JSON.stringify({ ...rest, thisRay }, finite, 2)}\n`;
+}
+
+const finite = (_: string, value: unknown): unknown =>
+  typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;

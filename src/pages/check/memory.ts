@@ -1,0 +1,42 @@
+import type { Texts } from '../../check/grade.ts';
+import { type Progress, readSessions, started, withSession } from '../../check/progress.ts';
+import { recall, remember } from '../../ui/storage.ts';
+
+const SESSIONS = 'graze.check.sessions';
+const PROGRAM = 'graze.check.program';
+const OWN = 'graze.check.own';
+
+/** What the device keeps of this page, so that a reload loses nothing. Nothing of it is sent anywhere. */
+export interface Memory {
+  session(seed: number): Progress;
+  keep(progress: Progress): void;
+  program(): string | null;
+  keepProgram(source: string): void;
+  own(): Texts;
+  keepOwn(texts: Texts): void;
+}
+
+export function openMemory(): Memory {
+  let sessions = readSessions(recall(SESSIONS));
+  return {
+    session: (seed) => sessions.find((one) => one.seed === seed) ?? started(seed),
+    keep(progress) {
+      sessions = withSession(sessions, progress);
+      remember(SESSIONS, JSON.stringify(sessions));
+    },
+    program: () => recall(PROGRAM),
+    keepProgram: (source) => remember(PROGRAM, source),
+    own: () => readTexts(recall(OWN)),
+    keepOwn: (texts) => remember(OWN, JSON.stringify(texts)),
+  };
+}
+
+function readTexts(text: string | null): Texts {
+  try {
+    const value: unknown = JSON.parse(text ?? '');
+    if (typeof value !== 'object' || value === null) return {};
+    return Object.fromEntries(Object.entries(value).filter(([, one]) => typeof one === 'string'));
+  } catch {
+    return {};
+  }
+}

@@ -1,0 +1,131 @@
+import { html, render } from 'lit';
+import { tooLong } from '../../check/program/script.ts';
+import { example, template } from '../../check/program/template.ts';
+import { editor, exchange, programHead } from '../../panels/check-program.ts';
+import type { ProgramTools } from '../../panels/check-program-view.ts';
+import { programReport } from '../../panels/check-report.ts';
+import { download, pickFile } from '../../ui/files.ts';
+import { element, type PartContext, turnablePicture } from './part.ts';
+import { createRuns, kindsFor } from './program-run.ts';
+import { exploreLink } from './question-scene.ts';
+import type { CheckSettings } from './settings.ts';
+
+export interface Program {
+  render(settings: CheckSettings): void;
+  source(): string;
+  cases(format: 'json' | 'csv'): string;
+  /** A program, or results from elsewhere; false if the text is neither. */
+  open(text: string): boolean;
+  cancel(): void;
+}
+
+const TYPES = { json: 'application/json', csv: 'text/csv' } as const;
+
+/** The student's own program: its text, its run in the sandbox, the report and a failing case. */
+export function mountProgram(host: HTMLElement, { memory, changed, set }: PartContext): Program {
+  const main = element('check-program', host);
+  const failing = element('check-stage check-failing', host);
+  const more = element('check-more', host);
+  const picture = turnablePicture(failing, changed);
+  const runs = createRuns(host, changed);
+  let cases = '';
+  // A text that is too long for the box, kept by an older version, stays where it is until another is written.
+  const kept = memory.program();
+  let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
+  let written = unshown === null ? kept : null;
+  let refusal =
+    unshown === null
+      ? ''
+      : `The program that this device remembers is not shown: ${tooLong(unshown)}.`;
+  const templateNow = (): string => template(kindsFor(cases));
+  const source = (): string => written ?? templateNow();
+  const refuse = (words: string): void => {
+    refusal = words;
+    changed();
+  };
+  /** What stands in the box stays there if the new text is not taken. */
+  const takes = (text: string, what = 'This text'): boolean => {
+    const reason = tooLong(text);
+    if (reason) refuse(`${what} was not taken: ${reason}.`);
+    return reason === '';
+  };
+  const write = (text: string, what?: string): void => {
+    if (takes(text, what)) {
+      written = text;
+      unshown = null;
+      refusal = '';
+      memory.keepProgram(text);
+    }
+    changed();
+  };
+  const isOurs = (text: string): boolean => {
+    const choices = [kindsFor(cases), ...kindsFor('all').map((kind) => [kind])];
+    return text.trim() === '' || choices.some((k) => text === template(k) || text === example(k));
+  };
+  /** What somebody wrote is not thrown away for a template: it goes below it. */
+  const offer = (text: string, what: string): void => {
+    const before = source();
+    const below = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;
+    write(isOurs(before) ? text : text + below, what);
+  };
+  const tools: ProgramTools = {
+    edit: (text) => write(text),
+    takes: (text) => takes(text),
+    pick(kind) {
+      if (source() === templateNow()) write(template(kindsFor(kind)));
+      cases = kind;
+      set({ cases: kind });
+    },
+    run: () => runs.run(source(), cases),
+    cancel: () => runs.cancel(),
+    async openFile() {
+      const text = await pickFile('.js,.mjs,text/javascript');
+      if (text === '') refuse('The file is empty, or larger than 2 MB.');
+      else if (text !== null) write(text, 'The file');
+    },
+    saveUnshown: () => download('intersect.js', unshown ?? '', 'text/javascript'),
+    template: () => offer(templateNow(), 'With what stands here, the template'),
+    example: () => offer(example(kindsFor(cases)), 'With what stands here, the example'),
+    select: (failure) => runs.select(failure),
+    saveCases: (format) =>
+      download(`graze-cases.${format}`, runs.file(format, cases), TYPES[format]),
+    async openResults() {
+      const text = await pickFile('.json,.csv,application/json,text/csv');
+      if (text !== null) runs.grade(text, cases);
+    },
+  };
+  const drawFailing = (drawable: boolean): void => {
+    const { selected } = runs.get();
+    failing.hidden = !selected || !drawable;
+    if (!selected || !drawable) return;
+    const { case: input, output } = selected;
+    const t = output.type === 'value' ? output.t.slice(0, 2) : [];
+    const answers = Object.fromEntries(t.map((x, i) => [`t${i + 1}`, x] as const));
+    picture.render({ input, results: true, answers, given: {}, note: '' });
+  };
+  return {
+    render(settings) {
+      ({ cases } = settings);
+      const run = runs.get();
+      const link = run.selected && exploreLink(run.selected.case);
+      const view = {
+        ...run,
+        ...{ source: source(), refusal, unshown: unshown !== null, kind: cases, link },
+      };
+      render(
+        html`${programHead(view, tools)}${editor(view, tools)}${programReport(view, tools)}`,
+        main,
+      );
+      render(exchange(tools), more);
+      drawFailing(link !== null);
+    },
+    source,
+    cases: (format) => runs.file(format, cases),
+    open(text) {
+      if (!/\bintersect\b/.test(text) || !/function|=>/.test(text)) return runs.grade(text, cases);
+      write(text, 'The file');
+      return true;
+    },
+    cancel: () => runs.cancel(),
+  };
+}

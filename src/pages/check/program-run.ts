@@ -1,0 +1,174 @@
+import type { Case } from '../../check/program/cases.ts';
+import { casesFor } from '../../check/program/cases.ts';
+import { casesCsv, casesJson } from '../../check/program/exchange.ts';
+import type { Output } from '../../check/program/judge.ts';
+import type { ConsoleLine, Timing } from '../../check/program/protocol.ts';
+import { type Failure, type Report, reportOf } from '../../check/program/report.ts';
+import { readResults } from '../../check/program/results.ts';
+import { adviceFor, asScript, tooLong } from '../../check/program/script.ts';
+import { textbookFor } from '../../check/program/template.ts';
+import { FIRST_SET, setOf } from '../../check/sets.ts';
+import { SHAPES, type ShapeKind } from '../../math/shapes/index.ts';
+import { runInSandbox } from './sandbox.ts';
+
+/** The cases are the same for everybody: a seed of their own would only make two reports hard to compare. */
+const CASES_SEED = 41;
+/** Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to be short. */
+const TIMED = 24;
+
+/** All shapes are those of the first set: what a link to all cases meant when it was written. */
+export const kindsFor = (cases: string): readonly ShapeKind[] =>
+  cases === 'all'
+    ? setOf(FIRST_SET).shapes
+    : SHAPES.map(({ kind }) => kind).filter((kind) => cases === kind);
+
+/** Of what the program says outside of its results, so much is shown. */
+const MOST_NOTES = 3;
+const MOST_LINES = 101;
+
+/** What a run of a program has led to so far. */
+export interface RunState {
+  readonly running: { readonly done: number; readonly total: number } | null;
+  readonly trouble: string;
+  readonly notes: readonly string[];
+  /** What the program wrote on its console. */
+  readonly lines: readonly ConsoleLine[];
+  readonly report: Report | null;
+  readonly timing: Timing | null;
+  /** Why there is no timing; '' where that needs no words. */
+  readonly untimed: string;
+  readonly selected: Failure | null;
+  /** How many runs have come to their end. */
+  readonly finished: number;
+}
+
+const NOTHING: RunState = {
+  running: null,
+  trouble: '',
+  notes: [],
+  lines: [],
+  report: null,
+  timing: null,
+  untimed: '',
+  selected: null,
+  finished: 0,
+};
+
+export interface Runs {
+  get(): RunState;
+  run(source: string, cases: string): void;
+  cancel(): void;
+  select(failure: Failure): void;
+  /** Results of a program in another language; false if the text is none. */
+  grade(text: string, cases: string): boolean;
+  file(format: 'json' | 'csv', cases: string): string;
+}
+
+/** One run at a time; a new one ends the one before. */
+export function createRuns(host: Element, changed: () => void): Runs {
+  let state = NOTHING;
+  let close: (() => void) | null = null;
+  let stop = (): void => {};
+  const fresh = (): RunState => ({ ...NOTHING, finished: state.finished });
+  const put = (next: Partial<RunState>): void => {
+    state = { ...state, ...next };
+    changed();
+  };
+  const finish = (
+    cases: readonly Case[],
+    outputs: readonly (Output | undefined)[],
+    trouble: string,
+  ) => {
+    close = null;
+    stop = () => {};
+    const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
+    const selected = report && firstFailure(report);
+    put({ running: null, trouble, report, selected, finished: state.finished + 1 });
+  };
+  return {
+    get: () => state,
+    run(source, kinds) {
+      close?.();
+      const refusal = tooLong(source);
+      if (refusal) {
+        finish([], [], `This program is not run: ${refusal}.`);
+        return;
+      }
+      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      const outputs: Output[] = [];
+      state = { ...fresh(), running: { done: 0, total: cases.length } };
+      changed();
+      stop = () => {
+        close?.();
+        finish(cases, outputs, 'Cancelled.');
+      };
+      const job = {
+        source: asScript(source),
+        textbook: textbookFor(kindsFor(kinds), 'textbook'),
+        cases: cases.map(({ shape, ray }) => ({ shape, ray })),
+        timed: timedOf(cases),
+      };
+      close = runInSandbox(host, job, {
+        output(index, output) {
+          if (index !== outputs.length || index >= cases.length) return;
+          outputs.push(output);
+          put({ running: { done: outputs.length, total: cases.length } });
+        },
+        note: (message) => put({ notes: [...state.notes, message].slice(-MOST_NOTES) }),
+        console: (line) => put({ lines: [...state.lines, line].slice(0, MOST_LINES) }),
+        unsteady(index) {
+          const words = `${cases[index]?.id}, run twice, gave two results: nothing here may depend on chance or on earlier calls`;
+          put({ notes: [...state.notes, words] });
+        },
+        timing: (timing) => put({ timing }),
+        untimed: (untimed) => put({ untimed }),
+        end(ending) {
+          if (ending.how === 'unopened') {
+            const words = `The sandbox could not be opened: ${ending.message}. Your program was not run.`;
+            finish(cases, [], words);
+          } else if (ending.how === 'refused') {
+            const { line, message } = ending;
+            const last = source.split('\n').length;
+            const where = line === null ? '' : `Line ${Math.min(line, last)}: `;
+            const advice = adviceFor(source, message);
+            finish(cases, outputs, `${where}${message}${advice && `. ${advice}`}`);
+          } else if (ending.how === 'stopped' && outputs.length < cases.length) {
+            const at = `Stopped at case ${outputs.length + 1} of ${cases.length}: ${ending.message}.`;
+            finish(cases, [...outputs, { type: 'stopped' }], at);
+          } else finish(cases, outputs, '');
+        },
+      });
+    },
+    cancel: () => stop(),
+    select: (selected) => put({ selected }),
+    grade(text, kinds) {
+      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      const read = readResults(text, cases);
+      close?.();
+      close = null;
+      if (!read.ok) {
+        state = { ...fresh(), trouble: `These results could not be read: ${read.reason}.` };
+        changed();
+        return false;
+      }
+      state = { ...fresh(), notes: read.problems };
+      finish(cases, read.outputs, '');
+      return true;
+    },
+    file: (format, kinds) => {
+      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      return format === 'json' ? casesJson(cases, CASES_SEED) : casesCsv(cases);
+    },
+  };
+}
+
+function timedOf(cases: readonly Case[]): number[] {
+  const ordinary = cases.flatMap(({ group, expected }, i) =>
+    group === 'ordinary' && expected ? [i] : [],
+  );
+  const step = Math.max(1, Math.floor(ordinary.length / TIMED));
+  return ordinary.filter((_, i) => i % step === 0).slice(0, TIMED);
+}
+
+const firstFailure = ({ families }: Report): Failure | null =>
+  families.find(({ first }) => first !== null)?.first ?? null;

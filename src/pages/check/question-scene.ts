@@ -1,0 +1,145 @@
+import type { Answers, Input } from '../../check/types.ts';
+import { float64 } from '../../math/arithmetic/float64.ts';
+import { POINT } from '../../math/formula/common.ts';
+import { evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
+import { valuesOf } from '../../math/methods/tree-method.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { createDerive } from '../../state/derive.ts';
+import { sceneBefore } from '../../state/scene-before.ts';
+import type { GhostModel, SceneModel } from '../../state/scene-model.ts';
+import { isDrawn } from '../../state/stage.ts';
+import { type AppState, INITIAL } from '../../state/state.ts';
+import { encode } from '../../state/url.ts';
+import type { View } from '../../state/view.ts';
+import { displayTriple } from '../../text/format.ts';
+
+/** The state of Explore that shows this input. */
+export function stateOf({ shape, ray }: Input): AppState {
+  return {
+    ...INITIAL,
+    kind: shape.kind,
+    shapes: { ...INITIAL.shapes, [shape.kind]: shape },
+    E: ray.origin,
+    d: ray.direction,
+  };
+}
+
+/** Null where Explore could not show it: it is no valid input. */
+export function exploreLink(input: Input): string | null {
+  const numbers = [
+    ...input.ray.origin,
+    ...input.ray.direction,
+    ...Object.values(input.shape).flat(),
+  ];
+  const finite = numbers.every((x) => typeof x !== 'number' || Number.isFinite(x));
+  return finite ? encode(stateOf(input)) : null;
+}
+
+export interface Wanted {
+  /** What is drawn; what a question asks for is not in it before it is solved. */
+  readonly input: Input;
+  /** Hits, normals and bead; false until a question is solved or given up. */
+  readonly results: boolean;
+  /** A student's own values, drawn as a ghost, alone or beside the truth. */
+  readonly answers: Answers | null;
+  /** What a question tells. */
+  readonly given: Answers;
+  /** In words, what of the picture is not given. */
+  readonly note: string;
+  readonly view: View;
+}
+
+/** A derive with a memory of its own for one picture. */
+export function createPicture(): (wanted: Wanted) => SceneModel {
+  const derive = createDerive();
+  let last: Wanted | null = null;
+  let before: SceneModel | null = null;
+  let state = INITIAL;
+  return (wanted) => {
+    const { input, results, answers, view } = wanted;
+    if (input !== last?.input) state = stateOf(input);
+    const same = input === last?.input && answers === last.answers && wanted.note === last.note;
+    if (!same) before = null;
+    last = wanted;
+    if (!results) {
+      before ??= unsolved(wanted);
+      return { ...before, view };
+    }
+    const { scene } = derive({ ...state, view, revealed: null });
+    return { ...scene, handles: [], ghost: ghostOf(wanted, scene) };
+  };
+}
+
+/** The given things and the student's own ones, and nothing that is worked out from them. */
+function unsolved(wanted: Wanted): SceneModel {
+  const { input, answers, note, view } = wanted;
+  const points = answers ? pointsOf(input, answers).filter(isFinitePoint) : [];
+  const scene = sceneBefore(input.shape, input.ray, points, view);
+  const own = points.map((p) => displayTriple(p, 4));
+  const words = [
+    scene.description,
+    ...(own.length > 0 ? [`Yours: ${own.join(' and ')}.`] : []),
+    ...(note ? [`${note}.`] : []),
+    'The result is not shown before the question is solved.',
+  ];
+  return {
+    ...scene,
+    notes: note ? [...scene.notes, note] : scene.notes,
+    description: words.join(' '),
+    ghost: ghostOf(wanted, scene),
+  };
+}
+
+const isFinitePoint = (p: Vec3): boolean => p.every(Number.isFinite);
+
+/** Where the student's t's and points lie, or how the student's normal points. Null where the answer has no place. */
+function ghostOf({ input, answers, given }: Wanted, scene: SceneModel): GhostModel | null {
+  if (!answers) return null;
+  const { stage, ray, hits } = scene;
+  const normal = ['N', 'N1'].map((id) => answers[id]).find((v) => typeof v === 'object');
+  const at = given.P ?? answers.P1 ?? hits.find(({ role }) => role === 'first')?.point;
+  if (normal && typeof at === 'object') return arrow(at, normal, stage.radius);
+  const points = pointsOf(input, answers).filter(isFinitePoint);
+  const [first] = ray.segments;
+  const last = ray.segments.at(-1);
+  if (points.length === 0 || !first || !last) return null;
+  return {
+    title: 'yours',
+    origin: ray.origin,
+    direction: ray.direction,
+    from: first.from,
+    to: last.to,
+    hits: points.filter((p) => isDrawn(p, stage)),
+    beside: points.find((p) => isDrawn(p, stage)) ?? null,
+  };
+}
+
+function arrow(from: Vec3, [x, y, z]: Vec3, radius: number): GhostModel | null {
+  const length = Math.hypot(x, y, z);
+  if (!(length > 0) || !Number.isFinite(length)) return null;
+  const k = (0.3 * radius) / length;
+  const to: Vec3 = [from[0] + k * x, from[1] + k * y, from[2] + k * z];
+  return {
+    title: 'yours',
+    origin: from,
+    direction: [k * x, k * y, k * z],
+    from: 0,
+    to: 1,
+    hits: [to],
+    beside: to,
+  };
+}
+
+function pointsOf(input: Input, answers: Answers): Vec3[] {
+  const values = valuesOf(input.shape, input.ray, float64);
+  const at = (t: number): Vec3 => evaluateTriple(POINT, float64, withScalars(values, { t }));
+  const ts = ['t', 't1', 't2'].flatMap((id) => {
+    const t = answers[id];
+    return typeof t === 'number' ? [at(t)] : [];
+  });
+  const points = ['P', 'P1', 'P2'].flatMap((id) => {
+    const p = answers[id];
+    return typeof p === 'object' ? [p] : [];
+  });
+  return [...ts, ...points];
+}

@@ -1,0 +1,108 @@
+import { html, render } from 'lit';
+import { derivationFor, type Posed } from '../../check/compose.ts';
+import { drawnInput } from '../../check/drawn-input.ts';
+import { readAll } from '../../check/grade.ts';
+import { type Judged, judge } from '../../check/judge.ts';
+import {
+  askedAt,
+  hinted,
+  type Progress,
+  solutionShown,
+  tried,
+  typed,
+} from '../../check/progress.ts';
+import { plan, question } from '../../check/session.ts';
+import { summary, summaryJson } from '../../check/summary.ts';
+import { answerForm, questionHead, questionText } from '../../panels/check-question.ts';
+import { HINTS, type QuestionTools } from '../../panels/check-question-view.ts';
+import { summaryTable } from '../../panels/check-summary.ts';
+import { download } from '../../ui/files.ts';
+import type { LeftPart, PartContext, Shown } from './part.ts';
+
+export interface Questions extends LeftPart {
+  readonly tools: QuestionTools;
+  /** The session as it stands, to be taken away. */
+  json(): string;
+}
+
+/** The questions of one session after another: what was typed lives on the device, what was judged with the page. */
+export function createQuestions({ memory, changed, set }: PartContext): Questions {
+  let progress = memory.session(1);
+  let index = 0;
+  let posed: Posed = question(progress.seed, index);
+  let judged: Judged | null = null;
+  /** The same object while it shows the same. */
+  let picture: Shown | null = null;
+  const keep = (next: Progress): void => {
+    progress = next;
+    memory.keep(progress);
+    changed();
+  };
+  const judgeNow = (): Judged => judge(derivationFor(posed), askedAt(progress, index).texts);
+  /** A question that was solved before is still solved. */
+  const recallVerdict = (): void => {
+    judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
+  };
+  const show = (seed: number, at: number): void => {
+    if (seed === progress.seed && at === index) return;
+    if (seed !== progress.seed) progress = memory.session(seed);
+    index = at;
+    posed = question(seed, at);
+    recallVerdict();
+  };
+  /** Hits and normals stand in the picture when there is nothing left to find out; before, the student's own points. */
+  const shown = (): Shown => {
+    const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
+    const results = solvedAt !== null || given;
+    const committed = judged !== null && judged.verdict !== 'invalid';
+    const answers = committed ? readAll(posed.fields, texts) : null;
+    const drawn = results ? { input: posed.draft, note: '' } : drawnInput(posed, answers ?? {});
+    const next = { ...drawn, results, answers, given: posed.given };
+    if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
+    return picture ?? next;
+  };
+  let focusBody = (): void => {};
+  const tools: QuestionTools = {
+    type(field, text) {
+      judged = null;
+      keep(typed(progress, index, field, text));
+    },
+    check() {
+      judged = judgeNow();
+      keep(tried(progress, index, judged));
+    },
+    hint: () => keep(hinted(progress, index, HINTS)),
+    solution: () => keep(solutionShown(progress, index)),
+    go(next) {
+      set({ question: next });
+      // The next question is drawn in the next frame; its first box is where the hands go.
+      requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
+    },
+    seed: (seed) => set({ seed, question: 0 }),
+  };
+  const save = (): void =>
+    download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
+  recallVerdict();
+  return {
+    tools,
+    json: () => summaryJson(progress),
+    render(head, body, _, { seed, question: at }) {
+      show(seed, at);
+      focusBody = () => body.querySelector<HTMLElement>('input, select')?.focus();
+      const view = { posed, index, count: plan(seed).length, progress, judged };
+      render(html`${questionHead(view, tools)}${questionText(view)}`, head);
+      const print = (): void => {
+        const details = body.querySelector('details');
+        if (details) details.open = true;
+        window.print();
+      };
+      const restart = (): void => {
+        judged = null;
+        keep({ seed: progress.seed, asked: {} });
+      };
+      const table = summaryTable(summary(progress), { save, print, restart });
+      render(html`${answerForm(view, tools)}${table}`, body);
+      return shown();
+    },
+  };
+}

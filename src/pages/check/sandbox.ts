@@ -1,0 +1,144 @@
+import type { Output } from '../../check/program/judge.ts';
+import {
+  type ConsoleLine,
+  type Reply,
+  type Run,
+  readReply,
+  type Timing,
+} from '../../check/program/protocol.ts';
+
+export type Ending =
+  | { readonly how: 'done' }
+  | { readonly how: 'refused'; readonly message: string; readonly line: number | null }
+  | { readonly how: 'stopped'; readonly message: string }
+  /** The frame or its worker never began: nothing is known of the program. */
+  | { readonly how: 'unopened'; readonly message: string };
+
+export interface Heard {
+  output(index: number, output: Output): void;
+  note(message: string): void;
+  console(line: ConsoleLine): void;
+  unsteady(index: number): void;
+  timing(timing: Timing): void;
+  untimed(message: string): void;
+  end(ending: Ending): void;
+}
+
+/** From the request of the frame to the first word from its worker; and from the moment when something was loaded. */
+const OPEN_LIMIT_MS = 12_000;
+const AFTER_LOAD_MS = 5000;
+/** The frame's own watchdog takes a second; a frame that says nothing for longer is dead itself. */
+const FRAME_LIMIT_MS = 6000;
+/** The harness sends less than a thousand; more than this comes from something else. */
+const MOST_MESSAGES = 5000;
+
+let lastId = 0;
+
+/**
+ * Runs a program in a frame of its own: no origin, no network, no storage, no page (sandbox.html), in a fresh worker. The
+ * frame goes away with the run. Gives a function that cancels it.
+ */
+export function runInSandbox(
+  host: Element,
+  job: Omit<Run, 'type' | 'id'>,
+  heard: Heard,
+): () => void {
+  const id = ++lastId;
+  const frame = document.createElement('iframe');
+  frame.className = 'sandbox-frame';
+  frame.title = 'sandbox';
+  frame.tabIndex = -1;
+  frame.setAttribute('aria-hidden', 'true');
+  frame.setAttribute('sandbox', 'allow-scripts');
+  frame.setAttribute('referrerpolicy', 'no-referrer');
+  let timer = 0;
+  let opened = false;
+  let ended = false;
+  let messages = 0;
+  const close = (): void => {
+    ended = true;
+    clearTimeout(timer);
+    window.removeEventListener('message', hear);
+    frame.remove();
+  };
+  const end = (ending: Ending): void => {
+    if (ended) return;
+    close();
+    heard.end(ending);
+  };
+  const stop = (message: string): void => end({ how: 'stopped', message });
+  const within = (ms: number, otherwise: () => void): void => {
+    clearTimeout(timer);
+    timer = window.setTimeout(otherwise, ms);
+  };
+  const unopened = async (): Promise<void> => {
+    // Whatever comes from the frame now comes too late.
+    window.removeEventListener('message', hear);
+    const message = await likelyCause();
+    end({ how: 'unopened', message });
+  };
+  const hear = ({ source, data }: MessageEvent<unknown>): void => {
+    if (source === null || source !== frame.contentWindow) return;
+    const reply = readReply(data);
+    if (!reply || (reply.type !== 'ready' && reply.id !== id)) return;
+    if (++messages > MOST_MESSAGES) {
+      stop('more messages than a run can have');
+      return;
+    }
+    if (reply.type === 'ready' && !opened) {
+      opened = true;
+      frame.contentWindow?.postMessage({ ...job, type: 'run', id }, '*');
+    }
+    within(FRAME_LIMIT_MS, () => stop('the sandbox did not answer'));
+    pass(reply, heard, end);
+  };
+  window.addEventListener('message', hear);
+  frame.addEventListener('load', () => {
+    if (!opened && !ended) within(AFTER_LOAD_MS, () => void unopened());
+  });
+  within(OPEN_LIMIT_MS, () => void unopened());
+  void open(frame, host);
+  return close;
+}
+
+function pass(reply: Reply, heard: Heard, end: (ending: Ending) => void): void {
+  if (reply.type === 'case') heard.output(reply.index, reply.output);
+  if (reply.type === 'note') heard.note(reply.message);
+  if (reply.type === 'console') heard.console(reply);
+  if (reply.type === 'unsteady') heard.unsteady(reply.index);
+  if (reply.type === 'timing') heard.timing(reply);
+  if (reply.type === 'untimed') heard.untimed(reply.message);
+  if (reply.type === 'done') end({ how: 'done' });
+  if (reply.type === 'refused') end({ how: 'refused', message: reply.message, line: reply.line });
+  if (reply.type === 'stopped') end({ how: 'stopped', message: reply.message });
+}
+
+const FILE = './sandbox.html';
+const OFFLINE = import.meta.env.MODE === 'single';
+
+/** The site has a file with its own policy; the offline file, which has none, carries the same text inside. */
+async function open(frame: HTMLIFrameElement, host: Element): Promise<void> {
+  if (OFFLINE) {
+    const { default: text } = await import('./sandbox.html?raw');
+    frame.srcdoc = text;
+  } else {
+    frame.src = FILE;
+  }
+  host.append(frame);
+}
+
+/** Asked once the frame has failed: what the server says of the frame's file. */
+async function likelyCause(): Promise<string> {
+  const browser = 'the browser did not run its script';
+  if (OFFLINE) return browser;
+  try {
+    const response = await fetch(FILE, { signal: AbortSignal.timeout(3000), cache: 'no-store' });
+    if (!response.ok) return `the server answers ${response.status} for sandbox.html`;
+    if (!(await response.text()).includes('id="harness"')) {
+      return 'the server sends another page in place of sandbox.html';
+    }
+    return `${browser}: a header of the server may forbid it (X-Frame-Options, Content-Security-Policy, Cross-Origin-Resource-Policy)`;
+  } catch {
+    return 'sandbox.html cannot be fetched: no connection, or the server does not answer';
+  }
+}

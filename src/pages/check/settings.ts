@@ -1,0 +1,81 @@
+import { plan } from '../../check/session.ts';
+import { findShape } from '../../math/shapes/lookup.ts';
+import type { Settings } from '../../state/state.ts';
+import type { Readable } from '../page.ts';
+
+export const PARTS = [
+  { id: 'questions', title: 'Questions' },
+  { id: 'own', title: 'Own numbers' },
+  { id: 'program', title: 'Own program' },
+] as const;
+export type PartId = (typeof PARTS)[number]['id'];
+
+/** What the link of the page says. */
+export interface CheckSettings {
+  readonly part: PartId;
+  readonly seed: number;
+  /** From 0. */
+  readonly question: number;
+  /** Which shape's cases a program gets: a kind, or 'all'. */
+  readonly cases: string;
+}
+
+const DEFAULTS: CheckSettings = { part: 'questions', seed: 1, question: 0, cases: 'cylinder' };
+
+/** Keys are left out where they have their default. */
+export const KEYS = ['part', 'seed', 'question', 'cases'] as const;
+
+const isPart = (text: string): text is PartId => PARTS.some(({ id }) => id === text);
+const isSeed = (text: string): boolean => /^-?\d{1,9}$/.test(text);
+const isQuestion = (text: string): boolean =>
+  /^\d{1,3}$/.test(text) && Number(text) >= 1 && Number(text) <= plan(1).length;
+const isCases = (text: string): boolean => text === 'all' || findShape(text) !== undefined;
+
+const CHECKS: Readonly<Record<string, readonly [(text: string) => boolean, string]>> = {
+  part: [isPart, 'questions, own or program'],
+  seed: [isSeed, 'a whole number of up to nine digits'],
+  question: [isQuestion, `a question from 1 to ${plan(1).length}`],
+  cases: [isCases, 'a shape, or all'],
+};
+
+const UNKNOWN: readonly [(text: string) => boolean, string] = [() => false, ''];
+
+/** What of a link can be used, and what was wrong with the rest. */
+export function readSettings(settings: Settings): Readable {
+  const usable: Record<string, string> = {};
+  const problems: string[] = [];
+  for (const [key, text] of Object.entries(settings)) {
+    // A link may name anything, also what every object has.
+    const [ok, wanted] = Object.hasOwn(CHECKS, key) ? (CHECKS[key] ?? UNKNOWN) : UNKNOWN;
+    if (ok(text)) usable[key] = text;
+    else if (wanted)
+      problems.push(`opened without ${key}: '${text.slice(0, 40)}' is not ${wanted}`);
+    else problems.push(`'${key.slice(0, 40)}' means nothing on this page`);
+  }
+  return { settings: usable, problems };
+}
+
+export function settingsOf(settings: Settings): CheckSettings {
+  const { settings: own } = readSettings(settings);
+  return {
+    part: (own.part as PartId | undefined) ?? DEFAULTS.part,
+    seed: own.seed === undefined ? DEFAULTS.seed : Number(own.seed),
+    question: own.question === undefined ? DEFAULTS.question : Number(own.question) - 1,
+    cases: own.cases ?? DEFAULTS.cases,
+  };
+}
+
+/** The settings that say this, with null where the default is. */
+export function settingsFor(wanted: Partial<CheckSettings>): Record<string, string | null> {
+  const texts: Record<string, string | null> = {};
+  const put = (key: keyof CheckSettings, text: string, initial: string): void => {
+    texts[key] = text === initial ? null : text;
+  };
+  if (wanted.part !== undefined) put('part', wanted.part, DEFAULTS.part);
+  if (wanted.seed !== undefined) put('seed', String(wanted.seed), String(DEFAULTS.seed));
+  if (wanted.question !== undefined) {
+    put('question', String(wanted.question + 1), String(DEFAULTS.question + 1));
+  }
+  if (wanted.cases !== undefined) put('cases', wanted.cases, DEFAULTS.cases);
+  return texts;
+}

@@ -1,0 +1,86 @@
+import { html, render, type TemplateResult } from 'lit';
+import { mountStrip } from '../../charts/strip.ts';
+import { algebra } from '../../panels/algebra.ts';
+import { compactControls, equations } from '../../panels/compact-controls.ts';
+import { controls } from '../../panels/controls.ts';
+import { shapePicker } from '../../panels/shape-picker.ts';
+import type { Dispatch } from '../../state/actions.ts';
+import type { ExploreModel } from '../../state/derive.ts';
+import type { Mounted } from '../../ui/mounted.ts';
+import { lateScene, type Scene } from '../late-scene.ts';
+import { type SceneBarTools, sceneBar } from './scene-bar.ts';
+import './explore-page.css';
+import './projector.css';
+
+/** For the bench and the browser's own profiler; only the latest are kept. */
+const KEPT_MEASURES = 200;
+
+export interface ExploreTools extends SceneBarTools {
+  /** The projector shows one parameter at a time, as a phone does. */
+  readonly large: boolean;
+}
+
+export interface Explore {
+  render(model: ExploreModel, tools: ExploreTools): void;
+  dispose(): void;
+  readonly scene: Scene;
+  /** The graph of f, for taking it home. */
+  graph(): SVGSVGElement | null;
+}
+
+/** Scene and graph on the left, parameters and algebra on the right. The scene comes when it has been loaded. */
+export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () => void): Explore {
+  host.classList.add('explore');
+  const picker = section(host, 'picker-area');
+  const stage = section(host, 'scene-area');
+  const graph = section(host, 'strip-area');
+  const panel = section(host, 'panel-area');
+  const bar = section(stage, 'scene-bar');
+  const strip: Mounted<ExploreModel['strip']> = mountStrip(section(graph, 'strip-host'), dispatch);
+  const scene = lateScene(section(stage, 'scene-host'), dispatch);
+  const narrow = matchMedia('(max-width: 559px)');
+  const wide = matchMedia('(min-width: 900px)');
+  narrow.addEventListener('change', changed);
+  wide.addEventListener('change', changed);
+  // Parameters before the algebra where both are in view at once; the focus goes the way that the eye does.
+  const panelContent = (model: ExploreModel, card: TemplateResult, large: boolean) => {
+    const compact = narrow.matches || (large && wide.matches);
+    const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);
+    const body = compact ? html`${equations(model, dispatch)}${card}` : card;
+    return wide.matches ? html`${params}${body}` : html`${body}${params}`;
+  };
+  return {
+    scene,
+    graph: () => graph.querySelector('svg'),
+    render(model, tools) {
+      const begun = performance.now();
+      render(shapePicker(model, dispatch), picker);
+      const card = algebra(model, dispatch);
+      render(panelContent(model, card, tools.large), panel);
+      render(sceneBar(model, tools), bar);
+      strip.render(model.strip);
+      const drawn = performance.now();
+      scene.render(model.scene);
+      measure('graze step', begun, drawn);
+      measure('graze scene', drawn, performance.now());
+    },
+    dispose() {
+      narrow.removeEventListener('change', changed);
+      wide.removeEventListener('change', changed);
+      strip.dispose();
+      scene.dispose();
+    },
+  };
+}
+
+function measure(name: string, start: number, end: number): void {
+  if (performance.getEntriesByName(name).length >= KEPT_MEASURES) performance.clearMeasures(name);
+  performance.measure(name, { start, end });
+}
+
+function section(host: HTMLElement, className: string): HTMLElement {
+  const element = document.createElement('div');
+  element.className = className;
+  host.append(element);
+  return element;
+}

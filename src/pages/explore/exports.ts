@@ -1,0 +1,41 @@
+import type { ExploreModel } from '../../state/derive.ts';
+import { late } from '../../ui/late.ts';
+import { svgText } from '../../ui/svg-text.ts';
+import type { Takeaway } from '../export-dialog.ts';
+import type { Explore } from './explore-page.ts';
+
+/** What can be taken from the Explore page: texts made from the model, and its two pictures. */
+export async function takeaways(explore: Explore, model: () => ExploreModel): Promise<Takeaway[]> {
+  // Printers are of no use before somebody asks for one.
+  const { EXPORTS } = await late(() => import('../../state/exports/index.ts'));
+  const texts = EXPORTS.map(
+    ({ id, title, extension, mime, text }): Takeaway => ({
+      id,
+      title,
+      file: `graze.${extension}`,
+      type: mime,
+      text: () => text(model()),
+      blob: null,
+    }),
+  );
+  const graph: Takeaway = {
+    id: 'graph-svg',
+    title: 'the graph of f as SVG',
+    file: 'graze-f.svg',
+    type: 'image/svg+xml',
+    text: () => {
+      const svg = explore.graph();
+      return svg ? svgText(svg, getComputedStyle(document.body).getPropertyValue('--bg')) : '';
+    },
+    blob: null,
+  };
+  const picture: Takeaway = {
+    id: 'picture-png',
+    title: 'the picture as PNG',
+    file: 'graze.png',
+    type: 'image/png',
+    text: null,
+    blob: () => explore.scene.picture(),
+  };
+  return [...texts, graph, picture];
+}

@@ -1,0 +1,81 @@
+import type { StripModel } from '../../state/strip-model.ts';
+
+/** The whole stretch in this time, and a rest at each root. */
+const STRETCH_MS = 5000;
+const REST_MS = 700;
+
+export interface Player {
+  readonly playing: boolean;
+  /** Starts from the beginning, or stops. */
+  toggle(strip: StripModel): void;
+  stop(): void;
+}
+
+/**
+ * Moves the bead along the ray, resting at each root. Someone who asked for less motion sees it step from root to root.
+ * `move` is told each t; `changed` that playing began or ended.
+ */
+export function createPlayer(move: (t: number) => void, changed: () => void): Player {
+  let frame = 0;
+  const stop = (): void => {
+    if (frame === 0) return;
+    cancelAnimationFrame(frame);
+    frame = 0;
+    changed();
+  };
+  const run = (at: (elapsed: number) => number | null): void => {
+    let begun: number | null = null;
+    let shown = Number.NaN;
+    const tick = (now: number): void => {
+      begun ??= now;
+      const t = at(now - begun);
+      if (t === null) {
+        stop();
+        return;
+      }
+      frame = requestAnimationFrame(tick);
+      if (t !== shown) move(t);
+      shown = t;
+    };
+    frame = requestAnimationFrame(tick);
+    changed();
+  };
+  return {
+    get playing() {
+      return frame !== 0;
+    },
+    toggle(strip) {
+      if (frame !== 0) stop();
+      else run(timetable(strip, matchMedia('(prefers-reduced-motion: reduce)').matches));
+    },
+    stop,
+  };
+}
+
+/** t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached. */
+export function timetable(
+  { from, to, roots }: Pick<StripModel, 'from' | 'to' | 'roots'>,
+  stepwise: boolean,
+): (elapsed: number) => number | null {
+  const start = from < 0 && to > 0 ? 0 : from;
+  const stops = roots.map(({ t }) => t).filter((t) => t >= start && t <= to);
+  if (stepwise) {
+    const places = [start, ...stops, to];
+    return (elapsed) => places[Math.floor(elapsed / (2 * REST_MS))] ?? null;
+  }
+  const speed = (to - start) / STRETCH_MS;
+  return (elapsed) => {
+    let left = elapsed;
+    let t = start;
+    for (const stop of stops) {
+      const way = (stop - t) / speed;
+      if (left < way) return t + left * speed;
+      left -= way;
+      t = stop;
+      if (left < REST_MS) return t;
+      left -= REST_MS;
+    }
+    const end = t + left * speed;
+    return end > to ? null : end;
+  };
+}

@@ -1,0 +1,50 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { ExploreModel } from '../../state/derive.ts';
+import { titleOf } from '../../state/example.ts';
+import type { Command } from '../commands.ts';
+import './scene-bar.css';
+
+export interface SceneBarTools {
+  readonly command: (id: string) => Command | undefined;
+  readonly playing: boolean;
+}
+
+/** Over the scene: which example this is, and what can be done with the ray that is shown. */
+export function sceneBar(
+  { state, example }: ExploreModel,
+  { command, playing }: SceneBarTools,
+): TemplateResult {
+  const run = (id: string) => () => command(id)?.run();
+  const hidden = state.revealed !== null;
+  return html`<div class="example">
+      <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
+        example: <strong>${example ? titleOf(example) : 'choose one'}</strong> <span aria-hidden="true">▾</span>
+      </button>
+      <span class="steps-through">
+        ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}
+        ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
+      </span>
+      ${example && !example.changed && !hidden ? html`<p class="look">${example.preset.look}</p>` : nothing}
+    </div>
+    <div class="ray-tools">
+      ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
+      ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
+      ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}
+      ${toggle(hidden ? 'show results' : 'hide results', hidden, run('hide'), 'Hide the results to predict them (h)')}
+      ${hidden ? action('reveal next', run('reveal'), 'Reveal the next line (n)') : nothing}
+    </div>`;
+}
+
+function step(label: string, path: string, run: () => void): TemplateResult {
+  return html`<button type="button" class="step-through" aria-label=${label} title=${label} @click=${run}>
+    <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${path} /></svg>
+  </button>`;
+}
+
+function action(text: string, run: () => void, title: string): TemplateResult {
+  return html`<button type="button" class="ray-tool" title=${title} @click=${run}>${text}</button>`;
+}
+
+function toggle(text: string, pressed: boolean, run: () => void, title: string): TemplateResult {
+  return html`<button type="button" class="ray-tool" aria-pressed=${pressed} title=${title} @click=${run}>${text}</button>`;
+}

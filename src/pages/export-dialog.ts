@@ -1,0 +1,44 @@
+import { html, type TemplateResult } from 'lit';
+import './export-dialog.css';
+
+/** One thing that can be taken away from the page. */
+export interface Takeaway {
+  readonly id: string;
+  readonly title: string;
+  readonly file: string;
+  readonly type: string;
+  /** Text can be copied as well as saved; a picture is only saved. */
+  readonly text: (() => string) | null;
+  readonly blob: (() => Promise<Blob | null>) | null;
+}
+
+export interface ShareActions {
+  readonly copy: (item: Takeaway) => void;
+  readonly keep: (item: Takeaway) => void;
+  readonly save: () => void;
+  readonly openFile: () => void;
+  readonly print: () => void;
+}
+
+/** The state as a file, and everything else that can be copied or saved. */
+export function shareContent(items: readonly Takeaway[], actions: ShareActions): TemplateResult {
+  return html`<div class="share">
+    <p class="share-state">
+      <button type="button" class="button primary" @click=${actions.save}>Save state</button>
+      <button type="button" class="button" @click=${actions.openFile}>Open a file</button>
+      <button type="button" class="button" @click=${actions.print}>Print</button>
+      <span>A saved state can also be dropped on the page.</span>
+    </p>
+    <table>
+      <tbody>
+        ${items.map(
+          (item) => html`<tr data-export=${item.id}>
+            <th scope="row">${item.title}</th>
+            <td>${item.text ? html`<button type="button" class="button" aria-label=${`Copy ${item.title}`} @click=${() => actions.copy(item)}>Copy</button>` : ''}</td>
+            <td><button type="button" class="button" aria-label=${`Save ${item.title}`} @click=${() => actions.keep(item)}>Save</button></td>
+          </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`;
+}

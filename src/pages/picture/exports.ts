@@ -1,0 +1,82 @@
+import { InvalidInput } from '../../math/invalid-input.ts';
+import { sceneFromJson, sceneToJson } from '../../scene/json.ts';
+import type { Dispatch } from '../../state/actions.ts';
+import { ledgerCsv } from '../../state/picture/ledger.ts';
+import { textOfScene } from '../../state/picture/scene-link.ts';
+import { changed } from '../../state/picture/settings.ts';
+import type { Takeaway } from '../export-dialog.ts';
+import type { Sight } from './picture-model.ts';
+
+/** What can be taken from the page: the picture, its scene, its ledger. */
+export function pictureTakeaways(sight: () => Sight | null): readonly Takeaway[] {
+  const text = (of: (sight: Sight) => string) => (): string => {
+    const now = sight();
+    return now ? of(now) : '';
+  };
+  return [
+    {
+      id: 'picture-png',
+      title: 'the picture as PNG',
+      file: 'graze-picture.png',
+      type: 'image/png',
+      text: null,
+      blob: () => pictureBlob(sight()),
+    },
+    {
+      id: 'scene-json',
+      title: 'the scene as JSON',
+      file: 'graze-scene.json',
+      type: 'application/json',
+      text: text(({ picture }) => sceneToJson(picture.scene)),
+      blob: null,
+    },
+    {
+      id: 'ledger-csv',
+      title: 'the ledger as CSV',
+      file: 'graze-ledger.csv',
+      type: 'text/csv',
+      text: text(({ ledger }) => ledgerCsv(ledger)),
+      blob: null,
+    },
+  ];
+}
+
+/** At its own size, pixel by pixel; null while nothing is traced. */
+export function pictureBlob(sight: Sight | null): Promise<Blob | null> {
+  const frame = sight?.main?.frame;
+  if (!frame) return Promise.resolve(null);
+  const canvas = document.createElement('canvas');
+  canvas.width = frame.width;
+  canvas.height = frame.height;
+  const data = new ImageData(new Uint8ClampedArray(frame.rgba), frame.width, frame.height);
+  canvas.getContext('2d')?.putImageData(data, 0, 0);
+  return new Promise((resolve) => canvas.toBlob(resolve));
+}
+
+/** Takes a file that holds a scene; false for one that holds something else. A broken scene says what is wrong with it. */
+export function openScene(text: string, dispatch: Dispatch): boolean {
+  if (!looksLikeScene(text)) return false;
+  try {
+    const scene = textOfScene(sceneFromJson(text));
+    dispatch({
+      type: 'settings',
+      values: changed({ scene, pixel: '', on: '', off: '' }),
+    });
+    dispatch({ type: 'dismiss' });
+  } catch (error) {
+    if (!(error instanceof InvalidInput)) throw error;
+    dispatch({ type: 'say', problems: [`this scene was not opened: ${error.message}`] });
+  }
+  return true;
+}
+
+function looksLikeScene(text: string): boolean {
+  try {
+    const data: unknown = JSON.parse(text);
+    if (typeof data !== 'object' || data === null) return false;
+    return 'things' in data || ('graze' in data && data.graze === 'scene');
+  } catch {
+    // A scene with a slip in it is still meant to be one: the place of the slip is said when it is read.
+    return /"things"|"graze"\s*:\s*"scene"/.test(text);
+  }
+}

@@ -1,0 +1,70 @@
+import { METHODS } from '../../math/methods/index.ts';
+import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
+import { EMPTY_LEDGER, type LedgerModel, ledgerModel } from '../../state/picture/ledger.ts';
+import { type PictureSettings, pictureSettings } from '../../state/picture/settings.ts';
+import type { AppState } from '../../state/state.ts';
+import { type Comparison, comparePictures } from '../../tracer/compare.ts';
+import type { Frame, TraceProgress } from '../../workers/trace-job.ts';
+import type { Darkroom } from './trace-queue.ts';
+import { type Shot, type Shots, shotsOf } from './trace-request.ts';
+
+/** What there is to see on the page: the settings, and how far each of their pictures has come. */
+export interface Sight {
+  readonly picture: PictureSettings;
+  readonly shots: Shots;
+  readonly main: TraceProgress | null;
+  readonly other: TraceProgress | null;
+  /** Of one side against the one that is rather to be trusted, once both are finished. */
+  readonly comparison: Comparison | null;
+  /** Whether that is the left one. */
+  readonly trustsLeft: boolean;
+  readonly ledger: LedgerModel;
+  /** Pictures that the ledger's last column would still need. */
+  readonly uncounted: readonly Shot[];
+}
+
+export function sightOf(state: AppState, darkroom: Darkroom): Sight {
+  const picture = pictureSettings(state.settings.picture);
+  const shots = shotsOf(picture, state.method);
+  const main = darkroom.seen(shots.main);
+  const other = shots.other && darkroom.seen(shots.other);
+  const trustsLeft = trustOf(shots.other ?? shots.main) > trustOf(shots.main);
+  const counts: Partial<Record<EffectId, number>> = {};
+  const uncounted: Shot[] = [];
+  for (const { id } of EFFECTS) {
+    const toggled = shots.toggled[id];
+    const found = toggled && compared(darkroom.seen(toggled), main);
+    if (found) counts[id] = found.differing;
+    else if (toggled && runsIn(shots, id)) uncounted.push(toggled);
+  }
+  return {
+    picture,
+    shots,
+    main,
+    other,
+    comparison: trustsLeft ? compared(main, other) : compared(other, main),
+    trustsLeft,
+    ledger: ledgerModel(picture.scene, shots.main.settings, main?.ledger ?? EMPTY_LEDGER, counts),
+    uncounted,
+  };
+}
+
+/** The ladder's order: what a rung answers is rather right than what one below it does. */
+const trustOf = ({ settings }: Shot): number =>
+  METHODS.findIndex(({ id }) => id === settings.method);
+
+/** Switched off in the other picture, so it runs in this one. */
+const runsIn = ({ toggled }: Shots, id: EffectId): boolean =>
+  toggled[id]?.settings.forced[id] === 'off';
+
+const known = new WeakMap<Frame, WeakMap<Frame, Comparison>>();
+
+/** Compared once, since every progress of another picture asks again. */
+function compared(a: TraceProgress | null, b: TraceProgress | null): Comparison | null {
+  if (a?.state !== 'finished' || b?.state !== 'finished') return null;
+  const mine = known.get(a.frame) ?? new WeakMap<Frame, Comparison>();
+  known.set(a.frame, mine);
+  const found = mine.get(b.frame) ?? comparePictures(a.frame, b.frame);
+  mine.set(b.frame, found);
+  return found;
+}

@@ -1,0 +1,65 @@
+import type { RayTree } from '../../tracer/types.ts';
+import type { FromTraceWorker, ToTraceWorker } from '../../workers/protocol.ts';
+import type { WorkerLike } from '../../workers/trace-job.ts';
+import type { Shot } from './trace-request.ts';
+
+export interface Recorder {
+  /** The rays of one pixel, by the same code that traces the picture; rejects with why it could not. */
+  record(shot: Shot, x: number, y: number): Promise<RayTree>;
+}
+
+/** A worker of its own follows the rays of single pixels: a picture under way need not stop for it. */
+export function createRecorder(spawn: () => WorkerLike): Recorder {
+  let worker: WorkerLike | null = null;
+  let job = 0;
+  let ready: string | null = null;
+  let answer: ((message: FromTraceWorker) => void) | null = null;
+  let last: Promise<unknown> = Promise.resolve();
+
+  const open = (): WorkerLike => {
+    if (worker) return worker;
+    worker = spawn();
+    worker.addEventListener('message', ({ data }) => {
+      if (data.job === job) answer?.(data);
+    });
+    worker.addEventListener('error', ({ message = 'the worker failed' }) => {
+      // The next question gets a new one.
+      worker?.terminate();
+      worker = null;
+      ready = null;
+      answer?.({ type: 'failed', job, message });
+    });
+    return worker;
+  };
+
+  const ask = (message: ToTraceWorker): Promise<FromTraceWorker> =>
+    new Promise((resolve, reject) => {
+      answer = (data) => {
+        answer = null;
+        if (data.type === 'failed') reject(new Error(data.message));
+        else resolve(data);
+      };
+      open().postMessage(message);
+    });
+
+  const recordNow = async ({ key, scene, settings }: Shot, x: number, y: number) => {
+    if (ready !== key) {
+      ready = null;
+      job += 1;
+      await ask({ type: 'scene', job, scene, settings });
+      ready = key;
+    }
+    const data = await ask({ type: 'record', job, x, y });
+    if (data.type !== 'tree') throw new Error('no rays came back');
+    return data.tree;
+  };
+
+  return {
+    record(shot, x, y) {
+      // One question at a time: answers carry no number of their own.
+      const next = last.then(() => recordNow(shot, x, y));
+      last = next.catch(() => null);
+      return next;
+    },
+  };
+}

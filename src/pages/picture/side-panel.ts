@@ -1,0 +1,118 @@
+import { html, render, type TemplateResult } from 'lit';
+import { type EditorTools, editor } from '../../panels/picture-editor.ts';
+import { ledger, simplifications } from '../../panels/picture-ledger.ts';
+import { methodPanel } from '../../panels/picture-method.ts';
+import { remove } from '../../scene/edit.ts';
+import { sceneToJson } from '../../scene/json.ts';
+import { jsonFault } from '../../scene/json-fault.ts';
+import type { Dispatch } from '../../state/actions.ts';
+import { type AppState, shapeOf } from '../../state/state.ts';
+import { download, pickFile } from '../../ui/files.ts';
+import { openScene } from './exports.ts';
+import type { PageTools } from './page-actions.ts';
+import type { Sight } from './picture-model.ts';
+
+export interface Beside {
+  /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
+  isEditing(): boolean;
+  /** Opens the form of a thing or light. */
+  edit(id: string): void;
+  render(state: AppState, sight: Sight): void;
+}
+
+export interface BesideTools {
+  readonly dispatch: Dispatch;
+  readonly changed: () => void;
+  readonly tools: PageTools;
+  /** Asks for the ledger's last column. */
+  readonly count: () => void;
+  readonly isCounting: () => boolean;
+}
+
+type Tab = 'ledger' | 'scene';
+
+/** What the picture cost, or its scene to be edited. Which of them is shown is nothing that undo should bring back. */
+export function createBeside(
+  host: HTMLElement,
+  { dispatch, changed, tools, count, isCounting }: BesideTools,
+): Beside {
+  let tab: Tab = 'ledger';
+  let edited: string | null = null;
+
+  const editorTools = ({ scene: now }: Sight['picture']): EditorTools => ({
+    change: tools.scene,
+    add: (add) =>
+      tools.scene((scene) => {
+        const [next, id] = add(scene);
+        edited = id;
+        return next;
+      }),
+    remove(id) {
+      edited = null;
+      tools.scene((scene) => remove(scene, id));
+    },
+    edit(id) {
+      edited = id;
+      changed();
+    },
+    save: () => download('graze-scene.json', sceneToJson(now), 'application/json'),
+    open: () => void openFile(dispatch),
+  });
+
+  const costs = ({ method }: AppState, sight: Sight): TemplateResult => {
+    const { picture, uncounted, main } = sight;
+    const tool = {
+      force: tools.force,
+      measure: count,
+      unmeasured: main?.state === 'finished' ? uncounted.length : 0,
+      isMeasuring: isCounting() && uncounted.length > 0,
+    };
+    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(sight.ledger, main?.state === 'finished' ? main : null, tool)}
+      ${methodPanel(method, picture, dispatch)}
+      ${simplifications()}</div>`;
+  };
+
+  const form = (state: AppState, { picture }: Sight): TemplateResult =>
+    html`<div role="tabpanel" aria-label="Scene">${editor(picture.scene, edited, shapeOf(state), editorTools(picture))}</div>`;
+
+  return {
+    isEditing: () => tab === 'scene',
+    edit(id) {
+      edited = id;
+      changed();
+    },
+    render(state, sight) {
+      const turn = (next: Tab): void => {
+        tab = next;
+        changed();
+      };
+      const panel = tab === 'scene' ? form(state, sight) : costs(state, sight);
+      render(html`${tabs(tab, turn)}${panel}`, host);
+    },
+  };
+}
+
+async function openFile(dispatch: Dispatch): Promise<void> {
+  const text = await pickFile('.json,application/json');
+  if (text === null || openScene(text, dispatch)) return;
+  dispatch({
+    type: 'say',
+    problems: [`this file holds no scene: ${jsonFault(text) ?? 'it has no things'}`],
+  });
+}
+
+const TITLES = { ledger: 'What this picture needed', scene: 'Scene' } as const;
+
+function tabs(current: Tab, turn: (next: Tab) => void): TemplateResult {
+  const tab = (id: Tab): TemplateResult =>
+    html`<button type="button" role="tab" aria-selected=${id === current} tabindex=${id === current ? 0 : -1} @click=${() => turn(id)}>${TITLES[id]}</button>`;
+  const key = (event: KeyboardEvent): void => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    event.preventDefault();
+    turn(current === 'ledger' ? 'scene' : 'ledger');
+    const list = event.currentTarget as HTMLElement;
+    list.querySelector<HTMLElement>('[aria-selected="false"]')?.focus();
+  };
+  return html`<h2 class="visually-hidden">${TITLES[current]}</h2>
+    <div class="beside-tabs" role="tablist" aria-label="beside the picture" @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
+}

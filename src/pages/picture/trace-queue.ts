@@ -1,0 +1,123 @@
+import {
+  createTracePool,
+  MOST_WORKERS,
+  type TraceJob,
+  type TraceProgress,
+  type WorkerLike,
+} from '../../workers/trace-job.ts';
+import type { Shot } from './trace-request.ts';
+
+/** Finished pictures that are kept to come back to; each takes up to 16 bytes a pixel. */
+const MOST_KEPT = 16;
+
+/** Traces what is wanted, one picture after the other with all workers, so that times can be compared. */
+export interface Darkroom {
+  /** The pictures that are needed now, the most urgent first. What runs and is not among them ends. */
+  want(shots: readonly Shot[]): void;
+  /** As far as a picture has come; null if nobody has begun it. */
+  seen(shot: Shot): TraceProgress | null;
+  /** What is traced at this moment. */
+  current(): Shot | null;
+  /** Stops, until something else is wanted or `again`. */
+  cancel(): void;
+  /** Traces these anew. */
+  again(shots: readonly Shot[]): void;
+  /** Stops, until the next `want`. */
+  rest(): void;
+}
+
+export interface DarkroomTools {
+  readonly spawn: () => WorkerLike;
+  readonly workers: number;
+  /** Something is to be seen that was not there before. */
+  readonly changed: () => void;
+}
+
+/** The device's cores, as far as there are workers for them. */
+export const coresOf = ({
+  hardwareConcurrency,
+}: {
+  readonly hardwareConcurrency?: number;
+}): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
+
+export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Darkroom {
+  const seen = new Map<string, TraceProgress>();
+  const stopped = new Set<string>();
+  let wanted: readonly Shot[] = [];
+  let running: { readonly shot: Shot; readonly job: TraceJob } | null = null;
+  let pool: ReturnType<typeof createTracePool> | null = null;
+
+  const open = (): NonNullable<typeof pool> => {
+    pool ??= createTracePool({ spawn, workers, clock: () => performance.now() });
+    return pool;
+  };
+
+  const isOpen = (shot: Shot): boolean => {
+    const state = seen.get(shot.key)?.state;
+    return state !== 'finished' && state !== 'failed' && !stopped.has(shot.key);
+  };
+
+  const drop = (): void => {
+    if (!running) return;
+    const { shot, job } = running;
+    running = null;
+    job.cancel();
+    if (!stopped.has(shot.key)) seen.delete(shot.key);
+  };
+
+  const go = (): void => {
+    const next = wanted.find(isOpen);
+    if (running && running.shot.key === next?.key) return;
+    drop();
+    if (next) start(next);
+  };
+
+  const start = (shot: Shot): void => {
+    const job = open().start(shot.scene, shot.settings, {
+      progress(state) {
+        // A job that was replaced may still have a word on its way.
+        if (running !== null && running.shot !== shot) return;
+        seen.set(shot.key, state);
+        if (state.state !== 'loading' && state.state !== 'tracing') {
+          running = null;
+          forget();
+        }
+        changed();
+      },
+    });
+    if (isOpen(shot)) running = { shot, job };
+  };
+
+  /** The oldest that nobody wants. */
+  const forget = (): void => {
+    const idle = [...seen.keys()].filter((key) => !wanted.some((shot) => shot.key === key));
+    for (const key of idle.slice(0, Math.max(0, seen.size - MOST_KEPT))) seen.delete(key);
+  };
+
+  return {
+    want(shots) {
+      const same = shots.map(({ key }) => key).join() === wanted.map(({ key }) => key).join();
+      if (!same) stopped.clear();
+      wanted = shots;
+      go();
+    },
+    seen: ({ key }) => seen.get(key) ?? null,
+    current: () => running?.shot ?? null,
+    cancel() {
+      for (const { key } of wanted.filter(isOpen)) stopped.add(key);
+      const job = running?.job;
+      running = null;
+      job?.cancel();
+      changed();
+    },
+    again(shots) {
+      for (const { key } of shots) seen.delete(key);
+      stopped.clear();
+      drop();
+      changed();
+    },
+    rest() {
+      drop();
+    },
+  };
+}

@@ -1,0 +1,293 @@
+import { describe, expect, test } from 'vitest';
+import { sightOf } from '../../../../src/pages/picture/picture-model.ts';
+import { createRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
+import {
+  coresOf,
+  createDarkroom,
+  type Darkroom,
+} from '../../../../src/pages/picture/trace-queue.ts';
+import { type Shot, shotsOf } from '../../../../src/pages/picture/trace-request.ts';
+import { pictureSettings } from '../../../../src/state/picture/settings.ts';
+import { type AppState, INITIAL, type Settings } from '../../../../src/state/state.ts';
+import { type FakeWorker, fakeWorker } from '../../tracer/fake-worker.ts';
+
+const SMALL: Settings = { size: '32x18', light: '4' };
+
+const shots = (more: Settings = {}, method = 'moment') =>
+  shotsOf(pictureSettings({ ...SMALL, ...more }), method);
+
+interface Bench {
+  readonly room: Darkroom;
+  readonly hands: FakeWorker[];
+  /** Answers what the workers were asked, up to so many messages. */
+  work(most?: number): Promise<number>;
+}
+
+function bench(workers = 2): Bench {
+  const hands: FakeWorker[] = [];
+  const spawn = (): FakeWorker => {
+    const hand = fakeWorker();
+    hands.push(hand);
+    return hand;
+  };
+  const room = createDarkroom({ spawn, workers, changed: () => {} });
+  const work = async (most = 10_000): Promise<number> => {
+    let done = 0;
+    for (let moved = true; moved && done < most; ) {
+      moved = false;
+      for (const hand of hands)
+        if (!hand.terminated && (await hand.step())) [moved, done] = [true, done + 1];
+    }
+    return done;
+  };
+  return { room, hands, work };
+}
+
+const state = (room: Darkroom, shot: Shot | null) => shot && room.seen(shot)?.state;
+
+describe('the darkroom', () => {
+  test('traces what is wanted, one after the other, and then rests', async () => {
+    const { room, work } = bench();
+    const { main, other } = shots({ against: 'start:none' });
+    if (!other) throw new Error('no other side');
+    room.want([main, other]);
+    expect(room.current()).toBe(main);
+    await work();
+    // The page is drawn, and asks again.
+    room.want([main, other]);
+    expect([state(room, main), state(room, other)]).toEqual(['finished', 'loading']);
+    await work();
+    room.want([main, other]);
+    expect([state(room, main), state(room, other)]).toEqual(['finished', 'finished']);
+    expect(room.current()).toBeNull();
+    expect(await work()).toBe(0);
+  });
+
+  test('a change ends what runs, and begins at once with what is wanted now', async () => {
+    const { room, work } = bench();
+    const before = shots().main;
+    const after = shots({ scene: 'mirror' }).main;
+    room.want([before]);
+    await work(3);
+    room.want([after]);
+    expect(room.current()).toBe(after);
+    expect(room.seen(before)).toBeNull();
+    await work();
+    expect([state(room, before), state(room, after)]).toEqual(
+      [null, 'finished'].map((s) => s ?? undefined),
+    );
+  });
+
+  test('what is urgent comes before what already runs', async () => {
+    const { room, work } = bench();
+    const { main } = shots();
+    const first = shots({ scene: 'plain' }).main;
+    room.want([main]);
+    await work(2);
+    room.want([first, main]);
+    expect(room.current()).toBe(first);
+  });
+
+  test('a finished picture is there again without tracing', async () => {
+    const { room, work } = bench();
+    const [a, b] = [shots().main, shots({ scene: 'plain' }).main];
+    for (const shot of [a, b]) {
+      room.want([shot]);
+      await work();
+    }
+    room.want([shots().main]);
+    expect(state(room, a)).toBe('finished');
+    expect(await work()).toBe(0);
+  });
+
+  test('cancelled it stays as it is, until it is wanted anew', async () => {
+    const { room, work } = bench();
+    const { main } = shots();
+    room.want([main]);
+    await work(4);
+    room.cancel();
+    expect(state(room, main)).toBe('cancelled');
+    room.want([main]);
+    expect(room.current()).toBeNull();
+    expect(room.seen(main)?.done).toBeGreaterThan(0);
+    room.again([main]);
+    room.want([main]);
+    await work();
+    expect(state(room, main)).toBe('finished');
+  });
+
+  test('cancelled, then something else, then back: it is traced', async () => {
+    const { room, work } = bench();
+    const { main } = shots();
+    room.want([main]);
+    await work(3);
+    room.cancel();
+    room.want([shots({ scene: 'plain' }).main]);
+    room.want([main]);
+    await work();
+    expect(state(room, main)).toBe('finished');
+  });
+
+  test('at rest nothing runs; afterwards it goes on', async () => {
+    const { room, work } = bench();
+    const { main } = shots();
+    room.want([main]);
+    await work(3);
+    room.rest();
+    expect(room.current()).toBeNull();
+    room.want([main]);
+    await work();
+    expect(state(room, main)).toBe('finished');
+  });
+
+  test('a worker that fails is told, and not asked again and again', async () => {
+    const { room, hands } = bench(1);
+    const { main } = shots();
+    room.want([main]);
+    hands[0]?.crash('out of memory');
+    expect(room.seen(main)).toMatchObject({ state: 'failed', message: 'out of memory' });
+    room.want([main]);
+    expect(room.current()).toBeNull();
+  });
+
+  test.each([
+    [undefined, 1],
+    [0, 1],
+    [2, 2],
+    [64, 8],
+  ])('%s cores: %d workers', (hardwareConcurrency, workers) => {
+    expect(coresOf(hardwareConcurrency === undefined ? {} : { hardwareConcurrency })).toBe(workers);
+  });
+});
+
+describe('a comparison', () => {
+  const stateOf = (settings: Settings, method: string): AppState => {
+    const given = { ...SMALL, ...settings };
+    return { ...INITIAL, method, settings: { ...INITIAL.settings, picture: given } };
+  };
+
+  async function sightFor(settings: Settings, method: string) {
+    const { room, work } = bench(1);
+    const state = stateOf(settings, method);
+    const { main, other } = sightOf(state, room).shots;
+    for (let k = 0; k < 2; k++) {
+      room.want(other ? [main, other] : [main]);
+      await work();
+    }
+    return sightOf(state, room);
+  }
+
+  test('finds the same, whichever side is the one to be trusted', async () => {
+    const right = await sightFor({ scene: 'far', against: 'method:textbook32' }, 'certified');
+    const left = await sightFor({ scene: 'far', against: 'method:certified' }, 'textbook32');
+    expect([right.trustsLeft, left.trustsLeft]).toEqual([false, true]);
+    const { verdicts, holes, ghosts } = right.comparison ?? {};
+    expect(verdicts).toBeGreaterThan(50);
+    expect(left.comparison).toMatchObject({ verdicts, holes, ghosts });
+  });
+
+  test('with an effect off counts the pixels that it changes', async () => {
+    const sight = await sightFor({ scene: 'mirror', against: 'off:reflection' }, 'moment');
+    const reflection = sight.ledger.simulated.find(({ id }) => id === 'reflection');
+    expect(reflection?.pixels).toBeGreaterThan(0);
+    expect(reflection?.pixels).toBe(sight.comparison?.differing);
+    expect(sight.uncounted).toHaveLength(sight.ledger.simulated.length - 1);
+  });
+
+  test('acne: no method cures it; an epsilon is too small for one scene and too large for another', async () => {
+    const differing = async (scene: string, against: string, method: string): Promise<number> => {
+      const sight = await sightFor({ size: '96x54', scene, against }, method);
+      return sight.comparison?.differing ?? Number.NaN;
+    };
+    for (const method of ['moment', 'compensated', 'certified']) {
+      expect(await differing('self-intersection', 'start:none', method)).toBeGreaterThan(300);
+      expect(await differing('self-intersection', 'start:1e-15', method)).toBeGreaterThan(20);
+    }
+    expect(await differing('self-intersection', 'start:1e-9', 'moment')).toBe(0);
+    // In a scene with a small thing far out every epsilon is one or the other.
+    expect(await differing('two-scales', 'start:1e-9', 'moment'), 'too small').toBeGreaterThan(300);
+    expect(await differing('two-scales', 'start:0.001', 'moment'), 'too large').toBeGreaterThan(30);
+  });
+
+  test('of a picture with itself finds nothing', async () => {
+    const sight = await sightFor({ scene: 'mirror', against: 'on:reflection' }, 'moment');
+    expect(sight.comparison).toMatchObject({ differing: 0, verdicts: 0 });
+  });
+});
+
+describe('shots', () => {
+  test('forcing on what is needed anyway is the same picture', () => {
+    expect(shots({ on: 'reflection' }).main.key).toBe(shots().main.key);
+    expect(shots({ off: 'reflection' }).main.key).not.toBe(shots().main.key);
+  });
+
+  test('what is forced has the picture without forcing for its baseline', () => {
+    const forced = shots({ off: 'reflection', on: 'soft-shadow' });
+    expect(forced.baselines.map(({ key }) => key).toSorted()).toEqual(
+      [shots({ on: 'soft-shadow' }).main.key, shots({ off: 'reflection' }).main.key].toSorted(),
+    );
+    expect(shots().baselines).toEqual([]);
+  });
+
+  test('method, start rule, size and scene each make another picture', () => {
+    const keys = [
+      shots(),
+      shots({}, 'exact'),
+      shots({ start: 'none' }),
+      shots({ start: '1e-9' }),
+      shots({ samples: '4' }),
+      shots({ light: '9' }),
+      shots({ size: '33x18' }),
+      shots({ scene: 'mirror' }),
+    ].map(({ main }) => main.key);
+    expect(new Set(keys).size).toBe(keys.length);
+  });
+
+  test('divider, pixel and error map do not', () => {
+    const more = { split: '10', pixel: '3,4', show: 'errors' };
+    expect(shots(more).main.key).toBe(shots().main.key);
+  });
+});
+
+describe('the recorder', () => {
+  test('follows one pixel after the other, each in its own picture', async () => {
+    const hand = fakeWorker();
+    const recorder = createRecorder(() => hand);
+    const asked = [
+      recorder.record(shots().main, 16, 9),
+      recorder.record(shots({ scene: 'plain' }).main, 3, 4),
+      recorder.record(shots().main, 5, 6),
+    ];
+    const pump = async (): Promise<void> => {
+      for (let idle = 0; idle < 20; ) {
+        await new Promise((done) => setTimeout(done));
+        idle = (await hand.step()) ? 0 : idle + 1;
+      }
+    };
+    await pump();
+    const trees = await Promise.all(asked);
+    expect(trees.map(({ x, y }) => [x, y])).toEqual([
+      [16, 9],
+      [3, 4],
+      [5, 6],
+    ]);
+    expect(hand.done.filter(({ type }) => type === 'scene')).toHaveLength(3);
+  });
+
+  test('a failure is that question’s alone', async () => {
+    const [dead, fresh] = [fakeWorker(), fakeWorker()];
+    const hands = [dead, fresh];
+    const recorder = createRecorder(() => hands.shift() as FakeWorker);
+    const first = recorder.record(shots().main, 1, 1);
+    await new Promise((done) => setTimeout(done));
+    dead.crash('broken');
+    await expect(first).rejects.toThrow('broken');
+    expect(dead.terminated).toBe(true);
+    const second = recorder.record(shots().main, 2, 2);
+    for (let k = 0; k < 10; k++) {
+      await new Promise((done) => setTimeout(done));
+      await fresh.step();
+    }
+    await expect(second).resolves.toMatchObject({ x: 2, y: 2 });
+  });
+});
