@@ -1,7 +1,7 @@
 import { coordinate } from '../text/coordinate.ts';
 import { italic } from './captions.ts';
 import type { Layer } from './layer.ts';
-import type { Lens } from './lens.ts';
+import type { Projection } from './projection.ts';
 
 const ARM = 32;
 /** From the lower left corner, or more where an arm points there: the letter at its end takes room too. */
@@ -17,14 +17,14 @@ const AXES = [
 ] as const;
 
 /** The three axes as a small cross at the lower left, turned like the scene. */
-export function drawAxes(layer: Layer, lens: Lens, scale: number, font: number): void {
+export function drawAxes(layer: Layer, projection: Projection, scale: number, font: number): void {
   const arms = AXES.map(([name, direction]) => {
-    const [x, y] = lens.onScreen(direction);
+    const [x, y] = projection.onScreen(direction);
     return { name, dx: x * ARM * scale, dy: y * ARM * scale };
   });
   const room = (extent: number) => Math.max(ORIGIN * scale, extent + LETTER * scale);
   const x = room(-Math.min(...arms.map(({ dx }) => dx)));
-  const y = lens.height - room(Math.max(...arms.map(({ dy }) => dy)));
+  const y = projection.height - room(Math.max(...arms.map(({ dy }) => dy)));
   layer.begin();
   for (const { name, dx, dy } of arms) {
     const length = Math.hypot(dx, dy);

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { FreeView, NamedView, View } from '../state/view.ts';
-import { along, dot, type Point, type Space, unit } from './space.ts';
+import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
 /** Where the camera stands, in stage units: it looks at `target` from `distance` away. */
 export interface Pose {
@@ -26,9 +26,9 @@ const FIXED_VIEWS: Record<Exclude<NamedView, 'ray'>, FreeView> = {
 
 const RAY_ZOOM = 0.9;
 
-export function poseOf(view: View, ray: Ray, space: Space): Pose {
+export function poseOf(view: View, ray: Ray, units: StageUnits): Pose {
   if (typeof view !== 'string') return { target: [0, 0, 0], ...view };
-  if (view === 'ray') return alongRay(ray, space) ?? { target: [0, 0, 0], ...FIXED_VIEWS.iso };
+  if (view === 'ray') return alongRay(ray, units) ?? { target: [0, 0, 0], ...FIXED_VIEWS.iso };
   return { target: [0, 0, 0], ...FIXED_VIEWS[view] };
 }
 
@@ -36,10 +36,10 @@ export function poseOf(view: View, ray: Ray, space: Space): Pose {
  * Looks from E along d. The camera stays on the ray's line but at the framing distance, before the line's nearest point
  * to the centre: with the eye in E itself a near wall would fill the frame and a far E would show a dot.
  */
-function alongRay(ray: Ray, space: Space): Pose | null {
+function alongRay(ray: Ray, units: StageUnits): Pose | null {
   const d = unit(ray.direction);
   if (!d) return null;
-  const E = space.place(ray.origin);
+  const E = units.toStage(ray.origin);
   const nearest: Point = E ? along(E, d, -dot(E, d)) : [0, 0, 0];
   // A ray that passes the stage by would take the camera away from it.
   const target: Point = Math.hypot(...nearest) < 1.5 ? nearest : [0, 0, 0];

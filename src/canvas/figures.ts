@@ -1,10 +1,16 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { HitMark, SceneModel } from '../state/scene-model.ts';
-import type { Lens, Spot } from './lens.ts';
 import { type Arrow, CLEAR, type Mark } from './marks.ts';
-import { heading, isInside, type Pointer, pointerTo, visibleRay } from './offstage.ts';
+import {
+  heading,
+  isInside,
+  type OffScreenPointer,
+  pointerTo,
+  visibleRay,
+} from './off-screen-pointer.ts';
+import type { Projection, Spot } from './projection.ts';
 import { pointAt } from './ray.ts';
-import { along, type Space, unit } from './space.ts';
+import { along, type StageUnits, unit } from './stage-units.ts';
 
 /** A symbol of the course beside what it names. */
 export interface Caption {
@@ -25,7 +31,7 @@ export interface Figures {
   readonly marks: readonly Mark[];
   readonly arrows: readonly Arrow[];
   readonly captions: readonly Caption[];
-  readonly pointers: readonly (Pointer &
+  readonly pointers: readonly (OffScreenPointer &
     Pick<Caption, 'key' | 'symbol' | 'letter' | 'sub' | 'tone'>)[];
 }
 
@@ -40,14 +46,19 @@ const HEAD_LEAST = 16;
 type List<T> = T[];
 
 /** Everything at fixed size over the lines: where it is on the screen and what it is called. */
-export function figures(model: SceneModel, space: Space, lens: Lens, scale: number): Figures {
+export function figures(
+  model: SceneModel,
+  units: StageUnits,
+  projection: Projection,
+  scale: number,
+): Figures {
   const all = {
     marks: [] as List<Mark>,
     arrows: [] as List<Arrow>,
     captions: [] as List<Caption>,
     pointers: [] as List<Figures['pointers'][number]>,
   };
-  const see = (p: Vec3): Spot | null => seen(p, space, lens);
+  const see = (p: Vec3): Spot | null => seen(p, units, projection);
 
   addShape();
   addRay();
@@ -79,11 +90,11 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
     if (E) {
       all.captions.push({ ...name, x: E.x, y: E.y, clear: CLEAR.E * scale, angle: UP_RIGHT });
     } else {
-      all.pointers.push({ ...name, ...pointerTo(origin, 0, model, space, lens, scale) });
+      all.pointers.push({ ...name, ...pointerTo(origin, 0, model, units, projection, scale) });
     }
     const tip = see(along(origin, direction, 1));
-    const place = tip && space.place(along(origin, direction, 1));
-    const course = place && heading(place, direction, lens);
+    const place = tip && units.toStage(along(origin, direction, 1));
+    const course = place && heading(place, direction, projection);
     if (tip && course) {
       const length = E ? Math.hypot(tip.x - E.x, tip.y - E.y) / scale : HEAD_FULL;
       const size = Math.min(length / HEAD_FULL, 1);
@@ -95,7 +106,7 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
     addEnd();
     if (E) all.marks.push({ key: 'E', kind: 'E', symbols: ['E'], spot: E });
     // Without a tip in the frame, d is named where the drawn ray ends or leaves it.
-    const spot = tip ?? visibleRay(model, space, lens)?.end;
+    const spot = tip ?? visibleRay(model, units, projection)?.end;
     if (!spot) return;
     const back = tip && course ? 9 * scale : 0;
     const [x, y] = course
@@ -111,10 +122,10 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
   /** The arrow at the far end of what is drawn of the ray. */
   function addEnd(): void {
     const last = model.ray.segments.at(-1);
-    const place = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, space) : null;
-    const spot = place && lens.project(place);
-    const course = place && heading(place, model.ray.direction, lens);
-    if (!spot || !course || !isInside(spot, lens)) return;
+    const place = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, units) : null;
+    const spot = place && projection.project(place);
+    const course = place && heading(place, model.ray.direction, projection);
+    if (!spot || !course || !isInside(spot, projection)) return;
     const turn = (Math.atan2(course[1], course[0]) * 180) / Math.PI;
     all.marks.push({ key: 'end', kind: 'end', symbols: ['d'], spot, turn });
   }
@@ -126,22 +137,25 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
     const name = { key: `t${n}`, symbol: `t${n}`, letter: 't', sub: n, tone } as const;
     const spot = hit.drawn ? see(hit.point) : null;
     if (!spot) {
-      all.pointers.push({ ...name, ...pointerTo(hit.point, hit.t, model, space, lens, scale) });
+      all.pointers.push({
+        ...name,
+        ...pointerTo(hit.point, hit.t, model, units, projection, scale),
+      });
       return;
     }
     all.marks.push({ key: `P${n}`, kind, symbols: [`P${n}`, `t${n}`], spot });
-    const place = space.place(hit.point);
-    const angle = below(place && heading(place, model.ray.direction, lens));
+    const place = units.toStage(hit.point);
+    const angle = below(place && heading(place, model.ray.direction, projection));
     all.captions.push({ ...name, x: spot.x, y: spot.y, clear: (CLEAR[kind] + 4) * scale, angle });
     if (hit.normal) addNormal(`N${n}`, `N${n}`, n, hit.point, hit.normal);
   }
 
   function addNormal(key: string, symbol: string, sub: string, at: Vec3, direction: Vec3): void {
-    const place = space.place(at);
+    const place = units.toStage(at);
     const n = unit(direction);
-    const from = place && lens.project(place);
-    const to = place && n && lens.project(along(place, n, NORMAL));
-    if (!from || !to || !isInside(from, lens)) return;
+    const from = place && projection.project(place);
+    const to = place && n && projection.project(along(place, n, NORMAL));
+    if (!from || !to || !isInside(from, projection)) return;
     all.arrows.push({ key, symbols: [symbol], from, to });
     const angle = Math.atan2(to.y - from.y, to.x - from.x);
     const letter = symbol.charAt(0);
@@ -153,10 +167,10 @@ export function figures(model: SceneModel, space: Space, lens: Lens, scale: numb
 }
 
 /** Where a point of the world is in the frame; null outside of it. */
-export function seen(p: Vec3, space: Space, lens: Lens): Spot | null {
-  const place = space.place(p);
-  const spot = place && lens.project(place);
-  return spot && isInside(spot, lens) ? spot : null;
+export function seen(p: Vec3, units: StageUnits, projection: Projection): Spot | null {
+  const place = units.toStage(p);
+  const spot = place && projection.project(place);
+  return spot && isInside(spot, projection) ? spot : null;
 }
 
 function rank(hit: HitMark): number {

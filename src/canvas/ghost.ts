@@ -1,37 +1,39 @@
 import type { SceneModel } from '../state/scene-model.ts';
 import { type Caption, seen } from './figures.ts';
-import type { Lens, Spot } from './lens.ts';
 import { CLEAR, type Mark } from './marks.ts';
+import type { Projection, Spot } from './projection.ts';
 import { pointAt } from './ray.ts';
-import type { Space } from './space.ts';
+import type { StageUnits } from './stage-units.ts';
 import { type Dash, type Stroke, straight } from './stroke.ts';
 
 const LINE = { ink: 'ink3', width: 1.5, alpha: 0.85, dash: [6, 5] as Dash } as const;
 const BELOW = Math.PI / 2;
 
 /** The ray that was kept to compare with, behind the one that is shown. */
-export function ghostStrokes({ ghost }: SceneModel, space: Space): Stroke[] {
-  const from = ghost && pointAt(ghost, ghost.from, space);
-  const to = ghost && pointAt(ghost, ghost.to, space);
+export function ghostStrokes({ ghost }: SceneModel, units: StageUnits): Stroke[] {
+  const from = ghost && pointAt(ghost, ghost.from, units);
+  const to = ghost && pointAt(ghost, ghost.to, units);
   return from && to ? [straight(from, to, LINE)] : [];
 }
 
 /** Where it started and hit, and a word beside it. */
 export function ghostFigures(
   { ghost }: SceneModel,
-  space: Space,
-  lens: Lens,
+  units: StageUnits,
+  projection: Projection,
   scale: number,
 ): { marks: Mark[]; captions: Caption[] } {
   if (!ghost) return { marks: [], captions: [] };
-  const E = seen(ghost.origin, space, lens);
-  const spots = [E, ...ghost.hits.map((hit) => seen(hit, space, lens))];
+  const E = seen(ghost.origin, units, projection);
+  const spots = [E, ...ghost.hits.map((hit) => seen(hit, units, projection))];
   const marks = spots.flatMap((spot: Spot | null, k): Mark[] =>
     spot ? [{ key: `ghost ${k}`, kind: 'ghost', symbols: [], spot }] : [],
   );
-  const start = pointAt(ghost, ghost.from, space);
+  const start = pointAt(ghost, ghost.from, units);
   const named =
-    (ghost.beside && seen(ghost.beside, space, lens)) ?? E ?? (start && lens.project(start));
+    (ghost.beside && seen(ghost.beside, units, projection)) ??
+    E ??
+    (start && projection.project(start));
   if (!named) return { marks, captions: [] };
   const caption: Caption = {
     ...{ key: 'ghost', symbol: '', letter: ghost.title, sub: '', tone: 'ghost' },

@@ -1,5 +1,5 @@
-import type { Space } from './space.ts';
-import { smoothstep } from './space.ts';
+import type { StageUnits } from './stage-units.ts';
+import { smoothstep } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';
 
 /** Radius of the grid in stage radii, and the share of it that does not fade. */
@@ -10,11 +10,11 @@ const PIECES = 24;
 const MOST_LINES = 60;
 
 /** The ground grid, in stage units: lines at whole multiples of a round world step, fading into the background. */
-export function ground(space: Space): Stroke[] {
-  const { center, radius } = space.stage;
+export function ground(units: StageUnits): Stroke[] {
+  const { center, radius } = units.stage;
   const step = roundStep(radius / 5);
   const strokes: Stroke[] = [];
-  const y = space.ground;
+  const y = units.ground;
   if (!(Math.abs(y) < REACH)) return strokes;
   for (const horizontal of [0, 2] as const) {
     const middle = center[horizontal];

@@ -1,6 +1,6 @@
 import { coordinate } from '../text/coordinate.ts';
 import type { Layer, Part } from './layer.ts';
-import type { Spot } from './lens.ts';
+import type { Spot } from './projection.ts';
 
 export type MarkKind =
   | 'E'

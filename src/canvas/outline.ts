@@ -1,5 +1,5 @@
 import type { Drawing, Patch, PatchEnd } from '../math/shapes/drawing.ts';
-import { type Space, unit } from './space.ts';
+import { type StageUnits, unit } from './stage-units.ts';
 import { at, type Dash, type Stroke, straight } from './stroke.ts';
 import { lineFade, pointOn } from './tessellation.ts';
 
@@ -18,23 +18,23 @@ const ENDS: Partial<Record<PatchEnd, { width: number; alpha: number; dash: Dash 
 };
 
 /** The lines of a drawing that do not depend on the eye: rings, ends and helper lines, in stage units. */
-export function outline(drawing: Drawing, space: Space): Stroke[] {
+export function outline(drawing: Drawing, units: StageUnits): Stroke[] {
   return [
-    ...drawing.patches.flatMap((patch) => rings(patch, space)),
-    ...drawing.lines.flatMap((line) => helper(line, space)),
-    ...drawing.patches.flatMap((patch) => ends(patch, space)),
+    ...drawing.patches.flatMap((patch) => rings(patch, units)),
+    ...drawing.lines.flatMap((line) => helper(line, units)),
+    ...drawing.patches.flatMap((patch) => ends(patch, units)),
   ];
 }
 
-function rings(patch: Patch, space: Space): Stroke[] {
+function rings(patch: Patch, units: StageUnits): Stroke[] {
   const style = { ink: 'shape', width: HAIRLINE, alpha: RING_ALPHA, dash: null } as const;
-  const across = patch.rings.map((v) => ({ ...acrossAt(patch, v, space), ...style }));
+  const across = patch.rings.map((v) => ({ ...acrossAt(patch, v, units), ...style }));
   if (patch.closed) return across;
   // A flat sheet is ruled both ways: that shows how it is tilted.
-  return [...across, ...patch.rings.map((u) => ({ ...alongAt(patch, u, space), ...style }))];
+  return [...across, ...patch.rings.map((u) => ({ ...alongAt(patch, u, units), ...style }))];
 }
 
-function ends(patch: Patch, space: Space): Stroke[] {
+function ends(patch: Patch, units: StageUnits): Stroke[] {
   const strokes: Stroke[] = [];
   for (const [v, end] of [
     [0, patch.start],
@@ -42,40 +42,40 @@ function ends(patch: Patch, space: Space): Stroke[] {
   ] as const) {
     const style = ENDS[end];
     // The dashes already say "goes on"; their opacity is the end's, not that of the fading surface.
-    if (style) strokes.push({ ...acrossAt(patch, v, space), fade: null, ink: 'shape', ...style });
+    if (style) strokes.push({ ...acrossAt(patch, v, units), fade: null, ink: 'shape', ...style });
   }
   const style = ENDS[patch.sides];
   if (patch.closed || !style) return strokes;
   for (const u of [0, 1]) {
-    strokes.push({ ...alongAt(patch, u, space), fade: null, ink: 'shape', ...style });
+    strokes.push({ ...alongAt(patch, u, units), fade: null, ink: 'shape', ...style });
   }
   return strokes;
 }
 
-function helper(line: Drawing['lines'][number], space: Space): Stroke[] {
-  const from = space.place(line.from);
-  const to = space.place(line.to);
+function helper(line: Drawing['lines'][number], units: StageUnits): Stroke[] {
+  const from = units.toStage(line.from);
+  const to = units.toStage(line.to);
   if (!from || !to || !unit([to[0] - from[0], to[1] - from[1], to[2] - from[2]])) return [];
   return [straight(from, to, { ink: 'shape', ...AXIS })];
 }
 
 type Curve = Pick<Stroke, 'points' | 'fade' | 'closed'>;
 
-function acrossAt(patch: Patch, v: number, space: Space): Curve {
+function acrossAt(patch: Patch, v: number, units: StageUnits): Curve {
   const steps = patch.closed ? RING_STEPS : SIDE_STEPS;
   // A closed ring leaves out u = 1, which is u = 0 again.
   const count = patch.closed ? steps : steps + 1;
-  return curve(count, patch.closed, space, patch, (k) => [k / steps, v]);
+  return curve(count, patch.closed, units, patch, (k) => [k / steps, v]);
 }
 
-function alongAt(patch: Patch, u: number, space: Space): Curve {
-  return curve(SIDE_STEPS + 1, false, space, patch, (k) => [u, k / SIDE_STEPS]);
+function alongAt(patch: Patch, u: number, units: StageUnits): Curve {
+  return curve(SIDE_STEPS + 1, false, units, patch, (k) => [u, k / SIDE_STEPS]);
 }
 
 function curve(
   count: number,
   closed: boolean,
-  space: Space,
+  units: StageUnits,
   patch: Patch,
   parameters: (k: number) => [u: number, v: number],
 ): Curve {
@@ -83,7 +83,7 @@ function curve(
   const fade: number[] = [];
   for (let k = 0; k < count; k++) {
     const [u, v] = parameters(k);
-    const p = pointOn(patch, u, v, space);
+    const p = pointOn(patch, u, v, units);
     if (!p) continue;
     points.push(...p);
     fade.push(lineFade(patch, u, v));

@@ -5,9 +5,9 @@ import { type Caption, figures } from './figures.ts';
 import { ghostFigures } from './ghost.ts';
 import type { Box, Segment } from './labels.ts';
 import { Layer } from './layer.ts';
-import type { Lens } from './lens.ts';
 import { CLEAR, drawArrows, drawMarks } from './marks.ts';
-import type { Space } from './space.ts';
+import type { Projection } from './projection.ts';
+import type { StageUnits } from './stage-units.ts';
 import { at, type Pen, paint, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 import { drawTicks } from './ticks.ts';
@@ -36,23 +36,23 @@ export class Overlay {
     this.#places.clear();
   }
 
-  /** `words`: what is said of the handle in use; `arms`: the arrows that it shows. */
+  /** `words`: what is said of the handle in use; `axisArrows`: the arrows that it shows. */
   draw(
     model: SceneModel,
     rays: readonly Stroke[],
-    space: Space,
-    lens: Lens,
+    units: StageUnits,
+    projection: Projection,
     theme: Theme,
     lit: string | null,
     words: readonly Caption[],
-    arms: readonly Segment[],
+    axisArrows: readonly Segment[],
   ): void {
     const { scale } = theme;
-    const { arrows, pointers, ...now } = figures(model, space, lens, scale);
-    const before = ghostFigures(model, space, lens, scale);
+    const { arrows, pointers, ...now } = figures(model, units, projection, scale);
+    const before = ghostFigures(model, units, projection, scale);
     const marks = [...before.marks, ...now.marks];
     const captions = [...now.captions, ...before.captions, ...words];
-    drawAxes(this.#axes, lens, scale, theme.label * 0.8);
+    drawAxes(this.#axes, projection, scale, theme.label * 0.8);
     drawArrows(this.#arrows, arrows, scale, lit);
     drawMarks(this.#ghost, before.marks, scale, lit);
     drawMarks(this.#marks, now.marks, scale, lit);
@@ -60,18 +60,18 @@ export class Overlay {
       const size = 2 * CLEAR[kind] * scale;
       return { x: spot.x, y: spot.y, w: size, h: size };
     });
-    boxes.push(...furniture(lens, scale));
+    boxes.push(...furniture(projection, scale));
     const segments = [
-      ...onScreen(rays, lens),
-      ...arms,
+      ...onScreen(rays, projection),
+      ...axisArrows,
       ...arrows.map(({ from, to }): Segment => [from.x, from.y, to.x, to.y]),
     ];
     this.#captions.begin();
     boxes.push(...drawPointers(this.#captions, pointers, theme, lit));
-    const obstacles = { boxes, segments, width: lens.width, height: lens.height };
+    const obstacles = { boxes, segments, width: projection.width, height: projection.height };
     boxes.push(...drawCaptions(this.#captions, captions, obstacles, this.#places, theme, lit));
     this.#captions.end();
-    drawTicks(this.#ticks, model, space, lens, theme, boxes);
+    drawTicks(this.#ticks, model, units, projection, theme, boxes);
   }
 }
 
@@ -79,7 +79,7 @@ export class Overlay {
 const NARROW = 480;
 
 /** The view buttons and the small axes: no label goes there. */
-function furniture({ width, height }: Lens, scale: number): Box[] {
+function furniture({ width, height }: Projection, scale: number): Box[] {
   const views =
     width < NARROW
       ? { x: width - 36, y: 64, w: 72, h: 128 }
@@ -88,7 +88,7 @@ function furniture({ width, height }: Lens, scale: number): Box[] {
 }
 
 /** The visible pieces of the ray, for labels to keep off. */
-function onScreen(strokes: readonly Stroke[], lens: Lens): Segment[] {
+function onScreen(strokes: readonly Stroke[], projection: Projection): Segment[] {
   const segments: Segment[] = [];
   const pen: Pen = {
     draw({ data, count }) {
@@ -98,6 +98,6 @@ function onScreen(strokes: readonly Stroke[], lens: Lens): Segment[] {
       }
     },
   };
-  for (const stroke of strokes) paint(stroke, lens, pen);
+  for (const stroke of strokes) paint(stroke, projection, pen);
   return segments;
 }

@@ -1,4 +1,4 @@
-import type { Lens } from './lens.ts';
+import type { Projection } from './projection.ts';
 import type { Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
@@ -12,7 +12,7 @@ export interface Strokes {
 /** Puts a frame on the screen, by WebGL or by SVG. */
 export interface Painter {
   /** `ratio`: pixels of the picture for one of the page's, where that can be chosen; by default the screen's. */
-  paint(strokes: Strokes, lens: Lens, theme: Theme, ratio?: number): void;
+  paint(strokes: Strokes, projection: Projection, theme: Theme, ratio?: number): void;
   dispose(): void;
 }
 

@@ -1,5 +1,5 @@
 import type { SceneModel, Stretch } from '../state/scene-model.ts';
-import { along, type Point, type Space } from './space.ts';
+import { along, type Point, type StageUnits } from './stage-units.ts';
 import { type Dash, type Stroke, straight } from './stroke.ts';
 
 const STRETCHES: Record<Stretch, { width: number; alpha: number; dash: Dash | null }> = {
@@ -14,15 +14,15 @@ const HELPER = { ink: 'ink3', width: 1, alpha: 0.75, dash: [4, 4] as Dash } as c
 type Line = Pick<SceneModel['ray'], 'origin' | 'direction'>;
 
 /** R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any size. */
-export function pointAt(ray: Line, t: number, space: Space): Point | null {
-  return space.place(along(ray.origin, ray.direction, t));
+export function pointAt(ray: Line, t: number, units: StageUnits): Point | null {
+  return units.toStage(along(ray.origin, ray.direction, t));
 }
 
-export function rayStrokes(ray: SceneModel['ray'], space: Space, emphasis: number): Stroke[] {
+export function rayStrokes(ray: SceneModel['ray'], units: StageUnits, emphasis: number): Stroke[] {
   const strokes: Stroke[] = [];
   for (const { from, to, stretch } of ray.segments) {
-    const a = pointAt(ray, from, space);
-    const b = pointAt(ray, to, space);
+    const a = pointAt(ray, from, units);
+    const b = pointAt(ray, to, units);
     const style = STRETCHES[stretch];
     if (a && b) strokes.push(straight(a, b, { ink: 'd', ...style, width: style.width * emphasis }));
   }
@@ -30,19 +30,19 @@ export function rayStrokes(ray: SceneModel['ray'], space: Space, emphasis: numbe
 }
 
 /** The ray's shadow on the ground, and a plumb line from E and from each hit that is drawn. */
-export function shadowStrokes(model: SceneModel, space: Space): Stroke[] {
+export function shadowStrokes(model: SceneModel, units: StageUnits): Stroke[] {
   const { ray, hits } = model;
   const strokes: Stroke[] = [];
   const first = ray.segments[0];
   const last = ray.segments.at(-1);
-  const onGround = (p: Point): Point => [p[0], space.ground, p[2]];
-  const from = first && pointAt(ray, first.from, space);
-  const to = last && pointAt(ray, last.to, space);
+  const onGround = (p: Point): Point => [p[0], units.ground, p[2]];
+  const from = first && pointAt(ray, first.from, units);
+  const to = last && pointAt(ray, last.to, units);
   if (from && to) strokes.push(straight(onGround(from), onGround(to), HELPER));
   const plumbed = hits.filter((hit) => hit.drawn).map((hit) => hit.point);
   if (ray.originDrawn) plumbed.push(ray.origin);
   for (const point of plumbed) {
-    const p = space.place(point);
+    const p = units.toStage(point);
     if (p) strokes.push(straight(p, onGround(p), HELPER));
   }
   return strokes;

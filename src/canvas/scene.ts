@@ -2,20 +2,20 @@ import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { highlighted, onHighlight } from '../ui/highlight.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { sceneFrame } from './frame.ts';
-import { GlPainter } from './glpainter.ts';
-import { Grab } from './grab.ts';
-import { armsShown, Grips, sayings } from './grips.ts';
-import { listenToHands } from './hands.ts';
-import { Lens } from './lens.ts';
+import { DragHandles, handleCaptions, shownArrows } from './drag-handles.ts';
+import { GlPainter } from './gl-painter.ts';
+import { HandleDrag } from './handle-drag.ts';
+import { listenToHandles } from './handle-events.ts';
+import { type HandlePlace, placeHandle } from './handle-place.ts';
 import { listenToOrbit } from './orbit.ts';
 import { Overlay } from './overlay.ts';
 import type { Painter } from './painter.ts';
-import { PathPainter } from './pathpainter.ts';
-import { PICTURE_RATIO, takePicture } from './picture.ts';
-import { type Placed, placed } from './placed.ts';
+import { PathPainter } from './path-painter.ts';
+import { Projection } from './projection.ts';
+import { createSceneElements } from './scene-elements.ts';
+import { PNG_SCALE, scenePng } from './scene-png.ts';
 import './scene.css';
-import { Scenery } from './scenery.ts';
+import { SceneLines } from './scene-lines.ts';
 import { onThemeChange, readTheme } from './theme.ts';
 import { Viewpoint } from './viewpoint.ts';
 
@@ -34,11 +34,11 @@ const NO_WEBGL =
  * the camera: gestures ask for a view, and the next render brings it.
  */
 export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene {
-  const frame = sceneFrame(host, dispatch);
+  const frame = createSceneElements(host, dispatch);
   const overlay = new Overlay(frame.overlay);
-  const scenery = new Scenery();
+  const sceneLines = new SceneLines();
   const viewpoint = new Viewpoint();
-  const grips = new Grips(frame.handles);
+  const dragHandles = new DragHandles(frame.handles);
   const gl = GlPainter.on(frame.canvas);
   const paths = new PathPainter(frame.paths);
   let painter: Painter = gl ?? paths;
@@ -48,8 +48,8 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
   let request = 0;
   let frames = 0;
   let filled = 0;
-  let lens = new Lens({ target: [0, 0, 0], ...viewpoint.current(null) }, 1, 1);
-  let handles: readonly Placed[] = [];
+  let projection = new Projection({ target: [0, 0, 0], ...viewpoint.current(null) }, 1, 1);
+  let handles: readonly HandlePlace[] = [];
   host.dataset.frames = '0';
 
   const ask = () => {
@@ -60,32 +60,32 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     request = 0;
     if (!model || width === 0 || height === 0) return;
     const shown = viewpoint.framed(model);
-    const space = scenery.take(shown);
-    if (filled !== scenery.version) gl?.fill(scenery.grids);
-    filled = scenery.version;
-    viewpoint.aim(shown, space, now);
+    const units = sceneLines.take(shown);
+    if (filled !== sceneLines.version) gl?.fill(sceneLines.grids);
+    filled = sceneLines.version;
+    viewpoint.aim(shown, units, now);
     const wasMoving = viewpoint.isMoving;
-    lens = new Lens(viewpoint.pose(now), width, height);
+    projection = new Projection(viewpoint.pose(now), width, height);
     // At the end of a move the labels may find their best places anew.
     if (wasMoving && !viewpoint.isMoving) overlay.forget();
     const lit = highlighted();
-    const strokes = scenery.strokes(shown, lens, lit);
-    painter.paint(strokes, lens, theme, ratio);
-    handles = shown.handles.map((handle) => placed(handle, space, lens));
-    const words = sayings(handles, grab.shown, lens, theme.scale);
-    const arms = armsShown(handles, grab.shown, lens, theme);
-    overlay.draw(shown, strokes.ray, space, lens, theme, lit, words, arms);
-    grips.draw(handles, grab.shown, lens, theme, frame.keys);
+    const strokes = sceneLines.strokes(shown, projection, lit);
+    painter.paint(strokes, projection, theme, ratio);
+    handles = shown.handles.map((handle) => placeHandle(handle, units, projection));
+    const words = handleCaptions(handles, drag.shown, projection, theme.scale);
+    const arrows = shownArrows(handles, drag.shown, projection, theme);
+    overlay.draw(shown, strokes.ray, units, projection, theme, lit, words, arrows);
+    dragHandles.draw(handles, drag.shown, projection, theme, frame.keys);
     host.dataset.frames = String(++frames);
     if (viewpoint.isMoving) ask();
   }
 
-  const space = () => scenery.take(viewpoint.framed(model as SceneModel));
-  const grab = new Grab({
-    ...{ space, dispatch, changed: ask },
-    lens: () => lens,
+  const units = () => sceneLines.take(viewpoint.framed(model as SceneModel));
+  const drag = new HandleDrag({
+    ...{ units, dispatch, changed: ask },
+    projection: () => projection,
     hold: () => model && viewpoint.hold(viewpoint.framed(model).stage),
-    release: () => model && viewpoint.release(model, scenery.take(model), performance.now()),
+    release: () => model && viewpoint.release(model, sceneLines.take(model), performance.now()),
   });
 
   function usePainter(next: Painter): void {
@@ -119,7 +119,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
       ask();
     }),
     onHighlight(ask),
-    listenToHands(frame.handles, grab, () => handles),
+    listenToHandles(frame.handles, drag, () => handles),
     listenToOrbit(frame.root, {
       current: () => viewpoint.current(model),
       turn: (view) => dispatch({ type: 'view', view }),
@@ -134,13 +134,13 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
       model = next;
       frame.tell(next, painter === gl ? '' : NO_WEBGL);
       // Not before the first frame: a view that came with the page is no move.
-      if (frames > 0) viewpoint.aim(next, space(), performance.now());
+      if (frames > 0) viewpoint.aim(next, units(), performance.now());
       ask();
     },
     async picture() {
       cancelAnimationFrame(request);
-      draw(performance.now(), PICTURE_RATIO);
-      const picture = takePicture(
+      draw(performance.now(), PNG_SCALE);
+      const picture = scenePng(
         frame.root,
         painter === gl ? frame.canvas : frame.paths,
         frame.overlay,

@@ -1,5 +1,5 @@
-import type { Lens } from './lens.ts';
-import type { Point, Space } from './space.ts';
+import type { Projection } from './projection.ts';
+import type { Point, StageUnits } from './stage-units.ts';
 import { at } from './stroke.ts';
 import { type Grid, lineFade, pointOn } from './tessellation.ts';
 
@@ -15,8 +15,8 @@ export interface Chain {
  * of u and v is sampled on the grid, its zero set followed from cell to cell (marching squares), and each crossing is put
  * back on the true surface, so the line is smooth and does not care how coarse the grid is.
  */
-export function silhouette(grid: Grid, lens: Lens, space: Space): Chain[] {
-  const facing = sample(grid, lens);
+export function silhouette(grid: Grid, projection: Projection, units: StageUnits): Chain[] {
+  const facing = sample(grid, projection);
   const links = new Map<number, number[]>();
   const { columns, rows, patch } = grid;
   const across = columns + 1;
@@ -46,10 +46,10 @@ export function silhouette(grid: Grid, lens: Lens, space: Space): Chain[] {
       }
     }
   }
-  return follow(links).map(({ edges, closed }) => place(edges, closed, grid, facing, space));
+  return follow(links).map(({ edges, closed }) => place(edges, closed, grid, facing, units));
 }
 
-function sample({ points, normals, fade }: Grid, { eye }: Lens): Float64Array {
+function sample({ points, normals, fade }: Grid, { eye }: Projection): Float64Array {
   const facing = new Float64Array(fade.length);
   for (let k = 0, c = 0; k < facing.length; k++, c += 3) {
     facing[k] =
@@ -106,7 +106,7 @@ function place(
   closed: boolean,
   grid: Grid,
   facing: Float64Array,
-  space: Space,
+  units: StageUnits,
 ): Chain {
   const { patch, columns, rows } = grid;
   const across = columns + 1;
@@ -119,7 +119,7 @@ function place(
     const s = a / (a - at(facing, isUp ? k + across : k + 1));
     const u = ((k % across) + (isUp ? 0 : s)) / columns;
     const v = (Math.floor(k / across) + (isUp ? s : 0)) / rows;
-    const p: Point | null = pointOn(patch, u, v, space);
+    const p: Point | null = pointOn(patch, u, v, units);
     if (!p) continue;
     points.push(...p);
     fade.push(lineFade(patch, u, v));

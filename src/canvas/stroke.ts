@@ -1,4 +1,4 @@
-import type { Lens } from './lens.ts';
+import type { Projection } from './projection.ts';
 import type { Ink } from './theme.ts';
 
 /** Pixels drawn, then pixels left out. */
@@ -35,7 +35,7 @@ const SAME_PIXELS = 0.02;
 const data: number[] = [];
 
 /** Projects a stroke and hands its visible pieces to the pen. `nearer` as in Lens.project. */
-export function paint(stroke: Stroke, lens: Lens, pen: Pen, nearer = 0): void {
+export function paint(stroke: Stroke, projection: Projection, pen: Pen, nearer = 0): void {
   const { points, fade } = stroke;
   const total = points.length / 3;
   let count = 0;
@@ -45,7 +45,7 @@ export function paint(stroke: Stroke, lens: Lens, pen: Pen, nearer = 0): void {
     count = 0;
   };
   const add = (x: number, y: number, z: number, opacity: number) => {
-    const spot = lens.project([x, y, z], nearer);
+    const spot = projection.project([x, y, z], nearer);
     if (!spot) return;
     const last = 4 * (count - 1);
     if (
@@ -63,15 +63,15 @@ export function paint(stroke: Stroke, lens: Lens, pen: Pen, nearer = 0): void {
   for (let k = 0; k < total; k++) {
     const [x, y, z] = [at(points, 3 * k), at(points, 3 * k + 1), at(points, 3 * k + 2)];
     const opacity = fade ? at(fade, k) : 1;
-    const w = lens.distance([x, y, z]);
-    const isSeen = w >= lens.near;
+    const w = projection.distance([x, y, z]);
+    const isSeen = w >= projection.near;
     if (k > 0 && isSeen !== wasSeen) {
       // Cut where the line passes the near plane; a hair in front of it, so that rounding cannot lose the point.
       broken = true;
       const p = 3 * (k - 1);
       const [px, py, pz] = [at(points, p), at(points, p + 1), at(points, p + 2)];
-      const before = lens.distance([px, py, pz]);
-      const s = (lens.near * (1 + 1e-9) - before) / (w - before);
+      const before = projection.distance([px, py, pz]);
+      const s = (projection.near * (1 + 1e-9) - before) / (w - before);
       add(px + s * (x - px), py + s * (y - py), pz + s * (z - pz), opacity);
       if (wasSeen) flush(false);
     }

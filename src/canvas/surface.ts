@@ -7,8 +7,8 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import type { Lens } from './lens.ts';
 import { roomFor, type ShadedMesh, shadedMesh, uploadPart } from './material.ts';
+import type { Projection } from './projection.ts';
 import { at } from './stroke.ts';
 import type { Grid } from './tessellation.ts';
 import type { Theme } from './theme.ts';
@@ -66,13 +66,13 @@ export class Surface {
     this.front.visible = used > 0;
   }
 
-  look(lens: Lens, theme: Theme): void {
+  look(projection: Projection, theme: Theme): void {
     for (const [mesh, { base, rim }] of [
       [this.back, theme.back],
       [this.front, theme.front],
     ] as const) {
       const { eye, ink, opacity } = mesh.material.uniforms;
-      eye?.value.set(...lens.eye);
+      eye?.value.set(...projection.eye);
       ink?.value.set(...theme.inks.shape);
       opacity?.value.set(base, rim);
     }

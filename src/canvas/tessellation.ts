@@ -1,6 +1,6 @@
 import type { Patch, PatchEnd } from '../math/shapes/drawing.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { type Point, type Space, smoothstep, unit } from './space.ts';
+import { type Point, type StageUnits, smoothstep, unit } from './stage-units.ts';
 
 /** Steps around a closed patch: the chord of 1/96 of a turn leaves the circle by 0.05 % of its radius, less than a pixel. */
 const AROUND = 96;
@@ -31,7 +31,7 @@ export interface Grid {
   readonly outward: boolean;
 }
 
-export function tessellate(patch: Patch, space: Space): Grid {
+export function tessellate(patch: Patch, units: StageUnits): Grid {
   const columns = patch.closed ? AROUND : ACROSS;
   const rows = Math.min(Math.max(Math.ceil(patch.stepsV) || 1, LEAST_ALONG), MOST_ALONG);
   const count = (columns + 1) * (rows + 1);
@@ -42,7 +42,7 @@ export function tessellate(patch: Patch, space: Space): Grid {
   for (let j = 0; j <= rows; j++) {
     for (let i = 0; i <= columns; i++, k++) {
       const [u, v] = [i / columns, j / rows];
-      const place = space.place(patch.at(u, v));
+      const place = units.toStage(patch.at(u, v));
       const normal = place && normalAt(patch, u, v, 1 / rows);
       points.set(place ?? [0, 0, 0], 3 * k);
       normals.set(normal ?? [Number.NaN, Number.NaN, Number.NaN], 3 * k);
@@ -60,8 +60,8 @@ function normalAt(patch: Patch, u: number, v: number, step: number): Point | nul
 }
 
 /** A point exactly on the patch, between the samples; null where it has no place. */
-export function pointOn(patch: Patch, u: number, v: number, space: Space): Point | null {
-  return space.place(patch.at(u, v));
+export function pointOn(patch: Patch, u: number, v: number, units: StageUnits): Point | null {
+  return units.toStage(patch.at(u, v));
 }
 
 export function surfaceFade(patch: Patch, u: number, v: number): number {

@@ -2,10 +2,10 @@ import type { SceneModel } from '../state/scene-model.ts';
 import { poseOf } from './camera.ts';
 import { figures } from './figures.ts';
 import { Layer, text } from './layer.ts';
-import { Lens } from './lens.ts';
 import { drawMarks, type MarkKind } from './marks.ts';
-import { PathPainter } from './pathpainter.ts';
-import { Scenery } from './scenery.ts';
+import { PathPainter } from './path-painter.ts';
+import { Projection } from './projection.ts';
+import { SceneLines } from './scene-lines.ts';
 import { at } from './stroke.ts';
 import type { Grid } from './tessellation.ts';
 
@@ -24,15 +24,17 @@ export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
   svg.setAttribute('class', 'scene-thumbnail');
   svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
   svg.setAttribute('aria-hidden', 'true');
-  const scenery = new Scenery();
-  const space = scenery.take(model);
-  const lens = new Lens(poseOf(model.view, model.ray, space), WIDTH, HEIGHT);
+  const sceneLines = new SceneLines();
+  const units = sceneLines.take(model);
+  const projection = new Projection(poseOf(model.view, model.ray, units), WIDTH, HEIGHT);
   const walls = new Layer(svg, 'scene-walls');
-  for (const [k, grid] of scenery.grids.entries()) {
-    walls.show(String(k), 'path', { d: silhouettes(grid, lens) });
+  for (const [k, grid] of sceneLines.grids.entries()) {
+    walls.show(String(k), 'path', { d: silhouettes(grid, projection) });
   }
-  new PathPainter(svg).paint(scenery.strokes(model, lens, null), lens, { scale: SCALE });
-  const { marks } = figures(model, space, lens, SCALE);
+  new PathPainter(svg).paint(sceneLines.strokes(model, projection, null), projection, {
+    scale: SCALE,
+  });
+  const { marks } = figures(model, units, projection, SCALE);
   const shown = marks.filter(({ kind }) => SHOWN.includes(kind));
   drawMarks(
     new Layer(svg, 'scene-mark-layer'),
@@ -45,10 +47,10 @@ export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
 }
 
 /** All cells of a patch as one path, each turned the same way round, so that together they fill what the patch covers, once. */
-function silhouettes({ columns, rows, points }: Grid, lens: Lens): string {
+function silhouettes({ columns, rows, points }: Grid, projection: Projection): string {
   const across = columns + 1;
   const spots = (k: number) =>
-    lens.project([at(points, 3 * k), at(points, 3 * k + 1), at(points, 3 * k + 2)]);
+    projection.project([at(points, 3 * k), at(points, 3 * k + 1), at(points, 3 * k + 2)]);
   let path = '';
   for (let j = 0; j < rows; j++) {
     for (let i = 0; i < columns; i += COARSE) {

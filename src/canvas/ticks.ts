@@ -3,10 +3,10 @@ import { coordinate } from '../text/coordinate.ts';
 import { display } from '../text/format.ts';
 import { type Box, overlap } from './labels.ts';
 import type { Layer } from './layer.ts';
-import type { Lens } from './lens.ts';
-import { heading, isInside } from './offstage.ts';
+import { heading, isInside } from './off-screen-pointer.ts';
+import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
-import type { Space } from './space.ts';
+import type { StageUnits } from './stage-units.ts';
 import type { Theme } from './theme.ts';
 
 /** Half a tick's length, and how far below the ray its number stands, in pixels at scale 1. */
@@ -24,8 +24,8 @@ const MOST_DIGITS = 12;
 export function drawTicks(
   layer: Layer,
   model: SceneModel,
-  space: Space,
-  lens: Lens,
+  units: StageUnits,
+  projection: Projection,
   theme: Theme,
   taken: readonly Box[],
 ): void {
@@ -37,10 +37,10 @@ export function drawTicks(
   let strokes = '';
   layer.begin();
   for (const t of ray.ticks) {
-    const place = Math.abs(t) > step / 4 ? pointAt(ray, t, space) : null;
-    const spot = place && lens.project(place);
-    const course = place && heading(place, ray.direction, lens);
-    if (!spot || !course || !isInside(spot, lens)) continue;
+    const place = Math.abs(t) > step / 4 ? pointAt(ray, t, units) : null;
+    const spot = place && projection.project(place);
+    const course = place && heading(place, ray.direction, projection);
+    if (!spot || !course || !isInside(spot, projection)) continue;
     const [nx, ny] = course[0] >= 0 ? [-course[1], course[0]] : [course[1], -course[0]];
     const half = HALF * scale;
     // The one at t = 1 is the tip of d.

@@ -3,8 +3,8 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import type { FreeView, View } from '../state/view.ts';
 import { freeOf, type Pose, poseOf } from './camera.ts';
-import { Glide } from './glide.ts';
-import type { Space } from './space.ts';
+import { CameraTransition } from './camera-transition.ts';
+import type { StageUnits } from './stage-units.ts';
 
 const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
 
@@ -13,12 +13,12 @@ const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
  * dragged. A picture that made room for what is dragged out of it would run away from the pointer.
  */
 export class Viewpoint {
-  readonly #glide = new Glide();
+  readonly #transition = new CameraTransition();
   #view: View | null = null;
   #held: { readonly stage: Stage; readonly pose: Pose } | null = null;
 
   get isMoving(): boolean {
-    return this.#glide.isMoving;
+    return this.#transition.isMoving;
   }
 
   /** The model in the part of the world that is shown. */
@@ -28,39 +28,39 @@ export class Viewpoint {
   }
 
   /** Points the camera at the model's view: on the way there when the view itself has changed, at once when only the scene has. */
-  aim(model: SceneModel, space: Space, now: number): void {
+  aim(model: SceneModel, units: StageUnits, now: number): void {
     const { view } = model;
     const isAsked = this.#view !== null && !sameView(this.#view, view);
     this.#view = view;
-    const goal = this.#held?.pose ?? poseOf(view, model.ray, space);
+    const goal = this.#held?.pose ?? poseOf(view, model.ray, units);
     const how = typeof view === 'string' ? 'travel' : 'follow';
-    this.#glide.aim(goal, isAsked && !this.#held ? how : 'jump', now);
+    this.#transition.aim(goal, isAsked && !this.#held ? how : 'jump', now);
   }
 
   pose(now: number): Pose {
-    return this.#glide.pose(now);
+    return this.#transition.pose(now);
   }
 
   /** Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the way to a named one, where the camera is. */
   current(model: SceneModel | null): FreeView {
     if (model && typeof model.view !== 'string') return model.view;
-    return this.#glide.shown ? freeOf(this.#glide.shown) : FIRST;
+    return this.#transition.shown ? freeOf(this.#transition.shown) : FIRST;
   }
 
   hold(stage: Stage): void {
-    const pose = this.#glide.shown;
+    const pose = this.#transition.shown;
     if (pose) this.#held ??= { stage, pose };
   }
 
   /** Goes on to where the model wants the camera, from where it was held. */
-  release(model: SceneModel, space: Space, now: number): void {
+  release(model: SceneModel, units: StageUnits, now: number): void {
     if (!this.#held) return;
     const from = restaged(this.#held.pose, this.#held.stage, model.stage);
     this.#held = null;
-    const goal = poseOf(model.view, model.ray, space);
+    const goal = poseOf(model.view, model.ray, units);
     if (from && samePose(from, goal)) return;
-    if (from) this.#glide.start(from);
-    this.#glide.aim(goal, from ? 'travel' : 'jump', now);
+    if (from) this.#transition.start(from);
+    this.#transition.aim(goal, from ? 'travel' : 'jump', now);
   }
 }
 

@@ -130,7 +130,7 @@ test('an arrow of an axis moves one component only', async ({ page }) => {
     const { x, y } = await spotOf(handle(page, 'E'));
     await page.mouse.move(5, 5);
     await page.mouse.move(x, y);
-    const arm = page.locator(`.scene-arm-hit[data-axis="${i}"]`);
+    const arm = page.locator(`.axis-arrow-hit[data-axis="${i}"]`);
     await expect(arm).toBeAttached();
     const box = await arm.boundingBox();
     if (!box) throw new Error('no arrow');
@@ -309,8 +309,8 @@ test('no arrow is offered along the line of sight, and a key still moves there',
   await openScene(page, '#/explore?shape=cone&E=0,1.2,1&view=front&method=exact');
   await handle(page, 'E').focus();
   await settle(page);
-  await expect(page.locator('.scene-arm-hit[data-axis="0"]')).toBeAttached();
-  await expect(page.locator('.scene-arm-hit[data-axis="2"]')).toHaveCount(0);
+  await expect(page.locator('.axis-arrow-hit[data-axis="0"]')).toBeAttached();
+  await expect(page.locator('.axis-arrow-hit[data-axis="2"]')).toHaveCount(0);
   await page.keyboard.press('PageUp');
   await settle(page);
   expect(await values(page, E)).toEqual([0, 1.2, 1.1]);
@@ -480,7 +480,7 @@ test.describe('on a phone', () => {
     expect(await values(page, E)).toEqual(during);
     expect(await page.evaluate(() => scrollY)).toBe(0);
     // Its arrows stay, for the next touch.
-    await expect(page.locator('.scene-arm-hit')).not.toHaveCount(0);
+    await expect(page.locator('.axis-arrow-hit')).not.toHaveCount(0);
     await page.waitForTimeout(250);
     expect(await hashOf(page), 'the scene has not been turned').not.toContain('view=');
   });

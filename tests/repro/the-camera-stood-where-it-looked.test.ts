@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { Lens } from '../../src/canvas/lens.ts';
+import { Projection } from '../../src/canvas/projection.ts';
 import { restaged } from '../../src/canvas/viewpoint.ts';
 import type { Stage } from '../../src/math/shapes/drawing.ts';
 
@@ -29,7 +29,7 @@ test.each([
 test('from one of size 1 to one of 4 there is', () => {
   const there = restaged(pose, stage(1), stage(4));
   expect(there?.zoom).toBe(4);
-  const { near, eye } = new Lens({ ...pose, ...there }, 720, 440);
+  const { near, eye } = new Projection({ ...pose, ...there }, 720, 440);
   expect(near).toBeGreaterThan(0);
   expect(eye.every(Number.isFinite)).toBe(true);
 });

@@ -9,7 +9,7 @@ import { createEasel } from './compare-view.ts';
 import { easelModel } from './compare-view-model.ts';
 import { dragged, type Grabbed, grabAt } from './drag-thing.ts';
 import { openScene, pictureBlob, pictureTakeaways } from './exports.ts';
-import { lateTree } from './late-tree.ts';
+import { lateTree } from './late-ray-tree.ts';
 import { pageTools } from './page-actions.ts';
 import { type Sight, sightOf } from './picture-model.ts';
 import { createLoupe } from './pixel-magnifier.ts';

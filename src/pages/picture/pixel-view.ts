@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import type { TreeModel } from '../../canvas/tree.ts';
+import type { TreeModel } from '../../canvas/ray-tree.ts';
 import { pixelPanel } from '../../panels/picture-pixel.ts';
 import { sideWords } from '../../state/picture/against.ts';
 import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';

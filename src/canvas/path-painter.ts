@@ -1,6 +1,6 @@
 import { Layer, text } from './layer.ts';
-import type { Lens } from './lens.ts';
 import type { Painter, Strokes } from './painter.ts';
+import type { Projection } from './projection.ts';
 import { at, type Pen, paint, type Run, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
@@ -14,12 +14,12 @@ export class PathPainter implements Painter, Pen {
     this.#layer = new Layer(svg, 'scene-paths');
   }
 
-  paint(strokes: Strokes, lens: Lens, theme: Pick<Theme, 'scale'>): void {
+  paint(strokes: Strokes, projection: Projection, theme: Pick<Theme, 'scale'>): void {
     this.#scale = theme.scale;
     this.#count = 0;
     this.#layer.begin();
     for (const list of [strokes.ground, strokes.shape, strokes.ray]) {
-      for (const stroke of list) paint(stroke, lens, this);
+      for (const stroke of list) paint(stroke, projection, this);
     }
     this.#layer.end();
   }

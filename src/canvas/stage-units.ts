@@ -11,7 +11,7 @@ const FAR = 1e5;
  * World → stage units, in doubles. GPUs and SVG attributes carry float32, so a world of size 1e-9 or 1e7 must be brought
  * to size 1 before it leaves the CPU; afterwards all worlds look alike.
  */
-export class Space {
+export class StageUnits {
   readonly stage: Stage;
   readonly #perRadius: number;
 
@@ -21,7 +21,7 @@ export class Space {
   }
 
   /** Null for what has no place in the picture: not finite, or gigantic. */
-  place(p: Vec3): Point | null {
+  toStage(p: Vec3): Point | null {
     const c = this.stage.center;
     const x = (p[0] - c[0]) * this.#perRadius;
     const y = (p[1] - c[1]) * this.#perRadius;

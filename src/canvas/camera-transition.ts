@@ -6,7 +6,7 @@ const MILLISECONDS = 240;
  * The way from one pose to the next. A named view is travelled to; a dragged one is there at once, except for what the
  * drag did not ask for: leaving the view along the ray moves the camera's target, and that must not jump.
  */
-export class Glide {
+export class CameraTransition {
   #from: Pose | null = null;
   #goal: Pose | null = null;
   #whole = true;

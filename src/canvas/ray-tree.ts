@@ -1,21 +1,21 @@
 import type { TreeScene } from '../state/picture/tree-scene.ts';
 import type { FreeView } from '../state/view.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { GlPainter } from './glpainter.ts';
+import { GlPainter } from './gl-painter.ts';
 import { ground } from './ground.ts';
-import { Lens } from './lens.ts';
 import { listenToOrbit } from './orbit.ts';
 import { outline } from './outline.ts';
 import type { Painter } from './painter.ts';
-import { PathPainter } from './pathpainter.ts';
+import { PathPainter } from './path-painter.ts';
+import { Projection } from './projection.ts';
+import { lineStrokes, TreeMarks } from './ray-tree-lines.ts';
 import { silhouette } from './silhouette.ts';
-import { Space } from './space.ts';
+import { StageUnits } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';
 import { type Grid, tessellate } from './tessellation.ts';
 import { onThemeChange, readTheme, type Theme } from './theme.ts';
-import { lineStrokes, TreeMarks } from './tree-lines.ts';
 import './scene.css';
-import './tree.css';
+import './ray-tree.css';
 
 const SVG = 'http://www.w3.org/2000/svg';
 /** Nearer than Explore's: what is large beside the rays need not be seen in full. */
@@ -31,7 +31,7 @@ export interface TreeModel {
   readonly chosen: string | null;
 }
 
-/** A pixel's rays in space, among the shapes that they touch. Drawn when something changed and never else. */
+/** A pixel's rays in units, among the shapes that they touch. Drawn when something changed and never else. */
 export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   const root = document.createElement('div');
   root.className = 'scene-root tree-root';
@@ -62,22 +62,22 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   function draw(): void {
     request = 0;
     if (!model || !prepared || width === 0 || height === 0) return;
-    const { space, touched, others, still } = prepared;
-    const lens = new Lens({ target: [0, 0, 0], ...view }, width, height);
+    const { units, touched, others, still } = prepared;
+    const projection = new Projection({ target: [0, 0, 0], ...view }, width, height);
     const edges = (grids: readonly Grid[], style: typeof TOUCHED | typeof OTHER): Stroke[] =>
       grids.flatMap((grid) =>
-        silhouette(grid, lens, space).map((chain) => ({ ...chain, ...style })),
+        silhouette(grid, projection, units).map((chain) => ({ ...chain, ...style })),
       );
     painter.paint(
       {
         ground: [...still.ground, ...still.others, ...edges(others, OTHER)],
-        ray: lineStrokes(model.scene.lines, model.chosen, space),
+        ray: lineStrokes(model.scene.lines, model.chosen, units),
         shape: [...still.touched, ...edges(touched, TOUCHED)],
       },
-      lens,
+      projection,
       theme,
     );
-    marks.draw(model.scene.lines, model.chosen, space, lens, theme);
+    marks.draw(model.scene.lines, model.chosen, units, projection, theme);
     host.dataset.frames = String(Number(host.dataset.frames ?? 0) + 1);
   }
 
@@ -148,7 +148,7 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
 }
 
 interface Prepared {
-  readonly space: Space;
+  readonly units: StageUnits;
   readonly touched: readonly Grid[];
   readonly others: readonly Grid[];
   readonly still: {
@@ -160,19 +160,19 @@ interface Prepared {
 
 /** What does not depend on the eye. */
 function prepare({ stage, touched, others }: TreeScene): Prepared {
-  const space = new Space(stage);
+  const units = new StageUnits(stage);
   const sampled = ({ patches }: TreeScene['touched']): Grid[] =>
-    patches.map((patch) => tessellate(patch, space));
+    patches.map((patch) => tessellate(patch, units));
   const noRings = others.patches.map((patch) => ({ ...patch, rings: [] }));
   const drawing = (figure: TreeScene['touched']) => ({ ...figure, grips: [] });
   return {
-    space,
+    units,
     touched: sampled(touched),
     others: sampled(others),
     still: {
-      ground: ground(space),
-      touched: outline(drawing(touched), space),
-      others: outline(drawing({ ...others, patches: noRings }), space).map((stroke) => ({
+      ground: ground(units),
+      touched: outline(drawing(touched), units),
+      others: outline(drawing({ ...others, patches: noRings }), units).map((stroke) => ({
         ...stroke,
         ...OTHER,
       })),

@@ -11,10 +11,10 @@ import {
   tangentOffer,
   type Value,
 } from '../state/snap.ts';
-import type { Lens } from './lens.ts';
-import { slide } from './slide.ts';
-import { along, type Space } from './space.ts';
-import type { Track } from './track.ts';
+import type { DragTrack } from './drag-track.ts';
+import { lineOnScreen } from './line-on-screen.ts';
+import type { Projection } from './projection.ts';
+import { along, type StageUnits } from './stage-units.ts';
 
 export interface Modifiers {
   /** Alt: nothing snaps. */
@@ -23,7 +23,7 @@ export interface Modifiers {
   readonly fine: boolean;
 }
 
-export interface Settled {
+export interface Snapped {
   readonly value: Value;
   readonly reason: string | null;
   /** What it is held by, for the next time. */
@@ -31,23 +31,23 @@ export interface Settled {
 }
 
 /** A number's step is never this many pixels apart: seen from near, its grid is finer. */
-const WIDEST_STEP = 12;
+const MAX_STEP_PX = 12;
 
 /** Where a drag that has come to (dx, dy) leaves the value: at what it snaps to, or on the grid. */
-export function settle(
+export function snapDrag(
   handle: Handle,
-  track: Track,
+  track: DragTrack,
   [dx, dy]: readonly [number, number],
   { free, fine }: Modifiers,
   axes: readonly Offer[],
   held: string | null,
   stageRadius: number,
-): Settled {
+): Snapped {
   const raw = track.to(dx, dy);
   const least = hair(track.perPixel);
   const step = handle.isLength
     ? handle.step * gridUnit(stageRadius, track.perPixel)
-    : Math.min(handle.step, least * 10 * WIDEST_STEP);
+    : Math.min(handle.step, least * 10 * MAX_STEP_PX);
   const grid = (to: number) => (value: Value) => onGrid(value, track.start, to);
   const plain = grid(free || fine ? least : step)(raw);
   if (free) return { value: plain, reason: null, held: null };
@@ -61,31 +61,31 @@ export function settle(
 }
 
 /** A direction is taken for parallel to an axis only if it does not lead far out of the screen from it. */
-const WIDEST_ANGLE = 30;
+const MAX_ANGLE_DEG = 30;
 
 /** The axes through E that the dragged tip of d is near to on the screen, each with the length that is seen there. */
 export function axisOffers(
   handle: Handle,
   value: Value,
   tip: { readonly x: number; readonly y: number },
-  space: Space,
-  lens: Lens,
+  units: StageUnits,
+  projection: Projection,
 ): Offer[] {
   const origin = handle.type === 'point' ? handle.origin : null;
-  const place = origin && space.place(origin);
-  const from = place && lens.project(place);
+  const place = origin && units.toStage(origin);
+  const from = place && projection.project(place);
   if (!from) return [];
   const to = value as Vec3;
   return AXES.flatMap((axis, i) => {
     const sign = (to[i] ?? 0) < 0 ? -1 : 1;
     const cosine = Math.abs(to[i] ?? 0) / Math.hypot(...to);
-    if (!(cosine > Math.cos((WIDEST_ANGLE * Math.PI) / 180))) return [];
+    if (!(cosine > Math.cos((MAX_ANGLE_DEG * Math.PI) / 180))) return [];
     const unit = AXES.map((_, k) => (k === i ? sign : 0)) as unknown as Vec3;
-    const { course, scale, reach } = slide(place, unit, lens);
+    const { course, scale, reach } = lineOnScreen(place, unit, projection);
     const [x, y] = [tip.x - from.x, tip.y - from.y];
     const pixels = x * course[0] + y * course[1];
     if (pixels < ENTER) return [];
-    const { radius } = space.stage;
+    const { radius } = units.stage;
     const step = handle.step * gridUnit(radius, radius / scale);
     const exact = along([0, 0, 0], unit, reach(pixels) * radius);
     return [

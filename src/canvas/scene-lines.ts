@@ -2,12 +2,12 @@ import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { ghostStrokes } from './ghost.ts';
 import { ground } from './ground.ts';
-import type { Lens } from './lens.ts';
 import { outline } from './outline.ts';
 import type { Strokes } from './painter.ts';
+import type { Projection } from './projection.ts';
 import { rayStrokes, shadowStrokes } from './ray.ts';
 import { silhouette } from './silhouette.ts';
-import { Space } from './space.ts';
+import { StageUnits } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';
 import { type Grid, tessellate } from './tessellation.ts';
 
@@ -18,45 +18,49 @@ const LIT_RAY = 1.35;
 const SHAPE_SYMBOLS = new Set(['V', 'C', 'P', 'N', 'c', 'r', 'a', 'L', 'axis']);
 
 /** The lines and walls of a model. What depends only on drawing and stage is kept while they are the same objects. */
-export class Scenery {
+export class SceneLines {
   grids: readonly Grid[] = [];
   #drawing: Drawing | null = null;
   #stage: Stage | null = null;
-  #space: Space | null = null;
+  #units: StageUnits | null = null;
   #outline: readonly Stroke[] = [];
   #ground: readonly Stroke[] = [];
 
   /** Counts how often the patches were sampled. */
   version = 0;
 
-  take(model: SceneModel): Space {
+  take(model: SceneModel): StageUnits {
     const { drawing, stage } = model;
-    const stageIsNew = stage !== this.#stage || this.#space === null;
-    const space = stageIsNew ? new Space(stage) : (this.#space as Space);
+    const stageIsNew = stage !== this.#stage || this.#units === null;
+    const units = stageIsNew ? new StageUnits(stage) : (this.#units as StageUnits);
     const isNew = stageIsNew || drawing !== this.#drawing;
-    if (stageIsNew) this.#ground = ground(space);
+    if (stageIsNew) this.#ground = ground(units);
     if (isNew) {
       this.version++;
-      this.grids = drawing.patches.map((patch) => tessellate(patch, space));
-      this.#outline = outline(drawing, space);
+      this.grids = drawing.patches.map((patch) => tessellate(patch, units));
+      this.#outline = outline(drawing, units);
     }
-    [this.#drawing, this.#stage, this.#space] = [drawing, stage, space];
-    return space;
+    [this.#drawing, this.#stage, this.#units] = [drawing, stage, units];
+    return units;
   }
 
-  strokes(model: SceneModel, lens: Lens, lit: string | null): Strokes {
-    const space = this.take(model);
+  strokes(model: SceneModel, projection: Projection, lit: string | null): Strokes {
+    const units = this.take(model);
     const shapeIsLit =
       lit !== null &&
       (SHAPE_SYMBOLS.has(lit) || model.drawing.marks.some((mark) => mark.symbol === lit));
     const edge = SILHOUETTE.width * (shapeIsLit ? LIT_SHAPE : 1);
     const outlines = shapeIsLit ? this.#outline.map(thicker) : this.#outline;
     const silhouettes = this.grids.flatMap((grid) =>
-      silhouette(grid, lens, space).map((chain) => ({ ...chain, ...SILHOUETTE, width: edge })),
+      silhouette(grid, projection, units).map((chain) => ({
+        ...chain,
+        ...SILHOUETTE,
+        width: edge,
+      })),
     );
-    const rays = rayStrokes(model.ray, space, lit === 'E' || lit === 'd' ? LIT_RAY : 1);
+    const rays = rayStrokes(model.ray, units, lit === 'E' || lit === 'd' ? LIT_RAY : 1);
     return {
-      ground: [...this.#ground, ...shadowStrokes(model, space), ...ghostStrokes(model, space)],
+      ground: [...this.#ground, ...shadowStrokes(model, units), ...ghostStrokes(model, units)],
       ray: rays,
       shape: [...outlines, ...silhouettes],
     };

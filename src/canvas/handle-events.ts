@@ -1,16 +1,16 @@
 import type { Handle } from '../state/handles.ts';
-import type { Grab } from './grab.ts';
-import type { Placed } from './placed.ts';
-import type { Modifiers } from './settle.ts';
+import type { HandleDrag } from './handle-drag.ts';
+import type { HandlePlace } from './handle-place.ts';
+import type { Modifiers } from './snap-drag.ts';
 
 /** As the hit circles in scene.css. */
-const REACH = { fine: 16, coarse: 22 } as const;
+const HIT_RADIUS = { fine: 16, coarse: 22 } as const;
 
 /** Mouse, finger and keys on the handles. `placed`: as they were drawn last. */
-export function listenToHands(
+export function listenToHandles(
   svg: SVGElement,
-  grab: Grab,
-  placed: () => readonly Placed[],
+  drag: HandleDrag,
+  placed: () => readonly HandlePlace[],
 ): () => void {
   const controller = new AbortController();
   const { signal } = controller;
@@ -26,19 +26,20 @@ export function listenToHands(
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
   /** Of handles that lie over each other, the one whose middle is nearest. */
-  const under = (event: PointerEvent): Placed | undefined => {
+  const under = (event: PointerEvent): HandlePlace | undefined => {
     const symbol = symbolOf(event.target);
     const hit = placed().find(({ handle }) => handle.symbol === symbol);
     if (!hit || axisOf(event.target) !== null) return hit;
     const { x, y } = where(event);
-    const far = matchMedia('(any-pointer: coarse)').matches ? REACH.coarse : REACH.fine;
-    const distance = ({ spot }: Placed) => (spot ? Math.hypot(spot.x - x, spot.y - y) : Infinity);
+    const far = matchMedia('(any-pointer: coarse)').matches ? HIT_RADIUS.coarse : HIT_RADIUS.fine;
+    const distance = ({ spot }: HandlePlace) =>
+      spot ? Math.hypot(spot.x - x, spot.y - y) : Infinity;
     const nearest = placed().reduce((a, b) => (distance(b) < distance(a) ? b : a), hit);
     return distance(nearest) <= far ? nearest : hit;
   };
   const down = (event: PointerEvent) => {
     const found = under(event);
-    if (!found || event.button !== 0 || grab.pointer !== null) return;
+    if (!found || event.button !== 0 || drag.pointer !== null) return;
     // The page's own focusing would take the handle on top, or scroll.
     event.preventDefault();
     const element = elementOf(svg, found.handle);
@@ -46,43 +47,43 @@ export function listenToHands(
     element?.focus({ preventScroll: true });
     svg.setPointerCapture(event.pointerId);
     const { x, y } = where(event);
-    grab.take(found, axisOf(event.target), event.pointerId, x, y);
+    drag.take(found, axisOf(event.target), event.pointerId, x, y);
   };
   const move = (event: PointerEvent) => {
-    if (grab.pointer === event.pointerId) {
+    if (drag.pointer === event.pointerId) {
       const { x, y } = where(event);
-      grab.move(x, y, modifiers(event));
-    } else if (grab.pointer === null && event.pointerType === 'mouse') {
-      grab.hover(under(event)?.handle.symbol ?? null);
+      drag.move(x, y, modifiers(event));
+    } else if (drag.pointer === null && event.pointerType === 'mouse') {
+      drag.hover(under(event)?.handle.symbol ?? null);
     }
   };
   const up = (event: PointerEvent) => {
-    if (grab.pointer === event.pointerId) grab.end();
+    if (drag.pointer === event.pointerId) drag.end();
   };
   const focus = (event: FocusEvent) => {
     const symbol = symbolOf(event.target);
-    grab.focus(event.target === byMouse ? null : symbol);
+    drag.focus(event.target === byMouse ? null : symbol);
   };
   const blur = (event: FocusEvent) => {
     if (event.target === byMouse) setByMouse(null);
-    grab.focus(null);
+    drag.focus(null);
   };
   const key = (event: KeyboardEvent) => {
     const symbol = symbolOf(event.target);
     const handle = placed().find((found) => found.handle.symbol === symbol)?.handle;
-    if (!handle || grab.pointer !== null) return;
+    if (!handle || drag.pointer !== null) return;
     if (event.target === byMouse && event.key.startsWith('Page')) return handOn(event);
-    if (!grab.press(handle, event)) return;
+    if (!drag.press(handle, event)) return;
     event.preventDefault();
     event.stopPropagation();
     setByMouse(null);
-    grab.focus(symbol);
+    drag.focus(symbol);
   };
   /** While something is dragged, keys belong to the drag. */
   const duringDrag = (event: KeyboardEvent) => {
-    if (grab.pointer === null) return;
-    if (event.key === 'Escape' && event.type === 'keydown') grab.cancel();
-    else if (event.key === 'Alt' || event.key === 'Shift') grab.modify(modifiers(event));
+    if (drag.pointer === null) return;
+    if (event.key === 'Escape' && event.type === 'keydown') drag.cancel();
+    else if (event.key === 'Alt' || event.key === 'Shift') drag.modify(modifiers(event));
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -98,7 +99,7 @@ export function listenToHands(
   svg.addEventListener('pointerup', up, { signal });
   svg.addEventListener('pointercancel', up, { signal });
   svg.addEventListener('lostpointercapture', up, { signal });
-  svg.addEventListener('pointerleave', () => grab.hover(null), { signal });
+  svg.addEventListener('pointerleave', () => drag.hover(null), { signal });
   svg.addEventListener('focusin', focus, { signal });
   svg.addEventListener('focusout', blur, { signal });
   svg.addEventListener('keydown', key, { signal });

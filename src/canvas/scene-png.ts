@@ -1,22 +1,22 @@
 import { svgText } from '../ui/svg-text.ts';
 
 /** Pixels of the picture for one of the page's: sharp in print and on every screen. */
-export const PICTURE_RATIO = 2;
+export const PNG_SCALE = 2;
 
 /** The scene as a PNG: `painted` (canvas or SVG of lines), the overlay over it, on the scene's colour. */
-export async function takePicture(
+export async function scenePng(
   root: HTMLElement,
   painted: HTMLCanvasElement | SVGSVGElement,
   overlay: SVGSVGElement,
 ): Promise<Blob | null> {
   const { clientWidth: width, clientHeight: height } = root;
   const paper = document.createElement('canvas');
-  [paper.width, paper.height] = [width * PICTURE_RATIO, height * PICTURE_RATIO];
+  [paper.width, paper.height] = [width * PNG_SCALE, height * PNG_SCALE];
   const context = paper.getContext('2d');
   if (!context || width === 0 || height === 0) return null;
   context.fillStyle = getComputedStyle(root).backgroundColor;
   context.fillRect(0, 0, paper.width, paper.height);
-  context.scale(PICTURE_RATIO, PICTURE_RATIO);
+  context.scale(PNG_SCALE, PNG_SCALE);
   // WebGL forgets what it has drawn when this task ends: nothing is awaited before.
   if (painted instanceof HTMLCanvasElement) context.drawImage(painted, 0, 0, width, height);
   const marks = wordless(overlay);

@@ -1,6 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import { viewSwitcher } from './views.ts';
+import { viewSwitcher } from './view-switcher.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const KEYS = 'Arrow keys turn it, plus and minus zoom, 0 goes back.';
@@ -10,7 +10,7 @@ const HANDLE_KEYS =
 let count = 0;
 
 /** The elements of a scene, without what changes from frame to frame. */
-export interface SceneFrame {
+export interface SceneElements {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   /** Lines in place of the canvas, where there is no WebGL. */
@@ -24,7 +24,7 @@ export interface SceneFrame {
   resize(width: number, height: number): void;
 }
 
-export function sceneFrame(host: HTMLElement, dispatch: Dispatch): SceneFrame {
+export function createSceneElements(host: HTMLElement, dispatch: Dispatch): SceneElements {
   const root = document.createElement('div');
   root.className = 'scene-root';
   root.tabIndex = 0;

@@ -1,13 +1,13 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { PointHandle, ReachHandle } from '../state/handles.ts';
 import type { Value, Way } from '../state/snap.ts';
-import type { Lens } from './lens.ts';
-import type { Placed } from './placed.ts';
-import { type Slide, slide } from './slide.ts';
-import { along, type Space } from './space.ts';
+import type { HandlePlace } from './handle-place.ts';
+import { type LineOnScreen, lineOnScreen } from './line-on-screen.ts';
+import type { Projection } from './projection.ts';
+import { along, type StageUnits } from './stage-units.ts';
 
 /** Turns pixels that the pointer has moved since it took the handle into values. */
-export interface Track {
+export interface DragTrack {
   /** What the value is before the pointer moves: components that are the same have not been dragged. */
   readonly start: Value;
   readonly perPixel: number;
@@ -18,27 +18,31 @@ export interface Track {
 
 /** For a handle that is taken; with an axis it moves along that one only. Null outside of the picture. */
 export function trackOf(
-  found: Placed,
+  found: HandlePlace,
   axis: 0 | 1 | 2 | null,
-  space: Space,
-  lens: Lens,
-): Track | null {
+  units: StageUnits,
+  projection: Projection,
+): DragTrack | null {
   const { handle, ...rest } = found;
   if (!rest.place) return null;
-  if (handle.type === 'reach') return reachTrack({ handle, ...rest }, space, lens);
-  if (axis !== null) return axisTrack({ handle, ...rest }, axis, space, lens);
-  return planeTrack({ handle, ...rest }, space, lens);
+  if (handle.type === 'reach') return reachTrack({ handle, ...rest }, units, projection);
+  if (axis !== null) return axisTrack({ handle, ...rest }, axis, units, projection);
+  return planeTrack({ handle, ...rest }, units, projection);
 }
 
 const WAYS = 16;
 
 /** In the plane through the handle that faces the viewer. */
-function planeTrack({ handle, place }: Placed<PointHandle>, space: Space, lens: Lens): Track {
-  const depth = place ? lens.distance(place) : 1;
-  const perPixel = (space.stage.radius * Math.max(depth, lens.near)) / lens.focal;
+function planeTrack(
+  { handle, place }: HandlePlace<PointHandle>,
+  units: StageUnits,
+  projection: Projection,
+): DragTrack {
+  const depth = place ? projection.distance(place) : 1;
+  const perPixel = (units.stage.radius * Math.max(depth, projection.near)) / projection.focal;
   const to = (dx: number, dy: number): Vec3 => {
-    const flat = along([0, 0, 0], lens.right, dx * perPixel);
-    return clean(along(flat, lens.up, -dy * perPixel), handle.here, perPixel);
+    const flat = along([0, 0, 0], projection.right, dx * perPixel);
+    return clean(along(flat, projection.up, -dy * perPixel), handle.here, perPixel);
   };
   return {
     start: handle.here,
@@ -62,14 +66,14 @@ function clean(move: Vec3, to: Vec3, perPixel: number): Vec3 {
 
 /** Along one axis of the world. */
 function axisTrack(
-  { handle, place }: Placed<PointHandle>,
+  { handle, place }: HandlePlace<PointHandle>,
   axis: 0 | 1 | 2,
-  space: Space,
-  lens: Lens,
-): Track {
+  units: StageUnits,
+  projection: Projection,
+): DragTrack {
   const direction: Vec3 = [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
-  const line = slide(place ?? [0, 0, 0], direction, lens);
-  const { radius } = space.stage;
+  const line = lineOnScreen(place ?? [0, 0, 0], direction, projection);
+  const { radius } = units.stage;
   return lineTrack(line, handle.value, radius / line.scale, (move) => {
     const put = (i: 0 | 1 | 2): number =>
       i === axis ? handle.value[i] + move * radius : handle.value[i];
@@ -78,13 +82,13 @@ function axisTrack(
 }
 
 function reachTrack(
-  { handle, place, course }: Placed<ReachHandle>,
-  space: Space,
-  lens: Lens,
-): Track {
+  { handle, place, course }: HandlePlace<ReachHandle>,
+  units: StageUnits,
+  projection: Projection,
+): DragTrack {
   const { grip, value } = handle;
-  const line = slide(place ?? [0, 0, 0], course ?? lens.right, lens);
-  const { radius } = space.stage;
+  const line = lineOnScreen(place ?? [0, 0, 0], course ?? projection.right, projection);
+  const { radius } = units.stage;
   const read = (move: number): number =>
     move === 0 ? value : grip.value(Math.max(grip.reach + move * radius, 0));
   const perPixel = Math.abs(read(2 / line.scale) - read(1 / line.scale));
@@ -92,11 +96,11 @@ function reachTrack(
 }
 
 function lineTrack(
-  line: Slide,
+  line: LineOnScreen,
   start: Value,
   perPixel: number,
   read: (move: number) => Value,
-): Track {
+): DragTrack {
   const { course } = line;
   const pixels = (dx: number, dy: number): number => dx * course[0] + dy * course[1];
   return {

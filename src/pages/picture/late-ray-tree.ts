@@ -1,5 +1,5 @@
 import { nothing, render } from 'lit';
-import type { TreeModel } from '../../canvas/tree.ts';
+import type { TreeModel } from '../../canvas/ray-tree.ts';
 import { late, notLoaded } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
@@ -16,7 +16,7 @@ export function lateTree(host: HTMLElement): LateTree {
   const load = (): void => {
     asked = true;
     render(nothing, host);
-    late(() => import('../../canvas/tree.ts')).then(
+    late(() => import('../../canvas/ray-tree.ts')).then(
       ({ mountTree }) => {
         mounted = mountTree(host);
         if (model) mounted.render(model);

@@ -1,12 +1,12 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { RaySegment, SceneModel } from '../state/scene-model.ts';
 import { spanInside } from './labels.ts';
-import type { Lens } from './lens.ts';
+import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
-import { along, type Point, type Space, unit } from './space.ts';
+import { along, type Point, type StageUnits, unit } from './stage-units.ts';
 
 /** "E →": where a point is that the picture does not reach. */
-export interface Pointer {
+export interface OffScreenPointer {
   readonly x: number;
   readonly y: number;
   /** Unit vector on the screen. */
@@ -25,23 +25,23 @@ export function pointerTo(
   point: Vec3,
   t: number,
   model: SceneModel,
-  space: Space,
-  lens: Lens,
+  units: StageUnits,
+  projection: Projection,
   scale: number,
-): Pointer {
+): OffScreenPointer {
   const { segments } = model.ray;
   const end = nearestEnd(segments, t);
-  const seen = visibleRay(model, space, lens);
+  const seen = visibleRay(model, units, projection);
   if (end && seen) {
     const { x, y } = end.sign < 0 ? seen.start : seen.end;
     const [dx, dy] = seen.course;
     const direction = [end.sign * dx, end.sign * dy] as const;
-    const isEnd = x > 1 && x < lens.width - 1 && y > 1 && y < lens.height - 1;
-    if (!isEnd) return clamp(x, y - ABOVE * scale, direction, lens, scale);
+    const isEnd = x > 1 && x < projection.width - 1 && y > 1 && y < projection.height - 1;
+    if (!isEnd) return clamp(x, y - ABOVE * scale, direction, projection, scale);
     const reach = BEYOND * scale;
-    return clamp(x + reach * direction[0], y + reach * direction[1], direction, lens, scale);
+    return clamp(x + reach * direction[0], y + reach * direction[1], direction, projection, scale);
   }
-  return fromCentre(point, space, lens, scale);
+  return fromCentre(point, units, projection, scale);
 }
 
 interface VisibleRay {
@@ -51,17 +51,26 @@ interface VisibleRay {
 }
 
 /** Where the drawn ray begins and ends within the frame; null when it is not in the frame, or seen head-on. */
-export function visibleRay(model: SceneModel, space: Space, lens: Lens): VisibleRay | null {
+export function visibleRay(
+  model: SceneModel,
+  units: StageUnits,
+  projection: Projection,
+): VisibleRay | null {
   const { segments } = model.ray;
   const [first, last] = [segments[0], segments.at(-1)];
-  const from = first && pointAt(model.ray, first.from, space);
-  const to = last && pointAt(model.ray, last.to, space);
-  const a = from && lens.project(from);
-  const b = to && lens.project(to);
+  const from = first && pointAt(model.ray, first.from, units);
+  const to = last && pointAt(model.ray, last.to, units);
+  const a = from && projection.project(from);
+  const b = to && projection.project(to);
   if (!a || !b) return null;
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const length = Math.hypot(dx, dy);
-  const frame = { x: lens.width / 2, y: lens.height / 2, w: lens.width, h: lens.height };
+  const frame = {
+    x: projection.width / 2,
+    y: projection.height / 2,
+    w: projection.width,
+    h: projection.height,
+  };
   const inside = spanInside([a.x, a.y, b.x, b.y], frame);
   if (!inside || length < 1) return null;
   return {
@@ -83,36 +92,47 @@ function nearestEnd(
   return null;
 }
 
-function fromCentre(point: Vec3, space: Space, lens: Lens, scale: number): Pointer {
-  const place = space.place(point);
-  const spot = place && lens.project(place);
-  const [cx, cy] = [lens.width / 2, lens.height / 2];
+function fromCentre(
+  point: Vec3,
+  units: StageUnits,
+  projection: Projection,
+  scale: number,
+): OffScreenPointer {
+  const place = units.toStage(point);
+  const spot = place && projection.project(place);
+  const [cx, cy] = [projection.width / 2, projection.height / 2];
   const [x, y] = spot
     ? [spot.x - cx, spot.y - cy]
-    : lens.onScreen(space.towards(point) ?? [0, 1, 0]);
+    : projection.onScreen(units.towards(point) ?? [0, 1, 0]);
   const length = Math.hypot(x, y);
   const direction = length > 0 ? ([x / length, y / length] as const) : ([0, -1] as const);
-  const far = lens.width + lens.height;
-  const reach = spot && isInside(spot, lens) ? length : far;
-  return clamp(cx + reach * direction[0], cy + reach * direction[1], direction, lens, scale);
+  const far = projection.width + projection.height;
+  const reach = spot && isInside(spot, projection) ? length : far;
+  return clamp(cx + reach * direction[0], cy + reach * direction[1], direction, projection, scale);
 }
 
 /** Brought into the frame along the line to its centre. */
 function clamp(
   x: number,
   y: number,
-  direction: Pointer['direction'],
-  lens: Lens,
+  direction: OffScreenPointer['direction'],
+  projection: Projection,
   scale: number,
-): Pointer {
-  const [cx, cy] = [lens.width / 2, (lens.height + (INSET.top - INSET.bottom) * scale) / 2];
-  const halfWidth = Math.max(lens.width / 2 - INSET.x * scale, 1);
-  const halfHeight = Math.max((lens.height - (INSET.top + INSET.bottom) * scale) / 2, 1);
+): OffScreenPointer {
+  const [cx, cy] = [
+    projection.width / 2,
+    (projection.height + (INSET.top - INSET.bottom) * scale) / 2,
+  ];
+  const halfWidth = Math.max(projection.width / 2 - INSET.x * scale, 1);
+  const halfHeight = Math.max((projection.height - (INSET.top + INSET.bottom) * scale) / 2, 1);
   const excess = Math.max(Math.abs(x - cx) / halfWidth, Math.abs(y - cy) / halfHeight, 1);
   return { x: cx + (x - cx) / excess, y: cy + (y - cy) / excess, direction };
 }
 
-export function isInside({ x, y }: { x: number; y: number }, { width, height }: Lens): boolean {
+export function isInside(
+  { x, y }: { x: number; y: number },
+  { width, height }: Projection,
+): boolean {
   return x >= 0 && x <= width && y >= 0 && y <= height;
 }
 
@@ -122,10 +142,10 @@ const STEP = 0.01;
 const HEAD_ON = 0.02;
 
 /** The unit direction in which d leads on the screen at a point; null when it leads towards the eye or away from it. */
-export function heading(at: Point, d: Vec3, lens: Lens): [number, number] | null {
+export function heading(at: Point, d: Vec3, projection: Projection): [number, number] | null {
   const step = unit(d);
-  const from = step && lens.project(along(at, step, -STEP));
-  const to = step && lens.project(along(at, step, STEP));
+  const from = step && projection.project(along(at, step, -STEP));
+  const to = step && projection.project(along(at, step, STEP));
   if (!from || !to) return null;
   const [x, y] = [to.x - from.x, to.y - from.y];
   const length = Math.hypot(x, y);

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { type Pose, radians } from './camera.ts';
-import { along, dot, type Point } from './space.ts';
+import { along, dot, type Point } from './stage-units.ts';
 
 const FOV = 24;
 /** Distance of the camera, in stage radii, at zoom 1: the look of the comps, where the stage fills the frame's width. */
@@ -16,7 +16,7 @@ export interface Spot {
 }
 
 /** A pose in a frame of a given size: turns stage units into pixels, in doubles. GPU and SVG use this one projection. */
-export class Lens {
+export class Projection {
   readonly width: number;
   readonly height: number;
   readonly eye: Point;

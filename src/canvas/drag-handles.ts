@@ -1,14 +1,14 @@
 import type { Handle } from '../state/handles.ts';
 import { coordinate } from '../text/coordinate.ts';
-import { ARM, armSegments, drawArms } from './arms.ts';
+import { ARROW_LENGTH, axisArrowSegments, drawAxisArrows } from './axis-arrows.ts';
 import { italic } from './captions.ts';
 import type { Caption } from './figures.ts';
-import type { Held } from './grab.ts';
+import type { ShownHandle } from './handle-drag.ts';
+import type { HandlePlace } from './handle-place.ts';
 import type { Segment } from './labels.ts';
 import { type Attributes, Layer, type Part } from './layer.ts';
-import type { Lens } from './lens.ts';
-import { heading, isInside } from './offstage.ts';
-import type { Placed } from './placed.ts';
+import { heading, isInside } from './off-screen-pointer.ts';
+import type { Projection } from './projection.ts';
 import type { Theme } from './theme.ts';
 
 /** The head of d lies so far behind its tip. */
@@ -19,34 +19,46 @@ const ROOM: readonly Part[] = [
   ['circle', { class: 'scene-hit', r: 22 }],
 ];
 /** What has no mark of its own in the picture. */
-const GRIP: Part = ['circle', { class: 'scene-grip', r: 4.5 }];
+const GRIP: Part = ['circle', { class: 'scale-handle', r: 4.5 }];
 
 /** The handles over the picture: each can be focused and says its value, and has room for a finger. */
-export class Grips {
-  readonly #arms: Layer;
+export class DragHandles {
+  readonly #arrows: Layer;
   readonly #handles: Layer;
 
   constructor(svg: Element) {
-    this.#arms = new Layer(svg, 'scene-arms');
+    this.#arrows = new Layer(svg, 'axis-arrows');
     this.#handles = new Layer(svg, 'scene-handles');
   }
 
   /** `keys`: id of the sentence on what keys do. */
-  draw(all: readonly Placed[], held: Held, lens: Lens, theme: Theme, keys: string): void {
-    const active = inUse(all, held, lens);
-    this.#arms.begin();
-    if (active?.handle.type === 'point') drawArms(this.#arms, active, lens, theme);
-    this.#arms.end();
+  draw(
+    all: readonly HandlePlace[],
+    held: ShownHandle,
+    projection: Projection,
+    theme: Theme,
+    keys: string,
+  ): void {
+    const active = inUse(all, held, projection);
+    this.#arrows.begin();
+    if (active?.handle.type === 'point') drawAxisArrows(this.#arrows, active, projection, theme);
+    this.#arrows.end();
     this.#handles.begin();
-    for (const found of all) this.#show(found, held, lens, theme.scale, keys);
+    for (const found of all) this.#show(found, held, projection, theme.scale, keys);
     this.#handles.end();
   }
 
-  #show(found: Placed, held: Held, lens: Lens, scale: number, keys: string): void {
+  #show(
+    found: HandlePlace,
+    held: ShownHandle,
+    projection: Projection,
+    scale: number,
+    keys: string,
+  ): void {
     const { handle, spot } = found;
     const isActive = held.active === handle.symbol;
-    const { x, y } = middle(found, lens, scale);
-    const state = `${spot && isInside(spot, lens) ? '' : ' away'}${isActive && held.dragged ? ' dragged' : ''}`;
+    const { x, y } = middle(found, projection, scale);
+    const state = `${spot && isInside(spot, projection) ? '' : ' away'}${isActive && held.dragged ? ' dragged' : ''}`;
     this.#handles.show(
       handle.symbol,
       'g',
@@ -62,42 +74,59 @@ export class Grips {
   }
 }
 
-function inUse(all: readonly Placed[], held: Held, lens: Lens): Placed | undefined {
+function inUse(
+  all: readonly HandlePlace[],
+  held: ShownHandle,
+  projection: Projection,
+): HandlePlace | undefined {
   const active = all.find(({ handle }) => handle.symbol === held.active);
-  return active?.spot && isInside(active.spot, lens) ? active : undefined;
+  return active?.spot && isInside(active.spot, projection) ? active : undefined;
 }
 
 /** The arrows that are shown. */
-export function armsShown(all: readonly Placed[], held: Held, lens: Lens, theme: Theme): Segment[] {
-  const active = inUse(all, held, lens);
-  return active?.handle.type === 'point' ? armSegments(active, lens, theme) : [];
+export function shownArrows(
+  all: readonly HandlePlace[],
+  held: ShownHandle,
+  projection: Projection,
+  theme: Theme,
+): Segment[] {
+  const active = inUse(all, held, projection);
+  return active?.handle.type === 'point' ? axisArrowSegments(active, projection, theme) : [];
 }
 
 /** What is said beside the handle in use: why it is where it is, or which number it is. */
-export function sayings(all: readonly Placed[], held: Held, lens: Lens, scale: number): Caption[] {
-  const active = inUse(all, held, lens);
+export function handleCaptions(
+  all: readonly HandlePlace[],
+  held: ShownHandle,
+  projection: Projection,
+  scale: number,
+): Caption[] {
+  const active = inUse(all, held, projection);
   if (!active?.spot) return [];
   const { handle, spot } = active;
   const isPoint = handle.type === 'point';
   const letter = held.reason || (isPoint ? '' : `${italic(handle.symbol)} = ${handle.text}`);
   if (!letter) return [];
-  const clear = (isPoint ? ARM + 8 : 14) * scale;
+  const clear = (isPoint ? ARROW_LENGTH + 8 : 14) * scale;
   const name = { key: 'words', symbol: '', letter, sub: '', tone: 'words' } as const;
   return [{ ...name, x: spot.x, y: spot.y, clear, angle: Math.PI / 2 }];
 }
 
 /** Where its mark is, brought into the frame when it lies outside: a handle that is focused must not go away. */
 function middle(
-  { handle, place, spot }: Placed,
-  lens: Lens,
+  { handle, place, spot }: HandlePlace,
+  projection: Projection,
   scale: number,
 ): { x: number; y: number } {
-  let [x, y] = spot ? [spot.x, spot.y] : [lens.width / 2, lens.height / 2];
+  let [x, y] = spot ? [spot.x, spot.y] : [projection.width / 2, projection.height / 2];
   if (place && handle.type === 'point' && handle.origin) {
-    const course = heading(place, handle.here, lens);
+    const course = heading(place, handle.here, projection);
     if (course) [x, y] = [x - BEHIND_TIP * scale * course[0], y - BEHIND_TIP * scale * course[1]];
   }
-  return { x: Math.min(Math.max(x, 0), lens.width), y: Math.min(Math.max(y, 0), lens.height) };
+  return {
+    x: Math.min(Math.max(x, 0), projection.width),
+    y: Math.min(Math.max(y, 0), projection.height),
+  };
 }
 
 function spoken(handle: Handle, reason: string, keys: string): Attributes {

@@ -1,18 +1,18 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { Handle } from '../state/handles.ts';
 import type { Offer, Value } from '../state/snap.ts';
-import type { Lens } from './lens.ts';
+import { type DragTrack, trackOf } from './drag-track.ts';
+import type { HandlePlace } from './handle-place.ts';
 import { nudged } from './nudge.ts';
-import type { Placed } from './placed.ts';
-import { axisOffers, type Modifiers, type Settled, settle } from './settle.ts';
-import type { Space } from './space.ts';
-import { type Track, trackOf } from './track.ts';
+import type { Projection } from './projection.ts';
+import { axisOffers, type Modifiers, type Snapped, snapDrag } from './snap-drag.ts';
+import type { StageUnits } from './stage-units.ts';
 
 /** So many pixels make a drag; less is a click, or a finger that trembles. */
-const DRAG_FROM = 3;
+const DRAG_THRESHOLD = 3;
 
 /** What the scene shows of the handles. */
-export interface Held {
+export interface ShownHandle {
   /** The handle whose arrows are shown. */
   readonly active: string | null;
   readonly dragged: boolean;
@@ -21,9 +21,9 @@ export interface Held {
 }
 
 /** What the handles need of the scene. */
-export interface Ground {
-  space(): Space;
-  lens(): Lens;
+export interface DragContext {
+  units(): StageUnits;
+  projection(): Projection;
   dispatch: Dispatch;
   /** The picture stands still from now on, until it is let go. */
   hold(): void;
@@ -34,28 +34,28 @@ export interface Ground {
 interface Drag {
   readonly pointer: number;
   readonly handle: Handle;
-  readonly track: Track;
+  readonly track: DragTrack;
   readonly from: { readonly x: number; readonly y: number };
   readonly axes: (value: Value, dx: number, dy: number) => readonly Offer[];
   readonly radius: number;
   at: { readonly x: number; readonly y: number };
   moved: boolean;
-  last: Settled;
+  last: Snapped;
 }
 
 /** One handle at a time is hovered, focused or dragged. A drag counts from where it began; a key press is a drag of one step. */
-export class Grab {
-  readonly #ground: Ground;
+export class HandleDrag {
+  readonly #context: DragContext;
   #drag: Drag | null = null;
   #hovered: string | null = null;
   #focused: string | null = null;
   #reason = '';
 
-  constructor(ground: Ground) {
-    this.#ground = ground;
+  constructor(ground: DragContext) {
+    this.#context = ground;
   }
 
-  get shown(): Held {
+  get shown(): ShownHandle {
     const active = this.#drag?.handle.symbol ?? this.#hovered ?? this.#focused;
     return { active, dragged: this.#drag !== null, reason: this.#reason };
   }
@@ -68,33 +68,33 @@ export class Grab {
     if (symbol === this.#hovered) return;
     this.#hovered = symbol;
     if (!this.#drag) this.#reason = '';
-    this.#ground.changed();
+    this.#context.changed();
   }
 
   focus(symbol: string | null): void {
     if (symbol === this.#focused) return;
     this.#focused = symbol;
     this.#reason = '';
-    this.#ground.changed();
+    this.#context.changed();
   }
 
   /** Takes a handle; with an axis it moves along that one only. */
-  take(found: Placed, axis: 0 | 1 | 2 | null, pointer: number, x: number, y: number): void {
-    const [space, lens] = [this.#ground.space(), this.#ground.lens()];
+  take(found: HandlePlace, axis: 0 | 1 | 2 | null, pointer: number, x: number, y: number): void {
+    const [units, projection] = [this.#context.units(), this.#context.projection()];
     const { handle, spot } = found;
-    const track = trackOf(found, axis, space, lens);
+    const track = trackOf(found, axis, units, projection);
     if (!spot || !track) return;
-    this.#ground.hold();
+    this.#context.hold();
     this.#drag = {
       ...{ pointer, handle, track, from: { x, y }, at: { x, y }, moved: false },
-      radius: space.stage.radius,
+      radius: units.stage.radius,
       last: { value: handle.value, reason: null, held: null },
       axes: (value, dx, dy) =>
         axis === null
-          ? axisOffers(handle, value, { x: spot.x + dx, y: spot.y + dy }, space, lens)
+          ? axisOffers(handle, value, { x: spot.x + dx, y: spot.y + dy }, units, projection)
           : [],
     };
-    this.#ground.changed();
+    this.#context.changed();
   }
 
   move(x: number, y: number, modifiers: Modifiers): void {
@@ -102,15 +102,15 @@ export class Grab {
     if (!drag) return;
     drag.at = { x, y };
     const [dx, dy] = [x - drag.from.x, y - drag.from.y];
-    drag.moved ||= Math.hypot(dx, dy) >= DRAG_FROM;
+    drag.moved ||= Math.hypot(dx, dy) >= DRAG_THRESHOLD;
     if (!drag.moved) return;
     const { handle, track, last } = drag;
     const axes = modifiers.free ? [] : drag.axes(track.to(dx, dy), dx, dy);
-    const next = settle(handle, track, [dx, dy], modifiers, axes, last.held, drag.radius);
+    const next = snapDrag(handle, track, [dx, dy], modifiers, axes, last.held, drag.radius);
     const refusal = handle.refusal(next.value);
     if (refusal === null) {
       drag.last = next;
-      if (!sameValue(next.value, last.value)) this.#ground.dispatch(handle.action(next.value));
+      if (!sameValue(next.value, last.value)) this.#context.dispatch(handle.action(next.value));
     }
     this.#say(refusal ?? next.reason ?? '');
   }
@@ -124,25 +124,25 @@ export class Grab {
     if (!this.#drag) return;
     this.#drag = null;
     this.#reason = '';
-    this.#ground.release();
-    this.#ground.changed();
+    this.#context.release();
+    this.#context.changed();
   }
 
   /** Back to where it began. */
   cancel(): void {
     const drag = this.#drag;
     if (drag && !sameValue(drag.last.value, drag.handle.value)) {
-      this.#ground.dispatch(drag.handle.action(drag.handle.value));
+      this.#context.dispatch(drag.handle.action(drag.handle.value));
     }
     this.end();
   }
 
   /** A key press on a handle; false if the key means nothing to it. */
   press(handle: Handle, event: KeyboardEvent): boolean {
-    const nudge = nudged(handle, event, this.#ground.space().stage.radius);
+    const nudge = nudged(handle, event, this.#context.units().stage.radius);
     if (nudge === null) return false;
     const refusal = handle.refusal(nudge(handle.value));
-    if (refusal === null) this.#ground.dispatch(handle.action(nudge));
+    if (refusal === null) this.#context.dispatch(handle.action(nudge));
     this.#say(refusal ?? '');
     return true;
   }
@@ -150,7 +150,7 @@ export class Grab {
   #say(reason: string): void {
     if (reason === this.#reason) return;
     this.#reason = reason;
-    this.#ground.changed();
+    this.#context.changed();
   }
 }
 

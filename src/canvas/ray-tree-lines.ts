@@ -1,8 +1,8 @@
 import type { TreeLine } from '../state/picture/tree-scene.ts';
 import type { RayKind } from '../tracer/types.ts';
 import { Layer } from './layer.ts';
-import type { Lens } from './lens.ts';
-import type { Space } from './space.ts';
+import type { Projection } from './projection.ts';
+import type { StageUnits } from './stage-units.ts';
 import { type Dash, type Stroke, straight } from './stroke.ts';
 import type { Ink, Theme } from './theme.ts';
 
@@ -25,11 +25,11 @@ const LEAST_LABEL = 0.01;
 export function lineStrokes(
   lines: readonly TreeLine[],
   chosen: string | null,
-  space: Space,
+  units: StageUnits,
 ): Stroke[] {
   return lines.flatMap(({ kind, from, to, path, weight }) => {
-    const a = space.place(from);
-    const b = space.place(to);
+    const a = units.toStage(from);
+    const b = units.toStage(to);
     if (!a || !b) return [];
     const { ink, width, dash } = STYLES[kind];
     const isChosen = path === chosen;
@@ -49,8 +49,8 @@ export class TreeMarks {
   draw(
     lines: readonly TreeLine[],
     chosen: string | null,
-    space: Space,
-    lens: Lens,
+    units: StageUnits,
+    projection: Projection,
     { scale }: Pick<Theme, 'scale'>,
   ): void {
     const layer = this.#layer;
@@ -61,8 +61,8 @@ export class TreeMarks {
     layer.begin();
     for (const line of lines) {
       const { path, kind, end, light, weight } = line;
-      const spot = spotOf(line.to, space, lens);
-      const start = spotOf(line.from, space, lens);
+      const spot = spotOf(line.to, units, projection);
+      const start = spotOf(line.from, units, projection);
       if (!spot) continue;
       const r = (path === chosen ? 6 : 4.2) * scale;
       if (end === 'hit') {
@@ -96,7 +96,11 @@ export class TreeMarks {
 
 const carries = ({ kind }: TreeLine): boolean => kind === 'reflected' || kind === 'refracted';
 
-function spotOf(p: TreeLine['to'], space: Space, lens: Lens): { x: number; y: number } | null {
-  const place = space.place(p);
-  return place && lens.project(place);
+function spotOf(
+  p: TreeLine['to'],
+  units: StageUnits,
+  projection: Projection,
+): { x: number; y: number } | null {
+  const place = units.toStage(p);
+  return place && projection.project(place);
 }

@@ -1,10 +1,10 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { Handle, ReachHandle } from '../state/handles.ts';
-import type { Lens, Spot } from './lens.ts';
-import { along, dot, type Point, type Space, unit } from './space.ts';
+import type { Projection, Spot } from './projection.ts';
+import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
 /** A handle in the picture. */
-export interface Placed<H extends Handle = Handle> {
+export interface HandlePlace<H extends Handle = Handle> {
   readonly handle: H;
   /** In stage units; null where the picture does not reach. */
   readonly place: Point | null;
@@ -13,11 +13,15 @@ export interface Placed<H extends Handle = Handle> {
   readonly course: Point | null;
 }
 
-export function placed(handle: Handle, space: Space, lens: Lens): Placed {
-  const course = handle.type === 'reach' ? courseOf(handle, lens) : null;
+export function placeHandle(
+  handle: Handle,
+  units: StageUnits,
+  projection: Projection,
+): HandlePlace {
+  const course = handle.type === 'reach' ? courseOf(handle, projection) : null;
   const at = handle.type === 'point' ? handle.at : reachedBy(handle, course);
-  const place = at && space.place(at);
-  return { handle, place, spot: place && lens.project(place), course };
+  const place = at && units.toStage(at);
+  return { handle, place, spot: place && projection.project(place), course };
 }
 
 function reachedBy({ grip }: ReachHandle, course: Point | null): Vec3 | null {
@@ -25,20 +29,20 @@ function reachedBy({ grip }: ReachHandle, course: Point | null): Vec3 | null {
 }
 
 /** On a circle: the radius that is seen at its full length, to the right where it can be. */
-function courseOf({ grip: { direction } }: ReachHandle, lens: Lens): Point | null {
+function courseOf({ grip: { direction } }: ReachHandle, projection: Projection): Point | null {
   if ('along' in direction) return unit(direction.along);
   const axis = unit(direction.about);
   if (!axis) return null;
-  const [a, f] = [axis, lens.forward];
+  const [a, f] = [axis, projection.forward];
   const across = unit([
     a[1] * f[2] - a[2] * f[1],
     a[2] * f[0] - a[0] * f[2],
     a[0] * f[1] - a[1] * f[0],
   ]);
   // Seen along its axis every radius is as long: the one to the right.
-  const flat = across ?? unit(along(lens.right, axis, -dot(lens.right, axis)));
+  const flat = across ?? unit(along(projection.right, axis, -dot(projection.right, axis)));
   if (!flat) return null;
-  const [x, y] = [dot(flat, lens.right), dot(flat, lens.up)];
+  const [x, y] = [dot(flat, projection.right), dot(flat, projection.up)];
   const isBackwards = Math.abs(x) > 1e-9 ? x < 0 : y < 0;
   return isBackwards ? along([0, 0, 0], flat, -1) : flat;
 }

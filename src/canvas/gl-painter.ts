@@ -1,6 +1,6 @@
 import { Camera, Color, Scene, SRGBColorSpace, WebGLRenderer } from 'three';
-import type { Lens } from './lens.ts';
 import { type Painter, RAY_NEARER, type Strokes } from './painter.ts';
+import type { Projection } from './projection.ts';
 import { Ribbons } from './ribbons.ts';
 import { paint } from './stroke.ts';
 import { Surface } from './surface.ts';
@@ -52,27 +52,27 @@ export class GlPainter implements Painter {
 
   paint(
     strokes: Strokes,
-    lens: Lens,
+    projection: Projection,
     theme: Theme,
     ratio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
   ): void {
-    this.#resize(lens.width, lens.height, ratio);
+    this.#resize(projection.width, projection.height, ratio);
     for (const [ribbons, list, nearer] of [
       [this.#ground, strokes.ground, 0],
       [this.#ray, strokes.ray, RAY_NEARER],
       [this.#shape, strokes.shape, 0],
     ] as const) {
-      ribbons.begin(theme, lens.width, lens.height, ratio);
-      for (const stroke of list) paint(stroke, lens, ribbons, nearer);
+      ribbons.begin(theme, projection.width, projection.height, ratio);
+      for (const stroke of list) paint(stroke, projection, ribbons, nearer);
       ribbons.end();
     }
     // Blending on the opaque ground keeps faint walls free of the steps that eight-bit premultiplied colours have.
     this.#renderer.setClearColor(this.#clear.setRGB(...theme.scene, SRGBColorSpace), 1);
-    this.#surface.look(lens, theme);
+    this.#surface.look(projection, theme);
     const camera = this.#camera;
-    camera.matrixWorldInverse.fromArray(lens.viewMatrix());
+    camera.matrixWorldInverse.fromArray(projection.viewMatrix());
     camera.matrixWorld.copy(camera.matrixWorldInverse).invert();
-    camera.projectionMatrix.fromArray(lens.projectionMatrix());
+    camera.projectionMatrix.fromArray(projection.projectionMatrix());
     camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
     this.#renderer.render(this.#scene, camera);
   }

@@ -1,0 +1,39 @@
+import type { Vec3 } from '../math/vec3.ts';
+import type { Projection } from './projection.ts';
+import { along, dot, type Point } from './stage-units.ts';
+
+/** Along a straight line through a point of the picture. */
+export interface LineOnScreen {
+  /** On the screen, of length 1. */
+  readonly course: readonly [number, number];
+  /** Pixels per stage unit at the point. */
+  readonly scale: number;
+  /** How far along the line, in stage units, so many pixels along its course are. */
+  reach(pixels: number): number;
+}
+
+/** Foreshortened to less than this, a line leads to the eye: it then moves as if it were seen at this length. */
+const MIN_FORESHORTENING = 0.12;
+/** Towards its vanishing point a line is drawn ever closer: from here on evenly. */
+const MIN_CLOSING = 0.1;
+/** No drag leads farther than this, in stage radii. */
+const MAX_REACH = 4;
+
+export function lineOnScreen(place: Point, direction: Vec3, projection: Projection): LineOnScreen {
+  const depth = Math.max(projection.distance(place), projection.near);
+  const from = along(place, projection.eye, -1);
+  const towards = dot(direction, projection.forward);
+  // The derivative of the projection along the line.
+  const x = dot(direction, projection.right) - (dot(from, projection.right) * towards) / depth;
+  const y = -dot(direction, projection.up) + (dot(from, projection.up) * towards) / depth;
+  const length = Math.hypot(x, y);
+  const scale = (projection.focal / depth) * Math.max(length, MIN_FORESHORTENING);
+  return {
+    course: length > 1e-6 ? [x / length, y / length] : [1, 0],
+    scale,
+    reach(pixels) {
+      const closing = Math.max(scale - (pixels * towards) / depth, MIN_CLOSING * scale);
+      return Math.min(Math.max(pixels / closing, -MAX_REACH), MAX_REACH);
+    },
+  };
+}
