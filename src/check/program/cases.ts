@@ -56,6 +56,9 @@ export const GROUPS = [
 
 export type GroupId = (typeof GROUPS)[number]['id'];
 
+/** Families made for one shape are fewer: more is asked of each. */
+const MADE_EACH = 14;
+
 /** A family may be about other shapes: this many draws without one of the wanted kind, and it is. */
 const MAX_DRAWS = 60;
 
@@ -75,7 +78,12 @@ export function casesFor(kinds: readonly ShapeKind[], seed: number): readonly Ca
     ),
     ...GROUPS.flatMap((group) =>
       madeFamilies(kind, group.id).flatMap((family) =>
-        familyCases(kind, group, { ...family, draw: (random) => family.make(random) }, seed),
+        familyCases(
+          kind,
+          { id: group.id, each: MADE_EACH },
+          { ...family, draw: (random) => family.make(random) },
+          seed,
+        ),
       ),
     ),
     ...invalidCases(kind),
@@ -90,7 +98,7 @@ interface Source {
 
 function familyCases(
   kind: ShapeKind,
-  { id: group, each }: (typeof GROUPS)[number],
+  { id: group, each }: { readonly id: GroupId; readonly each: number },
   { id: family, title, draw }: Source,
   seed: number,
 ): Case[] {

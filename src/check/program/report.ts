@@ -36,7 +36,7 @@ export interface Report {
   readonly groups: readonly GroupScore[];
   /** Cases without a result. They count as not right. */
   readonly left: number;
-  /** It never returned a root: then a miss, too, is no more than silence, and counts for nothing. */
+  /** It returned a root for no valid input: then a miss, too, is no more than silence, and counts for nothing. */
   readonly silent: boolean;
   /** The reason of all failures, if there are many and they have one; '' otherwise. */
   readonly common: string;
@@ -51,7 +51,8 @@ const MISSING: Output = { type: 'missing' };
 /** Group by group, family by family. `outputs` may be shorter than `cases`, or have holes. */
 export function reportOf(cases: readonly Case[], outputs: readonly (Output | undefined)[]): Report {
   const all = cases.map((_, i) => outputs[i] ?? MISSING);
-  const silent = all.every(isSilent);
+  // What comes back for an invalid input is no root.
+  const silent = all.every((output, i) => !cases[i]?.expected || isSilent(output));
   const run = cases.map((one, i): Failure => {
     const output = all[i] ?? MISSING;
     const verdict = judgeCase(one, output);

@@ -1,23 +1,25 @@
 import { intersect } from '../intersect.ts';
+import type { Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
-import { pick, type Random, uniform } from '../rng.ts';
+import { integer, pick, type Random, randomSign, uniform } from '../rng.ts';
 import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Param } from '../shapes/params.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
-import { type Family, family, type Setting, tenTo } from './define.ts';
+import { bitsOf, type Family, family, type Setting, tenTo } from './define.ts';
 import {
   along,
   inBox,
-  inQuarters,
   minus,
+  type NonEmpty,
   nonZero,
   nudgedVector,
   plus,
-  quarter,
+  scaled,
   stepsOf,
   times,
   unitDirection,
+  wholeVector,
 } from './parts.ts';
 
 /* Families made from a shape's own parameters, for a shape that has none written for it. */
@@ -45,23 +47,25 @@ const ordinaryShape = (random: Random, definition: AnyDefinition): Placed =>
     return uniform(random, Math.max(param.range[0], param.least ?? param.range[0]), param.range[1]);
   });
 
-/** Every number a whole number of quarters: sums, products and squares of a few are exact. */
-const quarterShape = (random: Random, definition: AnyDefinition): Placed =>
+/** Every number is whole and small: sums, products and squares of a few are exact. */
+const wholeShape = (random: Random, definition: AnyDefinition): Placed =>
   shapeWith(definition, (param) => {
     if (param.type === 'axis') return pick(random, ['x', 'y', 'z']);
     if (param.type === 'number') {
-      const x = quarter(random, 3);
-      return param.least === undefined ? x : Math.max(param.least, Math.abs(x));
+      const x = integer(random, 1, 4);
+      return param.least === undefined ? x * randomSign(random) : x;
     }
-    return param.nonZero ? nonZero(() => inQuarters(random, 2)) : inQuarters(random, 2);
+    return param.nonZero ? nonZero(() => wholeVector(random, 2)) : wholeVector(random, 2);
   });
 
 /** Towards a place up to 1.5 sizes from the shape's anchor. */
 const aimed = (random: Random, { at, size }: Placed, origin: Vec3): Vec3 =>
   minus(plus(at, inBox(random, 1.5 * size)), origin);
 
+/** E is near the shape, and perhaps inside it, as often as farther away. */
 function ordinaryRay(random: Random, placed: Placed): Ray {
-  const origin = plus(placed.at, inBox(random, 5 * Math.max(1, placed.size)));
+  const reach = pick(random, [placed.size, 5 * Math.max(1, placed.size)]);
+  const origin = plus(placed.at, inBox(random, reach));
   return { origin, direction: aimed(random, placed, origin) };
 }
 
@@ -92,20 +96,29 @@ function nearTangentRay(random: Random, placed: Placed, k: number): Ray {
   return { origin, direction: nudgedVector(random, near, stepsOf(k)) };
 }
 
-/** Every second one is looked for until it is no plain hit or miss: tangent, linear, in the surface. */
-function rayInQuarters(random: Random, { shape }: Placed): Ray {
-  const special = random() < 0.5;
+type Class = Intersection['class'];
+
+/** What the special rays are looked for, in turns by chance; the last ones exist on few shapes. */
+const WANTED: NonEmpty<readonly Class[]> = [['tangent'], ['one', 'contained']];
+
+/**
+ * Looked for until it is of a wanted class. If none is found, the last special one that was seen;
+ * if there was none of those, any. (A flat shape's `one` is nothing special, but 'contained' is.)
+ */
+function wholeRay(random: Random, { shape }: Placed): Ray {
+  const wanted = pick(random, WANTED);
   const draw = (): Ray => ({
-    origin: inQuarters(random, 3),
-    direction: nonZero(() => inQuarters(random, 1)),
+    origin: wholeVector(random, 4),
+    direction: nonZero(() => wholeVector(random, 1)),
   });
-  let ray = draw();
-  for (let i = 0; special && i < TRIES; i++) {
+  let best = draw();
+  for (let i = 0; i < TRIES; i++) {
+    const ray = draw();
     const { class: found } = intersect(shape, ray);
-    if (found !== 'two' && found !== 'none') break;
-    ray = draw();
+    if (wanted.includes(found)) return ray;
+    if (found !== 'two' && found !== 'none') best = ray;
   }
-  return ray;
+  return best;
 }
 
 /** How hard a family's rays are, for who asks for an easy or a hard one. */
@@ -116,7 +129,7 @@ export interface ShapeFamily {
   readonly family: Family;
 }
 
-/** Four families of rays about one shape, called after its kind. */
+/** Families of rays about one shape, called after its kind. */
 export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily[] {
   const { kind, title } = definition;
   const of = (random: Random): Placed => ordinaryShape(random, definition);
@@ -135,12 +148,12 @@ export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily
     {
       hardness: 'special',
       family: family({
-        id: `${kind}-quarters`,
-        title: `${title} in quarters`,
-        idea: 'Every number is a whole number of quarters, so that exact tangents and zeros come up.',
+        id: `${kind}-whole`,
+        title: `${title} in whole numbers`,
+        idea: 'Every number is whole and small, so that exact tangents and zeros come up.',
         dial: null,
-        setting: (random) => quarterShape(random, definition),
-        ray: rayInQuarters,
+        setting: (random) => wholeShape(random, definition),
+        ray: wholeRay,
       }),
     },
     {
@@ -156,6 +169,20 @@ export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily
           const aim = plus(placed.at, inBox(random, placed.size));
           const distance = tenTo(k) * placed.size * uniform(random, 1, 2);
           return { origin: along(aim, -distance, direction), direction };
+        },
+      }),
+    },
+    {
+      hardness: 'hard',
+      family: family({
+        id: `${kind}-scale-ray`,
+        title: `${title}, long or short d`,
+        idea: 'An ordinary ray whose d is very long or short.',
+        dial: { title: '|d| is about 10^k', range: [-150, 150], usual: [-8, 8] },
+        setting: of,
+        ray(random, placed, k) {
+          const { origin, direction } = ordinaryRay(random, placed);
+          return { origin, direction: scaled(direction, bitsOf(k)) };
         },
       }),
     },

@@ -51,7 +51,7 @@ export interface ShapeDefinition<S extends { readonly kind: string }> {
   readonly numbers: KernelNumbers<S>;
   /** What a picture needs: extent, circles, convexity. */
   readonly body: Body<S>;
-  /** Whether src/math/families has families written for it; if not, four are made from `params`. */
+  /** Whether src/math/families has families written for it; if not, they are made from `params`. */
   readonly ownFamilies: boolean;
   /** A sentence on what the shape's numbers mean, with its values put in; '' if there is nothing to add. */
   meaning(shape: S): string;
