@@ -55,9 +55,11 @@ test('a sphere, an ellipsoid and a bare axis were called by the name of their fo
   expect(open('shape=hyperboloid&a=-0.25&r=1').scene.description).toContain('and an ellipsoid: ');
 });
 
-test('a sphere was refused without a word of how to get one', () => {
-  const [said] = decode('#/explore?shape=sphere', INITIAL).problems;
-  expect(said).toBe("opened without shape: 'sphere' is called a hyperboloid with a = -1 here");
+test('a sphere and an ellipsoid were refused without a word of how to get one', () => {
+  expect(open('shape=sphere').title).toBe('sphere');
+  expect(decode('#/explore?shape=sphere', INITIAL).problems).toEqual([]);
+  const [said] = decode('#/explore?shape=ellipsoid', INITIAL).problems;
+  expect(said).toBe("opened without shape: 'ellipsoid' is called a hyperboloid with a < 0 here");
   expect(decode('#/explore?shape=constructor').problems).toEqual([
     "opened without shape: 'constructor' is not a shape",
   ]);
