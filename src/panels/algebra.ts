@@ -69,7 +69,8 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
   const stacked = id !== 't' && (id !== 'D' || line?.below === true);
   const symbols = formula(typesetSymbols(expr), id === 't');
   const sign = line?.isFaithful === false ? '≈' : '=';
-  return html`<div class="step ${stacked ? 'stacked' : 'inline'}" data-step=${id}>
+  const look = line?.long ? 'stacked wide' : stacked ? 'stacked' : 'inline';
+  return html`<div class="step ${look}" data-step=${id}>
     <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${letter ? formula(typesetSymbols(letter)) : nothing}</span>
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
@@ -88,6 +89,7 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
 interface NumbersLine {
   readonly content: TemplateResult;
   readonly below: boolean;
+  readonly long: boolean;
   readonly isFaithful: boolean;
 }
 
@@ -114,7 +116,7 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
   const put = chosen(step, derivation, found, exactly);
   if (put === null) {
     const content = html`<span class="in-numbers words">a number of it is beyond the doubles</span>`;
-    return { content, below: id === 'D', isFaithful: true };
+    return { content, below: id === 'D', long: false, isFaithful: true };
   }
   const { digits, isFaithful, room } = put;
   const { long, below } = room ?? LONG;
@@ -126,7 +128,7 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
         digits,
       ).map((m) => html`${formula(m)} `)}</span>`
     : html`<span class="in-numbers">${formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't')}</span>`;
-  return { content, below, isFaithful };
+  return { content, below, long, isFaithful };
 }
 
 /** The value by the method, and beside it the exact digits where they differ, or what it is beyond. */

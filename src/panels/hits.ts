@@ -7,6 +7,7 @@ import { whyCut } from '../state/heights.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
 import { rootTexts } from '../text/apart.ts';
+import { display } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
@@ -67,6 +68,9 @@ function column(
   </section>`;
 }
 
+/** Characters of three numbers that half of the panel has room for. */
+const LENGTH = 27;
+
 /** The coordinates, and under them the exact ones of those whose shown digits differ. */
 function row(
   letter: 'P' | 'N',
@@ -80,7 +84,8 @@ function row(
     const text = exact && exactBeside(v[i] ?? 0, exact[i] ?? 0);
     return text ? [`${axis} ${text}`] : [];
   });
-  return html`<p class="row ${letter}" data-symbol=${`${letter}${n}`}>
+  const length = v.reduce((sum, x) => sum + display(x).length, 0);
+  return html`<p class="row ${letter} ${length > LENGTH ? 'fine' : ''}" data-symbol=${`${letter}${n}`}>
     <span class="name">${symbol(letter, n, cls, `${letter}${n}`)}</span>
     ${AXES.map((axis, i) => value(`${quantity}.${axis}`, v[i] ?? 0))}
     ${beside.length > 0 ? html`<span class="beside">exact: ${beside.join(', ')}</span>` : nothing}

@@ -4,28 +4,32 @@ import type { Expr, VectorExpr } from '../math/formula/expr.ts';
 import { AXES, axisIndex } from '../math/vec3.ts';
 import { display } from '../text/format.ts';
 
-/** Where numbers that are put in stand, in characters: of the whole, and of a piece that cannot be broken. */
+/** Where numbers that are put in stand: in how many lines of how many characters. */
 export interface Room {
-  readonly total: number;
-  readonly piece: number;
-  /** Broken into pieces, in a smaller type. */
+  readonly line: number;
+  readonly lines: number;
+  /** In a smaller type, as wide as the panel; it may be broken between its pieces. */
   readonly long: boolean;
   /** Under the formula, not behind it. */
   readonly below: boolean;
 }
 
-const BEHIND: Room = { total: 32, piece: 32, long: false, below: false };
-const BELOW: Room = { total: 58, piece: 58, long: false, below: true };
-/** Two lines. */
-export const LONG: Room = { total: 112, piece: 56, long: true, below: true };
+const BEHIND: Room = { line: 32, lines: 1, long: false, below: false };
+const BELOW: Room = { line: 58, lines: 1, long: false, below: true };
+/** Beside a result of more characters than `SHORT`. */
+const NARROW: Room = { ...BELOW, line: 50 };
+const SHORT = 9;
+const WIDE: Room = { line: 78, lines: 1, long: true, below: true };
+export const LONG: Room = { ...WIDE, lines: 2 };
 /** Digits of the numbers of t, −B, √D and 2A: there are at most three. */
 const FRACTION_DIGITS = 11;
 const HALF = 20;
 
 /** The rooms of a step's line, in the order in which they are tried. */
-export function roomsOf({ id, worked }: Step): readonly Room[] {
+export function roomsOf({ id, worked, value }: Step): readonly Room[] {
   if (worked) return [BEHIND];
-  return id === 'D' ? [BEHIND, BELOW, LONG] : [BELOW, LONG];
+  const below = display(value ?? 0).length > SHORT ? NARROW : BELOW;
+  return id === 'D' ? [BEHIND, below, WIDE, LONG] : [below, WIDE, LONG];
 }
 
 /** Whether the line with so many digits has room there. */
@@ -33,12 +37,17 @@ export function fitsInto(
   { expr, worked }: Step,
   values: Values<number>,
   digits: number,
-  { total, piece }: Room,
+  { line, lines }: Room,
 ): boolean {
   if (worked) return digits <= FRACTION_DIGITS;
-  const length = charactersOf(expr, values, digits);
-  if (length > total) return false;
-  return length <= piece || piecesOf(expr, values, digits).every((part) => part <= piece);
+  if (lines === 1) return charactersOf(expr, values, digits) <= line;
+  let [used, free] = [0, 0];
+  for (const piece of piecesOf(expr, values, digits)) {
+    if (piece > line) return false;
+    if (piece > free) [used, free] = [used + 1, line];
+    free -= piece;
+  }
+  return used <= lines;
 }
 
 /** Whether a condition leaves room for another one beside it. */
