@@ -1,5 +1,14 @@
 import type { IntersectionClass, Ray, Shape, Vec3 } from '../../../src/math/index.ts';
-import { circle, cone, cylinder, hyperboloid, plane, square } from '../../unit/math/shorthand.ts';
+import {
+  circle,
+  cone,
+  cylinder,
+  hyperboloid,
+  paraboloid,
+  plane,
+  sphere,
+  square,
+} from '../../unit/math/shorthand.ts';
 
 export { circle, cone, cylinder, hyperboloid, plane, square };
 
@@ -110,6 +119,27 @@ const ROWS: readonly Row[] = [
   ['x: in its plane, across', 'contained', square([0, 0, 0], 2, 'x'), [0, -1, 1], UP],
   ['x: in its plane, beside', 'contained', square([0, 0, 0], 2, 'x'), [0, -1, 3], UP],
   ['side 0, met', 'one', square([0, 1, 1], 0, 'x'), [3, 1, 1], LEFT],
+
+  ['enters and leaves', 'two', sphere([0, 1, 0], 1.5), [3, 1, 1], [-0.8, -0.2, -0.3]],
+  ['E inside', 'two', sphere(O, 2), [0.5, 0.25, 0], SLANTED],
+  ['touches', 'tangent', sphere(O, 1), [3, 1, 0], LEFT],
+  ['misses', 'none', sphere(O, 1), [3, 1, 1], LEFT],
+  ['radius 0, through the centre', 'tangent', sphere(O, 0), [2, 1, 0], [-2, -1, 0]],
+  ['radius 0, beside the centre', 'none', sphere(O, 0), [2, 1, 1], LEFT],
+  ['the world at 10⁻¹⁶⁰', 'two', sphere(O, 1e-160), [4e-160, 5e-161, 0], [-1e-160, 0, 0]],
+  ['the world at 10¹⁵⁰', 'two', sphere(O, 1e140), [1e150, 0, 0], LEFT],
+
+  ['enters and leaves', 'two', paraboloid(O, 2), [3, 1, 1], [-0.8, -0.2, -0.3]],
+  ['E inside', 'two', paraboloid([0, -1, 0], 2), [0.25, 2, 0], [1, 0.5, 0.25]],
+  ['width below 0', 'two', paraboloid(O, -2), [3, -2, 0.5], LEFT],
+  ['touches', 'tangent', paraboloid(O, 2), [3, 2, 2], LEFT],
+  ['touches at the vertex', 'tangent', paraboloid(O, 2), [2, 0, 0], LEFT],
+  ['misses', 'none', paraboloid(O, 2), [3, -1, 0], LEFT],
+  ['parallel to the axis', 'one', paraboloid(O, 2), [1, 5, 0], [0, -1, 0]],
+  ['parallel to the axis, behind E', 'one', paraboloid(O, 2), [1, 5, 0], UP],
+  ['width 0, through the axis', 'tangent', paraboloid(O, 0), [2, 1, 0], LEFT],
+  ['width 0, along the axis', 'contained', paraboloid(O, 0), [0, 1, 0], UP],
+  ['width 0, beside the axis', 'none', paraboloid(O, 0), [2, 1, 1], LEFT],
 ];
 
 export const CASES: readonly Case[] = ROWS.map(([title, verdict, shape, E, d]) => ({

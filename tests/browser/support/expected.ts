@@ -1,7 +1,8 @@
 import { alongRay } from '../../../src/math/along.ts';
 import { derivation } from '../../../src/math/derivation.ts';
+import { spanInFigure } from '../../../src/math/figure.ts';
 import { coefficients, intersect, type Ray, SHAPES, type Shape } from '../../../src/math/index.ts';
-import type { Hit, Intersection } from '../../../src/math/intersection.ts';
+import type { Hit, Intersection, PlaneHit } from '../../../src/math/intersection.ts';
 import type { Shown } from './page.ts';
 
 /** The shortest text that gives the same bits back. */
@@ -69,8 +70,19 @@ export function expected(shape: Shape, ray: Ray, method: string): Shown {
   if (rejected) {
     put('t', rejected.t);
     put('X', rejected.point);
+    const { distance } = rejected;
+    if (distance > 0 && Number.isFinite(distance)) put('outside', distance);
   }
+  if (found.class === 'contained') putSpan(put, shape, ray);
   return shown;
+}
+
+/** The stretch of a line in a figure's plane that is in the figure; one number where it only touches. */
+function putSpan(put: (name: string, value: Value) => void, shape: Shape, ray: Ray): void {
+  const span = spanInFigure(shape, ray);
+  if (!span) return;
+  put('t.from', span.from);
+  if (!span.touches) put('t.to', span.to);
 }
 
 function putHit(put: (name: string, value: Value) => void, hit: Hit, n: number): void {
@@ -80,7 +92,7 @@ function putHit(put: (name: string, value: Value) => void, hit: Hit, n: number):
 }
 
 /** The point of the plane outside of a figure. */
-function rejectedHit({ details }: Intersection): Hit | null {
+function rejectedHit({ details }: Intersection): PlaneHit | null {
   return details.family === 'flat' && details.plane?.inside === false ? details.plane : null;
 }
 

@@ -30,6 +30,12 @@ export const square = (P: Vec3, L: number, axis: 'x' | 'y' | 'z'): Shape => ({
   side: L,
   axis,
 });
+export const sphere = (C: Vec3, r: number): Shape => ({ kind: 'sphere', center: C, radius: r });
+export const paraboloid = (V: Vec3, k: number): Shape => ({
+  kind: 'paraboloid',
+  vertex: V,
+  width: k,
+});
 
 export const exactly = (shape: Shape, r: Ray): Intersection => intersect(shape, r, 'exact');
 export const exactCoefficients = (shape: Shape, r: Ray) => coefficients(shape, r, 'exact');
