@@ -47,6 +47,6 @@ const NAMES: Readonly<Record<string, string>> = {
   PageUp: 'Page Up',
 };
 
-function shown(key: string): string {
+export function shown(key: string): string {
   return NAMES[key] ?? key.replace(/\+([a-z])$/, (_, letter: string) => `+${letter.toUpperCase()}`);
 }

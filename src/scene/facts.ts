@@ -7,7 +7,7 @@ import type { Placed, Scene } from './types.ts';
 
 export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
 
-/** Glass lets light through (without bending a shadow ray: see the README), so it stands in no light's way. */
+/** Glass lets light through (without bending a shadow ray: see docs/FAKED.md), so it stands in no light's way. */
 export const blocks = (thing: Placed): boolean => !isGlass(thing);
 
 /** Shows light on itself: on its paint, or as a highlight. */

@@ -1,0 +1,113 @@
+import { existsSync } from 'node:fs';
+import { posix } from 'node:path';
+import { describe, expect, test } from 'vitest';
+import { FAMILIES } from '../../../src/math/families.ts';
+import { METHODS } from '../../../src/math/index.ts';
+import { readSettings } from '../../../src/pages/check/settings.ts';
+import { readAccuracy } from '../../../src/state/accuracy/settings.ts';
+import { readPicture } from '../../../src/state/picture/settings.ts';
+import { PAGES, type PageId, type Settings } from '../../../src/state/state.ts';
+import { decode } from '../../../src/state/url.ts';
+import { codeSpans, DOCUMENTS, flowing, npmScripts, ROOT, read, SCRIPTS } from './documents.ts';
+
+const readme = read('README.md');
+
+const isThere = (path: string): boolean => existsSync(new URL(path, ROOT));
+
+describe.each(DOCUMENTS)('%s', (path) => {
+  const text = read(path);
+
+  test('every npm command in it exists', () => {
+    expect(npmScripts(text).filter((name) => !(name in SCRIPTS))).toEqual([]);
+  });
+
+  test('every file and folder that it names exists', () => {
+    const named = codeSpans(text)
+      .filter((span) => /^(src|tests|docs|\.github)\/[\w./-]+$/.test(span))
+      .map((span) => span.replace(/\/$/, ''));
+    expect(named.filter((name) => !isThere(name))).toEqual([]);
+  });
+
+  test('every link to a file leads to one', () => {
+    const links = [...text.matchAll(/\]\((?!https?:|#)([^)#]+)(?:#[^)]*)?\)/g)].map((m) =>
+      posix.join(posix.dirname(path), m[1] ?? ''),
+    );
+    expect(links.filter((link) => !isThere(link))).toEqual([]);
+  });
+});
+
+describe('the README', () => {
+  test('is a front page of at most 120 lines', () => {
+    expect(readme.trimEnd().split('\n').length).toBeLessThanOrEqual(120);
+  });
+
+  test('leads to every document', () => {
+    const others = DOCUMENTS.filter(
+      (path) => path !== 'README.md' && path !== 'docs/bench-tracer.md',
+    );
+    expect(others.filter((path) => !readme.includes(`](${path})`))).toEqual([]);
+  });
+
+  test('has a line on every command but those that npm runs by itself', () => {
+    const hooks = ['preversion', 'version'];
+    const missing = Object.keys(SCRIPTS).filter(
+      (name) => !hooks.includes(name) && !npmScripts(readme).includes(name),
+    );
+    expect(missing).toEqual([]);
+  });
+
+  const links = [...readme.matchAll(/^ {4}(#\/\S+)/gm)].map(([, link = '']) => link);
+
+  test('has links to every page', () => {
+    expect(new Set(links.map((link) => decode(link).page))).toEqual(
+      new Set(PAGES.map(({ id }) => id)),
+    );
+  });
+
+  test.each(links)('%s opens without complaint', (link) => {
+    const readers: Readonly<
+      Record<PageId, (given: Settings) => { readonly problems: readonly string[] }>
+    > = {
+      explore: () => ({ problems: [] }),
+      accuracy: readAccuracy,
+      picture: readPicture,
+      check: readSettings,
+    };
+    const { page, settings, problems } = decode(link);
+    expect([...problems, ...readers[page](settings[page]).problems]).toEqual([]);
+  });
+
+  test('its first link is read as it is written', () => {
+    expect(decode(links[0] ?? '').E).toEqual([4, 1, 0.5]);
+  });
+
+  test('names the version of Node that the package asks for', () => {
+    const [, version] = /^>=(.*)$/.exec(JSON.parse(read('package.json')).engines.node) ?? [];
+    expect(version).toBeDefined();
+    expect(flowing(readme)).toContain(`Node ${version} or newer`);
+  });
+});
+
+describe('the table of the ladder', () => {
+  const table = (text: string): string =>
+    /<!-- bench -->([\s\S]*?)<!-- \/bench -->/.exec(text)?.[1] ?? '';
+
+  test('is in the README as in docs/bench.md, with every rung', () => {
+    const shown = table(readme);
+    expect(shown).toBe(table(read('docs/bench.md')));
+    const rungs = [...shown.matchAll(/^\| (\w+) \| [\d.]+ \|/gm)].map((m) => m[1]);
+    expect(rungs).toEqual(METHODS.map(({ id }) => id));
+  });
+
+  test('in docs/bench.md is followed by every family and, for each, every rung', () => {
+    const bench = read('docs/bench.md');
+    // The table was measured on the families that stood when it was made; it says which.
+    const measured = FAMILIES.filter(({ title }) => bench.includes(`### ${title}\n`));
+    expect(measured.length).toBeGreaterThan(20);
+    for (const { title } of measured) {
+      const [, part = ''] = bench.split(`### ${title}\n`);
+      const rungs = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| [\d.]+ \(/gm)];
+      expect([title, ...rungs.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
+    }
+  });
+});
