@@ -75,7 +75,7 @@ const tools: PageTools = {
     theme.set(next);
     say(`theme: ${next}`);
   },
-  play: () => player.toggle(modelNow().strip),
+  play: () => player.toggle(modelNow().graph),
   lines: () => {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };

@@ -5,6 +5,7 @@ import { grouped } from '../lab/sentence.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { lineBoxes, markOf, stepLine } from './frontier-marks.ts';
 import type { FrontierMark, FrontierModel } from './frontier-model.ts';
+import { watchMetrics } from './graph-metrics.ts';
 import { type Box, placeLabels } from './place-labels.ts';
 import {
   axes,
@@ -16,7 +17,6 @@ import {
   type PlotTick,
   px,
 } from './plot.ts';
-import { watchMetrics } from './strip-metrics.ts';
 
 /** Worth against cost, one mark a method, and the step line of those that nothing beats. */
 export function mountFrontier(

@@ -1,12 +1,12 @@
 import { scaleLinear } from 'd3-scale';
 import { html, render, type TemplateResult } from 'lit';
 import type { Mounted } from '../ui/mounted.ts';
+import { watchMetrics } from './graph-metrics.ts';
 import { lineOf } from './hardness-line.ts';
 import type { HardnessActions, HardnessModel } from './hardness-model.ts';
 import { lineNames } from './hardness-names.ts';
 import { styleOf } from './line-style.ts';
 import { axes, type Field, fieldOf } from './plot.ts';
-import { watchMetrics } from './strip-metrics.ts';
 
 /** Room at the right for the names of the lines, in em. */
 const NAMES = 9.5;

@@ -1,8 +1,8 @@
 import { svg, type TemplateResult } from 'lit';
 import { coordinate } from '../text/coordinate.ts';
+import { LETTER, type Metrics } from './graph-frame.ts';
 import type { Box, Placed, Wish } from './place-labels.ts';
-import { LETTER, type Metrics } from './strip-frame.ts';
-import './strip.css';
+import './graph.css';
 import './plot.css';
 
 /** The field of a plot in px, its margins by the size of the type. */

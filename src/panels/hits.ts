@@ -100,7 +100,7 @@ function normalRow(n: string, { normal, singular }: Hit, exact: Hit | null): Tem
   </p>`;
 }
 
-/** The same mark as in the scene and on the strip: a disc, a ring, or a cross. */
+/** The same mark as in the scene and on the graph: a disc, a ring, or a cross. */
 function mark(role: HitRole): TemplateResult {
   const drawn =
     role === 'first' || role === 'other'

@@ -8,6 +8,8 @@ import { definitionOf } from '../math/shapes/lookup.ts';
 import { type AsTyped, asTyped } from './as-typed.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
 import { type Example, exampleOf } from './example.ts';
+import { graphOf } from './graph.ts';
+import type { GraphModel } from './graph-model.ts';
 import { type Handle, handlesOf } from './handles.ts';
 import { type NearTangent, nearTangent } from './near-tangent.ts';
 import { nearestTangent } from './nearest-tangent.ts';
@@ -16,8 +18,6 @@ import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageOf } from './stage.ts';
 import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
-import { stripOf } from './strip.ts';
-import type { StripModel } from './strip-model.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
 
 /** Everything that the Explore page shows, computed from the state and nothing else. */
@@ -41,7 +41,7 @@ export interface ExploreModel {
   /** Where the numbers cannot be set any nearer to tangency. */
   readonly near: (NearTangent & { readonly canTouch: boolean }) | null;
   readonly hits: readonly HitWords[];
-  readonly strip: StripModel;
+  readonly graph: GraphModel;
   readonly scene: SceneModel;
   /** Which lines of the result are shown, for predicting first. */
   readonly shown: ReturnType<typeof shownLines>;
@@ -78,7 +78,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     ) => asTyped({ texts, shape, E, d, unit }, ray, found),
   );
   const steps = remember(derivation);
-  const strip = remember(stripOf);
+  const graphFor = remember(graphOf);
   const stage = keepWhile(sameStage, stageOf);
   const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
   const handles = remember(
@@ -103,7 +103,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const found = solve(shape, r, state.method);
     const exactly = check(shape, r);
     const exactClass = exactly.found.class;
-    const graph = strip(found, shape, r, state.bead);
+    const graph = graphFor(found, shape, r, state.bead);
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
     const held = handles(shape, state.E, state.d, state.unit, r, picture);
@@ -121,7 +121,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       stage: s,
       drawing: picture,
       handles: held,
-      strip: graph,
+      graph: graph,
       view: state.view,
       ghost: ghostly(state.ghost),
     });
@@ -142,7 +142,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       verdict,
       near,
       hits: hitWords(found),
-      strip: shown.hits ? graph : { ...graph, concealed: true },
+      graph: shown.hits ? graph : { ...graph, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene),
       shown,
     };

@@ -6,11 +6,11 @@ import type { Vec3 } from '../math/vec3.ts';
 import { withArticle } from '../text/article.ts';
 import { displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
+import { pointAt } from './graph.ts';
+import type { GraphModel } from './graph-model.ts';
 import type { Handle } from './handles.ts';
 import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
-import { pointAt } from './strip.ts';
-import type { StripModel } from './strip-model.ts';
 import type { View } from './view.ts';
 import { windowOf } from './window.ts';
 import { hitSentences, hitWords } from './words.ts';
@@ -23,20 +23,20 @@ interface Parts {
   readonly found: Intersection;
   readonly stage: Stage;
   readonly drawing: Drawing;
-  readonly strip: StripModel;
+  readonly graph: GraphModel;
   readonly view: View;
   readonly handles: readonly Handle[];
   readonly ghost: { readonly ray: Ray; readonly found: Intersection } | null;
 }
 
 export function sceneOf(parts: Parts): SceneModel {
-  const { title, verdict, ray, found, stage, drawing, strip, view, handles, ghost } = parts;
+  const { title, verdict, ray, found, stage, drawing, graph, view, handles, ghost } = parts;
   const all = hitMarks(found, stage);
   // A float rung may know t and lose the place on the way to it.
   const hits = all.filter(({ point }) => !point.some(Number.isNaN));
-  const reach = clipToStage(ray, stage, strip);
+  const reach = clipToStage(ray, stage, graph);
   const originDrawn = isDrawn(ray.origin, stage);
-  const point: Vec3 = strip.bead.point;
+  const point: Vec3 = graph.bead.point;
   return {
     shapeTitle: title,
     stage,
@@ -44,14 +44,14 @@ export function sceneOf(parts: Parts): SceneModel {
     ray: {
       origin: ray.origin,
       direction: ray.direction,
-      segments: reach ? segmentsOf(strip, reach) : [],
+      segments: reach ? segmentsOf(graph, reach) : [],
       ticks: reach ? ticksOf(reach) : [],
       originDrawn,
     },
     hits,
     ghost: ghost && ghostOf(ghost.ray, ghost.found, stage),
     bead: point.every(Number.isFinite)
-      ? { t: strip.bead.t, point, drawn: isDrawn(point, stage) }
+      ? { t: graph.bead.t, point, drawn: isDrawn(point, stage) }
       : null,
     handles,
     view,
@@ -74,7 +74,7 @@ function hitMarks(found: Intersection, stage: Stage): HitMark[] {
     .filter(({ point }) => !point.some(Number.isNaN));
 }
 
-/** Where the ray, over the strip's stretch of t and a little beyond, is inside the stage; null if nowhere. */
+/** Where the ray, over the graph's stretch of t and a little beyond, is inside the stage; null if nowhere. */
 export function clipToStage(
   { origin, direction }: Ray,
   { center, radius }: Stage,
@@ -108,8 +108,8 @@ function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null
   };
 }
 
-/** The strip's stretches, as far as they reach. */
-function segmentsOf({ stretches }: StripModel, reach: { from: number; to: number }): RaySegment[] {
+/** The graph's stretches, as far as they reach. */
+function segmentsOf({ stretches }: GraphModel, reach: { from: number; to: number }): RaySegment[] {
   return stretches
     .map(({ from, to, stretch }) => ({
       from: Math.max(from, reach.from),

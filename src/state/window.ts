@@ -1,7 +1,7 @@
 import type { Intersection } from '../math/intersection.ts';
 import { roundStep } from '../math/shapes/steps.ts';
 
-/** The stretch of t that the strip shows, and the ray is drawn over. */
+/** The stretch of t that the graph shows, and the ray is drawn over. */
 export interface Window {
   readonly from: number;
   readonly to: number;

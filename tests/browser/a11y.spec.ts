@@ -38,7 +38,7 @@ test('everything that can be operated has a name', async ({ page }) => {
   for (const element of await operable.all()) await expect(element).toHaveAccessibleName(/\S/);
   await expect(slider(page, 'E.x')).toHaveAccessibleName(/E\.x/);
   await expect(box(page, 'L')).toHaveAccessibleName(/side/);
-  await expect(page.locator('.strip-bead')).toHaveAttribute('aria-valuetext', /^t .*f /);
+  await expect(page.locator('.graph-bead')).toHaveAttribute('aria-valuetext', /^t .*f /);
 });
 
 test('the page says its language and has a heading', async ({ page }) => {

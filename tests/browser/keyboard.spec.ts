@@ -22,16 +22,16 @@ async function tabThrough(page: Page): Promise<Stop[]> {
         'header',
         '.picker-area',
         '.scene-area',
-        '.strip-area',
+        '.graph-area',
         '.controls',
         '.algebra',
       ];
-      const outlined = [at, ...at.querySelectorAll('.strip-focus, .scene-focus')].some(
+      const outlined = [at, ...at.querySelectorAll('.graph-focus, .scene-focus')].some(
         (element) => {
           const { outlineStyle, outlineWidth, stroke, opacity, visibility } =
             getComputedStyle(element);
           const ring =
-            element.matches('.strip-focus, .scene-focus') && stroke !== 'none' && opacity !== '0';
+            element.matches('.graph-focus, .scene-focus') && stroke !== 'none' && opacity !== '0';
           const outline = outlineStyle !== 'none' && Number.parseFloat(outlineWidth) >= 1;
           return (ring && visibility === 'visible') || outline;
         },
@@ -65,7 +65,7 @@ test.describe('the keyboard', () => {
       'header',
       '.picker-area',
       '.scene-area',
-      '.strip-area',
+      '.graph-area',
       '.controls',
       '.algebra',
     ]);

@@ -37,10 +37,10 @@ test('no key is lost, however fast they come: slider, box and bead', async ({ pa
   await settle(page);
   expect((await quantities(page)).c).toBe('0.6');
   const before = Number((await quantities(page))['bead.t']);
-  await pressAtOnce(page.locator('.strip-bead'), 'ArrowRight', 1);
+  await pressAtOnce(page.locator('.graph-bead'), 'ArrowRight', 1);
   await settle(page);
   const step = Number((await quantities(page))['bead.t']) - before;
-  await pressAtOnce(page.locator('.strip-bead'), 'ArrowRight', 6);
+  await pressAtOnce(page.locator('.graph-bead'), 'ArrowRight', 6);
   await settle(page);
   expect(Number((await quantities(page))['bead.t'])).toBeCloseTo(before + 7 * step, 9);
 });

@@ -35,7 +35,7 @@ test('formulas stand on the page before the picture has been loaded', async ({ p
   await page.goto(`./${START}`);
   await expect(page.locator('[data-quantity="A"]')).toHaveAttribute('data-value', /^0\.72/);
   await expect(page.locator('.step[data-step="A"] math').first()).toBeVisible();
-  await expect(page.locator('.strip-svg')).toBeVisible();
+  await expect(page.locator('.graph-svg')).toBeVisible();
   await expect(page.locator('canvas')).toHaveCount(0);
   release();
   await expect(page.locator('canvas')).toBeVisible();
@@ -49,7 +49,7 @@ test.describe('without the picture', () => {
     await expect(page.locator('.scene-waiting')).toContainText('not be loaded');
     await typeInto(page, 'E.x', '4');
     expect(await quantities(page)).toMatchObject({ 'E.x': '4', 'bead.t': /./ });
-    await press(page, page.locator('.strip-bead'), 'ArrowRight');
+    await press(page, page.locator('.graph-bead'), 'ArrowRight');
     await expectInLink(page, { E: '4,1,1' });
   });
 });

@@ -9,7 +9,7 @@ test.use({ viewport: { width: 940, height: 700 } });
 
 const START = '#/explore?shape=cone&method=exact';
 
-test('the bead is dragged along the strip, and moved by keys', async ({ page }) => {
+test('the bead is dragged along the graph, and moved by keys', async ({ page }) => {
   await openScene(page, START);
   const shape = cone([0, 3, 0], 0.5);
   const ray = { origin: [3, 1, 1], direction: [-0.8, -0.2, -0.3] } as const;
@@ -22,7 +22,7 @@ test('the bead is dragged along the strip, and moved by keys', async ({ page }) 
     return t;
   };
   const before = Number((await quantities(page))['bead.t']);
-  const [x, y] = await middleOf(page, '.strip-handle');
+  const [x, y] = await middleOf(page, '.graph-handle');
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y, { steps: 4 });
@@ -30,7 +30,7 @@ test('the bead is dragged along the strip, and moved by keys', async ({ page }) 
   await page.mouse.up();
   expect(during).toBeGreaterThan(before);
   const mark = await page.locator('[data-mark="bead"]').getAttribute('transform');
-  await page.locator('.strip-bead').focus();
+  await page.locator('.graph-bead').focus();
   await page.keyboard.press('ArrowLeft');
   expect(await expectBead()).toBeLessThan(during);
   await still(page);

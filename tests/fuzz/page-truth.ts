@@ -67,8 +67,8 @@ export function quantitiesOf(hash: string): Map<string, string> {
     triple(`P${i + 1}`, hit.point);
     if (!hit.singular) triple(`N${i + 1}`, hit.normal);
   });
-  put('bead.t', model.strip.bead.t);
-  put('bead.f', model.strip.bead.f);
-  triple('bead', model.strip.bead.point);
+  put('bead.t', model.graph.bead.t);
+  put('bead.f', model.graph.bead.f);
+  triple('bead', model.graph.bead.point);
   return found;
 }

@@ -10,7 +10,7 @@ test.each([
   ],
   ['f(0)', 'shape=hyperboloid&C=0,0,0&a=1e308&r=0&E=0,0,0&d=0,0,0.1&method=textbook32'],
 ])('%s', (_, query) => {
-  const { verdict, strip, scene, hits } = createDerive()(decode(`#/explore?${query}`));
-  const said = [verdict.text, strip.description, scene.description, ...hits.map((h) => h.text)];
+  const { verdict, graph, scene, hits } = createDerive()(decode(`#/explore?${query}`));
+  const said = [verdict.text, graph.description, scene.description, ...hits.map((h) => h.text)];
   expect(said.join(' ')).not.toContain('undefined');
 });

@@ -6,7 +6,7 @@ import { decode } from '../../src/state/url.ts';
 
 const open = (link: string) => createDerive()(decode(`#/explore?${link}`));
 const verdict = (link: string) => open(link).verdict.text;
-const graph = (link: string) => open(link).strip.stretches.map(({ place }) => place);
+const graph = (link: string) => open(link).graph.stretches.map(({ place }) => place);
 
 /* "The textbook formula says it misses" stood beside "D = 0, tangent: one double root". */
 test('what a caption says of the textbook formula is what it gives', () => {

@@ -1,5 +1,5 @@
 import { html, render, type TemplateResult } from 'lit';
-import { mountStrip } from '../../charts/strip.ts';
+import { mountGraph } from '../../charts/graph.ts';
 import { algebra } from '../../panels/algebra.ts';
 import { compactControls, equations } from '../../panels/compact-controls.ts';
 import { controls } from '../../panels/controls.ts';
@@ -33,10 +33,13 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   host.classList.add('explore');
   const picker = section(host, 'picker-area');
   const stage = section(host, 'scene-area');
-  const graph = section(host, 'strip-area');
+  const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const bar = section(stage, 'scene-bar');
-  const strip: Mounted<ExploreModel['strip']> = mountStrip(section(graph, 'strip-host'), dispatch);
+  const graph: Mounted<ExploreModel['graph']> = mountGraph(
+    section(graphArea, 'graph-host'),
+    dispatch,
+  );
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
   const narrow = matchMedia('(max-width: 559px)');
   const wide = matchMedia('(min-width: 900px)');
@@ -51,14 +54,14 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   };
   return {
     scene,
-    graph: () => graph.querySelector('svg'),
+    graph: () => graphArea.querySelector('svg'),
     render(model, tools) {
       const begun = performance.now();
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch);
       render(panelContent(model, card, tools.large), panel);
       render(sceneBar(model, tools), bar);
-      strip.render(model.strip);
+      graph.render(model.graph);
       const drawn = performance.now();
       scene.render(model.scene);
       measure('graze step', begun, drawn);
@@ -67,7 +70,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     dispose() {
       narrow.removeEventListener('change', changed);
       wide.removeEventListener('change', changed);
-      strip.dispose();
+      graph.dispose();
       scene.dispose();
     },
   };

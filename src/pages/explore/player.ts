@@ -1,4 +1,4 @@
-import type { StripModel } from '../../state/strip-model.ts';
+import type { GraphModel } from '../../state/graph-model.ts';
 
 /** The whole stretch in this time, and a rest at each root. */
 const STRETCH_MS = 5000;
@@ -7,7 +7,7 @@ const REST_MS = 700;
 export interface Player {
   readonly playing: boolean;
   /** Starts from the beginning, or stops. */
-  toggle(strip: StripModel): void;
+  toggle(graph: GraphModel): void;
   stop(): void;
 }
 
@@ -44,9 +44,9 @@ export function createPlayer(move: (t: number) => void, changed: () => void): Pl
     get playing() {
       return frame !== 0;
     },
-    toggle(strip) {
+    toggle(graph) {
       if (frame !== 0) stop();
-      else run(timetable(strip, matchMedia('(prefers-reduced-motion: reduce)').matches));
+      else run(timetable(graph, matchMedia('(prefers-reduced-motion: reduce)').matches));
     },
     stop,
   };
@@ -54,7 +54,7 @@ export function createPlayer(move: (t: number) => void, changed: () => void): Pl
 
 /** t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached. */
 export function timetable(
-  { from, to, roots }: Pick<StripModel, 'from' | 'to' | 'roots'>,
+  { from, to, roots }: Pick<GraphModel, 'from' | 'to' | 'roots'>,
   stepwise: boolean,
 ): (elapsed: number) => number | null {
   const start = from < 0 && to > 0 ? 0 : from;

@@ -40,7 +40,7 @@ describe('what did not change keeps its identity', () => {
     expect(second.found).toBe(first.found);
     expect(second.ray).toBe(first.ray);
     expect(second.derivation).toBe(first.derivation);
-    expect(second.strip).toBe(first.strip);
+    expect(second.graph).toBe(first.graph);
     expect(second.scene.drawing).toBe(first.scene.drawing);
   });
 
@@ -49,11 +49,11 @@ describe('what did not change keeps its identity', () => {
     const first = own(INITIAL);
     const looked = own(having({ type: 'view', view: 'top' }));
     expect(looked.found).toBe(first.found);
-    expect(looked.strip).toBe(first.strip);
+    expect(looked.graph).toBe(first.graph);
     const beaded = own(having({ type: 'bead', t: 1 }));
     expect(beaded.found).toBe(first.found);
     expect(beaded.scene.drawing).toBe(first.scene.drawing);
-    expect(beaded.strip.bead.t).toBe(1);
+    expect(beaded.graph.bead.t).toBe(1);
   });
 
   test('another slope: another drawing, and back again the numbers of before', () => {
@@ -151,7 +151,7 @@ describe('hits in the scene', () => {
   });
 
   test('between the nappes of a cone the ray is outside, beyond them inside', () => {
-    const { stretches } = open('shape=cone&V=0,0,0&c=1&E=1,-5,0&d=0,1,0').strip;
+    const { stretches } = open('shape=cone&V=0,0,0&c=1&E=1,-5,0&d=0,1,0').graph;
     expect(stretches.map(({ stretch }) => stretch)).toEqual([
       'behind',
       'inside',
@@ -161,7 +161,7 @@ describe('hits in the scene', () => {
   });
 });
 
-describe('the strip', () => {
+describe('the graph', () => {
   const QUERIES = [
     ...KINDS.map((kind) => `shape=${kind}`),
     'shape=cylinder&C=0,0,0&r=1&E=1e7,0,0&d=-1,0,0',
@@ -172,45 +172,45 @@ describe('the strip', () => {
     'shape=circle&N=0,1,0&C=0,0,0&r=1&E=3,-3,0&d=0,-1,0',
   ];
   test.each(QUERIES)('%s: every root and the bead are within its window', (query) => {
-    const { strip, found } = open(query);
-    expect(strip.from).toBeLessThan(strip.to);
-    expect(strip.low).toBeLessThan(0);
-    expect(strip.high).toBeGreaterThan(0);
-    const inside = (t: number) => t > strip.from && t < strip.to;
-    expect(strip.roots.map(({ t }) => [t, inside(t)])).toEqual(
-      strip.roots.map(({ t }) => [t, true]),
+    const { graph, found } = open(query);
+    expect(graph.from).toBeLessThan(graph.to);
+    expect(graph.low).toBeLessThan(0);
+    expect(graph.high).toBeGreaterThan(0);
+    const inside = (t: number) => t > graph.from && t < graph.to;
+    expect(graph.roots.map(({ t }) => [t, inside(t)])).toEqual(
+      graph.roots.map(({ t }) => [t, true]),
     );
-    expect(inside(strip.bead.t)).toBe(true);
-    expect(strip.roots.length).toBeGreaterThanOrEqual(found.hits.length);
-    const { stretches } = strip;
-    expect([stretches[0]?.from, stretches.at(-1)?.to]).toEqual([strip.from, strip.to]);
+    expect(inside(graph.bead.t)).toBe(true);
+    expect(graph.roots.length).toBeGreaterThanOrEqual(found.hits.length);
+    const { stretches } = graph;
+    expect([stretches[0]?.from, stretches.at(-1)?.to]).toEqual([graph.from, graph.to]);
     expect(stretches.slice(1).map(({ from }) => from)).toEqual(
       stretches.slice(0, -1).map(({ to }) => to),
     );
   });
 
   test('f and R at the bead are the polynomial’s and the ray’s', () => {
-    const { strip } = open('shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0&t=2.5');
-    expect(strip).toMatchObject({ A: 1, B: -6, C: 8 });
-    expect(strip.bead).toEqual({ t: 2.5, f: -0.75, point: [0.5, 0, 0] });
+    const { graph } = open('shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0&t=2.5');
+    expect(graph).toMatchObject({ A: 1, B: -6, C: 8 });
+    expect(graph.bead).toEqual({ t: 2.5, f: -0.75, point: [0.5, 0, 0] });
   });
 
   test('a flat shape’s f is a line: N·d and N·(E − P)', () => {
-    const { strip } = open('shape=plane&N=0,2,0&P=0,0,0&E=0,3,0&d=0,-1,0');
-    expect(strip).toMatchObject({ A: 0, B: -2, C: 6, contained: false });
-    expect(strip.description).toBe('f(t) is a straight line, f(0) = 6; t₁ = 3, first hit.');
+    const { graph } = open('shape=plane&N=0,2,0&P=0,0,0&E=0,3,0&d=0,-1,0');
+    expect(graph).toMatchObject({ A: 0, B: -2, C: 6, contained: false });
+    expect(graph.description).toBe('f(t) is a straight line, f(0) = 6; t₁ = 3, first hit.');
   });
 
   test('a double root, a ray in the surface, E far away', () => {
-    const touching = open('shape=cylinder&C=0,0,0&r=1&E=3,0,1&d=-1,0,0').strip;
+    const touching = open('shape=cylinder&C=0,0,0&r=1&E=3,0,1&d=-1,0,0').graph;
     expect(touching.roots).toEqual([{ index: 1, t: 3, role: 'first', double: true }]);
-    const within = open('shape=cylinder&C=0,0,0&r=1&E=1,0,0&d=0,1,0').strip;
+    const within = open('shape=cylinder&C=0,0,0&r=1&E=1,0,0&d=0,1,0').graph;
     expect(within).toMatchObject({
       contained: true,
       roots: [],
       description: 'f(t) is zero for every t.',
     });
-    const far = open('shape=cylinder&C=0,0,0&r=1&E=1000,0,0&d=-1,0,0').strip;
+    const far = open('shape=cylinder&C=0,0,0&r=1&E=1000,0,0&d=-1,0,0').graph;
     expect(far.note).toBe('E, at t = 0, is far to the left');
   });
 });
@@ -358,7 +358,7 @@ const TOLD = /^\.(hits\.\d+\.(t|point|normal)|roots\.\d+\.t|bead\.(f|point)|[ABC
 const WORLDS = [1e-300, 1e-150, 1e-9, 1, 1e7, 1e20, 1e150, 1e300];
 
 describe.each(WORLDS)('a world of size %d', (size) => {
-  test.each(KINDS)('%s: nothing in the scene or the strip is NaN or infinite', (kind) => {
+  test.each(KINDS)('%s: nothing in the scene or the graph is NaN or infinite', (kind) => {
     const base = having({ type: 'shape', kind });
     const shape = shapeOf(base);
     const scaled = (v: Vec3): Vec3 => [v[0] * size, v[1] * size, v[2] * size];
@@ -379,25 +379,25 @@ describe.each(WORLDS)('a world of size %d', (size) => {
         { type: 'origin', value: scaled(base.E) } as const,
         { type: 'direction', value: d } as const,
       ].reduce(update, base);
-      const { scene, strip, found } = createDerive()(state);
+      const { scene, graph, found } = createDerive()(state);
       const ordinary = createDerive()(base);
       expect(found.class).toBe(ordinary.found.class);
       expect(scene.drawing.patches).toHaveLength(ordinary.scene.drawing.patches.length);
       expect(brokenNumbers(scene, (path) => TOLD.test(path))).toEqual([]);
-      expect(brokenNumbers(strip, (path) => TOLD.test(path))).toEqual([]);
+      expect(brokenNumbers(graph, (path) => TOLD.test(path))).toEqual([]);
     }
   });
 });
 
 const SEED = 14142;
 
-test(`nothing breaks a scene or a strip: 400 states of any numbers up to ${PICTURED}, seed ${SEED}`, () => {
+test(`nothing breaks a scene or a graph: 400 states of any numbers up to ${PICTURED}, seed ${SEED}`, () => {
   fc.assert(
     fc.property(anyPicture, (state) => {
-      const { scene, strip, found } = createDerive()(state);
+      const { scene, graph, found } = createDerive()(state);
       const nan = (model: unknown) => brokenNumbers(model, () => true);
       // Where a float rung cannot decide, f itself is not known; the page says that.
-      const known = found.class === 'undecided' ? { ...strip, A: 0, B: 0, C: 0 } : strip;
+      const known = found.class === 'undecided' ? { ...graph, A: 0, B: 0, C: 0 } : graph;
       expect([...nan(scene), ...nan(known)]).toEqual([]);
     }),
     { seed: SEED, numRuns: 400 },

@@ -38,7 +38,7 @@ for text in json.load(sys.stdin):
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(compile(text, "ray.py", "exec"), {"__name__": "__main__"})
-    print(out.getvalue().strip())
+    print(out.getvalue().graph())
 `;
 
 function runPython(texts: readonly string[]): unknown[] {

@@ -135,8 +135,8 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('%s', (_, entr
   });
 
   test('the page beside it says the same', () => {
-    const { verdict, strip } = createDerive()(state);
-    const said = `${verdict.text}; E is ${strip.stretches.find(({ from }) => from >= 0)?.place}`;
+    const { verdict, graph } = createDerive()(state);
+    const said = `${verdict.text}; E is ${graph.stretches.find(({ from }) => from >= 0)?.place}`;
     for (const claim of entry.told.flatMap(([, ...all]) => all)) {
       const own = state.method === 'textbook' ? claim.replace(/^textbook /, '') : claim;
       if (own === claim && state.method === 'textbook') continue;

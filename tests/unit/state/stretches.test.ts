@@ -3,7 +3,7 @@ import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
-import { stripOf } from '../../../src/state/strip.ts';
+import { graphOf } from '../../../src/state/graph.ts';
 import { at, DRAWS, dot, drawRay, f, figurePlace, flatOf, less, quadricOf } from './ray-oracle.ts';
 
 /** What a place at t is to be called, from nothing but the point there. */
@@ -34,7 +34,7 @@ describe.each(Object.keys(DRAWS))('%s', (kind) => {
     for (let i = 0; i < 400; i++) {
       const shape = DRAWS[kind]?.(random) as Shape;
       const ray = drawRay(random, shape);
-      const { stretches } = stripOf(intersect(shape, ray), shape, ray, null);
+      const { stretches } = graphOf(intersect(shape, ray), shape, ray, null);
       for (const { from, to, place } of stretches) {
         const t = within(from, to);
         const name = nameAt(shape, ray, t);
@@ -51,6 +51,6 @@ describe.each(Object.keys(DRAWS))('%s', (kind) => {
 test('a method that cannot tell names no stretch', () => {
   const shape: Shape = { kind: 'cylinder', center: [0, 0, 0], radius: 1e200 };
   const ray: Ray = { origin: [2e200, 0, 0], direction: [-1e200, 0, 0] };
-  const { stretches } = stripOf(intersect(shape, ray, 'textbook'), shape, ray, null);
+  const { stretches } = graphOf(intersect(shape, ray, 'textbook'), shape, ray, null);
   expect(stretches.map(({ place }) => place)).toEqual(['behind', null]);
 });

@@ -1,11 +1,11 @@
 import type { Dispatch } from '../state/actions.ts';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
+import type { Scales } from './graph-scales.ts';
 import { clamp, niceStep, type Step, snap, stepSize } from './steps.ts';
-import type { Scales } from './strip-scales.ts';
 
 /** What a gesture or a key needs to know of the picture that is shown. */
 export interface Shown {
-  readonly model: StripModel;
+  readonly model: GraphModel;
   readonly scales: Scales;
 }
 
@@ -62,7 +62,7 @@ export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
       if (drag.waits) move(event);
       drag = null;
       // The arrows go on from where the pointer has put it.
-      picture(event)?.querySelector<SVGElement>('.strip-bead')?.focus({ preventScroll: true });
+      picture(event)?.querySelector<SVGElement>('.graph-bead')?.focus({ preventScroll: true });
     },
     cancel() {
       drag = null;
@@ -86,14 +86,14 @@ function startOf(event: PointerEvent, now: Shown): Drag {
 
 /** Null when the pointer is not on the bead. */
 function grabOffset(event: PointerEvent, { model, scales }: Shown): number | null {
-  const onBead = event.target instanceof Element && event.target.closest('.strip-bead') !== null;
+  const onBead = event.target instanceof Element && event.target.closest('.graph-bead') !== null;
   const x = clamp(scales.x(model.bead.t), scales.frame.left, scales.frame.right);
   const offset = x - pointerX(event);
   const reach = event.pointerType === 'touch' ? GRAB.touch : GRAB.mouse;
   return onBead && Math.abs(offset) <= reach ? offset : null;
 }
 
-/** The element that listens: the picture of the strip. */
+/** The element that listens: the picture of the graph. */
 function picture(event: PointerEvent): Element | null {
   return event.currentTarget instanceof Element ? event.currentTarget : null;
 }

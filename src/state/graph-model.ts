@@ -2,7 +2,7 @@ import type { HitRole } from './scene-model.ts';
 import type { PlacedStretch } from './stretches.ts';
 
 /** The graph of f on the ray's own t scale. */
-export interface StripModel {
+export interface GraphModel {
   /** Coefficients of f(t) = A t² + B t + C as doubles (A = 0 for a line). */
   readonly A: number;
   readonly B: number;

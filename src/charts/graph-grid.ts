@@ -1,9 +1,9 @@
 import { svg, type TemplateResult } from 'lit';
 import { coordinate } from '../text/coordinate.ts';
 import { superscript } from '../text/scripts.ts';
+import { type Frame, LETTER } from './graph-frame.ts';
+import type { Scales, Tick } from './graph-scales.ts';
 import { clamp } from './steps.ts';
-import { type Frame, LETTER } from './strip-frame.ts';
-import type { Scales, Tick } from './strip-scales.ts';
 
 /** Between the plot and what is written left of it, and down to what is written under it, in em. */
 const [ASIDE, UNDER] = [0.65, 1.4];
@@ -18,7 +18,7 @@ export function grid(scales: Scales, id: string): TemplateResult {
     <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${coordinate(zero - left)} height=${bottom - top}></rect>
     ${scales.fTicks.map((tick) => fTick(tick, frame))}${scales.tTicks.map((tick) => tTick(tick, frame))}
     ${names(scales)}
-    ${showsZero ? svg`<line class="strip-zero" data-symbol="E" x1=${zero} x2=${zero} y1=${top} y2=${bottom}></line>` : ''}`;
+    ${showsZero ? svg`<line class="graph-zero" data-symbol="E" x1=${zero} x2=${zero} y1=${top} y2=${bottom}></line>` : ''}`;
 }
 
 function fTick({ at, label }: Tick, { left, right, top, em }: Frame): TemplateResult {
@@ -27,19 +27,19 @@ function fTick({ at, label }: Tick, { left, right, top, em }: Frame): TemplateRe
   const text =
     y < top + 0.5 * em
       ? ''
-      : svg`<text class="strip-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
-  return svg`<line class="strip-grid" x1=${left} x2=${right} y1=${y} y2=${y}></line>${text}`;
+      : svg`<text class="graph-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
+  return svg`<line class="graph-grid" x1=${left} x2=${right} y1=${y} y2=${y}></line>${text}`;
 }
 
 function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResult {
   const x = coordinate(at);
   const half = (label.length * LETTER * em) / 2;
-  // A label at an end must neither cover the name t nor leave the strip.
+  // A label at an end must neither cover the name t nor leave the graph.
   const fits = at - half > 2 * em && at + half < width;
   const text = fits
-    ? svg`<text class="strip-tick" text-anchor="middle" x=${x} y=${coordinate(bottom + UNDER * em)}>${label}</text>`
+    ? svg`<text class="graph-tick" text-anchor="middle" x=${x} y=${coordinate(bottom + UNDER * em)}>${label}</text>`
     : '';
-  return svg`<line class="strip-nick" x1=${x} x2=${x} y1=${bottom} y2=${coordinate(bottom + 0.35 * em)}></line>${text}`;
+  return svg`<line class="graph-nick" x1=${x} x2=${x} y1=${bottom} y2=${coordinate(bottom + 0.35 * em)}></line>${text}`;
 }
 
 /** The names of the axes, and the power of ten that was taken out of the labels of f. */
@@ -47,10 +47,10 @@ function names({ frame: { left, top, bottom, em }, power }: Scales): TemplateRes
   const common =
     power === 0
       ? ''
-      : svg`<text class="strip-tick strip-power" text-anchor="end" x=${coordinate(left - 0.2 * em)} y=${coordinate(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
+      : svg`<text class="graph-tick graph-power" text-anchor="end" x=${coordinate(left - 0.2 * em)} y=${coordinate(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
   return svg`${common}
-    <text class="strip-var" x=${coordinate(1.2 * em)} y=${coordinate(bottom + UNDER * em)}>𝑡</text>
-    <text class="strip-var" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(top - 0.45 * em)}>𝑓(𝑡)</text>`;
+    <text class="graph-var" x=${coordinate(1.2 * em)} y=${coordinate(bottom + UNDER * em)}>𝑡</text>
+    <text class="graph-var" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(top - 0.45 * em)}>𝑓(𝑡)</text>`;
 }
 
 /** Patterns and clips that the layers refer to. */
@@ -60,7 +60,7 @@ export function definitions(scales: Scales, id: string): TemplateResult {
   const width = right - left;
   return svg`<defs>
     <pattern id="${id}-hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-      <line class="strip-hatch" x1="0.5" x2="0.5" y1="0" y2="7"></line>
+      <line class="graph-hatch" x1="0.5" x2="0.5" y1="0" y2="7"></line>
     </pattern>
     <clipPath id="${id}-plot"><rect x=${left} y=${top} width=${width} height=${bottom - top}></rect></clipPath>
     <clipPath id="${id}-below"><rect x=${left} y=${y} width=${width} height=${bottom - y}></rect></clipPath>

@@ -1,16 +1,16 @@
 import { html, svg, type TemplateResult } from 'lit';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import { display, displayTriple, shortest } from '../text/format.ts';
+import { heightAt, type Parabola } from './graph-curve.ts';
+import type { Frame } from './graph-frame.ts';
+import { halo } from './graph-roots.ts';
+import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
-import { heightAt, type Parabola } from './strip-curve.ts';
-import type { Frame } from './strip-frame.ts';
-import { halo } from './strip-roots.ts';
-import type { Scales } from './strip-scales.ts';
 
 /** The bead on the graph, a slider for keyboard and screen readers. Its area for fingers is 44 px wide. */
 export function bead(
-  model: StripModel,
+  model: GraphModel,
   scales: Scales,
   parabola: Parabola | null,
   onKey: (event: KeyboardEvent) => void,
@@ -21,30 +21,30 @@ export function bead(
   const y = coordinate(beadHeight(model, scales, parabola));
   const isOff = t < model.from || t > model.to;
   return svg`
-    <line class="strip-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>
-    <g class="strip-bead ${isOff ? 'strip-off' : ''}" data-symbol="t" transform="translate(${x},${y})"
+    <line class="graph-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>
+    <g class="graph-bead ${isOff ? 'graph-off' : ''}" data-symbol="t" transform="translate(${x},${y})"
       role="slider" tabindex="0" aria-label="t on the ray" aria-valuemin=${Math.min(model.from, t)}
       aria-valuemax=${Math.max(model.to, t)} aria-valuenow=${t} aria-valuetext=${inWords(model)} @keydown=${onKey}>
-      <circle class="strip-touch" r="22"></circle>
-      <circle class="strip-focus" r=${10.5 * frame.mark}></circle>
-      ${halo(5.6, frame.mark)}<circle class="strip-handle" r=${5.6 * frame.mark}></circle>
+      <circle class="graph-touch" r="22"></circle>
+      <circle class="graph-focus" r=${10.5 * frame.mark}></circle>
+      ${halo(5.6, frame.mark)}<circle class="graph-handle" r=${5.6 * frame.mark}></circle>
     </g>`;
 }
 
 /** On the graph as it is drawn; at the edge of the plot when it is outside. */
-function beadHeight(model: StripModel, scales: Scales, parabola: Parabola | null): number {
+function beadHeight(model: GraphModel, scales: Scales, parabola: Parabola | null): number {
   const { top, floor, bottom } = scales.frame;
   const u = (model.bead.t - model.from) / (model.to - model.from);
   const y = parabola ? floor + heightAt(parabola, clamp(u, 0, 1)) * (top - floor) : scales.y(0);
   return clamp(y, top, bottom);
 }
 
-function inWords({ bead: { t, f } }: StripModel): string {
+function inWords({ bead: { t, f } }: GraphModel): string {
   return Number.isFinite(f) ? `t ${display(t)}, f ${display(f)}` : `t ${display(t)}`;
 }
 
 /** f(t) and R(t) of the bead. It stays at one place, over the plot: numbers that change are read best when they stand still. */
-export function readout({ bead: { t, f, point } }: StripModel, frame: Frame): TemplateResult {
+export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): TemplateResult {
   const digits = frame.narrow ? 4 : 6;
   const part = (name: string, value: number, precision = 6) =>
     Number.isFinite(value)
@@ -53,9 +53,9 @@ export function readout({ bead: { t, f, point } }: StripModel, frame: Frame): Te
   if (!Number.isFinite(t)) return html``;
   const at = frame.narrow ? '' : `(${display(t)})`;
   const [x, y, z] = point;
-  return html`<p class="strip-readout ${frame.narrow ? 'strip-narrow' : ''}" .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`} title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
-    <span class="strip-key"></span>
-    <span class="strip-value"><i>𝑓</i>(${part('t', t)}) = ${part('f', f)}</span>
+  return html`<p class="graph-readout ${frame.narrow ? 'graph-narrow' : ''}" .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`} title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
+    <span class="graph-key"></span>
+    <span class="graph-value"><i>𝑓</i>(${part('t', t)}) = ${part('f', f)}</span>
     <span><i>𝑅</i>${at} = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part('z', z, digits)})</span>
   </p>`;
 }

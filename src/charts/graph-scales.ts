@@ -1,8 +1,8 @@
 import { ticks as niceTicks } from 'd3-array';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import { display } from '../text/format.ts';
+import type { Frame } from './graph-frame.ts';
 import { clamp } from './steps.ts';
-import type { Frame } from './strip-frame.ts';
 
 export interface Tick {
   readonly at: number;
@@ -33,7 +33,7 @@ const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
 const FAR = 1e4;
 
 /** Null when the stretch has no extent that ticks can be set on. */
-export function scalesOf(model: StripModel, frame: Frame): Scales | null {
+export function scalesOf(model: GraphModel, frame: Frame): Scales | null {
   const extents = [model.to - model.from, model.high - model.low];
   if (!extents.every((extent) => extent > SMALLEST_EXTENT && extent < LARGEST_EXTENT)) return null;
   const x = linear([model.from, model.to], [frame.left, frame.right]);

@@ -1,14 +1,14 @@
-import type { Metrics } from './strip-frame.ts';
+import type { Metrics } from './graph-frame.ts';
 
 /**
  * Watches the size of the host and, by a hidden element as large as one caption em and ten mark pixels, the type and
- * mark sizes of the theme. `slot` is where the strip is drawn.
+ * mark sizes of the theme. `slot` is where the graph is drawn.
  */
 export function watchMetrics(host: HTMLElement, changed: () => void) {
   const probe = document.createElement('span');
-  probe.className = 'strip-probe';
+  probe.className = 'graph-probe';
   const slot = document.createElement('div');
-  slot.className = 'strip-slot';
+  slot.className = 'graph-slot';
   host.append(probe, slot);
   let metrics: Metrics | null = null;
   const observer = new ResizeObserver(() => {

@@ -1,8 +1,8 @@
 import * as fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { frameOf } from '../../../src/charts/strip-frame.ts';
-import { page } from '../../../src/charts/strip-page.ts';
-import { scalesOf } from '../../../src/charts/strip-scales.ts';
+import { frameOf } from '../../../src/charts/graph-frame.ts';
+import { scalesOf } from '../../../src/charts/graph-scales.ts';
+import { page } from '../../../src/charts/graph-view.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import type { AppState } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -29,13 +29,13 @@ function markup(part: unknown): string {
 const GEOMETRY = /\s(x|y|x1|x2|y1|y2|cx|cy|r|d|width|height|transform)="([^"]*)"/g;
 
 function undrawable(state: AppState): string[] {
-  const model = createDerive()(state).strip;
+  const model = createDerive()(state).graph;
   return [
     [640, 200],
     [340, 150],
   ].flatMap(([width = 0, height = 0]) => {
     const frame = frameOf({ width, height, em: 12.5, mark: 1 });
-    const drawn = markup(page(model, frame, scalesOf(model, frame), 'strip', HANDLERS));
+    const drawn = markup(page(model, frame, scalesOf(model, frame), 'graph', HANDLERS));
     return [...drawn.matchAll(GEOMETRY)].flatMap(([attribute, , value = '']) => {
       const words = value.match(/-?[\d.]+(?:e[-+]?\d+)?|NaN|Infinity|undefined/g) ?? [];
       return words.every((word) => Math.abs(Number(word)) <= FARTHEST) ? [] : [attribute];

@@ -1,10 +1,10 @@
 import { svg, type TemplateResult } from 'lit';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
-import type { Scales } from './strip-scales.ts';
 
-type Root = StripModel['roots'][number];
+type Root = GraphModel['roots'][number];
 
 interface Place {
   readonly side: 'start' | 'middle' | 'end';
@@ -18,7 +18,7 @@ const [LABEL, ROOM_ABOVE, ROOM_BELOW] = [1.5, 2.2, 3.4];
 const AWAY = 9;
 
 /** The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with its name. */
-export function roots(model: StripModel, scales: Scales): TemplateResult {
+export function roots(model: GraphModel, scales: Scales): TemplateResult {
   const { frame, x } = scales;
   const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));
   const visible = model.roots.filter(({ t }) => x(t) >= frame.left && x(t) <= frame.right);
@@ -29,7 +29,7 @@ export function roots(model: StripModel, scales: Scales): TemplateResult {
   return svg`${ordered.map(
     (
       root,
-    ) => svg`<g class="strip-root strip-${root.role}" data-symbol="t${root.index}" transform="translate(${coordinate(x(root.t))},${y})">
+    ) => svg`<g class="graph-root graph-${root.role}" data-symbol="t${root.index}" transform="translate(${coordinate(x(root.t))},${y})">
       ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em)}
     </g>`,
   )}`;
@@ -37,29 +37,29 @@ export function roots(model: StripModel, scales: Scales): TemplateResult {
 
 function mark({ role }: Root, scale: number): TemplateResult {
   if (role === 'first')
-    return svg`${halo(7, scale)}<circle class="strip-disc" r=${7 * scale}></circle>`;
+    return svg`${halo(7, scale)}<circle class="graph-disc" r=${7 * scale}></circle>`;
   if (role === 'other')
-    return svg`${halo(7.2, scale)}<circle class="strip-ring" r=${6 * scale}></circle>`;
+    return svg`${halo(7.2, scale)}<circle class="graph-ring" r=${6 * scale}></circle>`;
   const r = 4.6 * scale;
   const cross = `M${-r},${-r}L${r},${r}M${-r},${r}L${r},${-r}`;
-  return svg`<path class="strip-cross-halo" d=${cross}></path><path class="strip-cross" d=${cross}></path>`;
+  return svg`<path class="graph-cross-halo" d=${cross}></path><path class="graph-cross" d=${cross}></path>`;
 }
 
 /** Two px of background around a mark keep it apart from the lines that it lies on. */
 export function halo(radius: number, scale: number): TemplateResult {
-  return svg`<circle class="strip-halo" r=${radius * scale + 2}></circle>`;
+  return svg`<circle class="graph-halo" r=${radius * scale + 2}></circle>`;
 }
 
 function label({ index, double }: Root, { side, dx, below }: Place, em: number): TemplateResult {
   const up = side === 'middle' ? 1.05 * em : 0.65 * em;
   const dy = below ? up + 0.85 * em : -up;
-  return svg`<text class="strip-name" text-anchor=${side} x=${coordinate(dx)} y=${coordinate(dy)}>𝑡<tspan class="strip-index" dy="0.22em">${index}</tspan>${
-    double ? svg`<tspan class="strip-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
+  return svg`<text class="graph-name" text-anchor=${side} x=${coordinate(dx)} y=${coordinate(dy)}>𝑡<tspan class="graph-index" dy="0.22em">${index}</tspan>${
+    double ? svg`<tspan class="graph-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
   }</text>`;
 }
 
 /** Where the graph is not: above the axis it leaves the side free to which it falls. */
-function place(root: Root, model: StripModel, scales: Scales): Place {
+function place(root: Root, model: GraphModel, scales: Scales): Place {
   const { frame, x, y } = scales;
   const slope = slopeAt(root, model);
   const above = y(0) - frame.top > ROOM_ABOVE * frame.em;
@@ -82,13 +82,13 @@ function overBoth(slope: number, gap: number): Place {
 }
 
 /** Only the sign counts. */
-function slopeAt(root: Root, { A, B, roots }: StripModel): number {
+function slopeAt(root: Root, { A, B, roots }: GraphModel): number {
   if (root.double) return 0;
   if (A === 0 || roots.length < 2) return B;
   return root === roots[0] ? -A : A;
 }
 
-function gapOf({ roots: [first, second] }: StripModel, x: Scales['x']): number {
+function gapOf({ roots: [first, second] }: GraphModel, x: Scales['x']): number {
   return first && second ? Math.abs(x(second.t) - x(first.t)) : Number.POSITIVE_INFINITY;
 }
 

@@ -1,22 +1,22 @@
-import './strip.css';
+import './graph.css';
 import { html, render } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { frameOf } from './strip-frame.ts';
-import { watchMetrics } from './strip-metrics.ts';
-import { keyTarget, pointerMoves, type Shown } from './strip-move.ts';
-import { type Handlers, page } from './strip-page.ts';
-import { scalesOf } from './strip-scales.ts';
+import { frameOf } from './graph-frame.ts';
+import { watchMetrics } from './graph-metrics.ts';
+import { keyTarget, pointerMoves, type Shown } from './graph-move.ts';
+import { scalesOf } from './graph-scales.ts';
+import { type Handlers, page } from './graph-view.ts';
 
-const CONCEALED = html`<p class="strip-concealed">Hidden. Predict first: where is f zero?</p>`;
+const CONCEALED = html`<p class="graph-concealed">Hidden. Predict first: where is f zero?</p>`;
 
-let strips = 0;
+let graphs = 0;
 
 /** The graph of f on the ray's own t, with a bead that can be moved. Fills its host; draws only when asked or resized. */
-export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<StripModel> {
-  const id = `strip-${++strips}`;
-  let model: StripModel | null = null;
+export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> {
+  const id = `graph-${++graphs}`;
+  let model: GraphModel | null = null;
   let shown: Shown | null = null;
   // The next key may come before the next frame: it goes on from where the last one has sent the bead.
   const send: Dispatch = (action) => {
@@ -24,7 +24,7 @@ export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<Strip
     dispatch(action);
   };
   const handlers = handlersOf(() => shown, send);
-  host.classList.add('strip');
+  host.classList.add('graph');
   const watch = watchMetrics(host, draw);
 
   function draw(): void {
@@ -48,7 +48,7 @@ export function mountStrip(host: HTMLElement, dispatch: Dispatch): Mounted<Strip
     },
     dispose() {
       watch.dispose();
-      host.classList.remove('strip');
+      host.classList.remove('graph');
     },
   };
 }

@@ -1,14 +1,14 @@
 import { html, svg, type TemplateResult } from 'lit';
-import type { StripModel } from '../state/strip-model.ts';
-import { bead, readout } from './strip-bead.ts';
-import { type Parabola, parabolaOf } from './strip-curve.ts';
-import type { Frame } from './strip-frame.ts';
-import { definitions, grid } from './strip-grid.ts';
-import { area, curve, rayAxis, words } from './strip-layers.ts';
-import { roots } from './strip-roots.ts';
-import type { Scales } from './strip-scales.ts';
+import type { GraphModel } from '../state/graph-model.ts';
+import { bead, readout } from './graph-bead.ts';
+import { type Parabola, parabolaOf } from './graph-curve.ts';
+import type { Frame } from './graph-frame.ts';
+import { definitions, grid } from './graph-grid.ts';
+import { area, curve, rayAxis, words } from './graph-layers.ts';
+import { roots } from './graph-roots.ts';
+import type { Scales } from './graph-scales.ts';
 
-/** What the strip does when it is touched. They stay the same from one drawing to the next. */
+/** What the graph does when it is touched. They stay the same from one drawing to the next. */
 export interface Handlers {
   readonly key: (event: KeyboardEvent) => void;
   readonly down: (event: PointerEvent) => void;
@@ -20,9 +20,9 @@ export interface Handlers {
 const CONTAINED = 'f(t) = 0 for every t';
 const NOT_DRAWN = 'f leaves the range of numbers here and cannot be drawn';
 
-/** The whole strip: description, picture, bead, numbers, and a note where something cannot be shown. */
+/** The whole graph: description, picture, bead, numbers, and a note where something cannot be shown. */
 export function page(
-  model: StripModel,
+  model: GraphModel,
   frame: Frame,
   scales: Scales | null,
   id: string,
@@ -31,24 +31,24 @@ export function page(
   const parabola = scales && parabolaOf(model);
   const note = noteOf(model, parabola);
   // The picture is a group, not an image: the bead within it must stay reachable.
-  return html`<p class="strip-text" id="${id}-text">${model.description}</p>
-    <svg class="strip-svg" role="group" aria-label="graph of f on the ray" aria-describedby="${id}-text"
+  return html`<p class="graph-text" id="${id}-text">${model.description}</p>
+    <svg class="graph-svg" role="group" aria-label="graph of f on the ray" aria-describedby="${id}-text"
       width=${frame.width} height=${frame.height} @pointerdown=${handlers.down} @pointermove=${handlers.move}
       @pointerup=${handlers.up} @pointercancel=${handlers.cancel}>
       ${scales ? svg`<g aria-hidden="true">${layers(model, scales, parabola, id)}</g>${bead(model, scales, parabola, handlers.key)}` : ''}
     </svg>
     ${readout(model, frame)}
-    ${note === null ? '' : html`<p class="strip-note" .style=${`top:${frame.top}px`}>${note}</p>`}`;
+    ${note === null ? '' : html`<p class="graph-note" .style=${`top:${frame.top}px`}>${note}</p>`}`;
 }
 
-function noteOf({ note, contained }: StripModel, parabola: Parabola | null): string | null {
+function noteOf({ note, contained }: GraphModel, parabola: Parabola | null): string | null {
   if (note !== null) return note;
   if (parabola === null) return NOT_DRAWN;
   return contained ? CONTAINED : null;
 }
 
 function layers(
-  model: StripModel,
+  model: GraphModel,
   scales: Scales,
   parabola: Parabola | null,
   id: string,

@@ -4,18 +4,18 @@ import type { Intersection } from '../math/intersection.ts';
 import type { Ray } from '../math/ray.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { display } from '../text/format.ts';
+import type { GraphModel } from './graph-model.ts';
 import { stretchesOf } from './stretches.ts';
-import type { StripModel } from './strip-model.ts';
 import { restingBead, windowOf } from './window.ts';
 import { type HitWords, hitSentences, hitWords } from './words.ts';
 
 /** The graph of f over the window, with the stretches of the ray and the bead. */
-export function stripOf(
+export function graphOf(
   found: Intersection,
   shape: Shape,
   ray: Ray,
   bead: number | null,
-): StripModel {
+): GraphModel {
   const span = found.class === 'contained' ? spanInFigure(shape, ray) : null;
   const window = windowOf(found, span ? [span.from, span.to] : []);
   const { A, B, C } = quadratic(found);

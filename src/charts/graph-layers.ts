@@ -1,41 +1,41 @@
 import { svg, type TemplateResult } from 'lit';
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import { areaPath, curvePath, type Parabola } from './graph-curve.ts';
+import { LETTER } from './graph-frame.ts';
+import type { Scales, Tick } from './graph-scales.ts';
 import { clamp } from './steps.ts';
-import { areaPath, curvePath, type Parabola } from './strip-curve.ts';
-import { LETTER } from './strip-frame.ts';
-import type { Scales, Tick } from './strip-scales.ts';
 
 /** The t axis at f = 0, in the ray's own line styles, with its ticks. */
-export function rayAxis(model: StripModel, scales: Scales): TemplateResult {
+export function rayAxis(model: GraphModel, scales: Scales): TemplateResult {
   const { top, bottom, mark } = scales.frame;
   const y = coordinate(clamp(scales.y(0), top, bottom));
   const tick = ({ at, value }: Tick) =>
     value === 0
       ? ''
-      : svg`<line class="strip-ray strip-mark" x1=${coordinate(at)} x2=${coordinate(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
+      : svg`<line class="graph-ray graph-mark" x1=${coordinate(at)} x2=${coordinate(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
   return svg`<g data-symbol="d">
     ${visible(model, scales).map(
       ({ from, to, stretch }) =>
-        svg`<line class="strip-ray strip-${stretch}" x1=${from} x2=${to} y1=${y} y2=${y}></line>`,
+        svg`<line class="graph-ray graph-${stretch}" x1=${from} x2=${to} y1=${y} y2=${y}></line>`,
     )}
     ${scales.tTicks.map(tick)}
   </g>`;
 }
 
 /** "behind", "outside", "inside", where there is room for the word. */
-export function words(model: StripModel, scales: Scales): TemplateResult {
+export function words(model: GraphModel, scales: Scales): TemplateResult {
   const { bottom, em } = scales.frame;
   const y = coordinate(bottom - 0.5 * em);
   return svg`${visible(model, scales)
     .filter(({ from, to, place }) => to - from > ((place ?? '').length * LETTER + 0.4) * em)
     .map(
       ({ from, to, place }) =>
-        svg`<text class="strip-word" text-anchor="middle" x=${coordinate((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
+        svg`<text class="graph-word" text-anchor="middle" x=${coordinate((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
     )}`;
 }
 
-function visible({ stretches }: StripModel, { frame, x }: Scales) {
+function visible({ stretches }: GraphModel, { frame, x }: Scales) {
   const inPlot = (t: number) => coordinate(clamp(x(t), frame.left, frame.right));
   return stretches
     .map(({ from, to, ...kept }) => ({ from: inPlot(from), to: inPlot(to), ...kept }))
@@ -44,9 +44,9 @@ function visible({ stretches }: StripModel, { frame, x }: Scales) {
 
 /** The region where f < 0, and the graph. */
 export function area(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
-  return svg`<path class="strip-area" clip-path="url(#${id}-below)" d=${areaPath(parabola, frame)}></path>`;
+  return svg`<path class="graph-area" clip-path="url(#${id}-below)" d=${areaPath(parabola, frame)}></path>`;
 }
 
 export function curve(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
-  return svg`<path class="strip-curve" data-symbol="f" clip-path="url(#${id}-plot)" d=${curvePath(parabola, frame)}></path>`;
+  return svg`<path class="graph-curve" data-symbol="f" clip-path="url(#${id}-plot)" d=${curvePath(parabola, frame)}></path>`;
 }

@@ -1,6 +1,6 @@
-import type { StripModel } from '../state/strip-model.ts';
+import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
-import type { Frame } from './strip-frame.ts';
+import type { Frame } from './graph-frame.ts';
 
 /** v(u) = a u² + b u + c: the graph in units of the plot, u from left (0) to right (1), v from bottom (0) to top (1). */
 export interface Parabola {
@@ -23,7 +23,7 @@ const [LOWEST, HIGHEST] = [-1, 2];
 const HALVINGS = 54;
 
 /** Null when the graph leaves the doubles. */
-export function parabolaOf(model: StripModel): Parabola | null {
+export function parabolaOf(model: GraphModel): Parabola | null {
   const { A, B, C, from, low, roots } = model;
   const s = model.to - from;
   const h = model.high - low;
@@ -38,7 +38,7 @@ export function parabolaOf(model: StripModel): Parabola | null {
   return Object.values(made).every(Number.isFinite) ? made : null;
 }
 
-function doubled(root: StripModel['roots'][number] | undefined) {
+function doubled(root: GraphModel['roots'][number] | undefined) {
   return root?.double ? root : undefined;
 }
 
