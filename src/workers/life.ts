@@ -11,13 +11,14 @@ interface Alive {
 /** In the worker, which was started under a name of its own. Work that never pauses waits for this, or nothing is told. */
 export function liveAs(name: string): Promise<void> {
   return new Promise((held) => {
-    if (!navigator.locks) return held();
+    const locks = globalThis.navigator?.locks;
+    if (!locks) return held();
     const hold = (): Promise<never> => {
       postMessage({ alive: true } satisfies Alive);
       held();
       return new Promise(() => {});
     };
-    navigator.locks.request(name, hold).catch(() => held());
+    locks.request(name, hold).catch(() => held());
   });
 }
 

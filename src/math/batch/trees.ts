@@ -2,7 +2,7 @@ import type { Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
-import { type Answers, type Kernel, type Rays, VERDICTS } from './batch.ts';
+import { type Answers, checkRay, type Kernel, type Rays, VERDICTS } from './batch.ts';
 import { kernelOf } from './loops.ts';
 
 /**
@@ -15,6 +15,7 @@ export function treeKernel(
 ): Kernel {
   const curved = definitionOf(shape).formula(shape).family === 'curved';
   return kernelOf(curved ? 'two' : 'one', (rays: Rays, i: number, out: Answers): number => {
+    checkRay(rays, i, true, out);
     const found = intersect(shape, {
       origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
       direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
