@@ -1,25 +1,29 @@
+import { SHAPES } from '../math/shapes/index.ts';
+import type { Param } from '../math/shapes/params.ts';
+
 /** Which colour a symbol of a formula has, and which symbol lights up with it. */
 
-const SCALAR_ROLES: Readonly<Record<string, string>> = {
-  r: 'shape',
-  c: 'shape',
-  a: 'shape',
-  L: 'shape',
-};
-const VECTOR_ROLES: Readonly<Record<string, string>> = {
-  E: 'E',
-  d: 'd',
-  N: 'normal',
-  P: 'shape',
-  C: 'shape',
-  V: 'shape',
-};
+const PARAMS: readonly Param[] = SHAPES.flatMap(({ params }): readonly Param[] => params);
+
+/** A direction of a shape is its normal; every other parameter has the shape's own colour. */
+const roleOf = (param: Param): string =>
+  param.type === 'vector' && param.nonZero ? 'normal' : 'shape';
+
+const rolesOf = (type: 'number' | 'vector'): [string, string][] =>
+  PARAMS.flatMap((param) => (param.type === type ? [[param.symbol, roleOf(param)]] : []));
+
+const SCALAR_ROLES: ReadonlyMap<string, string> = new Map(rolesOf('number'));
+const VECTOR_ROLES: ReadonlyMap<string, string> = new Map([
+  ...rolesOf('vector'),
+  ['E', 'E'],
+  ['d', 'd'],
+]);
 
 type Sort = 'scalar' | 'vector';
 
 /** The class that carries the colour: sym-E, sym-d, sym-shape, sym-normal, or none. */
 export function classOf(id: string, sort: Sort): string {
-  const role = (sort === 'scalar' ? SCALAR_ROLES : VECTOR_ROLES)[id];
+  const role = (sort === 'scalar' ? SCALAR_ROLES : VECTOR_ROLES).get(id);
   return role ? `sym sym-${role}` : 'sym';
 }
 
