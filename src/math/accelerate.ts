@@ -6,9 +6,14 @@ let made: Fast | null | undefined;
 
 /**
  * Lets `certified` find the roots of batches by WebAssembly, two rays at a time: the same numbers,
- * at the prices in docs/bench.md, which are those of arrays by `kernelArray` (batch/memory.ts).
- * False where WebAssembly is not to be had; then all stays as it was. For Node and workers: a page
- * whose content security policy forbids WebAssembly would report the attempt.
+ * at the prices in docs/bench.md, which are those of arrays by `kernelArray` (batch/memory.ts). It
+ * holds for all kernels, also those made before, until `decelerate`. For Node and workers: a page
+ * whose content security policy forbids WebAssembly would report the attempt. Throws nothing.
+ *
+ * @returns false where WebAssembly is not to be had; then all stays as it was.
+ * @example
+ * accelerate(); // → true
+ * decelerate();
  */
 export function accelerate(): boolean {
   if (made === undefined) made = createFast();
@@ -17,7 +22,13 @@ export function accelerate(): boolean {
   return made !== null;
 }
 
-/** Undoes `accelerate`. */
+/**
+ * Undoes `accelerate`; its memory stays, for arrays that were made in it.
+ *
+ * @example
+ * decelerate();
+ * solveQuadratic(1, -3, 2).roots; // → [1, 2]
+ */
 export function decelerate(): void {
   useFastRoots(null);
   useMemory(null);

@@ -27,13 +27,25 @@ const OF_SHAPE: ReadonlyMap<string, readonly ShapeFamily[]> = new Map(
   ]),
 );
 
-/** Families made for one shape: those of that hardness; none for the shapes that have their own. */
+/**
+ * Families made for one shape: those of that hardness; none for the shapes that have their own.
+ *
+ * @param kind a shape's `kind`.
+ * @example
+ * madeFamilies('sphere', 'hard').length > 0; // → true
+ * madeFamilies('cone', 'hard'); // → []
+ */
 export const madeFamilies = (kind: string, hardness: Hardness | 'invalid'): readonly Family[] =>
   (OF_SHAPE.get(kind) ?? []).flatMap((made) => (made.hardness === hardness ? [made.family] : []));
 
 /**
  * Every family there is: curved shapes easy ones first, then flat ones, then those made for single
  * shapes. A new one is one entry.
+ *
+ * @example
+ * const { shape, rays } = FAMILIES[0]!.batch(seeded(7), 100);
+ * rays.length; // → 100
+ * intersect(shape, rays[0]!).method; // → 'certified'
  */
 export const FAMILIES: readonly Family[] = [
   typical,
@@ -67,5 +79,13 @@ export const FAMILIES: readonly Family[] = [
   ...[...OF_SHAPE.values()].flat().map(({ family }) => family),
 ];
 
+/**
+ * The family with this `id`, or undefined.
+ *
+ * @example
+ * const { shape, ray } = findFamily('exact-tangent')!.make(seeded(7));
+ * intersect(shape, ray).class; // → 'tangent'
+ * findFamily('easy'); // → undefined
+ */
 export const findFamily = (id: string): Family | undefined =>
   FAMILIES.find((family) => family.id === id);

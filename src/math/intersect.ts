@@ -18,30 +18,47 @@ import type { Given } from './vec3.ts';
 import { plainVector } from './vec3.ts';
 
 /**
- * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each root one of the two doubles around it, at a price that
- * a picture can pay. The page still compares every class that it shows with the exact rung's.
+ * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each
+ * root one of the two doubles around it, at a price that a picture can pay. The page still compares
+ * every class that it shows with the exact rung's.
  */
 export const DEFAULT_METHOD = 'certified';
 
 export interface IntersectOptions {
   /**
-   * The shape whose surface the ray is declared to start on, because E was computed as a hit on it. If it is `shape` itself (the
-   * same object, or one with equal numbers), the root nearest to t = 0 is where the ray starts and not a hit: it is dropped by this
-   * rule of identity, at whatever distance, without any epsilon. Two equally near roots: the positive one is dropped.
+   * The shape whose surface the ray is declared to start on, because E was computed as a hit on it.
+   * If it is `shape` itself (the same object, or one with equal numbers), the root nearest to t = 0
+   * is where the ray starts and not a hit: it is dropped by this rule of identity, at whatever
+   * distance, without any epsilon. Two equally near roots: the positive one is dropped.
    *
-   * `certified` and `exact` decide which root is nearer exactly, the other rungs by comparing their own rounded roots. What
-   * no rule can know: whether E was on the surface at all. A ray declared to leave a surface that it does not start on loses a
-   * true hit; and where E has been rounded so far that the line misses the surface, there is nothing to drop.
+   * `certified` and `exact` decide which root is nearer exactly, the other rungs by comparing their
+   * own rounded roots. What no rule can know: whether E was on the surface at all. A ray declared to
+   * leave a surface that it does not start on loses a true hit; and where E has been rounded so far
+   * that the line misses the surface, there is nothing to drop.
    */
   readonly from?: Given<Shape> | null | undefined;
 }
 
 /**
- * Where the whole line R(t) = E + t d meets the shape, t of any sign, ascending; t counts in
- * lengths of d. Throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius
- * or side, an unknown kind or method, and on a field that is not the shape's, the ray's or an
- * option. Vectors may be any list of three numbers, a Float64Array for one. What the answer is
- * worth depends on the method: see its `promise`.
+ * Where the whole line R(t) = E + t d meets the shape: its class, and its hits in ascending t, of
+ * any sign. What the answer is worth depends on the method: see its `promise`.
+ *
+ * @param shape its kind and each of its parameters, in units of length; a slope, a flare and a
+ *   normal have none. Vectors may be any list of three numbers, a Float64Array for one.
+ * @param ray `origin` is E, in units of length; `direction` is d, of any length but 0. t counts in
+ *   lengths of d.
+ * @param method the `id` of one of METHODS.
+ * @param options `from`: the shape that the ray starts on, whose root there is no hit.
+ * @throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an
+ *   unknown kind or method, and on a field that is not the shape's, the ray's or an option.
+ * @example
+ * const cylinder = { kind: 'cylinder', center: [0, 0, 0], radius: 5 } as const;
+ * const ray = { origin: [-10, 0, 3], direction: [1, 0, 0] } as const;
+ * intersect(cylinder, ray).class; // → 'two'
+ * intersect(cylinder, ray).hits.map(({ t }) => t); // → [6, 14]
+ * intersect(cylinder, ray, 'textbook').hits[0]?.normal; // → [-4, 0, 3]
+ * intersect(cylinder, { ...ray, direction: [0, 0, 0] });
+ * // throws InvalidInput: direction must not be zero, got (0, 0, 0)
  */
 export function intersect(
   shape: Given<Shape>,
@@ -61,9 +78,20 @@ export function intersect(
 const OPTIONS = ['from'];
 
 /**
- * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape f is the line with
- * A = 0, B = N·d and C = N·(E − P). By 'exact' and 'certified' each is correctly rounded (±Infinity where it is beyond the doubles);
- * by 'textbook' it is the course's own float64 evaluation. Throws InvalidInput as `intersect` does.
+ * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape
+ * f is the line with A = 0, B = N·d and C = N·(E − P). By 'exact' and 'certified' each is correctly
+ * rounded (±Infinity where it is beyond the doubles); by 'textbook' it is the course's own float64
+ * evaluation.
+ *
+ * @param shape as for `intersect`.
+ * @param ray as for `intersect`. f counts t in lengths of d.
+ * @param method the `id` of one of METHODS.
+ * @throws InvalidInput as `intersect` does.
+ * @example
+ * coefficients(
+ *   { kind: 'cylinder', center: [0, 0, 0], radius: 5 },
+ *   { origin: [-10, 0, 3], direction: [1, 0, 0] },
+ * ); // → { A: 1, B: -20, C: 84 }
  */
 export function coefficients(
   shape: Given<Shape>,
@@ -75,9 +103,18 @@ export function coefficients(
 }
 
 /**
- * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every t is a root.
- * By default correctly rounded for every finite triple; the other solvers are the rungs' own.
- * Throws InvalidInput on NaN or infinity.
+ * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every t
+ * is a root.
+ *
+ * @param A any finite number, as B and C; 0 makes the equation linear.
+ * @param solver the `id` of one of METHODS, whose own solver is used. By 'certified' and 'exact' the
+ *   roots are correctly rounded for every finite triple.
+ * @throws InvalidInput on NaN, infinity and an unknown method.
+ * @example
+ * solveQuadratic(1, -3, 2); // → { class: 'two', roots: [1, 2] }
+ * solveQuadratic(1, -2e8, 1).roots; // → [5e-9, 200000000]
+ * solveQuadratic(1, -2e8, 1, 'textbook').roots; // → [0, 200000000]
+ * solveQuadratic(1, 0, Number.NaN); // throws InvalidInput: C must be a finite number, got NaN
  */
 export function solveQuadratic(
   A: number,

@@ -11,9 +11,11 @@ export type DecidedBy = 'formula' | 'filter' | 'double-double' | 'exact';
 
 export type Sign = -1 | 0 | 1;
 
+/** A point where the line meets the shape. */
 export interface Hit {
   /** In lengths of d. */
   readonly t: number;
+  /** E + t d, from the root before it was rounded where the method has it; in units of length. */
   readonly point: Vec3;
   /** The course's normal, not normalised; [0, 0, 0] where it is exactly zero. */
   readonly normal: Vec3;
@@ -52,24 +54,33 @@ export interface FlatDetails {
   readonly meetsFigure: boolean | null;
 }
 
+/** What `intersect` answers. */
 export interface Intersection {
+  /** Of the whole line. */
   readonly class: Verdict;
   /** Ascending in t; a tangent has one hit. */
   readonly hits: readonly Hit[];
+  /** The `id` of the method. */
   readonly method: string;
   readonly decidedBy: DecidedBy;
   readonly details: CurvedDetails | FlatDetails;
-  /** The hit that a ray starting on the shape (`from`) starts at: it is not among `hits`, while `class` is still the whole line's. */
+  /**
+   * The hit that a ray starting on the shape (`from`) starts at: it is not among `hits`, while
+   * `class` is still the whole line's.
+   */
   readonly dropped?: Hit;
 }
 
+/** Of f(t) = A t² + B t + C. */
 export interface Coefficients {
   readonly A: number;
   readonly B: number;
   readonly C: number;
 }
 
+/** What `solveQuadratic` answers. */
 export interface QuadraticAnswer {
+  /** As for a line: 'one' where A = 0, 'contained' where all three are 0. */
   readonly class: Verdict;
   /** Ascending; a tangent has one root. */
   readonly roots: readonly number[];

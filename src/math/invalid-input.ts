@@ -1,6 +1,14 @@
 import { AXES } from './vec3.ts';
 
-/** Thrown for an input that is not in the domain. The message is short, lower-case and quotes the value. */
+/**
+ * Thrown for an input that is not in the domain. The message is short, lower-case and quotes the
+ * value.
+ *
+ * @example
+ * const error = new InvalidInput('radius must be ≥ 0, got -1');
+ * error instanceof RangeError; // → true
+ * String(error); // → 'InvalidInput: radius must be ≥ 0, got -1'
+ */
 export class InvalidInput extends RangeError {
   override readonly name = 'InvalidInput';
 }

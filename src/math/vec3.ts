@@ -1,4 +1,4 @@
-/** A point or a direction in space, components along x, y and z. */
+/** A point or a direction in space, components along x, y and z; y is the axis of round shapes. */
 export type Vec3 = readonly [number, number, number];
 
 /**

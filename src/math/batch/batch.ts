@@ -3,32 +3,43 @@ import { requireFinite, requireNonZero } from '../invalid-input.ts';
 import type { Ray } from '../ray.ts';
 import { type MakeArray, ownArray } from './memory.ts';
 
-/**
- * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made per ray. (`exact` makes big integers, and so does
- * `certified` for what its fast stages leave open; the register machines of `compensated` and `interval` box a double now and then, up to some
- * 50 bytes a ray.) Every rung implements Kernel with loops of its own: a loop shared between methods through a callback is fast for the first one
- * that it inlines and slow for all as soon as there is a second.
+/*
+ * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made
+ * per ray. (`exact` makes big integers, and so does `certified` for what its fast stages leave open;
+ * the register machines of `compensated` and `interval` box a double now and then, up to some 50
+ * bytes a ray.) Every rung implements Kernel with loops of its own: a loop shared between methods
+ * through a callback is fast for the first one that it inlines and slow for all as soon as there is
+ * a second.
  */
+
+/** Rays R(t) = E + t d, component by component; each array has at least `count` numbers. */
 export interface Rays {
   /** Rays 0 … count − 1 are asked about; the arrays may be longer. */
   count: number;
+  /** E, in the units of length that the shape has. */
   readonly Ex: Float64Array;
   readonly Ey: Float64Array;
   readonly Ez: Float64Array;
+  /** d, of any length but 0: roots count in its lengths. */
   readonly dx: Float64Array;
   readonly dy: Float64Array;
   readonly dz: Float64Array;
 }
 
 /**
- * What a kernel writes. A byte or a branch for the class costs more on random rays than the arithmetic, so the class is
- * read from the numbers, and the few rays for which these do not tell it are listed aside, in any order, each once.
+ * What a kernel writes; each array has at least as many places as there are rays. A byte or a branch
+ * for the class costs more on random rays than the arithmetic, so the class is read from the
+ * numbers, and the few rays for which these do not tell it are listed aside, in any order, each
+ * once.
  */
 export interface Answers {
-  /** `both`, `first`: the roots, ascending; NaN where there is none. */
+  /** `both`, `first`: the roots in lengths of d, ascending; NaN where there is none. */
   readonly t0: Float64Array;
   readonly t1: Float64Array;
-  /** `classes`: ≥ 0 where the line meets the shape, negative where it does not; any number, NaN too, if the ray is listed. */
+  /**
+   * `classes`: ≥ 0 where the line meets the shape, negative where it does not; any number, NaN too,
+   * if the ray is listed. Its unit is the method's own: only the sign counts.
+   */
   readonly margin: Float64Array;
   /** The listed rays: rareIndex[k] has the class VERDICTS[rareVerdict[k]], for k < rareCount. */
   rareCount: number;
@@ -44,22 +55,27 @@ export interface Answers {
  * cylinder's does not look at Ey and dy.
  */
 export interface Kernel {
-  /** The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a flat one. */
+  /**
+   * The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a
+   * flat one.
+   */
   readonly met: 'two' | 'one';
   /** "Is it hit?" for the whole line. Fills margin; lists every ray whose class is neither `met` nor 'none'. */
   classes(rays: Rays, out: Answers): void;
   /**
-   * The smallest root in [tMin, tMax], as the method rounds its roots, in t0; NaN if there is none. Lists 'contained' and
-   * 'undecided' (both with NaN); whether a root is a tangent's is not asked.
+   * The smallest root in [tMin, tMax] (in lengths of d, either end may be infinite), as the method
+   * rounds its roots, in t0, NaN if there is none; t1 becomes NaN. Lists 'contained' and 'undecided'
+   * (both with NaN); whether a root is a tangent's is not asked.
    */
   first(rays: Rays, tMin: number, tMax: number, out: Answers): void;
   /**
-   * t0 ≤ t1: 'two'. t0 alone: 'one', or 'tangent' if it is listed so. Neither: 'none', or 'contained' or 'undecided' if
-   * it is listed so.
+   * t0 ≤ t1: 'two'. t0 alone: 'one', or 'tangent' if it is listed so. Neither: 'none', or 'contained'
+   * or 'undecided' if it is listed so.
    */
   both(rays: Rays, out: Answers): void;
 }
 
+/** What numbers in `rareVerdict` stand for: NONE is the place of 'none', and so on. */
 export const VERDICTS = [
   'none',
   'one',
@@ -75,13 +91,28 @@ export const TANGENT = 3;
 export const CONTAINED = 4;
 export const UNDECIDED = 5;
 
-/** `make` as in memory.ts: kernelArray saves copying for whoever keeps the arrays to himself. */
+/**
+ * Room for `capacity` rays, all zeros, `count` 0.
+ *
+ * @param make makes each array: `kernelArray` (memory.ts) saves copying where the arrays stay here.
+ * @example
+ * const rays = createRays(2);
+ * [rays.Ex[0], rays.dx[0], rays.count] = [4, -1, 1];
+ * rays.Ex.length; // → 2
+ */
 export function createRays(capacity: number, make: MakeArray = ownArray): Rays {
   const array = (): Float64Array => make(capacity);
   return { count: 0, Ex: array(), Ey: array(), Ez: array(), dx: array(), dy: array(), dz: array() };
 }
 
-/** The same rays as a structure of arrays. */
+/**
+ * The same rays as a structure of arrays; `count` is their number. They are not checked here.
+ *
+ * @param make as for `createRays`.
+ * @example
+ * const rays = packRays([{ origin: [4, 1, 0], direction: [-1, 0, 2] }]);
+ * [rays.count, rays.Ex[0], rays.dz[0]]; // → [1, 4, 2]
+ */
 export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays {
   const rays = createRays(list.length, make);
   rays.count = list.length;
@@ -92,6 +123,20 @@ export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays
   return rays;
 }
 
+/**
+ * Room for the answers to `capacity` rays.
+ *
+ * @param make as for `createRays`; used for the roots.
+ * @example
+ * const rays = packRays([{ origin: [-10, 0, 3], direction: [1, 0, 0] }]);
+ * const out = createAnswers(rays.count);
+ * const certified = METHODS.find(({ id }) => id === 'certified')!;
+ * const kernel = certified.batch({ kind: 'cylinder', center: [0, 0, 0], radius: 5 });
+ * kernel.both(rays, out);
+ * [out.t0[0], out.t1[0]]; // → [6, 14]
+ * kernel.first(rays, 7, Infinity, out);
+ * [out.t0[0], out.t1[0]]; // → [14, NaN]
+ */
 export function createAnswers(capacity: number, make: MakeArray = ownArray): Answers {
   return {
     t0: make(capacity),
@@ -105,7 +150,14 @@ export function createAnswers(capacity: number, make: MakeArray = ownArray): Ans
 
 /**
  * For kernels that throw: InvalidInput, and no answers, if ray i is not in order. Asked only of rays
- * that take long anyway. `looksAtY` as Quadric.hasY.
+ * that take long anyway.
+ *
+ * @param looksAtY as Quadric.hasY: false where Ey and dy may be anything.
+ * @throws InvalidInput with the ray's index, if one of its numbers is not finite or d is 0.
+ * @example
+ * const rays = packRays([{ origin: [0, 0, 0], direction: [0, 0, 0] }]);
+ * checkRay(rays, 0, true, createAnswers(1));
+ * // throws InvalidInput: ray 0: direction must not be zero, got (0, 0, 0)
  */
 export function checkRay(rays: Rays, i: number, looksAtY: boolean, out: Answers): void {
   const ex = rays.Ex[i] as number;
@@ -127,14 +179,31 @@ export function checkRay(rays: Rays, i: number, looksAtY: boolean, out: Answers)
 
 const PARTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 
-/** For kernels: puts ray i on the list. */
+/**
+ * For kernels: puts ray i on the list.
+ *
+ * @param verdict a place in VERDICTS.
+ * @example
+ * const out = createAnswers(2);
+ * list(out, 1, CONTAINED);
+ * [out.rareCount, out.rareIndex[0], VERDICTS[out.rareVerdict[0]!]]; // → [1, 1, 'contained']
+ */
 export function list(out: Answers, i: number, verdict: number): void {
   out.rareIndex[out.rareCount] = i;
   out.rareVerdict[out.rareCount] = verdict;
   out.rareCount += 1;
 }
 
-/** The verdicts of the first `count` rays after `classes`. */
+/**
+ * The verdicts of the first `count` rays after `classes`.
+ *
+ * @param met the kernel's own.
+ * @example
+ * const out = createAnswers(3);
+ * out.margin.set([1, -1]);
+ * list(out, 2, TANGENT);
+ * verdictsOfClasses(out, 3, 'two'); // → ['two', 'none', 'tangent']
+ */
 export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one'): Verdict[] {
   const found = Array.from(
     { length: count },
@@ -143,7 +212,15 @@ export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one
   return withListed(found, out);
 }
 
-/** The verdicts of the first `count` rays after `both`. */
+/**
+ * The verdicts of the first `count` rays after `both`.
+ *
+ * @example
+ * const out = createAnswers(3);
+ * out.t0.set([6, 2, Number.NaN]);
+ * out.t1.set([14, Number.NaN, Number.NaN]);
+ * verdictsOfRoots(out, 3); // → ['two', 'one', 'none']
+ */
 export function verdictsOfRoots(out: Answers, count: number): Verdict[] {
   const found = Array.from({ length: count }, (_, i): Verdict => {
     if (!Number.isNaN(out.t1[i])) return 'two';
@@ -160,8 +237,15 @@ function withListed(found: Verdict[], out: Answers): Verdict[] {
 }
 
 /**
- * Turns the answers of `both` into those of `first`: a pass over what is already in cache. A branch-free choice is not
- * worth it here: for one interval the branch is nearly always the same.
+ * Turns the answers of `both` into those of `first`: a pass over what is already in cache. A
+ * branch-free choice is not worth it here: for one interval the branch is nearly always the same.
+ *
+ * @param tMin in lengths of d, as tMax; either may be infinite.
+ * @example
+ * const out = createAnswers(1);
+ * [out.t0[0], out.t1[0]] = [6, 14];
+ * selectFirst(out, 1, 7, Infinity);
+ * [out.t0[0], out.t1[0]]; // → [14, NaN]
  */
 export function selectFirst(out: Answers, count: number, tMin: number, tMax: number): void {
   const { t0, t1, rareIndex, rareVerdict } = out;

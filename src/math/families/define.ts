@@ -26,8 +26,15 @@ export interface Family {
   readonly idea: string;
   /** Null where there is nothing to turn. */
   readonly dial: Dial | null;
+  /**
+   * One ray and its shape.
+   *
+   * @param random where chance comes from, numbers in [0, 1): the same draws give the same ray.
+   * @param difficulty a number within the dial's `range`; left out: drawn from its `usual`. A family
+   *   without a dial does not look at it.
+   */
   make(random: Random, difficulty?: number): Question;
-  /** Many rays for one shape, as a batch kernel wants them. */
+  /** Many rays for one shape, as a batch kernel wants them; the rest as for `make`. */
   batch(
     random: Random,
     count: number,

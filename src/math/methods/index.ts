@@ -7,7 +7,12 @@ import { stable } from './stable.ts';
 import { textbook } from './textbook.ts';
 import { textbook32 } from './textbook32.ts';
 
-/** The ladder, from the course's own formula upwards. A new rung is one new file and one word here. */
+/**
+ * The ladder, from the course's own formula upwards. A new rung is one new file and one word here.
+ *
+ * @example
+ * METHODS.map(({ id }) => id).includes('certified'); // → true
+ */
 export const METHODS = [
   textbook32,
   textbook,

@@ -10,8 +10,9 @@ export interface Quadric {
   readonly Cz: number;
   /** False: the formula has no term in y (a cylinder's; a hyperboloid's with a = 0 has one). */
   readonly hasY: boolean;
-  /** a, or c where a = c² (`squared`), because c² is not always a double. */
+  /** a where `squared` is false; c where it is true, and a = c², which is not always a double. */
   readonly flare: number;
+  /** A cone's: its `flare` is its slope c. */
   readonly squared: boolean;
   /** ρ = r²; 0 for a cone. */
   readonly r: number;

@@ -108,17 +108,24 @@ describe.each(METHODS.filter(({ batch }) => batch).map((m) => [m.id, m as Method
       }
     });
 
-    test('first is the smallest root in the interval', () => {
+    test('first is the smallest root in the interval, and t1 no number', () => {
       for (const { id, shape, rays } of families) {
         const kernel = method.batch(shape);
         const packed = packRays(rays);
         const out = createAnswers(rays.length);
+        for (const array of [out.t0, out.t1]) array.fill(77);
         kernel.first(packed, 0.25, 4, out);
         const firsts = rays.map((ray) => {
           const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
           return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;
         });
         expect([id, [...out.t0]]).toEqual([id, firsts]);
+        expect([id, ...out.t1]).toEqual([id, ...rays.map(() => Number.NaN)]);
+        const listed = Array.from(out.rareIndex.subarray(0, out.rareCount)).sort((i, j) => i - j);
+        const untold = rays.flatMap((ray, i) =>
+          /contained|undecided/.test(method.intersect(shape, ray).class) ? [i] : [],
+        );
+        expect([id, ...listed]).toEqual([id, ...untold]);
       }
     });
   },
