@@ -12,9 +12,9 @@ import {
 
 export const sixShapes: ScenePreset = {
   id: 'six-shapes',
-  reason: 'All six kinds, the round ones cut off at two heights.',
+  reason: 'The course’s six shapes, the round ones cut off at two heights.',
   scene: {
-    title: 'all six shapes',
+    title: 'six shapes',
     camera: { eye: [0, 3.4, 11], target: [0, 1, 0], angle: 34 },
     background: PAPER,
     ambient: 0.25,
