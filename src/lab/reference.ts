@@ -22,7 +22,7 @@ export interface Reference {
   readonly hits: readonly ExactHit[];
 }
 
-/** The exact rung's answer, and its roots and points as exact numbers. */
+/** The exact method's answer, and its roots and points as exact numbers. */
 export function referenceOf(shape: Shape, ray: Ray): Reference {
   const found = exact.intersect(shape, ray);
   if (found.hits.length === 0) return { found, hits: [] };

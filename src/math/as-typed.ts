@@ -4,12 +4,12 @@ import type { Intersection } from './intersection.ts';
 import { momentForm } from './methods/forms.ts';
 import { stableSolver } from './methods/solvers.ts';
 import { intersectValues } from './methods/tree-method.ts';
-import type { Rung } from './methods/tree-parts.ts';
+import type { MethodParts } from './methods/tree-parts.ts';
 import type { Ray } from './ray.ts';
 import type { Shape } from './shapes/index.ts';
 
 /** By squares alone: in no condition do two roots meet that only differ in sign from each other's squares. */
-const RUNG: Rung<TypedNumber> = {
+const TYPED_METHOD: MethodParts<TypedNumber> = {
   arithmetic: typed,
   form: momentForm,
   solver: stableSolver,
@@ -22,4 +22,4 @@ const RUNG: Rung<TypedNumber> = {
  * them. The class is exact; it is undecided where roots of different numbers would have to be compared. Roots and points are rounded.
  */
 export const intersectTyped = (shape: Shape, ray: Ray, values: Values<TypedNumber>): Intersection =>
-  intersectValues(shape, ray, values, RUNG);
+  intersectValues(shape, ray, values, TYPED_METHOD);

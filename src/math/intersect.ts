@@ -20,7 +20,7 @@ import { plainVector } from './vec3.ts';
 /**
  * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each
  * root one of the two doubles around it, at a price that a picture can pay. The page still compares
- * every class that it shows with the exact rung's.
+ * every class that it shows with the exact method's.
  */
 export const DEFAULT_METHOD = 'certified';
 
@@ -31,7 +31,7 @@ export interface IntersectOptions {
    * is where the ray starts and not a hit: it is dropped by this rule of identity, at whatever
    * distance, without any epsilon. Two equally near roots: the positive one is dropped.
    *
-   * `certified` and `exact` decide which root is nearer exactly, the other rungs by comparing their
+   * `certified` and `exact` decide which root is nearer exactly, the other methods by comparing their
    * own rounded roots. What no rule can know: whether E was on the surface at all. A ray declared to
    * leave a surface that it does not start on loses a true hit; and where E has been rounded so far
    * that the line misses the surface, there is nothing to drop.
@@ -66,9 +66,9 @@ export function intersect(
   method: string = DEFAULT_METHOD,
   options?: IntersectOptions | null,
 ): Intersection {
-  const rung = methodOf(method);
+  const chosen = methodOf(method);
   const surface = checkedShape(shape);
-  const found = rung.intersect(surface, checkedRay(ray));
+  const found = chosen.intersect(surface, checkedRay(ray));
   if (options) requireFields('set of options', options, OPTIONS);
   const from = options?.from;
   if (from === undefined || from === null) return found;
@@ -98,8 +98,8 @@ export function coefficients(
   ray: Given<Ray>,
   method: string = DEFAULT_METHOD,
 ): Coefficients {
-  const rung = methodOf(method);
-  return rung.coefficients(checkedShape(shape), checkedRay(ray));
+  const chosen = methodOf(method);
+  return chosen.coefficients(checkedShape(shape), checkedRay(ray));
 }
 
 /**
@@ -122,11 +122,11 @@ export function solveQuadratic(
   C: number,
   solver: string = DEFAULT_METHOD,
 ): QuadraticAnswer {
-  const rung = methodOf(solver);
+  const chosen = methodOf(solver);
   requireFinite('A', A);
   requireFinite('B', B);
   requireFinite('C', C);
-  return rung.solve(A, B, C);
+  return chosen.solve(A, B, C);
 }
 
 export function findMethod(id: string): Method | undefined {

@@ -3,7 +3,7 @@ import type { Vec3 } from './vec3.ts';
 /** What the whole line of a ray has in common with a shape, t of any sign. */
 export type IntersectionClass = 'two' | 'tangent' | 'one' | 'none' | 'contained';
 
-/** 'undecided' is the answer of a rung that cannot tell: an overflow, a NaN, an interval around zero. */
+/** 'undecided' is the answer of a method that cannot tell: an overflow, a NaN, an interval around zero. */
 export type Verdict = IntersectionClass | 'undecided';
 
 /** Which stage of a method gave the class. */

@@ -40,7 +40,7 @@ function equal(a: unknown, b: unknown): boolean {
 /**
  * Whether |t2| < |t1|, or |t2| = |t1| (then t2 is the positive one), for exact roots t1 < t2. Signs tell unless the roots lie on either side
  * of 0; there t1 + t2 = −B/A ≤ 0 is the question. Rounding to doubles is monotone, so different sizes of correctly
- * rounded roots tell, too; faithful ones only if they are more than two neighbours apart. Between, a rung that
+ * rounded roots tell, too; faithful ones only if they are more than two neighbours apart. Between, a method that
  * knows the signs of A and B exactly is asked for them.
  */
 function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
@@ -58,7 +58,7 @@ function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
   return B === 0 || A === B;
 }
 
-/** The rungs whose details hold exact signs. */
+/** The methods whose details hold exact signs. */
 const KNOWS_SIGNS: ReadonlySet<string> = new Set(['certified', 'exact']);
 
 /** Two faithful roots are off by one neighbour each: 2^-52 of their size, or 2^-1074 among the subnormals. */

@@ -5,7 +5,7 @@ import { changed, type PictureSettings } from '../state/picture/settings.ts';
 import { readStart, START_TEXTS, startText, startWords } from '../state/picture/start.ts';
 import './picture-method.css';
 
-/** Which rung answers every question, and where rays that leave a surface begin. */
+/** Which method answers every question, and where rays that leave a surface begin. */
 export function methodPanel(
   method: string,
   { start }: PictureSettings,

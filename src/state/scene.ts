@@ -32,7 +32,7 @@ interface Parts {
 export function sceneOf(parts: Parts): SceneModel {
   const { title, verdict, ray, found, stage, drawing, graph, view, handles, ghost } = parts;
   const all = hitMarks(found, stage);
-  // A float rung may know t and lose the place on the way to it.
+  // A float method may know t and lose the place on the way to it.
   const hits = all.filter(({ point }) => !point.some(Number.isNaN));
   const reach = clipToStage(ray, stage, graph);
   const originDrawn = isDrawn(ray.origin, stage);

@@ -8,14 +8,14 @@ import type { Quadric } from '../math/batch/quadric.ts';
  *
  * In doubles, u = 2^-53: p = E − C is off by u, and so is a. b's products 2u, that with a 4u, and two sums: |δb| ≤ 5u·bm, where bm sums the terms' sizes;
  * likewise |δA| ≤ 4u·Am. ERROR has room for evaluating these, SMALLEST for the products that leave the doubles, 2^-1075 each; but a·dy is multiplied once more,
- * so it must not. It is the answer of exact arithmetic, so it may stand in for the rungs
+ * so it must not. It is the answer of exact arithmetic, so it may stand in for the methods
  * that give that, and only for those.
  */
 export const ERROR = 6 * 2 ** -53;
 export const SMALLEST = 2 ** -1072;
 const LEAST_NORMAL = 2 ** -1022;
 
-/** The rungs whose class and signs are those of exact arithmetic. */
+/** The methods whose class and signs are those of exact arithmetic. */
 export const PROVEN: ReadonlySet<string> = new Set(['certified', 'exact']);
 
 /** Whether ray i, which starts on the surface, certainly does not meet it again at t > 0. False: it may. */

@@ -31,7 +31,7 @@ export interface TraceSettings {
   readonly samples: number;
   /** Shadow rays to a light with a size, on a square grid with seeded jitter: 4, 9, 16, 25, … */
   readonly lightSamples: number;
-  /** The rung that answers every question, of METHODS. */
+  /** The method that answers every question, of METHODS. */
   readonly method: string;
   readonly start: StartRule;
   readonly forced: Forced;

@@ -4,7 +4,7 @@ import type { Times } from '../../src/lab/run.ts';
 import { quantile, quartiles } from '../../src/lab/stats.ts';
 import type { Family } from '../../src/math/families.ts';
 
-/** What was measured of one family: for each rung its times, both ways, and its mistakes. */
+/** What was measured of one family: for each method its times, both ways, and its mistakes. */
 export interface Measured {
   readonly family: Pick<Family, 'id' | 'title' | 'idea'>;
   readonly roots: Times;
@@ -56,23 +56,25 @@ export function familyTable({ family, roots, classes, quality, rays }: Measured)
     ulpsOf(q, 0.999),
     ulpsOf(q, 1),
   ]);
-  const head = 'rung,both roots,ns,class only,ns,wrong class,undecided,ulps: 99.9 %,max'.split(',');
+  const head = 'method,both roots,ns,class only,ns,wrong class,undecided,ulps: 99.9 %,max'.split(
+    ',',
+  );
   return [`### ${family.title}`, '', family.idea, '', ...table(head, rows), ''];
 }
 
 /**
- * The ladder at one look: what each rung costs on ordinary rays and on a mix with 1 % hard ones, and how often it is wrong on all the families together. Stands
+ * The ladder at one look: what each method costs on ordinary rays and on a mix with 1 % hard ones, and how often it is wrong on all the families together. Stands
  * in docs/bench.md and, from the same run, in the README.
  */
 export function headline(measured: readonly Measured[]): string[] {
   const of = (id: string): Measured | undefined => measured.find(({ family }) => family.id === id);
-  const price = (id: string, form: 'roots' | 'classes', rung: string): string => {
+  const price = (id: string, form: 'roots' | 'classes', method: string): string => {
     const found = of(id);
-    return found ? ratioOf(found[form], rung) : '–';
+    return found ? ratioOf(found[form], method) : '–';
   };
-  const rungs = [...(measured[0]?.quality.keys() ?? [])];
+  const methods = [...(measured[0]?.quality.keys() ?? [])];
   const total = measured.reduce((sum, { rays }) => sum + rays, 0);
-  const rows = rungs.map((id) => {
+  const rows = methods.map((id) => {
     const all = measured.map(({ quality }) => quality.get(id) as Quality);
     const share = (count: (q: Quality) => number): string =>
       percent(
@@ -93,7 +95,7 @@ export function headline(measured: readonly Measured[]): string[] {
     ];
   });
   const head = [
-    'rung',
+    'method',
     'typical rays: both roots',
     'class only',
     '1 % hard rays: both roots',

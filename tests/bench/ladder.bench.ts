@@ -20,7 +20,7 @@ import {
 } from './ladder-report.ts';
 
 /*
- * What each rung costs, as a ratio to the textbook batch on the same rays, and what it gets wrong. Rays are drawn from seed
+ * What each method costs, as a ratio to the textbook batch on the same rays, and what it gets wrong. Rays are drawn from seed
  * 2026 in the order of their family (the mix: 99 % typical, 1 % hard, in random order). Writes docs/bench.md, and its first table into the
  * README; a smaller run, by `--families a,b` or `--rounds 3`, writes both below test-results/ unless `--write` says otherwise.
  */
@@ -48,7 +48,7 @@ function clock(): number {
   return (user + system) / 1000;
 }
 
-/** The same rung where WebAssembly is missing: between two calls of `accelerate`, which costs nothing the second time. */
+/** The same method where WebAssembly is missing: between two calls of `accelerate`, which costs nothing the second time. */
 const plain: Method = {
   ...certified,
   id: 'certified, no WebAssembly',

@@ -43,7 +43,7 @@ export const ratios: Arithmetic<Ratio> = {
   toNumber: (a) => toNumber(asSurd(a)),
 };
 
-/** The same number among those that the exact rung has. */
+/** The same number among those that the exact method has. */
 export function asSurd({ n, d, e }: Ratio) {
   const scale = tens(Math.abs(e));
   return e < 0

@@ -7,7 +7,7 @@ import { type MakeArray, ownArray } from './memory.ts';
  * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made
  * per ray. (`exact` makes big integers, and so does `certified` for what its fast stages leave open;
  * the register machines of `compensated` and `interval` box a double now and then, up to some 50
- * bytes a ray.) Every rung implements Kernel with loops of its own: a loop shared between methods
+ * bytes a ray.) Every method implements Kernel with loops of its own: a loop shared between methods
  * through a callback is fast for the first one that it inlines and slow for all as soon as there is
  * a second.
  */
@@ -50,7 +50,7 @@ export interface Answers {
 /**
  * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the
  * answers. At a ray that is not, `exact` and `certified` throw InvalidInput, with its index; then no
- * ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other rungs go on with
+ * ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other methods go on with
  * what their arithmetic makes of it. Numbers that the formula does not look at may be anything: a
  * cylinder's does not look at Ey and dy.
  */

@@ -9,7 +9,7 @@ const MAX = Number.MAX_VALUE;
 
 /**
  * The course's A, B, C and D with the sign-stable roots: q = −(B ± √D)/2, t = q/A and t = C/q. Where the roots are not asked for it
- * is the textbook rung, but for which roots overflow; those rays take the scalar form.
+ * is the textbook method, but for which roots overflow; those rays take the scalar form.
  */
 export function stableQuadric(q: Quadric): Kernel {
   const slot = curvedSlot();

@@ -26,7 +26,7 @@ export const planarSlot = (): PlanarSlot => ({
   margin: 0,
 });
 
-/** The verdict of the tree-walked rung, operation by operation. */
+/** The verdict of the tree-walked method, operation by operation. */
 export function solvePlanar(
   s: Planar,
   Ex: number,

@@ -84,7 +84,7 @@ function keep(slot: CurvedSlot, verdict: number, t0: number, t1: number): number
 
 /**
  * Whether a hit at t has a normal: a·(y − Cy) is NaN if the point is so far away that y overflows and a is 0. Then the
- * tree-walked rung answers 'undecided', and so must the fast forms.
+ * tree-walked method answers 'undecided', and so must the fast forms.
  */
 export function hasNormal(q: Quadric, Ey: number, dy: number, t: number): boolean {
   if (!vanishingFlare(q)) return true;

@@ -6,10 +6,10 @@ import type { Shape } from '../shapes/index.ts';
 import type { Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 
-/** What a rung that walks trees is made of, whatever its numbers are: their arithmetic, its form and its solver. */
+/** What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form and its solver. */
 export type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
 
-/** A rung of the ladder. Its functions expect input that was checked before. */
+/** A method of the ladder. Its functions expect input that was checked before. */
 export interface Method {
   readonly id: string;
   readonly title: string;
@@ -23,6 +23,6 @@ export interface Method {
   solve(A: number, B: number, C: number): QuadraticAnswer;
   /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
   batch(shape: Shape): Kernel;
-  /** So that its own operations can be followed one by one; a rung that is not made of trees has none. */
+  /** So that its own operations can be followed one by one; a method that is not made of trees has none. */
   readonly parts?: Parts;
 }

@@ -19,7 +19,7 @@ export interface Meeting<T> {
 }
 
 /**
- * What decides, and how it is formed from the ray and the shape: one half of a rung; the arithmetic and the solver are the other.
+ * What decides, and how it is formed from the ray and the shape: one half of a method; the arithmetic and the solver are the other.
  */
 export interface Form {
   /** D of a curved shape, whose A, B and C are among the values. */

@@ -15,7 +15,7 @@ export interface Solved<T> {
 /** Finds both roots of A t² + B t + C, for A ≠ 0 and D > 0, in any order. */
 type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
 
-/** D is given: a rung may know a better one than B² − 4AC. */
+/** D is given: a method may know a better one than B² − 4AC. */
 export type Solver = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>) => Solved<T>;
 
 /**

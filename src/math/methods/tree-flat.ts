@@ -6,13 +6,13 @@ import type { FlatDetails, Hit, Intersection, PlaneHit } from '../intersection.t
 import { all, type Bound, type FlatFormula } from '../shapes/planar.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Form } from './forms.ts';
-import { answer, type Rung, rounded, signOf } from './tree-parts.ts';
+import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
 
 /** A flat shape by its trees. `exactValues`: the same numbers for exact arithmetic, if it comes to that. */
 export function intersectFlat<T>(
   formula: FlatFormula,
   values: Values<T>,
-  { arithmetic: ar, form, decidedBy, id }: Rung<T>,
+  { arithmetic: ar, form, decidedBy, id }: MethodParts<T>,
   exactValues: () => Values<Surd>,
 ): Intersection {
   const rate = evaluate(formula.rate, ar, values);
@@ -68,8 +68,8 @@ function planeHit<T>(
 }
 
 /**
- * The rung's own distance where that is one. Its squares may leave its range though the place does not, and a place beside the rim may be rounded
- * into the figure: then that of the point which it shows. Without such a point the distance is beyond what the rung can count.
+ * The method's own distance where that is one. Its squares may leave its range though the place does not, and a place beside the rim may be rounded
+ * into the figure: then that of the point which it shows. Without such a point the distance is beyond what the method can count.
  */
 function distanceOf(
   bound: Bound,

@@ -27,7 +27,7 @@ import type { Method } from './define.ts';
 import { courseForm, type Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 import { intersectFlat } from './tree-flat.ts';
-import { answer, type Rung, rounded, signOf } from './tree-parts.ts';
+import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
 
 type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source'>;
 
@@ -42,9 +42,9 @@ export function treeMethod<T>(
   decidedBy: DecidedBy,
   form: Form = courseForm,
 ): Method {
-  const rung: Rung<T> = { arithmetic, form, solver, decidedBy, id: about.id };
+  const parts: MethodParts<T> = { arithmetic, form, solver, decidedBy, id: about.id };
   const intersect = (shape: Shape, ray: Ray): Intersection =>
-    intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), rung);
+    intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), parts);
   return {
     ...about,
     coefficients(shape, ray) {
@@ -54,7 +54,7 @@ export function treeMethod<T>(
     },
     intersect,
     batch: (shape) => treeKernel(shape, intersect),
-    solve: (A, B, C) => solveDoubles(A, B, C, rung),
+    solve: (A, B, C) => solveDoubles(A, B, C, parts),
     parts: (use) => use(arithmetic, form, solver),
   };
 }
@@ -64,12 +64,12 @@ export function intersectValues<T>(
   shape: Shape,
   ray: Ray,
   values: Values<T>,
-  rung: Rung<T>,
+  parts: MethodParts<T>,
 ): Intersection {
   const formula = formulaOf(shape);
   return formula.family === 'curved'
-    ? intersectCurved(formula, values, rung)
-    : intersectFlat(formula, values, rung, () => valuesOf(shape, ray, exact));
+    ? intersectCurved(formula, values, parts)
+    : intersectFlat(formula, values, parts, () => valuesOf(shape, ray, exact));
 }
 
 function formulaOf(shape: Shape): CurvedFormula | FlatFormula {
@@ -97,7 +97,7 @@ function coefficientsOf<T>(shape: Shape, values: Values<T>, ar: Arithmetic<T>): 
 function intersectCurved<T>(
   formula: CurvedFormula,
   values: Values<T>,
-  { arithmetic: ar, form, solver, decidedBy, id }: Rung<T>,
+  { arithmetic: ar, form, solver, decidedBy, id }: MethodParts<T>,
 ): Intersection {
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
   const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
@@ -132,13 +132,13 @@ function hitAt<T>(
   };
 }
 
-function solveDoubles<T>(A: number, B: number, C: number, rung: Rung<T>): QuadraticAnswer {
-  const { arithmetic: ar, solver } = rung;
+function solveDoubles<T>(A: number, B: number, C: number, parts: MethodParts<T>): QuadraticAnswer {
+  const { arithmetic: ar, solver } = parts;
   const scalars = { A: ar.of(A), B: ar.of(B), C: ar.of(C) };
   const D = evaluate(DISCRIMINANT, ar, { scalars, vectors: {} });
   const solved = solver(scalars.A, scalars.B, scalars.C, D, ar);
   const roots = solved.roots.map(ar.toNumber);
   const broken =
-    roots.some(Number.isNaN) || (rung.decidedBy !== 'exact' && !roots.every(Number.isFinite));
+    roots.some(Number.isNaN) || (parts.decidedBy !== 'exact' && !roots.every(Number.isFinite));
   return broken ? { class: 'undecided', roots: [] } : { class: solved.class, roots };
 }

@@ -5,8 +5,8 @@ import type { Vec3 } from '../vec3.ts';
 import type { Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 
-/** What a rung that walks its trees is made of. */
-export interface Rung<T> {
+/** What a method that walks its trees is made of. */
+export interface MethodParts<T> {
   readonly arithmetic: Arithmetic<T>;
   readonly form: Form;
   readonly solver: Solver;
@@ -23,7 +23,7 @@ export function signOf<T>(x: T, ar: Arithmetic<T>): Sign | null {
   return Number.isNaN(sign) ? null : (sign as Sign);
 }
 
-/** A float rung whose roots or points overflowed into NaN says that it cannot tell, rather than print them. */
+/** A float method whose roots or points overflowed into NaN says that it cannot tell, rather than print them. */
 export function answer(found: Intersection): Intersection {
   const numbers = found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
   const broken =

@@ -49,7 +49,7 @@ export function sightOf(state: AppState, darkroom: Darkroom): Sight {
   };
 }
 
-/** The ladder's order: what a rung answers is rather right than what one below it does. */
+/** The ladder's order: what a method answers is rather right than what one below it does. */
 const trustOf = ({ settings }: Shot): number =>
   METHODS.findIndex(({ id }) => id === settings.method);
 

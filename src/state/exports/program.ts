@@ -37,7 +37,7 @@ export interface Program {
 }
 
 /**
- * What the textbook rung does, in its order: nothing is compared with an epsilon, and an overflow is told. Answers are the
+ * What the textbook method does, in its order: nothing is compared with an epsilon, and an overflow is told. Answers are the
  * t's of the whole line, ascending.
  */
 export function programOf(formula: Formula): Program {

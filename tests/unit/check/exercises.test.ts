@@ -24,8 +24,8 @@ const texts = (fields: readonly Field[], answers: Answers): Texts =>
 const answered = (posed: Posed, answers: Answers) =>
   judge(derivationFor(posed), texts(posed.fields, answers));
 
-/** The truth again, by the exact rung and nothing of src/check. */
-function byExactRung({ draft, fields }: Posed): Answers {
+/** The truth again, by the exact method and nothing of src/check. */
+function byExactMethod({ draft, fields }: Posed): Answers {
   const { class: verdict, hits, details } = intersect(draft.shape, draft.ray, 'exact');
   const first = hits.find(({ t }) => t >= 0);
   const flat = details.family === 'flat' ? details : null;
@@ -75,10 +75,10 @@ describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
       for (const posed of all) expect(answered(posed, posed.truth).verdict).toBe('correct');
     });
 
-    test('and it is what the exact rung says', () => {
+    test('and it is what the exact method says', () => {
       if (exercise.id === 'digits') return;
       for (const posed of all) {
-        const truth = byExactRung(posed);
+        const truth = byExactMethod(posed);
         const asked = posed.fields.filter((field) => !field.mayBeAbsent || truth[field.id]);
         for (const { id } of asked) expect(truth[id], id).toBeDefined();
         expect(alike(posed.fields, truth, posed.truth), JSON.stringify([posed.draft, truth])).toBe(

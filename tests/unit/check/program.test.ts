@@ -40,7 +40,7 @@ describe('cases', () => {
 });
 
 describe('a report', () => {
-  test('the exact rung passes every case, and shows no misconception', () => {
+  test('the exact method passes every case, and shows no misconception', () => {
     const cases = casesFor(KINDS, SEED);
     const report = reportOf(cases, exactly(cases));
     const failed = report.families.filter(({ passed, total }) => passed < total);

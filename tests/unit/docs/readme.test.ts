@@ -92,22 +92,22 @@ describe('the table of the ladder', () => {
   const table = (text: string): string =>
     /<!-- bench -->([\s\S]*?)<!-- \/bench -->/.exec(text)?.[1] ?? '';
 
-  test('is in the README as in docs/bench.md, with every rung', () => {
+  test('is in the README as in docs/bench.md, with every method', () => {
     const shown = table(readme);
     expect(shown).toBe(table(read('docs/bench.md')));
-    const rungs = [...shown.matchAll(/^\| (\w+) \| [\d.]+ \|/gm)].map((m) => m[1]);
-    expect(rungs).toEqual(METHODS.map(({ id }) => id));
+    const methods = [...shown.matchAll(/^\| (\w+) \| [\d.]+ \|/gm)].map((m) => m[1]);
+    expect(methods).toEqual(METHODS.map(({ id }) => id));
   });
 
-  test('in docs/bench.md is followed by every family and, for each, every rung', () => {
+  test('in docs/bench.md is followed by every family and, for each, every method', () => {
     const bench = read('docs/bench.md');
     // The table was measured on the families that stood when it was made; it says which.
     const measured = FAMILIES.filter(({ title }) => bench.includes(`### ${title}\n`));
     expect(measured.length).toBeGreaterThan(20);
     for (const { title } of measured) {
       const [, part = ''] = bench.split(`### ${title}\n`);
-      const rungs = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| [\d.]+ \(/gm)];
-      expect([title, ...rungs.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
+      const methods = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| [\d.]+ \(/gm)];
+      expect([title, ...methods.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
     }
   });
 });

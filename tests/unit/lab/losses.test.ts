@@ -21,7 +21,7 @@ const called =
     digits !== null && JSON.stringify(letter) === JSON.stringify({ op: 'scalar', id });
 
 describe('the trace of a method', () => {
-  test('has the very numbers of the method and of the exact rung, on 5 rays of each family, seed 11', () => {
+  test('has the very numbers of the method and of the exact method, on 5 rays of each family, seed 11', () => {
     const random = seeded(11);
     let compared = 0;
     for (const family of FAMILIES) {
@@ -145,7 +145,7 @@ describe('the table of this ray', () => {
     }
   });
 
-  test('the top rungs are right on every family, seed 13', () => {
+  test('the top methods are right on every family, seed 13', () => {
     const random = seeded(13);
     for (const family of FAMILIES) {
       const { shape, ray } = family.make(random);

@@ -60,7 +60,7 @@ describe('a certified answer is plain data', () => {
     expect(a).not.toEqual(b);
   });
 
-  test.each(CASES)('%s: details and signs are those of the exact rung', (_, shape, asked) => {
+  test.each(CASES)('%s: details and signs are those of the exact method', (_, shape, asked) => {
     const { details } = intersect(shape, asked, 'certified');
     expect(details).toEqual(intersect(shape, asked, 'exact').details);
   });

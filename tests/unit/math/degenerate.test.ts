@@ -451,7 +451,7 @@ describe('beyond the doubles', () => {
     expect(curvedDetails(found)).toMatchObject({ A: Infinity, B: -Infinity, C: Infinity });
   });
 
-  test('and what a float rung cannot decide it does not guess', () => {
+  test('and what a float method cannot decide it does not guess', () => {
     const r = ray([2e200, 0, 0], [-1e200, 0, 0]);
     for (const method of ['textbook', 'stable']) {
       const found = intersect(cylinder(O, 1e200), r, method);

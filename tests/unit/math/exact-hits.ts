@@ -9,7 +9,7 @@ import {
   withScalars,
 } from '../../../src/math/formula/evaluate.ts';
 import type { Verdict } from '../../../src/math/intersection.ts';
-import { exact as exactRung } from '../../../src/math/methods/exact.ts';
+import { exact as exactMethod } from '../../../src/math/methods/exact.ts';
 import { textbookSolver } from '../../../src/math/methods/solvers.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -30,7 +30,7 @@ export function exactHits(shape: Shape, ray: Ray): { class: Verdict; hits: Exact
   const values = valuesOf(shape, ray, exact);
   const place = (t: Surd): Triple<Surd> => evaluateTriple(POINT, exact, withScalars(values, { t }));
   if (formula.family === 'flat') {
-    const { class: verdict, hits } = exactRung.intersect(shape, ray);
+    const { class: verdict, hits } = exactMethod.intersect(shape, ray);
     if (hits.length === 0) return { class: verdict, hits: [] };
     const t = evaluate(formula.t, exact, values);
     return {

@@ -7,7 +7,7 @@ import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { drawJudged, judged, medianBits, method, score, wrongShare } from './measure.ts';
 
 /*
- * What the rungs get wrong, measured: the failures that the ladder is there to show. If one of them goes away, or grows, a
+ * What the methods get wrong, measured: the failures that the ladder is there to show. If one of them goes away, or grows, a
  * formula has changed.
  */
 
@@ -47,9 +47,9 @@ describe('clear hits on a cylinder from 1e8 radii, d ⟂ axis, aimed within 0.95
   });
 
   test('the exact discriminant of the rounded A, B, C still about 0.61', () => {
-    const rung = method('textbook');
+    const tested = method('textbook');
     const wrong = questions.filter(({ ray }) => {
-      const { A, B, C } = rung.coefficients(shape, ray);
+      const { A, B, C } = tested.coefficients(shape, ray);
       const scalars = { A: exactly.of(A), B: exactly.of(B), C: exactly.of(C) };
       return exactly.sign(evaluate(DISCRIMINANT, exactly, { scalars, vectors: {} })) <= 0;
     });
@@ -83,7 +83,7 @@ describe('nearly along a generator', () => {
     expect(wrong).toBeGreaterThan(0.05);
     expect(wrong).toBeLessThan(0.25);
   });
-  test('and the interval rung says so', () => {
+  test('and the interval method says so', () => {
     const { wrong, undecided, count } = score('interval', drawJudged('near-generator', 300, 81));
     expect(wrong).toBe(0);
     expect(undecided / count).toBeGreaterThan(0.3);

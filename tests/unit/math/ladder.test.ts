@@ -10,7 +10,7 @@ import { rayCases } from './read-vectors.ts';
 import { wild } from './wild.ts';
 
 /*
- * Every rung held to its own promise, on the vectors and on seeded families. What the rungs get wrong by design is in ladder-facts.test.ts.
+ * Every method held to its own promise, on the vectors and on seeded families. What the methods get wrong by design is in ladder-facts.test.ts.
  */
 
 const SEED = 71;
@@ -84,11 +84,11 @@ test('all shapes are among the plain questions', () => {
   expect(PLAIN.map(([{ kind }]) => kind).sort()).toEqual(SHAPES.map(({ kind }) => kind).sort());
 });
 
-describe.each(METHODS)('$id', (rung) => {
+describe.each(METHODS)('$id', (tested) => {
   test.each(PLAIN.map((one) => [one[0].kind, ...one] as const))(
     'meets a %s where it is, and misses it where it is not',
     (_, shape, hit, miss) => {
-      const found = rung.intersect(shape, hit);
+      const found = tested.intersect(shape, hit);
       expect(found.class).toBe(
         definitionOf(shape).formula(shape).family === 'flat' ? 'one' : 'two',
       );
@@ -96,25 +96,26 @@ describe.each(METHODS)('$id', (rung) => {
       expect(found.hits[0]?.point).toEqual(
         hit.origin.map((x, i) => x + 2 * (hit.direction[i] ?? 0)),
       );
-      expect(rung.intersect(shape, miss)).toMatchObject({
+      expect(tested.intersect(shape, miss)).toMatchObject({
         class: 'none',
         hits: [],
-        method: rung.id,
+        method: tested.id,
       });
     },
   );
 
   test('says what it is, what it promises and where it is from', () => {
-    for (const text of [rung.idea, rung.promise, rung.source])
+    for (const text of [tested.idea, tested.promise, tested.source])
       expect(text).toMatch(/^\S.{30,}\.$/s);
   });
 
   test('never shows a number that is not one, and hits in order', () => {
     const wrong = [...drawn.values()].flat().filter(({ shape, ray }) => {
-      const { class: verdict, hits } = rung.intersect(shape, ray);
+      const { class: verdict, hits } = tested.intersect(shape, ray);
       const ts = hits.map(({ t }) => t);
       const shown = hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
-      const beyond = rung.id !== 'exact' && rung.id !== 'certified' && !ts.every(Number.isFinite);
+      const beyond =
+        tested.id !== 'exact' && tested.id !== 'certified' && !ts.every(Number.isFinite);
       const count = { two: 2, tangent: 1, one: 1 }[verdict as string] ?? 0;
       const inOrder = ts.length < 2 || (ts[0] as number) <= (ts[1] as number);
       return shown.some(Number.isNaN) || beyond || ts.length !== count || !inOrder;
@@ -123,7 +124,7 @@ describe.each(METHODS)('$id', (rung) => {
   });
 });
 
-/** Where each rung's class is always right: its domain, in families and vectors alike. */
+/** Where each method's class is always right: its domain, in families and vectors alike. */
 const RIGHT: Readonly<Record<string, readonly string[]>> = {
   textbook32: [
     'typical',
@@ -301,12 +302,12 @@ describe('digits', () => {
     const { fround } = Math;
     const single = (x: unknown): unknown =>
       typeof x === 'number' ? fround(x) : Array.isArray(x) ? x.map(single) : x;
-    const rung = method('textbook32');
+    const tested = method('textbook32');
     for (const { shape, ray } of [...of('typical'), ...of('circle'), ...of('square')]) {
       const near = Object.fromEntries(Object.entries(shape).map(([k, v]) => [k, single(v)]));
       const rounded = { origin: single(ray.origin), direction: single(ray.direction) };
-      expect(rung.intersect(near as unknown as typeof shape, rounded as typeof ray)).toEqual(
-        rung.intersect(shape, ray),
+      expect(tested.intersect(near as unknown as typeof shape, rounded as typeof ray)).toEqual(
+        tested.intersect(shape, ray),
       );
     }
   });

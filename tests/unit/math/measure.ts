@@ -34,12 +34,12 @@ export interface Score {
 export const method = (id: string): Method => findMethod(id) as Method;
 
 export function score(id: string, questions: readonly Judged[]): Score {
-  const rung = method(id);
+  const tested = method(id);
   let wrong = 0;
   let undecided = 0;
   const ulps: number[] = [];
   for (const { shape, ray, truth } of questions) {
-    const found = rung.intersect(shape, ray);
+    const found = tested.intersect(shape, ray);
     if (found.class === 'undecided') undecided += 1;
     else if (found.class !== truth.class) wrong += 1;
     else ulps.push(...found.hits.map(({ t }, i) => ulpDistance(t, truth.hits[i]?.t ?? Number.NaN)));

@@ -336,7 +336,7 @@ const FLAT: readonly FlatLine[] = [
 const mayDoubt = (method: string, line: Line): boolean =>
   method === 'interval' && !(line.class === 'two' || line.class === 'one');
 
-/** A rung may work out points and normals when they are read: they are compared as values. */
+/** A method may work out points and normals when they are read: they are compared as values. */
 const plain = ({ t, point, normal, singular }: Hit): Hit => ({ t, point, normal, singular });
 
 const asHits = (hits: readonly HandHit[]) =>

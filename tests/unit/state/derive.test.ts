@@ -396,7 +396,7 @@ test(`nothing breaks a scene or a graph: 400 states of any numbers up to ${PICTU
     fc.property(anyPicture, (state) => {
       const { scene, graph, found } = createDerive()(state);
       const nan = (model: unknown) => brokenNumbers(model, () => true);
-      // Where a float rung cannot decide, f itself is not known; the page says that.
+      // Where a float method cannot decide, f itself is not known; the page says that.
       const known = found.class === 'undecided' ? { ...graph, A: 0, B: 0, C: 0 } : graph;
       expect([...nan(scene), ...nan(known)]).toEqual([]);
     }),

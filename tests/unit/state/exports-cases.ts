@@ -112,7 +112,7 @@ export function modelOf({ shape, ray: r }: ExportCase, method = 'exact'): Explor
   });
 }
 
-/** What the exported programs have to print: the textbook rung's answer, every bit of it. */
+/** What the exported programs have to print: the textbook method's answer, every bit of it. */
 export function textbookAnswer({ shape, ray: r }: ExportCase) {
   const { class: verdict, hits } = intersect(shape, r, 'textbook');
   return {

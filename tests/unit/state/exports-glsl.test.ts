@@ -72,7 +72,7 @@ function checkRun(c: ExportCase): void {
   expect(found, c.name).toEqual(textbookAnswer(c));
 }
 
-describe('read as JavaScript, in doubles, it finds what the textbook rung finds', () => {
+describe('read as JavaScript, in doubles, it finds what the textbook method finds', () => {
   test.each(EXPORT_CASES)('$name', checkRun);
 
   test(`and on ${HARD_CASES.length} hard rays`, { timeout: 60_000 }, () => {

@@ -11,7 +11,7 @@ import {
   textbookAnswer,
 } from './exports-cases.ts';
 
-/* The exported programs are run, and what they print is compared with the textbook rung, bit by bit. */
+/* The exported programs are run, and what they print is compared with the textbook method, bit by bit. */
 
 const ALL: readonly ExportCase[] = [...EXPORT_CASES, ...HARD_CASES];
 /** For a machine that has other things to do; unloaded it is two seconds. */
@@ -84,7 +84,7 @@ test('reading keeps −0 and the infinities', () => {
   ]);
 });
 
-describe('TypeScript prints what the textbook rung finds', () => {
+describe('TypeScript prints what the textbook method finds', () => {
   test.each(EXPORT_CASES)('$name', async (c) => {
     expect(await runTypeScript(rayTypeScript(modelOf(c)))).toEqual(textbookAnswer(c));
   });

@@ -12,7 +12,7 @@ import { EXPORT_CASES, modelOf } from './exports-cases.ts';
 /* The exported tests are run by vitest and checked by tsc, in a project of their own that borrows our src and node_modules. */
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
-/** Exact always, and the other rungs in turn. */
+/** Exact always, and the other methods in turn. */
 const methodsFor = (i: number): string[] => ['exact', METHODS[i % METHODS.length]?.id ?? 'exact'];
 let dir = '';
 

@@ -27,7 +27,7 @@ describe.each([far, grazing])(
       expect(certified).toMatchObject({ differing: 0, verdicts: 0 });
       expect(certified.mostDigits).toBeLessThan(1);
       expect((await against('textbook32')).verdicts).toBeGreaterThan(right.surface.length / 4);
-      // Its better roots do not help the stable rung: it judges by the textbook's D.
+      // Its better roots do not help the stable method: it judges by the textbook's D.
       for (const method of ['textbook', 'stable']) {
         const { verdicts, holes, ghosts } = await against(method);
         expect(verdicts).toBeGreaterThan(right.surface.length / 20);

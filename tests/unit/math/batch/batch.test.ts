@@ -99,7 +99,7 @@ function byBatch(method: Method, { shape, rays }: Question) {
 describe.each(METHODS.filter(({ batch }) => batch).map((m) => [m.id, m as Method] as const))(
   'the batch of %s',
   (_, method) => {
-    test(`is bit-equal to its rung on ${questions.length} shapes`, () => {
+    test(`is bit-equal to its method on ${questions.length} shapes`, () => {
       for (const question of questions) {
         const expected = byObject(method, question);
         const { classes, roots } = byBatch(method, question);

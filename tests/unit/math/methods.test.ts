@@ -16,7 +16,7 @@ import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { FlatFormula } from '../../../src/math/shapes/planar.ts';
 import { rayCases } from './read-vectors.ts';
 
-/* What the rungs are made of: the two forms against each other, bounds and enclosures against exact arithmetic. */
+/* What the methods are made of: the two forms against each other, bounds and enclosures against exact arithmetic. */
 
 const random = seeded(91);
 const drawn: Question[] = FAMILIES.flatMap(({ make }) =>
@@ -179,13 +179,13 @@ describe.each(METHODS)('solveQuadratic by $id', ({ id, solve }) => {
     expect(found.roots.map((t) => t + 0)).toEqual(roots);
   });
 
-  test('an overflow is undecided, unless the rung has no range to leave', () => {
+  test('an overflow is undecided, unless the method has no range to leave', () => {
     const found = solve(1e300, 1e300, 1e-300);
     if (id === 'exact' || id === 'certified') expect(found.class).toBe('two');
     else expect(found).toEqual({ class: 'undecided', roots: [] });
   });
 
-  test('a double root with long fractions: the rungs above float64 may tell, no one invents a NaN', () => {
+  test('a double root with long fractions: the methods above float64 may tell, no one invents a NaN', () => {
     const found = solve(0.1, 0.2, 0.1);
     expect(found.roots.some(Number.isNaN)).toBe(false);
   });

@@ -16,9 +16,9 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { rayCases } from './read-vectors.ts';
 import { wild } from './wild.ts';
 
-/* The batch kernels of the rungs below certified: class and roots bit-equal to the trees, ray by ray. */
+/* The batch kernels of the methods below certified: class and roots bit-equal to the trees, ray by ray. */
 
-const RUNGS = METHODS.filter(({ id }) =>
+const BATCH_METHODS = METHODS.filter(({ id }) =>
   ['textbook32', 'moment', 'compensated', 'interval'].includes(id),
 );
 
@@ -27,16 +27,16 @@ interface Answer {
   readonly roots: readonly number[];
 }
 
-const tree = (rung: Method, { shape, ray }: Question): Answer => {
-  const found = rung.intersect(shape, ray);
+const tree = (method: Method, { shape, ray }: Question): Answer => {
+  const found = method.intersect(shape, ray);
   return { class: found.class, roots: found.hits.map(({ t }) => t) };
 };
 
 /** By `both` and by `classes`, which must agree. */
-function kernel(rung: Method, shape: Shape, list: readonly Ray[]): Answer[] {
+function kernel(method: Method, shape: Shape, list: readonly Ray[]): Answer[] {
   const rays = packRays(list);
   const out = createAnswers(list.length);
-  const asked = rung.batch(shape);
+  const asked = method.batch(shape);
   asked.classes(rays, out);
   const classes = verdictsOfClasses(out, rays.count, asked.met);
   asked.both(rays, out);
@@ -47,10 +47,10 @@ function kernel(rung: Method, shape: Shape, list: readonly Ray[]): Answer[] {
   });
 }
 
-const differing = (rung: Method, shape: Shape, rays: readonly Ray[]): unknown[] =>
-  kernel(rung, shape, rays).flatMap((got, i) => {
+const differing = (method: Method, shape: Shape, rays: readonly Ray[]): unknown[] =>
+  kernel(method, shape, rays).flatMap((got, i) => {
     const ray = rays[i] as Ray;
-    const want = tree(rung, { shape, ray });
+    const want = tree(method, { shape, ray });
     const same =
       got.class === want.class &&
       got.roots.length === want.roots.length &&
@@ -58,29 +58,29 @@ const differing = (rung: Method, shape: Shape, rays: readonly Ray[]): unknown[] 
     return same ? [] : [{ shape, ray, got, want }];
   });
 
-test('all four have kernels', () => expect(RUNGS).toHaveLength(4));
+test('all four have kernels', () => expect(BATCH_METHODS).toHaveLength(4));
 
-describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
+describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
   test.each(FAMILIES.map(({ id, batch }) => [id, batch] as const))('family %s', (_, batch) => {
     const random = seeded(121);
     for (let i = 0; i < 6; i++) {
       const { shape, rays } = batch(random, 12);
-      expect(differing(rung, shape, rays)).toEqual([]);
+      expect(differing(method, shape, rays)).toEqual([]);
     }
   });
 
   test('vectors', () => {
-    const found = rayCases.flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
+    const found = rayCases.flatMap(({ shape, ray }) => differing(method, shape, [ray]));
     expect(found).toEqual([]);
   });
 
   test('every exponent (seed 122)', () => {
-    const found = wild(122, 2000).flatMap(({ shape, ray }) => differing(rung, shape, [ray]));
+    const found = wild(122, 2000).flatMap(({ shape, ray }) => differing(method, shape, [ray]));
     expect(found.slice(0, 2)).toEqual([]);
   });
 
   test('outside of a figure there is a distance, and it is no less than 0 (seed 125)', () => {
-    const planes = wild(125, 4000).map(({ shape, ray }) => rung.intersect(shape, ray).details);
+    const planes = wild(125, 4000).map(({ shape, ray }) => method.intersect(shape, ray).details);
     const outside = planes.flatMap((d) => (d.family === 'flat' && d.plane ? [d.plane] : []));
     expect(outside.filter(({ inside }) => inside === false).length).toBeGreaterThan(20);
     expect(outside.filter(({ distance }) => !(distance >= 0))).toEqual([]);
@@ -89,7 +89,7 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
   test('two roots that underflow to zeros of both signs', () => {
     const shape: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 0 };
     const ray: Ray = { origin: [0, -1e-180, 0], direction: [1e150, 2e150, 0] };
-    expect(differing(rung, shape, [ray])).toEqual([]);
+    expect(differing(method, shape, [ray])).toEqual([]);
   });
 
   test('small whole numbers', () => {
@@ -111,7 +111,7 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
       { kind: 'circle', normal: [1, 2, 2], center, radius: 1 },
       { kind: 'square', corner: center, side: 1, axis: 'y' },
     ];
-    for (const shape of shapes) expect(differing(rung, shape, rays)).toEqual([]);
+    for (const shape of shapes) expect(differing(method, shape, rays)).toEqual([]);
   });
 
   test('first: the least root in the window, of those that both gives', () => {
@@ -121,7 +121,7 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
     );
     const rays = packRays(list);
     const out = createAnswers(200);
-    const asked = rung.batch(shape);
+    const asked = method.batch(shape);
     for (const [tMin, tMax] of [
       [0, Infinity],
       [0.2, 0.9],
@@ -129,7 +129,7 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
     ] as const) {
       asked?.first(rays, tMin, tMax, out);
       const want = list.map((ray) => {
-        const { roots } = tree(rung, { shape, ray });
+        const { roots } = tree(method, { shape, ray });
         return roots.find((t) => t >= tMin && t <= tMax) ?? Number.NaN;
       });
       expect([...out.t0]).toEqual(want);
@@ -140,7 +140,7 @@ describe.each(RUNGS)('$id: bit-equal to its tree', (rung) => {
     const { shape } = (FAMILIES[0] as (typeof FAMILIES)[number]).make(seeded(124));
     const out = createAnswers(4);
     out.t0.fill(7);
-    rung.batch(shape).both(createRays(4), out);
+    method.batch(shape).both(createRays(4), out);
     expect([...out.t0, out.rareCount]).toEqual([7, 7, 7, 7, 0]);
   });
 });
