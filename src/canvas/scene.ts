@@ -26,8 +26,7 @@ export interface MountedScene extends Mounted<SceneModel> {
   picture(): Promise<Blob | null>;
 }
 
-const NO_WEBGL =
-  'This browser has no WebGL: the shading is missing, all lines, numbers, formulas and plots work.';
+const NO_WEBGL = 'This browser has no WebGL: drawn without shading.';
 
 /**
  * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the frames. The state owns

@@ -18,7 +18,7 @@ export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResul
   const short = own.filter(({ param }) => param.type !== 'vector');
   return html`<section class="controls" aria-label="Parameters">
     ${rayHeader(model, dispatch)} ${rayHandles(model, dispatch).map(paramRow)}
-    <div class="group">
+    <div class="group surface">
       <h2>${title}</h2>
       ${formula(typesetRelation(derivation.surface))}
       <span class="meaning">${meaning}</span>
