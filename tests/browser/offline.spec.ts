@@ -32,7 +32,7 @@ test('one file, opened from disk, is the whole laboratory', async ({ page }) => 
   await slider(page, 'E.x').press('ArrowRight');
   await typeInto(page, 'r', '1/2');
   expect(await quantities(page)).toMatchObject({ 'E.x': '3.1', r: '0.5', t1: '2.6', t2: '3.6' });
-  await expectInLink(page, { E: '3.1,1,0', r: '0.5' });
+  await expectInLink(page, { E: '3.1,1,0', r: '1/2' });
   const link = await hashOf(page);
   await page.reload();
   await settle(page);
