@@ -150,12 +150,17 @@ function rootLine({ index, t, fate, words }: RootFate): TemplateResult {
   return html`<p class="hit-root" data-fate=${fate} data-quantity=${`t${index}`} data-value=${shortest(t)}>${words}</p>`;
 }
 
-function stepLine({ step, numbers }: SurfaceStep): TemplateResult {
-  const letter = step.letter ? html`${formula(typesetSymbols(step.letter))} = ` : nothing;
-  return html`<p class="hit-step" data-step=${step.id}>${letter}${formula(typesetSymbols(step.expr))} = ${formula(typesetNumbers(step.expr, numbers, { worked: step.worked, digits: 5 }))}${
-    step.value === null
+function stepLine({ step, numbers, put }: SurfaceStep): TemplateResult {
+  const { id, letter, expr, worked, value } = step;
+  const name = letter ? html`${formula(typesetSymbols(letter))} = ` : nothing;
+  const sign = put?.isFaithful === false ? '≈' : '=';
+  const line = put
+    ? formula(typesetNumbers(expr, numbers, { worked, digits: put.digits }))
+    : 'a number of it is beyond the doubles';
+  return html`<p class="hit-step" data-step=${id}>${name}${formula(typesetSymbols(expr))} ${sign} ${line}${
+    value === null
       ? nothing
-      : html` = <span class="result" data-quantity=${step.id} data-value=${shortest(step.value)} title=${shortest(step.value)}>${display(step.value)}</span>`
+      : html` ${sign} <span class="result" data-quantity=${id} data-value=${shortest(value)} title=${shortest(value)}>${display(value)}</span>`
   }</p>`;
 }
 

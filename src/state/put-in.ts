@@ -1,7 +1,14 @@
 import { asSurd, type Ratio, ratios } from '../math/arithmetic/ratios.ts';
 import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
 import type { Values } from '../math/formula/evaluate.ts';
-import { asPrinted, isWritable, recomputed, reproduces } from '../math/formula/recompute.ts';
+import type { Expr } from '../math/formula/expr.ts';
+import {
+  asPrinted,
+  isWritable,
+  recomputed,
+  reproduces,
+  type Written,
+} from '../math/formula/recompute.ts';
 import type { Intersection } from '../math/intersection.ts';
 import { type Exactly, exactText, shownResult } from './exact-digits.ts';
 import { rootsOf } from './window.ts';
@@ -25,7 +32,7 @@ const COMPACT = [6, 5, 4, 3] as const;
  */
 export function putIn<Room>(
   step: Pick<Step, 'expr' | 'worked'>,
-  { numbers }: Derivation,
+  { numbers }: Pick<Derivation, 'numbers'>,
   results: readonly Result[],
   rooms: readonly Room[],
   fits: (digits: number, room: Room) => boolean,
@@ -36,11 +43,7 @@ export function putIn<Room>(
   const isFaithful = (digits: number): boolean => {
     const before = known.get(digits);
     if (before !== undefined) return before;
-    const now = results.every(({ value, branch, text }) =>
-      text === null
-        ? reproduces(expr, numbers, { worked, digits }, value, branch)
-        : exactTextOf(recomputed(expr, numbers, { worked, digits }, branch)) === text,
-    );
+    const now = givesAll(expr, numbers, { worked, digits }, results);
     known.set(digits, now);
     return now;
   };
@@ -56,6 +59,35 @@ export function putIn<Room>(
   return { digits: 2, isFaithful: false, room: null };
 }
 
+/** Whether the line as it is printed gives each of its results in all printed digits. */
+const givesAll = (
+  expr: Expr,
+  numbers: Values<number>,
+  written: Written,
+  results: readonly Result[],
+): boolean =>
+  results.every(({ value, branch, text }) =>
+    text === null
+      ? reproduces(expr, numbers, written, value, branch)
+      : exactTextOf(recomputed(expr, numbers, written, branch)) === text,
+  );
+
+/**
+ * One number of digits for lines that are written side by side, a point's components or both sides
+ * of a condition, where room is no matter. Null where a number of them is not finite.
+ */
+export function putInSideBySide(
+  lines: readonly { readonly expr: Expr; readonly results: readonly Result[] }[],
+  numbers: Values<number>,
+  worked: boolean,
+): PutIn | null {
+  if (!lines.every(({ expr }) => isWritable(expr, numbers, worked))) return null;
+  const digits = MORE.find((n) =>
+    lines.every(({ expr, results }) => givesAll(expr, numbers, { worked, digits: n }, results)),
+  );
+  return { digits: digits ?? 6, isFaithful: digits !== undefined };
+}
+
 const exactTextOf = (x: Ratio | null): string | null => x && exactText(asSurd(x));
 
 /** A number that a line ends with, and the sign that it takes at ±. */
@@ -66,21 +98,36 @@ export interface Result {
   readonly branch: 1 | -1;
 }
 
+/** What a line has to give: its one value, or for ± the smaller root and the larger one. */
+export function valuesAsResults(values: readonly number[], A: number | undefined): Result[] {
+  const first = values.length === 2 && !(A !== undefined && A < 0) ? -1 : 1;
+  return values.map((value, i) => ({
+    value,
+    text: null,
+    branch: i === 0 ? first : first === 1 ? -1 : 1,
+  }));
+}
+
 /** What the line has to give: its value, or for t the roots that are listed below. */
 export function resultsOf({ id, value }: Step, found: Intersection, exactly: Exactly): Result[] {
   if (value !== null) {
     return [{ value, text: shownResult(id, value, found, exactly).text, branch: 1 }];
   }
   const { details } = found;
-  const roots = rootsOf(found);
-  const downwards = details.family === 'curved' && details.A < 0;
-  const first = roots.length === 2 && !downwards ? -1 : 1;
-  return roots.map((t, i) => ({
-    value: t,
-    text: null,
-    branch: i === 0 ? first : first === 1 ? -1 : 1,
-  }));
+  return valuesAsResults(rootsOf(found), details.family === 'curved' ? details.A : undefined);
 }
+
+/** The digits with which two numbers compare as printed as was decided of them; undefined where none do. */
+export const comparableDigits = (
+  left: number,
+  right: number,
+  holds: boolean,
+): number | undefined =>
+  [left, right].every(Number.isFinite)
+    ? MORE.find((n) => isAtMost(asPrinted(left, n), asPrinted(right, n)) === holds)
+    : undefined;
+
+const isAtMost = (a: Ratio, b: Ratio): boolean => ratios.sign(ratios.sub(a, b)) <= 0;
 
 /** The digits with which a condition, put in and read as it stands, says what the method decided. */
 export function conditionDigits(
@@ -89,7 +136,7 @@ export function conditionDigits(
 ): PutIn {
   const agrees = (digits: number): boolean => {
     const [a, b] = sides(digits);
-    return a != null && b != null && ratios.sign(ratios.sub(a, b)) <= 0 === holds;
+    return a != null && b != null && isAtMost(a, b) === holds;
   };
   // Of a length only the value is told.
   const sides = (digits: number): (Ratio | null)[] =>

@@ -28,6 +28,10 @@ export function reproduces(
   result: number,
   branch: 1 | -1 = 1,
 ): boolean {
+  if (expr.op === 'norm') {
+    const squared = recomputed({ op: 'dot', left: expr.of, right: expr.of }, values, written);
+    return squared !== null && rootRoundsTo(squared, result, RESULT_DIGITS);
+  }
   const value = recomputed(expr, values, written, branch);
   return value !== null && roundsTo(value, result, RESULT_DIGITS);
 }
@@ -119,8 +123,24 @@ const printedTriple = (v: Vec3, digits: number): Triple<Ratio> => [
 function roundsTo(value: Ratio, result: number, digits: number): boolean {
   if (result === 0) return value.n === 0n;
   if (!Number.isFinite(result)) return false;
-  const off = ratios.sub(value, asPrinted(result, digits));
+  const [low, high] = around(result, digits);
+  return isAtMost(low, value) && isAtMost(value, high);
+}
+
+/** The same of √`squared`, for a length. */
+function rootRoundsTo(squared: Ratio, result: number, digits: number): boolean {
+  if (result === 0) return squared.n === 0n;
+  if (!(result > 0 && Number.isFinite(result))) return false;
+  const [low, high] = around(result, digits);
+  return isAtMost(ratios.sqr(low), squared) && isAtMost(squared, ratios.sqr(high));
+}
+
+/** What is printed as `result`: half a unit of its last digit about it. Not for 0. */
+function around(result: number, digits: number): [low: Ratio, high: Ratio] {
+  const printed = asPrinted(result, digits);
   const last = Number(result.toExponential(digits - 1).split('e')[1]) - digits + 1;
   const half = { n: 5n, d: 1n, e: last - 1 };
-  return ratios.sign(ratios.sub(off, half)) <= 0 && ratios.sign(ratios.add(off, half)) >= 0;
+  return [ratios.sub(printed, half), ratios.add(printed, half)];
 }
+
+const isAtMost = (a: Ratio, b: Ratio): boolean => ratios.sign(ratios.sub(a, b)) <= 0;

@@ -5,12 +5,15 @@ import { intersect } from '../../math/intersect.ts';
 import { InvalidInput } from '../../math/invalid-input.ts';
 import type { Shape } from '../../math/shapes/index.ts';
 import { definitionOf } from '../../math/shapes/lookup.ts';
+import { type PutIn, putInSideBySide, valuesAsResults } from '../put-in.ts';
 import { verdictWords } from '../words.ts';
 import { type Meeting, type RootFate, rootFates } from './root-fates.ts';
 
 export interface SurfaceStep {
   readonly step: Step;
   readonly numbers: Values<number>;
+  /** Null where one of them is not finite. */
+  readonly put: PutIn | null;
 }
 
 export interface SurfaceSteps {
@@ -32,7 +35,12 @@ export function surfaceSteps(shape: Shape, meeting: Meeting, method: string): Su
     return {
       title: name,
       f,
-      lines: steps.filter(({ value }) => value !== null).map((step) => ({ step, numbers })),
+      lines: steps.flatMap((step) => {
+        const { expr, worked, value } = step;
+        if (value === null) return [];
+        const results = valuesAsResults([value], undefined);
+        return [{ step, numbers, put: putInSideBySide([{ expr, results }], numbers, worked) }];
+      }),
       verdict: between ? `the whole ${name}: ${verdict}` : verdict,
       roots: rootFates(found, meeting),
     };

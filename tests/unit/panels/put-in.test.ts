@@ -1,11 +1,19 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { pose } from '../../../src/check/compose.ts';
+import { courseOf } from '../../../src/check/course.ts';
+import { EXERCISES } from '../../../src/check/exercises/index.ts';
+import { type Line as CheckLine, linesOf as linesOfCheck } from '../../../src/check/lines.ts';
+import { hintsOf, solutionOf } from '../../../src/check/solution.ts';
+import type { Expr } from '../../../src/math/formula/expr.ts';
 import { inNumbers } from '../../../src/math/formula/print/leaves.ts';
 import type { Marks } from '../../../src/math/formula/print/math-notation.ts';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
+import { putIntoLine } from '../../../src/panels/check-lines.ts';
 import { fitsInto, roomsOf } from '../../../src/panels/room.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { shownResult } from '../../../src/state/exact-digits.ts';
+import { surfaceSteps } from '../../../src/state/picture/hit-steps.ts';
 import { conditionDigits, putIn, resultsOf } from '../../../src/state/put-in.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -145,6 +153,79 @@ describe('a line with = gives its result from its own printed numbers', () => {
       ['A', 'B', 'C', 'D', 't'].map((id) => [id, true]),
     );
   });
+});
+
+/** Where a line of Check, read as it is printed with =, does not give what it ends with. */
+function falseLinesOfCheck(lines: readonly CheckLine[]): string[] {
+  return lines.flatMap((line) => {
+    const { exprs, relation, values, numbers, worked } = line;
+    const put = putIntoLine(line);
+    if (!put?.isFaithful) return [];
+    const trees = relation ? [relation.left, relation.right] : exprs;
+    return trees.flatMap((tree, i) => {
+      const text = inNumbers(tree, PLAIN, numbers, { worked, digits: put.digits });
+      const ends = trees.length === 1 ? values : values.slice(i, i + 1);
+      const downwards = ends.length === 2 && (numbers.scalars.A ?? 0) > 0;
+      return ends
+        .map((x, j) => [x, (j === 0) === downwards ? -1 : 1] as const)
+        .filter(([x, branch]) => Number.isFinite(x) && !gives(tree, text, x, branch))
+        .map(([x]) => `${line.id}: ${text} = ${display(x)}`);
+    });
+  });
+}
+
+/** Of a length the square is read. */
+function gives(tree: Expr, text: string, x: number, branch: 1 | -1): boolean {
+  if (tree.op !== 'norm') return rounds(readLine(text, branch), display(x));
+  const inner = text.slice(1, -1);
+  const square = readLine(`${inner}·${inner}`);
+  if (x === 0) return square.n === 0n;
+  const half = `5·10^${Number(x.toExponential(5).split('e')[1]) - 6}`.replace('^-', '^−');
+  const [low, high] = ['−', '+'].map((sign) => readLine(`(${plain(display(x))}${sign}${half})^2`));
+  return low !== undefined && high !== undefined && isAtMost(low, square) && isAtMost(square, high);
+}
+
+test('the lines of Check: solutions, hints, and the lines of a mistake', () => {
+  for (const exercise of EXERCISES) {
+    for (const [i, kind] of exercise.kinds.entries()) {
+      const posed = pose(exercise, kind, 4001 * (i + 1), ([1, 2, 3] as const)[i % 3] ?? 1);
+      const lines = [...solutionOf(posed).lines, ...hintsOf(posed).flatMap((hint) => hint.lines)];
+      expect(falseLinesOfCheck(lines), `${exercise.id} ${kind}`).toEqual([]);
+    }
+  }
+});
+
+test('and those of own numbers', () => {
+  fc.assert(
+    fc.property(ordinary, (state) => {
+      const { ray, state: drawn } = derived(state);
+      const input = { shape: drawn.shapes[drawn.kind], ray };
+      expect(falseLinesOfCheck(linesOfCheck(courseOf(input.shape), input))).toEqual([]);
+    }),
+    { numRuns: 100 },
+  );
+});
+
+const WHOLE = {
+  ...{ between: null, leaves: false, passes: false },
+  ...{ least: 0, most: Number.POSITIVE_INFINITY },
+};
+
+test('the lines of a pixel', () => {
+  fc.assert(
+    fc.property(ordinary, (state) => {
+      const { ray, state: drawn } = derived(state);
+      const shape = drawn.shapes[drawn.kind];
+      const steps = surfaceSteps(shape, { ...WHOLE, ray }, drawn.method);
+      for (const { step, numbers, put } of steps?.lines ?? []) {
+        if (!put?.isFaithful || step.value === null || !Number.isFinite(step.value)) continue;
+        const { expr, worked } = step;
+        const text = inNumbers(expr, PLAIN, numbers, { worked, digits: put.digits });
+        expect(rounds(readLine(text), display(step.value)), text).toBe(true);
+      }
+    }),
+    { numRuns: 100 },
+  );
 });
 
 test('a condition read as it is printed says what was decided', () => {
