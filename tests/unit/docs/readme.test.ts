@@ -8,7 +8,7 @@ import { readAccuracy } from '../../../src/state/accuracy/settings.ts';
 import { readPicture } from '../../../src/state/picture/settings.ts';
 import { PAGES, type PageId, type Settings } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
-import { codeSpans, DOCUMENTS, flowing, npmScripts, ROOT, read, SCRIPTS } from './documents.ts';
+import { DOCUMENTS, flowing, npmScripts, ROOT, read, SCRIPTS } from './documents.ts';
 
 const readme = read('README.md');
 
@@ -22,9 +22,9 @@ describe.each(DOCUMENTS)('%s', (path) => {
   });
 
   test('every file and folder that it names exists', () => {
-    const named = codeSpans(text)
-      .filter((span) => /^(src|tests|docs|\.github)\/[\w./-]+$/.test(span))
-      .map((span) => span.replace(/\/$/, ''));
+    const named = [
+      ...text.matchAll(/(?<![\w/.])(?:src|tests|docs|scripts|\.github)\/[\w./-]*\w/g),
+    ].map(([name]) => name);
     expect(named.filter((name) => !isThere(name))).toEqual([]);
   });
 
