@@ -1,6 +1,7 @@
 import type { Texts } from './grade.ts';
 import type { Judged } from './judge.ts';
 import { plan } from './session.ts';
+import { FIRST_SET } from './sets.ts';
 
 /** How far one question got. */
 export interface Asked {
@@ -16,9 +17,10 @@ export interface Asked {
   readonly causes: readonly string[];
 }
 
-/** A session's seed and its questions by number, from 0. */
+/** A session's seed and set, and its questions by number, from 0. */
 export interface Progress {
   readonly seed: number;
+  readonly set: string;
   readonly asked: Readonly<Record<string, Asked>>;
 }
 
@@ -31,7 +33,11 @@ const FRESH: Asked = {
   causes: [],
 };
 
-export const started = (seed: number): Progress => ({ seed, asked: {} });
+export const started = (seed: number, set: string = FIRST_SET): Progress => ({
+  seed,
+  set,
+  asked: {},
+});
 
 export const askedAt = (progress: Progress, index: number): Asked => progress.asked[index] ?? FRESH;
 
@@ -71,14 +77,17 @@ export function readProgress(text: string | null): Progress | null {
     const value: unknown = JSON.parse(text ?? '');
     if (!isRecord(value) || !Number.isSafeInteger(value.seed) || !isRecord(value.asked))
       return null;
-    const slots = plan(value.seed as number);
+    // What was kept before there were sets is of the first one.
+    const { set = FIRST_SET } = value;
+    if (typeof set !== 'string') return null;
+    const slots = plan(value.seed as number, set);
     const asked = Object.entries(value.asked).flatMap(([index, one]) => {
       const read = readAsked(one);
       if (!/^\d{1,3}$/.test(index) || !read) return [];
       const texts = renamed(read.texts, slots[Number(index)]?.exercise);
       return [[index, { ...read, texts }] as const];
     });
-    return { seed: value.seed as number, asked: Object.fromEntries(asked) };
+    return { seed: value.seed as number, set, asked: Object.fromEntries(asked) };
   } catch {
     return null;
   }
@@ -106,7 +115,7 @@ export function readSessions(text: string | null): readonly Progress[] {
 
 /** This session put in, last. */
 export function withSession(all: readonly Progress[], progress: Progress): readonly Progress[] {
-  const others = all.filter(({ seed }) => seed !== progress.seed);
+  const others = all.filter(({ seed, set }) => seed !== progress.seed || set !== progress.set);
   return [...others, progress].slice(-MOST_SESSIONS);
 }
 

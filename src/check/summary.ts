@@ -21,6 +21,7 @@ export interface SummaryLine {
 
 export interface Summary {
   readonly seed: number;
+  readonly set: string;
   readonly right: number;
   readonly total: number;
   readonly lines: readonly SummaryLine[];
@@ -28,7 +29,7 @@ export interface Summary {
 
 /** Per topic: what was right at which try. */
 export function summary(progress: Progress): Summary {
-  const lines = plan(progress.seed).map(({ exercise, kind }, i): SummaryLine => {
+  const lines = plan(progress.seed, progress.set).map(({ exercise, kind }, i): SummaryLine => {
     const asked = askedAt(progress, i);
     const { tries, solvedAt, hints, solutionShown } = asked;
     return {
@@ -41,7 +42,8 @@ export function summary(progress: Progress): Summary {
     };
   });
   const right = lines.filter(({ solvedAt }) => solvedAt !== null).length;
-  return { seed: progress.seed, right, total: lines.length, lines };
+  const { seed, set } = progress;
+  return { seed, set, right, total: lines.length, lines };
 }
 
 function inWords({ tries, solvedAt, solutionShown }: Asked): string {

@@ -23,7 +23,7 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       Enter follows the rays of that pixel. On the divider of a comparison the arrows move it, with Shift a tenth as far, Home
       and End to the sides.</p>`,
   check: html`<h3>This page</h3>
-    <p>Enter hands in an answer. The seed is in the link: the same seed poses the same questions everywhere. What was
+    <p>Enter hands in an answer. Set and seed are in the link: the same two pose the same questions everywhere. What was
       answered and typed stays on this device, and survives a reload.</p>
     <p>An own program runs in a frame without network, storage or page, in a worker of its own that is ended when it
       falls silent for a second.</p>`,

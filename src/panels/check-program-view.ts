@@ -9,6 +9,8 @@ export interface ProgramView {
   readonly unshown: boolean;
   /** A shape's kind, or 'all'. */
   readonly kind: string;
+  /** How 'all' is called. */
+  readonly all: string;
   /** While it runs: how many of the cases came back. */
   readonly running: { readonly done: number; readonly total: number } | null;
   /** Why it did not run, or not to the end; '' if it did. */

@@ -11,7 +11,7 @@ export function programHead(view: ProgramView, tools: ProgramTools): TemplateRes
     <label class="kind"><span class="visually-hidden">for which shape</span>
       <select @change=${(event: Event) => tools.pick((event.target as HTMLSelectElement).value)}>
         ${SHAPES.map(({ kind, title }) => html`<option value=${kind} ?selected=${view.kind === kind}>${title}</option>`)}
-        <option value="all" ?selected=${view.kind === 'all'}>all shapes</option>
+        <option value="all" ?selected=${view.kind === 'all'}>${view.all}</option>
       </select>
     </label>
     <button type="button" class="button" @click=${tools.openFile}>Open file</button>

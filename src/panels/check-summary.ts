@@ -10,11 +10,11 @@ export interface SummaryTools {
 
 /** Per topic, what was right at which try. */
 export function summaryTable(
-  { seed, right, total, lines }: Summary,
+  { seed, set, right, total, lines }: Summary,
   tools: SummaryTools,
 ): TemplateResult {
   return html`<details class="summary">
-    <summary>Summary: ${right} of ${total} right, seed ${seed}</summary>
+    <summary>Summary: ${right} of ${total} right, set ${set}, seed ${seed}</summary>
     <div class="table-area" tabindex="0" role="region" aria-label="Summary of the session">
     <table>
       <thead><tr><th scope="col">#</th><th scope="col">topic</th><th scope="col">shape</th><th scope="col">result</th><th scope="col">hints</th><th scope="col">named on the way</th></tr></thead>

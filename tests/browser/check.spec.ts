@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { casesFor, GROUPS } from '../../src/check/program/cases.ts';
 import { plan, question } from '../../src/check/session.ts';
+import { LATEST_SET } from '../../src/check/sets.ts';
 import type { Answer } from '../../src/check/types.ts';
 import { intersect } from '../../src/math/index.ts';
 import { shortest } from '../../src/text/format.ts';
@@ -157,7 +158,7 @@ test.describe('questions', () => {
     await page.getByLabel('seed').fill('42');
     await page.keyboard.press('Enter');
     await expect(page.locator('.given').first()).not.toHaveText(before);
-    await expect.poll(() => hashOf(page)).toContain('seed=42');
+    await expect.poll(() => hashOf(page)).toContain(`set=${LATEST_SET}&seed=42`);
   });
 });
 

@@ -8,7 +8,7 @@ const OWN = 'graze.check.own';
 
 /** What the device keeps of this page, so that a reload loses nothing. Nothing of it is sent anywhere. */
 export interface Memory {
-  session(seed: number): Progress;
+  session(seed: number, set: string): Progress;
   keep(progress: Progress): void;
   program(): string | null;
   keepProgram(source: string): void;
@@ -19,7 +19,8 @@ export interface Memory {
 export function openMemory(): Memory {
   let sessions = readSessions(recall(SESSIONS));
   return {
-    session: (seed) => sessions.find((one) => one.seed === seed) ?? started(seed),
+    session: (seed, set) =>
+      sessions.find((one) => one.seed === seed && one.set === set) ?? started(seed, set),
     keep(progress) {
       sessions = withSession(sessions, progress);
       remember(SESSIONS, JSON.stringify(sessions));

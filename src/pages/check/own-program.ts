@@ -1,6 +1,8 @@
 import { html, render } from 'lit';
 import { tooLong } from '../../check/program/script.ts';
 import { example, template } from '../../check/program/template.ts';
+import { FIRST_SET, setOf } from '../../check/sets.ts';
+import { SHAPES, type ShapeKind } from '../../math/shapes/index.ts';
 import { editor, exchange, programHead } from '../../panels/check-program.ts';
 import type { ProgramTools } from '../../panels/check-program-view.ts';
 import { programReport } from '../../panels/check-report.ts';
@@ -19,16 +21,27 @@ export interface Program {
   cancel(): void;
 }
 
+/** Where the link's set is older than some shape, "all" would not be true. */
+const allWords = (set: string): string => {
+  const { length } = setOf(set).shapes;
+  return length === SHAPES.length ? 'all shapes' : `the ${length} shapes of set ${set}`;
+};
+
 const TYPES = { json: 'application/json', csv: 'text/csv' } as const;
 
 /** The student's own program: its text, its run in the sandbox, the report and a failing case. */
-export function mountProgram(host: HTMLElement, { memory, changed, set }: PartContext): Program {
+export function mountProgram(
+  host: HTMLElement,
+  { memory, changed, ...part }: PartContext,
+): Program {
   const main = element('check-program', host);
   const failing = element('check-stage check-failing', host);
   const more = element('check-more', host);
   const picture = turnablePicture(failing, changed);
   const runs = createRuns(host, changed);
   let cases = '';
+  let set = FIRST_SET;
+  const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);
   // A text that is too long for the box, kept by an older version, stays where it is until another is written.
   const kept = memory.program();
   let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
@@ -37,7 +50,7 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     unshown === null
       ? ''
       : `The program that this device remembers is not shown: ${tooLong(unshown)}.`;
-  const templateNow = (): string => template(kindsFor(cases));
+  const templateNow = (): string => template(kinds());
   const source = (): string => written ?? templateNow();
   const refuse = (words: string): void => {
     refusal = words;
@@ -59,7 +72,7 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     changed();
   };
   const isOurs = (text: string): boolean => {
-    const choices = [kindsFor(cases), ...kindsFor('all').map((kind) => [kind])];
+    const choices = [kinds(), ...SHAPES.map(({ kind }) => [kind])];
     return text.trim() === '' || choices.some((k) => text === template(k) || text === example(k));
   };
   /** What somebody wrote is not thrown away for a template: it goes below it. */
@@ -72,11 +85,11 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     edit: (text) => write(text),
     takes: (text) => takes(text),
     pick(kind) {
-      if (source() === templateNow()) write(template(kindsFor(kind)));
+      if (source() === templateNow()) write(template(kindsFor(kind, set)));
       cases = kind;
-      set({ cases: kind });
+      part.set({ cases: kind });
     },
-    run: () => runs.run(source(), cases),
+    run: () => runs.run(source(), kinds()),
     cancel: () => runs.cancel(),
     async openFile() {
       const text = await pickFile('.js,.mjs,text/javascript');
@@ -85,13 +98,13 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
     },
     saveUnshown: () => download('intersect.js', unshown ?? '', 'text/javascript'),
     template: () => offer(templateNow(), 'With what stands here, the template'),
-    example: () => offer(example(kindsFor(cases)), 'With what stands here, the example'),
+    example: () => offer(example(kinds()), 'With what stands here, the example'),
     select: (failure) => runs.select(failure),
     saveCases: (format) =>
-      download(`graze-cases.${format}`, runs.file(format, cases), TYPES[format]),
+      download(`graze-cases.${format}`, runs.file(format, kinds()), TYPES[format]),
     async openResults() {
       const text = await pickFile('.json,.csv,application/json,text/csv');
-      if (text !== null) runs.grade(text, cases);
+      if (text !== null) runs.grade(text, kinds());
     },
   };
   const drawFailing = (drawable: boolean): void => {
@@ -105,12 +118,19 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
   };
   return {
     render(settings) {
-      ({ cases } = settings);
+      ({ cases, set } = settings);
       const run = runs.get();
       const link = run.selected && exploreLink(run.selected.case);
       const view = {
         ...run,
-        ...{ source: source(), refusal, unshown: unshown !== null, kind: cases, link },
+        ...{
+          source: source(),
+          refusal,
+          unshown: unshown !== null,
+          kind: cases,
+          all: allWords(set),
+          link,
+        },
       };
       render(
         html`${programHead(view, tools)}${editor(view, tools)}${programReport(view, tools)}`,
@@ -120,9 +140,10 @@ export function mountProgram(host: HTMLElement, { memory, changed, set }: PartCo
       drawFailing(link !== null);
     },
     source,
-    cases: (format) => runs.file(format, cases),
+    cases: (format) => runs.file(format, kinds()),
     open(text) {
-      if (!/\bintersect\b/.test(text) || !/function|=>/.test(text)) return runs.grade(text, cases);
+      if (!/\bintersect\b/.test(text) || !/function|=>/.test(text))
+        return runs.grade(text, kinds());
       write(text, 'The file');
       return true;
     },

@@ -7,7 +7,7 @@ import { type Failure, type Report, reportOf } from '../../check/program/report.
 import { readResults } from '../../check/program/results.ts';
 import { adviceFor, asScript, tooLong } from '../../check/program/script.ts';
 import { textbookFor } from '../../check/program/template.ts';
-import { FIRST_SET, setOf } from '../../check/sets.ts';
+import { setOf } from '../../check/sets.ts';
 import { SHAPES, type ShapeKind } from '../../math/shapes/index.ts';
 import { runInSandbox } from './sandbox.ts';
 
@@ -16,10 +16,10 @@ const CASES_SEED = 41;
 /** Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to be short. */
 const TIMED = 24;
 
-/** All shapes are those of the first set: what a link to all cases meant when it was written. */
-export const kindsFor = (cases: string): readonly ShapeKind[] =>
+/** All shapes are those of the link's set: what a link to all cases meant when it was written. */
+export const kindsFor = (cases: string, set: string): readonly ShapeKind[] =>
   cases === 'all'
-    ? setOf(FIRST_SET).shapes
+    ? setOf(set).shapes
     : SHAPES.map(({ kind }) => kind).filter((kind) => cases === kind);
 
 /** Of what the program says outside of its results, so much is shown. */
@@ -56,12 +56,12 @@ const NOTHING: RunState = {
 
 export interface Runs {
   get(): RunState;
-  run(source: string, cases: string): void;
+  run(source: string, kinds: readonly ShapeKind[]): void;
   cancel(): void;
   select(failure: Failure): void;
   /** Results of a program in another language; false if the text is none. */
-  grade(text: string, cases: string): boolean;
-  file(format: 'json' | 'csv', cases: string): string;
+  grade(text: string, kinds: readonly ShapeKind[]): boolean;
+  file(format: 'json' | 'csv', kinds: readonly ShapeKind[]): string;
 }
 
 /** One run at a time; a new one ends the one before. */
@@ -94,7 +94,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
         finish([], [], `This program is not run: ${refusal}.`);
         return;
       }
-      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      const cases = casesFor(kinds, CASES_SEED);
       const outputs: Output[] = [];
       state = { ...fresh(), running: { done: 0, total: cases.length } };
       changed();
@@ -104,7 +104,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
       };
       const job = {
         source: asScript(source),
-        textbook: textbookFor(kindsFor(kinds), 'textbook'),
+        textbook: textbookFor(kinds, 'textbook'),
         cases: cases.map(({ shape, ray }) => ({ shape, ray })),
         timed: timedOf(cases),
       };
@@ -142,7 +142,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
     cancel: () => stop(),
     select: (selected) => put({ selected }),
     grade(text, kinds) {
-      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      const cases = casesFor(kinds, CASES_SEED);
       const read = readResults(text, cases);
       close?.();
       close = null;
@@ -156,7 +156,7 @@ export function createRuns(host: Element, changed: () => void): Runs {
       return true;
     },
     file: (format, kinds) => {
-      const cases = casesFor(kindsFor(kinds), CASES_SEED);
+      const cases = casesFor(kinds, CASES_SEED);
       return format === 'json' ? casesJson(cases, CASES_SEED) : casesCsv(cases);
     },
   };

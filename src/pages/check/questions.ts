@@ -8,16 +8,19 @@ import {
   hinted,
   type Progress,
   solutionShown,
+  started,
   tried,
   typed,
 } from '../../check/progress.ts';
 import { plan, question } from '../../check/session.ts';
+import { FIRST_SET, LATEST_SET } from '../../check/sets.ts';
 import { summary, summaryJson } from '../../check/summary.ts';
 import { answerForm, questionHead, questionText } from '../../panels/check-question.ts';
 import { HINTS, type QuestionTools } from '../../panels/check-question-view.ts';
 import { summaryTable } from '../../panels/check-summary.ts';
 import { download } from '../../ui/files.ts';
 import type { LeftPart, PartContext, Shown } from './part.ts';
+import type { CheckSettings } from './settings.ts';
 
 export interface Questions extends LeftPart {
   readonly tools: QuestionTools;
@@ -27,9 +30,9 @@ export interface Questions extends LeftPart {
 
 /** The questions of one session after another: what was typed lives on the device, what was judged with the page. */
 export function createQuestions({ memory, changed, set }: PartContext): Questions {
-  let progress = memory.session(1);
+  let progress = memory.session(1, FIRST_SET);
   let index = 0;
-  let posed: Posed = question(progress.seed, index);
+  let posed: Posed = question(progress.seed, index, progress.set);
   let judged: Judged | null = null;
   /** The same object while it shows the same. */
   let picture: Shown | null = null;
@@ -43,11 +46,12 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
   const recallVerdict = (): void => {
     judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
   };
-  const show = (seed: number, at: number): void => {
-    if (seed === progress.seed && at === index) return;
-    if (seed !== progress.seed) progress = memory.session(seed);
+  const show = ({ seed, set: own, question: at }: CheckSettings): void => {
+    const same = seed === progress.seed && own === progress.set;
+    if (same && at === index) return;
+    if (!same) progress = memory.session(seed, own);
     index = at;
-    posed = question(seed, at);
+    posed = question(seed, at, own);
     recallVerdict();
   };
   /** Hits and normals stand in the picture when there is nothing left to find out; before, the student's own points. */
@@ -78,7 +82,8 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       // The next question is drawn in the next frame; its first box is where the hands go.
       requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
     },
-    seed: (seed) => set({ seed, question: 0 }),
+    // A session that begins here has the newest questions; one of an older link keeps its own.
+    seed: (seed) => set({ seed, set: LATEST_SET, question: 0 }),
   };
   const save = (): void =>
     download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
@@ -86,10 +91,16 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
   return {
     tools,
     json: () => summaryJson(progress),
-    render(head, body, _, { seed, question: at }) {
-      show(seed, at);
+    render(head, body, _, settings) {
+      show(settings);
       focusBody = () => body.querySelector<HTMLElement>('input, select')?.focus();
-      const view = { posed, index, count: plan(seed).length, progress, judged };
+      const view = {
+        posed,
+        index,
+        count: plan(progress.seed, progress.set).length,
+        progress,
+        judged,
+      };
       render(html`${questionHead(view, tools)}${questionText(view)}`, head);
       const print = (): void => {
         const details = body.querySelector('details');
@@ -98,7 +109,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       };
       const restart = (): void => {
         judged = null;
-        keep({ seed: progress.seed, asked: {} });
+        keep(started(progress.seed, progress.set));
       };
       const table = summaryTable(summary(progress), { save, print, restart });
       render(html`${answerForm(view, tools)}${table}`, body);

@@ -1,4 +1,5 @@
 import { plan } from '../../check/session.ts';
+import { FIRST_SET, SETS } from '../../check/sets.ts';
 import { findShape } from '../../math/shapes/lookup.ts';
 import type { Settings } from '../../state/state.ts';
 import type { Readable } from '../page.ts';
@@ -13,43 +14,62 @@ export type PartId = (typeof PARTS)[number]['id'];
 /** What the link of the page says. */
 export interface CheckSettings {
   readonly part: PartId;
+  /** The question set that the seed draws from. */
+  readonly set: string;
   readonly seed: number;
   /** From 0. */
   readonly question: number;
-  /** Which shape's cases a program gets: a kind, or 'all'. */
+  /** Which shape's cases a program gets: a kind, or 'all' for the set's shapes. */
   readonly cases: string;
 }
 
-const DEFAULTS: CheckSettings = { part: 'questions', seed: 1, question: 0, cases: 'cylinder' };
+const DEFAULTS: CheckSettings = {
+  part: 'questions',
+  set: FIRST_SET,
+  seed: 1,
+  question: 0,
+  cases: 'cylinder',
+};
 
 /** Keys are left out where they have their default. */
-export const KEYS = ['part', 'seed', 'question', 'cases'] as const;
+export const KEYS = ['part', 'set', 'seed', 'question', 'cases'] as const;
 
 const isPart = (text: string): text is PartId => PARTS.some(({ id }) => id === text);
 const isSeed = (text: string): boolean => /^-?\d{1,9}$/.test(text);
-const isQuestion = (text: string): boolean =>
-  /^\d{1,3}$/.test(text) && Number(text) >= 1 && Number(text) <= plan(1).length;
+const isSet = (text: string): boolean => Object.hasOwn(SETS, text);
+/** Every session of a set has as many questions. */
+const questionsIn = (set: string): number => plan(DEFAULTS.seed, set).length;
+const isQuestion = (text: string, set: string): boolean =>
+  /^\d{1,3}$/.test(text) && Number(text) >= 1 && Number(text) <= questionsIn(set);
 const isCases = (text: string): boolean => text === 'all' || findShape(text) !== undefined;
 
-const CHECKS: Readonly<Record<string, readonly [(text: string) => boolean, string]>> = {
-  part: [isPart, 'questions, own or program'],
-  seed: [isSeed, 'a whole number of up to nine digits'],
-  question: [isQuestion, `a question from 1 to ${plan(1).length}`],
-  cases: [isCases, 'a shape, or all'],
+/** Whether a text can be used with this set, and what it has to be. */
+type Rule = readonly [(text: string, set: string) => boolean, (set: string) => string];
+
+const CHECKS: Readonly<Record<string, Rule>> = {
+  part: [isPart, () => 'questions, own or program'],
+  set: [
+    isSet,
+    () => `a set of questions (${Object.keys(SETS).join(', ')}), so set ${FIRST_SET} is opened`,
+  ],
+  seed: [isSeed, () => 'a whole number of up to nine digits'],
+  question: [isQuestion, (set) => `a question from 1 to ${questionsIn(set)}`],
+  cases: [isCases, () => 'a shape, or all'],
 };
 
-const UNKNOWN: readonly [(text: string) => boolean, string] = [() => false, ''];
+const UNKNOWN: Rule = [() => false, () => ''];
 
 /** What of a link can be used, and what was wrong with the rest. */
 export function readSettings(settings: Settings): Readable {
   const usable: Record<string, string> = {};
   const problems: string[] = [];
+  const set = isSet(settings.set ?? '') ? (settings.set ?? '') : DEFAULTS.set;
   for (const [key, text] of Object.entries(settings)) {
     // A link may name anything, also what every object has.
     const [ok, wanted] = Object.hasOwn(CHECKS, key) ? (CHECKS[key] ?? UNKNOWN) : UNKNOWN;
-    if (ok(text)) usable[key] = text;
-    else if (wanted)
-      problems.push(`opened without ${key}: '${text.slice(0, 40)}' is not ${wanted}`);
+    const words = wanted(set);
+    if (ok(text, set)) usable[key] = text;
+    else if (words) problems.push(`opened without ${key}: '${text.slice(0, 40)}' is not ${words}`);
     else problems.push(`'${key.slice(0, 40)}' means nothing on this page`);
   }
   return { settings: usable, problems };
@@ -59,6 +79,7 @@ export function settingsOf(settings: Settings): CheckSettings {
   const { settings: own } = readSettings(settings);
   return {
     part: (own.part as PartId | undefined) ?? DEFAULTS.part,
+    set: own.set ?? DEFAULTS.set,
     seed: own.seed === undefined ? DEFAULTS.seed : Number(own.seed),
     question: own.question === undefined ? DEFAULTS.question : Number(own.question) - 1,
     cases: own.cases ?? DEFAULTS.cases,
@@ -72,6 +93,7 @@ export function settingsFor(wanted: Partial<CheckSettings>): Record<string, stri
     texts[key] = text === initial ? null : text;
   };
   if (wanted.part !== undefined) put('part', wanted.part, DEFAULTS.part);
+  if (wanted.set !== undefined) put('set', wanted.set, DEFAULTS.set);
   if (wanted.seed !== undefined) put('seed', String(wanted.seed), String(DEFAULTS.seed));
   if (wanted.question !== undefined) {
     put('question', String(wanted.question + 1), String(DEFAULTS.question + 1));

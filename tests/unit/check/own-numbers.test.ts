@@ -4,12 +4,15 @@ import {
   askedAt,
   hinted,
   readProgress,
+  readSessions,
   solutionShown,
   started,
   tried,
   typed,
+  withSession,
 } from '../../../src/check/progress.ts';
 import { plan, question } from '../../../src/check/session.ts';
+import { LATEST_SET } from '../../../src/check/sets.ts';
 import { summary, summaryJson } from '../../../src/check/summary.ts';
 import type { Input } from '../../../src/check/types.ts';
 import { intersect } from '../../../src/math/index.ts';
@@ -169,9 +172,23 @@ describe('progress', () => {
     expect(readProgress(JSON.stringify(progress))).toEqual(progress);
   });
 
+  test('each set has sessions of its own; one kept before there were sets is of the first', () => {
+    const first = typed(started(41), 0, 't1', '1');
+    const second = typed(started(41, LATEST_SET), 0, 't1', '2');
+    const kept = withSession(withSession([], first), second);
+    expect(readSessions(JSON.stringify(kept))).toEqual([first, second]);
+    const { set: _, ...before } = first;
+    expect(readProgress(JSON.stringify(before))).toEqual(first);
+    expect(summary(second)).toMatchObject({
+      set: LATEST_SET,
+      total: plan(41, LATEST_SET).length,
+    });
+  });
+
   test.each([
     null,
     '',
+    '{"seed":1,"set":"77","asked":{}}',
     '{',
     '[]',
     '{"seed":"1","asked":{}}',

@@ -74,7 +74,7 @@ describe('LaTeX, as people write it', () => {
     expect(write(-1.5e-7)).toBe('-1.5 \\cdot 10^{-7}');
     expect(write(5.5085977)).toBe('5.50860');
     expect(write(-Infinity)).toBe('-\\infty');
-    expect(write(Number.NaN)).toBe('\\text{undefined}');
+    expect(write(Number.NaN)).toBe('\\text{no value}');
     expect(write(-0)).toBe('0');
   });
 
