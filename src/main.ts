@@ -1,11 +1,11 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageTools } from './pages/commands.ts';
-import { createDesk } from './pages/desk.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { type Explore, mountExplore } from './pages/explore/explore-page.ts';
 import { takeaways } from './pages/explore/exports.ts';
 import { createPlayer } from './pages/explore/player.ts';
 import type { PageView } from './pages/page.ts';
+import { createPageSwitcher } from './pages/page-switcher.ts';
 import { shell } from './pages/shell.ts';
 import { announcement } from './state/announce.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
@@ -87,7 +87,7 @@ const dialogParts: DialogParts = {
   commands,
   thumbnail: () => explore?.scene.thumbnail() ?? null,
   takeaways: async () =>
-    desk.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
+    pages.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
   example: () => exampleOf(store.get()),
   page: () => store.get().page,
   dispatch: store.dispatch,
@@ -114,7 +114,7 @@ function openDialog(name: keyof Dialogs): void {
   );
 }
 
-const desk = createDesk(main, {
+const pages = createPageSwitcher(main, {
   dispatch: store.dispatch,
   changed: requestRender,
   say,
@@ -153,7 +153,7 @@ function renderAll(): void {
       command,
       turn(page) {
         store.dispatch({ type: 'page', page });
-        desk.again();
+        pages.again();
       },
       canUndo: store.canUndo(),
       canRedo: store.canRedo(),
@@ -161,7 +161,7 @@ function renderAll(): void {
     }),
     header,
   );
-  desk.show(state);
+  pages.show(state);
 }
 
 /** A page's settings came from a link or a file: what it cannot use is left out and said. */
@@ -215,10 +215,10 @@ function readLink(): void {
   readShown();
 }
 
-/** The page of the state is put on the desk first: it is that page which reads its settings. */
+/** The page of the state is shown first: it is that page which reads its settings. */
 function readShown(): void {
-  desk.show(store.get());
-  const view = desk.current();
+  pages.show(store.get());
+  const view = pages.current();
   if (view) readSettings(view);
 }
 
@@ -235,7 +235,7 @@ function say(words: string): void {
 
 function openText(text: string | null): void {
   if (text === null) return;
-  if (desk.current()?.open?.(text)) return;
+  if (pages.current()?.open?.(text)) return;
   const opened = fromFile(text);
   if (opened.ok) {
     store.dispatch({ type: 'open', state: opened.state });

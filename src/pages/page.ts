@@ -1,13 +1,14 @@
 import type { Dispatch } from '../state/actions.ts';
-import type { AppState, PageId, Settings } from '../state/state.ts';
-import { late } from '../ui/late.ts';
+import type { AppState, Settings } from '../state/state.ts';
 import type { Takeaway } from './export-dialog.ts';
 
 /**
- * How a page other than Explore is made. It is one entry in PAGES (state/state.ts) and one in LATER below; its code is a
- * chunk of its own. What its link carries are its settings: texts under keys, which it reads and checks itself and changes
- * by the action 'settings' (null takes a key back to its default, which is left out of the link). What dies with the page
- * (hover, results of a measurement, a picture) it keeps in closures, and calls `changed` to be drawn again.
+ * Makes a page other than Explore. A page is an entry in PAGES (state/state.ts) and one in
+ * LATE_PAGES (page-switcher.ts); its code is a chunk of its own. Its link carries its settings:
+ * texts under keys, which the page reads and checks itself. It changes them by the action
+ * 'settings'; null sets a key to its default, which is left out of the link. What is lost with the
+ * page (hover, results of a measurement, a picture) it keeps in closures; it calls `changed` to be
+ * drawn again.
  */
 export type MountPage = (host: HTMLElement, context: PageContext) => PageView;
 
@@ -38,12 +39,3 @@ export interface Readable {
   readonly settings: Settings;
   readonly problems: readonly string[];
 }
-
-/** By the id of the page: its code, loaded when it is first shown. */
-export const LATER: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
-  accuracy: () =>
-    late(() => import('./accuracy/accuracy-page.ts')).then(({ mountAccuracy }) => mountAccuracy),
-  check: () => late(() => import('./check/check-page.ts')).then(({ mountCheck }) => mountCheck),
-  picture: () =>
-    late(() => import('./picture/picture-page.ts')).then(({ loadPicture }) => loadPicture()),
-};

@@ -1,14 +1,18 @@
-import type { ExploreModel } from './derive.ts';
+import type { Derivation } from '../math/derivation.ts';
 import type { RaySegment, SceneModel } from './scene-model.ts';
 
+interface Derived {
+  readonly derivation: Derivation;
+}
+
 /** The lines that can be revealed one after another: each step, the conditions, the verdict, the hits. */
-export function lineCount({ derivation }: Pick<ExploreModel, 'derivation'>): number {
+export function lineCount({ derivation }: Derived): number {
   return derivation.steps.length + (derivation.conditions.length > 0 ? 1 : 0) + 2;
 }
 
 /** What is shown of the result when `revealed` lines of it are; null shows all. */
 export function shownLines(
-  model: Pick<ExploreModel, 'derivation'>,
+  model: Derived,
   revealed: number | null,
 ): { steps: number; conditions: boolean; verdict: boolean; hits: boolean } {
   const lines = lineCount(model);

@@ -2,7 +2,7 @@ import { angleHint } from './angles.ts';
 import { evaluate } from './expression.ts';
 import { literal } from './literal.ts';
 import { normalise } from './normalise.ts';
-import type { Parsed } from './parse.ts';
+import type { Parsed } from './parsed.ts';
 import { readExpression } from './read-expression.ts';
 import { quoted, Refusal } from './refusal.ts';
 import type { Typed } from './typed.ts';

@@ -1,6 +1,6 @@
 import { unaryOps } from './checked-ops.ts';
-import type { Parsed } from './parse.ts';
 import { type NumberOptions, parseNumber } from './parse-number.ts';
+import type { Parsed } from './parsed.ts';
 import { quoted } from './refusal.ts';
 
 export type Triple = readonly [number, number, number];

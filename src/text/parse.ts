@@ -1,8 +1,6 @@
-/** Text that a person typed or pasted, or that a link carries, to numbers. */
-export type Parsed<Value> =
-  | { readonly ok: true; readonly value: Value }
-  | { readonly ok: false; readonly reason: string };
+/* Text that a person typed or pasted, or that a link carries, to numbers. */
 
 export { hintOn, type NumberOptions, parseNumber, parseTyped } from './parse-number.ts';
 export { looksLikeTriple, parseTriple, type Triple, tripleTexts } from './parse-triple.ts';
+export type { Parsed } from './parsed.ts';
 export type { Typed, TypedBinary, TypedUnary } from './typed.ts';

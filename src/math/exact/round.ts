@@ -4,8 +4,8 @@ import * as dy from './dyadic.ts';
 import { bitLength } from './isqrt.ts';
 import { roundScaled } from './round-scaled.ts';
 import { hasLeadingBits, sumWithRoot } from './sum-with-root.ts';
-import type { Surd } from './surd.ts';
 import { norm, signOfSum } from './surd-sign.ts';
+import type { Surd } from './surd-type.ts';
 
 /** A quotient below has this many bits, or one more: one machine word for BigInt. */
 const QUOTIENT_BITS = 62;

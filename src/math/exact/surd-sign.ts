@@ -1,6 +1,6 @@
 import type { Dyadic, Sign } from './dyadic.ts';
 import * as dy from './dyadic.ts';
-import type { Surd } from './surd.ts';
+import type { Surd } from './surd-type.ts';
 
 /** The sign of u + v√D: when the two terms pull apart, u² against v²D decides. */
 export function signOfSum(u: Dyadic, v: Dyadic, D: Dyadic): Sign {

@@ -2,21 +2,11 @@ import type { Dyadic, Sign } from './dyadic.ts';
 import * as dy from './dyadic.ts';
 import { isqrt } from './isqrt.ts';
 import { norm, sign } from './surd-sign.ts';
+import type { Surd } from './surd-type.ts';
 
 export { toNumber } from './round.ts';
 export { isZero, sign } from './surd-sign.ts';
-
-/**
- * (u + v√D)/w, exactly: what a root of a quadratic is, and every point and normal made from one.
- * w ≠ 0 and D ≥ 0; v = 0 makes it rational. Nothing is reduced, so one value has many forms: ask
- * `isZero` and `compare`, never the fields.
- */
-export interface Surd {
-  readonly u: Dyadic;
-  readonly v: Dyadic;
-  readonly w: Dyadic;
-  readonly D: Dyadic;
-}
+export type { Surd } from './surd-type.ts';
 
 export function surd(u: Dyadic, v: Dyadic, w: Dyadic, D: Dyadic): Surd {
   if (w.m === 0n) throw new RangeError('a surd needs a denominator ≠ 0, got 0');

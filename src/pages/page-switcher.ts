@@ -1,15 +1,24 @@
 import { html, render, type TemplateResult } from 'lit';
 import type { AppState, PageId } from '../state/state.ts';
-import { notLoaded } from '../ui/late.ts';
-import { LATER, type MountPage, type PageContext, type PageView } from './page.ts';
+import { late, notLoaded } from '../ui/late.ts';
+import type { MountPage, PageContext, PageView } from './page.ts';
 
 /** Loading that takes longer than this is said. */
 const PATIENCE_MS = 300;
 /** After this long the request may be lost. */
 const LONG_MS = 15_000;
 
-export interface Desk {
-  /** Puts the page of this state on the desk, and draws it. */
+/** The code of each page but Explore, loaded when the page is first shown. */
+const LATE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
+  accuracy: () =>
+    late(() => import('./accuracy/accuracy-page.ts')).then(({ mountAccuracy }) => mountAccuracy),
+  check: () => late(() => import('./check/check-page.ts')).then(({ mountCheck }) => mountCheck),
+  picture: () =>
+    late(() => import('./picture/picture-page.ts')).then(({ loadPicture }) => loadPicture()),
+};
+
+export interface PageSwitcher {
+  /** Shows the page of this state, and draws it. */
   show(state: AppState): void;
   /** Asks again for the page that is shown, if its code did not come. */
   again(): void;
@@ -17,7 +26,7 @@ export interface Desk {
   current(): PageView | null;
 }
 
-export interface DeskTools extends PageContext {
+export interface PageSwitcherTools extends PageContext {
   /** Draws Explore into the element that it got at first. */
   readonly explore: { mount(host: HTMLElement): void; render(state: AppState): void };
   /** A page's code has arrived; its settings have not been read yet. */
@@ -28,7 +37,7 @@ export interface DeskTools extends PageContext {
  * One page at a time is in the document. The others are kept as they were left, out of it, so that coming back to a
  * measurement or a picture finds it, and each quantity stands in the document once.
  */
-export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
+export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools): PageSwitcher {
   const hosts = new Map<PageId, HTMLElement>();
   const views = new Map<PageId, PageView>();
   /** Pages whose code did not come, each with a way to ask for it again. */
@@ -47,7 +56,7 @@ export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
   };
 
   const mount = (page: PageId, host: HTMLElement): void => {
-    const code = LATER[page];
+    const code = LATE_PAGES[page];
     if (code) load(page, code, host);
     else tools.explore.mount(host);
   };
@@ -90,7 +99,7 @@ export function createDesk(main: HTMLElement, tools: DeskTools): Desk {
   return {
     show(state) {
       if (state.page !== shown) place(state.page);
-      if (LATER[state.page]) views.get(state.page)?.render(state);
+      if (LATE_PAGES[state.page]) views.get(state.page)?.render(state);
       else tools.explore.render(state);
     },
     again: () => {
