@@ -1,4 +1,5 @@
 import { createAnswers, packRays, type Rays, verdictsOfRoots } from '../math/batch/batch.ts';
+import { batchOf } from '../math/batch/kernels.ts';
 import { kernelArray } from '../math/batch/memory.ts';
 import type { Family } from '../math/families.ts';
 import type { Verdict } from '../math/intersection.ts';
@@ -33,7 +34,7 @@ export function batchesOf(family: Family, { seed, shapes, count, difficulty }: S
     const { shape, rays: list } = family.batch(random, count, difficulty);
     const rays = packRays(list, kernelArray);
     const out = createAnswers(count);
-    exact.batch(shape).both(rays, out);
+    batchOf(exact, shape).both(rays, out);
     return { shape, rays, verdicts: verdictsOfRoots(out, count), t0: out.t0, t1: out.t1 };
   });
 }
@@ -41,15 +42,19 @@ export function batchesOf(family: Family, { seed, shapes, count, difficulty }: S
 /** Both roots, or only "is it hit?" */
 export type Form = 'both' | 'classes';
 
-/** One task a method, with the method's own loops inside. What they write is read, so that no engine may leave it out. */
+/**
+ * One task a method, with its own loops inside unless `kernelOf` gives others. What they write is
+ * read, so that no engine may leave it out.
+ */
 export function tasksOf(
   methods: readonly Method[],
   batches: readonly Batch[],
   form: Form,
+  kernelOf = batchOf,
 ): readonly (Task & { readonly checksum: () => number })[] {
   const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)), kernelArray);
   return methods.map((method) => {
-    const kernels = batches.map(({ shape, rays }) => ({ kernel: method.batch(shape), rays }));
+    const kernels = batches.map(({ shape, rays }) => ({ kernel: kernelOf(method, shape), rays }));
     let seen = 0;
     return {
       id: method.id,

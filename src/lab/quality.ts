@@ -4,6 +4,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../math/batch/batch.ts';
+import { batchOf } from '../math/batch/kernels.ts';
 import { ulpDistance } from '../math/float/ulp.ts';
 import type { Method } from '../math/methods/define.ts';
 import { rightDigitsOfDouble } from './digits.ts';
@@ -36,7 +37,7 @@ export interface Quality {
 
 const ONE_IN_TEN = 0.1;
 
-export function qualityOf(method: Method, batches: readonly Batch[]): Quality {
+export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = batchOf): Quality {
   const judged: Record<Judgement, number> = {
     right: 0,
     misses: 0,
@@ -50,7 +51,7 @@ export function qualityOf(method: Method, batches: readonly Batch[]): Quality {
   let worst: Place | null = null;
   batches.forEach((batch, b) => {
     const { shape, rays, verdicts } = batch;
-    const kernel = method.batch(shape);
+    const kernel = kernelOf(method, shape);
     const out = createAnswers(rays.count);
     kernel.classes(rays, out);
     const byClasses = verdictsOfClasses(out, rays.count, kernel.met);

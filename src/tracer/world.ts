@@ -1,4 +1,5 @@
 import type { Kernel } from '../math/batch/batch.ts';
+import { batchOf } from '../math/batch/kernels.ts';
 import { type Quadric, quadricOf } from '../math/batch/quadric.ts';
 import { findMethod } from '../math/intersect.ts';
 import { InvalidInput, quote } from '../math/invalid-input.ts';
@@ -57,7 +58,7 @@ export function worldOf(
       const formula = definitionOf(surface.shape).formula(surface.shape);
       return {
         surface: k,
-        kernel: asked.batch(surface.shape),
+        kernel: batchOf(asked, surface.shape),
         flat: formula.family === 'flat',
         endless: formula.family === 'flat' && formula.bound === null,
         cut: between !== undefined || heights === 'all',

@@ -5,11 +5,14 @@ import { batchesOf, rayAt, tasksOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
 import { measure } from '../../src/lab/run.ts';
 import { accelerate, decelerate } from '../../src/math/accelerate.ts';
+import type { Kernel } from '../../src/math/batch/batch.ts';
+import { batchOf } from '../../src/math/batch/kernels.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/intersect.ts';
 import { certified } from '../../src/math/methods/certified.ts';
 import type { Method } from '../../src/math/methods/define.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
+import type { Shape } from '../../src/math/shapes/index.ts';
 import {
   betweenMarks,
   familyTable,
@@ -48,33 +51,32 @@ function clock(): number {
   return (user + system) / 1000;
 }
 
-/** The same method where WebAssembly is missing: between two calls of `accelerate`, which costs nothing the second time. */
-const plain: Method = {
-  ...certified,
-  id: 'certified, no WebAssembly',
-  batch(shape) {
-    const kernel = certifiedKernels(shape);
-    return {
-      ...kernel,
-      both(rays, out) {
-        decelerate();
-        kernel.both(rays, out);
-        accelerate();
-      },
-    };
-  },
-};
-const certifiedKernels = certified.batch;
+/** The same method where WebAssembly is missing. */
+const plain: Method = { ...certified, id: 'certified, no WebAssembly' };
+
+/** Without it between two calls of `accelerate`, which costs nothing the second time. */
+function kernelOf(method: Method, shape: Shape): Kernel {
+  if (method !== plain) return batchOf(method, shape);
+  const kernel = batchOf(certified, shape);
+  return {
+    ...kernel,
+    both(rays, out) {
+      decelerate();
+      kernel.both(rays, out);
+      accelerate();
+    },
+  };
+}
 accelerate();
-const methods: readonly Method[] = [...METHODS.filter(({ batch }) => batch), plain];
+const methods: readonly Method[] = [...METHODS, plain];
 
 function measured(family: Family): Measured {
   const batches = batchesOf(family, SAMPLE);
   return {
     family,
-    roots: measure(tasksOf(methods, batches, 'both'), clock, PLAN),
-    classes: measure(tasksOf(methods, batches, 'classes'), clock, PLAN),
-    quality: new Map(methods.map((method) => [method.id, qualityOf(method, batches)])),
+    roots: measure(tasksOf(methods, batches, 'both', kernelOf), clock, PLAN),
+    classes: measure(tasksOf(methods, batches, 'classes', kernelOf), clock, PLAN),
+    quality: new Map(methods.map((method) => [method.id, qualityOf(method, batches, kernelOf)])),
     rays: SHAPES * COUNT,
   };
 }

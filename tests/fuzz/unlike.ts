@@ -1,5 +1,6 @@
 import { accelerate, decelerate } from '../../src/math/accelerate.ts';
 import { createAnswers, packRays, verdictsOfRoots } from '../../src/math/batch/batch.ts';
+import { batchOf } from '../../src/math/batch/kernels.ts';
 import type { Question } from '../../src/math/families.ts';
 import { certified } from '../../src/math/methods/certified.ts';
 import type { Ray } from '../../src/math/ray.ts';
@@ -19,7 +20,7 @@ const besides = ({ origin, direction }: Ray): Ray[] =>
   });
 
 function answersOf({ shape, ray }: Question): string[] {
-  const kernel = certified.batch(shape);
+  const kernel = batchOf(certified, shape);
   const rays = packRays(besides(ray));
   const out = createAnswers(COUNT);
   kernel.both(rays, out);

@@ -18,6 +18,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../src/math/batch/batch.ts';
+import { batchOf } from '../../src/math/batch/kernels.ts';
 import { FAMILIES, type Family, findFamily, madeFamilies } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/intersect.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
@@ -106,7 +107,7 @@ describe.each(METHODS.map(({ id }) => id as string))('batches of %s', (id) => {
       const { shape, rays: list } = family.batch(random, 30);
       const rays = packRays(list);
       const out = createAnswers(list.length);
-      const kernel = method(id).batch(shape);
+      const kernel = batchOf(method(id), shape);
       kernel.classes(rays, out);
       const classes = verdictsOfClasses(out, rays.count, kernel.met);
       kernel.both(rays, out);

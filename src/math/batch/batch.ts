@@ -131,7 +131,7 @@ export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays
  * const rays = packRays([{ origin: [-10, 0, 3], direction: [1, 0, 0] }]);
  * const out = createAnswers(rays.count);
  * const certified = METHODS.find(({ id }) => id === 'certified')!;
- * const kernel = certified.batch({ kind: 'cylinder', center: [0, 0, 0], radius: 5 });
+ * const kernel = batchOf(certified, { kind: 'cylinder', center: [0, 0, 0], radius: 5 });
  * kernel.both(rays, out);
  * [out.t0[0], out.t1[0]]; // → [6, 14]
  * kernel.first(rays, 7, Infinity, out);

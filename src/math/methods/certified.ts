@@ -1,8 +1,3 @@
-import { planarOf } from '../batch/planar.ts';
-import { quadricOf } from '../batch/quadric.ts';
-import { treeKernel } from '../batch/trees.ts';
-import { certifiedPlanar } from './certified/kernel-planar.ts';
-import { certifiedKernel } from './certified/kernel-quadric.ts';
 import { intersectCertified } from './certified/object.ts';
 import type { Method } from './define.ts';
 import { exact } from './exact.ts';
@@ -19,10 +14,4 @@ export const certified: Method = {
   coefficients: exact.coefficients,
   solve: exact.solve,
   intersect: intersectCertified,
-  batch(shape) {
-    const q = quadricOf(shape);
-    if (q) return certifiedKernel(q);
-    const s = planarOf(shape);
-    return s ? certifiedPlanar(s) : treeKernel(shape, intersectCertified);
-  },
 };

@@ -1,13 +1,8 @@
 import { doubleDouble } from '../arithmetic/double-double.ts';
-import { machinePlanar } from '../batch/machine-planar.ts';
-import { machineQuadric } from '../batch/machine-quadric.ts';
-import { doubleDoubleMachine as machine } from '../batch/machines.ts';
-import { kernelFor } from '../batch/of-shape.ts';
-import type { Method } from './define.ts';
 import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-const tree = treeMethod(
+export const compensated = treeMethod(
   {
     id: 'compensated',
     title: 'compensated',
@@ -21,12 +16,3 @@ const tree = treeMethod(
   stableSolver,
   'double-double',
 );
-
-export const compensated: Method = {
-  ...tree,
-  batch: kernelFor(
-    tree.intersect,
-    (q) => machineQuadric(q, machine, 'course'),
-    (p) => machinePlanar(p, machine, 'course'),
-  ),
-};

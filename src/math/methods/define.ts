@@ -1,5 +1,4 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
-import type { Kernel } from '../batch/batch.ts';
 import type { Coefficients, Intersection, QuadraticAnswer } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
@@ -21,8 +20,6 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
-  /** The same answers for many rays at once: class and roots bit-equal to `intersect`. */
-  batch(shape: Shape): Kernel;
   /** So that its own operations can be followed one by one; a method that is not made of trees has none. */
   readonly parts?: Parts;
 }

@@ -1,9 +1,6 @@
 import { CONTAINED, NONE, ONE, UNDECIDED, VERDICTS } from '../batch/batch.ts';
 import { type Planar, planarOf } from '../batch/planar.ts';
 import { type Quadric, quadricInTreeOrder } from '../batch/quadric.ts';
-import { stableQuadric } from '../batch/stable.ts';
-import { textbookQuadric } from '../batch/textbook.ts';
-import { textbookPlanar } from '../batch/textbook-planar.ts';
 import { planarSlot, solvePlanar } from '../batch/textbook-planar-scalar.ts';
 import { curvedSlot, solveCurved } from '../batch/textbook-scalar.ts';
 import type { Hit, Intersection, Sign } from '../intersection.ts';
@@ -23,12 +20,6 @@ export function direct(walked: Method, stable: boolean): Method {
       if (q) return curved(walked, q, shape, ray, stable);
       const s = planarOf(shape);
       return s && s.bound !== 'square' ? flat(walked, s, shape, ray) : walked.intersect(shape, ray);
-    },
-    batch(shape) {
-      const q = quadricInTreeOrder(shape);
-      if (q) return stable ? stableQuadric(q) : textbookQuadric(q);
-      const s = planarOf(shape);
-      return s ? textbookPlanar(s) : walked.batch(shape);
     },
   };
 }

@@ -1,11 +1,8 @@
 import { exact as exactArithmetic } from '../arithmetic/exact.ts';
-import { exactKernel } from '../batch/exact.ts';
-import { treeKernel } from '../batch/trees.ts';
-import type { Method } from './define.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-const walked = treeMethod(
+export const exact = treeMethod(
   {
     id: 'exact',
     title: 'exact',
@@ -19,8 +16,3 @@ const walked = treeMethod(
   textbookSolver,
   'exact',
 );
-
-export const exact: Method = {
-  ...walked,
-  batch: (shape) => exactKernel(shape) ?? treeKernel(shape, walked.intersect),
-};

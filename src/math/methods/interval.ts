@@ -1,14 +1,9 @@
 import { interval as intervalArithmetic } from '../arithmetic/interval.ts';
-import { machinePlanar } from '../batch/machine-planar.ts';
-import { machineQuadric } from '../batch/machine-quadric.ts';
-import { intervalMachine as machine } from '../batch/machines.ts';
-import { kernelFor } from '../batch/of-shape.ts';
-import type { Method } from './define.ts';
 import { momentForm } from './forms.ts';
 import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-const tree = treeMethod(
+export const interval = treeMethod(
   {
     id: 'interval',
     title: 'interval',
@@ -23,12 +18,3 @@ const tree = treeMethod(
   'formula',
   momentForm,
 );
-
-export const interval: Method = {
-  ...tree,
-  batch: kernelFor(
-    tree.intersect,
-    (q) => machineQuadric(q, machine, 'moment'),
-    (p) => machinePlanar(p, machine, 'moment'),
-  ),
-};

@@ -1,8 +1,4 @@
 import { float64 } from '../arithmetic/float64.ts';
-import { momentQuadric } from '../batch/moment.ts';
-import { momentPlanar } from '../batch/moment-planar.ts';
-import { kernelFor } from '../batch/of-shape.ts';
-import type { Method } from './define.ts';
 import { momentForm } from './forms.ts';
 import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
@@ -16,7 +12,7 @@ import { treeMethod } from './tree-method.ts';
  *   ρA          ρ = r²: 1; A: dy² 1, a dy² 2 (or 3), the two sums 2; the product 1: 6 of ρ·Am, Am = dx² + dz² + |a|dy²
  * and each of the three is in at most two more additions: 12 of ρ·Am + |a|(Sx² + Sz²) + Sy² covers them all. The 4 is exact.
  */
-const tree = treeMethod(
+export const moment = treeMethod(
   {
     id: 'moment',
     title: 'moment',
@@ -31,8 +27,3 @@ const tree = treeMethod(
   'formula',
   momentForm,
 );
-
-export const moment: Method = {
-  ...tree,
-  batch: kernelFor(tree.intersect, momentQuadric, momentPlanar),
-};

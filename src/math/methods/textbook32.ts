@@ -1,12 +1,8 @@
 import { float32 } from '../arithmetic/float32.ts';
-import { kernelFor } from '../batch/of-shape.ts';
-import { textbook32Quadric } from '../batch/textbook32.ts';
-import { textbook32Planar } from '../batch/textbook32-planar.ts';
-import type { Method } from './define.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
-const tree = treeMethod(
+export const textbook32 = treeMethod(
   {
     id: 'textbook32',
     title: 'textbook, float32',
@@ -19,8 +15,3 @@ const tree = treeMethod(
   textbookSolver,
   'formula',
 );
-
-export const textbook32: Method = {
-  ...tree,
-  batch: kernelFor(tree.intersect, textbook32Quadric, textbook32Planar),
-};

@@ -1,6 +1,5 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { exact } from '../arithmetic/exact.ts';
-import { treeKernel } from '../batch/trees.ts';
 import { DISCRIMINANT, POINT } from '../formula/common.ts';
 import {
   evaluate,
@@ -43,8 +42,6 @@ export function treeMethod<T>(
   form: Form = courseForm,
 ): Method {
   const parts: MethodParts<T> = { arithmetic, form, solver, decidedBy, id: about.id };
-  const intersect = (shape: Shape, ray: Ray): Intersection =>
-    intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), parts);
   return {
     ...about,
     coefficients(shape, ray) {
@@ -52,8 +49,7 @@ export function treeMethod<T>(
       const { toNumber } = arithmetic;
       return { A: toNumber(A), B: toNumber(B), C: toNumber(C) } satisfies Coefficients;
     },
-    intersect,
-    batch: (shape) => treeKernel(shape, intersect),
+    intersect: (shape, ray) => intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), parts),
     solve: (A, B, C) => solveDoubles(A, B, C, parts),
     parts: (use) => use(arithmetic, form, solver),
   };

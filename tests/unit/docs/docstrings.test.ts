@@ -7,6 +7,7 @@ import { runExample } from './examples.ts';
 const DOORS = [
   'src/math/index.ts',
   'src/math/batch/batch.ts',
+  'src/math/batch/kernels.ts',
   'src/math/families.ts',
   'src/math/accelerate.ts',
   'src/math/rng.ts',

@@ -5,6 +5,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { bracket } from '../../../src/math/exact/faithful.ts';
 import type { Surd } from '../../../src/math/exact/surd.ts';
 import type { Question } from '../../../src/math/families.ts';
@@ -23,7 +24,7 @@ const out = createAnswers(1);
  */
 export function disagreement(shape: Shape, ray: Ray, truth = exactHits(shape, ray)): string | null {
   const found = intersect(shape, ray, 'certified');
-  const kernel = certified.batch(shape);
+  const kernel = batchOf(certified, shape);
   if (!kernel) return `no kernel for ${shape.kind}`;
   const rays = packRays([ray]);
   kernel.classes(rays, out);

@@ -5,6 +5,7 @@ import {
   createRays,
   type Rays,
 } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { kernelArray } from '../../../src/math/batch/memory.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -72,7 +73,7 @@ export function ask(fast: boolean, form: Ask, shape: Shape, rays: Rays, out: Ans
     if (!accelerate()) throw new Error('this engine has no WebAssembly vectors');
   } else decelerate();
   try {
-    const kernel = certified.batch(shape);
+    const kernel = batchOf(certified, shape);
     if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
     if (form === 'first') kernel.first(rays, 0, Number.POSITIVE_INFINITY, out);
     else kernel[form](rays, out);

@@ -6,6 +6,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES, findFamily, type Question } from '../../../src/math/families.ts';
 import { scale } from '../../../src/math/float/bits.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
@@ -20,9 +21,9 @@ import { disagreement } from './against-exact.ts';
 function filtersAgree({ shape, ray }: Question): void {
   const rays = packRays([ray]);
   const out = createAnswers(1);
-  exact.batch(shape).both(rays, out);
+  batchOf(exact, shape).both(rays, out);
   const [truth] = verdictsOfRoots(out, 1);
-  const kernel = certified.batch(shape);
+  const kernel = batchOf(certified, shape);
   kernel.classes(rays, out);
   const [byClasses] = verdictsOfClasses(out, 1, kernel.met);
   expect([JSON.stringify({ shape, ray }), byClasses, disagreement(shape, ray)]).toEqual([

@@ -5,6 +5,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
@@ -190,7 +191,7 @@ describe(`certified at every one of ${rays.length} rays`, () => {
 
   /** What the batch gets wrong: each class, by roots and by `classes`, and each root that is a quotient of whole numbers. */
   function wrongInBatch(shape: Shape, expected: (ray: Ray) => Expected): unknown[] {
-    const kernel = certified.batch(shape);
+    const kernel = batchOf(certified, shape);
     if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
     kernel.classes(packed, out);
     const byClass = verdictsOfClasses(out, rays.length, kernel.met);

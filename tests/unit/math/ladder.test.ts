@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { createAnswers, packRays, verdictsOfRoots } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -252,9 +253,7 @@ describe('interval: whenever it decides, it is right', () => {
     for (const { shape, ray } of questions) {
       const { class: verdict, hits } = method('interval').intersect(shape, ray);
       if (verdict === 'undecided') continue;
-      method('exact')
-        .batch(shape)
-        .both(packRays([ray]), out);
+      batchOf(method('exact'), shape).both(packRays([ray]), out);
       const [truth] = verdictsOfRoots(out, 1);
       expect([JSON.stringify({ shape, ray }), verdict]).toEqual([
         JSON.stringify({ shape, ray }),

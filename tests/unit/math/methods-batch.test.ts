@@ -6,6 +6,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES, type Question } from '../../../src/math/families.ts';
 import type { Method } from '../../../src/math/methods/define.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
@@ -36,7 +37,7 @@ const tree = (method: Method, { shape, ray }: Question): Answer => {
 function kernel(method: Method, shape: Shape, list: readonly Ray[]): Answer[] {
   const rays = packRays(list);
   const out = createAnswers(list.length);
-  const asked = method.batch(shape);
+  const asked = batchOf(method, shape);
   asked.classes(rays, out);
   const classes = verdictsOfClasses(out, rays.count, asked.met);
   asked.both(rays, out);
@@ -121,7 +122,7 @@ describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
     );
     const rays = packRays(list);
     const out = createAnswers(200);
-    const asked = method.batch(shape);
+    const asked = batchOf(method, shape);
     for (const [tMin, tMax] of [
       [0, Infinity],
       [0.2, 0.9],
@@ -140,7 +141,7 @@ describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
     const { shape } = (FAMILIES[0] as (typeof FAMILIES)[number]).make(seeded(124));
     const out = createAnswers(4);
     out.t0.fill(7);
-    method.batch(shape).both(createRays(4), out);
+    batchOf(method, shape).both(createRays(4), out);
     expect([...out.t0, out.rareCount]).toEqual([7, 7, 7, 7, 0]);
   });
 });

@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
@@ -17,7 +18,7 @@ async function fresh() {
   const { shape, rays } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(seeded(181), 300);
   const roots = () => {
     const out = batch.createAnswers(rays.length, kernelArray);
-    certified.batch(shape).both(batch.packRays(rays, kernelArray), out);
+    batchOf(certified, shape).both(batch.packRays(rays, kernelArray), out);
     return { out, roots: [...out.t0, ...out.t1] };
   };
   return { accelerate, decelerate, roots };

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { accelerate, decelerate } from '../../../src/math/accelerate.ts';
+import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { FAMILIES, type Family } from '../../../src/math/families.ts';
 import { latticeOf } from '../../../src/math/methods/certified/lattice.ts';
@@ -257,7 +258,7 @@ test('two kernels in turn, each with its own shape', () => {
     readonly rays: ReturnType<typeof packed>;
   }
   accelerate();
-  const kernels = [first, second].map(({ shape }) => certified.batch(shape));
+  const kernels = [first, second].map(({ shape }) => batchOf(certified, shape));
   for (const k of [0, 1, 1, 0, 1, 0]) {
     const { want, rays } = [first, second][k] as Turn;
     accelerate();

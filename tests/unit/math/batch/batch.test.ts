@@ -5,6 +5,7 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../../src/math/batch/kernels.ts';
 import { FAMILIES } from '../../../../src/math/families.ts';
 import type { Method } from '../../../../src/math/methods/define.ts';
 import { METHODS } from '../../../../src/math/methods/index.ts';
@@ -82,8 +83,7 @@ function byObject(method: Method, { shape, rays }: Question) {
 }
 
 function byBatch(method: Method, { shape, rays }: Question) {
-  const kernel = method.batch(shape);
-  if (!kernel) throw new Error(`${method.id} has no kernel`);
+  const kernel = batchOf(method, shape);
   const packed = packRays(rays);
   const out = createAnswers(rays.length);
   kernel.classes(packed, out);
@@ -96,40 +96,37 @@ function byBatch(method: Method, { shape, rays }: Question) {
   return { classes, roots };
 }
 
-describe.each(METHODS.filter(({ batch }) => batch).map((m) => [m.id, m as Method] as const))(
-  'the batch of %s',
-  (_, method) => {
-    test(`is bit-equal to its method on ${questions.length} shapes`, () => {
-      for (const question of questions) {
-        const expected = byObject(method, question);
-        const { classes, roots } = byBatch(method, question);
-        expect([question.id, roots]).toEqual([question.id, expected]);
-        expect([question.id, classes]).toEqual([question.id, expected.map(([verdict]) => verdict)]);
-      }
-    });
+describe.each(METHODS.map((m) => [m.id, m] as const))('the batch of %s', (_, method) => {
+  test(`is bit-equal to its method on ${questions.length} shapes`, () => {
+    for (const question of questions) {
+      const expected = byObject(method, question);
+      const { classes, roots } = byBatch(method, question);
+      expect([question.id, roots]).toEqual([question.id, expected]);
+      expect([question.id, classes]).toEqual([question.id, expected.map(([verdict]) => verdict)]);
+    }
+  });
 
-    test('first is the smallest root in the interval, and t1 no number', () => {
-      for (const { id, shape, rays } of families) {
-        const kernel = method.batch(shape);
-        const packed = packRays(rays);
-        const out = createAnswers(rays.length);
-        for (const array of [out.t0, out.t1]) array.fill(77);
-        kernel.first(packed, 0.25, 4, out);
-        const firsts = rays.map((ray) => {
-          const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
-          return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;
-        });
-        expect([id, [...out.t0]]).toEqual([id, firsts]);
-        expect([id, ...out.t1]).toEqual([id, ...rays.map(() => Number.NaN)]);
-        const listed = Array.from(out.rareIndex.subarray(0, out.rareCount)).sort((i, j) => i - j);
-        const untold = rays.flatMap((ray, i) =>
-          /contained|undecided/.test(method.intersect(shape, ray).class) ? [i] : [],
-        );
-        expect([id, ...listed]).toEqual([id, ...untold]);
-      }
-    });
-  },
-);
+  test('first is the smallest root in the interval, and t1 no number', () => {
+    for (const { id, shape, rays } of families) {
+      const kernel = batchOf(method, shape);
+      const packed = packRays(rays);
+      const out = createAnswers(rays.length);
+      for (const array of [out.t0, out.t1]) array.fill(77);
+      kernel.first(packed, 0.25, 4, out);
+      const firsts = rays.map((ray) => {
+        const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
+        return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;
+      });
+      expect([id, [...out.t0]]).toEqual([id, firsts]);
+      expect([id, ...out.t1]).toEqual([id, ...rays.map(() => Number.NaN)]);
+      const listed = Array.from(out.rareIndex.subarray(0, out.rareCount)).sort((i, j) => i - j);
+      const untold = rays.flatMap((ray, i) =>
+        /contained|undecided/.test(method.intersect(shape, ray).class) ? [i] : [],
+      );
+      expect([id, ...listed]).toEqual([id, ...untold]);
+    }
+  });
+});
 
 describe.each([
   ['textbook', textbookByTrees],

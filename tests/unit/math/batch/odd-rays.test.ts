@@ -1,6 +1,7 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { accelerate, decelerate } from '../../../../src/math/accelerate.ts';
 import { createAnswers, packRays, type Rays } from '../../../../src/math/batch/batch.ts';
+import { batchOf } from '../../../../src/math/batch/kernels.ts';
 import { InvalidInput, SHAPES } from '../../../../src/math/index.ts';
 import { certified } from '../../../../src/math/methods/certified.ts';
 import { exact } from '../../../../src/math/methods/exact.ts';
@@ -46,7 +47,7 @@ describe.each([
   afterAll(decelerate);
 
   describe.each(SHAPES)('$kind', ({ kind }) => {
-    const kernel = method.batch(initialShape(kind));
+    const kernel = batchOf(method, initialShape(kind));
     const ask = (rays: Rays, form: (typeof FORMS)[number], out = createAnswers(COUNT)) => {
       if (form === 'first') kernel.first(rays, 0, Number.POSITIVE_INFINITY, out);
       else kernel[form](rays, out);
