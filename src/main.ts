@@ -1,8 +1,8 @@
 import { render } from 'lit';
-import { type Command, commandFor, commandsOf, type PageTools } from './pages/commands.ts';
+import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { type Explore, mountExplore } from './pages/explore/explore-page.ts';
-import { takeaways } from './pages/explore/exports.ts';
+import { exploreExports } from './pages/explore/exports.ts';
 import { createPlayer } from './pages/explore/player.ts';
 import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
@@ -53,7 +53,7 @@ const modelNow = (): ExploreModel => derive(store.get());
 let model: ExploreModel | null = null;
 let said = '';
 
-const tools: PageTools = {
+const tools: PageActions = {
   copyLink: async () => {
     writeLink();
     const copied = await copyText(location.href);
@@ -61,7 +61,7 @@ const tools: PageTools = {
   },
   save: () => download('graze.json', toFile(store.get()), 'application/json'),
   openFile: async () => openText(await pickFile('.json,application/json')),
-  share: () => openDialog('share'),
+  exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
   help: () => openDialog('help'),
   fullScreen: () => {
@@ -86,8 +86,8 @@ const command = (id: string): Command | undefined => commands.find((c) => c.id =
 const dialogParts: DialogParts = {
   commands,
   thumbnail: () => explore?.scene.thumbnail() ?? null,
-  takeaways: async () =>
-    pages.current()?.takeaways() ?? (explore ? takeaways(explore, modelNow) : []),
+  exports: async () =>
+    pages.current()?.exports() ?? (explore ? exploreExports(explore, modelNow) : []),
   example: () => exampleOf(store.get()),
   page: () => store.get().page,
   dispatch: store.dispatch,

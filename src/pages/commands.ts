@@ -2,11 +2,11 @@ import { SHAPES } from '../math/shapes/index.ts';
 import type { Store } from '../state/store.ts';
 
 /** What the page itself can do beyond changing the state. */
-export interface PageTools {
+export interface PageActions {
   copyLink(): void;
   save(): void;
   openFile(): void;
-  share(): void;
+  exportDialog(): void;
   gallery(): void;
   help(): void;
   fullScreen(): void;
@@ -27,12 +27,12 @@ export interface Command {
   run(): void;
 }
 
-export function commandsOf(store: Store, tools: PageTools): readonly Command[] {
+export function commandsOf(store: Store, tools: PageActions): readonly Command[] {
   return [...exploreCommands(store, tools), ...commonCommands(store, tools)];
 }
 
 /** What is done with the one ray that Explore shows. */
-function exploreCommands(store: Store, tools: PageTools): Command[] {
+function exploreCommands(store: Store, tools: PageActions): Command[] {
   const { dispatch } = store;
   const commands: Command[] = [
     ...SHAPES.map(({ kind, title }, i) => ({
@@ -88,7 +88,7 @@ function exploreCommands(store: Store, tools: PageTools): Command[] {
   return commands.map((command) => ({ ...command, pages: ['explore'] }));
 }
 
-function commonCommands({ dispatch }: Store, tools: PageTools): Command[] {
+function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {
   return [
     { id: 'undo', title: 'undo', keys: ['Ctrl+z'], run: () => dispatch({ type: 'undo' }) },
     {
@@ -101,10 +101,10 @@ function commonCommands({ dispatch }: Store, tools: PageTools): Command[] {
     { id: 'save', title: 'save as a file', keys: ['s'], run: tools.save },
     { id: 'open', title: 'open a file', keys: ['o'], run: tools.openFile },
     {
-      id: 'share',
+      id: 'export',
       title: 'copy or save the derivation, code, picture',
       keys: ['e'],
-      run: tools.share,
+      run: tools.exportDialog,
     },
     {
       id: 'theme',
@@ -117,7 +117,7 @@ function commonCommands({ dispatch }: Store, tools: PageTools): Command[] {
   ];
 }
 
-function reveal({ get, dispatch }: Store, tools: PageTools): void {
+function reveal({ get, dispatch }: Store, tools: PageActions): void {
   const { revealed } = get();
   if (revealed === null) return;
   const { total } = tools.lines();
@@ -125,7 +125,7 @@ function reveal({ get, dispatch }: Store, tools: PageTools): void {
 }
 
 /** A presenter's clicker has one key for "go on": first what is hidden, then the next example. */
-function next(store: Store, tools: PageTools): void {
+function next(store: Store, tools: PageActions): void {
   const { total, shown } = tools.lines();
   if (store.get().revealed !== null && shown < total) reveal(store, tools);
   else store.dispatch({ type: 'browse', by: 1 });

@@ -6,8 +6,8 @@ import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
 import { notLoaded } from '../ui/late.ts';
-import type { Command, PageTools } from './commands.ts';
-import { shareContent, type Takeaway } from './export-dialog.ts';
+import type { Command, PageActions } from './commands.ts';
+import { type ExportItem, exportContent } from './export-dialog.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
 
@@ -17,14 +17,14 @@ export interface DialogParts {
   readonly thumbnail: () => Thumbnail | null;
   readonly example: () => Example | null;
   readonly page: () => PageId;
-  readonly takeaways: () => Promise<readonly Takeaway[]>;
+  readonly exports: () => Promise<readonly ExportItem[]>;
   readonly dispatch: Dispatch;
-  readonly tools: PageTools;
+  readonly tools: PageActions;
   readonly say: (words: string) => void;
   readonly keys: { get(): boolean; set(on: boolean): void };
 }
 
-export type Dialogs = Readonly<Record<'gallery' | 'help' | 'share', () => void>>;
+export type Dialogs = Readonly<Record<'gallery' | 'help' | 'export', () => void>>;
 
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
@@ -41,15 +41,15 @@ export function createDialogs(parts: DialogParts): Dialogs {
       choose: parts.keys.set,
     }),
   );
-  return { gallery: gallery.open, help: help.open, share: shareDialog(parts) };
+  return { gallery: gallery.open, help: help.open, export: exportDialog(parts) };
 }
 
-function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
-  let items: readonly Takeaway[] | 'loading' | 'failed' = 'loading';
+function exportDialog({ exports, tools, say }: DialogParts): () => void {
+  let items: readonly ExportItem[] | 'loading' | 'failed' = 'loading';
   const content = (): TemplateResult => {
     if (items === 'loading') return html`<p role="status">loading…</p>`;
     if (items === 'failed') return notLoaded('What can be copied or saved did not come.', load);
-    return shareContent(items, { copy, keep, ...actions });
+    return exportContent(items, { copy, keep, ...actions });
   };
   const dialog = createDialog('File and export', content);
   const put = (next: typeof items): void => {
@@ -58,7 +58,7 @@ function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
   };
   const load = (): void => {
     put('loading');
-    takeaways().then(put, () => put('failed'));
+    exports().then(put, () => put('failed'));
   };
   const close = (act: () => void) => () => {
     dialog.close();
@@ -69,12 +69,12 @@ function shareDialog({ takeaways, tools, say }: DialogParts): () => void {
     openFile: close(tools.openFile),
     print: close(() => window.print()),
   };
-  const copy = async ({ title, text }: Takeaway): Promise<void> => {
+  const copy = async ({ title, text }: ExportItem): Promise<void> => {
     const copied = text !== null && (await copyText(text()));
     dialog.close();
     say(copied ? `copied: ${title}` : 'it could not be copied: save it instead');
   };
-  const keep = async ({ file, type, text, blob, title }: Takeaway): Promise<void> => {
+  const keep = async ({ file, type, text, blob, title }: ExportItem): Promise<void> => {
     const content = text ? text() : await blob?.();
     dialog.close();
     if (content) download(file, content, type);

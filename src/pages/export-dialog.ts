@@ -2,7 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import './export-dialog.css';
 
 /** One thing that can be taken away from the page. */
-export interface Takeaway {
+export interface ExportItem {
   readonly id: string;
   readonly title: string;
   readonly file: string;
@@ -12,18 +12,21 @@ export interface Takeaway {
   readonly blob: (() => Promise<Blob | null>) | null;
 }
 
-export interface ShareActions {
-  readonly copy: (item: Takeaway) => void;
-  readonly keep: (item: Takeaway) => void;
+export interface ExportActions {
+  readonly copy: (item: ExportItem) => void;
+  readonly keep: (item: ExportItem) => void;
   readonly save: () => void;
   readonly openFile: () => void;
   readonly print: () => void;
 }
 
 /** The state as a file, and everything else that can be copied or saved. */
-export function shareContent(items: readonly Takeaway[], actions: ShareActions): TemplateResult {
-  return html`<div class="share">
-    <p class="share-state">
+export function exportContent(
+  items: readonly ExportItem[],
+  actions: ExportActions,
+): TemplateResult {
+  return html`<div class="exports">
+    <p class="exports-state">
       <button type="button" class="button primary" @click=${actions.save}>Save state</button>
       <button type="button" class="button" @click=${actions.openFile}>Open a file</button>
       <button type="button" class="button" @click=${actions.print}>Print</button>

@@ -9,7 +9,7 @@ export const ICONS = {
   link: icon(
     svg`<path d="M8.4 11.600a3 3 0 0 0 4.3 0l3-3a3 3 0 0 0-4.3-4.300l-1 1M11.6 8.400a3 3 0 0 0-4.3 0l-3 3a3 3 0 0 0 4.3 4.300l1-1" />`,
   ),
-  share: icon(svg`<path d="M5 2.800h6.500L15 6.300v10.900H5zM11.5 2.800v3.500H15" />`),
+  export: icon(svg`<path d="M5 2.800h6.500L15 6.300v10.900H5zM11.5 2.800v3.500H15" />`),
   full: icon(svg`<path d="M3 4.500h14v9H3zM10 13.500v3M6.5 16.500h7" />`),
   theme: icon(
     svg`<circle cx="10" cy="10" r="6.6" /><path d="M10 3.400a6.6 6.6 0 0 1 0 13.200z" class="solid" />`,

@@ -1,6 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState, Settings } from '../state/state.ts';
-import type { Takeaway } from './export-dialog.ts';
+import type { ExportItem } from './export-dialog.ts';
 
 /**
  * Makes a page other than Explore. A page is an entry in PAGES (state/state.ts) and one in
@@ -28,7 +28,7 @@ export interface PageView {
   /** What of a link's settings is usable, and what was wrong with the rest, in words that quote it. */
   read(settings: Settings): Readable;
   /** What can be copied or saved from here, for the dialog 'File and export'. */
-  takeaways(): readonly Takeaway[];
+  exports(): readonly ExportItem[];
   /** A file that was opened or dropped and is no saved state: true if the page took it. */
   open?(text: string): boolean;
   /** Another page is shown; the element stays as it is, out of the document, until this one is shown again. */

@@ -39,7 +39,7 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
         <span class="said" role="status">${tools.said}</span>
         ${tool(tools, 'undo', 'Undo', !tools.canUndo)} ${tool(tools, 'redo', 'Redo', !tools.canRedo)}
         <span class="divider"></span>
-        ${tool(tools, 'link', 'Copy link')} ${tool(tools, 'share', 'File and export')}
+        ${tool(tools, 'link', 'Copy link')} ${tool(tools, 'export', 'File and export')}
         <span class="divider"></span>
         ${tool(tools, 'full', 'Full screen')} ${tool(tools, 'theme', `Theme: ${tools.theme}`)}
         ${tool(tools, 'help', 'Help')}

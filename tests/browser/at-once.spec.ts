@@ -117,7 +117,7 @@ const PLACES: readonly (readonly [hash: string, root: string])[] = [
   ['#/explore?shape=cone', '.controls, .algebra'],
   ['#/accuracy?shape=hyperboloid&hard=near-tangent', 'main'],
   ['#/check?part=own&shape=circle', '.check-left'],
-  ['#/picture?scene=everything&size=16x9', '.picture-bar, .picture-beside'],
+  ['#/picture?scene=everything&size=16x9', '.picture-bar, .side-panel'],
 ];
 
 for (const [hash, root] of PLACES) {

@@ -35,7 +35,7 @@ async function cell(page: Page, effect: string, quantity: string): Promise<numbe
 /** The picture on the right without loss, as text. */
 async function pixels(page: Page): Promise<string> {
   return page
-    .locator('.photo')
+    .locator('.traced')
     .first()
     .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL('image/png'));
 }
@@ -204,7 +204,7 @@ test('the divider is moved by keys and by the pointer; one drag is one step of u
   await page.getByRole('button', { name: 'error map' }).click();
   await settle(page);
   await expect(divider).toBeHidden();
-  await expect(page.locator('.photo-errors')).toBeVisible();
+  await expect(page.locator('.traced-errors')).toBeVisible();
 });
 
 test('a pixel’s rays: the list, the algebra, and the same ray in Explore', async ({ page }) => {
@@ -233,12 +233,12 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
 
 test('the picture is used by keys alone', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=mirror`);
-  const plate = page.getByRole('application', { name: /Picture, 96 by 54/ });
-  await plate.focus();
-  await plate.press('ArrowRight');
-  await plate.press('ArrowDown');
-  await plate.press('Control+ArrowDown');
-  await plate.press('Enter');
+  const frame = page.getByRole('application', { name: /Picture, 96 by 54/ });
+  await frame.focus();
+  await frame.press('ArrowRight');
+  await frame.press('ArrowDown');
+  await frame.press('Control+ArrowDown');
+  await frame.press('Enter');
   await settle(page);
   await expectInLink(page, { pixel: '49,38' });
   await expect(page.getByRole('heading', { name: 'Pixel 49, 38' })).toBeVisible();
@@ -253,10 +253,10 @@ test('the picture is used by keys alone', async ({ page }) => {
 
 test('a click chooses the pixel under it', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=mirror`);
-  const plate = page.getByRole('application');
-  const box = await plate.boundingBox();
+  const frame = page.getByRole('application');
+  const box = await frame.boundingBox();
   if (!box) throw new Error('no picture');
-  await plate.click({ position: { x: (box.width * 10.5) / 96, y: (box.height * 20.5) / 54 } });
+  await frame.click({ position: { x: (box.width * 10.5) / 96, y: (box.height * 20.5) / 54 } });
   await expectInLink(page, { pixel: '10,20' });
 });
 

@@ -83,7 +83,7 @@ export async function tour(browser: Tourist, url: string): Promise<Seen> {
       if (document.querySelector('[data-trace=failed]')) {
         throw new Error(document.querySelector('.picture-status')?.textContent ?? 'failed');
       }
-      const canvas = document.querySelector('canvas.photo') as HTMLCanvasElement;
+      const canvas = document.querySelector('canvas.traced') as HTMLCanvasElement;
       const { width, height } = canvas;
       const pixels = canvas.getContext('2d')?.getImageData(0, 0, width, height).data ?? [];
       let sum = 0;

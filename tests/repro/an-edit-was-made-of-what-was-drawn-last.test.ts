@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { SHAPES } from '../../src/math/index.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { pageTools } from '../../src/pages/picture/page-actions.ts';
+import { pictureActions } from '../../src/pages/picture/page-actions.ts';
 import { rayHandles, shapeHandles } from '../../src/panels/params-of.ts';
 import { addThing, changeThing } from '../../src/scene/edit.ts';
 import { EFFECTS } from '../../src/scene/effects/index.ts';
@@ -17,7 +17,7 @@ import { createStore } from '../../src/state/store.ts';
 const onPicture = () => {
   const store = createStore({ ...INITIAL, page: 'picture' });
   const now = () => pictureSettings(store.get().settings.picture);
-  return { now, tools: pageTools(store.dispatch) };
+  return { now, tools: pictureActions(store.dispatch) };
 };
 
 test('a square is added, and its side and its mirror are set at once', () => {

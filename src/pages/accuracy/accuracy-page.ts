@@ -19,7 +19,7 @@ import {
 import type { AppState, Settings } from '../../state/state.ts';
 import { exploreLink } from '../../state/url.ts';
 import type { MountPage } from '../page.ts';
-import { plotSaves, saveButtons, tableSaves } from './exports.ts';
+import { plotExports, saveButtons, tableExports } from './exports.ts';
 import { measureJob, spawnLab, sweepJob } from './lab-jobs.ts';
 import { emptyFrontier, frontierHead, hardnessHead, pickedWords } from './plot-headings.ts';
 import { createRayView } from './ray-view.ts';
@@ -52,9 +52,9 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     open: openPicked,
   });
 
-  const saves = tableSaves(findings);
-  const frontierSaves = plotSaves('frontier', leftPlot);
-  const hardnessSaves = plotSaves('difficulty', rightPlot);
+  const saves = tableExports(findings);
+  const frontierSaves = plotExports('frontier', leftPlot);
+  const hardnessSaves = plotExports('difficulty', rightPlot);
 
   /** What is measured is read from the settings when they are drawn next: they may have been changed since the last time. */
   let isAsked = false;
@@ -179,7 +179,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
         ],
       };
     },
-    takeaways: () => [...saves, ...frontierSaves, ...hardnessSaves],
+    exports: () => [...saves, ...frontierSaves, ...hardnessSaves],
     rest() {
       if (measuring.running) measuring.cancel();
     },

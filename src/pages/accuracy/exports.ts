@@ -1,11 +1,11 @@
 import { html, type TemplateResult } from 'lit';
 import { download } from '../../ui/files.ts';
 import { svgPng, svgText } from '../../ui/svg-text.ts';
-import type { Takeaway } from '../export-dialog.ts';
+import type { ExportItem } from '../export-dialog.ts';
 import { type Findings, toCsv, toJson } from './result-files.ts';
 
 /** The figures as texts. */
-export function tableSaves(findings: () => Findings | null): Takeaway[] {
+export function tableExports(findings: () => Findings | null): ExportItem[] {
   const textOf = (write: (found: Findings) => string) => (): string => {
     const found = findings();
     return found ? write(found) : '';
@@ -31,7 +31,7 @@ export function tableSaves(findings: () => Findings | null): Takeaway[] {
 }
 
 /** A plot as a vector drawing and as pixels, as it stands on the page. */
-export function plotSaves(name: string, plot: HTMLElement): Takeaway[] {
+export function plotExports(name: string, plot: HTMLElement): ExportItem[] {
   const drawn = (): SVGSVGElement | null => plot.querySelector('svg');
   const paper = (): string => getComputedStyle(document.body).getPropertyValue('--bg');
   return [
@@ -62,8 +62,8 @@ export function plotSaves(name: string, plot: HTMLElement): Takeaway[] {
 
 /** A button for each, called as `name` says. */
 export function saveButtons(
-  all: readonly Takeaway[],
-  name: (item: Takeaway) => string,
+  all: readonly ExportItem[],
+  name: (item: ExportItem) => string,
 ): TemplateResult {
   return html`${all.map(
     (item) =>
@@ -71,10 +71,10 @@ export function saveButtons(
   )}`;
 }
 
-export const extensionOf = ({ file }: Takeaway): string =>
+export const extensionOf = ({ file }: ExportItem): string =>
   file.split('.').at(-1)?.toUpperCase() ?? '';
 
-async function save({ file, type, text, blob }: Takeaway): Promise<void> {
+async function save({ file, type, text, blob }: ExportItem): Promise<void> {
   const content = text?.() ?? (await blob?.());
   if (content) download(file, content, type);
 }

@@ -9,7 +9,7 @@ import { titleOf } from '../../state/accuracy/frontier.ts';
 import { dialTitle } from '../../state/accuracy/hardness.ts';
 import { type AccuracySettings, COSTS, WORTHS } from '../../state/accuracy/settings.ts';
 import { display } from '../../text/format.ts';
-import type { Takeaway } from '../export-dialog.ts';
+import type { ExportItem } from '../export-dialog.ts';
 import { extensionOf, saveButtons } from './exports.ts';
 import '../../ui/slider.ts';
 
@@ -39,7 +39,7 @@ const others = (families: readonly Choice[], shown: readonly Choice[]): readonly
 export function frontierHead(
   settings: AccuracySettings,
   sentence: string,
-  saves: readonly Takeaway[],
+  saves: readonly ExportItem[],
   set: Set,
 ): TemplateResult {
   const { family, worth, cost, dial } = settings;
@@ -73,7 +73,7 @@ function dialRow(dial: Dial, at: number | null, set: Set): TemplateResult {
 
 export function hardnessHead(
   { hard }: AccuracySettings,
-  saves: readonly Takeaway[],
+  saves: readonly ExportItem[],
   set: Set,
 ): TemplateResult {
   return html`<div class="acc-title">

@@ -1,6 +1,6 @@
 import { html, nothing, render } from 'lit';
 import { seedForm } from '../../panels/check-question.ts';
-import type { Takeaway } from '../export-dialog.ts';
+import type { ExportItem } from '../export-dialog.ts';
 import type { MountPage } from '../page.ts';
 import { openMemory } from './memory.ts';
 import { createOwn } from './own-numbers.ts';
@@ -68,18 +68,18 @@ export const mountCheck: MountPage = (host, context) => {
       if (!right.hidden) program.render(settings);
     },
     read: readSettings,
-    takeaways: () => [
-      takeaway(
+    exports: () => [
+      exportItem(
         'summary-json',
         'the summary of the session as JSON',
         'graze-check.json',
         questions.json,
       ),
-      takeaway('program-js', 'the own program', 'intersect.js', program.source),
-      takeaway('cases-json', 'the cases for a program as JSON', 'graze-cases.json', () =>
+      exportItem('program-js', 'the own program', 'intersect.js', program.source),
+      exportItem('cases-json', 'the cases for a program as JSON', 'graze-cases.json', () =>
         program.cases('json'),
       ),
-      takeaway('cases-csv', 'the cases for a program as CSV', 'graze-cases.csv', () =>
+      exportItem('cases-csv', 'the cases for a program as CSV', 'graze-cases.csv', () =>
         program.cases('csv'),
       ),
     ],
@@ -97,7 +97,7 @@ const TYPES: Readonly<Record<string, string>> = {
   csv: 'text/csv',
 };
 
-const takeaway = (id: string, title: string, file: string, text: () => string): Takeaway => ({
+const exportItem = (id: string, title: string, file: string, text: () => string): ExportItem => ({
   ...{ id, title, file, text },
   type: TYPES[file.split('.').at(-1) ?? ''] ?? 'text/plain',
   blob: null,

@@ -1,15 +1,18 @@
 import type { ExploreModel } from '../../state/derive.ts';
 import { late } from '../../ui/late.ts';
 import { svgText } from '../../ui/svg-text.ts';
-import type { Takeaway } from '../export-dialog.ts';
+import type { ExportItem } from '../export-dialog.ts';
 import type { Explore } from './explore-page.ts';
 
 /** What can be taken from the Explore page: texts made from the model, and its two pictures. */
-export async function takeaways(explore: Explore, model: () => ExploreModel): Promise<Takeaway[]> {
+export async function exploreExports(
+  explore: Explore,
+  model: () => ExploreModel,
+): Promise<ExportItem[]> {
   // Printers are of no use before somebody asks for one.
   const { EXPORTS } = await late(() => import('../../state/exports/index.ts'));
   const texts = EXPORTS.map(
-    ({ id, title, extension, mime, text }): Takeaway => ({
+    ({ id, title, extension, mime, text }): ExportItem => ({
       id,
       title,
       file: `graze.${extension}`,
@@ -18,7 +21,7 @@ export async function takeaways(explore: Explore, model: () => ExploreModel): Pr
       blob: null,
     }),
   );
-  const graph: Takeaway = {
+  const graph: ExportItem = {
     id: 'graph-svg',
     title: 'the graph of f as SVG',
     file: 'graze-f.svg',
@@ -29,7 +32,7 @@ export async function takeaways(explore: Explore, model: () => ExploreModel): Pr
     },
     blob: null,
   };
-  const picture: Takeaway = {
+  const picture: ExportItem = {
     id: 'picture-png',
     title: 'the picture as PNG',
     file: 'graze.png',

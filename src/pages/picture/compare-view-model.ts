@@ -1,17 +1,17 @@
-import type { EaselModel } from './compare-view.ts';
+import type { CompareViewModel } from './compare-view.ts';
 import { errorMap } from './error-map.ts';
-import type { Sight } from './picture-model.ts';
-import { inkOf } from './theme-colours.ts';
+import type { PictureModel } from './picture-model.ts';
+import { themeColours } from './theme-colours.ts';
 
-/** What the easel shows: one picture, two, or the map of their differences in the theme's ink. */
-export function easelModel(
-  { picture, shots, main, other, comparison }: Sight,
+/** What the compareView shows: one picture, two, or the map of their differences in the theme's ink. */
+export function compareViewModel(
+  { picture, requests, main, other, comparison }: PictureModel,
   host: HTMLElement,
-): EaselModel {
+): CompareViewModel {
   const { width, height, against, split, show, pixel } = picture;
   const traced = (progress: typeof main) => (progress && progress.done > 0 ? progress.frame : null);
   const mapped = against !== null && show === 'errors' ? comparison : null;
-  const [paper, ink] = inkOf(host);
+  const [paper, ink] = themeColours(host);
   return {
     width,
     height,
@@ -22,7 +22,14 @@ export function easelModel(
     split,
     pixel,
     version: [
-      ...[shots.main.key, main?.done, main?.state, shots.other?.key, other?.done, other?.state],
+      ...[
+        requests.main.key,
+        main?.done,
+        main?.state,
+        requests.other?.key,
+        other?.done,
+        other?.state,
+      ],
       ...[mapped !== null, paper],
     ].join('|'),
   };

@@ -1,6 +1,6 @@
 import type { Picture } from '../../tracer/compare.ts';
 
-export interface EaselModel {
+export interface CompareViewModel {
   readonly width: number;
   readonly height: number;
   /** What is traced so far; null shows what was there before. */
@@ -16,7 +16,7 @@ export interface EaselModel {
   readonly version: string;
 }
 
-export interface EaselActions {
+export interface CompareViewActions {
   /** Where the divider is to stand, from where it stands. */
   split(edit: (percent: number) => number): void;
   pixel(x: number, y: number): void;
@@ -27,10 +27,10 @@ export interface EaselActions {
   drag(x: number, y: number): void;
 }
 
-export interface Easel {
+export interface CompareView {
   /** For what lies over the pictures. */
   readonly over: HTMLElement;
-  render(model: EaselModel): void;
+  render(model: CompareViewModel): void;
 }
 
 /** Percent that an arrow key moves the divider; with Shift a tenth of it. */
@@ -38,16 +38,16 @@ const STEP = 5;
 const FAR_STEP = 10;
 
 /** One picture, or two under each other of which a divider shows one part each; a square marks a pixel. */
-export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
-  host.className = 'easel';
-  const plate = element('div', 'plate', host);
-  plate.tabIndex = 0;
-  plate.setAttribute('role', 'application');
-  const right = canvas('photo', plate);
-  const left = canvas('photo photo-left', plate);
-  const errors = canvas('photo photo-errors', plate);
-  const mark = element('div', 'pixel-mark', plate);
-  const over = element('div', 'easel-over', host);
+export function createCompareView(host: HTMLElement, actions: CompareViewActions): CompareView {
+  host.className = 'compare-view';
+  const frame = element('div', 'picture-frame', host);
+  frame.tabIndex = 0;
+  frame.setAttribute('role', 'application');
+  const right = canvas('traced', frame);
+  const left = canvas('traced traced-left', frame);
+  const errors = canvas('traced traced-errors', frame);
+  const mark = element('div', 'pixel-mark', frame);
+  const over = element('div', 'compare-view-over', host);
   const divider = element('div', 'split', host);
   divider.tabIndex = 0;
   divider.setAttribute('role', 'slider');
@@ -55,7 +55,7 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
   divider.setAttribute('aria-valuemin', '0');
   divider.setAttribute('aria-valuemax', '100');
   element('span', 'split-grip', divider).setAttribute('aria-hidden', 'true');
-  let model: EaselModel | null = null;
+  let model: CompareViewModel | null = null;
   let drawn = '';
   let cursor: readonly [number, number] | null = null;
 
@@ -70,27 +70,27 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
   };
 
   const placeAt = ({ clientX, clientY }: MouseEvent): readonly [number, number] => {
-    const box = plate.getBoundingClientRect();
+    const box = frame.getBoundingClientRect();
     const { width, height } = model ?? { width: 1, height: 1 };
     const x = ((clientX - box.left) / box.width) * width;
     return [x, ((clientY - box.top) / box.height) * height];
   };
 
   let holds = false;
-  plate.addEventListener('pointerdown', (event) => {
+  frame.addEventListener('pointerdown', (event) => {
     holds = event.button === 0 && actions.grab(...placeAt(event));
-    if (holds) plate.setPointerCapture(event.pointerId);
+    if (holds) frame.setPointerCapture(event.pointerId);
   });
-  plate.addEventListener('pointermove', (event) => {
-    if (holds && plate.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
+  frame.addEventListener('pointermove', (event) => {
+    if (holds && frame.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
   });
-  plate.addEventListener('click', (event) => {
+  frame.addEventListener('click', (event) => {
     cursor = null;
     if (!model || holds) return;
     const [x, y] = placeAt(event);
     actions.pixel(...inside(Math.floor(x), Math.floor(y), model));
   });
-  plate.addEventListener('keydown', (event) => {
+  frame.addEventListener('keydown', (event) => {
     if (!model || event.altKey || event.metaKey) return;
     const here = cursor ?? model.pixel ?? [model.width >> 1, model.height >> 1];
     if (event.key === 'Enter' || event.key === ' ') {
@@ -107,13 +107,13 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
     place();
     actions.cursor(...cursor);
   });
-  plate.addEventListener('blur', () => {
+  frame.addEventListener('blur', () => {
     cursor = null;
     place();
   });
 
   const toPercent = (clientX: number): number => {
-    const box = plate.getBoundingClientRect();
+    const box = frame.getBoundingClientRect();
     return between((100 * (clientX - box.left)) / box.width);
   };
   divider.addEventListener('pointerdown', (event) => {
@@ -151,11 +151,11 @@ export function createEasel(host: HTMLElement, actions: EaselActions): Easel {
       const { width, height, comparing, split } = next;
       host.style.setProperty('--ratio', `${width} / ${height}`);
       host.style.setProperty('--split', `${split}%`);
-      plate.setAttribute(
+      frame.setAttribute(
         'aria-label',
         `Picture, ${width} by ${height} pixels. Arrow keys move a pixel cursor, with Control by ten; Enter follows the rays of that pixel.`,
       );
-      host.classList.toggle('coarse', plate.clientWidth > 1.6 * width);
+      host.classList.toggle('coarse', frame.clientWidth > 1.6 * width);
       const two = comparing && next.errors === null;
       divider.hidden = !two;
       left.hidden = !two;
@@ -182,7 +182,11 @@ const MOVES: Readonly<Record<string, readonly [number, number]>> = {
   PageDown: [0, 1],
 };
 
-function inside(x: number, y: number, { width, height }: EaselModel): readonly [number, number] {
+function inside(
+  x: number,
+  y: number,
+  { width, height }: CompareViewModel,
+): readonly [number, number] {
   return [Math.min(Math.max(x, 0), width - 1), Math.min(Math.max(y, 0), height - 1)];
 }
 

@@ -8,18 +8,18 @@ import { lensOf } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
 /** A thing that is held in the picture, by the point that was seen there. */
-export interface Grabbed {
+export interface DraggedThing {
   readonly scene: Scene;
   readonly id: string;
   readonly width: number;
   readonly height: number;
   readonly from: readonly [x: number, y: number];
-  /** How far ahead of the eye that point is: it moves across the line of sight. */
+  /** How far ahead of the eye that point is: it moves across the line of model. */
   readonly depth: number;
 }
 
 /** What is seen at a pixel; null for the background. */
-export function grabAt(scene: Scene, seen: Picture, x: number, y: number): Grabbed | null {
+export function thingAt(scene: Scene, seen: Picture, x: number, y: number): DraggedThing | null {
   const { width, height } = seen;
   const pixel = Math.floor(y) * width + Math.floor(x);
   const surface = surfacesOf(scene)[seen.surface[pixel] ?? -1];
@@ -34,7 +34,7 @@ export function grabAt(scene: Scene, seen: Picture, x: number, y: number): Grabb
 }
 
 /** Drags the thing to another place of the picture: from where it was taken, whatever else has changed since. */
-export function dragged(held: Grabbed, x: number, y: number): (now: Scene) => Scene {
+export function dragTo(held: DraggedThing, x: number, y: number): (now: Scene) => Scene {
   const { scene, id, width, height, from, depth } = held;
   const { right, up } = lensOf(scene.camera, width / height);
   const du = (2 * (x - from[0]) * depth) / width;

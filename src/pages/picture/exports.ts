@@ -4,13 +4,13 @@ import type { Dispatch } from '../../state/actions.ts';
 import { ledgerCsv } from '../../state/picture/ledger.ts';
 import { textOfScene } from '../../state/picture/scene-link.ts';
 import { changed } from '../../state/picture/settings.ts';
-import type { Takeaway } from '../export-dialog.ts';
-import type { Sight } from './picture-model.ts';
+import type { ExportItem } from '../export-dialog.ts';
+import type { PictureModel } from './picture-model.ts';
 
 /** What can be taken from the page: the picture, its scene, its ledger. */
-export function pictureTakeaways(sight: () => Sight | null): readonly Takeaway[] {
-  const text = (of: (sight: Sight) => string) => (): string => {
-    const now = sight();
+export function pictureExports(model: () => PictureModel | null): readonly ExportItem[] {
+  const text = (of: (model: PictureModel) => string) => (): string => {
+    const now = model();
     return now ? of(now) : '';
   };
   return [
@@ -20,7 +20,7 @@ export function pictureTakeaways(sight: () => Sight | null): readonly Takeaway[]
       file: 'graze-picture.png',
       type: 'image/png',
       text: null,
-      blob: () => pictureBlob(sight()),
+      blob: () => pictureBlob(model()),
     },
     {
       id: 'scene-json',
@@ -42,8 +42,8 @@ export function pictureTakeaways(sight: () => Sight | null): readonly Takeaway[]
 }
 
 /** At its own size, pixel by pixel; null while nothing is traced. */
-export function pictureBlob(sight: Sight | null): Promise<Blob | null> {
-  const frame = sight?.main?.frame;
+export function pictureBlob(model: PictureModel | null): Promise<Blob | null> {
+  const frame = model?.main?.frame;
   if (!frame) return Promise.resolve(null);
   const canvas = document.createElement('canvas');
   canvas.width = frame.width;

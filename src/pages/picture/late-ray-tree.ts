@@ -4,12 +4,12 @@ import { late, notLoaded } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
 /** The view in space, whose code is loaded with the first pixel that is chosen. The list stands without it. */
-export interface LateTree {
+export interface LateRayTree {
   /** Null takes the view away. */
   render(model: TreeModel | null): void;
 }
 
-export function lateTree(host: HTMLElement): LateTree {
+export function lateRayTree(host: HTMLElement): LateRayTree {
   let model: TreeModel | null = null;
   let mounted: Mounted<TreeModel> | null = null;
   let asked = false;

@@ -14,7 +14,7 @@ import {
 type Values = Readonly<Partial<Record<PictureKey, string>>>;
 
 /** What a person does on the page, as actions. */
-export interface PageTools {
+export interface PictureActions {
   set(values: Values): void;
   /** Values that follow from those there are when the edit arrives. */
   edit(values: (now: PictureSettings) => Values): void;
@@ -25,9 +25,10 @@ export interface PageTools {
   right(value: string): void;
 }
 
-export function pageTools(dispatch: Dispatch): PageTools {
-  const set: PageTools['set'] = (values) => dispatch({ type: 'settings', values: changed(values) });
-  const edit: PageTools['edit'] = (values) =>
+export function pictureActions(dispatch: Dispatch): PictureActions {
+  const set: PictureActions['set'] = (values) =>
+    dispatch({ type: 'settings', values: changed(values) });
+  const edit: PictureActions['edit'] = (values) =>
     dispatch({ type: 'settings', values: (now) => changed(values(pictureSettings(now))) });
   return {
     set,

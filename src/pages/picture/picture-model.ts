@@ -5,13 +5,13 @@ import { type PictureSettings, pictureSettings } from '../../state/picture/setti
 import type { AppState } from '../../state/state.ts';
 import { type Comparison, comparePictures } from '../../tracer/compare.ts';
 import type { Frame, TraceProgress } from '../../workers/trace-job.ts';
-import type { Darkroom } from './trace-queue.ts';
-import { type Shot, type Shots, shotsOf } from './trace-request.ts';
+import type { TraceQueue } from './trace-queue.ts';
+import { type TraceRequest, type TraceRequests, traceRequests } from './trace-request.ts';
 
 /** What there is to see on the page: the settings, and how far each of their pictures has come. */
-export interface Sight {
+export interface PictureModel {
   readonly picture: PictureSettings;
-  readonly shots: Shots;
+  readonly requests: TraceRequests;
   readonly main: TraceProgress | null;
   readonly other: TraceProgress | null;
   /** Of one side against the one that is rather to be trusted, once both are finished. */
@@ -20,41 +20,46 @@ export interface Sight {
   readonly trustsLeft: boolean;
   readonly ledger: LedgerModel;
   /** Pictures that the ledger's last column would still need. */
-  readonly uncounted: readonly Shot[];
+  readonly uncounted: readonly TraceRequest[];
 }
 
-export function sightOf(state: AppState, darkroom: Darkroom): Sight {
+export function pictureModel(state: AppState, traceQueue: TraceQueue): PictureModel {
   const picture = pictureSettings(state.settings.picture);
-  const shots = shotsOf(picture, state.method);
-  const main = darkroom.seen(shots.main);
-  const other = shots.other && darkroom.seen(shots.other);
-  const trustsLeft = trustOf(shots.other ?? shots.main) > trustOf(shots.main);
+  const requests = traceRequests(picture, state.method);
+  const main = traceQueue.seen(requests.main);
+  const other = requests.other && traceQueue.seen(requests.other);
+  const trustsLeft = trustOf(requests.other ?? requests.main) > trustOf(requests.main);
   const counts: Partial<Record<EffectId, number>> = {};
-  const uncounted: Shot[] = [];
+  const uncounted: TraceRequest[] = [];
   for (const { id } of EFFECTS) {
-    const toggled = shots.toggled[id];
-    const found = toggled && compared(darkroom.seen(toggled), main);
+    const toggled = requests.toggled[id];
+    const found = toggled && compared(traceQueue.seen(toggled), main);
     if (found) counts[id] = found.differing;
-    else if (toggled && runsIn(shots, id)) uncounted.push(toggled);
+    else if (toggled && runsIn(requests, id)) uncounted.push(toggled);
   }
   return {
     picture,
-    shots,
+    requests,
     main,
     other,
     comparison: trustsLeft ? compared(main, other) : compared(other, main),
     trustsLeft,
-    ledger: ledgerModel(picture.scene, shots.main.settings, main?.ledger ?? EMPTY_LEDGER, counts),
+    ledger: ledgerModel(
+      picture.scene,
+      requests.main.settings,
+      main?.ledger ?? EMPTY_LEDGER,
+      counts,
+    ),
     uncounted,
   };
 }
 
 /** The ladder's order: what a method answers is rather right than what one below it does. */
-const trustOf = ({ settings }: Shot): number =>
+const trustOf = ({ settings }: TraceRequest): number =>
   METHODS.findIndex(({ id }) => id === settings.method);
 
 /** Switched off in the other picture, so it runs in this one. */
-const runsIn = ({ toggled }: Shots, id: EffectId): boolean =>
+const runsIn = ({ toggled }: TraceRequests, id: EffectId): boolean =>
   toggled[id]?.settings.forced[id] === 'off';
 
 const known = new WeakMap<Frame, WeakMap<Frame, Comparison>>();

@@ -5,69 +5,69 @@ import { firstAgainst } from '../../state/picture/against.ts';
 import { readPicture } from '../../state/picture/settings.ts';
 import { download } from '../../ui/files.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
-import { createEasel } from './compare-view.ts';
-import { easelModel } from './compare-view-model.ts';
-import { dragged, type Grabbed, grabAt } from './drag-thing.ts';
-import { openScene, pictureBlob, pictureTakeaways } from './exports.ts';
-import { lateTree } from './late-ray-tree.ts';
-import { pageTools } from './page-actions.ts';
-import { type Sight, sightOf } from './picture-model.ts';
-import { createLoupe } from './pixel-magnifier.ts';
+import { createCompareView } from './compare-view.ts';
+import { compareViewModel } from './compare-view-model.ts';
+import { type DraggedThing, dragTo, thingAt } from './drag-thing.ts';
+import { openScene, pictureBlob, pictureExports } from './exports.ts';
+import { lateRayTree } from './late-ray-tree.ts';
+import { pictureActions } from './page-actions.ts';
+import { type PictureModel, pictureModel } from './picture-model.ts';
+import { createPixelMagnifier } from './pixel-magnifier.ts';
 import { createPixelView } from './pixel-view.ts';
-import { createRecorder } from './ray-recorder.ts';
-import { createBeside } from './side-panel.ts';
-import { type Spawn, tracerSpawner } from './start-tracer.ts';
-import { below } from './status-line.ts';
-import { coresOf, createDarkroom } from './trace-queue.ts';
+import { createRayRecorder } from './ray-recorder.ts';
+import { createSidePanel } from './side-panel.ts';
+import { loadTracer, type StartTracer } from './start-tracer.ts';
+import { statusLine } from './status-line.ts';
+import { coresOf, createTraceQueue } from './trace-queue.ts';
 import './picture-page.css';
 
 /** The page, once it is known how its workers are started. */
 export async function loadPicture(): Promise<MountPage> {
-  const spawn = await tracerSpawner();
+  const spawn = await loadTracer();
   return (host, context) => mountPicture(host, context, spawn);
 }
 
 /** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
-function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): PageView {
+function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTracer): PageView {
   const { changed, dispatch, announce } = context;
   const parts = sections(host);
-  const tools = pageTools(dispatch);
-  const darkroom = createDarkroom({ spawn, workers: coresOf(navigator), changed });
-  const easel = createEasel(parts.easel, {
+  const tools = pictureActions(dispatch);
+  const traceQueue = createTraceQueue({ spawn, workers: coresOf(navigator), changed });
+  const compareView = createCompareView(parts.compareView, {
     split: (edit) => tools.edit(({ split }) => ({ split: String(edit(split)) })),
     pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
     cursor: (x, y) => announce(`pixel ${x}, ${y}`),
     grab(x, y) {
-      const frame = beside.isEditing() ? sight?.main?.frame : undefined;
-      held = sight && frame ? grabAt(sight.picture.scene, frame, x, y) : null;
-      if (held) beside.edit(held.id);
+      const frame = sidePanel.isEditing() ? model?.main?.frame : undefined;
+      held = model && frame ? thingAt(model.picture.scene, frame, x, y) : null;
+      if (held) sidePanel.edit(held.id);
       return held !== null;
     },
     drag(x, y) {
-      if (held) tools.scene(dragged(held, x, y));
+      if (held) tools.scene(dragTo(held, x, y));
     },
   });
-  const loupe = createLoupe(parts.loupes);
-  const space = lateTree(parts.space);
-  const pixels = createPixelView(createRecorder(spawn), {
+  const magnifier = createPixelMagnifier(parts.magnifiers);
+  const space = lateRayTree(parts.space);
+  const pixels = createPixelView(createRayRecorder(spawn), {
     changed,
     announce,
     close: () => tools.set({ pixel: '' }),
   });
   /** The picture for which the ledger's last column was asked. */
   let counting = '';
-  let held: Grabbed | null = null;
+  let held: DraggedThing | null = null;
   let told = '';
-  let sight: Sight | null = null;
-  const beside = createBeside(parts.beside, {
+  let model: PictureModel | null = null;
+  const sidePanel = createSidePanel(parts.sidePanel, {
     dispatch,
     changed,
     tools,
     count() {
-      counting = sight?.shots.main.key ?? '';
+      counting = model?.requests.main.key ?? '';
       changed();
     },
-    isCounting: () => counting === sight?.shots.main.key && darkroom.current() !== null,
+    isCounting: () => counting === model?.requests.main.key && traceQueue.current() !== null,
   });
   const compareTools: CompareTools = {
     left: (value) => tools.set({ against: value }),
@@ -76,35 +76,35 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   };
 
   const save = async (): Promise<void> => {
-    const blob = await pictureBlob(sight);
+    const blob = await pictureBlob(model);
     if (blob) download('graze-picture.png', blob);
   };
 
-  const bar = ({ picture, shots }: Sight) =>
+  const bar = ({ picture, requests }: PictureModel) =>
     pictureBar(picture, {
       set: tools.set,
       compare: () =>
         tools.edit(({ against, sceneText, start }) => ({
-          against: against ? '' : firstAgainst(sceneText, start, shots.main.settings.method),
+          against: against ? '' : firstAgainst(sceneText, start, requests.main.settings.method),
           show: 'both',
         })),
-      again: () => darkroom.again([shots.main, ...(shots.other ? [shots.other] : [])]),
-      cancel: darkroom.cancel,
+      again: () => traceQueue.again([requests.main, ...(requests.other ? [requests.other] : [])]),
+      cancel: traceQueue.cancel,
       save: () => void save(),
-      isTracing: darkroom.current() !== null,
+      isTracing: traceQueue.current() !== null,
       hasSoftLight: picture.scene.lights.some(({ light }) => light === 'sphere'),
     });
 
-  const over = ({ picture: { scene, against }, shots: { main, other } }: Sight) =>
+  const over = ({ picture: { scene, against }, requests: { main, other } }: PictureModel) =>
     against && other
       ? sidePickers(scene, main.settings, other.settings, against, compareTools)
       : nothing;
 
-  const drawPixel = (now: Sight): void => {
+  const drawPixel = (now: PictureModel): void => {
     const { picture, main, other } = now;
     render(pixels.panel(now), parts.rays);
     parts.pixel.classList.toggle('compared', picture.against !== null);
-    loupe.render(
+    magnifier.render(
       picture.pixel && {
         pixel: picture.pixel,
         left: other?.frame ?? null,
@@ -116,37 +116,37 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: Spawn): Pa
   };
 
   /** Said once, when the picture that is asked for is done. */
-  const tell = ({ shots, main, ledger: { total, simulated } }: Sight): void => {
-    if (main?.state !== 'finished' || told === shots.main.key) return;
-    told = shots.main.key;
+  const tell = ({ requests, main, ledger: { total, simulated } }: PictureModel): void => {
+    if (main?.state !== 'finished' || told === requests.main.key) return;
+    told = requests.main.key;
     const names = simulated.map(({ title }) => title).join(', ') || 'nothing but camera rays';
     announce(`picture finished: ${total.rays} rays; simulated: ${names}`);
   };
 
   return {
     render(state) {
-      const { shots, uncounted } = sightOf(state, darkroom);
-      darkroom.want([
-        shots.main,
-        ...(shots.other ? [shots.other] : []),
-        ...shots.baselines,
-        ...(counting === shots.main.key ? uncounted : []),
+      const { requests, uncounted } = pictureModel(state, traceQueue);
+      traceQueue.want([
+        requests.main,
+        ...(requests.other ? [requests.other] : []),
+        ...requests.baselines,
+        ...(counting === requests.main.key ? uncounted : []),
       ]);
-      sight = sightOf(state, darkroom);
-      render(bar(sight), parts.bar);
-      easel.render(easelModel(sight, host));
-      render(over(sight), easel.over);
-      render(below(sight, darkroom, compareTools), parts.status);
-      drawPixel(sight);
-      beside.render(state, sight);
-      host.classList.toggle('editing', beside.isEditing());
-      host.dataset.trace = sight.main?.state ?? 'waiting';
-      tell(sight);
+      model = pictureModel(state, traceQueue);
+      render(bar(model), parts.bar);
+      compareView.render(compareViewModel(model, host));
+      render(over(model), compareView.over);
+      render(statusLine(model, traceQueue, compareTools), parts.status);
+      drawPixel(model);
+      sidePanel.render(state, model);
+      host.classList.toggle('editing', sidePanel.isEditing());
+      host.dataset.trace = model.main?.state ?? 'waiting';
+      tell(model);
     },
     read: readPicture,
-    takeaways: () => pictureTakeaways(() => sight),
+    exports: () => pictureExports(() => model),
     open: (text) => openScene(text, dispatch),
-    rest: darkroom.rest,
+    rest: traceQueue.rest,
   };
 }
 
@@ -160,11 +160,20 @@ function sections(host: HTMLElement) {
   };
   const work = section('picture-work');
   const bar = section('picture-bar', work);
-  const easel = section('easel', work);
+  const compareView = section('compare-view', work);
   const status = section('picture-status', work);
   const pixel = section('picture-pixel', work);
   const rays = section('pixel-list', pixel);
-  const loupes = section('loupes', pixel);
+  const magnifiers = section('magnifiers', pixel);
   const space = section('pixel-space', pixel);
-  return { bar, easel, status, pixel, rays, loupes, space, beside: section('picture-beside') };
+  return {
+    bar,
+    compareView,
+    status,
+    pixel,
+    rays,
+    magnifiers,
+    space,
+    sidePanel: section('side-panel'),
+  };
 }

@@ -4,21 +4,21 @@ import type { Picture } from '../../tracer/compare.ts';
 const ACROSS = 17;
 const DOWN = 4;
 
-export interface LoupeModel {
+export interface MagnifierModel {
   readonly pixel: readonly [number, number];
   readonly left: Picture | null;
   readonly right: Picture | null;
   readonly comparing: boolean;
 }
 
-export interface Loupe {
+export interface PixelMagnifier {
   /** Null takes it away. */
-  render(model: LoupeModel | null): void;
+  render(model: MagnifierModel | null): void;
 }
 
 /** The chosen pixel among its neighbours, large, from each picture, with its colour in figures. */
-export function createLoupe(host: HTMLElement): Loupe {
-  const sides = [glass(host), glass(host)] as const;
+export function createPixelMagnifier(host: HTMLElement): PixelMagnifier {
+  const sides = [magnifiedSide(host), magnifiedSide(host)] as const;
   return {
     render(model) {
       host.hidden = model === null;
@@ -31,21 +31,21 @@ export function createLoupe(host: HTMLElement): Loupe {
   };
 }
 
-interface Glass {
+interface MagnifiedSide {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly colour: HTMLElement;
 }
 
-function glass(host: HTMLElement): Glass {
+function magnifiedSide(host: HTMLElement): MagnifiedSide {
   const root = document.createElement('figure');
-  root.className = 'loupe';
+  root.className = 'magnifier';
   const canvas = document.createElement('canvas');
   canvas.width = 2 * ACROSS + 1;
   canvas.height = 2 * DOWN + 1;
   canvas.setAttribute('aria-hidden', 'true');
   const frame = document.createElement('span');
-  frame.className = 'loupe-frame';
+  frame.className = 'magnifier-frame';
   const colour = document.createElement('figcaption');
   root.append(canvas, frame, colour);
   host.append(root);
@@ -53,9 +53,9 @@ function glass(host: HTMLElement): Glass {
 }
 
 function show(
-  { canvas, colour }: Glass,
+  { canvas, colour }: MagnifiedSide,
   picture: Picture | null,
-  [x, y]: LoupeModel['pixel'],
+  [x, y]: MagnifierModel['pixel'],
 ): void {
   const context = canvas.getContext('2d');
   if (!context) return;

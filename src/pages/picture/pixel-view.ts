@@ -5,15 +5,15 @@ import { sideWords } from '../../state/picture/against.ts';
 import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';
 import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
 import type { RayNode, RayTree } from '../../tracer/types.ts';
-import type { Sight } from './picture-model.ts';
-import type { Recorder } from './ray-recorder.ts';
-import type { Shot } from './trace-request.ts';
+import type { PictureModel } from './picture-model.ts';
+import type { RayRecorder } from './ray-recorder.ts';
+import type { TraceRequest } from './trace-request.ts';
 
 export interface PixelView {
   /** The list of rays of the pixel that is chosen, or how to choose one. */
-  panel(sight: Sight): TemplateResult;
+  panel(model: PictureModel): TemplateResult;
   /** The same rays for the view in space; null while there are none. */
-  space(sight: Sight): TreeModel | null;
+  space(model: PictureModel): TreeModel | null;
 }
 
 export interface PixelActions {
@@ -29,7 +29,7 @@ const HINT = html`<p class="pixel-problem">Click a pixel to follow its rays.</p>
 
 type Known = { readonly tree: RayTree } | { readonly problem: string } | 'asked';
 
-export function createPixelView(recorder: Recorder, actions: PixelActions): PixelView {
+export function createPixelView(recorder: RayRecorder, actions: PixelActions): PixelView {
   const trees = new Map<string, Known>();
   /** Kept, so that the view in space is not made anew while nothing changes. */
   const inSpace = new WeakMap<RayNode, TreeScene>();
@@ -38,19 +38,20 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
   let opened: ReadonlySet<string> = new Set();
   let shown = '';
 
-  const keyOf = (shot: Shot, [x, y]: readonly [number, number]) => `${x},${y} ${shot.key}`;
+  const keyOf = (request: TraceRequest, [x, y]: readonly [number, number]) =>
+    `${x},${y} ${request.key}`;
 
-  const treeOf = (shot: Shot, [x, y]: readonly [number, number]): Known => {
-    const key = keyOf(shot, [x, y]);
-    return trees.get(key) ?? ask(shot, [x, y]);
+  const treeOf = (request: TraceRequest, [x, y]: readonly [number, number]): Known => {
+    const key = keyOf(request, [x, y]);
+    return trees.get(key) ?? ask(request, [x, y]);
   };
 
-  const ask = (shot: Shot, [x, y]: readonly [number, number]): Known => {
-    const key = keyOf(shot, [x, y]);
+  const ask = (request: TraceRequest, [x, y]: readonly [number, number]): Known => {
+    const key = keyOf(request, [x, y]);
     trees.set(key, 'asked');
     const [oldest] = trees.keys();
     if (trees.size > MOST_TREES && oldest !== undefined) trees.delete(oldest);
-    recorder.record(shot, x, y).then(
+    recorder.record(request, x, y).then(
       (tree) => {
         trees.set(key, { tree });
         actions.changed();
@@ -65,12 +66,12 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
 
   const rowsOf = (
     known: Known | null,
-    sight: Sight,
-    { settings }: Shot,
+    model: PictureModel,
+    { settings }: TraceRequest,
   ): readonly TreeRow[] | null => {
     if (known === null || known === 'asked' || 'problem' in known) return null;
     const root = known.tree.rays[sampleOf(known.tree)];
-    return root ? treeRows(sight.picture.scene, root, opened, settings) : null;
+    return root ? treeRows(model.picture.scene, root, opened, settings) : null;
   };
 
   /** The middle one, unless another was chosen: it is the one that comparisons count. */
@@ -105,27 +106,27 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
   };
 
   return {
-    panel(sight) {
-      const { pixel, against } = sight.picture;
+    panel(model) {
+      const { pixel, against } = model.picture;
       if (!pixel) {
         shown = '';
         return HINT;
       }
       const isNew = shown !== pixel.join();
       start(pixel);
-      const { main, other } = sight.shots;
+      const { main, other } = model.requests;
       const known = treeOf(main, pixel);
       if (known === 'asked')
         return html`<p class="pixel-problem" role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
         return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;
-      const rows = rowsOf(known, sight, main) ?? [];
+      const rows = rowsOf(known, model, main) ?? [];
       const first = rows[0];
       if (isNew && first)
         actions.announce(
           `pixel ${pixel.join(', ')}: ${first.verdict}${first.rest}, ${rows.length} rays`,
         );
-      const left = other ? rowsOf(treeOf(other, pixel), sight, other) : null;
+      const left = other ? rowsOf(treeOf(other, pixel), model, other) : null;
       return pixelPanel(
         {
           x: pixel[0],
@@ -144,9 +145,9 @@ export function createPixelView(recorder: Recorder, actions: PixelActions): Pixe
         tools,
       );
     },
-    space({ picture, shots }) {
+    space({ picture, requests }) {
       if (!picture.pixel) return null;
-      const known = treeOf(shots.main, picture.pixel);
+      const known = treeOf(requests.main, picture.pixel);
       if (known === 'asked' || 'problem' in known) return null;
       const root = known.tree.rays[sampleOf(known.tree)];
       if (!root) return null;

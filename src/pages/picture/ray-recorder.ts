@@ -1,15 +1,15 @@
 import type { RayTree } from '../../tracer/types.ts';
 import type { FromTraceWorker, ToTraceWorker } from '../../workers/protocol.ts';
 import type { WorkerLike } from '../../workers/trace-job.ts';
-import type { Shot } from './trace-request.ts';
+import type { TraceRequest } from './trace-request.ts';
 
-export interface Recorder {
+export interface RayRecorder {
   /** The rays of one pixel, by the same code that traces the picture; rejects with why it could not. */
-  record(shot: Shot, x: number, y: number): Promise<RayTree>;
+  record(request: TraceRequest, x: number, y: number): Promise<RayTree>;
 }
 
 /** A worker of its own follows the rays of single pixels: a picture under way need not stop for it. */
-export function createRecorder(spawn: () => WorkerLike): Recorder {
+export function createRayRecorder(spawn: () => WorkerLike): RayRecorder {
   let worker: WorkerLike | null = null;
   let job = 0;
   let ready: string | null = null;
@@ -42,7 +42,7 @@ export function createRecorder(spawn: () => WorkerLike): Recorder {
       open().postMessage(message);
     });
 
-  const recordNow = async ({ key, scene, settings }: Shot, x: number, y: number) => {
+  const recordNow = async ({ key, scene, settings }: TraceRequest, x: number, y: number) => {
     if (ready !== key) {
       ready = null;
       job += 1;
@@ -55,9 +55,9 @@ export function createRecorder(spawn: () => WorkerLike): Recorder {
   };
 
   return {
-    record(shot, x, y) {
+    record(request, x, y) {
       // One question at a time: answers carry no number of their own.
-      const next = last.then(() => recordNow(shot, x, y));
+      const next = last.then(() => recordNow(request, x, y));
       last = next.catch(() => null);
       return next;
     },

@@ -9,21 +9,21 @@ import type { Dispatch } from '../../state/actions.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { openScene } from './exports.ts';
-import type { PageTools } from './page-actions.ts';
-import type { Sight } from './picture-model.ts';
+import type { PictureActions } from './page-actions.ts';
+import type { PictureModel } from './picture-model.ts';
 
-export interface Beside {
+export interface SidePanel {
   /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
   isEditing(): boolean;
   /** Opens the form of a thing or light. */
   edit(id: string): void;
-  render(state: AppState, sight: Sight): void;
+  render(state: AppState, model: PictureModel): void;
 }
 
-export interface BesideTools {
+export interface SidePanelTools {
   readonly dispatch: Dispatch;
   readonly changed: () => void;
-  readonly tools: PageTools;
+  readonly tools: PictureActions;
   /** Asks for the ledger's last column. */
   readonly count: () => void;
   readonly isCounting: () => boolean;
@@ -32,14 +32,14 @@ export interface BesideTools {
 type Tab = 'ledger' | 'scene';
 
 /** What the picture cost, or its scene to be edited. Which of them is shown is nothing that undo should bring back. */
-export function createBeside(
+export function createSidePanel(
   host: HTMLElement,
-  { dispatch, changed, tools, count, isCounting }: BesideTools,
-): Beside {
+  { dispatch, changed, tools, count, isCounting }: SidePanelTools,
+): SidePanel {
   let tab: Tab = 'ledger';
   let edited: string | null = null;
 
-  const editorTools = ({ scene: now }: Sight['picture']): EditorTools => ({
+  const editorTools = ({ scene: now }: PictureModel['picture']): EditorTools => ({
     change: tools.scene,
     add: (add) =>
       tools.scene((scene) => {
@@ -59,20 +59,20 @@ export function createBeside(
     open: () => void openFile(dispatch),
   });
 
-  const costs = ({ method }: AppState, sight: Sight): TemplateResult => {
-    const { picture, uncounted, main } = sight;
+  const costs = ({ method }: AppState, model: PictureModel): TemplateResult => {
+    const { picture, uncounted, main } = model;
     const tool = {
       force: tools.force,
       measure: count,
       unmeasured: main?.state === 'finished' ? uncounted.length : 0,
       isMeasuring: isCounting() && uncounted.length > 0,
     };
-    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(sight.ledger, main?.state === 'finished' ? main : null, tool)}
+    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(model.ledger, main?.state === 'finished' ? main : null, tool)}
       ${methodPanel(method, picture, dispatch)}
       ${simplifications()}</div>`;
   };
 
-  const form = (state: AppState, { picture }: Sight): TemplateResult =>
+  const form = (state: AppState, { picture }: PictureModel): TemplateResult =>
     html`<div role="tabpanel" aria-label="Scene">${editor(picture.scene, edited, shapeOf(state), editorTools(picture))}</div>`;
 
   return {
@@ -81,12 +81,12 @@ export function createBeside(
       edited = id;
       changed();
     },
-    render(state, sight) {
+    render(state, model) {
       const turn = (next: Tab): void => {
         tab = next;
         changed();
       };
-      const panel = tab === 'scene' ? form(state, sight) : costs(state, sight);
+      const panel = tab === 'scene' ? form(state, model) : costs(state, model);
       render(html`${tabs(tab, turn)}${panel}`, host);
     },
   };
@@ -114,5 +114,5 @@ function tabs(current: Tab, turn: (next: Tab) => void): TemplateResult {
     list.querySelector<HTMLElement>('[aria-selected="false"]')?.focus();
   };
   return html`<h2 class="visually-hidden">${TITLES[current]}</h2>
-    <div class="beside-tabs" role="tablist" aria-label="beside the picture" @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
+    <div class="side-tabs" role="tablist" aria-label="beside the picture" @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
 }

@@ -1,7 +1,7 @@
 type Rgb = readonly [number, number, number];
 
 /** Paper and ink of the theme, 0 … 255. */
-export function inkOf(element: Element): readonly [paper: Rgb, ink: Rgb] {
+export function themeColours(element: Element): readonly [paper: Rgb, ink: Rgb] {
   const style = getComputedStyle(element);
   return [hex(style.getPropertyValue('--scene')), hex(style.getPropertyValue('--ink'))];
 }

@@ -5,28 +5,28 @@ import {
   type TraceProgress,
   type WorkerLike,
 } from '../../workers/trace-job.ts';
-import type { Shot } from './trace-request.ts';
+import type { TraceRequest } from './trace-request.ts';
 
 /** Finished pictures that are kept to come back to; each takes up to 16 bytes a pixel. */
 const MOST_KEPT = 16;
 
 /** Traces what is wanted, one picture after the other with all workers, so that times can be compared. */
-export interface Darkroom {
+export interface TraceQueue {
   /** The pictures that are needed now, the most urgent first. What runs and is not among them ends. */
-  want(shots: readonly Shot[]): void;
+  want(requests: readonly TraceRequest[]): void;
   /** As far as a picture has come; null if nobody has begun it. */
-  seen(shot: Shot): TraceProgress | null;
+  seen(request: TraceRequest): TraceProgress | null;
   /** What is traced at this moment. */
-  current(): Shot | null;
+  current(): TraceRequest | null;
   /** Stops, until something else is wanted or `again`. */
   cancel(): void;
   /** Traces these anew. */
-  again(shots: readonly Shot[]): void;
+  again(requests: readonly TraceRequest[]): void;
   /** Stops, until the next `want`. */
   rest(): void;
 }
 
-export interface DarkroomTools {
+export interface TraceQueueTools {
   readonly spawn: () => WorkerLike;
   readonly workers: number;
   /** Something is to be seen that was not there before. */
@@ -40,11 +40,11 @@ export const coresOf = ({
   readonly hardwareConcurrency?: number;
 }): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
 
-export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Darkroom {
+export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): TraceQueue {
   const seen = new Map<string, TraceProgress>();
   const stopped = new Set<string>();
-  let wanted: readonly Shot[] = [];
-  let running: { readonly shot: Shot; readonly job: TraceJob } | null = null;
+  let wanted: readonly TraceRequest[] = [];
+  let running: { readonly request: TraceRequest; readonly job: TraceJob } | null = null;
   let pool: ReturnType<typeof createTracePool> | null = null;
 
   const open = (): NonNullable<typeof pool> => {
@@ -52,32 +52,32 @@ export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Dark
     return pool;
   };
 
-  const isOpen = (shot: Shot): boolean => {
-    const state = seen.get(shot.key)?.state;
-    return state !== 'finished' && state !== 'failed' && !stopped.has(shot.key);
+  const isOpen = (request: TraceRequest): boolean => {
+    const state = seen.get(request.key)?.state;
+    return state !== 'finished' && state !== 'failed' && !stopped.has(request.key);
   };
 
   const drop = (): void => {
     if (!running) return;
-    const { shot, job } = running;
+    const { request, job } = running;
     running = null;
     job.cancel();
-    if (!stopped.has(shot.key)) seen.delete(shot.key);
+    if (!stopped.has(request.key)) seen.delete(request.key);
   };
 
   const go = (): void => {
     const next = wanted.find(isOpen);
-    if (running && running.shot.key === next?.key) return;
+    if (running && running.request.key === next?.key) return;
     drop();
     if (next) start(next);
   };
 
-  const start = (shot: Shot): void => {
-    const job = open().start(shot.scene, shot.settings, {
+  const start = (request: TraceRequest): void => {
+    const job = open().start(request.scene, request.settings, {
       progress(state) {
         // A job that was replaced may still have a word on its way.
-        if (running !== null && running.shot !== shot) return;
-        seen.set(shot.key, state);
+        if (running !== null && running.request !== request) return;
+        seen.set(request.key, state);
         if (state.state !== 'loading' && state.state !== 'tracing') {
           running = null;
           forget();
@@ -85,24 +85,24 @@ export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Dark
         changed();
       },
     });
-    if (isOpen(shot)) running = { shot, job };
+    if (isOpen(request)) running = { request, job };
   };
 
   /** The oldest that nobody wants. */
   const forget = (): void => {
-    const idle = [...seen.keys()].filter((key) => !wanted.some((shot) => shot.key === key));
+    const idle = [...seen.keys()].filter((key) => !wanted.some((request) => request.key === key));
     for (const key of idle.slice(0, Math.max(0, seen.size - MOST_KEPT))) seen.delete(key);
   };
 
   return {
-    want(shots) {
-      const same = shots.map(({ key }) => key).join() === wanted.map(({ key }) => key).join();
+    want(requests) {
+      const same = requests.map(({ key }) => key).join() === wanted.map(({ key }) => key).join();
       if (!same) stopped.clear();
-      wanted = shots;
+      wanted = requests;
       go();
     },
     seen: ({ key }) => seen.get(key) ?? null,
-    current: () => running?.shot ?? null,
+    current: () => running?.request ?? null,
     cancel() {
       for (const { key } of wanted.filter(isOpen)) stopped.add(key);
       const job = running?.job;
@@ -110,8 +110,8 @@ export function createDarkroom({ spawn, workers, changed }: DarkroomTools): Dark
       job?.cancel();
       changed();
     },
-    again(shots) {
-      for (const { key } of shots) seen.delete(key);
+    again(requests) {
+      for (const { key } of requests) seen.delete(key);
       stopped.clear();
       drop();
       changed();

@@ -6,26 +6,26 @@ import type { PictureSettings } from '../../state/picture/settings.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
 
 /** A picture that can be traced. Two of one key are the same, bit by bit. */
-export interface Shot {
+export interface TraceRequest {
   readonly key: string;
   readonly scene: Scene;
   readonly settings: TraceSettings;
 }
 
-export interface Shots {
-  readonly main: Shot;
+export interface TraceRequests {
+  readonly main: TraceRequest;
   /** The other side of the comparison. */
-  readonly other: Shot | null;
+  readonly other: TraceRequest | null;
   /** By effect, the picture in which that effect is as it is not in the main one. */
-  readonly toggled: Readonly<Partial<Record<EffectId, Shot>>>;
+  readonly toggled: Readonly<Partial<Record<EffectId, TraceRequest>>>;
   /** Of those, the ones that the ledger needs for what was forced. */
-  readonly baselines: readonly Shot[];
+  readonly baselines: readonly TraceRequest[];
 }
 
-export function shotsOf(picture: PictureSettings, method: string): Shots {
+export function traceRequests(picture: PictureSettings, method: string): TraceRequests {
   const { scene, sceneText, width, height, samples, lightSamples, start, forced } = picture;
   const settings = { width, height, samples, lightSamples, method, start, forced };
-  const shot = (changed: TraceSettings): Shot => ({
+  const request = (changed: TraceSettings): TraceRequest => ({
     key: JSON.stringify([sceneText, { ...changed, forced: differing(scene, changed) }]),
     scene,
     settings: changed,
@@ -34,12 +34,12 @@ export function shotsOf(picture: PictureSettings, method: string): Shots {
   const toggled = plan.map(({ id, runs, forced: how }) => {
     const without = { ...forced, [id]: runs ? 'off' : 'on' } as const;
     const { [id]: _, ...left } = forced;
-    return [id, shot({ ...settings, forced: how === 'no' ? without : left })] as const;
+    return [id, request({ ...settings, forced: how === 'no' ? without : left })] as const;
   });
-  const own: Shots['toggled'] = Object.fromEntries(toggled);
+  const own: TraceRequests['toggled'] = Object.fromEntries(toggled);
   return {
-    main: shot(settings),
-    other: picture.against && shot(otherSide(settings, picture.against)),
+    main: request(settings),
+    other: picture.against && request(otherSide(settings, picture.against)),
     toggled: own,
     baselines: plan.flatMap(({ id, forced: how }) => (how === 'no' ? [] : (own[id] ?? []))),
   };

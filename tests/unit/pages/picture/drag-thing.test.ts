@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { dragged, grabAt } from '../../../../src/pages/picture/drag-thing.ts';
+import { dragTo, thingAt } from '../../../../src/pages/picture/drag-thing.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import { surfacesOf } from '../../../../src/scene/surfaces.ts';
 import { picture } from '../../tracer/tracing.ts';
@@ -32,10 +32,10 @@ describe('a thing dragged in the picture', () => {
     const index = preset.scene.things.findIndex(({ id }) => id === 'ball');
     const at = middleOf(index, preset.scene, before);
     if (!at) throw new Error('not seen');
-    const held = grabAt(preset.scene, before, Math.round(at.x), Math.round(at.y));
+    const held = thingAt(preset.scene, before, Math.round(at.x), Math.round(at.y));
     expect(held?.id).toBe('ball');
     if (!held) throw new Error('not held');
-    const moved = dragged(held, held.from[0] - 4, held.from[1] - 3)(preset.scene);
+    const moved = dragTo(held, held.from[0] - 4, held.from[1] - 3)(preset.scene);
     const after = middleOf(index, moved, await picture(moved));
     // Its middle is known to a pixel: it is cut off by what stands before it, and grows as it comes nearer.
     expect(Math.abs((after?.x ?? 0) - at.x + 4)).toBeLessThan(1);
@@ -45,14 +45,14 @@ describe('a thing dragged in the picture', () => {
   test('brought back, the scene is what it was', async () => {
     for (const { scene } of PRESETS) {
       const seen = await picture(scene);
-      const held = grabAt(scene, seen, 24, 14);
-      if (held) expect(dragged(held, 24, 14)(scene)).toEqual(scene);
+      const held = thingAt(scene, seen, 24, 14);
+      if (held) expect(dragTo(held, 24, 14)(scene)).toEqual(scene);
     }
   });
 
   test('the background is no thing', async () => {
     const [{ scene }] = PRESETS as readonly [(typeof PRESETS)[number]];
     const seen = await picture({ ...scene, things: [] });
-    expect(grabAt({ ...scene, things: [] }, seen, 3, 3)).toBeNull();
+    expect(thingAt({ ...scene, things: [] }, seen, 3, 3)).toBeNull();
   });
 });

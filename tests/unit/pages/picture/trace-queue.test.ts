@@ -1,23 +1,23 @@
 import { describe, expect, test } from 'vitest';
-import { sightOf } from '../../../../src/pages/picture/picture-model.ts';
-import { createRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
+import { pictureModel } from '../../../../src/pages/picture/picture-model.ts';
+import { createRayRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
 import {
   coresOf,
-  createDarkroom,
-  type Darkroom,
+  createTraceQueue,
+  type TraceQueue,
 } from '../../../../src/pages/picture/trace-queue.ts';
-import { type Shot, shotsOf } from '../../../../src/pages/picture/trace-request.ts';
+import { type TraceRequest, traceRequests } from '../../../../src/pages/picture/trace-request.ts';
 import { pictureSettings } from '../../../../src/state/picture/settings.ts';
 import { type AppState, INITIAL, type Settings } from '../../../../src/state/state.ts';
 import { type FakeWorker, fakeWorker } from '../../tracer/fake-worker.ts';
 
 const SMALL: Settings = { size: '32x18', light: '4' };
 
-const shots = (more: Settings = {}, method = 'moment') =>
-  shotsOf(pictureSettings({ ...SMALL, ...more }), method);
+const requests = (more: Settings = {}, method = 'moment') =>
+  traceRequests(pictureSettings({ ...SMALL, ...more }), method);
 
 interface Bench {
-  readonly room: Darkroom;
+  readonly room: TraceQueue;
   readonly hands: FakeWorker[];
   /** Answers what the workers were asked, up to so many messages. */
   work(most?: number): Promise<number>;
@@ -30,7 +30,7 @@ function bench(workers = 2): Bench {
     hands.push(hand);
     return hand;
   };
-  const room = createDarkroom({ spawn, workers, changed: () => {} });
+  const room = createTraceQueue({ spawn, workers, changed: () => {} });
   const work = async (most = 10_000): Promise<number> => {
     let done = 0;
     for (let moved = true; moved && done < most; ) {
@@ -43,12 +43,13 @@ function bench(workers = 2): Bench {
   return { room, hands, work };
 }
 
-const state = (room: Darkroom, shot: Shot | null) => shot && room.seen(shot)?.state;
+const state = (room: TraceQueue, request: TraceRequest | null) =>
+  request && room.seen(request)?.state;
 
-describe('the darkroom', () => {
+describe('the traceQueue', () => {
   test('traces what is wanted, one after the other, and then rests', async () => {
     const { room, work } = bench();
-    const { main, other } = shots({ against: 'start:none' });
+    const { main, other } = requests({ against: 'start:none' });
     if (!other) throw new Error('no other side');
     room.want([main, other]);
     expect(room.current()).toBe(main);
@@ -65,8 +66,8 @@ describe('the darkroom', () => {
 
   test('a change ends what runs, and begins at once with what is wanted now', async () => {
     const { room, work } = bench();
-    const before = shots().main;
-    const after = shots({ scene: 'mirror' }).main;
+    const before = requests().main;
+    const after = requests({ scene: 'mirror' }).main;
     room.want([before]);
     await work(3);
     room.want([after]);
@@ -80,8 +81,8 @@ describe('the darkroom', () => {
 
   test('what is urgent comes before what already runs', async () => {
     const { room, work } = bench();
-    const { main } = shots();
-    const first = shots({ scene: 'plain' }).main;
+    const { main } = requests();
+    const first = requests({ scene: 'plain' }).main;
     room.want([main]);
     await work(2);
     room.want([first, main]);
@@ -90,19 +91,19 @@ describe('the darkroom', () => {
 
   test('a finished picture is there again without tracing', async () => {
     const { room, work } = bench();
-    const [a, b] = [shots().main, shots({ scene: 'plain' }).main];
-    for (const shot of [a, b]) {
-      room.want([shot]);
+    const [a, b] = [requests().main, requests({ scene: 'plain' }).main];
+    for (const request of [a, b]) {
+      room.want([request]);
       await work();
     }
-    room.want([shots().main]);
+    room.want([requests().main]);
     expect(state(room, a)).toBe('finished');
     expect(await work()).toBe(0);
   });
 
   test('cancelled it stays as it is, until it is wanted anew', async () => {
     const { room, work } = bench();
-    const { main } = shots();
+    const { main } = requests();
     room.want([main]);
     await work(4);
     room.cancel();
@@ -118,11 +119,11 @@ describe('the darkroom', () => {
 
   test('cancelled, then something else, then back: it is traced', async () => {
     const { room, work } = bench();
-    const { main } = shots();
+    const { main } = requests();
     room.want([main]);
     await work(3);
     room.cancel();
-    room.want([shots({ scene: 'plain' }).main]);
+    room.want([requests({ scene: 'plain' }).main]);
     room.want([main]);
     await work();
     expect(state(room, main)).toBe('finished');
@@ -130,7 +131,7 @@ describe('the darkroom', () => {
 
   test('at rest nothing runs; afterwards it goes on', async () => {
     const { room, work } = bench();
-    const { main } = shots();
+    const { main } = requests();
     room.want([main]);
     await work(3);
     room.rest();
@@ -142,7 +143,7 @@ describe('the darkroom', () => {
 
   test('a worker that fails is told, and not asked again and again', async () => {
     const { room, hands } = bench(1);
-    const { main } = shots();
+    const { main } = requests();
     room.want([main]);
     hands[0]?.crash('out of memory');
     expect(room.seen(main)).toMatchObject({ state: 'failed', message: 'out of memory' });
@@ -166,20 +167,20 @@ describe('a comparison', () => {
     return { ...INITIAL, method, settings: { ...INITIAL.settings, picture: given } };
   };
 
-  async function sightFor(settings: Settings, method: string) {
+  async function modelFor(settings: Settings, method: string) {
     const { room, work } = bench(1);
     const state = stateOf(settings, method);
-    const { main, other } = sightOf(state, room).shots;
+    const { main, other } = pictureModel(state, room).requests;
     for (let k = 0; k < 2; k++) {
       room.want(other ? [main, other] : [main]);
       await work();
     }
-    return sightOf(state, room);
+    return pictureModel(state, room);
   }
 
   test('finds the same, whichever side is the one to be trusted', async () => {
-    const right = await sightFor({ scene: 'far', against: 'method:textbook32' }, 'certified');
-    const left = await sightFor({ scene: 'far', against: 'method:certified' }, 'textbook32');
+    const right = await modelFor({ scene: 'far', against: 'method:textbook32' }, 'certified');
+    const left = await modelFor({ scene: 'far', against: 'method:certified' }, 'textbook32');
     expect([right.trustsLeft, left.trustsLeft]).toEqual([false, true]);
     const { verdicts, holes, ghosts } = right.comparison ?? {};
     expect(verdicts).toBeGreaterThan(50);
@@ -187,17 +188,17 @@ describe('a comparison', () => {
   });
 
   test('with an effect off counts the pixels that it changes', async () => {
-    const sight = await sightFor({ scene: 'mirror', against: 'off:reflection' }, 'moment');
-    const reflection = sight.ledger.simulated.find(({ id }) => id === 'reflection');
+    const model = await modelFor({ scene: 'mirror', against: 'off:reflection' }, 'moment');
+    const reflection = model.ledger.simulated.find(({ id }) => id === 'reflection');
     expect(reflection?.pixels).toBeGreaterThan(0);
-    expect(reflection?.pixels).toBe(sight.comparison?.differing);
-    expect(sight.uncounted).toHaveLength(sight.ledger.simulated.length - 1);
+    expect(reflection?.pixels).toBe(model.comparison?.differing);
+    expect(model.uncounted).toHaveLength(model.ledger.simulated.length - 1);
   });
 
   test('acne: no method cures it; an epsilon is too small for one scene and too large for another', async () => {
     const differing = async (scene: string, against: string, method: string): Promise<number> => {
-      const sight = await sightFor({ size: '96x54', scene, against }, method);
-      return sight.comparison?.differing ?? Number.NaN;
+      const model = await modelFor({ size: '96x54', scene, against }, method);
+      return model.comparison?.differing ?? Number.NaN;
     };
     for (const method of ['moment', 'compensated', 'certified']) {
       expect(await differing('self-intersection', 'start:none', method)).toBeGreaterThan(300);
@@ -210,53 +211,56 @@ describe('a comparison', () => {
   });
 
   test('of a picture with itself finds nothing', async () => {
-    const sight = await sightFor({ scene: 'mirror', against: 'on:reflection' }, 'moment');
-    expect(sight.comparison).toMatchObject({ differing: 0, verdicts: 0 });
+    const model = await modelFor({ scene: 'mirror', against: 'on:reflection' }, 'moment');
+    expect(model.comparison).toMatchObject({ differing: 0, verdicts: 0 });
   });
 });
 
-describe('shots', () => {
+describe('requests', () => {
   test('forcing on what is needed anyway is the same picture', () => {
-    expect(shots({ on: 'reflection' }).main.key).toBe(shots().main.key);
-    expect(shots({ off: 'reflection' }).main.key).not.toBe(shots().main.key);
+    expect(requests({ on: 'reflection' }).main.key).toBe(requests().main.key);
+    expect(requests({ off: 'reflection' }).main.key).not.toBe(requests().main.key);
   });
 
   test('what is forced has the picture without forcing for its baseline', () => {
-    const forced = shots({ off: 'reflection', on: 'soft-shadow' });
+    const forced = requests({ off: 'reflection', on: 'soft-shadow' });
     expect(forced.baselines.map(({ key }) => key).toSorted()).toEqual(
-      [shots({ on: 'soft-shadow' }).main.key, shots({ off: 'reflection' }).main.key].toSorted(),
+      [
+        requests({ on: 'soft-shadow' }).main.key,
+        requests({ off: 'reflection' }).main.key,
+      ].toSorted(),
     );
-    expect(shots().baselines).toEqual([]);
+    expect(requests().baselines).toEqual([]);
   });
 
   test('method, start rule, size and scene each make another picture', () => {
     const keys = [
-      shots(),
-      shots({}, 'exact'),
-      shots({ start: 'none' }),
-      shots({ start: '1e-9' }),
-      shots({ samples: '4' }),
-      shots({ light: '9' }),
-      shots({ size: '33x18' }),
-      shots({ scene: 'mirror' }),
+      requests(),
+      requests({}, 'exact'),
+      requests({ start: 'none' }),
+      requests({ start: '1e-9' }),
+      requests({ samples: '4' }),
+      requests({ light: '9' }),
+      requests({ size: '33x18' }),
+      requests({ scene: 'mirror' }),
     ].map(({ main }) => main.key);
     expect(new Set(keys).size).toBe(keys.length);
   });
 
   test('divider, pixel and error map do not', () => {
     const more = { split: '10', pixel: '3,4', show: 'errors' };
-    expect(shots(more).main.key).toBe(shots().main.key);
+    expect(requests(more).main.key).toBe(requests().main.key);
   });
 });
 
 describe('the recorder', () => {
   test('follows one pixel after the other, each in its own picture', async () => {
     const hand = fakeWorker();
-    const recorder = createRecorder(() => hand);
+    const recorder = createRayRecorder(() => hand);
     const asked = [
-      recorder.record(shots().main, 16, 9),
-      recorder.record(shots({ scene: 'plain' }).main, 3, 4),
-      recorder.record(shots().main, 5, 6),
+      recorder.record(requests().main, 16, 9),
+      recorder.record(requests({ scene: 'plain' }).main, 3, 4),
+      recorder.record(requests().main, 5, 6),
     ];
     const pump = async (): Promise<void> => {
       for (let idle = 0; idle < 20; ) {
@@ -277,13 +281,13 @@ describe('the recorder', () => {
   test('a failure is that question’s alone', async () => {
     const [dead, fresh] = [fakeWorker(), fakeWorker()];
     const hands = [dead, fresh];
-    const recorder = createRecorder(() => hands.shift() as FakeWorker);
-    const first = recorder.record(shots().main, 1, 1);
+    const recorder = createRayRecorder(() => hands.shift() as FakeWorker);
+    const first = recorder.record(requests().main, 1, 1);
     await new Promise((done) => setTimeout(done));
     dead.crash('broken');
     await expect(first).rejects.toThrow('broken');
     expect(dead.terminated).toBe(true);
-    const second = recorder.record(shots().main, 2, 2);
+    const second = recorder.record(requests().main, 2, 2);
     for (let k = 0; k < 10; k++) {
       await new Promise((done) => setTimeout(done));
       await fresh.step();
