@@ -3,7 +3,9 @@ import { CONE } from './cone.ts';
 import { CYLINDER } from './cylinder.ts';
 import type { Preset } from './define.ts';
 import { HYPERBOLOID } from './hyperboloid.ts';
+import { PARABOLOID } from './paraboloid.ts';
 import { PLANE } from './plane.ts';
+import { SPHERE } from './sphere.ts';
 import { SQUARE } from './square.ts';
 
 /** In the order of the menu of shapes; next and previous walk through it. */
@@ -14,4 +16,6 @@ export const GALLERY: readonly Preset[] = [
   ...HYPERBOLOID,
   ...CIRCLE,
   ...SQUARE,
+  ...SPHERE,
+  ...PARABOLOID,
 ];

@@ -122,7 +122,7 @@ const CHECKS: readonly (readonly [RegExp, Check])[] = [
       compare[relation]?.(signOf(s, letter) ?? Number.NaN, 0) ?? false,
   ],
   [
-    /^([ar]) ([=<>]) (\S+)$/,
+    /^([ark]) ([=<>]) (\S+)$/,
     (s, symbol = '', relation = '', x = '') =>
       compare[relation]?.(number(s, symbol), Number(x)) ?? false,
   ],

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { SHAPES } from '../../../src/math/index.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -153,6 +154,6 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('%s', (_, entr
 test('every shape has a hit, and every class appears', () => {
   const found = GALLERY.map((entry) => subjectOf(entry, 'exact'));
   const hit = found.filter((one) => one.found.hits.length > 0).map(({ shape }) => shape.kind);
-  expect(new Set(hit).size).toBe(6);
+  expect(new Set(hit).size).toBe(SHAPES.length);
   expect(new Set(found.map((one) => one.found.class)).size).toBe(5);
 });

@@ -6,10 +6,11 @@ import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math
 
 /* Facts of a ray and a shape in small whole numbers and halves, where doubles do not round; nothing here asks src/math. */
 
-/** (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ */
+/** (x−Cx)² + (z−Cz)² = a(y−Cy)² + k(y−Cy) + ρ */
 interface Quadric {
   readonly C: Vec3;
   readonly a: number;
+  readonly k?: number;
   readonly rho: number;
 }
 
@@ -18,6 +19,8 @@ export function quadricOf(shape: Shape): Quadric | null {
   if (shape.kind === 'cone') return { C: shape.vertex, a: shape.slope ** 2, rho: 0 };
   if (shape.kind === 'hyperboloid')
     return { C: shape.center, a: shape.flare, rho: shape.radius ** 2 };
+  if (shape.kind === 'sphere') return { C: shape.center, a: -1, rho: shape.radius ** 2 };
+  if (shape.kind === 'paraboloid') return { C: shape.vertex, a: 0, k: shape.width, rho: 0 };
   return null;
 }
 
@@ -28,8 +31,9 @@ export const at = ({ origin: E, direction: d }: Ray, t: number): Vec3 => [
 ];
 
 /** f at R(t): negative inside. */
-export function f({ C, a, rho }: Quadric, [x, y, z]: Vec3): number {
-  return (x - C[0]) ** 2 + (z - C[2]) ** 2 - a * (y - C[1]) ** 2 - rho;
+export function f({ C, a, k = 0, rho }: Quadric, [x, y, z]: Vec3): number {
+  const h = y - C[1];
+  return (x - C[0]) ** 2 + (z - C[2]) ** 2 - a * h ** 2 - k * h - rho;
 }
 
 export type Crossing = 'enters' | 'leaves';

@@ -1,0 +1,50 @@
+import { type Preset, preset } from './define.ts';
+
+export const PARABOLOID: readonly Preset[] = [
+  preset(
+    'paraboloid-hit',
+    ['two points', 'class two'],
+    [
+      ['k > 0, and the bowl is open at the top:', 'k > 0'],
+      ['the ray enters through its wall and leaves.', 't1 enters', 't2 leaves', 't1 ahead'],
+    ],
+    'shape=paraboloid&V=0,0,0&k=2&E=4,2,1&d=-1,-0.125,-0.25',
+  ),
+  preset(
+    'paraboloid-axis',
+    ['parallel to the axis', 'd along the axis', 'class one'],
+    [
+      ['A = 0:', 'A = 0'],
+      ['f is a straight line', 'f straight'],
+      ['and the ray meets the bowl once, at −C/B.', 'class one', 't1 = -C/B', 't1 ahead'],
+    ],
+    'shape=paraboloid&V=0,0,0&k=2&E=1,4,0.5&d=0,-1,0',
+  ),
+  preset(
+    'paraboloid-tangent',
+    ['tangent', 'class tangent'],
+    [
+      ['D = 0: the ray touches the bowl from outside,', 'D = 0', 't1 touches', 'E outside'],
+      ['and there the normal is at a right angle to d.', 'N1 at a right angle to d'],
+    ],
+    'shape=paraboloid&V=0,0,0&k=2&E=4,2,2&d=-1,0,0&view=ray',
+  ),
+  preset(
+    'paraboloid-inside',
+    ['from inside', 'E inside'],
+    [
+      ['E is inside the bowl:', 'E inside', 'C < 0'],
+      ['one root is behind E and one is ahead.', 't1 behind E', 't2 ahead'],
+    ],
+    'shape=paraboloid&V=0,0,0&k=2&E=0.5,2,0&d=-1,0.25,0.25',
+  ),
+  preset(
+    'paraboloid-down',
+    ['turned over', 'k < 0'],
+    [
+      ['k < 0, and the surface hangs down from V:', 'k < 0', 'E below V'],
+      ['the ray enters and leaves.', 't1 enters', 't2 leaves', 't1 ahead'],
+    ],
+    'shape=paraboloid&V=0,3,0&k=-1&E=3,1,1&d=-1,-0.125,-0.25',
+  ),
+];
