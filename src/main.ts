@@ -2,12 +2,13 @@ import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { type Explore, mountExplore } from './pages/explore/explore-page.ts';
-import { exploreExports } from './pages/explore/exports.ts';
 import { createPlayer } from './pages/explore/player.ts';
+import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
 import { shell } from './pages/shell.ts';
 import { announcement } from './state/announce.ts';
+import type { CloserLook } from './state/closer-look.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
 import { exampleOf } from './state/example.ts';
 import { fromFile, toFile } from './state/file.ts';
@@ -43,7 +44,8 @@ app.replaceChildren(header, main);
 
 let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
-const derive = createDerive();
+let closerLook: CloserLook | null = null;
+const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 const player = createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
 const theme = watchTheme(document.documentElement, requestRender);
@@ -86,8 +88,7 @@ const command = (id: string): Command | undefined => commands.find((c) => c.id =
 const dialogParts: DialogParts = {
   commands,
   thumbnail: () => explore?.scene.thumbnail() ?? null,
-  exports: async () =>
-    pages.current()?.exports() ?? (explore ? exploreExports(explore, modelNow) : []),
+  exports: async () => pages.current()?.exports() ?? (explore ? exportsOf(explore) : []),
   example: () => exampleOf(store.get()),
   page: () => store.get().page,
   dispatch: store.dispatch,
@@ -98,6 +99,30 @@ const dialogParts: DialogParts = {
     set: (on) => remember(SINGLE_KEYS, on ? 'on' : 'off'),
   },
 };
+
+/** Printers are of no use before somebody asks for one. */
+async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
+  const { exploreExports } = await late(() => import('./pages/explore/exports.ts'));
+  return exploreExports(shown, modelNow);
+}
+
+let looking = false;
+/** Asked again with every frame until it is there: what did not arrive may arrive now. */
+function loadCloserLook(): void {
+  if (closerLook || looking) return;
+  looking = true;
+  late(() => import('./state/closer-look.ts'))
+    .then(
+      (loaded) => {
+        closerLook = loaded.closerLook;
+        requestRender();
+      },
+      () => {},
+    )
+    .finally(() => {
+      looking = false;
+    });
+}
 
 let dialogs: Promise<Dialogs> | null = null;
 /** Their code is loaded when the first of them is asked for. */
@@ -131,6 +156,7 @@ const pages = createPageSwitcher(main, {
 function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
+  loadCloserLook();
   if (before !== null && before !== model && !player.playing) {
     const words = announcement(before, model);
     if (words) announce(words);

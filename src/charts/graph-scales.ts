@@ -1,8 +1,7 @@
-import { ticks as niceTicks } from 'd3-array';
 import type { GraphModel } from '../state/graph-model.ts';
 import { display } from '../text/format.ts';
 import type { Frame } from './graph-frame.ts';
-import { clamp } from './steps.ts';
+import { clamp, niceTicks } from './steps.ts';
 
 export interface Tick {
   readonly at: number;
@@ -27,7 +26,7 @@ const MOST_TICKS = 7;
 /** Labels of f stay within the fixed margin: four figures, or a power of ten is taken out of all of them. */
 const [LARGEST_LABEL, SMALLEST_LABEL] = [9999, 0.1];
 
-/** Between these a step of d3's ticks and its reciprocal are both doubles; beyond, its count of ticks overflows. */
+/** Between these a step and the number of its multiples are doubles with all their digits. */
 const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
 
 const FAR = 1e4;
@@ -59,7 +58,7 @@ interface Linear {
 
 type Pair = readonly [number, number];
 
-/** d3-scale's own would bring its colours along into the first chunk; the ticks, where the thought is, are d3's. */
+/** d3-scale's would bring its colours along, which the first load has no room for. */
 function linear(domain: Pair, range: Pair): Linear {
   const scale = (value: number): number => between(range, share(domain, value));
   return Object.assign(scale, {

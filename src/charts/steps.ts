@@ -28,6 +28,15 @@ export function snap(t: number, step: Step): number {
   return Number(`${multiple}e${step.power}`) + 0;
 }
 
+/** The multiples of a nice step from `from` to `to`, about `count` of them. */
+export function niceTicks(from: number, to: number, count: number): number[] {
+  const step = niceStep((to - from) / count);
+  const size = stepSize(step);
+  const first = Math.ceil(from / size);
+  const room = Math.floor(to / size) - first + 1;
+  return Array.from({ length: Math.max(0, room) }, (_, k) => snap((first + k) * size, step));
+}
+
 export function clamp(x: number, low: number, high: number): number {
   return Math.min(Math.max(x, low), high);
 }

@@ -170,6 +170,7 @@ function conditionLine(condition: ConditionStep, { numbers }: Derivation): Templ
 
 function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { verdict, found, contradicted, derivation, exactly, near, asTyped } = model;
+  const find = near?.find;
   const { relations, pieces } = verdict;
   const roots = rootTexts(exactly.found.hits.map(({ t }) => t));
   const at = roots.map((text, i) => `, t${subscript(i + 1)} = ${text}`).join('');
@@ -177,7 +178,7 @@ function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
     <strong>${pieces.map(said)}</strong></span>
     ${contradicted ? html`<span class="contradicted">exact arithmetic${asTyped.differs ? ' on the stored numbers' : ''} says: ${contradicted}${at}${near ? `; ${near.text}` : ''}</span>` : nothing}
-    ${near?.canTouch ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent' })}>Make it exactly tangent</button>` : nothing}
+    ${find ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent', find })}>Make it exactly tangent</button>` : nothing}
   </p>
   ${typedWords(asTyped)}`;
 }

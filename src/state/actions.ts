@@ -1,4 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
+import type { Tangent } from './nearest-tangent.ts';
 import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';
 import type { View } from './view.ts';
@@ -50,8 +51,8 @@ export type Action =
   | { readonly type: 'reveal'; readonly lines: number | null }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
-  /** To the nearest ray and shape that touch exactly, where there are such. */
-  | { readonly type: 'tangent' }
+  /** To a ray and a shape near the present ones that touch exactly, where there are such. */
+  | { readonly type: 'tangent'; readonly find: (now: AppState) => Tangent | null }
   | { readonly type: 'say'; readonly problems: readonly string[] }
   | { readonly type: 'dismiss' }
   | { readonly type: 'undo' }

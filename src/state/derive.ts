@@ -5,14 +5,15 @@ import type { Ray } from '../math/ray.ts';
 import type { Drawing, Stage } from '../math/shapes/drawing.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
-import { type AsTyped, asTyped } from './as-typed.ts';
+import type { AsTyped } from './as-typed.ts';
+import type { CloserLook } from './closer-look.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
 import { type Example, exampleOf } from './example.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
 import { type Handle, handlesOf } from './handles.ts';
-import { type NearTangent, nearTangent } from './near-tangent.ts';
-import { nearestTangent } from './nearest-tangent.ts';
+import type { NearTangent } from './near-tangent.ts';
+import type { Tangent } from './nearest-tangent.ts';
 import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
@@ -39,7 +40,7 @@ export interface ExploreModel {
   readonly example: Example | null;
   readonly verdict: VerdictWords;
   /** Where the numbers cannot be set any nearer to tangency. */
-  readonly near: (NearTangent & { readonly canTouch: boolean }) | null;
+  readonly near: Near | null;
   readonly hits: readonly HitWords[];
   readonly graph: GraphModel;
   readonly scene: SceneModel;
@@ -59,8 +60,21 @@ function remember<Args extends readonly unknown[], R>(
   };
 }
 
-/** A derive with a memory of its own, so that parts that did not change keep their identity from call to call. */
-export function createDerive(): (state: AppState) => ExploreModel {
+/** How near the ray is to tangency, and what finds a ray that touches, where there is one. */
+export interface Near extends NearTangent {
+  readonly find: ((state: AppState) => Tangent | null) | null;
+}
+
+const NOT_COMPARED: AsTyped = { differs: null, notes: [] };
+
+/**
+ * A derive with a memory of its own, so that parts that did not change keep their identity from
+ * call to call. `look` gives the code of a closer look, null as long as it is not loaded: then
+ * nothing is said of typed numbers and of near tangency.
+ */
+export function createDerive(
+  look: () => CloserLook | null = () => null,
+): (state: AppState) => ExploreModel {
   const ray = remember((E: AppState['E'], d: AppState['d'], unit: boolean) =>
     rayOf({ E, d, unit } as AppState),
   );
@@ -68,6 +82,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
   const check = remember(exactlyOf);
   const typed = remember(
     (
+      closer: CloserLook | null,
       texts: AppState['typed'],
       shape: Shape,
       E: AppState['E'],
@@ -75,7 +90,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       unit: boolean,
       ray: Ray,
       found: Intersection,
-    ) => asTyped({ texts, shape, E, d, unit }, ray, found),
+    ) => closer?.asTyped({ texts, shape, E, d, unit }, ray, found) ?? NOT_COMPARED,
   );
   const steps = remember(derivation);
   const graphFor = remember(graphOf);
@@ -86,15 +101,24 @@ export function createDerive(): (state: AppState) => ExploreModel {
       handlesOf({ shape, E, d, unit, ray, drawing }),
   );
   const nearly = remember(
-    (shape: Shape, ray: Ray, exactly: Exactly, held: readonly Handle[], state: AppState) => {
-      const near = nearTangent(shape, ray, exactly, held);
-      return near && { ...near, canTouch: nearestTangent(state) !== null };
+    (
+      closer: CloserLook | null,
+      shape: Shape,
+      ray: Ray,
+      exactly: Exactly,
+      held: readonly Handle[],
+      state: AppState,
+    ): Near | null => {
+      const near = closer?.nearTangent(shape, ray, exactly, held);
+      if (!closer || !near) return null;
+      return { ...near, find: closer.nearestTangent(state) && closer.nearestTangent };
     },
   );
   const ghostly = remember((ghost: Ghost | null) =>
     ghost ? { ray: ghost.ray, found: intersect(ghost.shape, ghost.ray) } : null,
   );
   return (state) => {
+    const closer = look();
     const shape = shapeOf(state);
     const definition = definitionOf(shape);
     const { meaning } = definition;
@@ -107,7 +131,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
     const s = stage(shape, r, found);
     const picture = drawing(shape, s);
     const held = handles(shape, state.E, state.d, state.unit, r, picture);
-    const near = nearly(shape, r, exactly, held, state);
+    const near = nearly(closer, shape, r, exactly, held, state);
     const words = verdictWords(found, shape, r);
     const verdict =
       near && exactClass === found.class
@@ -136,7 +160,7 @@ export function createDerive(): (state: AppState) => ExploreModel {
       found,
       contradicted: exactClass === found.class ? null : exactClass,
       exactly,
-      asTyped: typed(state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
+      asTyped: typed(closer, state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
       derivation: derived,
       example: exampleOf(state),
       verdict,

@@ -6,7 +6,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
 import { exampleOf } from './example.ts';
 import { GALLERY } from './gallery/index.ts';
-import { nearestTangent } from './nearest-tangent.ts';
+import type { Tangent } from './nearest-tangent.ts';
 import {
   type AppState,
   INITIAL,
@@ -88,7 +88,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'ghost':
       return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
     case 'tangent':
-      return toTangent(state);
+      return toTangent(state, action.find(state));
     case 'say':
       return { ...state, problems: action.problems };
     case 'dismiss':
@@ -100,8 +100,7 @@ function updated(state: AppState, action: Action): AppState {
   }
 }
 
-function toTangent(state: AppState): AppState {
-  const found = nearestTangent(state);
+function toTangent(state: AppState, found: Tangent | null): AppState {
   if (!found) return state;
   const turned = withRay(withRay(state, 'E', found.E), 'd', found.d);
   return Object.entries(found.shape).reduce(

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { Vec3 } from '../../src/math/vec3.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
@@ -48,7 +49,7 @@ function differences(hash: string, shown: readonly [string, string][]): string |
 
 /** Every number that is said of a link, by the math module itself. */
 export function quantitiesOf(hash: string): Map<string, string> {
-  const model = createDerive()(decode(hash, INITIAL));
+  const model = createDerive(() => closerLook)(decode(hash, INITIAL));
   const found = new Map<string, string>();
   const put = (name: string, x: number): void => {
     found.set(name, shortest(x));

@@ -31,6 +31,7 @@ import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import { surfacesOf } from '../../src/scene/surfaces.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { validateScene } from '../../src/scene/validate.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { newThing } from '../../src/state/picture/edits.ts';
@@ -257,7 +258,7 @@ describe('Check', () => {
 
 describe('Explore', () => {
   const link = `#/explore?shape=${KIND}&C=0.5,1,-0.25&r=1.25&E=4,1,0.125&d=-1,0.125,0&method=${METHOD}`;
-  const model = createDerive()(decode(link));
+  const model = createDerive(() => closerLook)(decode(link));
 
   test('a link opens it, and the state makes the same link', () => {
     const state = decode(link);
@@ -272,7 +273,7 @@ describe('Explore', () => {
     expect(model.found).toEqual(intersect(toy([0.5, 1, -0.25], 1.25), shapeRay(link), METHOD));
     expect(model.verdict.text).not.toMatch(/undefined|null|NaN/);
     const along = decode(`#/explore?shape=${KIND}&d=0,1,0&E=9,0,0`);
-    expect(createDerive()(along).verdict.text).not.toMatch(/undefined|null|NaN/);
+    expect(createDerive(() => closerLook)(along).verdict.text).not.toMatch(/undefined|null|NaN/);
   });
 
   describe.each(EXPORTS.map((one) => [one.id, one] as const))('export %s', (_, { text }) => {

@@ -36,7 +36,6 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
 const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['canvas'],
   lit: ['ui', 'panels', 'charts', 'pages', 'main'],
-  'd3-array': ['charts'],
   'd3-scale': ['charts'],
   fflate: ['state'],
 };

@@ -5,6 +5,7 @@ import type { Input } from '../../check/types.ts';
 import { ownNumbers } from '../../panels/check-own.ts';
 import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
+import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
 import { typedValues } from '../../state/meant.ts';
 import { type AppState, rayOf, shapeOf } from '../../state/state.ts';
@@ -12,7 +13,7 @@ import type { LeftPart, PartContext } from './part.ts';
 
 /** A student's own derivation for the ray and shape of the link, which are Explore's. */
 export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   let texts: Texts = memory.own();
   let input: Input | null = null;
   let typed: AppState['typed'] | null = null;

@@ -4,6 +4,7 @@ import { POINT } from '../../math/formula/common.ts';
 import { evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
 import { valuesOf } from '../../math/methods/tree-method.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
 import { sceneBefore } from '../../state/scene-before.ts';
 import type { GhostModel, SceneModel } from '../../state/scene-model.ts';
@@ -51,7 +52,7 @@ export interface Wanted {
 
 /** A derive with a memory of its own for one picture. */
 export function createPicture(): (wanted: Wanted) => SceneModel {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   let last: Wanted | null = null;
   let before: SceneModel | null = null;
   let state = INITIAL;

@@ -1,16 +1,11 @@
 import type { ExploreModel } from '../../state/derive.ts';
-import { late } from '../../ui/late.ts';
+import { EXPORTS } from '../../state/exports/index.ts';
 import { svgText } from '../../ui/svg-text.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { Explore } from './explore-page.ts';
 
 /** What can be taken from the Explore page: texts made from the model, and its two pictures. */
-export async function exploreExports(
-  explore: Explore,
-  model: () => ExploreModel,
-): Promise<ExportItem[]> {
-  // Printers are of no use before somebody asks for one.
-  const { EXPORTS } = await late(() => import('../../state/exports/index.ts'));
+export function exploreExports(explore: Explore, model: () => ExploreModel): ExportItem[] {
   const texts = EXPORTS.map(
     ({ id, title, extension, mime, text }): ExportItem => ({
       id,

@@ -1,13 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import type { Action } from '../../../src/state/actions.ts';
 import { announcement } from '../../../src/state/announce.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
 
 function heard(link: string, action: Action): string {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const state = decode(link, INITIAL);
   return announcement(derive(state), derive(update(state, action)));
 }
@@ -43,14 +44,14 @@ test('looking around is silent', () => {
 });
 
 test('what is hidden is not told', () => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const state = update(decode(NEAR, INITIAL), { type: 'reveal', lines: 0 });
   const next = update(state, { type: 'param', key: 'radius', value: 1.5 });
   expect(announcement(derive(state), derive(next))).toBe('r 1.5.');
 });
 
 describe('an example', () => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const opened = update(INITIAL, { type: 'preset', id: 'circle-rim' });
   const moved = update(opened, { type: 'param', key: 'radius', value: 3 });
 

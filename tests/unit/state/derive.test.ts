@@ -6,6 +6,7 @@ import type { ShapeKind } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import {
   type AppState,
@@ -18,12 +19,13 @@ import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
 import { anyPicture, PICTURED } from './random-state.ts';
 
-const open = (query: string): ExploreModel => createDerive()(decode(`#/explore?${query}`));
+const open = (query: string): ExploreModel =>
+  createDerive(() => closerLook)(decode(`#/explore?${query}`));
 const having = (...actions: Action[]): AppState => actions.reduce(update, INITIAL);
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
 
 describe('what did not change keeps its identity', () => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const before = derive(INITIAL);
   const moved = derive(having({ type: 'origin', value: [2.9, 1, 1] }));
 
@@ -34,7 +36,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('the very same state: everything costly stays', () => {
-    const again = createDerive();
+    const again = createDerive(() => closerLook);
     const first = again(INITIAL);
     const second = again(INITIAL);
     expect(second.found).toBe(first.found);
@@ -45,7 +47,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('another view or bead: nothing is computed anew but the picture', () => {
-    const own = createDerive();
+    const own = createDerive(() => closerLook);
     const first = own(INITIAL);
     const looked = own(having({ type: 'view', view: 'top' }));
     expect(looked.found).toBe(first.found);
@@ -57,7 +59,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('another slope: another drawing, and back again the numbers of before', () => {
-    const own = createDerive();
+    const own = createDerive(() => closerLook);
     const first = own(INITIAL);
     const wide = own(having({ type: 'param', key: 'slope', value: 1 }));
     expect(wide.scene.drawing).not.toBe(first.scene.drawing);
@@ -66,14 +68,16 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('two derives do not share a memory', () => {
-    expect(createDerive()(INITIAL).found).not.toBe(createDerive()(INITIAL).found);
+    expect(createDerive(() => closerLook)(INITIAL).found).not.toBe(
+      createDerive(() => closerLook)(INITIAL).found,
+    );
   });
 });
 
 describe('the model is the math module’s answer', () => {
   test.each(KINDS)('%s', (kind) => {
     const state = having({ type: 'shape', kind });
-    const model = createDerive()(state);
+    const model = createDerive(() => closerLook)(state);
     expect(model.found).toEqual(intersect(shapeOf(state), model.ray, state.method));
     expect(model.ray).toEqual({ origin: state.E, direction: state.d });
     expect(model.shape).toBe(shapeOf(state));
@@ -285,7 +289,7 @@ describe('the stage', () => {
   });
 
   test.each(KINDS)('%s: no slider makes it jump', (kind) => {
-    const derive = createDerive();
+    const derive = createDerive(() => closerLook);
     const steps = 60;
     for (const { name, range, at } of slidersOf(kind)) {
       const stageAt = (x: number): Stage => derive(at(x)).scene.stage;
@@ -379,8 +383,8 @@ describe.each(WORLDS)('a world of size %d', (size) => {
         { type: 'origin', value: scaled(base.E) } as const,
         { type: 'direction', value: d } as const,
       ].reduce(update, base);
-      const { scene, graph, found } = createDerive()(state);
-      const ordinary = createDerive()(base);
+      const { scene, graph, found } = createDerive(() => closerLook)(state);
+      const ordinary = createDerive(() => closerLook)(base);
       expect(found.class).toBe(ordinary.found.class);
       expect(scene.drawing.patches).toHaveLength(ordinary.scene.drawing.patches.length);
       expect(brokenNumbers(scene, (path) => TOLD.test(path))).toEqual([]);
@@ -394,7 +398,7 @@ const SEED = 14142;
 test(`nothing breaks a scene or a graph: 400 states of any numbers up to ${PICTURED}, seed ${SEED}`, () => {
   fc.assert(
     fc.property(anyPicture, (state) => {
-      const { scene, graph, found } = createDerive()(state);
+      const { scene, graph, found } = createDerive(() => closerLook)(state);
       const nan = (model: unknown) => brokenNumbers(model, () => true);
       // Where a float method cannot decide, f itself is not known; the page says that.
       const known = found.class === 'undecided' ? { ...graph, A: 0, B: 0, C: 0 } : graph;

@@ -9,6 +9,7 @@ import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { withPoint } from '../../../src/math/shapes/planar.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { exactlyOf } from '../../../src/state/exact-digits.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
@@ -54,7 +55,7 @@ function ordinary(kind: AppState['kind'], random: Random): AppState {
 
 /** What a drag of E, or of the tip of d, over the place where D changes its sign leaves; null where there is no such place. */
 function snapped(state: AppState, symbol: 'E' | 'd', random: Random): AppState | null {
-  const model = createDerive()(state);
+  const model = createDerive(() => closerLook)(state);
   const handle = model.scene.handles.find((h) => h.symbol === symbol);
   if (!handle?.tangency || typeof handle.value === 'number') return null;
   const [from, course] = [handle.value, vector(random, symbol === 'E' ? 0.3 : 0.05)];
@@ -72,7 +73,7 @@ const cases = (kind: AppState['kind'], seed: number): AppState[] => {
 
 describe.each(CURVED)('%s', (kind) => {
   const states = cases(kind, 20260711);
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
 
   test('what a drag snaps to is said to touch as nearly as doubles can, after it is let go too', () => {
     expect(states.length).toBeGreaterThan(RANDOM_STATES / 3);
@@ -108,7 +109,7 @@ describe.each(CURVED)('%s', (kind) => {
       const touched = intersect(found.shape, ray, 'exact');
       expect(touched.class).toBe('tangent');
       expect(touched.hits[0]?.singular).toBe(false);
-      const history = advance(historyOf(state), { type: 'tangent' }, null);
+      const history = advance(historyOf(state), { type: 'tangent', find: nearestTangent }, null);
       expect(shapeOf(history.present)).toEqual(found.shape);
       expect(rayOf(history.present)).toEqual(ray);
       const back = advance(history, { type: 'undo' }, null).present;
