@@ -6,7 +6,7 @@ import type { Shape } from '../math/shapes/index.ts';
 import { display } from '../text/format.ts';
 import type { GraphModel } from './graph-model.ts';
 import { stretchesOf } from './stretches.ts';
-import { restingBead, windowOf } from './window.ts';
+import { graphWindowOf, restingBead } from './window.ts';
 import { type HitWords, hitSentences, hitWords } from './words.ts';
 
 /** The graph of f over the window, with the stretches of the ray and the bead. */
@@ -17,7 +17,7 @@ export function graphOf(
   bead: number | null,
 ): GraphModel {
   const span = found.class === 'contained' ? spanInFigure(shape, ray) : null;
-  const window = windowOf(found, span ? [span.from, span.to] : []);
+  const window = graphWindowOf(found, span ? [span.from, span.to] : []);
   const { A, B, C } = quadratic(found);
   const f = (t: number): number => (A * t + B) * t + C;
   const roots = hitWords(found);

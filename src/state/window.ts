@@ -14,6 +14,8 @@ const CLOSE = 0.02;
 /** Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between them. */
 const TOO_CLOSE = 1e-5;
 
+const TOGETHER = 't₁ and t₂ lie too close together to be told apart here';
+
 /** Room for differences of two such numbers. */
 const LARGEST = Number.MAX_VALUE / 4;
 
@@ -22,6 +24,20 @@ const LARGEST = Number.MAX_VALUE / 4;
  * `ends`: of what a line in a figure's plane has in common with the figure.
  */
 export function windowOf(found: Intersection, ends: readonly number[] = []): Window {
+  return within(found, [1, ...ends]);
+}
+
+/** The same for the graph alone: without the tip of d where that is so far off that two roots fall together. */
+export function graphWindowOf(found: Intersection, ends: readonly number[] = []): Window {
+  const whole = windowOf(found, ends);
+  const [first, last] = rootsOf(found);
+  if (first === undefined || last === undefined) return whole;
+  if (last - first > CLOSE * (whole.to - whole.from)) return whole;
+  const near = within(found, ends);
+  return near.note === TOGETHER ? whole : near;
+}
+
+function within(found: Intersection, ends: readonly number[]): Window {
   const roots = rootsOf(found).filter(Number.isFinite);
   const [first, last] = [roots[0], roots.at(-1)];
   if (first !== undefined && last !== undefined && first !== last) {
@@ -33,7 +49,7 @@ export function windowOf(found: Intersection, ends: readonly number[] = []): Win
       return { from: first - 0.6 * gap, to: last + 0.6 * gap, note };
     }
   }
-  return around([0, 1, ...roots, ...ends.filter(Number.isFinite), ...turningPoint(found)], roots);
+  return around([0, ...roots, ...ends.filter(Number.isFinite), ...turningPoint(found)], roots);
 }
 
 /** The points in t that the picture is about: the roots, and the plane's root where the figure is missed. */
@@ -57,7 +73,7 @@ function around(points: readonly number[], roots: readonly number[]): Window {
   return {
     from: Math.max(least - 0.14 * span, -LARGEST),
     to: Math.min(most + 0.3 * span, LARGEST),
-    note: close ? 't₁ and t₂ lie too close together to be told apart here' : null,
+    note: close ? TOGETHER : null,
   };
 }
 

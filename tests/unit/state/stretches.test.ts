@@ -54,3 +54,17 @@ test('a method that cannot tell names no stretch', () => {
   const { stretches } = graphOf(intersect(shape, ray, 'textbook'), shape, ray, null);
   expect(stretches.map(({ place }) => place)).toEqual(['behind', null]);
 });
+
+test.each([1, 1e-3, 1e-9, 1e-160, 1e9])(
+  'in a world of size %s two roots are told apart',
+  (size) => {
+    const shape: Shape = { kind: 'cylinder', center: [0, 0, 0], radius: size };
+    for (const start of [3, 1, 0.5]) {
+      const ray: Ray = { origin: [start * size, 0, size / 4], direction: [-1, 0, 0] };
+      const { from, to, note, roots } = graphOf(intersect(shape, ray), shape, ray, null);
+      expect(note).toBeNull();
+      const [first = 0, second = 0] = roots.map(({ t }) => t);
+      expect((second - first) / (to - from)).toBeGreaterThan(0.05);
+    }
+  },
+);
