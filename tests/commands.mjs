@@ -1,4 +1,5 @@
-// The README's other commands, each run once and briefly: what it promises has to start, do its work and end well.
+// The README's other commands, each run once and briefly: what it promises has to start, do its
+// work and end well.
 import { spawn, spawnSync } from 'node:child_process';
 import { createServer } from 'node:net';
 

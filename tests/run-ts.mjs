@@ -1,5 +1,6 @@
-// Runs a TypeScript program of the tests in Node, which cannot read TypeScript everywhere: bundled by Vite, then started
-// with the rest of the arguments. `node tests/run-ts.mjs tests/fuzz/page.ts --actions 1000`
+// Runs a TypeScript program of the tests in Node, which cannot read TypeScript everywhere: bundled
+// by Vite, then started with the rest of the arguments. `node tests/run-ts.mjs tests/fuzz/page.ts
+// --actions 1000`
 import { spawnSync } from 'node:child_process';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';

@@ -1,4 +1,5 @@
-// npm run shots: a screenshot of every preset, in each theme and on a phone, into test-results/shots, for people to look at.
+// npm run shots: a screenshot of every preset, in each theme and on a phone, into
+// test-results/shots, for people to look at.
 import { mkdirSync } from 'node:fs';
 import { chromium } from '@playwright/test';
 import { GALLERY } from '../src/state/gallery/index.ts';

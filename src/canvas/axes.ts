@@ -4,7 +4,10 @@ import type { Layer } from './layer.ts';
 import type { Projection } from './projection.ts';
 
 const ARM = 32;
-/** From the lower left corner, or more where an arm points there: the letter at its end takes room too. */
+/**
+ * From the lower left corner, or more where an arm points there: the letter at its end takes room
+ * too.
+ */
 const ORIGIN = 44;
 const LETTER = 24;
 /** Shorter arms point at the eye: the letter then stands beside the origin. */

@@ -11,7 +11,10 @@ import type { Theme } from './theme.ts';
 
 /** Length of an arrow where it is seen in full, in pixels at scale 1. */
 export const ARROW_LENGTH = 50;
-/** One that leads to the eye or away is drawn longer than it is, so that it can be taken; from here on it is left out. */
+/**
+ * One that leads to the eye or away is drawn longer than it is, so that it can be taken; from here
+ * on it is left out.
+ */
 const MIN_LENGTH = 34;
 const HIDDEN_BELOW = 9;
 /** They begin outside of the mark. */

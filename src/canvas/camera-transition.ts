@@ -3,8 +3,9 @@ import { mix, type Pose } from './camera.ts';
 const MILLISECONDS = 240;
 
 /**
- * The way from one pose to the next. A named view is travelled to; a dragged one is there at once, except for what the
- * drag did not ask for: leaving the view along the ray moves the camera's target, and that must not jump.
+ * The way from one pose to the next. A named view is travelled to; a dragged one is there at once,
+ * except for what the drag did not ask for: leaving the view along the ray moves the camera's
+ * target, and that must not jump.
  */
 export class CameraTransition {
   #from: Pose | null = null;

@@ -33,8 +33,9 @@ export function poseOf(view: View, ray: Ray, units: StageUnits): Pose {
 }
 
 /**
- * Looks from E along d. The camera stays on the ray's line but at the framing distance, before the line's nearest point
- * to the centre: with the eye in E itself a near wall would fill the frame and a far E would show a dot.
+ * Looks from E along d. The camera stays on the ray's line but at the framing distance, before the
+ * line's nearest point to the centre: with the eye in E itself a near wall would fill the frame and
+ * a far E would show a dot.
  */
 function alongRay(ray: Ray, units: StageUnits): Pose | null {
   const d = unit(ray.direction);

@@ -6,7 +6,8 @@ import type { Theme } from './theme.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
-// STIX italics: a capital is about 0.68 em wide and 0.66 em high, t and d are narrower; a subscript adds 0.36 em.
+// STIX italics: a capital is about 0.68 em wide and 0.66 em high, t and d are narrower; a subscript
+// adds 0.36 em.
 const WIDE = 0.68;
 const NARROW = 0.5;
 const SUB = 0.36;
@@ -97,7 +98,9 @@ function write(
   element.append(subscript);
 }
 
-/** The mathematical italic of a Latin letter: the font has no italic face, but these code points. */
+/**
+ * The mathematical italic of a Latin letter: the font has no italic face, but these code points.
+ */
 export function italic(letter: string): string {
   if (letter === 'h') return '\u210e';
   const code = letter.codePointAt(0) ?? 0;

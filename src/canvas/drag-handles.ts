@@ -21,7 +21,9 @@ const ROOM: readonly Part[] = [
 /** What has no mark of its own in the picture. */
 const GRIP: Part = ['circle', { class: 'scale-handle', r: 4.5 }];
 
-/** The handles over the picture: each can be focused and says its value, and has room for a finger. */
+/**
+ * The handles over the picture: each can be focused and says its value, and has room for a finger.
+ */
 export class DragHandles {
   readonly #arrows: Layer;
   readonly #handles: Layer;
@@ -112,7 +114,10 @@ export function handleCaptions(
   return [{ ...name, x: spot.x, y: spot.y, clear, angle: Math.PI / 2 }];
 }
 
-/** Where its mark is, brought into the frame when it lies outside: a handle that is focused must not go away. */
+/**
+ * Where its mark is, brought into the frame when it lies outside: a handle that is focused must not
+ * go away.
+ */
 function middle(
   { handle, place, spot }: HandlePlace,
   projection: Projection,

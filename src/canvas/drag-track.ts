@@ -8,7 +8,9 @@ import { along, type StageUnits } from './stage-units.ts';
 
 /** Turns pixels that the pointer has moved since it took the handle into values. */
 export interface DragTrack {
-  /** What the value is before the pointer moves: components that are the same have not been dragged. */
+  /**
+   * What the value is before the pointer moves: components that are the same have not been dragged.
+   */
   readonly start: Value;
   readonly perPixel: number;
   to(dx: number, dy: number): Value;
@@ -16,7 +18,10 @@ export interface DragTrack {
   ways(dx: number, dy: number): readonly Way[];
 }
 
-/** For a handle that is taken; with an axis it moves along that one only. Null outside of the picture. */
+/**
+ * For a handle that is taken; with an axis it moves along that one only. Null outside of the
+ * picture.
+ */
 export function trackOf(
   found: HandlePlace,
   axis: 0 | 1 | 2 | null,

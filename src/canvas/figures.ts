@@ -39,7 +39,9 @@ export interface Figures {
 const NORMAL = 0.2;
 const UP_RIGHT = -Math.PI / 4;
 const DOWN = Math.PI / 2;
-/** From E to the tip of d, in pixels at scale 1: below it the head becomes smaller, then goes away. */
+/**
+ * From E to the tip of d, in pixels at scale 1: below it the head becomes smaller, then goes away.
+ */
 const HEAD_FULL = 40;
 const HEAD_LEAST = 16;
 

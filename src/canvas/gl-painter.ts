@@ -11,8 +11,8 @@ import type { Theme } from './theme.ts';
 const MOST_PIXEL_RATIO = 2;
 
 /**
- * Five draw calls: ground, ray, back walls, front walls, lines of the shape. The ray comes first and writes depth, so a
- * front wall tints it, and a back wall does not.
+ * Five draw calls: ground, ray, back walls, front walls, lines of the shape. The ray comes first
+ * and writes depth, so a front wall tints it, and a back wall does not.
  */
 export class GlPainter implements Painter {
   readonly #renderer: WebGLRenderer;
@@ -25,7 +25,9 @@ export class GlPainter implements Painter {
   readonly #clear = new Color();
   #size = '';
 
-  /** Null without WebGL. Asked for here, since three writes an error to the console when it fails. */
+  /**
+   * Null without WebGL. Asked for here, since three writes an error to the console when it fails.
+   */
   static on(canvas: HTMLCanvasElement): GlPainter | null {
     try {
       const context = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: true });
@@ -66,7 +68,8 @@ export class GlPainter implements Painter {
       for (const stroke of list) paint(stroke, projection, ribbons, nearer);
       ribbons.end();
     }
-    // Blending on the opaque ground keeps faint walls free of the steps that eight-bit premultiplied colours have.
+    // Blending on the opaque ground keeps faint walls free of the steps that eight-bit
+    // premultiplied colours have.
     this.#renderer.setClearColor(this.#clear.setRGB(...theme.scene, SRGBColorSpace), 1);
     this.#surface.look(projection, theme);
     const camera = this.#camera;
@@ -84,8 +87,8 @@ export class GlPainter implements Painter {
   }
 
   dispose(): void {
-    // Browsers allow few contexts at a time, and one that waits for the garbage collector counts. Given up first, it frees
-    // everything, and nothing is deleted twice after a loss.
+    // Browsers allow few contexts at a time, and one that waits for the garbage collector counts.
+    // Given up first, it frees everything, and nothing is deleted twice after a loss.
     this.#renderer.forceContextLoss();
     for (const part of [this.#ground, this.#ray, this.#surface, this.#shape]) part.dispose();
     this.#renderer.dispose();

@@ -9,7 +9,10 @@ const PIECES = 24;
 /** Lines to each side at most: what is more is a carpet. */
 const MOST_LINES = 60;
 
-/** The ground grid, in stage units: lines at whole multiples of a round world step, fading into the background. */
+/**
+ * The ground grid, in stage units: lines at whole multiples of a round world step, fading into the
+ * background.
+ */
 export function ground(units: StageUnits): Stroke[] {
   const { center, radius } = units.stage;
   const step = roundStep(radius / 5);

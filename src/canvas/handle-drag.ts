@@ -43,7 +43,10 @@ interface Drag {
   last: Snapped;
 }
 
-/** One handle at a time is hovered, focused or dragged. A drag counts from where it began; a key press is a drag of one step. */
+/**
+ * One handle at a time is hovered, focused or dragged. A drag counts from where it began; a key
+ * press is a drag of one step.
+ */
 export class HandleDrag {
   readonly #context: DragContext;
   #drag: Drag | null = null;

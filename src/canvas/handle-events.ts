@@ -14,7 +14,10 @@ export function listenToHandles(
 ): () => void {
   const controller = new AbortController();
   const { signal } = controller;
-  /** The handle that a mouse has just taken: it has the focus, but a presenter's clicker still pages on. */
+  /**
+   * The handle that a mouse has just taken: it has the focus, but a presenter's clicker still pages
+   * on.
+   */
   let byMouse: Element | null = null;
   const setByMouse = (element: Element | null) => {
     byMouse = element;
@@ -92,7 +95,8 @@ export function listenToHandles(
   svg.addEventListener('pointerdown', down, { signal });
   // A mouse press would move the focus to whatever lies on top.
   svg.addEventListener('mousedown', (event) => event.preventDefault(), { signal });
-  // Chromium does not heed touch-action inside of an SVG: without this the page would scroll under a dragged handle.
+  // Chromium does not heed touch-action inside of an SVG: without this the page would scroll under
+  // a dragged handle.
   const still = (event: TouchEvent) => event.preventDefault();
   svg.addEventListener('touchstart', still, { signal, passive: false });
   svg.addEventListener('pointermove', move, { signal });

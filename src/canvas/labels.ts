@@ -39,12 +39,16 @@ const PER_TURN = 16;
 const PER_STEP = 70;
 const PER_SEGMENT_PIXEL = 10;
 const PER_PIXEL_OUTSIDE = 60;
-/** A label stays where it is until another place is clearly better, so that small moves do not make it jump. */
+/**
+ * A label stays where it is until another place is clearly better, so that small moves do not make
+ * it jump.
+ */
 const MOVE = 60;
 
 /**
- * Places labels one after the other at the best of eight positions around their marks, or a step away. `places` remembers the choice of
- * each label from frame to frame and is updated. The same wishes and memory give the same places.
+ * Places labels one after the other at the best of eight positions around their marks, or a step
+ * away. `places` remembers the choice of each label from frame to frame and is updated. The same
+ * wishes and memory give the same places.
  */
 export function placeLabels(
   wishes: readonly Wish[],
@@ -107,7 +111,10 @@ export function lengthInside(segment: Segment, box: Box): number {
   return (span[1] - span[0]) * Math.hypot(x2 - x1, y2 - y1);
 }
 
-/** From where to where a segment is inside a box, as shares of its length (Liang and Barsky's clipping). */
+/**
+ * From where to where a segment is inside a box, as shares of its length (Liang and Barsky's
+ * clipping).
+ */
 export function spanInside(
   [x1, y1, x2, y2]: Segment,
   { x, y, w, h }: Box,

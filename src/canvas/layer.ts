@@ -14,8 +14,9 @@ interface Entry {
 }
 
 /**
- * Keyed SVG elements in one <g>. Each frame asks for the elements it shows, by key; what is not asked for goes away. An
- * element keeps its identity from frame to frame (a focus or a drag on it survives), and only attributes that changed are written.
+ * Keyed SVG elements in one <g>. Each frame asks for the elements it shows, by key; what is not
+ * asked for goes away. An element keeps its identity from frame to frame (a focus or a drag on it
+ * survives), and only attributes that changed are written.
  */
 export class Layer {
   readonly root: SVGElement;

@@ -12,7 +12,10 @@ export interface LineOnScreen {
   reach(pixels: number): number;
 }
 
-/** Foreshortened to less than this, a line leads to the eye: it then moves as if it were seen at this length. */
+/**
+ * Foreshortened to less than this, a line leads to the eye: it then moves as if it were seen at
+ * this length.
+ */
 const MIN_FORESHORTENING = 0.12;
 /** Towards its vanishing point a line is drawn ever closer: from here on evenly. */
 const MIN_CLOSING = 0.1;

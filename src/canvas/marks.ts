@@ -42,7 +42,10 @@ const disc = (r: number, name: string): Part => ['circle', { r, class: name }];
 const path = (d: string, name: string): Part => ['path', { d, class: name }];
 const CROSS = 'M-5.5 -5.5L5.5 5.5M-5.5 5.5L5.5 -5.5';
 
-/** Drawn around (0, 0); 'scene-gap' is the ring in the scene's colour that lifts a mark off what is behind it. */
+/**
+ * Drawn around (0, 0); 'scene-gap' is the ring in the scene's colour that lifts a mark off what is
+ * behind it.
+ */
 const TEMPLATES: Record<MarkKind, readonly Part[]> = {
   E: [disc(16, 'scene-halo'), disc(10, 'scene-gap'), disc(8, 'scene-fill')],
   // The tip is at (0, 0): R(1) = E + d is where the head ends.
@@ -59,7 +62,10 @@ const TEMPLATES: Record<MarkKind, readonly Part[]> = {
   end: [path('M5 0L-6 -4.6L-6 4.6Z', 'scene-fill')],
 };
 
-/** A mark is a <g> that keeps its element while its key lives, so that a hit area can be put into it. */
+/**
+ * A mark is a <g> that keeps its element while its key lives, so that a hit area can be put into
+ * it.
+ */
 export function drawMarks(
   layer: Layer,
   marks: readonly Mark[],

@@ -23,7 +23,9 @@ interface Options {
 
 export type ShadedMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
-/** A mesh with its own shader, which writes premultiplied colours in sRGB, laid over what is there. */
+/**
+ * A mesh with its own shader, which writes premultiplied colours in sRGB, laid over what is there.
+ */
 export function shadedMesh(geometry: BufferGeometry, options: Options): ShadedMesh {
   const material = new RawShaderMaterial({
     ...options,

@@ -20,7 +20,10 @@ const BEYOND = 22;
 /** Over the ray, where it leaves the frame. */
 const ABOVE = 16;
 
-/** A pointer to R(t). When the ray is drawn it stands at the ray's end, else at the frame's edge towards the point. */
+/**
+ * A pointer to R(t). When the ray is drawn it stands at the ray's end, else at the frame's edge
+ * towards the point.
+ */
 export function pointerTo(
   point: Vec3,
   t: number,
@@ -50,7 +53,10 @@ interface VisibleRay {
   readonly course: readonly [number, number];
 }
 
-/** Where the drawn ray begins and ends within the frame; null when it is not in the frame, or seen head-on. */
+/**
+ * Where the drawn ray begins and ends within the frame; null when it is not in the frame, or seen
+ * head-on.
+ */
 export function visibleRay(
   model: SceneModel,
   units: StageUnits,
@@ -141,7 +147,10 @@ const STEP = 0.01;
 /** Shorter than this on the screen, in pixels for one step, a direction points at the eye. */
 const HEAD_ON = 0.02;
 
-/** The unit direction in which d leads on the screen at a point; null when it leads towards the eye or away from it. */
+/**
+ * The unit direction in which d leads on the screen at a point; null when it leads towards the eye
+ * or away from it.
+ */
 export function heading(at: Point, d: Vec3, projection: Projection): [number, number] | null {
   const step = unit(d);
   const from = step && projection.project(along(at, step, -STEP));

@@ -2,7 +2,10 @@ import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
 import { Ahead } from '../ui/ahead.ts';
 import { wrapped } from './camera.ts';
 
-/** Degrees a pixel of drag turns the scene by; a key press; what a wheel pixel and a key multiply the zoom by. */
+/**
+ * Degrees a pixel of drag turns the scene by; a key press; what a wheel pixel and a key multiply
+ * the zoom by.
+ */
 const PER_PIXEL = 0.4;
 const PER_KEY = 5;
 const PER_FINE_KEY = 1;
@@ -22,8 +25,9 @@ interface Orbit {
 }
 
 /**
- * Turns the scene by drag and arrow keys, zooms by wheel, pinch, + and −. It only asks for views: the state owns the
- * camera. A gesture counts from where it began, so a view that comes back rounded or late cannot make it drift.
+ * Turns the scene by drag and arrow keys, zooms by wheel, pinch, + and −. It only asks for views:
+ * the state owns the camera. A gesture counts from where it began, so a view that comes back
+ * rounded or late cannot make it drift.
  */
 export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   const ahead = new Ahead<FreeView>();
@@ -133,8 +137,9 @@ function rounded(x: number, parts: number): number {
 }
 
 /**
- * A wheel over a picture in a page that scrolls should scroll the page. It zooms where there is nothing to scroll, in a
- * scene that was clicked or tabbed into, and with ctrl, as a touchpad's pinch does.
+ * A wheel over a picture in a page that scrolls should scroll the page. It zooms where there is
+ * nothing to scroll, in a scene that was clicked or tabbed into, and with ctrl, as a touchpad's
+ * pinch does.
  */
 function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
   const page = document.scrollingElement;

@@ -17,7 +17,10 @@ const ENDS: Partial<Record<PatchEnd, { width: number; alpha: number; dash: Dash 
   'goes-on': { width: 1.5, alpha: GOES_ON_ALPHA, dash: [7, 5] },
 };
 
-/** The lines of a drawing that do not depend on the eye: rings, ends and helper lines, in stage units. */
+/**
+ * The lines of a drawing that do not depend on the eye: rings, ends and helper lines, in stage
+ * units.
+ */
 export function outline(drawing: Drawing, units: StageUnits): Stroke[] {
   return [
     ...drawing.patches.flatMap((patch) => rings(patch, units)),

@@ -12,7 +12,10 @@ import { at, type Pen, paint, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 import { drawTicks } from './ticks.ts';
 
-/** What lies over the picture at a fixed size: marks, normals, ticks, symbols, the small axes. Bottom to top. */
+/**
+ * What lies over the picture at a fixed size: marks, normals, ticks, symbols, the small axes.
+ * Bottom to top.
+ */
 export class Overlay {
   readonly #axes: Layer;
   readonly #ticks: Layer;

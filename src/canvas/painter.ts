@@ -2,7 +2,10 @@ import type { Projection } from './projection.ts';
 import type { Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
-/** The strokes of a frame in the order they are painted; the shape's walls come between `ray` and `shape`. */
+/**
+ * The strokes of a frame in the order they are painted; the shape's walls come between `ray` and
+ * `shape`.
+ */
 export interface Strokes {
   readonly ground: readonly Stroke[];
   readonly ray: readonly Stroke[];
@@ -11,13 +14,17 @@ export interface Strokes {
 
 /** Puts a frame on the screen, by WebGL or by SVG. */
 export interface Painter {
-  /** `ratio`: pixels of the picture for one of the page's, where that can be chosen; by default the screen's. */
+  /**
+   * `ratio`: pixels of the picture for one of the page's, where that can be chosen; by default the
+   * screen's.
+   */
   paint(strokes: Strokes, projection: Projection, theme: Theme, ratio?: number): void;
   dispose(): void;
 }
 
 /**
- * The ray is painted this much nearer than it is, in stage radii, so that a ray that lies in the surface is not broken up
- * by it: the sampled walls are off by up to 1 − cos(π/96) = 0.0005 of their radius.
+ * The ray is painted this much nearer than it is, in stage radii, so that a ray that lies in the
+ * surface is not broken up by it: the sampled walls are off by up to 1 − cos(π/96) = 0.0005 of
+ * their radius.
  */
 export const RAY_NEARER = 0.004;

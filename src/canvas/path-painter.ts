@@ -4,7 +4,10 @@ import type { Projection } from './projection.ts';
 import { at, type Pen, paint, type Run, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
-/** The scene as SVG paths, while there is no WebGL or its context is lost: every line, without the shaded walls. */
+/**
+ * The scene as SVG paths, while there is no WebGL or its context is lost: every line, without the
+ * shaded walls.
+ */
 export class PathPainter implements Painter, Pen {
   readonly #layer: Layer;
   #scale = 1;

@@ -3,19 +3,28 @@ import { type Pose, radians } from './camera.ts';
 import { along, dot, type Point } from './stage-units.ts';
 
 const FOV = 24;
-/** Distance of the camera, in stage radii, at zoom 1: the look of the comps, where the stage fills the frame's width. */
+/**
+ * Distance of the camera, in stage radii, at zoom 1: the look of the comps, where the stage fills
+ * the frame's width.
+ */
 const DISTANCE = 2.9;
 /** In a frame narrower than this the width decides, not the height. */
 const WIDEST_TALL = 1.6;
 
-/** A point in the frame: CSS pixels from the top left, and the depth that WebGL stores, −1 near to 1 far. */
+/**
+ * A point in the frame: CSS pixels from the top left, and the depth that WebGL stores, −1 near to 1
+ * far.
+ */
 export interface Spot {
   x: number;
   y: number;
   depth: number;
 }
 
-/** A pose in a frame of a given size: turns stage units into pixels, in doubles. GPU and SVG use this one projection. */
+/**
+ * A pose in a frame of a given size: turns stage units into pixels, in doubles. GPU and SVG use
+ * this one projection.
+ */
 export class Projection {
   readonly width: number;
   readonly height: number;
@@ -53,7 +62,10 @@ export class Projection {
     return dot(along(p, this.eye, -1), this.forward);
   }
 
-  /** Null for what lies behind the near plane. `nearer` pulls the depth (only) towards the eye, in stage radii. */
+  /**
+   * Null for what lies behind the near plane. `nearer` pulls the depth (only) towards the eye, in
+   * stage radii.
+   */
   project(p: Vec3, nearer = 0): Spot | null {
     const rel = along(p, this.eye, -1);
     const w = dot(rel, this.forward);
@@ -66,7 +78,10 @@ export class Projection {
     };
   }
 
-  /** A direction of the world on the screen, without perspective: pixels per stage unit at the target. y points down. */
+  /**
+   * A direction of the world on the screen, without perspective: pixels per stage unit at the
+   * target. y points down.
+   */
   onScreen(direction: Vec3): readonly [number, number] {
     return [dot(direction, this.right), -dot(direction, this.up)];
   }

@@ -31,7 +31,10 @@ export interface TreeModel {
   readonly chosen: string | null;
 }
 
-/** A pixel's rays in units, among the shapes that they touch. Drawn when something changed and never else. */
+/**
+ * A pixel's rays in units, among the shapes that they touch. Drawn when something changed and never
+ * else.
+ */
 export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   const root = document.createElement('div');
   root.className = 'scene-root tree-root';

@@ -13,7 +13,10 @@ const HELPER = { ink: 'ink3', width: 1, alpha: 0.75, dash: [4, 4] as Dash } as c
 
 type Line = Pick<SceneModel['ray'], 'origin' | 'direction'>;
 
-/** R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any size. */
+/**
+ * R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any
+ * size.
+ */
 export function pointAt(ray: Line, t: number, units: StageUnits): Point | null {
   return units.toStage(along(ray.origin, ray.direction, t));
 }

@@ -9,7 +9,8 @@ in vec3 position; in vec4 color; in vec3 across; in vec2 dash;
 out vec4 ink; out vec3 place; out vec2 pattern;
 void main() { ink = color; place = across; pattern = dash; gl_Position = vec4(position, 1.0); }`;
 
-// Edges are feathered over one device pixel by distance, so no multisampling is needed: it costs most where WebGL runs in software.
+// Edges are feathered over one device pixel by distance, so no multisampling is needed: it costs
+// most where WebGL runs in software.
 const FRAGMENT = `
 precision highp float;
 in vec4 ink; in vec3 place; in vec2 pattern; out vec4 result;
@@ -33,7 +34,10 @@ const QUAD = [0, 1, 2, 2, 1, 3] as const;
 /** A mitre longer than this many half widths would be a spike. */
 const MITRE_LIMIT = 2;
 
-/** Strokes as one mesh of flat ribbons, one draw call. Buffers grow by half and are otherwise reused from frame to frame. */
+/**
+ * Strokes as one mesh of flat ribbons, one draw call. Buffers grow by half and are otherwise reused
+ * from frame to frame.
+ */
 export class Ribbons implements Pen {
   readonly mesh: ShadedMesh;
   #vertices = 0;

@@ -17,7 +17,10 @@ const LIT_RAY = 1.35;
 /** Symbols of the shape's parameters; its own marks are added. */
 const SHAPE_SYMBOLS = new Set(['V', 'C', 'P', 'N', 'c', 'r', 'a', 'L', 'axis']);
 
-/** The lines and walls of a model. What depends only on drawing and stage is kept while they are the same objects. */
+/**
+ * The lines and walls of a model. What depends only on drawing and stage is kept while they are the
+ * same objects.
+ */
 export class SceneLines {
   grids: readonly Grid[] = [];
   #drawing: Drawing | null = null;

@@ -3,7 +3,10 @@ import { svgText } from '../ui/svg-text.ts';
 /** Pixels of the picture for one of the page's: sharp in print and on every screen. */
 export const PNG_SCALE = 2;
 
-/** The scene as a PNG: `painted` (canvas or SVG of lines), the overlay over it, on the scene's colour. */
+/**
+ * The scene as a PNG: `painted` (canvas or SVG of lines), the overlay over it, on the scene's
+ * colour.
+ */
 export async function scenePng(
   root: HTMLElement,
   painted: HTMLCanvasElement | SVGSVGElement,
@@ -27,7 +30,10 @@ export async function scenePng(
   return new Promise((resolve) => paper.toBlob(resolve, 'image/png'));
 }
 
-/** An SVG in an <img> does not see the page's fonts, so its words are left out and written by the canvas, which does. */
+/**
+ * An SVG in an <img> does not see the page's fonts, so its words are left out and written by the
+ * canvas, which does.
+ */
 function wordless(overlay: SVGSVGElement): string {
   overlay.classList.add('scene-wordless');
   try {

@@ -29,8 +29,8 @@ export interface MountedScene extends Mounted<SceneModel> {
 const NO_WEBGL = 'This browser has no WebGL: drawn without shading.';
 
 /**
- * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the frames. The state owns
- * the camera: gestures ask for a view, and the next render brings it.
+ * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the
+ * frames. The state owns the camera: gestures ask for a view, and the next render brings it.
  */
 export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene {
   const frame = createSceneElements(host, dispatch);

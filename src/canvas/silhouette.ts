@@ -11,16 +11,18 @@ export interface Chain {
 }
 
 /**
- * The silhouette of a patch: where its normal is at right angles to the line of sight, n · (p − eye) = 0. That function
- * of u and v is sampled on the grid, its zero set followed from cell to cell (marching squares), and each crossing is put
- * back on the true surface, so the line is smooth and does not care how coarse the grid is.
+ * The silhouette of a patch: where its normal is at right angles to the line of sight, n · (p −
+ * eye) = 0. That function of u and v is sampled on the grid, its zero set followed from cell to
+ * cell (marching squares), and each crossing is put back on the true surface, so the line is smooth
+ * and does not care how coarse the grid is.
  */
 export function silhouette(grid: Grid, projection: Projection, units: StageUnits): Chain[] {
   const facing = sample(grid, projection);
   const links = new Map<number, number[]>();
   const { columns, rows, patch } = grid;
   const across = columns + 1;
-  // Edges of the grid: 2k runs from sample k along u, 2k + 1 along v. In a closed patch the last column is the first.
+  // Edges of the grid: 2k runs from sample k along u, 2k + 1 along v. In a closed patch the last
+  // column is the first.
   const along = (i: number, j: number) => 2 * (j * across + i);
   const up = (i: number, j: number) =>
     2 * (j * across + (patch.closed && i === columns ? 0 : i)) + 1;

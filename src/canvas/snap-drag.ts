@@ -60,10 +60,16 @@ export function snapDrag(
     : { value: plain, reason: null, held: null };
 }
 
-/** A direction is taken for parallel to an axis only if it does not lead far out of the screen from it. */
+/**
+ * A direction is taken for parallel to an axis only if it does not lead far out of the screen from
+ * it.
+ */
 const MAX_ANGLE_DEG = 30;
 
-/** The axes through E that the dragged tip of d is near to on the screen, each with the length that is seen there. */
+/**
+ * The axes through E that the dragged tip of d is near to on the screen, each with the length that
+ * is seen there.
+ */
 export function axisOffers(
   handle: Handle,
   value: Value,

@@ -4,12 +4,15 @@ import type { Vec3 } from '../math/vec3.ts';
 /** A point in stage units: the stage's centre is 0 and its radius 1. */
 export type Point = [number, number, number];
 
-/** Beyond this many stage radii a point is a direction, not a place: float32 and SVG would show noise. */
+/**
+ * Beyond this many stage radii a point is a direction, not a place: float32 and SVG would show
+ * noise.
+ */
 const FAR = 1e5;
 
 /**
- * World → stage units, in doubles. GPUs and SVG attributes carry float32, so a world of size 1e-9 or 1e7 must be brought
- * to size 1 before it leaves the CPU; afterwards all worlds look alike.
+ * World → stage units, in doubles. GPUs and SVG attributes carry float32, so a world of size 1e-9
+ * or 1e7 must be brought to size 1 before it leaves the CPU; afterwards all worlds look alike.
  */
 export class StageUnits {
   readonly stage: Stage;
@@ -42,7 +45,10 @@ export class StageUnits {
   }
 }
 
-/** v with length 1; null for zero and for what is not finite. Scaled first, so that no square over- or underflows. */
+/**
+ * v with length 1; null for zero and for what is not finite. Scaled first, so that no square over-
+ * or underflows.
+ */
 export function unit(v: Vec3): Point | null {
   const size = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   if (!(size > 0 && size < Infinity)) return null;

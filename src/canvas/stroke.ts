@@ -17,7 +17,10 @@ export interface Stroke {
   readonly dash: Dash | null;
 }
 
-/** The visible piece of a stroke, in pixels: x, y, depth, opacity of each point. Valid only until the next one. */
+/**
+ * The visible piece of a stroke, in pixels: x, y, depth, opacity of each point. Valid only until
+ * the next one.
+ */
 export interface Run {
   readonly data: readonly number[];
   readonly count: number;
@@ -66,7 +69,8 @@ export function paint(stroke: Stroke, projection: Projection, pen: Pen, nearer =
     const w = projection.distance([x, y, z]);
     const isSeen = w >= projection.near;
     if (k > 0 && isSeen !== wasSeen) {
-      // Cut where the line passes the near plane; a hair in front of it, so that rounding cannot lose the point.
+      // Cut where the line passes the near plane; a hair in front of it, so that rounding cannot
+      // lose the point.
       broken = true;
       const p = 3 * (k - 1);
       const [px, py, pz] = [at(points, p), at(points, p + 1), at(points, p + 2)];

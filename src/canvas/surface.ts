@@ -37,7 +37,10 @@ void main() {
 
 const SIZES = { position: 3, normal: 3, fade: 1 } as const;
 
-/** All patches of a drawing as one mesh, drawn twice: back walls, then front walls. Nothing writes depth. */
+/**
+ * All patches of a drawing as one mesh, drawn twice: back walls, then front walls. Nothing writes
+ * depth.
+ */
 export class Surface {
   readonly back = wall(BackSide);
   readonly front = wall(FrontSide);
@@ -111,7 +114,10 @@ function wall(side: Side): ShadedMesh {
   });
 }
 
-/** Returns how many indices are used after this grid. Triangles at a point without a normal are left out. */
+/**
+ * Returns how many indices are used after this grid. Triangles at a point without a normal are left
+ * out.
+ */
 function addTriangles(
   grid: Grid,
   first: number,

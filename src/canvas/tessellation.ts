@@ -2,14 +2,20 @@ import type { Patch, PatchEnd } from '../math/shapes/drawing.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Point, type StageUnits, smoothstep, unit } from './stage-units.ts';
 
-/** Steps around a closed patch: the chord of 1/96 of a turn leaves the circle by 0.05 % of its radius, less than a pixel. */
+/**
+ * Steps around a closed patch: the chord of 1/96 of a turn leaves the circle by 0.05 % of its
+ * radius, less than a pixel.
+ */
 const AROUND = 96;
 const ACROSS = 24;
 /** Straight profiles still need steps along v, for the opacity that fades. */
 const LEAST_ALONG = 16;
 const MOST_ALONG = 72;
 
-/** Over which part of v (or u) a surface fades towards an end that goes on, and what is left of it there. */
+/**
+ * Over which part of v (or u) a surface fades towards an end that goes on, and what is left of it
+ * there.
+ */
 const FADE_LENGTH = 0.72;
 const FADE_SIDES = 0.26;
 const FADE_REST = 0.06;
@@ -53,7 +59,10 @@ export function tessellate(patch: Patch, units: StageUnits): Grid {
   return { ...grid, outward: windsOutward(grid) };
 }
 
-/** In a point where the gradient is zero (a cone's vertex) the normal is taken from just beside it, on the same ruling. */
+/**
+ * In a point where the gradient is zero (a cone's vertex) the normal is taken from just beside it,
+ * on the same ruling.
+ */
 function normalAt(patch: Patch, u: number, v: number, step: number): Point | null {
   const n = unit(patch.normal(u, v));
   return n ?? unit(patch.normal(u, v + (v < 0.5 ? step : -step) / 8));

@@ -1,4 +1,7 @@
-/** The colours that lines and surfaces are drawn in; marks and labels take theirs from the same custom properties by CSS. */
+/**
+ * The colours that lines and surfaces are drawn in; marks and labels take theirs from the same
+ * custom properties by CSS.
+ */
 export type Ink = 'shape' | 'd' | 'hit' | 'normal' | 'ink3' | 'edge';
 
 export type Rgb = readonly [number, number, number];
@@ -18,8 +21,9 @@ export interface Theme {
 }
 
 /**
- * The tokens' opacities were measured in linear light, and the GPU blends in sRGB, where the same number covers more of
- * a light ground and less of a dark one. With these factors the pixels are those of the pictures.
+ * The tokens' opacities were measured in linear light, and the GPU blends in sRGB, where the same
+ * number covers more of a light ground and less of a dark one. With these factors the pixels are
+ * those of the pictures.
  */
 const WALLS_BY_DAY = 0.6;
 const WALLS_BY_NIGHT = 1.1;
@@ -51,7 +55,10 @@ function luminance([r, g, b]: Rgb): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
-/** Calls back when the page's theme changes, by attribute or by the system's setting. Returns a function that stops it. */
+/**
+ * Calls back when the page's theme changes, by attribute or by the system's setting. Returns a
+ * function that stops it.
+ */
 export function onThemeChange(changed: () => void): () => void {
   const observer = new MutationObserver(changed);
   observer.observe(document.documentElement, { attributeFilter: ['data-theme', 'class', 'style'] });
@@ -63,7 +70,10 @@ export function onThemeChange(changed: () => void): () => void {
   };
 }
 
-/** '#1c1f24', '#abc' or 'rgb(28, 31, 36)' → 0 … 1 in sRGB. Anything else is a middle grey, which shows on every theme. */
+/**
+ * '#1c1f24', '#abc' or 'rgb(28, 31, 36)' → 0 … 1 in sRGB. Anything else is a middle grey, which
+ * shows on every theme.
+ */
 export function rgb(color: string): Rgb {
   const hex = /^#([\da-f]{3}|[\da-f]{6})$/i.exec(color)?.[1];
   const full = hex?.length === 3 ? hex.replace(/./g, '$&$&') : hex;

@@ -18,7 +18,9 @@ const SHOWN: readonly MarkKind[] = ['E', 'first', 'other', 'rejected', 'end'];
 /** Of the samples around a patch each fourth is enough at this size. */
 const COARSE = 4;
 
-/** A small still picture without words. Its colours are custom properties, so it follows the theme. */
+/**
+ * A small still picture without words. Its colours are custom properties, so it follows the theme.
+ */
 export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('class', 'scene-thumbnail');
@@ -46,7 +48,10 @@ export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
   host.replaceChildren(svg);
 }
 
-/** All cells of a patch as one path, each turned the same way round, so that together they fill what the patch covers, once. */
+/**
+ * All cells of a patch as one path, each turned the same way round, so that together they fill what
+ * the patch covers, once.
+ */
 function silhouettes({ columns, rows, points }: Grid, projection: Projection): string {
   const across = columns + 1;
   const spots = (k: number) =>

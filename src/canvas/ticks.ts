@@ -13,7 +13,10 @@ import type { Theme } from './theme.ts';
 const HALF = 6;
 const BELOW = 18;
 const FONT = 12.5;
-/** So near to a root, to E or to the tip of d, or to the bead, in steps of the ticks, there is no number: their labels stand there. */
+/**
+ * So near to a root, to E or to the tip of d, or to the bead, in steps of the ticks, there is no
+ * number: their labels stand there.
+ */
 const NEAR_ROOT = 0.6;
 const NEAR_BEAD = 0.25;
 /** Digits of a number on the ray: as many as tell it from its neighbours. */

@@ -9,8 +9,9 @@ import type { StageUnits } from './stage-units.ts';
 const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
 
 /**
- * Where the camera stands, and which part of the world it frames: as the model has it, but held still while something is
- * dragged. A picture that made room for what is dragged out of it would run away from the pointer.
+ * Where the camera stands, and which part of the world it frames: as the model has it, but held
+ * still while something is dragged. A picture that made room for what is dragged out of it would
+ * run away from the pointer.
  */
 export class Viewpoint {
   readonly #transition = new CameraTransition();
@@ -27,7 +28,10 @@ export class Viewpoint {
     return stage === model.stage ? model : { ...model, stage };
   }
 
-  /** Points the camera at the model's view: on the way there when the view itself has changed, at once when only the scene has. */
+  /**
+   * Points the camera at the model's view: on the way there when the view itself has changed, at
+   * once when only the scene has.
+   */
   aim(model: SceneModel, units: StageUnits, now: number): void {
     const { view } = model;
     const isAsked = this.#view !== null && !sameView(this.#view, view);
@@ -41,7 +45,10 @@ export class Viewpoint {
     return this.#transition.pose(now);
   }
 
-  /** Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the way to a named one, where the camera is. */
+  /**
+   * Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the
+   * way to a named one, where the camera is.
+   */
   current(model: SceneModel | null): FreeView {
     if (model && typeof model.view !== 'string') return model.view;
     return this.#transition.shown ? freeOf(this.#transition.shown) : FIRST;
@@ -67,7 +74,10 @@ export class Viewpoint {
 /** Stages that differ by more have nothing in common that a move of the camera could show. */
 const APART = 1e4;
 
-/** The same camera in the units of another stage; null where there it would stand in one point with what it looks at, or nowhere. */
+/**
+ * The same camera in the units of another stage; null where there it would stand in one point with
+ * what it looks at, or nowhere.
+ */
 export function restaged(
   { target, azimuth, elevation, zoom }: Pose,
   from: Stage,

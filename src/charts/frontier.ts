@@ -99,7 +99,10 @@ function scalesOf({ marks, worthTicks }: FrontierModel, { left, right, top, bott
   };
 }
 
-/** At the right end of the axis' title, or in a line of its own below it: above all that leads to a mark. */
+/**
+ * At the right end of the axis' title, or in a line of its own below it: above all that leads to a
+ * mark.
+ */
 function noteBox(title: string, field: Field): Box {
   const size = labelSize(NOTE, field.em);
   const left = field.right - size.width;

@@ -8,7 +8,10 @@ import { halo } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
 
-/** The bead on the graph, a slider for keyboard and screen readers. Its area for fingers is 44 px wide. */
+/**
+ * The bead on the graph, a slider for keyboard and screen readers. Its area for fingers is 44 px
+ * wide.
+ */
 export function bead(
   model: GraphModel,
   scales: Scales,
@@ -43,7 +46,10 @@ function inWords({ bead: { t, f } }: GraphModel): string {
   return Number.isFinite(f) ? `t ${display(t)}, f ${display(f)}` : `t ${display(t)}`;
 }
 
-/** f(t) and R(t) of the bead. It stays at one place, over the plot: numbers that change are read best when they stand still. */
+/**
+ * f(t) and R(t) of the bead. It stays at one place, over the plot: numbers that change are read
+ * best when they stand still.
+ */
 export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): TemplateResult {
   const digits = frame.narrow ? 4 : 6;
   const part = (name: string, value: number, precision = 6) =>

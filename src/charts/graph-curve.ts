@@ -2,7 +2,10 @@ import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import type { Frame } from './graph-frame.ts';
 
-/** v(u) = a u² + b u + c: the graph in units of the plot, u from left (0) to right (1), v from bottom (0) to top (1). */
+/**
+ * v(u) = a u² + b u + c: the graph in units of the plot, u from left (0) to right (1), v from
+ * bottom (0) to top (1).
+ */
 export interface Parabola {
   readonly a: number;
   readonly b: number;
@@ -17,7 +20,10 @@ interface Piece {
   readonly where: 'drawn' | 'above' | 'below';
 }
 
-/** What is farther than a plot's height outside is cut off here, so that coordinates stay small; a clip path does the rest. */
+/**
+ * What is farther than a plot's height outside is cut off here, so that coordinates stay small; a
+ * clip path does the rest.
+ */
 const [LOWEST, HIGHEST] = [-1, 2];
 /** Halvings until the cut is exact to the last bit of u. */
 const HALVINGS = 54;
@@ -100,7 +106,9 @@ function piece(parabola: Parabola, from: number, to: number): Piece {
   return { from, to, where: middle > HIGHEST ? 'above' : middle < LOWEST ? 'below' : 'drawn' };
 }
 
-/** Where a monotone part crosses the levels of the cut. Bisection: pixels are asked for, not roots. */
+/**
+ * Where a monotone part crosses the levels of the cut. Bisection: pixels are asked for, not roots.
+ */
 function crossings(parabola: Parabola, from: number, to: number): number[] {
   const found = [LOWEST, HIGHEST].flatMap((level) => {
     const side = (u: number) => heightAt(parabola, u) > level;

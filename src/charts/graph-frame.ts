@@ -1,4 +1,7 @@
-/** What the page's style says: the size of the graph, one caption em, and the factor on marks. All in CSS px. */
+/**
+ * What the page's style says: the size of the graph, one caption em, and the factor on marks. All
+ * in CSS px.
+ */
 export interface Metrics {
   readonly width: number;
   readonly height: number;
@@ -6,7 +9,10 @@ export interface Metrics {
   readonly mark: number;
 }
 
-/** The plot within the graph. The margins depend on the type size only, so that nothing moves while numbers change. */
+/**
+ * The plot within the graph. The margins depend on the type size only, so that nothing moves while
+ * numbers change.
+ */
 export interface Frame extends Metrics {
   readonly left: number;
   readonly right: number;

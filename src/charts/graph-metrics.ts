@@ -1,8 +1,8 @@
 import type { Metrics } from './graph-frame.ts';
 
 /**
- * Watches the size of the host and, by a hidden element as large as one caption em and ten mark pixels, the type and
- * mark sizes of the theme. `slot` is where the graph is drawn.
+ * Watches the size of the host and, by a hidden element as large as one caption em and ten mark
+ * pixels, the type and mark sizes of the theme. `slot` is where the graph is drawn.
  */
 export function watchMetrics(host: HTMLElement, changed: () => void) {
   const probe = document.createElement('span');

@@ -9,9 +9,15 @@ export interface Shown {
   readonly scales: Scales;
 }
 
-/** Parts of the shown range: one arrow key, and what a drag snaps to, so that the numbers stay short. */
+/**
+ * Parts of the shown range: one arrow key, and what a drag snaps to, so that the numbers stay
+ * short.
+ */
 const [KEY_PARTS, DRAG_PARTS] = [100, 200];
-/** A mouse that grabs the bead keeps its offset; a press farther off moves it there. Fingers cover more. */
+/**
+ * A mouse that grabs the bead keeps its offset; a press farther off moves it there. Fingers cover
+ * more.
+ */
 const GRAB = { mouse: 10, touch: 22 };
 /** A finger that has moved so far sideways drags the bead; up or down it scrolls the page. */
 const SIDEWAYS = 5;
@@ -36,7 +42,9 @@ export function keyTarget(event: KeyboardEvent, { model }: Shown): number | null
   return targets[event.key]?.() ?? null;
 }
 
-/** Pointer handlers for the plot: press or drag moves the bead. `shown` gives what is on screen now. */
+/**
+ * Pointer handlers for the plot: press or drag moves the bead. `shown` gives what is on screen now.
+ */
 export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
   let drag: Drag | null = null;
   const move = (event: PointerEvent) => {
@@ -74,7 +82,10 @@ interface Drag {
   /** From the pointer to the bead, so that the bead does not jump when it is grabbed. */
   readonly offset: number;
   readonly startX: number;
-  /** A finger beside the bead may be about to scroll: nothing moves until it goes sideways or is lifted. */
+  /**
+   * A finger beside the bead may be about to scroll: nothing moves until it goes sideways or is
+   * lifted.
+   */
   waits: boolean;
 }
 

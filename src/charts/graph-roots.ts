@@ -12,12 +12,18 @@ interface Place {
   readonly below: boolean;
 }
 
-/** Width of "t₁", and the heights that it needs over and under the axis (there the words stand too), in caption em. */
+/**
+ * Width of "t₁", and the heights that it needs over and under the axis (there the words stand too),
+ * in caption em.
+ */
 const [LABEL, ROOM_ABOVE, ROOM_BELOW] = [1.5, 2.2, 3.4];
 /** Between a root and the side of its name, in px. */
 const AWAY = 9;
 
-/** The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with its name. */
+/**
+ * The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with
+ * its name.
+ */
 export function roots(model: GraphModel, scales: Scales): TemplateResult {
   const { frame, x } = scales;
   const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));
@@ -67,7 +73,8 @@ function place(root: Root, model: GraphModel, scales: Scales): Place {
   if (slope === 0) return { side: 'middle', dx: 0, below: !above || (model.A > 0 && below) };
   const gap = gapOf(model, x);
   const isCrowded = model.A > 0 && gap < 2 * LABEL * frame.em + AWAY * 2;
-  // Between two close roots of an upward parabola two names do not fit; outside of them, below, it is free.
+  // Between two close roots of an upward parabola two names do not fit; outside of them, below, it
+  // is free.
   if (isCrowded && !below) return overBoth(slope, gap);
   const isBelow = !above || isCrowded;
   const side = flipped(slope < 0 === isBelow ? 'end' : 'start', x(root.t), scales);

@@ -23,7 +23,10 @@ export interface Scales {
 
 /** On t. More would crowd the ray's own ticks on the axis. */
 const MOST_TICKS = 7;
-/** Labels of f stay within the fixed margin: four figures, or a power of ten is taken out of all of them. */
+/**
+ * Labels of f stay within the fixed margin: four figures, or a power of ten is taken out of all of
+ * them.
+ */
 const [LARGEST_LABEL, SMALLEST_LABEL] = [9999, 0.1];
 
 /** Between these a step and the number of its multiples are doubles with all their digits. */
@@ -106,7 +109,9 @@ function commonPower(values: readonly number[]): number {
   return Number(largest.toExponential().split('e')[1]);
 }
 
-/** By the decimal text: exact up to the last rounding, and no power under- or overflows on the way. */
+/**
+ * By the decimal text: exact up to the last rounding, and no power under- or overflows on the way.
+ */
 function timesPowerOfTen(x: number, power: number): number {
   const [mantissa, exponent] = x.toExponential(14).split('e');
   return Number(`${mantissa}e${Number(exponent) + power}`);

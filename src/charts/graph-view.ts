@@ -20,7 +20,9 @@ export interface Handlers {
 const CONTAINED = 'f(t) = 0 for every t';
 const NOT_DRAWN = 'f leaves the range of numbers here and cannot be drawn';
 
-/** The whole graph: description, picture, bead, numbers, and a note where something cannot be shown. */
+/**
+ * The whole graph: description, picture, bead, numbers, and a note where something cannot be shown.
+ */
 export function page(
   model: GraphModel,
   frame: Frame,

@@ -10,7 +10,10 @@ interface EndName {
   readonly at: number;
 }
 
-/** The names of all lines: at the right for those that reach it, beside the cross for those that end. */
+/**
+ * The names of all lines: at the right for those that reach it, beside the cross for those that
+ * end.
+ */
 export function lineNames(
   model: HardnessModel,
   scales: HardnessScales,

@@ -1,4 +1,7 @@
-/** How a line is told from its neighbours without colour: dashes, a shape at its points, hollow or full. */
+/**
+ * How a line is told from its neighbours without colour: dashes, a shape at its points, hollow or
+ * full.
+ */
 export interface LineStyle {
   readonly dash: string;
   readonly shape: string;

@@ -27,9 +27,10 @@ const GAP = 6;
 const STEP = 4;
 
 /**
- * A place for every label, in the order of the wishes, such that no two overlap, none covers a mark or one of the `taken` boxes, and all lie
- * in the frame. Beside the mark if that is free, else the free place nearest to it. The same wishes give the same places. Only a
- * frame too small for its labels makes two of them meet.
+ * A place for every label, in the order of the wishes, such that no two overlap, none covers a mark
+ * or one of the `taken` boxes, and all lie in the frame. Beside the mark if that is free, else the
+ * free place nearest to it. The same wishes give the same places. Only a frame too small for its
+ * labels makes two of them meet.
  */
 export function placeLabels(
   wishes: readonly Wish[],
@@ -110,7 +111,10 @@ export const overlap = (a: Box, b: Box): boolean =>
   a.top < b.top + b.height &&
   b.top < a.top + a.height;
 
-/** Names under each other that want to stand at certain heights: moved apart as little as it takes, their order kept. */
+/**
+ * Names under each other that want to stand at certain heights: moved apart as little as it takes,
+ * their order kept.
+ */
 export function spread(
   heights: readonly number[],
   apart: number,

@@ -1,4 +1,7 @@
-/** 1, 2 or 5 times a power of ten, as text parts: the exact decimal is only rounded when a value is made from it. */
+/**
+ * 1, 2 or 5 times a power of ten, as text parts: the exact decimal is only rounded when a value is
+ * made from it.
+ */
 export interface Step {
   readonly digit: 1 | 2 | 5;
   readonly power: number;
@@ -21,7 +24,9 @@ export function stepSize({ digit, power }: Step): number {
   return Number(`${digit}e${power}`);
 }
 
-/** The multiple of the step nearest to t, as short as decimals get: 3.4, never 3.4000000000000004. */
+/**
+ * The multiple of the step nearest to t, as short as decimals get: 3.4, never 3.4000000000000004.
+ */
 export function snap(t: number, step: Step): number {
   const multiple = Math.round(t / stepSize(step)) * step.digit;
   if (!(Math.abs(multiple) <= LARGEST_WHOLE)) return t;

@@ -8,8 +8,9 @@ const MOST = 2;
 type Mistakes = readonly Misconception[];
 
 /**
- * The mistakes that, made together, give every line: the wrong ones and the right ones, each from the start or from the
- * student's own lines before it. As few as can be; none where several sets would do.
+ * The mistakes that, made together, give every line: the wrong ones and the right ones, each from
+ * the start or from the student's own lines before it. As few as can be; none where several sets
+ * would do.
  */
 export function causesOf(derivation: Derivation, course: Course, lines: readonly Line[]): Mistakes {
   for (let count = 1; count <= MOST; count++) {
@@ -48,7 +49,10 @@ function fitsUpTo(
   return true;
 }
 
-/** The one set; of several the one that the question is about, or the one whose lines the student shows. */
+/**
+ * The one set; of several the one that the question is about, or the one whose lines the student
+ * shows.
+ */
 function only(found: readonly Mistakes[], { watch }: Derivation, lines: readonly Line[]): Mistakes {
   const shown = new Set(lines.map(({ field }) => lineOf(field.id)));
   const wishes: readonly ((mistake: Misconception) => boolean)[] = [

@@ -15,7 +15,10 @@ export interface Suspect {
   readonly answers: Answers;
 }
 
-/** A question with its numbers, what is right, and what each mistake gives that it was drawn to tell apart. */
+/**
+ * A question with its numbers, what is right, and what each mistake gives that it was drawn to tell
+ * apart.
+ */
 export interface Posed {
   readonly exercise: Exercise;
   readonly draft: Draft;
@@ -52,8 +55,9 @@ function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Rand
 }
 
 /**
- * The question about this input; null unless all that is watched gives answers that differ from the truth and from each
- * other. The lists of what is watched stay as they are: another entry would make old seeds pose other questions.
+ * The question about this input; null unless all that is watched gives answers that differ from the
+ * truth and from each other. The lists of what is watched stay as they are: another entry would
+ * make old seeds pose other questions.
  */
 function posedOf(exercise: Exercise, draft: Draft): Posed | null {
   const course = courseOf(draft.shape);

@@ -4,7 +4,10 @@ import type { Formula } from '../math/shapes/define.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 
-/** The choices that the course makes around its formulas. A misconception may make one of them otherwise. */
+/**
+ * The choices that the course makes around its formulas. A misconception may make one of them
+ * otherwise.
+ */
 export interface Rules {
   /** D = 0 is one point (a tangent), or taken for a miss; or |D| below 10⁻⁶ is taken for 0. */
   readonly tangent: 'counts' | 'lost' | 'epsilon';
@@ -14,7 +17,10 @@ export interface Rules {
   readonly order: 'ascending' | 'descending';
   /** Which of the roots in front of E is the first visible hit. */
   readonly first: 'nearest' | 'farthest';
-  /** A = 0 is a case of its own, or put into the formula for the roots; or |A| below 10⁻⁶ is taken for 0. */
+  /**
+   * A = 0 is a case of its own, or put into the formula for the roots; or |A| below 10⁻⁶ is taken
+   * for 0.
+   */
   readonly linear: 'handled' | 'ignored' | 'epsilon';
   /** A cone has two nappes, or only the upper one. */
   readonly nappes: 'both' | 'upper';
@@ -66,7 +72,9 @@ export interface FlatCourse {
 
 export type Course = CurvedCourse | FlatCourse;
 
-/** A shape's trees are the same objects each time (the square's, per axis): its course is made once. */
+/**
+ * A shape's trees are the same objects each time (the square's, per axis): its course is made once.
+ */
 const made = new WeakMap<Formula, Course>();
 
 /** What the course teaches about this shape, without an error. */

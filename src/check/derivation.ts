@@ -47,7 +47,9 @@ export function derivationOf(
 
 const edits = new WeakMap<Course, ReadonlyMap<Misconception, Course>>();
 
-/** Every known mistake that these formulas have room for, with the formulas that it makes of them. */
+/**
+ * Every known mistake that these formulas have room for, with the formulas that it makes of them.
+ */
 export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
   const known = edits.get(course);
   if (known) return known;
@@ -62,7 +64,9 @@ export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
 
 const ways = new WeakMap<Course, Map<Way, Course | null>>();
 
-/** The course as this way writes it. A way that depends on what was typed is made anew each time. */
+/**
+ * The course as this way writes it. A way that depends on what was typed is made anew each time.
+ */
 export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Course | null {
   if (way.isOwn) return way.edit(course, own, truth(course));
   const known = ways.get(course) ?? new Map<Way, Course | null>();
@@ -72,7 +76,10 @@ export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Co
   return found;
 }
 
-/** Whether these formulas give line `i`, from the start or from the lines that the student has before it. */
+/**
+ * Whether these formulas give line `i`, from the start or from the lines that the student has
+ * before it.
+ */
 export function fits(
   { truth, next }: Derivation,
   course: Course,

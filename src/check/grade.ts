@@ -25,8 +25,8 @@ export type Mark =
   | { readonly verdict: 'invalid'; readonly reason: string };
 
 /**
- * Half a unit of the fourth significant digit, in the worst case of a leading 1: whoever rounds rightly to four digits
- * is within it. The box says so: FOUR_DIGITS_WORDS.
+ * Half a unit of the fourth significant digit, in the worst case of a leading 1: whoever rounds
+ * rightly to four digits is within it. The box says so: FOUR_DIGITS_WORDS.
  */
 export const FOUR_DIGITS = 5e-4;
 export const FOUR_DIGITS_WORDS = 'four right digits are enough; 1/3 and sqrt(2) are fine';
@@ -36,7 +36,10 @@ const ROUNDED = 2;
 /** A mistake is recognised by no fewer digits than these. */
 const EVIDENCE = 3;
 
-/** Text to a value; an infinite value is an answer (a division by zero gives one), and not a right one. */
+/**
+ * Text to a value; an infinite value is an answer (a division by zero gives one), and not a right
+ * one.
+ */
 export function readAnswer(field: Field, text: string): Read {
   if (field.mayBeAbsent && SAYS_NONE.test(text)) return read(ABSENT);
   if (text.trim() === '') return { ok: false, reason: 'not answered' };
@@ -102,7 +105,9 @@ export function grade(field: Field, text: string, truth: Answer | undefined): Ma
 export const roundedWords = (digits: number): string =>
   `right to ${digits} digits, give ${digits === ENOUGH_DIGITS - 1 ? 'one' : 'two'} more`;
 
-/** Whether two answers to a field count as the same. A value of NaN is met by an infinite one only. */
+/**
+ * Whether two answers to a field count as the same. A value of NaN is met by an infinite one only.
+ */
 export function matches(field: Field, given: Answer, truth: Answer | undefined): boolean {
   if (truth === undefined) return given === ABSENT;
   if (typeof given === 'number' && typeof truth === 'number') return near(given, truth);
@@ -117,12 +122,18 @@ function near(x: number, truth: number): boolean {
   return Math.abs(x - truth) <= FOUR_DIGITS * Math.abs(truth) + atZero(truth);
 }
 
-/** The relative tolerance leaves nothing at 0 itself; exercises have lengths of about 1, so four digits end at 10⁻⁴ there. */
+/**
+ * The relative tolerance leaves nothing at 0 itself; exercises have lengths of about 1, so four
+ * digits end at 10⁻⁴ there.
+ */
 const atZero = (truth: number): number => (truth === 0 ? FOUR_DIGITS : 0);
 
 const sizeOf = (v: Vec3): number => Math.max(...v.map(Math.abs));
 
-/** By the largest component: a component that should be 0 need not be met more closely than the others. */
+/**
+ * By the largest component: a component that should be 0 need not be met more closely than the
+ * others.
+ */
 function nearTriple(v: Vec3, truth: Vec3): boolean {
   const size = sizeOf(truth);
   if (!Number.isFinite(size)) return v.every((x, i) => near(x, truth[i] ?? Number.NaN));

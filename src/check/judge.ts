@@ -7,16 +7,27 @@ import { WAYS, type Way } from './ways.ts';
 
 export interface Judged {
   readonly marks: Readonly<Record<string, Mark>>;
-  /** The mistakes that together give just these answers, wrong ones and right ones; none if no known ones do. */
+  /**
+   * The mistakes that together give just these answers, wrong ones and right ones; none if no known
+   * ones do.
+   */
   readonly causes: readonly Misconception[];
-  /** Fields that are wrong, and yet right for the student's own earlier values; with the fields whose values these are. */
+  /**
+   * Fields that are wrong, and yet right for the student's own earlier values; with the fields
+   * whose values these are.
+   */
   readonly follow: Readonly<Record<string, readonly Field[]>>;
-  /** Another way to derive it than the course's, on which every field that is marked right is right. */
+  /**
+   * Another way to derive it than the course's, on which every field that is marked right is right.
+   */
   readonly way: Way | null;
   readonly verdict: 'correct' | 'rounded' | 'wrong' | 'invalid';
 }
 
-/** Marks every line by itself and by those before it, and finds the mistakes that explain all of them. */
+/**
+ * Marks every line by itself and by those before it, and finds the mistakes that explain all of
+ * them.
+ */
 export function judge(derivation: Derivation, texts: Texts): Judged {
   const { fields } = derivation;
   const textOf = ({ id }: Field): string => texts[id] ?? '';
@@ -51,7 +62,10 @@ export function judge(derivation: Derivation, texts: Texts): Judged {
   };
 }
 
-/** A line that follows is no mistake; but where it follows from nothing wrong, only from too few digits. */
+/**
+ * A line that follows is no mistake; but where it follows from nothing wrong, only from too few
+ * digits.
+ */
 function verdictOf(wrong: boolean, marks: readonly Mark[]): Judged['verdict'] {
   const some = (verdict: Mark['verdict']): boolean =>
     marks.some((mark) => mark.verdict === verdict);
@@ -115,7 +129,10 @@ function foundBy(
   return { course, way, standing };
 }
 
-/** The wrong lines that a line follows from: with the right value in such a line's place it would come out otherwise. */
+/**
+ * The wrong lines that a line follows from: with the right value in such a line's place it would
+ * come out otherwise.
+ */
 function sources(
   derivation: Derivation,
   { course, standing }: Found,

@@ -120,7 +120,10 @@ function flatLines(
   ];
 }
 
-/** The lines that these mistakes change: the edited ones, and those whose values follow from them. At most three. */
+/**
+ * The lines that these mistakes change: the edited ones, and those whose values follow from them.
+ * At most three.
+ */
 export function editedLines(mistakes: readonly Misconception[], input: Input): readonly Line[] {
   const course = courseOf(input.shape);
   const edited = mistakes.reduce((made: Course, { edit }) => edit(made) ?? made, course);

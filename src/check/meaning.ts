@@ -4,12 +4,15 @@ import { display, displayTriple } from '../text/format.ts';
 import { courseOf } from './course.ts';
 import type { Answers, Input } from './types.ts';
 
-/** How far f may be from 0 where the student's t was rounded to four digits, in parts of the sizes that make f up. */
+/**
+ * How far f may be from 0 where the student's t was rounded to four digits, in parts of the sizes
+ * that make f up.
+ */
 const NEARLY = 2e-3;
 
 /**
- * What an answer means in the scene: where the t of one of these fields leads to, the first that has one, and on which
- * side of the surface that is. '' if none has.
+ * What an answer means in the scene: where the t of one of these fields leads to, the first that
+ * has one, and on which side of the surface that is. '' if none has.
  */
 export function meaningOf(input: Input, answers: Answers, fields: readonly string[]): string {
   const t = fields

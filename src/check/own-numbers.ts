@@ -20,7 +20,10 @@ import { work } from './work.ts';
 
 export interface OwnLine {
   readonly field: Field;
-  /** 'absent': rightly said not to exist. 'follows': wrong, and right for the student's own earlier values. */
+  /**
+   * 'absent': rightly said not to exist. 'follows': wrong, and right for the student's own earlier
+   * values.
+   */
   readonly verdict: 'correct' | 'rounded' | 'wrong' | 'follows' | 'absent' | 'invalid';
   /** Why it is wrong or unread, in a few words; '' if there is nothing to add. */
   readonly note: string;
@@ -65,8 +68,9 @@ export function ownFields({ shape }: Input): readonly Field[] {
 }
 
 /**
- * Marks each line that was typed, as far as the student got, and finds the first wrong step. What is right for the scene's
- * numbers as they were typed is right, and so is what is right for the doubles that store them.
+ * Marks each line that was typed, as far as the student got, and finds the first wrong step. What
+ * is right for the scene's numbers as they were typed is right, and so is what is right for the
+ * doubles that store them.
  */
 export function checkOwn(input: Input, texts: Texts): OwnReport {
   const { shape, ray } = input;
@@ -99,7 +103,10 @@ function reportOf({ lines, judged }: Marked, aside = ''): OwnReport {
   return { lines, firstWrong, causes, way, says };
 }
 
-/** Of two ways to take the numbers, the one with fewer faults; a line that is right by the other is right. */
+/**
+ * Of two ways to take the numbers, the one with fewer faults; a line that is right by the other is
+ * right.
+ */
 function better(stored: Marked, typed: Marked): OwnReport {
   const faults = ({ lines }: Marked): number =>
     lines.filter((line) => line.verdict === 'wrong' || line.verdict === 'follows').length;

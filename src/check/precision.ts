@@ -2,7 +2,10 @@ import type { Vec3 } from '../math/vec3.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { Answer } from './types.ts';
 
-/** A number as it is written down: digits, perhaps a point or comma and digits, perhaps a power of ten. */
+/**
+ * A number as it is written down: digits, perhaps a point or comma and digits, perhaps a power of
+ * ten.
+ */
 const LITERAL = /^[-+−–]?\s*\d*(?:[.,](\d*))?(?:e([-+−]?\d{1,3}))?$/i;
 
 /** One unit in the last digit that was written; 0 for an expression, which is exact. */
@@ -51,8 +54,9 @@ const digitsOf = (size: number, unit: number): number =>
   Math.floor(Math.log10(size) + 1e-12) - Math.round(Math.log10(unit)) + 1;
 
 /**
- * How many digits of `truth` were written rightly, rounded or cut off: 0 where it is not right, or is no decimal. Of
- * three numbers the largest counts, and all end where the coarsest ends that is not right by itself.
+ * How many digits of `truth` were written rightly, rounded or cut off: 0 where it is not right, or
+ * is no decimal. Of three numbers the largest counts, and all end where the coarsest ends that is
+ * not right by itself.
  */
 export function rightDigits(
   given: Answer,

@@ -49,7 +49,10 @@ const changed = (progress: Progress, index: number, by: Partial<Asked>): Progres
 export const typed = (progress: Progress, index: number, field: string, text: string): Progress =>
   changed(progress, index, { texts: { ...askedAt(progress, index).texts, [field]: text } });
 
-/** A judged answer; one that could not be read, or has too few digits, is no try. What comes after the solution was shown, or after a right answer, no longer counts. */
+/**
+ * A judged answer; one that could not be read, or has too few digits, is no try. What comes after
+ * the solution was shown, or after a right answer, no longer counts.
+ */
 export function tried(progress: Progress, index: number, judged: Judged): Progress {
   const before = askedAt(progress, index);
   const counts = judged.verdict === 'correct' || judged.verdict === 'wrong';
@@ -93,7 +96,9 @@ export function readProgress(text: string | null): Progress | null {
   }
 }
 
-/** The t of flat questions was once kept as 't', and is 't1' since: what was typed is still there. */
+/**
+ * The t of flat questions was once kept as 't', and is 't1' since: what was typed is still there.
+ */
 function renamed(texts: Texts, exercise: string | undefined): Texts {
   const { t, ...others } = texts;
   return exercise === 'flat' && t !== undefined ? { t1: t, ...others } : texts;

@@ -3,7 +3,10 @@ import type { Expr, Relation, Term } from '../math/formula/expr.ts';
 /** What stands in a subtree's place, or null to leave it and look further down. */
 export type Edit = (expr: Expr) => Expr | null;
 
-/** The tree with every subtree that the edit answers replaced, from the outside inwards. The same tree if nothing was. */
+/**
+ * The tree with every subtree that the edit answers replaced, from the outside inwards. The same
+ * tree if nothing was.
+ */
 export function rewrite(expr: Expr, edit: Edit): Expr {
   const replaced = edit(expr);
   if (replaced) return replaced;

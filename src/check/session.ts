@@ -32,6 +32,7 @@ export function question(seed: number, index: number, set: string = FIRST_SET): 
   const slot = plan(seed, set)[index];
   const exercise = EXERCISES.find(({ id }) => id === slot?.exercise);
   if (!slot || !exercise) throw new RangeError(`no question ${index + 1}`);
-  // Neighbouring seeds and questions must not share their numbers: an odd factor spreads them over 32 bits.
+  // Neighbouring seeds and questions must not share their numbers: an odd factor spreads them over
+  // 32 bits.
   return pose(exercise, slot.kind, Math.imul(seed * 64 + index + 1, 0x9e3779b1), slot.level);
 }

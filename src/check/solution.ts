@@ -4,7 +4,10 @@ import type { Argument } from './exercises/define.ts';
 import { type Line, linesOf } from './lines.ts';
 import { work } from './work.ts';
 
-/** Words, and under them lines of the derivation: in symbols, or with the numbers put in and the result left open. */
+/**
+ * Words, and under them lines of the derivation: in symbols, or with the numbers put in and the
+ * result left open.
+ */
 export interface Hint {
   readonly words: string;
   readonly lines: readonly Line[];
@@ -20,7 +23,8 @@ const argumentOf = ({ exercise, draft }: Posed): Argument =>
 export function hintsOf(posed: Posed): readonly [Hint, Hint, Hint] {
   const { rule, put } = argumentOf(posed);
   const lines = linesAfterGiven(posed);
-  // The last hint puts the numbers in and leaves the arithmetic to the student; not a number that is asked for.
+  // The last hint puts the numbers in and leaves the arithmetic to the student; not a number that
+  // is asked for.
   const open = posed.exercise.asksForParam ? [] : lines.map((line) => ({ ...line, values: [] }));
   return [
     { words: posed.exercise.clue, lines: [], layer: 'symbols' },
@@ -29,7 +33,10 @@ export function hintsOf(posed: Posed): readonly [Hint, Hint, Hint] {
   ];
 }
 
-/** The lines that lead from what is given to what is asked, and why they decide it; the answers come last. */
+/**
+ * The lines that lead from what is given to what is asked, and why they decide it; the answers come
+ * last.
+ */
 export const solutionOf = (
   posed: Posed,
 ): { readonly lines: readonly Line[]; readonly decision: readonly string[] } => ({

@@ -8,7 +8,10 @@ import type { Vec3 } from '../math/vec3.ts';
 export interface Input {
   readonly shape: Shape;
   readonly ray: Ray;
-  /** The numbers exactly as they were typed, where those are others than the doubles that store them. */
+  /**
+   * The numbers exactly as they were typed, where those are others than the doubles that store
+   * them.
+   */
   readonly typed?: Values<Surd> | null;
 }
 
@@ -16,9 +19,9 @@ export interface Input {
 export type Answer = number | Vec3 | string;
 
 /**
- * By quantity, in one vocabulary for questions and own numbers. Curved: A, B, C, D, case, and of the roots t1, t2, P1,
- * P2, N1, N2. Flat: N.d, N.(E-P), place, t1, P1, N1, inside. Of the first visible hit: first, why, t, P, N. One that
- * does not exist is absent.
+ * By quantity, in one vocabulary for questions and own numbers. Curved: A, B, C, D, case, and of
+ * the roots t1, t2, P1, P2, N1, N2. Flat: N.d, N.(E-P), place, t1, P1, N1, inside. Of the first
+ * visible hit: first, why, t, P, N. One that does not exist is absent.
  */
 export type Answers = Readonly<Record<string, Answer>>;
 

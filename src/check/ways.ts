@@ -15,12 +15,17 @@ import {
 import type { Course, FlatCourse } from './course.ts';
 import type { Answers } from './types.ts';
 
-/** Another way through the derivation that is as right as the course's: the lines that it writes otherwise. */
+/**
+ * Another way through the derivation that is as right as the course's: the lines that it writes
+ * otherwise.
+ */
 export interface Way {
   readonly id: string;
   /** "Right, with …" */
   readonly says: string;
-  /** So many lines must agree with it that do not agree with the course: one alone may be a mistake. */
+  /**
+   * So many lines must agree with it that do not agree with the course: one alone may be a mistake.
+   */
   readonly evidence: number;
   /** Whether it depends on what was typed. */
   readonly isOwn: boolean;

@@ -7,8 +7,9 @@ import { ownNumber, ownTriple, roundedTriple, usableTriple } from './own-values.
 import { ABSENT, type Answer, type Answers } from './types.ts';
 
 /**
- * A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. A line depends on lines
- * before it only: D on A, B, C; the roots on all four; a point on its own root; a normal on its own point.
+ * A, B, C, D, case, t1, t2, P1, P2, N1, N2, and of the first visible hit first, why, t, P, N. A
+ * line depends on lines before it only: D on A, B, C; the roots on all four; a point on its own
+ * root; a normal on its own point.
  */
 export function curvedWork<T>(
   course: CurvedCourse,
@@ -54,7 +55,10 @@ export function curvedWork<T>(
   return { ...found, ...seen, P: roundedTriple(point, ar), N };
 }
 
-/** A root that a student has, or has found not to be there, is the student's; otherwise the formula's, if there is one. */
+/**
+ * A root that a student has, or has found not to be there, is the student's; otherwise the
+ * formula's, if there is one.
+ */
 function ownRoot<T>(own: Answers, i: 1 | 2, root: T | undefined, ar: Arithmetic<T>): T | undefined {
   return own[`t${i}`] === ABSENT ? undefined : (ownNumber(own, `t${i}`, ar) ?? root);
 }
@@ -77,7 +81,10 @@ type Met = Hit & { readonly t: number };
 
 const COUNTED = ['none', 'one', 'two'];
 
-/** The absolute threshold that many programs compare with. It is right at one scale only: that is the misconception. */
+/**
+ * The absolute threshold that many programs compare with. It is right at one scale only: that is
+ * the misconception.
+ */
 const EPSILON = 1e-6;
 
 function solve<T>(

@@ -7,7 +7,10 @@ import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
 import { rewrite } from './rewrite.ts';
 import { ABSENT, type Answer, type Answers } from './types.ts';
 
-/** N.d, N.(E-P), place, and where the plane is met t1, P1, N1, inside, case, first, and t and P of a visible hit. */
+/**
+ * N.d, N.(E-P), place, and where the plane is met t1, P1, N1, inside, case, first, and t and P of a
+ * visible hit.
+ */
 export function flatWork<T>(
   course: FlatCourse,
   values: Values<T>,

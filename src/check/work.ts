@@ -9,14 +9,18 @@ import type { Answers, Input } from './types.ts';
 import { curvedWork } from './work-curved.ts';
 import { flatWork } from './work-flat.ts';
 
-/** Values that a student already has, right or not: later lines are worked out from them. Only finite ones count. */
+/**
+ * Values that a student already has, right or not: later lines are worked out from them. Only
+ * finite ones count.
+ */
 export type Own = Answers;
 
 const NOTHING: Own = {};
 
 /**
- * Everything that these formulas give for this input. Exactly, rounded once at the end; where an edited formula has two
- * different square roots, or divides by zero, in doubles, as a program would.
+ * Everything that these formulas give for this input. Exactly, rounded once at the end; where an
+ * edited formula has two different square roots, or divides by zero, in doubles, as a program
+ * would.
  */
 export const work = (course: Course, input: Input, own: Own = NOTHING): Answers =>
   asExactly((ar, take) =>

@@ -6,7 +6,10 @@ import { sweepSession } from './sweep.ts';
 /** A page that is drawn more often would take time from what is being measured. */
 const EVERY_MS = 100;
 
-/** Does what was asked and posts what is found as it comes. An error becomes a reply: a worker that dies says nothing. */
+/**
+ * Does what was asked and posts what is found as it comes. An error becomes a reply: a worker that
+ * dies says nothing.
+ */
 export function answer(asked: LabRequest, clock: Clock, post: (reply: LabReply) => void): void {
   try {
     if (asked.type === 'measure') {

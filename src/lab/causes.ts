@@ -14,27 +14,39 @@ import { MOST_DIGITS } from './digits.ts';
 import type { Operation } from './trace.ts';
 
 /**
- * Why the result of one operation has fewer right digits than what went into it. The first that holds:
+ * Why the result of one operation has fewer right digits than what went into it. The first that
+ * holds:
  *
  * - input: nothing was computed yet. The number does not fit into the format.
- * - division: what comes out is not finite, and the divisor is 0, or not known to be another number.
+ * - division: what comes out is not finite, and the divisor is 0, or not known to be another
+ *   number.
  * - overflow: what comes out is not finite, what went in is.
- * - underflow: a product, square or quotient of what went in is exactly not 0, but below the smallest normal number of the format, where
- *   digits run out. Never a sum: the sum of two floating-point numbers is exact where it is that small (Hauser 1996).
+ * - underflow: a product, square or quotient of what went in is exactly not 0, but below the
+ *   smallest normal number of the format, where
+ *   digits run out. Never a sum: the sum of two floating-point numbers is exact where it is that
+ *   small (Hauser 1996).
  * - zero: the sum is exactly 0, and what comes out is not.
- * - total: a sum whose exact value is no larger than the errors that its terms bring along, so that no digit is left.
- * - cancellation: a sum that is exactly 10^digits times smaller than its largest term, or less; digits ≥ 1.
+ * - total: a sum whose exact value is no larger than the errors that its terms bring along, so that
+ *   no digit is left.
+ * - cancellation: a sum that is exactly 10^digits times smaller than its largest term, or less;
+ *   digits ≥ 1.
  * - rounding: none of these.
  */
 export type Cause =
   | { readonly kind: 'input' | 'division' | 'zero' | 'total' | 'rounding' }
-  /** `within`: not to what is exactly the result, but to a number on the way, which has no line of its own. */
+  /**
+   * `within`: not to what is exactly the result, but to a number on the way, which has no line of
+   * its own.
+   */
   | { readonly kind: 'overflow'; readonly within: boolean }
   /** `flushed`: what underflowed became 0. */
   | { readonly kind: 'underflow'; readonly within: boolean; readonly flushed: boolean }
   | { readonly kind: 'cancellation'; readonly digits: number };
 
-/** The smallest normal number and the largest of each format; those that are not named have the doubles' range. */
+/**
+ * The smallest normal number and the largest of each format; those that are not named have the
+ * doubles' range.
+ */
 const LEAST_NORMAL: Readonly<Record<string, number>> = { float32: 2 ** -126 };
 const LARGEST: Readonly<Record<string, number>> = { float32: (2 - 2 ** -23) * 2 ** 127 };
 
@@ -101,7 +113,10 @@ function errorsOf({ inputs }: Operation): Surd {
   );
 }
 
-/** How many times the exact sum can be multiplied by ten before it is larger than every exact term; at most all digits. */
+/**
+ * How many times the exact sum can be multiplied by ten before it is larger than every exact term;
+ * at most all digits.
+ */
 function agreeing(operation: Operation): number {
   const terms = inputsOf(operation).flatMap(({ exact }) => (exact === null ? [] : [size(exact)]));
   const largest = terms.reduce((most, term) => (compare(term, most) > 0 ? term : most));
@@ -118,7 +133,10 @@ const { MAX_VALUE } = Number;
 const TEN = fromNumber(10);
 export const size = (x: Surd): Surd => (sign(x) < 0 ? neg(x) : x);
 
-/** A sum that only became a longer sum has no line of its own, nor a product that became a longer product. */
+/**
+ * A sum that only became a longer sum has no line of its own, nor a product that became a longer
+ * product.
+ */
 export function absorbedBy({ expr, inputs }: Operation): readonly Operation[] {
   const [first] = inputs;
   const grew = first && first.letter === null && first.expr.op === expr.op;

@@ -1,14 +1,19 @@
 import { div, fromNumber, isZero, type Surd, sub, toNumber } from '../math/exact/surd.ts';
 import { MINUS } from '../text/format.ts';
 
-/** A double has 53 bits: log10 2^53. No number that is rounded to one has more right digits to show. */
+/**
+ * A double has 53 bits: log10 2^53. No number that is rounded to one has more right digits to show.
+ */
 export const MOST_DIGITS = 15.95;
 /** The places in which a number is written out to be marked. */
 export const PLACES = 16;
 /** So that the most that a double can have counts as all of its places, and 7.9 as 7. */
 const SLACK = 0.05;
 
-/** What any double but the nearest has at most, so that one step off is never 16 digits in one row and 15 in the next. */
+/**
+ * What any double but the nearest has at most, so that one step off is never 16 digits in one row
+ * and 15 in the next.
+ */
 const MOST_BUT_NEAREST = 15.9;
 
 /** −log10 of a relative error, between 0 and MOST_DIGITS; NaN errors leave no digit standing. */
@@ -18,8 +23,9 @@ export function digitsOfError(relative: number): number {
 }
 
 /**
- * How many digits of x are right, against the exact number. The double nearest to it has all of them by definition: none is nearer, even
- * where doubles are sparse (subnormals) or end (±Infinity).
+ * How many digits of x are right, against the exact number. The double nearest to it has all of
+ * them by definition: none is nearer, even where doubles are sparse (subnormals) or end
+ * (±Infinity).
  */
 export function rightDigits(x: number, exact: Surd): number {
   const nearest = toNumber(exact);
@@ -28,8 +34,8 @@ export function rightDigits(x: number, exact: Surd): number {
 }
 
 /**
- * How many digits of an intermediate result can be relied on. Here the nearest double is no excuse: what under- or overflowed is
- * lost to all that follows.
+ * How many digits of an intermediate result can be relied on. Here the nearest double is no excuse:
+ * what under- or overflowed is lost to all that follows.
  */
 export function trustedDigits(x: number, exact: Surd): number {
   if (isZero(exact)) return x === 0 ? MOST_DIGITS : 0;
@@ -37,7 +43,10 @@ export function trustedDigits(x: number, exact: Surd): number {
   return digitsOfError(Math.abs(toNumber(div(sub(fromNumber(x), exact), exact))));
 }
 
-/** The same as `rightDigits` against the correctly rounded number, for many at a time: at most half a unit in the last place apart from `rightDigits`. */
+/**
+ * The same as `rightDigits` against the correctly rounded number, for many at a time: at most half
+ * a unit in the last place apart from `rightDigits`.
+ */
 export function rightDigitsOfDouble(x: number, nearest: number): number {
   if (x === nearest) return MOST_DIGITS;
   if (!Number.isFinite(x) || !Number.isFinite(nearest) || nearest === 0) return 0;
@@ -60,7 +69,10 @@ export interface Marked {
 const FIXED_BELOW = 6;
 const FIXED_FROM = -4;
 
-/** x in 16 places with `count` digits marked as right: exactly so many digits are in `right`, leading zeros not counted. */
+/**
+ * x in 16 places with `count` digits marked as right: exactly so many digits are in `right`,
+ * leading zeros not counted.
+ */
 export function markDigits(x: number, count: number): Marked {
   if (!Number.isFinite(x)) {
     const text = `${x < 0 ? MINUS : ''}∞`;

@@ -1,4 +1,7 @@
-/** What a method does, in a line that fits under its name. A method without one here tells its own idea. */
+/**
+ * What a method does, in a line that fits under its name. A method without one here tells its own
+ * idea.
+ */
 export const HINTS: Readonly<Record<string, string>> = {
   textbook32: 'every step with 24 bits',
   textbook: '(−B ± √D) / 2A with 53 bits',

@@ -28,7 +28,10 @@ export interface Losses {
 /** Below this, rounding is what it always is. */
 const WORTH_TELLING = 0.5;
 
-/** The steps that a person would write down, in order, each once, with the digits that each one has lost. */
+/**
+ * The steps that a person would write down, in order, each once, with the digits that each one has
+ * lost.
+ */
 export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
   const all = operationsOf(method, shape, ray);
   const format = formatOf(method);
@@ -55,7 +58,10 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
   return { steps, worst };
 }
 
-/** Changes of sign and doublings are exact, and an input is worth a line only where it had to be rounded. */
+/**
+ * Changes of sign and doublings are exact, and an input is worth a line only where it had to be
+ * rounded.
+ */
 function isTrivial({ expr, letter, inputs, digits }: Operation): boolean {
   if (inputs.length === 0) return digits === null || digits >= MOST_DIGITS;
   if (letter !== null) return false;

@@ -5,8 +5,9 @@ export interface Priced {
 }
 
 /**
- * Those that nothing else beats, by rising cost: another one beats it that costs no more and is worth no less, and is better in one of
- * the two. Equal ones do not beat each other. What has no cost or worth yet is left out.
+ * Those that nothing else beats, by rising cost: another one beats it that costs no more and is
+ * worth no less, and is better in one of the two. Equal ones do not beat each other. What has no
+ * cost or worth yet is left out.
  */
 export function frontier<P extends Priced>(all: readonly P[]): P[] {
   const known = all.filter(({ cost, worth }) => !Number.isNaN(cost) && !Number.isNaN(worth));

@@ -19,7 +19,9 @@ export interface Batch {
   readonly t1: Float64Array;
 }
 
-/** How many of a family's rays: `shapes` shapes with `count` rays each, drawn in order from `seed`. */
+/**
+ * How many of a family's rays: `shapes` shapes with `count` rays each, drawn in order from `seed`.
+ */
 export interface Sample {
   readonly seed: number;
   readonly shapes: number;

@@ -1,8 +1,9 @@
 import { quantile, sorted } from './stats.ts';
 
 /*
- * One estimator for every time that is shown, in table, plot, sentence and bench: the least of many interleaved rounds. Whatever else
- * the machine does only adds to a time, so that the least is nearest to what the work itself takes, and a stalled round changes nothing.
+ * One estimator for every time that is shown, in table, plot, sentence and bench: the least of many
+ * interleaved rounds. Whatever else the machine does only adds to a time, so that the least is
+ * nearest to what the work itself takes, and a stalled round changes nothing.
  */
 
 /** What something costs. */
@@ -19,13 +20,19 @@ type Figures = 1 | 2 | 3;
 
 /** Fewer rounds than this say nothing of how far they spread. */
 const ENOUGH = 4;
-/** Up to which spread above the least, as a share of it, a quarter of the rounds lets so many figures stand. */
+/**
+ * Up to which spread above the least, as a share of it, a quarter of the rounds lets so many
+ * figures stand.
+ */
 const LETS_STAND = [
   [0.01, 3],
   [0.3, 2],
 ] as const satisfies readonly (readonly [spread: number, figures: Figures])[];
 
-/** From the times of some rounds, each of which may be a multiple of what is wanted. NaN without rounds. */
+/**
+ * From the times of some rounds, each of which may be a multiple of what is wanted. NaN without
+ * rounds.
+ */
 export function priceOf(rounds: readonly number[], scale = 1): Price {
   const all = sorted(rounds);
   const least = (all[0] ?? Number.NaN) * scale;

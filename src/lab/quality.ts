@@ -27,7 +27,10 @@ export interface Quality {
   readonly undecided: number;
   /** Of the roots of rays whose class is right, ascending. */
   readonly ulps: readonly number[];
-  /** Right digits that 9 rays of 10 have at least; NaN where no ray has a root. A wrong or missing verdict has none. */
+  /**
+   * Right digits that 9 rays of 10 have at least; NaN where no ray has a root. A wrong or missing
+   * verdict has none.
+   */
   readonly digits: number;
   /** Of the worst ray. */
   readonly leastDigits: number;
@@ -86,7 +89,10 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
   };
 }
 
-/** The fewer digits of the two roots; NaN where there is none to have any. Notes their distances in ulps. */
+/**
+ * The fewer digits of the two roots; NaN where there is none to have any. Notes their distances in
+ * ulps.
+ */
 function digitsAt({ t0, t1 }: Batch, out: Answers, i: number, ulps: number[]): number {
   let fewest = Number.NaN;
   for (const [own, nearest] of [

@@ -1,6 +1,9 @@
 import { quantile, sorted } from './stats.ts';
 
-/** Something to be timed; one call works through a whole batch, so that the call itself costs nothing. */
+/**
+ * Something to be timed; one call works through a whole batch, so that the call itself costs
+ * nothing.
+ */
 export interface Task {
   readonly id: string;
   run(): void;
@@ -22,7 +25,10 @@ export interface Plan {
   readonly settles?: Settling | undefined;
 }
 
-/** Enough is measured when a quarter of each task's rounds took at most a share `spread` more than its least, and not before so many rounds. */
+/**
+ * Enough is measured when a quarter of each task's rounds took at most a share `spread` more than
+ * its least, and not before so many rounds.
+ */
 export interface Settling {
   readonly rounds: number;
   readonly spread: number;
@@ -57,8 +63,9 @@ export function clockStep(clock: Clock): number {
 }
 
 /**
- * Measures sample by sample: whoever asks for the next one may do other work between, or stop. The tasks take turns within each round, so
- * that whatever else the machine does meets all of them alike; only ratios within one round say much.
+ * Measures sample by sample: whoever asks for the next one may do other work between, or stop. The
+ * tasks take turns within each round, so that whatever else the machine does meets all of them
+ * alike; only ratios within one round say much.
  */
 export function* measuring(
   tasks: readonly Task[],

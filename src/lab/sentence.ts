@@ -12,7 +12,9 @@ export const priceText = ({ value }: Price): string =>
 /** A verdict alone, or both roots with it. */
 export type Question = 'classes' | 'roots';
 
-/** The cheapest method for the question among those that are good enough; null if none is measured. */
+/**
+ * The cheapest method for the question among those that are good enough; null if none is measured.
+ */
 function cheapest(
   rows: readonly MeasuredRow[],
   question: Question,
@@ -32,7 +34,10 @@ const isCorrect = ({ quality }: MeasuredRow): boolean =>
 /** One of the two doubles around the exact root: at most one step from the nearest. */
 const isFaithful = (row: MeasuredRow): boolean => isCorrect(row) && !(row.quality.mostUlps > 1);
 
-/** What the plot says, in plain words and with the table's own numbers, for the question that is shown. Empty until a time is measured. */
+/**
+ * What the plot says, in plain words and with the table's own numbers, for the question that is
+ * shown. Empty until a time is measured.
+ */
 export function sentenceOf(
   rows: readonly MeasuredRow[],
   question: Question,

@@ -49,7 +49,10 @@ export interface Measured {
 
 export const BASE_METHOD = 'textbook';
 
-/** Measures what was asked for and tells how far it is, sample by sample. Throws InvalidInput for an unknown family. */
+/**
+ * Measures what was asked for and tells how far it is, sample by sample. Throws InvalidInput for an
+ * unknown family.
+ */
 export function* measureSession(request: MeasureRequest, clock: Clock): Generator<Measured, void> {
   const family = familyOf(request.family);
   const batches = batchesOf(family, request);

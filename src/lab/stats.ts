@@ -1,11 +1,16 @@
-/** Order statistics of a measurement; the mean of times says more about the machine's other work than about ours. */
+/**
+ * Order statistics of a measurement; the mean of times says more about the machine's other work
+ * than about ours.
+ */
 export interface Quartiles {
   readonly low: number;
   readonly median: number;
   readonly high: number;
 }
 
-/** The q-th quantile (0 ≤ q ≤ 1) of numbers in ascending order, between neighbours by proportion. */
+/**
+ * The q-th quantile (0 ≤ q ≤ 1) of numbers in ascending order, between neighbours by proportion.
+ */
 export function quantile(ascending: readonly number[], q: number): number {
   const place = q * (ascending.length - 1);
   const below = ascending[Math.floor(place)];

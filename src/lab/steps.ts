@@ -23,8 +23,9 @@ import { AXES } from '../math/vec3.ts';
 import { type Operation, type Trace, type Traced, traceIn } from './trace.ts';
 
 /**
- * Every operation of the method on this ray, beside the exact one, with the letters of the course put in. A method that is not made of trees
- * (certified) is told by the exact one, whose class is its own.
+ * Every operation of the method on this ray, beside the exact one, with the letters of the course
+ * put in. A method that is not made of trees (certified) is told by the exact one, whose class is
+ * its own.
  */
 export function operationsOf(method: Method, shape: Shape, ray: Ray): readonly Operation[] {
   const parts = method.parts ?? exact.parts;

@@ -5,7 +5,10 @@ import { quantile } from './stats.ts';
 
 /** A quality that travels: without the lists, and with its worst ray as numbers. */
 export interface Summary extends Omit<Quality, 'ulps' | 'worst'> {
-  /** Steps from double to double that 999 of 1000 right roots are off at most, and the most of all; NaN without roots. */
+  /**
+   * Steps from double to double that 999 of 1000 right roots are off at most, and the most of all;
+   * NaN without roots.
+   */
   readonly ulps: number;
   readonly mostUlps: number;
   /** Absent where no ray has a root and every verdict is right. */

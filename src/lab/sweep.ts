@@ -33,7 +33,10 @@ export function difficulties({ range: [from, to] }: Dial, points: number): numbe
   return Array.from({ length: points }, (_, i) => from + ((to - from) * i) / (points - 1));
 }
 
-/** One difficulty after the other, each on rays drawn from the same seed. Throws InvalidInput for an unknown family. */
+/**
+ * One difficulty after the other, each on rays drawn from the same seed. Throws InvalidInput for an
+ * unknown family.
+ */
 export function* sweepSession(request: SweepRequest): Generator<SweepPoint, void> {
   const family = familyOf(request.family);
   if (!family.dial) return;

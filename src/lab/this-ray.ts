@@ -14,7 +14,10 @@ import { type Judgement, judge } from './verdict.ts';
 /** A root of a method beside the exact one. */
 export interface RootRow {
   readonly t: number;
-  /** 0 … 15.95; null where there is no exact root to compare with: the root is invented, or its partner is missing. */
+  /**
+   * 0 … 15.95; null where there is no exact root to compare with: the root is invented, or its
+   * partner is missing.
+   */
   readonly digits: number | null;
   readonly count: number;
   readonly marked: Marked;
@@ -53,7 +56,8 @@ function rowOf(method: Method, shape: Shape, ray: Ray, reference: Reference): Me
 }
 
 /**
- * The exact root that this one stands for: the one of its rank where there are as many, else the nearest. Null where the line meets nothing.
+ * The exact root that this one stands for: the one of its rank where there are as many, else the
+ * nearest. Null where the line meets nothing.
  */
 function partnerOf(hit: Hit, found: Intersection, { hits }: Reference): number {
   if (hits.length === found.hits.length) return found.hits.indexOf(hit);
@@ -76,7 +80,10 @@ function rootRow(hit: Hit, partner: number, { found, hits }: Reference): RootRow
   };
 }
 
-/** Each difference is exact before it is rounded, so that an error of half a unit in the last place shows. */
+/**
+ * Each difference is exact before it is rounded, so that an error of half a unit in the last place
+ * shows.
+ */
 function distance(point: Vec3, { point: exact }: ExactHit): number {
   const off = (x: number, y: Surd): number =>
     Number.isFinite(x) ? toNumber(sub(fromNumber(x), y)) : Number.POSITIVE_INFINITY;

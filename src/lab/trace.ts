@@ -16,7 +16,10 @@ import { AXES } from '../math/vec3.ts';
 import { MOST_DIGITS, trustedDigits } from './digits.ts';
 import { keyOf, productOf, sumOf } from './written.ts';
 
-/** A number on its way through a formula: what the method has, what it should be, and how it came about. */
+/**
+ * A number on its way through a formula: what the method has, what it should be, and how it came
+ * about.
+ */
 export interface Traced<T> {
   readonly own: T;
   /** Null where there is no such number: the root of a negative one, a quotient by zero. */
@@ -54,9 +57,10 @@ export interface Trace<T> {
 }
 
 /**
- * An arithmetic that does every operation twice, in the method's own numbers and exactly, and notes what was done. A method's form and solver
- * run in it unchanged, so that what is shown is what the method does, and no formula is written a second time. Signs are the
- * method's own: the trace takes its branches, right or wrong.
+ * An arithmetic that does every operation twice, in the method's own numbers and exactly, and notes
+ * what was done. A method's form and solver run in it unchanged, so that what is shown is what the
+ * method does, and no formula is written a second time. Signs are the method's own: the trace takes
+ * its branches, right or wrong.
  */
 export function traceIn<T>(own: Arithmetic<T>): Trace<T> {
   const inputs: Operation[] = [];
@@ -165,7 +169,8 @@ function sortedBy<T>(
   b: Traced<T>,
 ): readonly [Traced<T>, Traced<T>] {
   const [first, second] = own.sorted?.(a.own, b.own) ?? [a.own, b.own];
-  // An enclosure may be cut: the numbers are then new, and which of the two they come from is told by their place.
+  // An enclosure may be cut: the numbers are then new, and which of the two they come from is told
+  // by their place.
   const swapped = own.toNumber(a.own) > own.toNumber(b.own);
   const [low, high] = swapped ? [b, a] : [a, b];
   return [

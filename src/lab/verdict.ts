@@ -12,7 +12,10 @@ const POINTS: Readonly<Record<Verdict, number>> = {
   undecided: Number.NaN,
 };
 
-/** Fewer points than there are: misses; more: invents; as many under another name (a tangent for a single root): misnames. */
+/**
+ * Fewer points than there are: misses; more: invents; as many under another name (a tangent for a
+ * single root): misnames.
+ */
 export function judge(verdict: Verdict, truth: Verdict): Judgement {
   if (verdict === 'undecided') return 'undecided';
   if (verdict === truth) return 'right';

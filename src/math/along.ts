@@ -8,7 +8,10 @@ import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 import type { Vec3 } from './vec3.ts';
 
-/** What a bead at t sees: R(t) = E + t d and f(t), each correctly rounded from the stored doubles (±Infinity beyond them). */
+/**
+ * What a bead at t sees: R(t) = E + t d and f(t), each correctly rounded from the stored doubles
+ * (±Infinity beyond them).
+ */
 export function alongRay(shape: Shape, ray: Ray, t: number): { point: Vec3; f: number } {
   const values = withScalars(valuesOf(shape, ray, exact), { t: exact.of(t) });
   const [x, y, z] = evaluateTriple(POINT, exact, values);

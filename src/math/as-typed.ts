@@ -8,7 +8,10 @@ import type { MethodParts } from './methods/tree-parts.ts';
 import type { Ray } from './ray.ts';
 import type { Shape } from './shapes/index.ts';
 
-/** By squares alone: in no condition do two roots meet that only differ in sign from each other's squares. */
+/**
+ * By squares alone: in no condition do two roots meet that only differ in sign from each other's
+ * squares.
+ */
 const TYPED_METHOD: MethodParts<TypedNumber> = {
   arithmetic: typed,
   form: momentForm,
@@ -18,8 +21,9 @@ const TYPED_METHOD: MethodParts<TypedNumber> = {
 };
 
 /**
- * What shape and ray have in common when their numbers are taken as typed, `values`, and not as the doubles that store
- * them. The class is exact; it is undecided where roots of different numbers would have to be compared. Roots and points are rounded.
+ * What shape and ray have in common when their numbers are taken as typed, `values`, and not as the
+ * doubles that store them. The class is exact; it is undecided where roots of different numbers
+ * would have to be compared. Roots and points are rounded.
  */
 export const intersectTyped = (shape: Shape, ray: Ray, values: Values<TypedNumber>): Intersection =>
   intersectValues(shape, ray, values, TYPED_METHOD);

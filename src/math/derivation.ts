@@ -10,7 +10,9 @@ import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 import { type FlatFormula, withPoint } from './shapes/planar.ts';
 
-/** One line of the algebra: what it is called, its tree, and the value that the kernel itself used. */
+/**
+ * One line of the algebra: what it is called, its tree, and the value that the kernel itself used.
+ */
 export interface Step {
   /** Name of the step and of the quantity: A, B, C, D, t, N.(E-P), N.d. */
   readonly id: string;
@@ -41,7 +43,10 @@ export interface Derivation {
   readonly numbers: Values<number>;
 }
 
-/** The named steps from the surface's equation to t, with the numbers of the intersection that was computed. */
+/**
+ * The named steps from the surface's equation to t, with the numbers of the intersection that was
+ * computed.
+ */
 export function derivation(shape: Shape, ray: Ray, found: Intersection): Derivation {
   const definition = definitionOf(shape);
   const formula = definition.formula(shape);

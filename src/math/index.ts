@@ -1,4 +1,7 @@
-/** The face of the math module: everything outside of src/math that is not a page of ours should need only this. */
+/**
+ * The face of the math module: everything outside of src/math that is not a page of ours should
+ * need only this.
+ */
 export { ulpDistance } from './float/ulp.ts';
 export { coefficients, intersect, solveQuadratic } from './intersect.ts';
 export type {

@@ -31,10 +31,10 @@ export interface IntersectOptions {
    * is where the ray starts and not a hit: it is dropped by this rule of identity, at whatever
    * distance, without any epsilon. Two equally near roots: the positive one is dropped.
    *
-   * `certified` and `exact` decide which root is nearer exactly, the other methods by comparing their
-   * own rounded roots. What no rule can know: whether E was on the surface at all. A ray declared to
-   * leave a surface that it does not start on loses a true hit; and where E has been rounded so far
-   * that the line misses the surface, there is nothing to drop.
+   * `certified` and `exact` decide which root is nearer exactly, the other methods by comparing
+   * their own rounded roots. What no rule can know: whether E was on the surface at all. A ray
+   * declared to leave a surface that it does not start on loses a true hit; and where E has been
+   * rounded so far that the line misses the surface, there is nothing to drop.
    */
   readonly from?: Given<Shape> | null | undefined;
 }
@@ -103,11 +103,12 @@ export function coefficients(
 }
 
 /**
- * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every t
- * is a root.
+ * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every
+ * t is a root.
  *
  * @param A any finite number, as B and C; 0 makes the equation linear.
- * @param solver the `id` of one of METHODS, whose own solver is used. By 'certified' and 'exact' the
+ * @param solver the `id` of one of METHODS, whose own solver is used. By 'certified' and 'exact'
+ * the
  *   roots are correctly rounded for every finite triple.
  * @throws InvalidInput on NaN, infinity and an unknown method.
  * @example

@@ -3,7 +3,10 @@ import type { Vec3 } from './vec3.ts';
 /** What the whole line of a ray has in common with a shape, t of any sign. */
 export type IntersectionClass = 'two' | 'tangent' | 'one' | 'none' | 'contained';
 
-/** 'undecided' is the answer of a method that cannot tell: an overflow, a NaN, an interval around zero. */
+/**
+ * 'undecided' is the answer of a method that cannot tell: an overflow, a NaN, an interval around
+ * zero.
+ */
 export type Verdict = IntersectionClass | 'undecided';
 
 /** Which stage of a method gave the class. */
@@ -23,7 +26,9 @@ export interface Hit {
   readonly singular: boolean;
 }
 
-/** A t² + B t + C and its discriminant. The signs are the method's own; null where it cannot tell. */
+/**
+ * A t² + B t + C and its discriminant. The signs are the method's own; null where it cannot tell.
+ */
 export interface CurvedDetails {
   readonly family: 'curved';
   readonly A: number;
@@ -38,7 +43,9 @@ export interface PlaneHit extends Hit {
   readonly holds: readonly (boolean | null)[];
   /** Rim and edge are inside; null where the method cannot tell. Always true for a plane. */
   readonly inside: boolean | null;
-  /** Euclidean distance from the figure; 0 inside, Infinity where the method cannot count so far. */
+  /**
+   * Euclidean distance from the figure; 0 inside, Infinity where the method cannot count so far.
+   */
   readonly distance: number;
 }
 
@@ -50,7 +57,10 @@ export interface FlatDetails {
   readonly signs: Readonly<Record<'offset' | 'rate', Sign | null>>;
   /** Where the line meets the plane, inside the figure or not; null for a line parallel to it. */
   readonly plane: PlaneHit | null;
-  /** For a line that lies in the plane: does it meet the figure? Null otherwise, or where the method cannot tell. */
+  /**
+   * For a line that lies in the plane: does it meet the figure? Null otherwise, or where the method
+   * cannot tell.
+   */
   readonly meetsFigure: boolean | null;
 }
 

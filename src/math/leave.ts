@@ -2,7 +2,10 @@ import type { Hit, Intersection } from './intersection.ts';
 import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 
-/** The answer for a ray that starts on `from`: if that is the shape asked about, its root nearest 0 is dropped. */
+/**
+ * The answer for a ray that starts on `from`: if that is the shape asked about, its root nearest 0
+ * is dropped.
+ */
 export function withoutStart(found: Intersection, shape: Shape, from: Shape): Intersection {
   if (!sameShape(shape, from)) return found;
   const { hits } = found;
@@ -38,10 +41,11 @@ function equal(a: unknown, b: unknown): boolean {
 }
 
 /**
- * Whether |t2| < |t1|, or |t2| = |t1| (then t2 is the positive one), for exact roots t1 < t2. Signs tell unless the roots lie on either side
- * of 0; there t1 + t2 = −B/A ≤ 0 is the question. Rounding to doubles is monotone, so different sizes of correctly
- * rounded roots tell, too; faithful ones only if they are more than two neighbours apart. Between, a method that
- * knows the signs of A and B exactly is asked for them.
+ * Whether |t2| < |t1|, or |t2| = |t1| (then t2 is the positive one), for exact roots t1 < t2. Signs
+ * tell unless the roots lie on either side of 0; there t1 + t2 = −B/A ≤ 0 is the question. Rounding
+ * to doubles is monotone, so different sizes of correctly rounded roots tell, too; faithful ones
+ * only if they are more than two neighbours apart. Between, a method that knows the signs of A and
+ * B exactly is asked for them.
  */
 function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
   if (second.t < 0) return true;
@@ -61,6 +65,9 @@ function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
 /** The methods whose details hold exact signs. */
 const KNOWS_SIGNS: ReadonlySet<string> = new Set(['certified', 'exact']);
 
-/** Two faithful roots are off by one neighbour each: 2^-52 of their size, or 2^-1074 among the subnormals. */
+/**
+ * Two faithful roots are off by one neighbour each: 2^-52 of their size, or 2^-1074 among the
+ * subnormals.
+ */
 const WELL_APART = 2 ** -50;
 const FOUR_STEPS = 2 ** -1072;

@@ -131,13 +131,18 @@ function next(store: Store, tools: PageActions): void {
   else store.dispatch({ type: 'browse', by: 1 });
 }
 
-/** Keys without a modifier can be switched off: speech input and a slip of the hand type letters too. */
+/**
+ * Keys without a modifier can be switched off: speech input and a slip of the hand type letters
+ * too.
+ */
 export interface KeySettings {
   readonly singleKeys: boolean;
   readonly page: string;
 }
 
-/** The command that a key press asks for, if the control it is pressed in does not need it itself. */
+/**
+ * The command that a key press asks for, if the control it is pressed in does not need it itself.
+ */
 export function commandFor(
   event: KeyboardEvent,
   commands: readonly Command[],

@@ -9,7 +9,10 @@ export interface KeyChoice {
   readonly choose: (on: boolean) => void;
 }
 
-/** Every key that works on the page, from the same table that the keys come from, and how the controls are worked. */
+/**
+ * Every key that works on the page, from the same table that the keys come from, and how the
+ * controls are worked.
+ */
 export function helpContent(
   commands: readonly Command[],
   page: PageId,

@@ -17,7 +17,10 @@ export interface Scene extends Mounted<SceneModel> {
 
 type SceneCode = typeof import('../canvas/scene.ts');
 
-/** three.js is a chunk of its own: formulas stand on the page before it arrives, and without it if it does not. */
+/**
+ * three.js is a chunk of its own: formulas stand on the page before it arrives, and without it if
+ * it does not.
+ */
 export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
   let model: SceneModel | null = null;
   let code: SceneCode | null = null;

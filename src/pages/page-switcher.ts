@@ -34,8 +34,9 @@ export interface PageSwitcherTools extends PageContext {
 }
 
 /**
- * One page at a time is in the document. The others are kept as they were left, out of it, so that coming back to a
- * measurement or a picture finds it, and each quantity stands in the document once.
+ * One page at a time is in the document. The others are kept as they were left, out of it, so that
+ * coming back to a measurement or a picture finds it, and each quantity stands in the document
+ * once.
  */
 export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools): PageSwitcher {
   const hosts = new Map<PageId, HTMLElement>();

@@ -25,13 +25,18 @@ export interface PageContext {
 export interface PageView {
   /** Takes any settings: what `read` would drop has its default. */
   render(state: AppState): void;
-  /** What of a link's settings is usable, and what was wrong with the rest, in words that quote it. */
+  /**
+   * What of a link's settings is usable, and what was wrong with the rest, in words that quote it.
+   */
   read(settings: Settings): Readable;
   /** What can be copied or saved from here, for the dialog 'File and export'. */
   exports(): readonly ExportItem[];
   /** A file that was opened or dropped and is no saved state: true if the page took it. */
   open?(text: string): boolean;
-  /** Another page is shown; the element stays as it is, out of the document, until this one is shown again. */
+  /**
+   * Another page is shown; the element stays as it is, out of the document, until this one is shown
+   * again.
+   */
   rest?(): void;
 }
 

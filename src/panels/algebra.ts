@@ -29,7 +29,10 @@ import {
 import { value } from './value.ts';
 import './algebra.css';
 
-/** From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the hits. */
+/**
+ * From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the
+ * hits.
+ */
 export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { derivation, title, shown, found, exactly } = model;
   const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
@@ -109,7 +112,10 @@ function chosen(step: Step, derivation: Derivation, found: Intersection, exactly
   return now;
 }
 
-/** The numbers put in, with so many digits that they give the result; or words where one of them is no finite number. */
+/**
+ * The numbers put in, with so many digits that they give the result; or words where one of them is
+ * no finite number.
+ */
 function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): NumbersLine {
   const { id, expr, worked } = step;
   const { numbers } = derivation;
@@ -131,7 +137,9 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
   return { content, below, long, isFaithful };
 }
 
-/** The value by the method, and beside it the exact digits where they differ, or what it is beyond. */
+/**
+ * The value by the method, and beside it the exact digits where they differ, or what it is beyond.
+ */
 function result(
   { id, letter }: Step,
   x: number,

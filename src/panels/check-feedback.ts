@@ -14,7 +14,10 @@ import { derivationLines } from './check-lines.ts';
 import { HINTS, type QuestionTools, type QuestionView } from './check-question-view.ts';
 import { value } from './value.ts';
 
-/** Right, wrong and by which mistake, or unread; what it means in the scene, and what can be done next. */
+/**
+ * Right, wrong and by which mistake, or unread; what it means in the scene, and what can be done
+ * next.
+ */
 export function feedback(judged: Judged, view: QuestionView, tools: QuestionTools): TemplateResult {
   const { posed, index, count, progress } = view;
   const asked = askedAt(progress, index);

@@ -14,7 +14,10 @@ const text = (value: unknown): string => {
   return typeof value === 'number' ? display(value, DIGITS) : String(value);
 };
 
-/** E, d and the shape's parameters, each in its symbol's colour; `unknown` is the one that is asked for. */
+/**
+ * E, d and the shape's parameters, each in its symbol's colour; `unknown` is the one that is asked
+ * for.
+ */
 export function inputRow({ shape, ray }: Input, unknown: string | null = null): TemplateResult {
   const { params, title } = definitionOf(shape);
   const given = shape as unknown as Readonly<Record<string, unknown>>;

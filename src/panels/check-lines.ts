@@ -55,7 +55,10 @@ function written(line: Line, layer: Layer): TemplateResult {
 
 const BEYOND = 'a number of it is beyond the doubles';
 
-/** The digits with which the line gives what it ends with; an open line has no end, and gives what it is worth. */
+/**
+ * The digits with which the line gives what it ends with; an open line has no end, and gives what
+ * it is worth.
+ */
 export function putIntoLine({ exprs, relation, values, numbers, worked }: Line): PutIn | null {
   const trees = relation ? [relation.left, relation.right] : exprs;
   const [only, ...others] = trees;

@@ -54,7 +54,10 @@ export function editor(view: ProgramView, tools: ProgramTools): TemplateResult {
     </div>`;
 }
 
-/** What would be too long does not even get into the box: laying it out could take longer than anybody waits. */
+/**
+ * What would be too long does not even get into the box: laying it out could take longer than
+ * anybody waits.
+ */
 function refuse(event: InputEvent, tools: ProgramTools): void {
   const { value, selectionStart, selectionEnd } = event.target as HTMLTextAreaElement;
   const text = value.slice(0, selectionStart) + (event.data ?? '') + value.slice(selectionEnd);

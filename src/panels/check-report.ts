@@ -28,7 +28,10 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
   </div>`;
 }
 
-/** Four scores: a program that is right where it is taught, and wrong only where doubles end, is to look so. */
+/**
+ * Four scores: a program that is right where it is taught, and wrong only where doubles end, is to
+ * look so.
+ */
 function summary(report: Report, view: ProgramView): TemplateResult {
   const { groups, common, findings, remarks, silent, left } = report;
   return html`<ul class="scores" aria-label="Exact cases right, by group">${groups.map(score)}</ul>

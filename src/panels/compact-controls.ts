@@ -15,8 +15,8 @@ import './compact-controls.css';
 let open = '';
 
 /**
- * All parameters with their values in one line, and the sliders of the one that is open: for a phone's dock.
- * `changed` asks for another render.
+ * All parameters with their values in one line, and the sliders of the one that is open: for a
+ * phone's dock. `changed` asks for another render.
  */
 export function compactControls(
   model: ExploreModel,

@@ -10,7 +10,10 @@ import { formula } from './formula.ts';
 import { typesetSymbols } from './typeset.ts';
 import './digit-steps.css';
 
-/** "Where did the digits go?": a method's intermediate values in order, each with the digits that can still be trusted. */
+/**
+ * "Where did the digits go?": a method's intermediate values in order, each with the digits that
+ * can still be trusted.
+ */
 export function digitSteps(title: string, { steps, worst }: Losses): TemplateResult {
   return html`<div class="steps">
     <p class="steps-verdict" role="status">

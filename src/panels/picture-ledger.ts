@@ -30,7 +30,10 @@ const SAMPLE_WORDS: Readonly<Record<number, string>> = {
   16: 'sixteen through every pixel',
 };
 
-/** What was simulated, why, and what it cost; then what was not, and why not. `took`: from start to end, where it is done. */
+/**
+ * What was simulated, why, and what it cost; then what was not, and why not. `took`: from start to
+ * end, where it is done.
+ */
 export function ledger(
   model: LedgerModel,
   took: Pick<Progress, 'msSpent' | 'workers'> | null,

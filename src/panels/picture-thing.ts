@@ -31,7 +31,9 @@ const PATTERNS = [
 
 type Edit = (now: Placed) => Placed;
 
-/** An edit of the thing as it is when it arrives, and why the thing that is drawn may not become so. */
+/**
+ * An edit of the thing as it is when it arrives, and why the thing that is drawn may not become so.
+ */
 interface Tools {
   readonly send: (edit: Edit) => void;
   readonly check: (edit: Edit) => string | null;
@@ -102,7 +104,8 @@ function materialForm({ paint, shine, mirror, glass }: Material, tools: Tools): 
   const of =
     (edit: (now: Material) => Material): Edit =>
     (now) => ({ ...now, material: edit(now.material) });
-  // Paint and glass may have become others meanwhile, which have no such part: then the scene is refused, and stays.
+  // Paint and glass may have become others meanwhile, which have no such part: then the scene is
+  // refused, and stays.
   const painted = (part: object): Edit =>
     of((now) => ({ ...now, paint: { ...now.paint, ...part } as Paint }));
   const glassy = (edit: (now: Glass) => Glass): Edit =>

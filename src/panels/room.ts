@@ -66,7 +66,10 @@ function piecesOf(expr: Expr, values: Values<number>, digits: number): number[] 
   return [charactersOf(expr, values, digits)];
 }
 
-/** About as many characters as the typeset line has; a pair of parentheses counts for each negative number. */
+/**
+ * About as many characters as the typeset line has; a pair of parentheses counts for each negative
+ * number.
+ */
 function charactersOf(expr: Expr, values: Values<number>, digits: number): number {
   const of = (e: Expr): number => charactersOf(e, values, digits);
   const total = (all: readonly Expr[]): number => all.reduce((sum, e) => sum + of(e), 0);

@@ -27,7 +27,9 @@ export function classOf(id: string, sort: Sort): string {
   return role ? `sym sym-${role}` : 'sym';
 }
 
-/** The name in data-symbol. The centre C and the coefficient C are two symbols that look the same. */
+/**
+ * The name in data-symbol. The centre C and the coefficient C are two symbols that look the same.
+ */
 export function highlightOf(id: string, sort: Sort): string {
   return sort === 'scalar' && /^[ABCD]$/.test(id) ? `coefficient-${id}` : id;
 }

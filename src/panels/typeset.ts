@@ -5,7 +5,10 @@ import { inNumbers, inSymbols, numberPiece } from '../math/formula/print/leaves.
 import type { Marks } from '../math/formula/print/math-notation.ts';
 import { classOf, highlightOf } from './symbols.ts';
 
-/** Mathematics as templates of the page: symbols, and the numbers in their places, are coloured and light up. */
+/**
+ * Mathematics as templates of the page: symbols, and the numbers in their places, are coloured and
+ * light up.
+ */
 const MARKS: Marks<TemplateResult> = {
   join: (parts) => mathml`${parts}`,
   symbol: (id, sort) =>
@@ -51,7 +54,10 @@ export function typesetNumbers(
   return inNumbers(expr, MARKS, values, options);
 }
 
-/** The same in pieces between which a line may be broken: the terms of a sum, the two sides of a dot product. */
+/**
+ * The same in pieces between which a line may be broken: the terms of a sum, the two sides of a dot
+ * product.
+ */
 export function typesetNumbersInPieces(
   expr: Expr,
   values: Values<number>,

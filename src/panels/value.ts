@@ -2,18 +2,22 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { display, displayAll, shortest } from '../text/format.ts';
 
 interface Look {
-  /** Characters that there is space for: six digits become fewer rather than run into a neighbour. */
+  /**
+   * Characters that there is space for: six digits become fewer rather than run into a neighbour.
+   */
   readonly room?: number;
   readonly digits?: number;
   /** What stands there instead. */
   readonly text?: string | null;
-  /** The double has more digits than `text`, for a click; else it does not tell the number at all. */
+  /**
+   * The double has more digits than `text`, for a click; else it does not tell the number at all.
+   */
   readonly keeps?: boolean;
 }
 
 /**
- * A computed number on the page: shown in six digits, carried in full by data-value; a click shows every digit. What a
- * method lost carries none.
+ * A computed number on the page: shown in six digits, carried in full by data-value; a click shows
+ * every digit. What a method lost carries none.
  */
 export function value(
   quantity: string,

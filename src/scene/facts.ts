@@ -7,14 +7,20 @@ import type { Placed, Scene } from './types.ts';
 
 export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
 
-/** Glass lets light through (without bending a shadow ray: see docs/FAKED.md), so it stands in no light's way. */
+/**
+ * Glass lets light through (without bending a shadow ray: see docs/FAKED.md), so it stands in no
+ * light's way.
+ */
 export const blocks = (thing: Placed): boolean => !isGlass(thing);
 
 /** Shows light on itself: on its paint, or as a highlight. */
 const isLit = ({ material }: Placed): boolean =>
   material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
 
-/** Why nothing in the scene can lie in a shadow, or null if something may. `glass`: but for that of glass, which casts none here. */
+/**
+ * Why nothing in the scene can lie in a shadow, or null if something may. `glass`: but for that of
+ * glass, which casts none here.
+ */
 export function whyNoShadow(
   scene: Scene,
 ): { readonly reason: string; readonly glass: boolean } | null {

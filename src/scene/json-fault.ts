@@ -7,7 +7,10 @@ const SPACE = /[ \t\n\r]*/y;
 const STRING = /"(?:[^"\\\p{Cc}]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/uy;
 const SIMPLE = /true|false|null|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 
-/** Where a text stops being JSON (RFC 8259), in words; null if it is. The engines' own messages differ, and some name no place. */
+/**
+ * Where a text stops being JSON (RFC 8259), in words; null if it is. The engines' own messages
+ * differ, and some name no place.
+ */
 export function jsonFault(text: string): string | null {
   let at = 0;
   const skip = (pattern: RegExp): boolean => {

@@ -1,7 +1,10 @@
 import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
 import { AXES, type Axis, type Vec3 } from '../math/vec3.ts';
 
-/** Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`. Throws InvalidInput. */
+/**
+ * Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`.
+ * Throws InvalidInput.
+ */
 export type Read<T> = (value: unknown, path: string) => T;
 
 export const number =
@@ -78,7 +81,10 @@ export const listOf =
 
 type Fields<T> = { readonly [K in keyof T]-?: Read<Exclude<T[K], undefined>> };
 
-/** Just these keys, all but the optional ones: any other is refused, since leaving it out would change what was meant. */
+/**
+ * Just these keys, all but the optional ones: any other is refused, since leaving it out would
+ * change what was meant.
+ */
 export function record<T extends object>(
   fields: Fields<T>,
   optional: readonly (keyof T)[] = [],

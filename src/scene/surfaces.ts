@@ -15,7 +15,9 @@ export interface Surface {
   readonly between?: Heights;
 }
 
-/** All surfaces of a scene in a fixed order: what a hit, a ray tree and a frame mean by an index. */
+/**
+ * All surfaces of a scene in a fixed order: what a hit, a ray tree and a frame mean by an index.
+ */
 export function surfacesOf(scene: Scene): readonly Surface[] {
   return scene.things.flatMap((placed, thing): Surface[] => {
     const { shape, between } = placed;

@@ -2,8 +2,8 @@ import type { Shape } from '../math/shapes/index.ts';
 import type { Axis, Vec3 } from '../math/vec3.ts';
 
 /*
- * A scene is plain data: what is said here is what a file holds. Everything is readonly; an edited scene is a new one
- * (edit.ts). A file from anywhere becomes a Scene only by validate.ts.
+ * A scene is plain data: what is said here is what a file holds. Everything is readonly; an edited
+ * scene is a new one (edit.ts). A file from anywhere becomes a Scene only by validate.ts.
  */
 
 /** '#rrggbb' as in a colour box: sRGB. The tracer works with linear light. */
@@ -13,7 +13,10 @@ export interface Scene {
   readonly title: string;
   readonly camera: Camera;
   readonly background: Background;
-  /** The constant that stands in for light from other surfaces: this share of its colour every surface shows unlit. 0 … 1. */
+  /**
+   * The constant that stands in for light from other surfaces: this share of its colour every
+   * surface shows unlit. 0 … 1.
+   */
   readonly ambient: number;
   readonly things: readonly Placed[];
   readonly lights: readonly Light[];
@@ -61,7 +64,10 @@ export interface PlainPaint {
   readonly colour: Colour;
 }
 
-/** Cubes of this size in space (checker), or slices across an axis (stripes), in two colours by turns. */
+/**
+ * Cubes of this size in space (checker), or slices across an axis (stripes), in two colours by
+ * turns.
+ */
 export type PatternPaint = CheckerPaint | StripesPaint;
 
 export interface CheckerPaint {
@@ -96,7 +102,10 @@ export type Light = PointLight | SunLight | SphereLight;
 interface LightBase {
   readonly id: string;
   readonly colour: Colour;
-  /** What a white surface facing it sends back, 1 being full white. It does not fall off with distance. */
+  /**
+   * What a white surface facing it sends back, 1 being full white. It does not fall off with
+   * distance.
+   */
   readonly strength: number;
 }
 

@@ -34,7 +34,10 @@ import type {
   SunLight,
 } from './types.ts';
 
-/** What a stranger's file may hold. Coordinates this far out still square without trouble in float32. */
+/**
+ * What a stranger's file may hold. Coordinates this far out still square without trouble in
+ * float32.
+ */
 export const LIMITS = {
   things: 250,
   lights: 8,
@@ -113,8 +116,8 @@ const scene = record<Scene>({
 });
 
 /**
- * A value from anywhere as a Scene of its own, nothing of it shared. Throws InvalidInput with where it stands and what it was:
- * `things[0].material.mirror must be a number from 0 to 1, got 2`.
+ * A value from anywhere as a Scene of its own, nothing of it shared. Throws InvalidInput with where
+ * it stands and what it was: `things[0].material.mirror must be a number from 0 to 1, got 2`.
  */
 export function validateScene(value: unknown): Scene {
   const found = scene(value, '');

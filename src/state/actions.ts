@@ -5,8 +5,9 @@ import type { TypedTexts } from './typed-texts.ts';
 import type { View } from './view.ts';
 
 /**
- * What a value is to be: itself, or made from what it is when the action arrives. The second is for whatever leaves a part
- * as it is: the page may have been drawn before that part was changed last, so what stands on it is no base for an edit.
+ * What a value is to be: itself, or made from what it is when the action arrives. The second is for
+ * whatever leaves a part as it is: the page may have been drawn before that part was changed last,
+ * so what stands on it is no base for an edit.
  */
 export type Edit<T> = T | ((now: T) => T);
 

@@ -7,8 +7,8 @@ import type { ExploreModel } from './derive.ts';
 import { paramValue } from './state.ts';
 
 /**
- * What a listener should hear of a change: the value first, the consequence second. "r 1.2. The ray is now tangent: one
- * double root, the ray touches, t₁ 3.46." Empty if nothing audible changed.
+ * What a listener should hear of a change: the value first, the consequence second. "r 1.2. The ray
+ * is now tangent: one double root, the ray touches, t₁ 3.46." Empty if nothing audible changed.
  */
 export function announcement(before: ExploreModel, after: ExploreModel): string {
   const value = newExample(before, after) || changedValue(before, after);
@@ -17,7 +17,10 @@ export function announcement(before: ExploreModel, after: ExploreModel): string 
   return [value, news, left].filter(Boolean).join(' ');
 }
 
-/** "Example 5 of 41: in the plane. N·d = 0 and …": it was opened, or what was changed in it was undone. */
+/**
+ * "Example 5 of 41: in the plane. N·d = 0 and …": it was opened, or what was changed in it was
+ * undone.
+ */
 function newExample({ example: old }: ExploreModel, { example, state }: ExploreModel): string {
   if (!example || example.changed) return '';
   if (old && !old.changed && old.number === example.number) return '';

@@ -19,7 +19,10 @@ import {
 import type { Piece } from './verdict-parts.ts';
 import { textOf, type VerdictWords, verdictWords } from './words.ts';
 
-/** What is to be said where the numbers that were typed and the doubles that store them are not the same. */
+/**
+ * What is to be said where the numbers that were typed and the doubles that store them are not the
+ * same.
+ */
 export interface AsTyped {
   /** Null where both give the same case. */
   readonly differs: Difference | null;
@@ -31,7 +34,10 @@ export interface Difference {
   readonly class: Verdict;
   readonly typed: VerdictWords;
   readonly stored: VerdictWords;
-  /** Which numbers make the difference, and what they are stored as: "0.3 is 0.29999999999999998890". */
+  /**
+   * Which numbers make the difference, and what they are stored as: "0.3 is
+   * 0.29999999999999998890".
+   */
   readonly because: string;
 }
 
@@ -113,7 +119,9 @@ function sameCase(a: VerdictWords, b: VerdictWords): boolean {
   return said(a) === said(b);
 }
 
-/** Digits that are shown of a stored number: three more than any two doubles need to be told apart. */
+/**
+ * Digits that are shown of a stored number: three more than any two doubles need to be told apart.
+ */
 const STORED_DIGITS = 20;
 const MOST_NUMBERS = 3;
 

@@ -60,7 +60,10 @@ export interface ShownResult {
   readonly beside: string | null;
 }
 
-/** A formula in floats means its own 0 and its own ∞; the other methods know more than the doubles that they show. */
+/**
+ * A formula in floats means its own 0 and its own ∞; the other methods know more than the doubles
+ * that they show.
+ */
 const knowsMore = ({ decidedBy }: Pick<Intersection, 'decidedBy'>): boolean =>
   decidedBy !== 'formula';
 
@@ -85,7 +88,10 @@ export function shownResult(
 const isOutOfRange = (value: number, exactly: Surd): boolean =>
   !Number.isFinite(value) || (value === 0 && exact.sign(exactly) !== 0);
 
-/** Which of the results no double can hold, and how it was solved all the same; null where all are in range. */
+/**
+ * Which of the results no double can hold, and how it was solved all the same; null where all are
+ * in range.
+ */
 export function rangeNote(
   { steps }: Pick<Derivation, 'steps'>,
   found: Intersection,
@@ -109,8 +115,9 @@ const named = (steps: readonly Step[]): string =>
   steps.map(({ id }) => id.replace('.', '·').replace('-', ` ${MINUS} `)).join(', ');
 
 /**
- * The exact digits beside a number whose shown digits differ from them, so many that the difference is seen; null where
- * they are the same. `exactly`, where it is known, gives the digits also beyond the doubles.
+ * The exact digits beside a number whose shown digits differ from them, so many that the difference
+ * is seen; null where they are the same. `exactly`, where it is known, gives the digits also beyond
+ * the doubles.
  */
 export function exactBeside(value: number, rounded: number, exactly?: Surd): string | null {
   if (value === rounded && (value !== 0 || !exactly || exact.sign(exactly) === 0)) return null;

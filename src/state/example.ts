@@ -9,13 +9,18 @@ export interface Example {
   /** From 1. */
   readonly number: number;
   readonly of: number;
-  /** Something was changed: the title is still where it came from, and the caption no longer speaks of what is shown. */
+  /**
+   * Something was changed: the title is still where it came from, and the caption no longer speaks
+   * of what is shown.
+   */
   readonly changed: boolean;
 }
 
 let numbers: ReadonlyMap<string, number> | null = null;
 
-/** Whoever opens an example's link has the example, and so has whoever undoes what he changed in it. */
+/**
+ * Whoever opens an example's link has the example, and so has whoever undoes what he changed in it.
+ */
 export function exampleOf(state: AppState): Example | null {
   numbers ??= new Map(GALLERY.map(({ link }, i) => [valuesOf(decode(link)), i]));
   const same = numbers.get(valuesOf(state));

@@ -5,7 +5,9 @@ import { type AppState, INITIAL, PAGES, type Settings } from './state.ts';
 import { readTexts, type TypedTexts } from './typed-texts.ts';
 import { decode, encode, MAX_KEYS } from './url.ts';
 
-/** A saved state: its link, and the shapes and other pages' settings that the link does not carry. */
+/**
+ * A saved state: its link, and the shapes and other pages' settings that the link does not carry.
+ */
 interface Saved {
   readonly graze: 1;
   readonly link: string;
@@ -27,7 +29,9 @@ export type Opened =
   | { readonly ok: true; readonly state: AppState }
   | { readonly ok: false; readonly reason: string };
 
-/** The state in a file from anywhere: what is not understood is left out and said, never guessed. */
+/**
+ * The state in a file from anywhere: what is not understood is left out and said, never guessed.
+ */
 export function fromFile(text: string): Opened {
   let data: unknown;
   try {

@@ -62,7 +62,10 @@ function planePieces(
   return ['the plane is met ', ...by, `outside the ${name}${where}: no point`];
 }
 
-/** Null where a method knows that a point is outside and not how far, or the distance leaves the doubles. */
+/**
+ * Null where a method knows that a point is outside and not how far, or the distance leaves the
+ * doubles.
+ */
 export function distanceKnown({ distance }: PlaneHit): number | null {
   return distance > 0 && Number.isFinite(distance) ? distance : null;
 }

@@ -52,7 +52,10 @@ export function pointAt({ origin, direction }: Ray, t: number): readonly [number
   return [at(0), at(1), at(2)];
 }
 
-/** The values of f worth seeing: at E, at the turning point, at the roots; with the axis never at the very edge. */
+/**
+ * The values of f worth seeing: at E, at the turning point, at the roots; with the axis never at
+ * the very edge.
+ */
 function heights(
   f: (t: number) => number,
   { from, to }: { from: number; to: number },

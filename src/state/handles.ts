@@ -33,7 +33,10 @@ export interface PointHandle extends HandleBase {
   readonly type: 'point';
   readonly at: Vec3;
   readonly value: Vec3;
-  /** What the value is here: E's is the place itself, d's counts from E, and with a unit d its value is longer or shorter. */
+  /**
+   * What the value is here: E's is the place itself, d's counts from E, and with a unit d its value
+   * is longer or shorter.
+   */
   readonly here: Vec3;
   /** Where a direction starts; null for a place. */
   readonly origin: Vec3 | null;

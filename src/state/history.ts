@@ -7,14 +7,19 @@ export interface History {
   readonly past: readonly AppState[];
   readonly present: AppState;
   readonly future: readonly AppState[];
-  /** The gesture that made the last step; what belongs to the same one becomes part of that step. */
+  /**
+   * The gesture that made the last step; what belongs to the same one becomes part of that step.
+   */
   readonly gesture: string | null;
 }
 
 /** Steps that can be taken back. */
 const LONGEST = 200;
 
-/** What undo brings back. Looking around (view, bead, page, what is hidden) is not a step, but undo goes where the step was taken. */
+/**
+ * What undo brings back. Looking around (view, bead, page, what is hidden) is not a step, but undo
+ * goes where the step was taken.
+ */
 const UNDOABLE = [
   'kind',
   'shapes',
@@ -31,7 +36,10 @@ export function historyOf(present: AppState): History {
   return { past: [], present, future: [], gesture: null };
 }
 
-/** The history after an action. Actions of one gesture (a whole drag, a run of key presses) are one step; null is its own. */
+/**
+ * The history after an action. Actions of one gesture (a whole drag, a run of key presses) are one
+ * step; null is its own.
+ */
 export function advance(history: History, action: Action, gesture: string | null): History {
   if (action.type === 'undo') return back(history);
   if (action.type === 'redo') return forth(history);

@@ -41,7 +41,10 @@ export const allMeant = (given: Given): Meant[] =>
 export const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
   (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
 
-/** The numbers as typed, d at unit length if it is; null where they are just what is stored, or no one root holds them. */
+/**
+ * The numbers as typed, d at unit length if it is; null where they are just what is stored, or no
+ * one root holds them.
+ */
 export function typedValues(given: Given): Values<Surd> | null {
   const all = allMeant(given);
   if (!isTyped(all, given)) return null;
@@ -59,7 +62,10 @@ export function typedValues(given: Given): Values<Surd> | null {
   }
 }
 
-/** What a double may have been typed as: its shortest text, if that is a decimal that doubles tell from all others. */
+/**
+ * What a double may have been typed as: its shortest text, if that is a decimal that doubles tell
+ * from all others.
+ */
 const TYPED_DIGITS = 15;
 
 function meant(place: Place, { texts }: Given): Meant {
@@ -118,7 +124,10 @@ function put<T>(v: Triple<T> | undefined, index: 0 | 1 | 2, x: T): Triple<T> {
   return [index === 0 ? x : v[0], index === 1 ? x : v[1], index === 2 ? x : v[2]];
 }
 
-/** What is allowed of the stored numbers need not be of the typed ones: 0.1 + 0.2 - 0.3 is no direction. */
+/**
+ * What is allowed of the stored numbers need not be of the typed ones: 0.1 + 0.2 - 0.3 is no
+ * direction.
+ */
 export function isAllowed({ shape }: Given, { scalars, vectors }: Values<Surd>): boolean {
   return [RAY_PARAMS.d, ...definitionOf(shape).params].every((param: Param) => {
     if (param.type === 'vector') return !param.nonZero || !vectors[param.symbol]?.every(isZero);

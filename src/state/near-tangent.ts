@@ -21,13 +21,15 @@ export interface NearTangent {
   readonly reason: string;
 }
 
-/** |D| beside B² + |4AC|, below which the neighbours are asked. Rounded input moves D by far less. */
+/**
+ * |D| beside B² + |4AC|, below which the neighbours are asked. Rounded input moves D by far less.
+ */
 const SMALL = 1e-6;
 
 /**
- * Whether D, which is not 0, is 0 or has the other sign for a neighbouring double of E, of d or of a
- * number of the shape: a step in the last place of each coordinate, at most. Then there is nothing
- * between here and the other side that could be set.
+ * Whether D, which is not 0, is 0 or has the other sign for a neighbouring double of E, of d or of
+ * a number of the shape: a step in the last place of each coordinate, at most. Then there is
+ * nothing between here and the other side that could be set.
  */
 export function nearTangent(
   shape: Shape,

@@ -16,19 +16,26 @@ import { rootsOf } from './window.ts';
 /** How a line is written with its numbers put in. */
 export interface PutIn {
   readonly digits: number;
-  /** Whether its printed numbers give the printed result in all its digits; else it is written with ≈. */
+  /**
+   * Whether its printed numbers give the printed result in all its digits; else it is written with
+   * ≈.
+   */
   readonly isFaithful: boolean;
 }
 
-/** Digits of a number in a line: six as everywhere, more where the result needs them, fewer where there is no room. */
+/**
+ * Digits of a number in a line: six as everywhere, more where the result needs them, fewer where
+ * there is no room.
+ */
 const MORE = [6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17] as const;
 const FEWER = [5, 4] as const;
 /** Of a line that no number of digits makes faithful. */
 const COMPACT = [6, 5, 4, 3] as const;
 
 /**
- * The digits that make the line give its result when it is worked out again, in the first of the rooms that they fit
- * into; and without such digits as many as fit, for a line with ≈. Null where a number of the line is not finite.
+ * The digits that make the line give its result when it is worked out again, in the first of the
+ * rooms that they fit into; and without such digits as many as fit, for a line with ≈. Null where a
+ * number of the line is not finite.
  */
 export function putIn<Room>(
   step: Pick<Step, 'expr' | 'worked'>,
@@ -117,7 +124,10 @@ export function resultsOf({ id, value }: Step, found: Intersection, exactly: Exa
   return valuesAsResults(rootsOf(found), details.family === 'curved' ? details.A : undefined);
 }
 
-/** The digits with which two numbers compare as printed as was decided of them; undefined where none do. */
+/**
+ * The digits with which two numbers compare as printed as was decided of them; undefined where none
+ * do.
+ */
 export const comparableDigits = (
   left: number,
   right: number,
@@ -129,7 +139,9 @@ export const comparableDigits = (
 
 const isAtMost = (a: Ratio, b: Ratio): boolean => ratios.sign(ratios.sub(a, b)) <= 0;
 
-/** The digits with which a condition, put in and read as it stands, says what the method decided. */
+/**
+ * The digits with which a condition, put in and read as it stands, says what the method decided.
+ */
 export function conditionDigits(
   { relation, left, right, holds }: ConditionStep,
   numbers: Values<number>,

@@ -5,7 +5,10 @@ interface Derived {
   readonly derivation: Derivation;
 }
 
-/** The lines that can be revealed one after another: each step, the conditions, the verdict, the hits. */
+/**
+ * The lines that can be revealed one after another: each step, the conditions, the verdict, the
+ * hits.
+ */
 export function lineCount({ derivation }: Derived): number {
   return derivation.steps.length + (derivation.conditions.length > 0 ? 1 : 0) + 2;
 }
@@ -27,7 +30,10 @@ export function shownLines(
   };
 }
 
-/** The scene as it is before anyone has computed anything: the ray and the shape, and nothing that tells where they meet. */
+/**
+ * The scene as it is before anyone has computed anything: the ray and the shape, and nothing that
+ * tells where they meet.
+ */
 export function withoutResults(scene: SceneModel): SceneModel {
   const from = scene.ray.segments[0]?.from ?? 0;
   const to = scene.ray.segments.at(-1)?.to ?? 0;

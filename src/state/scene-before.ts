@@ -11,8 +11,8 @@ import type { View } from './view.ts';
 const EVERYWHERE = { from: Number.NEGATIVE_INFINITY, to: Number.POSITIVE_INFINITY };
 
 /**
- * The scene before anything was computed: shape and ray, and a stage with room for them and for `points`. Nothing of it,
- * neither its size nor where the ray ends, depends on where the two meet.
+ * The scene before anything was computed: shape and ray, and a stage with room for them and for
+ * `points`. Nothing of it, neither its size nor where the ray ends, depends on where the two meet.
  */
 export function sceneBefore(
   shape: Shape,

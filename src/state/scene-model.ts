@@ -3,7 +3,9 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { Handle } from './handles.ts';
 import type { View } from './view.ts';
 
-/** How a stretch of the ray is drawn: behind E, on the way to a hit, inside, or after the last hit. */
+/**
+ * How a stretch of the ray is drawn: behind E, on the way to a hit, inside, or after the last hit.
+ */
 export type Stretch = 'behind' | 'before' | 'inside' | 'after';
 
 export interface RaySegment {
@@ -12,7 +14,10 @@ export interface RaySegment {
   readonly stretch: Stretch;
 }
 
-/** 'first' is the first visible hit (filled disc), 'other' a later one (ring), 'behind' has t < 0, 'outside' misses a figure in its plane (both ×). */
+/**
+ * 'first' is the first visible hit (filled disc), 'other' a later one (ring), 'behind' has t < 0,
+ * 'outside' misses a figure in its plane (both ×).
+ */
 export type HitRole = 'first' | 'other' | 'behind' | 'outside';
 
 export interface HitMark {
@@ -40,7 +45,10 @@ export interface GhostModel {
   readonly beside: Vec3 | null;
 }
 
-/** Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their identity while they do not change. */
+/**
+ * Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their
+ * identity while they do not change.
+ */
 export interface SceneModel {
   readonly shapeTitle: string;
   readonly stage: Stage;

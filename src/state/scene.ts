@@ -60,7 +60,10 @@ export function sceneOf(parts: Parts): SceneModel {
   };
 }
 
-/** A float method may know that a point is outside the figure and, for an overflow, not where: that one has no mark. */
+/**
+ * A float method may know that a point is outside the figure and, for an overflow, not where: that
+ * one has no mark.
+ */
 function hitMarks(found: Intersection, stage: Stage): HitMark[] {
   const { details, hits } = found;
   return hitWords(found)
@@ -74,7 +77,10 @@ function hitMarks(found: Intersection, stage: Stage): HitMark[] {
     .filter(({ point }) => !point.some(Number.isNaN));
 }
 
-/** Where the ray, over the graph's stretch of t and a little beyond, is inside the stage; null if nowhere. */
+/**
+ * Where the ray, over the graph's stretch of t and a little beyond, is inside the stage; null if
+ * nowhere.
+ */
 export function clipToStage(
   { origin, direction }: Ray,
   { center, radius }: Stage,

@@ -5,7 +5,10 @@ import type { Vec3 } from '../math/vec3.ts';
 /** What a handle moves: a point or direction, or one number. */
 export type Value = Vec3 | number;
 
-/** Pixels between a dragged value and what it snaps to: it is taken within the first, and let go beyond the second. */
+/**
+ * Pixels between a dragged value and what it snaps to: it is taken within the first, and let go
+ * beyond the second.
+ */
 export const ENTER = 8;
 export const LEAVE = 13;
 
@@ -28,15 +31,24 @@ export function take(offers: readonly Offer[], held: string | null): Offer | nul
   return near.reduce<Offer | null>((a, b) => (a && a.gap <= b.gap ? a : b), null);
 }
 
-/** The grid of a drag is the parameter's step, coarser in a large world and finer when that is seen from near. */
+/**
+ * The grid of a drag is the parameter's step, coarser in a large world and finer when that is seen
+ * from near.
+ */
 export function gridUnit(stageRadius: number, worldPerPixel: number): number {
   return roundStep(Math.min(stageRadius / 5, PIXELS_A_UNIT * worldPerPixel));
 }
 
-/** A world length of 1 on the first page, with room to spare, so that the grid there is the sliders'. */
+/**
+ * A world length of 1 on the first page, with room to spare, so that the grid there is the
+ * sliders'.
+ */
 const PIXELS_A_UNIT = 120;
 
-/** A power of ten at or below a tenth of a pixel: values that are not on the grid stay short to read all the same. */
+/**
+ * A power of ten at or below a tenth of a pixel: values that are not on the grid stay short to read
+ * all the same.
+ */
 export function hair(valuePerPixel: number): number {
   return 10 ** Math.floor(Math.log10(valuePerPixel / 10));
 }
@@ -50,7 +62,10 @@ export function onGrid(value: Value, start: Value, step: number): Value {
   return [put(0), put(1), put(2)];
 }
 
-/** The multiple of `step`, a power of ten times 1, 2 or 5 times a short decimal, that is nearest to x, as the decimal reads. */
+/**
+ * The multiple of `step`, a power of ten times 1, 2 or 5 times a short decimal, that is nearest to
+ * x, as the decimal reads.
+ */
 export function nearestOn(x: number, step: number): number {
   const rounded = Number((Math.round(x / step) * step).toPrecision(12));
   // Beyond twelve digits the grid is finer than what can be written; + 0 makes −0 a plain zero.
@@ -79,8 +94,9 @@ const COARSE = [LEAVE / 3, (2 * LEAVE) / 3, LEAVE];
 const BRACKET = 1e-4;
 
 /**
- * The nearest place on one of the ways where D changes its sign, as near as doubles come: found by bisection on the exact
- * sign. Where one of the `grids` has a value beside it that is tangent exactly, that one.
+ * The nearest place on one of the ways where D changes its sign, as near as doubles come: found by
+ * bisection on the exact sign. Where one of the `grids` has a value beside it that is tangent
+ * exactly, that one.
  */
 export function tangentOffer(
   ways: readonly Way[],
@@ -118,7 +134,10 @@ export function tangentOffer(
   return found && offer(found.value, found.probe.isTangent);
 }
 
-/** Of the two neighbouring doubles between which the exact D changes its sign, the one where it is smaller. */
+/**
+ * Of the two neighbouring doubles between which the exact D changes its sign, the one where it is
+ * smaller.
+ */
 function bisect(
   way: Way,
   from: number,

@@ -5,9 +5,14 @@ import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
 
-/** The world at the scale of the sliders: this part of it is shown as long as everything happens there. */
+/**
+ * The world at the scale of the sliders: this part of it is shown as long as everything happens
+ * there.
+ */
 const HAND = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
-/** What lies this many times farther than the rest is left out of the picture, and the page says so. */
+/**
+ * What lies this many times farther than the rest is left out of the picture, and the page says so.
+ */
 const FAR = 8;
 /** Heights that an unbounded surface is drawn between, in radii from the middle of the stage. */
 const LOW = -0.44;
@@ -18,8 +23,9 @@ export const stageOf = (shape: Shape, ray: Ray, found: Intersection): Stage =>
   stageAround(shape, [ray.origin, ...interesting(found)]);
 
 /**
- * The part of the world with these places. It grows smoothly with what has to be seen, so that a slider never makes the
- * picture jump; far from the origin, or when everything is tiny, it is centred on the shape.
+ * The part of the world with these places. It grows smoothly with what has to be seen, so that a
+ * slider never makes the picture jump; far from the origin, or when everything is tiny, it is
+ * centred on the shape.
  */
 export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
   const anchor = definitionOf(shape).anchor(shape);
@@ -41,8 +47,9 @@ export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
 }
 
 /**
- * The point itself up to `far` from the centre; beyond, the picture lets go of it as gradually as it followed it: the place
- * to be seen comes back along the same line, and is the centre itself from twice as far.
+ * The point itself up to `far` from the centre; beyond, the picture lets go of it as gradually as
+ * it followed it: the place to be seen comes back along the same line, and is the centre itself
+ * from twice as far.
  */
 function followed(p: Vec3, center: Vec3, far: number): Vec3 {
   const away = distance(p, center);
@@ -57,7 +64,10 @@ function interesting({ hits, details }: Intersection): Vec3[] {
   return [...hits.map(({ point }) => point), ...plane];
 }
 
-/** A length for a world that is not at the sliders' scale: the shape's own, or what happens nearest to it. */
+/**
+ * A length for a world that is not at the sliders' scale: the shape's own, or what happens nearest
+ * to it.
+ */
 function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): number {
   if (anchor.size > 0 && Number.isFinite(anchor.size)) return 1.5 * anchor.size;
   const near = points.map((p) => distance(p, anchor.at)).filter((d) => d > 0 && d < Infinity);

@@ -23,12 +23,16 @@ export const PAGES = [
 export type PageId = (typeof PAGES)[number]['id'];
 
 /**
- * What a page's link says beyond the ray and the method, as text under each key; only the page's own code, which is
- * loaded late, knows what it means. Keys are words: the course's single letters are the shapes'.
+ * What a page's link says beyond the ray and the method, as text under each key; only the page's
+ * own code, which is loaded late, knows what it means. Keys are words: the course's single letters
+ * are the shapes'.
  */
 export type Settings = Readonly<Record<string, string>>;
 
-/** Everything that a page shows follows from this; a link carries it, the other shapes' parameters excepted. */
+/**
+ * Everything that a page shows follows from this; a link carries it, the other shapes' parameters
+ * excepted.
+ */
 export interface AppState {
   readonly page: PageId;
   readonly kind: ShapeKind;
@@ -38,13 +42,19 @@ export interface AppState {
   /** As it was given; with `unit` the kernel gets d / |d| instead. */
   readonly d: Vec3;
   readonly unit: boolean;
-  /** What was typed for the numbers of E, d and the shapes, where it is more than the double's shortest text. */
+  /**
+   * What was typed for the numbers of E, d and the shapes, where it is more than the double's
+   * shortest text.
+   */
   readonly typed: Readonly<Record<string, string>>;
   readonly method: string;
   readonly view: View;
   /** t of the bead; null lets it rest where the picture is clearest. */
   readonly bead: number | null;
-  /** Heights between which the scene that this came from keeps the shape; null as soon as ray or shape are other ones. */
+  /**
+   * Heights between which the scene that this came from keeps the shape; null as soon as ray or
+   * shape are other ones.
+   */
   readonly between: Between | null;
   /** Of each page as it was left. */
   readonly settings: Readonly<Record<PageId, Settings>>;
@@ -63,7 +73,10 @@ export interface Ghost {
   readonly ray: Ray;
 }
 
-/** Where each part of the state is kept: in the link, in a saved file, or nowhere. Undo: see history.ts. */
+/**
+ * Where each part of the state is kept: in the link, in a saved file, or nowhere. Undo: see
+ * history.ts.
+ */
 export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>> = {
   page: 'link',
   kind: 'link',

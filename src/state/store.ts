@@ -11,8 +11,9 @@ export interface Store {
 }
 
 /**
- * One state, changed by actions only; listeners hear of a change, not of an action that changed nothing.
- * `gesture` names the drag or run of key presses that is under way, so that it becomes one step of undo.
+ * One state, changed by actions only; listeners hear of a change, not of an action that changed
+ * nothing. `gesture` names the drag or run of key presses that is under way, so that it becomes one
+ * step of undo.
  */
 export function createStore(initial: AppState, gesture: () => string | null = () => null): Store {
   let history = historyOf(initial);

@@ -3,8 +3,9 @@ import type { Intersection, Sign } from '../math/intersection.ts';
 import type { Stretch } from './scene-model.ts';
 
 /**
- * Where the ray is over an interval of t, by the sign of f there; behind E that is all that is said. A flat shape has two sides
- * and no inside: f > 0 is the side that N points to. Null where the method cannot tell.
+ * Where the ray is over an interval of t, by the sign of f there; behind E that is all that is
+ * said. A flat shape has two sides and no inside: f > 0 is the side that N points to. Null where
+ * the method cannot tell.
  */
 export type Place = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
 
@@ -22,7 +23,10 @@ interface Interval {
   readonly to: number;
 }
 
-/** The window cut at E and at the roots, in the order of t. `span`: the part of a line in a figure's plane that is in the figure. */
+/**
+ * The window cut at E and at the roots, in the order of t. `span`: the part of a line in a figure's
+ * plane that is in the figure.
+ */
 export function stretchesOf(
   found: Intersection,
   { from, to }: Interval,

@@ -8,8 +8,8 @@ import { parseNumber } from '../text/parse.ts';
 import { type AppState, paramValue, RAY_PARAMS } from './state.ts';
 
 /**
- * What was typed for a number, under its name: 'E.x', 'cone.c'. Only where it is more than the shortest text of the
- * double that is stored: 1/3, sqrt(2), 1e7.
+ * What was typed for a number, under its name: 'E.x', 'cone.c'. Only where it is more than the
+ * shortest text of the double that is stored: 1/3, sqrt(2), 1e7.
  */
 export type TypedTexts = Readonly<Record<string, string>>;
 
@@ -45,7 +45,10 @@ function places(owner: string, param: Param, value: Vec3 | number | string): Pla
   }));
 }
 
-/** As it is kept: with decimal points, since commas separate in a link; undefined where there is nothing to keep. */
+/**
+ * As it is kept: with decimal points, since commas separate in a link; undefined where there is
+ * nothing to keep.
+ */
 export function keptText(text: string | undefined, value: number): string | undefined {
   const plain = text?.trim().replace(/,(?=\d)/g, '.');
   if (plain === undefined || spelled(plain) === linkNumber(value)) return undefined;
@@ -53,7 +56,10 @@ export function keptText(text: string | undefined, value: number): string | unde
   return parsed.ok && Object.is(parsed.value, value) ? plain : undefined;
 }
 
-/** A plus sign turns into a space in some programs that pass links on; the exponent does not need it. */
+/**
+ * A plus sign turns into a space in some programs that pass links on; the exponent does not need
+ * it.
+ */
 export const linkNumber = (x: number): string => withoutPlus(shortest(x));
 
 /** Of +3 and of −3 with a typographic minus there is nothing to keep. */
@@ -61,7 +67,10 @@ const spelled = (text: string): string => withoutPlus(normalise(text)).replace(/
 
 const withoutPlus = (text: string): string => text.replace('e+', 'e');
 
-/** The state after a change by which `texts` were typed; the texts of other numbers that changed are of the past. */
+/**
+ * The state after a change by which `texts` were typed; the texts of other numbers that changed are
+ * of the past.
+ */
 export function retyped(before: AppState, after: AppState, texts: TypedTexts = {}): AppState {
   const old = new Map(allPlaces(before).map(({ key, value }) => [key, value]));
   const typed = textsWhere(allPlaces(after), ({ key, value }) => {
@@ -89,7 +98,9 @@ export function readTexts(given: unknown, shapes: AppState['shapes']): TypedText
   });
 }
 
-/** The texts in a link's pairs, which are about the ray and one shape; the other shapes keep theirs. */
+/**
+ * The texts in a link's pairs, which are about the ray and one shape; the other shapes keep theirs.
+ */
 export function linkedTexts(
   given: ReadonlyMap<string, string>,
   state: Pick<AppState, 'E' | 'd' | 'shapes' | 'kind'>,

@@ -21,7 +21,10 @@ import { retyped, type TypedTexts, untyped } from './typed-texts.ts';
 import { decode } from './url.ts';
 import { isView } from './view.ts';
 
-/** The next state. An action whose value is not allowed changes nothing: whoever sent it has said why. */
+/**
+ * The next state. An action whose value is not allowed changes nothing: whoever sent it has said
+ * why.
+ */
 export function update(state: AppState, action: Action): AppState {
   const next = step(state, action);
   return next === state || action.type === 'link' || action.type === 'open'

@@ -21,7 +21,10 @@ import {
 import { linkedTexts, linkNumber, type Place, rayPlaces, shapePlaces } from './typed-texts.ts';
 import { isView, type View } from './view.ts';
 
-/** Text of one key, and the reading of it. `read` throws InvalidInput with words that quote what was written. */
+/**
+ * Text of one key, and the reading of it. `read` throws InvalidInput with words that quote what was
+ * written.
+ */
 interface Codec<V> {
   write(value: V): string;
   read(text: string): V;
@@ -82,7 +85,10 @@ function codecOf(param: Param): Codec<Vec3 | number | string> {
   return codec as Codec<Vec3 | number | string>;
 }
 
-/** The link of a state: readable, and writable by hand. Defaults are left out; the method never is, as its default may change. */
+/**
+ * The link of a state: readable, and writable by hand. Defaults are left out; the method never is,
+ * as its default may change.
+ */
 export function encode(state: AppState): string {
   const { page } = state;
   const pairs: [string, string][] = aboutRay(page) ? rayPairs(state) : [];
@@ -94,7 +100,10 @@ export function encode(state: AppState): string {
   return `#/${page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
 }
 
-/** The link of a shape and a ray on Explore, from wherever they are shown; with the heights that the shape is kept between there. */
+/**
+ * The link of a shape and a ray on Explore, from wherever they are shown; with the heights that the
+ * shape is kept between there.
+ */
 export function exploreLink(
   shape: Shape,
   ray: Ray,
@@ -149,8 +158,8 @@ function lookPairs(state: AppState): [string, string][] {
 }
 
 /**
- * The state that a link asks for. It never throws: what cannot be read keeps its default, and is said in `problems`.
- * The other shapes stay as `before` left them.
+ * The state that a link asks for. It never throws: what cannot be read keeps its default, and is
+ * said in `problems`. The other shapes stay as `before` left them.
  */
 export function decode(hash: string, before: AppState = INITIAL): AppState {
   const problems: string[] = [];

@@ -1,4 +1,7 @@
-/** Where the camera stands: a named view, or angles in degrees about the stage's centre with a zoom factor. */
+/**
+ * Where the camera stands: a named view, or angles in degrees about the stage's centre with a zoom
+ * factor.
+ */
 export type NamedView = 'iso' | 'top' | 'front' | 'side' | 'ray';
 
 export interface FreeView {

@@ -11,7 +11,10 @@ export interface Window {
 
 /** Roots closer together than this share of their distance from E are looked at by themselves. */
 const CLOSE = 0.02;
-/** Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between them. */
+/**
+ * Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between
+ * them.
+ */
 const TOO_CLOSE = 1e-5;
 
 const TOGETHER = 't₁ and t₂ lie too close together to be told apart here';
@@ -20,8 +23,8 @@ const TOGETHER = 't₁ and t₂ lie too close together to be told apart here';
 const LARGEST = Number.MAX_VALUE / 4;
 
 /**
- * All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away to show both.
- * `ends`: of what a line in a figure's plane has in common with the figure.
+ * All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away
+ * to show both. `ends`: of what a line in a figure's plane has in common with the figure.
  */
 export function windowOf(found: Intersection, ends: readonly number[] = []): Window {
   return within(found, [1, ...ends]);
@@ -52,7 +55,10 @@ function within(found: Intersection, ends: readonly number[]): Window {
   return around([0, ...roots, ...ends.filter(Number.isFinite), ...turningPoint(found)], roots);
 }
 
-/** The points in t that the picture is about: the roots, and the plane's root where the figure is missed. */
+/**
+ * The points in t that the picture is about: the roots, and the plane's root where the figure is
+ * missed.
+ */
 export function rootsOf({ hits, details }: Intersection): number[] {
   if (details.family === 'flat' && details.plane) return [details.plane.t];
   return hits.map(({ t }) => t);
@@ -77,7 +83,10 @@ function around(points: readonly number[], roots: readonly number[]): Window {
   };
 }
 
-/** t at rest: the middle between two roots, else a little beyond the tip of d. Short, so that it reads well. */
+/**
+ * t at rest: the middle between two roots, else a little beyond the tip of d. Short, so that it
+ * reads well.
+ */
 export function restingBead(found: Intersection, { from, to }: Window): number {
   const [first, second] = found.hits;
   const t = first && second ? (first.t + second.t) / 2 : 1.5;

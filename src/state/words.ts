@@ -32,8 +32,8 @@ export interface HitWords {
 }
 
 /**
- * The case in words, true of the line and of the ray from E. The table behind it: verdict-table.ts. `given` are the
- * numbers that `found` is about, where they are not those that shape and ray store.
+ * The case in words, true of the line and of the ray from E. The table behind it: verdict-table.ts.
+ * `given` are the numbers that `found` is about, where they are not those that shape and ray store.
  */
 export function verdictWords(
   found: Intersection,
@@ -76,7 +76,10 @@ function hitText(found: Intersection, i: number, role: HitRole, atE: boolean): s
   return [start, crossing(found, i)].filter(Boolean).join(', ');
 }
 
-/** Whether f changes from outside (+) to inside (−) there, from the sign of f′; nothing for a flat shape. */
+/**
+ * Whether f changes from outside (+) to inside (−) there, from the sign of f′; nothing for a flat
+ * shape.
+ */
 export function crossing(found: Intersection, i: number): string {
   const { class: verdict, hits, details } = found;
   if (details.family === 'flat') return sideOfPlane(found) === 0 ? 'in the plane' : '';

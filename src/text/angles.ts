@@ -2,7 +2,10 @@ import type { Typed, TypedUnary } from './typed.ts';
 
 const OF_ANGLES: ReadonlySet<string> = new Set(['sin', 'cos', 'tan']);
 
-/** The angle in degrees of which a sine, cosine or tangent is taken; null where it was not typed as degrees. */
+/**
+ * The angle in degrees of which a sine, cosine or tangent is taken; null where it was not typed as
+ * degrees.
+ */
 export function degreesIn({ name, of }: TypedUnary): Typed | null {
   return OF_ANGLES.has(name) ? withoutDegrees(of) : null;
 }
@@ -51,8 +54,9 @@ function sineAt(degrees: number): SpecialValue | null {
 }
 
 /**
- * A word on a sine, cosine or tangent of a bare number: it is taken in radians, and tan(30) may mean degrees.
- * Null where the text says which it is: tan(30 deg), tan(0.5 rad), tan(pi/6), and for an angle of 0.
+ * A word on a sine, cosine or tangent of a bare number: it is taken in radians, and tan(30) may
+ * mean degrees. Null where the text says which it is: tan(30 deg), tan(0.5 rad), tan(pi/6), and for
+ * an angle of 0.
  */
 export function angleHint(tree: Typed): string | null {
   if (tree.op === 'number' || tree.op === 'constant') return null;

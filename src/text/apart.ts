@@ -8,7 +8,10 @@ export function digitsToTell(a: number, b: number, least = 6): number {
   return ALL_DIGITS;
 }
 
-/** One or two roots as they are printed: with more digits where so few would make two of them look alike. */
+/**
+ * One or two roots as they are printed: with more digits where so few would make two of them look
+ * alike.
+ */
 export function rootTexts(roots: readonly number[], digits = 6): string[] {
   const [a, b] = roots;
   const alike = a !== undefined && b !== undefined && display(a, digits) === display(b, digits);

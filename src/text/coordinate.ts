@@ -2,8 +2,8 @@
 export const FARTHEST = 1e5;
 
 /**
- * A coordinate for a drawing in CSS px: hundredths, never beyond what browsers can draw, and 0 for no number. Every
- * number that goes into SVG passes here.
+ * A coordinate for a drawing in CSS px: hundredths, never beyond what browsers can draw, and 0 for
+ * no number. Every number that goes into SVG passes here.
  */
 export function coordinate(px: number): number {
   if (Number.isNaN(px)) return 0;

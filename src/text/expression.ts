@@ -8,7 +8,10 @@ export const CONSTANTS: Readonly<Record<ConstantName, number>> = {
 };
 export const UNITS: Readonly<Record<UnitName, number>> = { deg: Math.PI / 180, rad: 1 };
 
-/** The value in doubles. Infinite and NaN values are passed on; what leaves the doubles' range is refused. */
+/**
+ * The value in doubles. Infinite and NaN values are passed on; what leaves the doubles' range is
+ * refused.
+ */
 export function evaluate(tree: Typed): number {
   switch (tree.op) {
     case 'number':

@@ -31,7 +31,10 @@ export function displayAll(x: number): string {
   return shortest(x).replace('Infinity', '∞').replaceAll('-', MINUS);
 }
 
-/** x rounded to `digits` significant digits: 0.72, 5.50860 (more digits follow), −1.2 · 10⁷. Never 0 for what is not 0. */
+/**
+ * x rounded to `digits` significant digits: 0.72, 5.50860 (more digits follow), −1.2 · 10⁷. Never 0
+ * for what is not 0.
+ */
 export function display(x: number, digits = 6): string {
   return inOne(displayParts(x, digits));
 }
@@ -49,7 +52,10 @@ export function displayTriple(v: readonly [number, number, number], digits = 6):
   return `(${v.map((x) => display(x, digits)).join(', ')})`;
 }
 
-/** What `display` writes, in two parts, for a view that typesets the power itself. Both zeros are '0'. */
+/**
+ * What `display` writes, in two parts, for a view that typesets the power itself. Both zeros are
+ * '0'.
+ */
 export function displayParts(x: number, digits = 6): DisplayParts {
   if (x === 0) return { mantissa: '0', exponent: null };
   if (Number.isNaN(x)) return { mantissa: NO_VALUE, exponent: null };
@@ -62,8 +68,8 @@ export function displayParts(x: number, digits = 6): DisplayParts {
 }
 
 /**
- * The digits to show. Zeros at the end stay when they were rounded, so that 5.50860 says "five and a half, and
- * more follows" and 0.72 says 0.72 even if its last bit is off.
+ * The digits to show. Zeros at the end stay when they were rounded, so that 5.50860 says "five and
+ * a half, and more follows" and 0.72 says 0.72 even if its last bit is off.
  */
 function significant(x: number, digits: number): { figures: string; exponent: number } {
   const [short, exponent] = scientific(x, digits);
@@ -80,13 +86,19 @@ function scientific(x: number, digits: number): [figures: string, exponent: numb
   return [mantissa.replace('.', '').padEnd(digits, '0'), Number(exponent)];
 }
 
-/** Never with zeros that stand for digits which were rounded away: 123456 in three digits is 1.23 · 10⁵, not 123000. */
+/**
+ * Never with zeros that stand for digits which were rounded away: 123456 in three digits is 1.23 ·
+ * 10⁵, not 123000.
+ */
 function isWrittenOut(exponent: number, figures: number, digits: number): boolean {
   const hidesDigits = figures === digits && exponent >= digits;
   return exponent >= FIXED_FROM && exponent < Math.max(FIXED_BELOW, digits) && !hidesDigits;
 }
 
-/** The figures with the decimal point where `exponent` puts it: ('72', −1) → '0.72', ('1', 5) → '100000'. */
+/**
+ * The figures with the decimal point where `exponent` puts it: ('72', −1) → '0.72', ('1', 5) →
+ * '100000'.
+ */
 function fixed(figures: string, exponent: number): string {
   if (exponent < 0) return `0.${'0'.repeat(-exponent - 1)}${figures}`;
   const whole = figures.slice(0, exponent + 1).padEnd(exponent + 1, '0');

@@ -16,7 +16,10 @@ export function literal(text: string): number | null {
   return exponent === undefined ? null : decimal(`${sign}${mantissa}e${exponent}`);
 }
 
-/** Refuses a number whose size no double has: it would be silently 0 or infinite. `subject` begins the reason. */
+/**
+ * Refuses a number whose size no double has: it would be silently 0 or infinite. `subject` begins
+ * the reason.
+ */
 export function decimal(text: string, subject = ''): number {
   const value = Number(text);
   if (!Number.isFinite(value)) throw new Refusal(subject + BEYOND);

@@ -12,7 +12,8 @@ const SPELLINGS: readonly (readonly [RegExp, string])[] = [
   [/∞/g, 'infinity'],
   [/°/g, ' deg'],
   [/\bmath\./g, ''],
-  // A decimal comma. A thousands comma cannot be told from it, so '1,234,567' is left with two points and refused.
+  // A decimal comma. A thousands comma cannot be told from it, so '1,234,567' is left with two
+  // points and refused.
   [/,(?=\d)/g, '.'],
   // √2^2 is (√2)², as on paper.
   [new RegExp(String.raw`√\s*(${UNSIGNED}|pi\b)`, 'g'), 'sqrt($1)'],

@@ -15,7 +15,10 @@ export interface NumberOptions {
   readonly allowInfinity?: boolean;
 }
 
-/** A number or an expression without variables: '1/3', 'sqrt(2)', '1e7', '-2^-40', '0,5', '2·10⁻³', 'pi'. */
+/**
+ * A number or an expression without variables: '1/3', 'sqrt(2)', '1e7', '-2^-40', '0,5', '2·10⁻³',
+ * 'pi'.
+ */
 export function parseNumber(text: string, options: NumberOptions = {}): Parsed<number> {
   if (text.trim() === '') return refused('type a number, such as 1/3 or sqrt(2)');
   if (text.length > MAX_LENGTH)
@@ -42,7 +45,10 @@ export function parseTyped(text: string): Typed | null {
   return parseNumber(text).ok ? readExpression(normalise(text)) : null;
 }
 
-/** What may have been meant otherwise, though it was read: angles of which nobody said that they are radians. */
+/**
+ * What may have been meant otherwise, though it was read: angles of which nobody said that they are
+ * radians.
+ */
 export function hintOn(text: string): string | null {
   const tree = parseTyped(text);
   return tree && angleHint(tree);
@@ -55,7 +61,10 @@ function judged(text: string, value: number | null, allowInfinity: boolean): Par
   return ok ? { ok, value } : refused(`${quoted(text)} is infinite`);
 }
 
-/** A literal inside an expression is quoted alone ("'1e400' is beyond …"), an operation with the whole text. */
+/**
+ * A literal inside an expression is quoted alone ("'1e400' is beyond …"), an operation with the
+ * whole text.
+ */
 function withQuote(reason: string, text: string): string {
   return reason.startsWith("'") ? reason : `${quoted(text)} ${reason}`;
 }

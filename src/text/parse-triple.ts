@@ -12,12 +12,15 @@ const OPENING = '([{';
 const CLOSING = ')]}';
 
 /**
- * From the surest separator to the weakest. A comma comes late because it may be a decimal comma: in '1,5; 2; 3'
- * and '1,5, 2, 3' the semicolon and the comma with a space separate.
+ * From the surest separator to the weakest. A comma comes late because it may be a decimal comma:
+ * in '1,5; 2; 3' and '1,5, 2, 3' the semicolon and the comma with a space separate.
  */
 const SEPARATORS: readonly RegExp[] = [/;/, /,?[\t\n]/, /,/, /,\s+/];
 
-/** '1, 2, 3', '(1,2,3)', '1 2 3', '1,5; 2; 3', '[1, 2, 3]', 'vec3(1.0, 2.0, 3.0)'; each part may be an expression. */
+/**
+ * '1, 2, 3', '(1,2,3)', '1 2 3', '1,5; 2; 3', '[1, 2, 3]', 'vec3(1.0, 2.0, 3.0)'; each part may be
+ * an expression.
+ */
 export function parseTriple(text: string, options: NumberOptions = {}): Parsed<Triple> {
   if (text.trim() === '') return refused(EXAMPLE);
   if (text.length > MAX_LENGTH) return refused(`${quoted(text)} is too long for three numbers`);
@@ -38,7 +41,10 @@ export function tripleTexts(text: string): readonly string[] | null {
   return separated(text) ?? spaced(text);
 }
 
-/** Whether a pasted text is meant for three boxes: '1, 2, x' is (and has a fault), '1,5' and '1 - 3' are not. */
+/**
+ * Whether a pasted text is meant for three boxes: '1, 2, x' is (and has a fault), '1,5' and '1 - 3'
+ * are not.
+ */
 export function looksLikeTriple(text: string): boolean {
   if (text.length > MAX_LENGTH) return false;
   return separated(text) !== null || (spaced(text) !== null && parseTriple(text).ok);

@@ -6,7 +6,9 @@ import type { ConstantName, Typed, UnitName } from './typed.ts';
 
 const TOKEN = new RegExp(String.raw`\s*(?:(${UNSIGNED})|([a-z_]\w*)|([-+*/^()]))\s*`, 'y');
 
-/** Reads what its rule says from where the reader stands; null where the tokens are something else. */
+/**
+ * Reads what its rule says from where the reader stands; null where the tokens are something else.
+ */
 type Rule = () => Typed | null;
 
 /**
@@ -18,8 +20,8 @@ type Rule = () => Typed | null;
  *     power:   operand (^ factor)*
  *     operand: function (sum), or (number, constant or (sum)) with deg or rad behind it or not
  *
- * A function with a bracket is an operand, sqrt(2)^2 = 2; without one it takes the power behind it, sqrt 2^2 = 2 too, but
- * as sqrt(4).
+ * A function with a bracket is an operand, sqrt(2)^2 = 2; without one it takes the power behind it,
+ * sqrt 2^2 = 2 too, but as sqrt(4).
  */
 export function readExpression(text: string): Typed | null {
   const tokens = tokenise(text);

@@ -1,4 +1,6 @@
-/** Why a text is no number. Thrown where it is found, and turned into a result by the two parsers. */
+/**
+ * Why a text is no number. Thrown where it is found, and turned into a result by the two parsers.
+ */
 export class Refusal extends Error {}
 
 /** Quotes what was typed; a long text is cut, so that the reason stays one line. */

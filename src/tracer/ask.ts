@@ -18,7 +18,10 @@ export interface Asker {
   readonly others: Packed;
   readonly leaving: Packed;
   readonly out: Answers;
-  /** Packs rays list[0 … count − 1] for the target. Under a rule other than `from` nobody is said to leave. */
+  /**
+   * Packs rays list[0 … count − 1] for the target. Under a rule other than `from` nobody is said to
+   * leave.
+   */
   pack(
     target: Target,
     rays: Rays,
@@ -27,9 +30,15 @@ export interface Asker {
     count: number,
     tally: Tally,
   ): void;
-  /** Of the packed others only those whose whole line meets the target are kept: no root is worked out. */
+  /**
+   * Of the packed others only those whose whole line meets the target are kept: no root is worked
+   * out.
+   */
   keepMeeting(target: Target, tally: Tally): void;
-  /** The first root that counts into out.t0, NaN where there is none, for packed others (or any rays that do not leave). */
+  /**
+   * The first root that counts into out.t0, NaN where there is none, for packed others (or any rays
+   * that do not leave).
+   */
   firstOf(target: Target, rays: Rays, tMin: number, tally: Tally): void;
   /** The same for the packed leaving ones, whose start is dropped. */
   firstOfLeaving(target: Target, tally: Tally): void;
@@ -49,7 +58,10 @@ export interface HeightsEffect {
   readonly spend: (solves: number, ms: number) => void;
 }
 
-/** Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where no target is cut. */
+/**
+ * Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where
+ * no target is cut.
+ */
 export function createAsker(
   capacity: number,
   start: StartRule,

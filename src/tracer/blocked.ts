@@ -7,8 +7,9 @@ import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
 /**
- * Whether anything is hit before the limit, into blocker: whatever is found first, and then the ray is asked no more. First "does the whole line meet
- * you?", for which no root is worked out; only of those that do, where.
+ * Whether anything is hit before the limit, into blocker: whatever is found first, and then the ray
+ * is asked no more. First "does the whole line meet you?", for which no root is worked out; only of
+ * those that do, where.
  */
 export function findBlocked(
   feelers: Feelers,

@@ -18,7 +18,10 @@ export interface Book {
   count(kind: RayKind, rays: number): void;
   save(): void;
   cut(): void;
-  /** Runs a step of an effect and puts its time to it, but for what choosing by height took within. Returns all of it. */
+  /**
+   * Runs a step of an effect and puts its time to it, but for what choosing by height took within.
+   * Returns all of it.
+   */
   timed(part: Part, run: () => void): number;
   /** What finite heights took so far. */
   heightsMs(): number;

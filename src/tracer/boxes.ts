@@ -23,7 +23,9 @@ export interface Boxed {
   readonly surface: number;
 }
 
-/** Halves the list at the median along the axis in which it is longest. The list must not be empty. */
+/**
+ * Halves the list at the median along the axis in which it is longest. The list must not be empty.
+ */
 export function hierarchyOf(list: readonly Boxed[]): Hierarchy {
   const [first] = list;
   if (!first) throw new RangeError('no boxes to put into a hierarchy');
@@ -58,12 +60,15 @@ export interface Slopes {
   readonly z: Float64Array;
 }
 
-/** Each t of a side is off by 3 roundings of 2^-53 at most, however far away E is (Ize 2013, Robust BVH ray traversal). */
+/**
+ * Each t of a side is off by 3 roundings of 2^-53 at most, however far away E is (Ize 2013, Robust
+ * BVH ray traversal).
+ */
 const SLACK = 1 + 2 ** -50;
 
 /**
- * Of the rays list[0 … count − 1] those that may meet the box before their limit, into `kept`; returns how many. A ray in the plane of a side
- * makes 0·∞, which is NaN and rejects nothing.
+ * Of the rays list[0 … count − 1] those that may meet the box before their limit, into `kept`;
+ * returns how many. A ray in the plane of a side makes 0·∞, which is NaN and rejects nothing.
  */
 export function meetBox(
   { low, high }: Box,

@@ -4,7 +4,10 @@ import type { Camera } from '../scene/types.ts';
 import { unit } from './gradient.ts';
 import type { Tile, TraceSettings } from './types.ts';
 
-/** The camera's three directions, the sideways ones as long as half the picture's width and height at distance 1. */
+/**
+ * The camera's three directions, the sideways ones as long as half the picture's width and height
+ * at distance 1.
+ */
 export interface Lens {
   readonly eye: Vec3;
   readonly ahead: Vec3;

@@ -23,7 +23,10 @@ export interface Comparison {
   readonly map: Uint8Array;
   /** The largest difference of a channel, 0 … 255. */
   readonly levels: Uint8Array;
-  /** Decimal digits in which the two t differ, of the 15.95 that a double has; NaN where the verdicts differ or nothing is met. */
+  /**
+   * Decimal digits in which the two t differ, of the 15.95 that a double has; NaN where the
+   * verdicts differ or nothing is met.
+   */
   readonly digits: Float32Array;
   readonly pixels: number;
   /** Pixels that have another colour. */
@@ -41,7 +44,10 @@ export interface Comparison {
   readonly largestLevel: number;
 }
 
-/** `a` against `b`; where one of them is to be trusted it is `b`. The pictures must be of one size: RangeError. */
+/**
+ * `a` against `b`; where one of them is to be trusted it is `b`. The pictures must be of one size:
+ * RangeError.
+ */
 export function comparePictures(a: Picture, b: Picture): Comparison {
   if (a.width !== b.width || a.height !== b.height) {
     throw new RangeError(`${a.width} × ${a.height} cannot be laid on ${b.width} × ${b.height}`);

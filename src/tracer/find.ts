@@ -16,8 +16,10 @@ export interface Finder {
 }
 
 /**
- * From this many surfaces with an end on, boxes are used. They pay from the second one (docs/bench-tracer.md); below this every surface is asked about
- * every ray all the same, so that what a method gets wrong outside of a shape's box is seen, too. `certified` and `exact` answer alike with and without.
+ * From this many surfaces with an end on, boxes are used. They pay from the second one
+ * (docs/bench-tracer.md); below this every surface is asked about every ray all the same, so that
+ * what a method gets wrong outside of a shape's box is seen, too. `certified` and `exact` answer
+ * alike with and without.
  */
 export const BOXES_FROM = 6;
 

@@ -1,7 +1,10 @@
 import { type Boxed, type Hierarchy, hierarchyOf } from './boxes.ts';
 import type { Target } from './world.ts';
 
-/** Surfaces as they are asked: without a box about every ray, the others about those that meet the boxes around them. */
+/**
+ * Surfaces as they are asked: without a box about every ray, the others about those that meet the
+ * boxes around them.
+ */
 export interface Groups {
   readonly open: readonly Target[];
   readonly boxed: readonly Hierarchy[];

@@ -7,7 +7,10 @@ import type { Room } from './room.ts';
 import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
-/** The nearest hit of each ray of the wave, into t and surface. `tMin` is the least t for rays that leave a surface. */
+/**
+ * The nearest hit of each ray of the wave, into t and surface. `tMin` is the least t for rays that
+ * leave a surface.
+ */
 export function findNearest(
   wave: Wave,
   { open, boxed }: Groups,
@@ -61,7 +64,9 @@ export function findNearest(
   }
 }
 
-/** Of two surfaces at the same t the first of the scene counts, in whatever order they are asked. */
+/**
+ * Of two surfaces at the same t the first of the scene counts, in whatever order they are asked.
+ */
 function takeNearer(
   target: number,
   index: Int32Array,

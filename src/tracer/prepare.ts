@@ -22,7 +22,10 @@ export interface Tracer {
 /** Samples followed at once: enough for the kernels to be fast, few enough to stay in the cache. */
 const AT_ONCE = 4096;
 
-/** Loads the code of the effects that the scene calls for (or the user forces), and of no others. `clock` in milliseconds. */
+/**
+ * Loads the code of the effects that the scene calls for (or the user forces), and of no others.
+ * `clock` in milliseconds.
+ */
 export async function prepareTracer(
   scene: Scene,
   settings: TraceSettings,

@@ -11,7 +11,10 @@ import { worldOf } from './world.ts';
 
 /** Sees every ray; for ray trees. */
 export interface Recorder {
-  /** Hits are known. Puts a number of its own for each ray into wave.node, which holds that of the ray before. */
+  /**
+   * Hits are known. Puts a number of its own for each ray into wave.node, which holds that of the
+   * ray before.
+   */
   wave(wave: Wave): void;
   feelers(feelers: Feelers, light: WorldLight): void;
 }
@@ -19,13 +22,19 @@ export interface Recorder {
 export interface Engine {
   /** The wave to put camera rays into, with room for so many. */
   camera(count: number): Wave;
-  /** Follows them until nothing more can change, and adds what they bring to the film, which begins at 0. */
+  /**
+   * Follows them until nothing more can change, and adds what they bring to the film, which begins
+   * at 0.
+   */
   follow(camera: Wave, film: Film, recorder?: Recorder): Ledger;
 }
 
 type At<K extends EffectBody['at']> = Extract<EffectBody, { readonly at: K }>;
 
-/** The rays that one effect fires: one wave is followed while the next generation is put into the other. */
+/**
+ * The rays that one effect fires: one wave is followed while the next generation is put into the
+ * other.
+ */
 interface Cause {
   readonly part: Part<At<'bounce'>>;
   readonly tools: Tools;
@@ -34,8 +43,8 @@ interface Cause {
 }
 
 /**
- * The tracer of a scene, put together from the effects that take part: for the others there is no branch in it. A ray is dropped when it can bring
- * no more than `unseen` of linear light.
+ * The tracer of a scene, put together from the effects that take part: for the others there is no
+ * branch in it. A ray is dropped when it can bring no more than `unseen` of linear light.
  */
 export function createEngine(
   scene: Scene,
@@ -139,7 +148,10 @@ export function createEngine(
     return others;
   }
 
-  /** One wave from its rays to what they bring and the rays that follow. `cause` gets the time that no effect claims. */
+  /**
+   * One wave from its rays to what they bring and the rays that follow. `cause` gets the time that
+   * no effect claims.
+   */
   function pass(wave: Wave, cause: Tally, film: Film): void {
     const before = clock();
     const chosen = book.heightsMs();
@@ -191,7 +203,8 @@ export function createEngine(
       pass(camera, book.camera, film);
       generation = 1;
       while (turn()) {
-        // In the order of the effects, so that what a pixel gets is added in one order, however the picture is cut.
+        // In the order of the effects, so that what a pixel gets is added in one order, however the
+        // picture is cut.
         for (const cause of causes) {
           if (cause.now.count > 0) pass(cause.now, book.tallyOf(cause.part.id), film);
         }

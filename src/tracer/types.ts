@@ -6,13 +6,15 @@ import type { Forced } from '../scene/effects/plan.ts';
 /*
  * How to use the tracer.
  *
- *   const tracer = await prepareTracer(scene, settings, clock);      // prepare.ts: loads the bodies of the effects that run, no others
- *   const result = tracer.trace(tile);                               // a TileResult: pixels, what the camera rays hit, a ledger
- *   const tree = tracer.record(x, y);                                // the ray tree of one pixel, by the same code
+ *   const tracer = await prepareTracer(scene, settings, clock); // prepare.ts: loads the bodies of
+ *   the effects that run, no others
+ *   const result = tracer.trace(tile); // a TileResult: pixels, what the camera rays hit, a ledger
+ *   const tree = tracer.record(x, y); // the ray tree of one pixel, by the same code
  *
- * On the page nobody calls these: workers/trace-job.ts splits a picture over workers, coarse to fine, and puts a Frame together.
- * What is simulated and why is scene/effects/plan.ts, before any ray is fired. Two finished frames are compared by compare.ts.
- * A picture depends on scene and settings alone: not on tiles, workers, or time.
+ * On the page nobody calls these: workers/trace-job.ts splits a picture over workers, coarse to
+ * fine, and puts a Frame together. What is simulated and why is scene/effects/plan.ts, before any
+ * ray is fired. Two finished frames are compared by compare.ts. A picture depends on scene and
+ * settings alone: not on tiles, workers, or time.
  */
 
 /** Where the rays that leave a surface begin. */
@@ -48,8 +50,8 @@ export const DEFAULT_SETTINGS: TraceSettings = {
 };
 
 /**
- * Pixels of the rows y0 ≤ y < y1 whose x and y are multiples of `step`, without those that a pass with twice the step had
- * traced before (`refines`). Row by row.
+ * Pixels of the rows y0 ≤ y < y1 whose x and y are multiples of `step`, without those that a pass
+ * with twice the step had traced before (`refines`). Row by row.
  */
 export interface Tile {
   readonly y0: number;
@@ -58,7 +60,9 @@ export interface Tile {
   readonly refines: boolean;
 }
 
-/** What camera rays met, for comparing methods: −1 nothing, else an index of `surfacesOf(scene)`. */
+/**
+ * What camera rays met, for comparing methods: −1 nothing, else an index of `surfacesOf(scene)`.
+ */
 export const NOTHING = -1;
 
 export interface TileResult {
@@ -76,8 +80,9 @@ export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
 export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
 
 /**
- * What something cost. `questions`: how often a surface was asked about a ray. `solves`: how often a root was worked out for that, whether there is one or
- * not; "does its line meet you at all?" and "does it come back to you?" need none. `ms`: of all workers added up, waiting included.
+ * What something cost. `questions`: how often a surface was asked about a ray. `solves`: how often
+ * a root was worked out for that, whether there is one or not; "does its line meet you at all?" and
+ * "does it come back to you?" need none. `ms`: of all workers added up, waiting included.
  */
 export interface Cost {
   readonly rays: number;
@@ -90,12 +95,16 @@ export interface Ledger {
   /** Camera rays with the shading that every picture has. */
   readonly camera: Cost;
   /**
-   * Each effect that runs, with the rays that it fired and what following them cost; an effect that does not run is not in here. Shadow rays
-   * fired from what a mirror shows count for shadows, not for the mirror.
+   * Each effect that runs, with the rays that it fired and what following them cost; an effect that
+   * does not run is not in here. Shadow rays fired from what a mirror shows count for shadows, not
+   * for the mirror.
    */
   readonly effects: Readonly<Partial<Record<EffectId, Cost>>>;
   readonly kinds: Readonly<Record<RayKind, number>>;
-  /** Rays that were not fired because all that they could bring is less than half a level of 255 (see weight.ts). */
+  /**
+   * Rays that were not fired because all that they could bring is less than half a level of 255
+   * (see weight.ts).
+   */
   readonly saved: number;
   /** Rays that were not fired because MOST_BOUNCES was reached. */
   readonly cut: number;
@@ -125,7 +134,10 @@ export type RayEnd =
     }
   /** A shadow ray that reaches its light at t. */
   | { readonly end: 'light'; readonly light: string; readonly t: number }
-  /** A shadow ray that does not: the first surface asked that stands in the way, which need not be the nearest. */
+  /**
+   * A shadow ray that does not: the first surface asked that stands in the way, which need not be
+   * the nearest.
+   */
   | {
       readonly end: 'blocked';
       readonly light: string;

@@ -45,7 +45,10 @@ export function createWave(capacity: number): Wave {
 
 export const capacityOf = (wave: Wave): number => wave.t.length;
 
-/** The wave itself if it has room for `more`, else a larger one with the same rays (not yet followed). */
+/**
+ * The wave itself if it has room for `more`, else a larger one with the same rays (not yet
+ * followed).
+ */
 export function withRoom(wave: Wave, more: number): Wave {
   if (wave.count + more <= capacityOf(wave)) return wave;
   const larger = createWave(2 * (wave.count + more));

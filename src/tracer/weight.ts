@@ -2,13 +2,15 @@ import type { World } from '../scene/effects/body.ts';
 import { STEEPEST } from './colour.ts';
 
 /*
- * When a ray is not worth firing. A pixel is a byte; half a level of it is 1/510 of sRGB, and since sRGB rises by at most 12.92 for 1 of linear light,
- * a change of less than HALF_A_LEVEL of linear light is less than half a level, however dark the pixel.
+ * When a ray is not worth firing. A pixel is a byte; half a level of it is 1/510 of sRGB, and since
+ * sRGB rises by at most 12.92 for 1 of linear light, a change of less than HALF_A_LEVEL of linear
+ * light is less than half a level, however dark the pixel.
  *
- * A ray that would arrive with weight w can bring at most w · brightest(world), with all that descends from it: if that is below HALF_A_LEVEL it is
- * not fired. The bound is for one ray. Glass can leave out several for one pixel; a budget for their sum was tried, and once it
- * is spent rays of 1e-10 have to be followed (450 million of them in one picture). That the picture as a whole stays within one level is
- * tested on scenes, not proved.
+ * A ray that would arrive with weight w can bring at most w · brightest(world), with all that
+ * descends from it: if that is below HALF_A_LEVEL it is not fired. The bound is for one ray. Glass
+ * can leave out several for one pixel; a budget for their sum was tried, and once it is spent rays
+ * of 1e-10 have to be followed (450 million of them in one picture). That the picture as a whole
+ * stays within one level is tested on scenes, not proved.
  */
 export const HALF_A_LEVEL = 0.5 / 255 / STEEPEST;
 
@@ -16,10 +18,11 @@ export const HALF_A_LEVEL = 0.5 / 255 / STEEPEST;
 export const MOST_BOUNCES = 64;
 
 /**
- * No ray brings more than this. A background brings at most 1. A surface's own light is at most ambient + Σ strength (paint ≤ 1, cosine ≤ 1)
- * plus shine · Σ strength, times 1 − mirror; a mirror adds `mirror` of what another ray brings; glass shows shine · Σ strength and
- * 1 − shine of what other rays bring, of which Fresnel gives R to one and 1 − R to the other. So if others bring at most L,
- * so does this one: L = max(1, ambient + (1 + the largest shine) Σ strength).
+ * No ray brings more than this. A background brings at most 1. A surface's own light is at most
+ * ambient + Σ strength (paint ≤ 1, cosine ≤ 1) plus shine · Σ strength, times 1 − mirror; a mirror
+ * adds `mirror` of what another ray brings; glass shows shine · Σ strength and 1 − shine of what
+ * other rays bring, of which Fresnel gives R to one and 1 − R to the other. So if others bring at
+ * most L, so does this one: L = max(1, ambient + (1 + the largest shine) Σ strength).
  */
 export function brightest({ looks, lights }: World, ambient: number): number {
   const light = lights.reduce((sum, { colour }) => sum + Math.max(...colour), 0);

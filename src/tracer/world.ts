@@ -30,7 +30,10 @@ export interface Target {
   /** Stands in the way of light. */
   readonly blocks: boolean;
   readonly gradient: GradientOf;
-  /** A curved shape's numbers, where the method's answers are those of exact arithmetic: see departs.ts. */
+  /**
+   * A curved shape's numbers, where the method's answers are those of exact arithmetic: see
+   * departs.ts.
+   */
   readonly proven: Quadric | null;
 }
 
@@ -39,7 +42,10 @@ export interface TracerWorld extends World {
   readonly targets: readonly Target[];
 }
 
-/** `heights`: 'off' leaves all shapes whole, 'needed' cuts those that are cut, 'all' looks at the heights of every one. */
+/**
+ * `heights`: 'off' leaves all shapes whole, 'needed' cuts those that are cut, 'all' looks at the
+ * heights of every one.
+ */
 export function worldOf(
   scene: Scene,
   method: string,
@@ -92,7 +98,10 @@ function lookOf({ paint, shine, mirror, glass }: Material, shape: Shape): Look {
   };
 }
 
-/** A checker on a flat shape takes no part across it, where all points are alike but for their last bit. */
+/**
+ * A checker on a flat shape takes no part across it, where all points are alike but for their last
+ * bit.
+ */
 function axesOf(paint: Paint, shape: Shape): readonly (0 | 1 | 2)[] {
   if (paint.pattern === 'plain') return [];
   if (paint.pattern === 'stripes') return [AXIS[paint.axis]];

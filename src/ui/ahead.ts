@@ -1,6 +1,7 @@
 /**
- * The value that a control has sent but not been given back yet: the next key may come before the page is drawn again, and
- * has to go on from there. After two frames whoever owns the value has taken it or refused it.
+ * The value that a control has sent but not been given back yet: the next key may come before the
+ * page is drawn again, and has to go on from there. After two frames whoever owns the value has
+ * taken it or refused it.
  */
 export class Ahead<T = number> {
   private value: T | null = null;

@@ -16,7 +16,10 @@ export function fitting(x: number, room: number, font: string): string {
   return shortened(x, (text) => widthOf(text, font) <= room);
 }
 
-/** As many digits as fit, six at most; ≈ before what is not all of the number. Never cut: a mark at the least. */
+/**
+ * As many digits as fit, six at most; ≈ before what is not all of the number. Never cut: a mark at
+ * the least.
+ */
 export function shortened(x: number, fits: (text: string) => boolean): string {
   const whole = display(x, CERTAIN_DIGITS);
   const marked = (text: string, digits: number): string => {

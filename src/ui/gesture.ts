@@ -2,8 +2,8 @@
 const PAUSE_MS = 1000;
 
 /**
- * Names the gesture under way: from pointer down to pointer up, or a run of key presses on one control. What happens
- * outside of any gesture has no name.
+ * Names the gesture under way: from pointer down to pointer up, or a run of key presses on one
+ * control. What happens outside of any gesture has no name.
  */
 export function watchGestures(root: HTMLElement): () => string | null {
   let count = 0;

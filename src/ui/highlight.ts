@@ -1,7 +1,7 @@
 /**
- * Lights up every occurrence of a symbol while one of them is hovered or focused. An element says which symbol it is
- * with data-symbol="E" (or "E.x": the part before the dot counts); a lit one carries the class `lit`.
- * Views that draw on a canvas listen to `onHighlight`.
+ * Lights up every occurrence of a symbol while one of them is hovered or focused. An element says
+ * which symbol it is with data-symbol="E" (or "E.x": the part before the dot counts); a lit one
+ * carries the class `lit`. Views that draw on a canvas listen to `onHighlight`.
  */
 export type Highlight = string | null;
 

@@ -1,8 +1,8 @@
 import { html, type TemplateResult } from 'lit';
 
 /*
- * Code that is loaded when it is asked for. It may not arrive: the network was gone, or a newer version of the site has
- * been put in its place, whose files have other names.
+ * Code that is loaded when it is asked for. It may not arrive: the network was gone, or a newer
+ * version of the site has been put in its place, whose files have other names.
  */
 
 const failedStyles = new Set<HTMLLinkElement>();
@@ -16,13 +16,19 @@ export function watchStyles(root: Document): void {
   root.addEventListener('error', failed, true);
 }
 
-/** Loads what is not there yet; asked again after a failure, it fetches what failed again, style sheets included. */
+/**
+ * Loads what is not there yet; asked again after a failure, it fetches what failed again, style
+ * sheets included.
+ */
 export async function late<T>(load: () => Promise<T>): Promise<T> {
   await Promise.all([...failedStyles].map(fetchedAgain));
   return load();
 }
 
-/** A link that failed stays in the document as it is, and the bundler's own loader takes it for loaded. */
+/**
+ * A link that failed stays in the document as it is, and the bundler's own loader takes it for
+ * loaded.
+ */
 function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
   failedStyles.delete(failed);
   const again = failed.cloneNode() as HTMLLinkElement;

@@ -14,9 +14,11 @@ import { keyStep, onStep } from './step.ts';
 import { TypedEvent } from './typed-event.ts';
 
 /**
- * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. As many of six digits as fit are shown, with ≈ where they are not all; with the focus, what was
- * typed, or every digit. A text that is not allowed stays in the box with the reason below it, and nothing else changes.
- * Sends `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with their texts.
+ * A box for one number, typed exactly: 1/3, sqrt(2), 1e7, −2^−40, 0,5. As many of six digits as fit
+ * are shown, with ≈ where they are not all; with the focus, what was typed, or every digit. A text
+ * that is not allowed stays in the box with the reason below it, and nothing else changes. Sends
+ * `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with
+ * their texts.
  */
 export class GrazeNumberBox extends LitElement {
   static override properties = {
@@ -50,7 +52,9 @@ export class GrazeNumberBox extends LitElement {
   declare private room: number;
   declare private font: string;
   private ahead = new Ahead();
-  /** What was typed last and the value it gave: shown again as long as the value is still that one. */
+  /**
+   * What was typed last and the value it gave: shown again as long as the value is still that one.
+   */
   private last: { text: string; value: number } | null = null;
 
   constructor() {
@@ -88,7 +92,10 @@ export class GrazeNumberBox extends LitElement {
     this.themes.disconnect();
   }
 
-  /** The room for digits, and their type; once for each size, so that a moved slider measures nothing. */
+  /**
+   * The room for digits, and their type; once for each size, so that a moved slider measures
+   * nothing.
+   */
   private measure(): void {
     const input = this.querySelector('input');
     if (!input || this.focused) return;
@@ -103,7 +110,8 @@ export class GrazeNumberBox extends LitElement {
   }
 
   protected override willUpdate(changed: Map<string, unknown>): void {
-    // The value was changed from elsewhere (a slider, a link): what was typed before is of the past.
+    // The value was changed from elsewhere (a slider, a link): what was typed before is of the
+    // past.
     if (changed.has('value') && this.reason !== null) this.forget();
   }
 

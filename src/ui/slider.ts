@@ -5,8 +5,9 @@ import { Ahead } from './ahead.ts';
 import { keyStep, onStep } from './step.ts';
 
 /**
- * A native range input that may be told a value beyond its ends (it rests there), moves on a step without forcing
- * a value onto it that was typed, and takes fine steps with Shift. Sends `graze-value` with the new number.
+ * A native range input that may be told a value beyond its ends (it rests there), moves on a step
+ * without forcing a value onto it that was typed, and takes fine steps with Shift. Sends
+ * `graze-value` with the new number.
  */
 export class GrazeSlider extends LitElement {
   static override properties = {

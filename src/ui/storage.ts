@@ -1,4 +1,7 @@
-/* What the device keeps of a page. Storage may be full, or denied: to files opened from disk, or by a setting. */
+/*
+ * What the device keeps of a page. Storage may be full, or denied: to files opened from disk, or by
+ * a setting.
+ */
 
 let untold = (): void => {};
 const failed = new Set<string>();

@@ -1,4 +1,7 @@
-/** What a drawing needs to look the same outside of the page, where its style sheet and its tokens are not. */
+/**
+ * What a drawing needs to look the same outside of the page, where its style sheet and its tokens
+ * are not.
+ */
 const KEPT = [
   'fill',
   'fill-opacity',
@@ -20,7 +23,10 @@ const KEPT = [
   'display',
 ] as const;
 
-/** An SVG of the page as a file of its own: computed styles written into each element, the background painted. */
+/**
+ * An SVG of the page as a file of its own: computed styles written into each element, the
+ * background painted.
+ */
 export function svgText(source: SVGSVGElement, background: string): string {
   const { width, height } = source.getBoundingClientRect();
   const copy = source.cloneNode(true) as SVGSVGElement;

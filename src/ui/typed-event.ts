@@ -1,4 +1,7 @@
-/** A value that was set, with the texts that were typed for its numbers; none where it was set in another way. */
+/**
+ * A value that was set, with the texts that were typed for its numbers; none where it was set in
+ * another way.
+ */
 export class TypedEvent<Value> extends CustomEvent<Value> {
   readonly texts: readonly string[];
 

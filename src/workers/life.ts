@@ -1,14 +1,18 @@
 /*
- * A worker that dies of itself, of its memory as a rule, sends no event. It holds a lock of its own as long as it lives; the
- * page queues for the same lock, and gets it when the worker is gone. That needs no timer, so neither a long tile nor a tab
- * in the background is taken for death. Without locks (a file opened from disk, a host without TLS) nothing is noticed.
+ * A worker that dies of itself, of its memory as a rule, sends no event. It holds a lock of its own
+ * as long as it lives; the page queues for the same lock, and gets it when the worker is gone. That
+ * needs no timer, so neither a long tile nor a tab in the background is taken for death. Without
+ * locks (a file opened from disk, a host without TLS) nothing is noticed.
  */
 
 interface Alive {
   readonly alive: true;
 }
 
-/** In the worker, which was started under a name of its own. Work that never pauses waits for this, or nothing is told. */
+/**
+ * In the worker, which was started under a name of its own. Work that never pauses waits for this,
+ * or nothing is told.
+ */
 export function liveAs(name: string): Promise<void> {
   return new Promise((held) => {
     const locks = globalThis.navigator?.locks;

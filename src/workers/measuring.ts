@@ -3,7 +3,9 @@ import type { LabRequest } from '../lab/messages.ts';
 import { accelerate } from '../math/accelerate.ts';
 import { liveAs } from './life.ts';
 
-/* The laboratory off the page's own thread: it may work without a pause, and is ended from outside. */
+/*
+ * The laboratory off the page's own thread: it may work without a pause, and is ended from outside.
+ */
 
 accelerate();
 const living = liveAs(self.name);

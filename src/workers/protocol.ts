@@ -2,7 +2,10 @@ import type { EffectId } from '../scene/effects/index.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RayTree, Tile, TileResult, TraceSettings } from '../tracer/types.ts';
 
-/* What page and trace worker say to each other. `job` tells an answer to a question that is no longer asked. */
+/*
+ * What page and trace worker say to each other. `job` tells an answer to a question that is no
+ * longer asked.
+ */
 
 export type ToTraceWorker =
   /** Get ready: everything after is about this scene. */

@@ -4,7 +4,10 @@ import type { Tile } from '../tracer/types.ts';
 /** The blocks of the passes, coarse to fine. */
 export const STEPS: readonly number[] = [8, 4, 2, 1];
 
-/** A tile takes about this long: short enough to cancel and to show progress, long enough for the kernels. */
+/**
+ * A tile takes about this long: short enough to cancel and to show progress, long enough for the
+ * kernels.
+ */
 const MS_A_TILE = 60;
 const MOST_PIXELS = 16_384;
 const LEAST_PIXELS = 64;
@@ -13,7 +16,10 @@ const FIRST_PIXELS = 256;
 
 export interface Tiles {
   readonly total: number;
-  /** The next one, or undefined when all have been given out. A pass may begin before the last is done. */
+  /**
+   * The next one, or undefined when all have been given out. A pass may begin before the last is
+   * done.
+   */
   next(): Tile | undefined;
   /** How long so many pixels took: later tiles are cut to measure. */
   took(pixels: number, ms: number): void;

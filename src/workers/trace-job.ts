@@ -9,7 +9,8 @@ import { createTiles } from './tiles.ts';
 /**
  * What the driver needs of a worker; the browser's own Worker fits, and so does a fake one:
  *
- *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock: () => performance.now() });
+ *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock: () =>
+ *   performance.now() });
  *   const job = pool.start(scene, settings, { progress: (state) => … });
  *   job.cancel();                     // or pool.start(…) again: the old job says nothing more
  *   const tree = await job.record(x, y);
@@ -48,7 +49,9 @@ export interface TraceProgress {
   readonly total: number;
   /** The size of the blocks: 1 when the finest pass runs. */
   readonly step: number;
-  /** Since the start, and to the end by what has been measured so far (NaN before the first tile). */
+  /**
+   * Since the start, and to the end by what has been measured so far (NaN before the first tile).
+   */
   readonly msSpent: number;
   readonly msLeft: number;
   readonly workers: number;
@@ -93,7 +96,10 @@ interface Hand {
 /** One in work and one waiting: a worker need not wait for the page to be free. */
 const TILES_A_HAND = 2;
 
-/** A worker that is silent for longer when the job ends is replaced: it would make the next one wait. Milliseconds. */
+/**
+ * A worker that is silent for longer when the job ends is replaced: it would make the next one
+ * wait. Milliseconds.
+ */
 const PATIENCE = 250;
 
 interface Run {

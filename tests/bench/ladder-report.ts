@@ -63,8 +63,9 @@ export function familyTable({ family, roots, classes, quality, rays }: Measured)
 }
 
 /**
- * The ladder at one look: what each method costs on ordinary rays and on a mix with 1 % hard ones, and how often it is wrong on all the families together. Stands
- * in docs/bench.md and, from the same run, in the README.
+ * The ladder at one look: what each method costs on ordinary rays and on a mix with 1 % hard ones,
+ * and how often it is wrong on all the families together. Stands in docs/bench.md and, from the
+ * same run, in the README.
  */
 export function headline(measured: readonly Measured[]): string[] {
   const of = (id: string): Measured | undefined => measured.find(({ family }) => family.id === id);
@@ -111,7 +112,10 @@ export function headline(measured: readonly Measured[]): string[] {
 const percent = (part: number, all: number): string =>
   part === 0 ? '0' : `${((100 * part) / all).toPrecision(2)} %`;
 
-/** The text with what stands between the two marks replaced. Throws RangeError where they are missing. */
+/**
+ * The text with what stands between the two marks replaced. Throws RangeError where they are
+ * missing.
+ */
 export function betweenMarks(text: string, lines: readonly string[]): string {
   const from = text.indexOf(MARKS[0]);
   const to = text.indexOf(MARKS[1]);

@@ -23,9 +23,11 @@ import {
 } from './ladder-report.ts';
 
 /*
- * What each method costs, as a ratio to the textbook batch on the same rays, and what it gets wrong. Rays are drawn from seed
- * 2026 in the order of their family (the mix: 99 % typical, 1 % hard, in random order). Writes docs/bench.md, and its first table into the
- * README; a smaller run, by `--families a,b` or `--rounds 3`, writes both below test-results/ unless `--write` says otherwise.
+ * What each method costs, as a ratio to the textbook batch on the same rays, and what it gets
+ * wrong. Rays are drawn from seed 2026 in the order of their family (the mix: 99 % typical, 1 %
+ * hard, in random order). Writes docs/bench.md, and its first table into the README; a smaller run,
+ * by `--families a,b` or `--rounds 3`, writes both below test-results/ unless `--write` says
+ * otherwise.
  */
 const SEED = 2026;
 const SHAPES = 6;
@@ -42,10 +44,16 @@ const rounds = Number(option('rounds') ?? 15);
 if (!(rounds >= 1)) throw new RangeError(`--rounds must be at least 1, got ${option('rounds')}`);
 const whole = (!chosen && rounds >= 15) || process.argv.includes('--write');
 const PLAN = { rounds, least: 4, steps: 100, warmUp: 6 };
-/** Objects go through many more functions than a batch does: what the engine spends on compiling them, in other threads of this process, is over by then. */
+/**
+ * Objects go through many more functions than a batch does: what the engine spends on compiling
+ * them, in other threads of this process, is over by then.
+ */
 const OBJECT_PLAN = { ...PLAN, warmUp: 40 };
 
-/** The processor's time of this process: on a shared machine the wall clock mostly measures the neighbours. */
+/**
+ * The processor's time of this process: on a shared machine the wall clock mostly measures the
+ * neighbours.
+ */
 function clock(): number {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
@@ -81,7 +89,10 @@ function measured(family: Family): Measured {
   };
 }
 
-/** One ray at a time, as objects: t and class, which is what a caller who asks "where is it hit?" reads. */
+/**
+ * One ray at a time, as objects: t and class, which is what a caller who asks "where is it hit?"
+ * reads.
+ */
 function objects(): string[] {
   const typical = FAMILIES.find(({ id }) => id === 'typical') as Family;
   const asked = batchesOf(typical, SAMPLE).map((batch) => ({

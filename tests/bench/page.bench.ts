@@ -1,4 +1,5 @@
-// What the page costs: the size of each built chunk, and the script time of one slider step in a real browser.
+// What the page costs: the size of each built chunk, and the script time of one slider step in a
+// real browser.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -35,7 +36,10 @@ async function launch() {
   return chromium.launch({ args, ...(executablePath && { executablePath }) });
 }
 
-/** The page itself reports how long a step's script took (performance.measure 'graze step'): state to numbers, formulas, plot. */
+/**
+ * The page itself reports how long a step's script took (performance.measure 'graze step'): state
+ * to numbers, formulas, plot.
+ */
 async function sliderSteps(target: Page, url: string): Promise<void> {
   await target.goto(url);
   await target.waitForFunction(() => document.querySelector('.scene-area canvas') !== null);

@@ -1,5 +1,6 @@
-// `npm run bench`: every tests/bench/*.bench.ts, or with `npm run bench -- NAME` those whose name contains NAME. What begins with -- and comes after it is
-// handed on: `npm run bench -- ladder --families typical,mix --rounds 3`.
+// `npm run bench`: every tests/bench/*.bench.ts, or with `npm run bench -- NAME` those whose name
+// contains NAME. What begins with -- and comes after it is handed on: `npm run bench -- ladder
+// --families typical,mix --rounds 3`.
 import { readdirSync } from 'node:fs';
 import { runTs } from '../run-ts.mjs';
 

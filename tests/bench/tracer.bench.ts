@@ -16,8 +16,9 @@ import { createWave } from '../../src/tracer/wave.ts';
 import { worldOf } from '../../src/tracer/world.ts';
 
 /*
- * How many rays a second a picture takes, per preset and method; what it costs against pixels and against shapes, and where boxes pay. One thread. The best of
- * a few rounds of processor time: on a shared machine anything else measures the neighbours. `--methods a,b` and `--presets a,b` choose.
+ * How many rays a second a picture takes, per preset and method; what it costs against pixels and
+ * against shapes, and where boxes pay. One thread. The best of a few rounds of processor time: on a
+ * shared machine anything else measures the neighbours. `--methods a,b` and `--presets a,b` choose.
  */
 const ROUNDS = 3;
 

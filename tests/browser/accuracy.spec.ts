@@ -164,7 +164,8 @@ test('cancelling ends it at once, what was found stays, and the page moves while
   await expect(page).toHaveURL(/dial=/);
   // Other rays: what was measured does not belong to them.
   await expect(page.getByText('Not measured yet.')).toBeVisible();
-  // And while it measures: the thumb goes along at once, and the measurement that was for other rays ends.
+  // And while it measures: the thumb goes along at once, and the measurement that was for other
+  // rays ends.
   await page.getByRole('button', { name: 'Measure', exact: true }).click();
   await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
   const thumb = await slider.inputValue();

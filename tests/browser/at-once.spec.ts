@@ -3,13 +3,16 @@ import { NO_SCENE, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 /*
- * All controls of a page, moved in one task, leave what they leave when each is moved after the page was drawn again: no
- * edit is made of what was drawn last.
+ * All controls of a page, moved in one task, leave what they leave when each is moved after the
+ * page was drawn again: no edit is made of what was drawn last.
  */
 
 test.use({ provoked: NO_SCENE });
 
-/** Browsers refuse hundreds of addresses within seconds: the page does not write its own, so the first can be opened again. */
+/**
+ * Browsers refuse hundreds of addresses within seconds: the page does not write its own, so the
+ * first can be opened again.
+ */
 async function openUnwritten(page: Page, hash: string): Promise<void> {
   await page.addInitScript(() => {
     const LINK_DELAY_MS = 150;
@@ -23,7 +26,10 @@ async function openUnwritten(page: Page, hash: string): Promise<void> {
   await page.locator('main :is([data-quantity], select)').first().waitFor();
 }
 
-/** What was lost of the edits of everything in `root`, forwards and backwards; and how many there were. */
+/**
+ * What was lost of the edits of everything in `root`, forwards and backwards; and how many there
+ * were.
+ */
 async function movedAtOnce(page: Page, root: string): Promise<{ moved: number; lost: string[] }> {
   return page.evaluate(async (root) => {
     const KINDS =

@@ -6,7 +6,10 @@ import { withoutScene } from './support/page.ts';
 import { editor, openCheck, report, runProgram, told } from './support/program.ts';
 import { expect, test } from './support/test.ts';
 
-/* A student's program in the real browser: what is right, what is wrong, and what is none of its business. */
+/*
+ * A student's program in the real browser: what is right, what is wrong, and what is none of its
+ * business.
+ */
 
 test.use({
   viewport: { width: 1280, height: 800 },
@@ -197,7 +200,8 @@ test.describe('a sandbox that cannot be opened', () => {
       await page.clock.install();
       await openCheck(page, '');
       await page.route('**/sandbox.html', async (route) => {
-        // Asked again from the page, after the frame has failed: then the connection is known to be broken.
+        // Asked again from the page, after the frame has failed: then the connection is known to be
+        // broken.
         if (answer === null) {
           if (route.request().resourceType() === 'fetch') await route.abort();
           return;

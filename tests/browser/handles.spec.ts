@@ -280,7 +280,8 @@ for (const [kind, points, lengths] of [
         const name = `${symbol} in ${view}`;
         expect(await target.getAttribute('aria-valuetext'), name).not.toBe(before);
         const off = Math.hypot(to.x - from.x - 31, to.y - from.y - 3);
-        // A point goes with the mouse; a radius along its own line, which may be steep on the screen.
+        // A point goes with the mouse; a radius along its own line, which may be steep on the
+        // screen.
         const isPoint = points.some((point) => point === symbol);
         expect(off, name).toBeLessThan(isPoint ? 2 : 32);
       }

@@ -94,7 +94,8 @@ test('a hash typed into the address bar shows its state, also right after a chan
     location.hash = '#/explore?shape=circle&E=1,2,3&method=stable';
   });
   await expect(page.locator('[data-quantity="E.z"]')).toHaveAttribute('data-value', '3');
-  // The page writes its own link a moment after a change (and at once when it is left): a person's must not get lost.
+  // The page writes its own link a moment after a change (and at once when it is left): a person's
+  // must not get lost.
   await press(page, slider(page, 'E.x'), 'ArrowRight');
   await page.evaluate(() => {
     location.hash = '#/explore?shape=plane&E=5,5,5&method=exact';

@@ -33,7 +33,10 @@ const TYPED_NEGATIVE: readonly (readonly [string, number, string])[] = [
 const mapped = (value: MovedValue, f: (x: number, i: number) => number): MovedValue =>
   typeof value === 'number' ? f(value, 0) : (value.map(f) as unknown as Vec3);
 
-/** Every parameter two steps away from where it begins, so that a reset of one has others to leave alone. */
+/**
+ * Every parameter two steps away from where it begins, so that a reset of one has others to leave
+ * alone.
+ */
 function moved(kind: (typeof SHAPES)[number]['kind']): Question {
   return movedParams(kind).reduce<Question>((question, param) => {
     const away = mapped(param.initial, (x) => Number((x + 2 * param.step).toPrecision(12)));

@@ -9,7 +9,10 @@ import { expect, test } from './support/test.ts';
 /** Words that only a program would say. ∞ is a number's name, 'Infinity' is not. */
 const NO_WORDS = /\b(NaN|undefined|Infinity|null|true|false)\b|\[object/;
 
-/** The page's own, the answer that all are measured by, and the two whose digits differ from it most. */
+/**
+ * The page's own, the answer that all are measured by, and the two whose digits differ from it
+ * most.
+ */
 const [FIRST = 'exact', ...OTHERS] = new Set([DEFAULT_METHOD, 'exact', 'textbook', 'stable']);
 
 const FLAT = ['contained', 'none', 'one'];

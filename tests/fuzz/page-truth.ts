@@ -9,7 +9,10 @@ import { shortest } from '../../src/text/format.ts';
 /** Longer than the page takes to write its link. */
 const SETTLE_MS = 350;
 
-/** Null if the page is whole: no word of NaN, and every number on it is the math module's for the state in its link. */
+/**
+ * Null if the page is whole: no word of NaN, and every number on it is the math module's for the
+ * state in its link.
+ */
 export async function pageTruth(page: Page, errors: readonly string[]): Promise<string | null> {
   if (errors.length > 0) return `errors at ${page.url()}: ${errors.join('\n')}`;
   await page.waitForTimeout(SETTLE_MS);

@@ -1,4 +1,5 @@
-// npm run fuzz:page -- --actions 5000 --seed 7: a random user on the built page, for as long as wanted.
+// npm run fuzz:page -- --actions 5000 --seed 7: a random user on the built page, for as long as
+// wanted.
 import { parseArgs } from 'node:util';
 import { chromium } from '@playwright/test';
 import { serveSite } from '../serve-site.ts';

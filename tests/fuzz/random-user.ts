@@ -175,8 +175,8 @@ export async function prepare(page: Page): Promise<void> {
 }
 
 /**
- * Does `actions` random things with this seed and asks `check` every so often. A deed that finds its control gone or
- * covered is no fault: people miss, too.
+ * Does `actions` random things with this seed and asks `check` every so often. A deed that finds
+ * its control gone or covered is no fault: people miss, too.
  */
 export async function randomUser(
   page: Page,

@@ -14,7 +14,10 @@ const simpler = (x: number): number[] =>
     Number(x.toPrecision(8)),
   ].filter((y) => Number.isFinite(y) && y !== x && String(y).length < String(x).length);
 
-/** The same failure with simpler numbers: each in turn is replaced as long as the question still fails. */
+/**
+ * The same failure with simpler numbers: each in turn is replaced as long as the question still
+ * fails.
+ */
 export function shrink(question: Question, fails: (question: Question) => boolean): Question {
   const stillFails = (candidate: Json): boolean => {
     try {

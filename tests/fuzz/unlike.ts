@@ -8,7 +8,9 @@ import type { Ray } from '../../src/math/ray.ts';
 /** More than WebAssembly takes at least, and an odd number of them. */
 const COUNT = 17;
 
-/** The ray, and others beside it: each with one number changed a little more than in the one before. */
+/**
+ * The ray, and others beside it: each with one number changed a little more than in the one before.
+ */
 const besides = ({ origin, direction }: Ray): Ray[] =>
   Array.from({ length: COUNT }, (_, k) => {
     const numbers = [...origin, ...direction];
@@ -29,7 +31,10 @@ function answersOf({ shape, ray }: Question): string[] {
   return verdicts.map((verdict, k) => `${verdict} ${text(out.t0[k])} ${text(out.t1[k])}`);
 }
 
-/** Where a batch by WebAssembly and one by TypeScript differ in a bit, in words; null where they do not. */
+/**
+ * Where a batch by WebAssembly and one by TypeScript differ in a bit, in words; null where they do
+ * not.
+ */
 export function unlike(question: Question): string | null {
   decelerate();
   const plain = answersOf(question);

@@ -13,7 +13,10 @@ import { decode } from '../../src/state/url.ts';
 import { prepareTracer } from '../../src/tracer/prepare.ts';
 import { DEFAULT_SETTINGS } from '../../src/tracer/types.ts';
 
-/* What a link means, in numbers and ids and without words: words may become better, a meaning stays. */
+/*
+ * What a link means, in numbers and ids and without words: words may become better, a meaning
+ * stays.
+ */
 
 type Facts = Readonly<Record<string, unknown>>;
 

@@ -1,4 +1,5 @@
-// npm run test:long -- --only firefox,webkit: what takes too long for `npm test`, or needs other browsers.
+// npm run test:long -- --only firefox,webkit: what takes too long for `npm test`, or needs other
+// browsers.
 import { spawnSync } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { serveSite } from '../serve-site.ts';

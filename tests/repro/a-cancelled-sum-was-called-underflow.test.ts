@@ -7,8 +7,8 @@ import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 
 /*
- * "Where did the digits go?" said of B² − 4 A C that came out as 0 that it is smaller than the smallest number there is, while exactly it was
- * 3.64. Sums do not underflow.
+ * "Where did the digits go?" said of B² − 4 A C that came out as 0 that it is smaller than the
+ * smallest number there is, while exactly it was 3.64. Sums do not underflow.
  */
 const linked = (link: string) => {
   const state = decode(link, INITIAL);

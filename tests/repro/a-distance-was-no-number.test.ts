@@ -5,8 +5,10 @@ import type { Ray } from '../../src/math/ray.ts';
 import type { Shape } from '../../src/math/shapes/index.ts';
 
 /*
- * compensated said "outside the square" and gave NaN for how far: coordinates of 1e200 are within the reach of double-double, their squares are not.
- * (And moment gave a negative distance for a place that its own rounding moved into the circle: tests/unit/math/methods-batch.test.ts asks for that.)
+ * compensated said "outside the square" and gave NaN for how far: coordinates of 1e200 are within
+ * the reach of double-double, their squares are not. (And moment gave a negative distance for a
+ * place that its own rounding moved into the circle: tests/unit/math/methods-batch.test.ts asks for
+ * that.)
  */
 const square: Shape = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' };
 const ray: Ray = { origin: [3e200, 4e200, 1], direction: [0, 0, -1] };

@@ -9,7 +9,10 @@ import { readPicture } from '../../src/state/picture/settings.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 
-/* "things[0].shape must be an object, got undefined": such words are of no message, whatever is missing or put in its place. */
+/*
+ * "things[0].shape must be an object, got undefined": such words are of no message, whatever is
+ * missing or put in its place.
+ */
 
 type Json = unknown;
 const COMPUTER_WORDS = /undefined|null|NaN|\[object/;

@@ -2,7 +2,10 @@ import { expect, test } from 'vitest';
 import type { Ray, Shape } from '../../src/math/index.ts';
 import { misplaced } from '../unit/math/against-exact.ts';
 
-/** Found by `npm run fuzz -- --rays 1.5e6 --seed 4`: certified points off by more than a double where |d| > 1e141. */
+/**
+ * Found by `npm run fuzz -- --rays 1.5e6 --seed 4`: certified points off by more than a double
+ * where |d| > 1e141.
+ */
 const CASES: readonly [Shape, Ray][] = [
   [
     { kind: 'hyperboloid', center: [0, 0, 0], flare: 1, radius: 0 },

@@ -1,7 +1,10 @@
 import { expect, test } from 'vitest';
 import { misplaced } from '../unit/math/against-exact.ts';
 
-/* A underflowed to 0 where t is long enough for A·δ to count: the step to the exact root was a millionth too long, and its bound did not know. */
+/*
+ * A underflowed to 0 where t is long enough for A·δ to count: the step to the exact root was a
+ * millionth too long, and its bound did not know.
+ */
 test.each([-4.75e-176, -4.75e-170, -4.75e-200, 3e-161])(
   'the points and normals on a far cylinder, d = %d',
   (dx) => {

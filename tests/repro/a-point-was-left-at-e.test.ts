@@ -5,8 +5,9 @@ import type { Shape } from '../../src/math/shapes/index.ts';
 import { disagreement, misplaced } from '../unit/math/against-exact.ts';
 
 /*
- * Both roots of this ray are below the doubles, and t = ±0 is faithful; but t d is as long as the cone is wide, since d is 1e286. Certified called E the
- * point of both hits. Found by `npm run fuzz -- --seed 2`.
+ * Both roots of this ray are below the doubles, and t = ±0 is faithful; but t d is as long as the
+ * cone is wide, since d is 1e286. Certified called E the point of both hits. Found by `npm run fuzz
+ * -- --seed 2`.
  */
 const cone: Shape = { kind: 'cone', vertex: [0, 0, 0], slope: 2 };
 const ray: Ray = { origin: [0, 8.32e-78, -3.41e-77], direction: [0, 0, -1.16e286] };

@@ -4,8 +4,9 @@ import { findings } from '../../src/check/program/suspects.ts';
 import { curved, run } from '../unit/check/students.ts';
 
 /*
- * Only the cases that an edit changes were counted for it. A program that loses nearly every hit was told that it had D > 0
- * in place of D ≥ 0, since it lost the tangents, too; and one with a second flaw, or with branches of its own, was told nothing.
+ * Only the cases that an edit changes were counted for it. A program that loses nearly every hit
+ * was told that it had D > 0 in place of D ≥ 0, since it lost the tangents, too; and one with a
+ * second flaw, or with branches of its own, was told nothing.
  */
 
 const named = (kind: 'cylinder' | 'cone', source: string): string[] => {

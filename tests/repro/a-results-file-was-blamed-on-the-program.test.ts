@@ -5,8 +5,9 @@ import { readResults } from '../../src/check/program/results.ts';
 import { exactly } from '../unit/check/students.ts';
 
 /*
- * Decimal commas between semicolons were no numbers "for a root", lines with tabs were 93 of 93 right and 309 not run,
- * Python's NaN refused the whole file, and quoted cells had no id that was known.
+ * Decimal commas between semicolons were no numbers "for a root", lines with tabs were 93 of 93
+ * right and 309 not run, Python's NaN refused the whole file, and quoted cells had no id that was
+ * known.
  */
 
 const cases = casesFor(['cylinder', 'circle'], 41);

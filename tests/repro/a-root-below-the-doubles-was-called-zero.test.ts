@@ -4,8 +4,9 @@ import type { Shape } from '../../src/math/shapes/index.ts';
 import { disagreement } from '../unit/math/against-exact.ts';
 
 /*
- * Certified took a root for faithful whose bound was a multiple of the root when that underflowed: the bound was 0 then as well. E is off the surface by the least
- * double, so the root is tiny and has a sign. Found by the rays fuzzer (seed 61).
+ * Certified took a root for faithful whose bound was a multiple of the root when that underflowed:
+ * the bound was 0 then as well. E is off the surface by the least double, so the root is tiny and
+ * has a sign. Found by the rays fuzzer (seed 61).
  */
 const cases: readonly { shape: Shape; ray: Ray }[] = [
   {

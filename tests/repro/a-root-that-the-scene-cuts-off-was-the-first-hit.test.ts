@@ -12,8 +12,9 @@ import { DEFAULT_SETTINGS } from '../../src/tracer/types.ts';
 import { tracerFor } from '../unit/tracer/tracing.ts';
 
 /*
- * Where a thing is kept between heights the list of a pixel's rays named the right hit, the algebra below it called the root before it, which is cut
- * off, the first hit, and Explore showed the whole shape without a word.
+ * Where a thing is kept between heights the list of a pixel's rays named the right hit, the algebra
+ * below it called the root before it, which is cut off, the first hit, and Explore showed the whole
+ * shape without a word.
  */
 
 /** A hyperboloid with a = 0.5, r = 0.8 between y = −0.5 and 1. */

@@ -4,8 +4,9 @@ import type { Shape } from '../../src/math/shapes/index.ts';
 import { disagreement } from '../unit/math/against-exact.ts';
 
 /*
- * Certified called C exactly zero, and the root +0, when the only coordinate that kept E off the surface was so small that its
- * square is 0 in doubles. The root is tiny and has a sign. Found by the rays fuzzer (seed 1).
+ * Certified called C exactly zero, and the root +0, when the only coordinate that kept E off the
+ * surface was so small that its square is 0 in doubles. The root is tiny and has a sign. Found by
+ * the rays fuzzer (seed 1).
  */
 const cases: readonly { shape: Shape; ray: Ray }[] = [
   {

@@ -4,7 +4,10 @@ import { createAnswers, packRays } from '../../src/math/batch/batch.ts';
 import { batchOf } from '../../src/math/batch/kernels.ts';
 import { certified } from '../../src/math/methods/certified.ts';
 
-/* The kernels write the answers of two rays at a time. Of an odd number the last one took what came after it along, where the answers' arrays are longer. */
+/*
+ * The kernels write the answers of two rays at a time. Of an odd number the last one took what came
+ * after it along, where the answers' arrays are longer.
+ */
 test('an odd number of rays leaves the rest of the answers alone', () => {
   expect(accelerate()).toBe(true);
   try {

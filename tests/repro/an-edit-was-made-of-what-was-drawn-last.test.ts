@@ -12,7 +12,10 @@ import { pictureSettings } from '../../src/state/picture/settings.ts';
 import { INITIAL, paramValue, shapeOf } from '../../src/state/state.ts';
 import { createStore } from '../../src/state/store.ts';
 
-/* Two controls were moved within one frame: the first edit was lost, since the second one carried everything as it was drawn. */
+/*
+ * Two controls were moved within one frame: the first edit was lost, since the second one carried
+ * everything as it was drawn.
+ */
 
 const onPicture = () => {
   const store = createStore({ ...INITIAL, page: 'picture' });

@@ -3,8 +3,9 @@ import { createDerive } from '../../src/state/derive.ts';
 import { decode } from '../../src/state/url.ts';
 
 /*
- * With a cone and d.y on its slider from 1.52 to 1.53 the far hit passes 40 lengths from the middle of the stage. Up to there
- * the picture had grown to hold it, and one ulp later the hit was forgotten: the radius fell from 43.2 to 5 at once.
+ * With a cone and d.y on its slider from 1.52 to 1.53 the far hit passes 40 lengths from the middle
+ * of the stage. Up to there the picture had grown to hold it, and one ulp later the hit was
+ * forgotten: the radius fell from 43.2 to 5 at once.
  */
 test('the stage lets go of a hit as gradually as it followed it', () => {
   const derive = createDerive();

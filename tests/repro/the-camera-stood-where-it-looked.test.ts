@@ -4,8 +4,9 @@ import { restaged } from '../../src/canvas/viewpoint.ts';
 import type { Stage } from '../../src/math/shapes/drawing.ts';
 
 /*
- * A centre dragged in a scene of size 1e308 and let go in one of size 1: the camera's way from the one to the other began with a zoom of Infinity, at no distance
- * from what it looked at, and handles were put at NaN. Found by the random user (seed 11), now and then.
+ * A centre dragged in a scene of size 1e308 and let go in one of size 1: the camera's way from the
+ * one to the other began with a zoom of Infinity, at no distance from what it looked at, and
+ * handles were put at NaN. Found by the random user (seed 11), now and then.
  */
 const pose = { target: [0, 0, 0], azimuth: 16, elevation: 14, zoom: 1 } as const;
 const stage = (radius: number): Stage => ({

@@ -5,7 +5,10 @@ import { decode } from '../../src/state/url.ts';
 
 const FRAME = { left: 40, right: 600, top: 30, bottom: 180, floor: 160, em: 12.5, narrow: false };
 
-/** The page's fuzzer, seed 1: d3 made an array of 10^300 ticks for a graph whose values are subnormal. */
+/**
+ * The page's fuzzer, seed 1: d3 made an array of 10^300 ticks for a graph whose values are
+ * subnormal.
+ */
 test.each([
   '#/explore?shape=plane&N=1e-320,0,0',
   '#/explore?shape=plane&N=1e-308,0,0&E=1e-10,0,0',

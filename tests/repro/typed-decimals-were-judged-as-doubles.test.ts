@@ -4,8 +4,8 @@ import { createDerive } from '../../src/state/derive.ts';
 import { decode, encode } from '../../src/state/url.ts';
 
 /*
- * 0.3² + 0.4² = 0.5², and the page said that 0.5 ≤ 0.5 fails: it knew only the doubles. It says what the numbers give as
- * they were typed too, and a link keeps 1/3 as 1/3.
+ * 0.3² + 0.4² = 0.5², and the page said that 0.5 ≤ 0.5 fails: it knew only the doubles. It says
+ * what the numbers give as they were typed too, and a link keeps 1/3 as 1/3.
  */
 
 test.each([

@@ -3,7 +3,10 @@ import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { decode } from '../../src/state/url.ts';
 
-/* Numbers that a float method lost (∞ − ∞, 0 · ∞) were put into sentences, where NaN is "undefined". */
+/*
+ * Numbers that a float method lost (∞ − ∞, 0 · ∞) were put into sentences, where NaN is
+ * "undefined".
+ */
 test.each([
   [
     'a distance',

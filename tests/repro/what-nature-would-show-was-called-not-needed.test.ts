@@ -4,8 +4,9 @@ import { colouredGlass } from '../../src/scene/presets/coloured-glass.ts';
 import { plain } from '../../src/scene/presets/plain.ts';
 
 /*
- * Of coloured glass above a floor the ledger said that shadows are not needed, since all else is glass. Real glass of that colour would cast
- * one: light goes through it here, which is a simplification.
+ * Of coloured glass above a floor the ledger said that shadows are not needed, since all else is
+ * glass. Real glass of that colour would cast one: light goes through it here, which is a
+ * simplification.
  */
 test('coloured glass casts no shadow by a simplification', () => {
   const shadow = planEffects(colouredGlass.scene).find(({ id }) => id === 'shadow');

@@ -28,7 +28,8 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
   panels: [...PURE, 'state', 'ui'],
   charts: [...PURE, 'state', 'ui'],
   pages: [...PURE, ...VIEWS, 'state', 'ui', 'workers'],
-  // ui for what belongs to the whole window and to no page: theme, gestures, files, the announcer, the styles.
+  // ui for what belongs to the whole window and to no page: theme, gestures, files, the announcer,
+  // the styles.
   main: ['pages', 'state', 'workers', 'ui'],
 };
 
@@ -46,7 +47,10 @@ const IMPURE = new Set([
   ...['HTMLElement', 'SVGElement', 'requestAnimationFrame', 'fetch', 'XMLHttpRequest', 'Worker'],
   ...['Date', 'performance', 'setTimeout', 'setInterval', 'queueMicrotask', 'Math.random'],
 ]);
-/** The math module is to stand on its own, so for it nothing of its surroundings may be named at all. */
+/**
+ * The math module is to stand on its own, so for it nothing of its surroundings may be named at
+ * all.
+ */
 const OUTSIDE_MATH = new Set([
   ...[...IMPURE, 'window', 'self', 'globalThis', 'location', 'history', 'process', 'console'],
   ...['crypto', 'Intl', 'postMessage'],
@@ -66,7 +70,10 @@ function childrenOf(node: AnyNode): AnyNode[] {
   return Object.values(node).flat().filter(isNode);
 }
 
-/** The node and all below it, not into functions if `shallow`: those do not run when a module is imported. */
+/**
+ * The node and all below it, not into functions if `shallow`: those do not run when a module is
+ * imported.
+ */
 function within(node: AnyNode, shallow = false): AnyNode[] {
   if (shallow && /Function|ClassBody/.test(node.type)) return [];
   return [node, ...childrenOf(node).flatMap((child) => within(child, shallow))];
@@ -93,7 +100,10 @@ interface Import {
   readonly typesOnly: boolean;
 }
 
-/** Static and dynamic imports, re-exports, import types, and files named by `new URL(…, import.meta.url)`. */
+/**
+ * Static and dynamic imports, re-exports, import types, and files named by `new URL(…,
+ * import.meta.url)`.
+ */
 function importsOf(path: string, source: string): Import[] {
   return nodesOf(path, source).flatMap((node): Import[] => {
     const at = (value: unknown, typesOnly: boolean): Import[] =>
@@ -187,7 +197,9 @@ const isKind = (node: unknown): boolean => isNode(node) && KINDS.has(node.value)
 const isOp = (node: unknown): boolean =>
   isNode(node) && isNode(node.property) && node.property.name === 'op';
 
-/** A switch over shapes, or a comparison of a kind with one, anywhere but in the shapes' own files. */
+/**
+ * A switch over shapes, or a comparison of a kind with one, anywhere but in the shapes' own files.
+ */
 function wrongSwitches(sources: Sources): string[] {
   return Object.entries(sources).flatMap(([path, source]) => {
     if (path.startsWith('src/math/shapes/')) return [];

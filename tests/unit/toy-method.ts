@@ -3,7 +3,10 @@ import { momentForm } from '../../src/math/methods/forms.ts';
 import { textbookSolver } from '../../src/math/methods/solvers.ts';
 import { treeMethod } from '../../src/math/methods/tree-method.ts';
 
-/** A method that is not Graze's own, as a newcomer would add it: a form and a solver that no rung combines. */
+/**
+ * A method that is not Graze's own, as a newcomer would add it: a form and a solver that no rung
+ * combines.
+ */
 export const momentTextbook = treeMethod(
   {
     id: 'moment-textbook',

@@ -17,7 +17,10 @@ import { pointGrip } from '../../src/math/shapes/grips.ts';
 import { lengthParam, pointParam } from '../../src/math/shapes/params.ts';
 import type { Axis, Vec3 } from '../../src/math/vec3.ts';
 
-/* A shape that is not Graze's own, as a newcomer would add it: with the least that an entry may say. */
+/*
+ * A shape that is not Graze's own, as a newcomer would add it: with the least that an entry may
+ * say.
+ */
 
 /** (x − Cx)² + 4(z − Cz)² = r². */
 export interface EllipticCylinder {

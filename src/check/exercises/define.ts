@@ -8,7 +8,10 @@ export type Level = 1 | 2 | 3;
 
 /** An input that a question may be asked about. */
 export interface Draft extends Input {
-  /** The mistakes that this input is to tell apart; one that these formulas have no room for is passed over. */
+  /**
+   * The mistakes that this input is to tell apart; one that these formulas have no room for is
+   * passed over.
+   */
   readonly watch: readonly string[];
   /** The parameter that the question turns, with its value in `shape`. */
   readonly param?: { readonly symbol: string; readonly key: string; readonly value: number };
@@ -24,7 +27,10 @@ export interface Argument {
   readonly decision: readonly string[];
 }
 
-/** A kind of question: how it is drawn, what is asked, and what the (right or edited) formulas answer. */
+/**
+ * A kind of question: how it is drawn, what is asked, and what the (right or edited) formulas
+ * answer.
+ */
 export interface Exercise {
   readonly id: string;
   /** In the summary. */
@@ -36,7 +42,10 @@ export interface Exercise {
   draw(random: Random, kind: ShapeKind, level: Level): Draft | null;
   /** One or two sentences; ray, shape and what is given stand beside it. */
   ask(draft: Draft): string;
-  /** Whether the draft's parameter is what is asked for: it is shown nowhere before the question is solved. */
+  /**
+   * Whether the draft's parameter is what is asked for: it is shown nowhere before the question is
+   * solved.
+   */
   readonly asksForParam?: true;
   /** Quantities that are told. */
   readonly given: readonly string[];

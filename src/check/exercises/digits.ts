@@ -32,8 +32,8 @@ const CURES = [
 ];
 
 /**
- * Nearly along a generator of slope 1, in numbers that make A, B and C exact: (1 + 2^-26)² needs just 53 bits. 4AC is tiny
- * against B², and only −B ± √D is left to lose the digits.
+ * Nearly along a generator of slope 1, in numbers that make A, B and C exact: (1 + 2^-26)² needs
+ * just 53 bits. 4AC is tiny against B², and only −B ± √D is left to lose the digits.
  */
 const SLIGHTLY_MORE = 1 + 2 ** -26;
 
@@ -116,7 +116,10 @@ export function digitsRight(x: number, truth: number): number {
   return Number.isFinite(error) ? Math.min(16, Math.max(0, -Math.log10(error))) : 0;
 }
 
-/** Right digits of each line of the textbook method, and of the roots by each method; null where it has no two roots. */
+/**
+ * Right digits of each line of the textbook method, and of the roots by each method; null where it
+ * has no two roots.
+ */
 function keptDigits({ shape, ray }: Input): Kept | null {
   const of = (id: string) => findMethod(id)?.intersect(shape, ray);
   const exact = of('exact');

@@ -78,7 +78,10 @@ export function kindsOf(family: 'curved' | 'flat'): ShapeKind[] {
 
 const DENOMINATORS = [1, 2, 3, 4, 5, 6, 8, 10];
 
-/** A fraction that is easy on paper; float64 noise is far below this and fractions that are not clean far above. */
+/**
+ * A fraction that is easy on paper; float64 noise is far below this and fractions that are not
+ * clean far above.
+ */
 const NOISE = 1e-9;
 
 export function isClean(x: unknown): boolean {
@@ -107,7 +110,10 @@ export const chosen = (answers: Answers, ids: readonly string[]): Answers =>
 /** |d| = 1 would hide a t taken for a distance. */
 export const hasUnitLength = ([x, y, z]: Vec3): boolean => x * x + y * y + z * z === 1;
 
-/** Everything about an input with two clean roots; null for any other, which most are: A, B and C tell that cheaply. */
+/**
+ * Everything about an input with two clean roots; null for any other, which most are: A, B and C
+ * tell that cheaply.
+ */
 export function withTwoCleanRoots(input: Input): Answers | null {
   const course = courseOf(input.shape);
   if (course.family === 'flat') return null;

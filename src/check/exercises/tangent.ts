@@ -29,7 +29,8 @@ export const tangent: Exercise = {
     const draft: Draft = { shape, ray, param, watch: [] };
     const [root, another] = tangentValues(course, draft);
     if (root === undefined || another !== undefined) return null;
-    // The drawn value may be a double root of D, which does not change sign there: two right answers.
+    // The drawn value may be a double root of D, which does not change sign there: two right
+    // answers.
     if (Math.abs(root - param.value) > NO_LINE) return null;
     return { ...draft, watch: WATCH };
   },
@@ -83,11 +84,17 @@ function rightValues(draft: Draft): number[] {
 }
 
 const LARGEST = 27;
-/** An odd count of steps to the whole, so that no step ends on the values that are likely to be roots. */
+/**
+ * An odd count of steps to the whole, so that no step ends on the values that are likely to be
+ * roots.
+ */
 const STEPS = 367;
 const HALVINGS = 52;
 
-/** The positive values of the parameter, up to 27, where D of these formulas changes its sign and A is not 0. */
+/**
+ * The positive values of the parameter, up to 27, where D of these formulas changes its sign and A
+ * is not 0.
+ */
 function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
   if (!param) return [];
   const at = coefficientsBy(course, { shape, ray }, param.symbol);
@@ -103,7 +110,10 @@ function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
   return found.filter((value) => Math.abs(at(value).A) > NO_LINE);
 }
 
-/** A root at which A vanishes, too, is where the quadratic becomes a line, not a tangent. Other A are of size 1. */
+/**
+ * A root at which A vanishes, too, is where the quadratic becomes a line, not a tangent. Other A
+ * are of size 1.
+ */
 const NO_LINE = 1e-6;
 
 /** A and D as functions of one parameter. */

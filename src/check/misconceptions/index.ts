@@ -50,7 +50,10 @@ import {
   tIsDistance,
 } from './roots.ts';
 
-/** Every mistake that a program can show, in the order of the lines in which they happen. A new one is one value and one word here. */
+/**
+ * Every mistake that a program can show, in the order of the lines in which they happen. A new one
+ * is one value and one word here.
+ */
 export const MISCONCEPTIONS: readonly Misconception[] = [
   radiusNotSquared,
   slopeNotSquared,

@@ -163,8 +163,8 @@ const inEach = ([x, y, z]: ExprTriple, edit: (e: Expr) => Expr): ExprTriple => [
 ];
 
 /**
- * Mistakes that lines on paper show, and a program does not, or not in this way: it returns no point, and its roots alone
- * cannot tell them from others.
+ * Mistakes that lines on paper show, and a program does not, or not in this way: it returns no
+ * point, and its roots alone cannot tell them from others.
  */
 export const ON_PAPER: readonly Misconception[] = [
   quarterOfD,

@@ -59,7 +59,9 @@ export type GroupId = (typeof GROUPS)[number]['id'];
 /** Families made for one shape are fewer: more is asked of each. */
 const MADE_EACH = 14;
 
-/** A family may be about other shapes: this many draws without one of the wanted kind, and it is. */
+/**
+ * A family may be about other shapes: this many draws without one of the wanted kind, and it is.
+ */
 const MAX_DRAWS = 60;
 
 /** The exact cases for these shapes, the same for the same seed everywhere. */
@@ -131,10 +133,16 @@ function familyCases(
   return found;
 }
 
-/** Rims and edges exactly, moved by 2^-2000, that is by no double: to which side a rounding falls is no fair question. */
+/**
+ * Rims and edges exactly, moved by 2^-2000, that is by no double: to which side a rounding falls is
+ * no fair question.
+ */
 const NOT_NUDGED = -2000;
 
-/** Some families draw |d| = 1, where a t taken for a distance would not show. Powers of two round nothing. */
+/**
+ * Some families draw |d| = 1, where a t taken for a distance would not show. Powers of two round
+ * nothing.
+ */
 function stretched({ shape, ray }: Input, random: Random): Input {
   const k = pick(random, [0.5, 2, 4]);
   const [x, y, z] = ray.direction;

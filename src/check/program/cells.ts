@@ -5,7 +5,10 @@ const NOT_A_NUMBER = /^[-+]?(?:nan(?:\(\w*\))?|1\.#(?:ind|qnan)\d*)$/i;
 const INFINITE = /^([-+]?)(?:inf(?:inity)?|1\.#inf\d*|∞)$/i;
 const NUMBER = /^[-+−]?(?:\d+\.?\d*|\.\d+)(?:[ed][-+−]?\d+)?$/i;
 
-/** A number; null for none; undefined for what is neither. A comma is read as a point: it cannot separate within a cell. */
+/**
+ * A number; null for none; undefined for what is neither. A comma is read as a point: it cannot
+ * separate within a cell.
+ */
 export function numberIn(cell: string): number | null | undefined {
   const text = cell.trim();
   if (NOTHING.test(text)) return null;
@@ -22,7 +25,10 @@ export interface Line {
   readonly cells: readonly string[];
 }
 
-/** Lines of cells between separators (a character, or ' ' for any white space); a cell in quotes may hold anything. */
+/**
+ * Lines of cells between separators (a character, or ' ' for any white space); a cell in quotes may
+ * hold anything.
+ */
 export function linesOf(text: string, separator: string): Line[] {
   const lines: Line[] = [];
   let cells: string[] = [];

@@ -5,14 +5,15 @@ import type { Case } from './cases.ts';
 import { LONGEST_RESULTS } from './results.ts';
 
 /*
- * The same cases for programs in C++, Python, Java and so on. A file of cases goes out, a file of results comes back
- * (results.ts); what is expected stays here.
+ * The same cases for programs in C++, Python, Java and so on. A file of cases goes out, a file of
+ * results comes back (results.ts); what is expected stays here.
  *
- * JSON: { "graze": "check-cases", "version": 1, "seed": 41, "cases": [ { "id", "shape", "ray" }, … ] }
- * CSV:  id, kind, Ex … dz, and a column for each number of the shapes; empty where a shape has none
+ * JSON: { "graze": "check-cases", "version": 1, "seed": 41, "cases": [ { "id", "shape", "ray" }, …
+ * ] } CSV: id, kind, Ex … dz, and a column for each number of the shapes; empty where a shape has
+ * none
  *
- * JSON has no NaN and no infinities: they are the strings "NaN", "Infinity", "-Infinity". Numbers have all digits
- * that their doubles need.
+ * JSON has no NaN and no infinities: they are the strings "NaN", "Infinity", "-Infinity". Numbers
+ * have all digits that their doubles need.
  */
 
 export const FORMAT_WORDS: readonly string[] = [

@@ -21,7 +21,10 @@ interface About {
   readonly found: Answers;
 }
 
-/** A mistake that programs make: in what they take, in their formulas, or in what they do with the roots. */
+/**
+ * A mistake that programs make: in what they take, in their formulas, or in what they do with the
+ * roots.
+ */
 export interface Flaw {
   readonly id: string;
   /** "it looks like …" */
@@ -210,7 +213,10 @@ const inFront = (
   answer: (roots) => roots.filter(({ t }) => kept(t)).slice(0, most),
 });
 
-/** Of a misconception of this name: the same t, with the normal where the ray really meets the surface. */
+/**
+ * Of a misconception of this name: the same t, with the normal where the ray really meets the
+ * surface.
+ */
 function distanceReturned(id: string, applies: (input: Input) => boolean): Flaw {
   const { says = '', line = '', remedy = '' } = findMisconception(id) ?? {};
   return {
@@ -259,8 +265,8 @@ const ROOTS: readonly Flaw[] = [
 ];
 
 /**
- * The misconceptions of the questions, and what else is common in programs. In the order in which a program would make
- * them: what is done to the roots comes after what is done to the formulas.
+ * The misconceptions of the questions, and what else is common in programs. In the order in which a
+ * program would make them: what is done to the roots comes after what is done to the formulas.
  */
 export const FLAWS: readonly Flaw[] = [
   ...INPUTS,

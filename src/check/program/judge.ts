@@ -29,10 +29,16 @@ export interface Verdict {
   readonly says: string;
 }
 
-/** A program that takes care of cancellation has 12 or more; a rounding error at every step still leaves 13 or so. */
+/**
+ * A program that takes care of cancellation has 12 or more; a rounding error at every step still
+ * leaves 13 or so.
+ */
 export const NEEDED_DIGITS = 9;
 
-/** Of a normal's direction: the sine of the angle that may be left. The point it stands on has been rounded, too. */
+/**
+ * Of a normal's direction: the sine of the angle that may be left. The point it stands on has been
+ * rounded, too.
+ */
 const NORMAL_TOLERANCE = 1e-6;
 
 const passed = (digits: number | null): Verdict => ({ passed: true, digits, says: '' });

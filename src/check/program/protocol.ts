@@ -58,7 +58,9 @@ const LONGEST_MESSAGE = 300;
 
 type Unknown = Readonly<Record<string, unknown>>;
 
-/** A message from the sandbox, taken apart and put together anew; null for anything that is none. */
+/**
+ * A message from the sandbox, taken apart and put together anew; null for anything that is none.
+ */
 export function readReply(data: unknown): Reply | null {
   if (!isRecord(data)) return null;
   if (data.type === 'ready') return { type: 'ready' };

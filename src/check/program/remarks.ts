@@ -55,7 +55,10 @@ const pairsOf = (cases: readonly Case[], outputs: readonly Output[]): Pair[] =>
     return output.t.map((t, k) => ({ t, truth: expected.t[k] ?? Number.NaN }));
   });
 
-/** Rounded to decimals or digits, or kept in single precision: each t, and not because the truth is so. */
+/**
+ * Rounded to decimals or digits, or kept in single precision: each t, and not because the truth is
+ * so.
+ */
 function roundedRoots(cases: readonly Case[], outputs: readonly Output[]): string {
   const pairs = pairsOf(cases, outputs);
   const is = (round: (x: number) => number): boolean =>

@@ -36,7 +36,10 @@ export interface Report {
   readonly groups: readonly GroupScore[];
   /** Cases without a result. They count as not right. */
   readonly left: number;
-  /** It returned a root for no valid input: then a miss, too, is no more than silence, and counts for nothing. */
+  /**
+   * It returned a root for no valid input: then a miss, too, is no more than silence, and counts
+   * for nothing.
+   */
   readonly silent: boolean;
   /** The reason of all failures, if there are many and they have one; '' otherwise. */
   readonly common: string;
@@ -89,7 +92,9 @@ const SILENCE: Verdict = {
   says: 'no root, but it never returns one',
 };
 
-/** What hard cases are compared with: the formula as it is taught, and the best that doubles allow. */
+/**
+ * What hard cases are compared with: the formula as it is taught, and the best that doubles allow.
+ */
 const COMPARED = ['textbook', 'certified'];
 
 function scoreOf(id: GroupId, title: string, run: readonly Failure[]): GroupScore {

@@ -5,13 +5,16 @@ import type { Output } from './judge.ts';
 import { readValue } from './protocol.ts';
 
 /*
- * Results of programs in other languages, as these write them: JSON, with NaN and Infinity bare (Python) or as strings, as an array,
- * as lines, or as an object by id; tables with commas, semicolons, tabs or blanks, cells quoted or not, with or without a head.
+ * Results of programs in other languages, as these write them: JSON, with NaN and Infinity bare
+ * (Python) or as strings, as an array, as lines, or as an object by id; tables with commas,
+ * semicolons, tabs or blanks, cells quoted or not, with or without a head.
  *
- * { "graze": "check-results", "results": [ { "id", "t": [ … ], "normal"?: [ [x, y, z], … ] } | { "id", "error": "words" }, … ] }
- * id, t1, t2[, N1x, N1y, N1z, N2x, N2y, N2z], empty for none, or id, error, words
+ * { "graze": "check-results", "results": [ { "id", "t": [ … ], "normal"?: [ [x, y, z], … ] } | {
+ * "id", "error": "words" }, … ] } id, t1, t2[, N1x, N1y, N1z, N2x, N2y, N2z], empty for none, or
+ * id, error, words
  *
- * What cannot be read is said of the file, with its place; it is never taken for an answer of the program.
+ * What cannot be read is said of the file, with its place; it is never taken for an answer of the
+ * program.
  */
 
 export const LONGEST_RESULTS = 2_000_000;
@@ -48,7 +51,9 @@ export function readResults(text: string, cases: readonly Case[]): Results {
   }
 }
 
-/** Without byte order marks; text in UTF-16 that was read as UTF-8 has a zero beside each letter. */
+/**
+ * Without byte order marks; text in UTF-16 that was read as UTF-8 has a zero beside each letter.
+ */
 const plain = (text: string): string =>
   text
     .replace(/^[\uFEFF\uFFFD]+/, '')
@@ -100,7 +105,10 @@ type Fields = Readonly<Record<string, unknown>>;
 const isFields = (x: unknown): x is Fields =>
   typeof x === 'object' && x !== null && !Array.isArray(x);
 
-/** JSON has no NaN; Python and others write it all the same. They become strings, which are read as numbers later. */
+/**
+ * JSON has no NaN; Python and others write it all the same. They become strings, which are read as
+ * numbers later.
+ */
 const quotedNumbers = (text: string): string =>
   text.replace(/("(?:[^"\\]|\\.)*")|([-+]?)\b(NaN|Infinity|inf)\b/gi, (all, string, sign, word) =>
     string === undefined ? `"${sign}${word}"` : all,
@@ -205,7 +213,10 @@ function tableRows(text: string, known: ReadonlySet<string>): Row[] {
   return (head ? lines.all.slice(1) : lines.all).map((line) => tableRow(line, head ?? COLUMNS));
 }
 
-/** Results that are all whole do not happen: where no number has a point, commas within numbers were taken for separators. */
+/**
+ * Results that are all whole do not happen: where no number has a point, commas within numbers were
+ * taken for separators.
+ */
 function refuseDecimalCommas(lines: readonly Line[]): void {
   const numbers = lines.flatMap(({ cells }) => cells.slice(1).filter((one) => /\d/.test(one)));
   const whole = numbers.filter((one) => /^[-+]?\d+$/.test(one));

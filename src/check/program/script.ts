@@ -13,8 +13,9 @@ export function tooLong(text: string): string {
 }
 
 /**
- * A program runs inside a function, where a module's `export` has no place. What is exported by default is taken for
- * intersect if nothing has that name (`graze_default` is known to the sandbox). Every line stays where it is.
+ * A program runs inside a function, where a module's `export` has no place. What is exported by
+ * default is taken for intersect if nothing has that name (`graze_default` is known to the
+ * sandbox). Every line stays where it is.
  */
 export const asScript = (source: string): string =>
   source

@@ -8,7 +8,10 @@ import { AXES } from '../../math/vec3.ts';
 import { type Course, type CurvedCourse, courseOf, type FlatCourse } from '../course.ts';
 import { drawShape } from '../exercises/draw.ts';
 
-/** The centre C and the coefficient C cannot both be C in a program; nor can the point P and its value. */
+/**
+ * The centre C and the coefficient C cannot both be C in a program; nor can the point P and its
+ * value.
+ */
 const NAMES: Names = {
   scalar: (id) => id,
   vector: (id) => (/^[A-Z]$/.test(id) && id !== 'E' && id !== 'N' ? `${id}0` : id),
@@ -24,8 +27,9 @@ export type CourseEdit = (course: Course) => Course | null;
 const UNEDITED: CourseEdit = (course) => course;
 
 /**
- * A program that computes just what the (right or edited) formulas of this shape say, in the order of their trees: the
- * textbook method of the sandbox, the examples, and in the tests one program for each misconception.
+ * A program that computes just what the (right or edited) formulas of this shape say, in the order
+ * of their trees: the textbook method of the sandbox, the examples, and in the tests one program
+ * for each misconception.
  */
 export function programOf(
   kind: ShapeKind,
@@ -41,7 +45,9 @@ export function programOf(
   return [`function ${name}(shape, ray) {`, ...lines, '}', ''].join('\n');
 }
 
-/** The figure's conditions as one expression; where they depend on the shape's axis, one for each. */
+/**
+ * The figure's conditions as one expression; where they depend on the shape's axis, one for each.
+ */
 function insideTest(shape: Shape, edit: CourseEdit): string | null {
   const axis = definitionOf(shape).params.find(({ type }) => type === 'axis');
   const testOf = (one: Shape): string | null => {

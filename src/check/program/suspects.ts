@@ -19,8 +19,9 @@ export interface Finding {
 }
 
 /**
- * Cases that a program usually treats in lines of their own. What is in general position is explained first; a special branch is
- * explained only on top of that, so that no flaw of a branch is named for what is wrong everywhere.
+ * Cases that a program usually treats in lines of their own. What is in general position is
+ * explained first; a special branch is explained only on top of that, so that no flaw of a branch
+ * is named for what is wrong everywhere.
  */
 export const BRANCHES = {
   general: 'in general position',
@@ -47,7 +48,10 @@ interface Seen {
   readonly normal: readonly (readonly number[])[] | null;
 }
 
-/** The flaws that a program's own values show, shape by shape: each shape may have a program of its own. */
+/**
+ * The flaws that a program's own values show, shape by shape: each shape may have a program of its
+ * own.
+ */
 export function findings(cases: readonly Case[], outputs: readonly Output[]): Finding[] {
   const kinds = [...new Set(cases.map(({ shape }) => shape.kind))];
   const merged = new Map<string, Finding>();
@@ -88,7 +92,10 @@ function seenOf(one: Case, output: Output): Seen[] {
 
 const hasRoots = ({ t }: Seen): boolean => t !== null && t.length > 0;
 
-/** Whether doubles find what is exactly there: elsewhere rounding decides, and no formula can be told from another. */
+/**
+ * Whether doubles find what is exactly there: elsewhere rounding decides, and no formula can be
+ * told from another.
+ */
 const settled = (truth: readonly number[], right: readonly Root[]): boolean =>
   truth.length === right.length && truth.every((t, i) => near(t, right[i]?.t ?? Number.NaN, 1));
 
@@ -112,7 +119,10 @@ function rootsOf(found: Answers): Root[] {
 
 type Predict = (flaws: readonly Flaw[], one: Input) => readonly Root[];
 
-/** What a program with these flaws, and no other, would return. What the same formulas give is worked out once. */
+/**
+ * What a program with these flaws, and no other, would return. What the same formulas give is
+ * worked out once.
+ */
 function prediction(): Predict {
   const edits = rememberedEdits();
   const known = new Map<Input, Map<string, Worked>>();
@@ -204,8 +214,9 @@ function causeOf([flaw, ...others]: readonly Flaw[]): Cause | null {
 }
 
 /**
- * The one flaw or the two that explain all cases in general position; none for a right program; null if there are none such.
- * Hard cases do not decide, but they add evidence and tell two apart that are alike elsewhere.
+ * The one flaw or the two that explain all cases in general position; none for a right program;
+ * null if there are none such. Hard cases do not decide, but they add evidence and tell two apart
+ * that are alike elsewhere.
  */
 function causesOf(
   general: readonly Seen[],
@@ -215,7 +226,8 @@ function causesOf(
   if (misfits([], general, 1).length === 0) return [];
   const both = [...general, ...hard];
   if (!both.some(hasRoots)) return null;
-  // A wrong root that is just the flaw's is a sign, and so are a few roots; whatever leaves no roots fits much too often.
+  // A wrong root that is just the flaw's is a sign, and so are a few roots; whatever leaves no
+  // roots fits much too often.
   const isEvidence = (flaws: readonly Flaw[]): boolean => {
     const off = new Set(misfits(flaws, both));
     const fitting = both.filter((one) => !off.has(one) && hasRoots(one));
@@ -296,7 +308,9 @@ function newTrial(): Trial {
   };
 }
 
-/** As they come in a program: what is done to the roots comes after what is done to the formulas. */
+/**
+ * As they come in a program: what is done to the roots comes after what is done to the formulas.
+ */
 const inOrder = (flaws: readonly Flaw[]): readonly Flaw[] =>
   [...flaws].sort((a, b) => (ORDER.get(a) ?? 0) - (ORDER.get(b) ?? 0));
 const ORDER = new Map(FLAWS.map((flaw, i) => [flaw, i] as const));

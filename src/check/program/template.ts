@@ -58,7 +58,10 @@ function refusals(kind: ShapeKind): string[] {
   ];
 }
 
-/** The textbook method for several shapes, as one function of this name; each begins with these lines. */
+/**
+ * The textbook method for several shapes, as one function of this name; each begins with these
+ * lines.
+ */
 export function textbookFor(
   kinds: readonly ShapeKind[],
   name: string,

@@ -15,7 +15,10 @@ export interface Arithmetic<T> {
   sqrt(a: T): T;
   /** −1, 0 or 1; NaN where the system cannot tell (an overflow, an interval around zero). */
   sign(a: T): number;
-  /** The lesser and the greater of two; only for a system whose sign of a − b does not always tell which is which. */
+  /**
+   * The lesser and the greater of two; only for a system whose sign of a − b does not always tell
+   * which is which.
+   */
   sorted?(a: T, b: T): readonly [T, T];
   /** The nearest double, ties to even; ±Infinity beyond the doubles. */
   toNumber(a: T): number;

@@ -40,7 +40,9 @@ function binary(f: Binary): (a: DoubleDouble, b: DoubleDouble) => DoubleDouble {
   };
 }
 
-/** Twice the digits of a double, and no more range: an overflow becomes NaN, whose sign is unknown. */
+/**
+ * Twice the digits of a double, and no more range: an overflow becomes NaN, whose sign is unknown.
+ */
 export const doubleDouble: Arithmetic<DoubleDouble> = {
   id: 'double-double',
   of: (x) => ({ hi: x, lo: 0 }),

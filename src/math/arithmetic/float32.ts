@@ -3,9 +3,9 @@ import type { Arithmetic } from './arithmetic.ts';
 const { fround } = Math;
 
 /**
- * IEEE 754 single precision, 24 bits, from about 1e-38 to 3.4e38. Rounding the double result of one operation on two float32
- * numbers once more gives the correctly rounded float32 result for + − × ÷ and √, because 53 ≥ 2·24 + 2
- * (Figueroa 1995, When is double rounding innocuous?).
+ * IEEE 754 single precision, 24 bits, from about 1e-38 to 3.4e38. Rounding the double result of one
+ * operation on two float32 numbers once more gives the correctly rounded float32 result for + − × ÷
+ * and √, because 53 ≥ 2·24 + 2 (Figueroa 1995, When is double rounding innocuous?).
  */
 export const float32: Arithmetic<number> = {
   id: 'float32',

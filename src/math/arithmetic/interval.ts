@@ -40,7 +40,10 @@ function binary(f: Binary): (a: Interval, b: Interval) => Interval {
   };
 }
 
-/** Enclosures (Moore 1966, Interval analysis). A sign is known where no number of the interval says otherwise. */
+/**
+ * Enclosures (Moore 1966, Interval analysis). A sign is known where no number of the interval says
+ * otherwise.
+ */
 export const interval: Arithmetic<Interval> = {
   id: 'interval',
   of: (x) => ({ lo: x, hi: x }),

@@ -2,7 +2,9 @@ import { fromNumber } from '../exact/dyadic.ts';
 import { ratio, toNumber } from '../exact/surd.ts';
 import type { Arithmetic } from './arithmetic.ts';
 
-/** n/d · 10^e, exactly, d > 0: what is printed in decimals, and their sums, products and quotients. */
+/**
+ * n/d · 10^e, exactly, d > 0: what is printed in decimals, and their sums, products and quotients.
+ */
 export interface Ratio {
   readonly n: bigint;
   readonly d: bigint;

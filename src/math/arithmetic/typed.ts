@@ -41,7 +41,10 @@ function binary(
     (isExact(a) && isExact(b) ? tried(() => exactly(a, b)) : null) ?? roughly(bounds(a), bounds(b));
 }
 
-/** √p − √q = (p − q)/(√p + √q), whose numerator is exact: bounds that are as narrow for roots that are close. */
+/**
+ * √p − √q = (p − q)/(√p + √q), whose numerator is exact: bounds that are as narrow for roots that
+ * are close.
+ */
 function difference(a: Surd, b: Surd): TypedNumber {
   const known = tried(() => exact.sub(a, b));
   if (known) return known;
@@ -51,7 +54,10 @@ function difference(a: Surd, b: Surd): TypedNumber {
   return interval.div(bounds(over), interval.add(bounds(a), bounds(b)));
 }
 
-/** What people type, 0.3, 1/3, sqrt(2), and what follows: exact with one root in play, bounds with more. */
+/**
+ * What people type, 0.3, 1/3, sqrt(2), and what follows: exact with one root in play, bounds with
+ * more.
+ */
 export const typed: Arithmetic<TypedNumber> = {
   id: 'typed',
   of: surd.fromNumber,

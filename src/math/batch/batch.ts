@@ -4,12 +4,12 @@ import type { Ray } from '../ray.ts';
 import { type MakeArray, ownArray } from './memory.ts';
 
 /*
- * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array made
- * per ray. (`exact` makes big integers, and so does `certified` for what its fast stages leave open;
- * the register machines of `compensated` and `interval` box a double now and then, up to some 50
- * bytes a ray.) Every method implements Kernel with loops of its own: a loop shared between methods
- * through a callback is fast for the first one that it inlines and slow for all as soon as there is
- * a second.
+ * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array
+ * made per ray. (`exact` makes big integers, and so does `certified` for what its fast stages leave
+ * open; the register machines of `compensated` and `interval` box a double now and then, up to some
+ * 50 bytes a ray.) Every method implements Kernel with loops of its own: a loop shared between
+ * methods through a callback is fast for the first one that it inlines and slow for all as soon as
+ * there is a second.
  */
 
 /** Rays R(t) = E + t d, component by component; each array has at least `count` numbers. */
@@ -27,8 +27,8 @@ export interface Rays {
 }
 
 /**
- * What a kernel writes; each array has at least as many places as there are rays. A byte or a branch
- * for the class costs more on random rays than the arithmetic, so the class is read from the
+ * What a kernel writes; each array has at least as many places as there are rays. A byte or a
+ * branch for the class costs more on random rays than the arithmetic, so the class is read from the
  * numbers, and the few rays for which these do not tell it are listed aside, in any order, each
  * once.
  */
@@ -49,28 +49,31 @@ export interface Answers {
 
 /**
  * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the
- * answers. At a ray that is not, `exact` and `certified` throw InvalidInput, with its index; then no
- * ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other methods go on with
- * what their arithmetic makes of it. Numbers that the formula does not look at may be anything: a
- * cylinder's does not look at Ey and dy.
+ * answers. At a ray that is not, `exact` and `certified` throw InvalidInput, with its index; then
+ * no ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other methods go on
+ * with what their arithmetic makes of it. Numbers that the formula does not look at may be
+ * anything: a cylinder's does not look at Ey and dy.
  */
 export interface Kernel {
   /**
-   * The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for a
-   * flat one.
+   * The class of a line that meets the shape and is not listed: 'two' for a curved shape, 'one' for
+   * a flat one.
    */
   readonly met: 'two' | 'one';
-  /** "Is it hit?" for the whole line. Fills margin; lists every ray whose class is neither `met` nor 'none'. */
+  /**
+   * "Is it hit?" for the whole line. Fills margin; lists every ray whose class is neither `met` nor
+   * 'none'.
+   */
   classes(rays: Rays, out: Answers): void;
   /**
    * The smallest root in [tMin, tMax] (in lengths of d, either end may be infinite), as the method
-   * rounds its roots, in t0, NaN if there is none; t1 becomes NaN. Lists 'contained' and 'undecided'
-   * (both with NaN); whether a root is a tangent's is not asked.
+   * rounds its roots, in t0, NaN if there is none; t1 becomes NaN. Lists 'contained' and
+   * 'undecided' (both with NaN); whether a root is a tangent's is not asked.
    */
   first(rays: Rays, tMin: number, tMax: number, out: Answers): void;
   /**
-   * t0 ≤ t1: 'two'. t0 alone: 'one', or 'tangent' if it is listed so. Neither: 'none', or 'contained'
-   * or 'undecided' if it is listed so.
+   * t0 ≤ t1: 'two'. t0 alone: 'one', or 'tangent' if it is listed so. Neither: 'none', or
+   * 'contained' or 'undecided' if it is listed so.
    */
   both(rays: Rays, out: Answers): void;
 }
@@ -149,8 +152,8 @@ export function createAnswers(capacity: number, make: MakeArray = ownArray): Ans
 }
 
 /**
- * For kernels that throw: InvalidInput, and no answers, if ray i is not in order. Asked only of rays
- * that take long anyway.
+ * For kernels that throw: InvalidInput, and no answers, if ray i is not in order. Asked only of
+ * rays that take long anyway.
  *
  * @param looksAtY as Quadric.hasY: false where Ey and dy may be anything.
  * @throws InvalidInput with the ray's index, if one of its numbers is not finite or d is 0.

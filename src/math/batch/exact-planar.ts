@@ -27,8 +27,9 @@ const dot = (a: Whole, b: Whole): bigint => a[0] * b[0] + a[1] * b[1] + a[2] * b
 const abs = (x: bigint): bigint => (x < 0n ? -x : x);
 
 /**
- * One ray against a flat shape, exactly, in whole multiples of one power of two for lengths, one for d and one for N. With
- * p = E − P, X − P = (p·(N·d) − d·(N·p)) / (N·d), so rim and edge are decided without a division.
+ * One ray against a flat shape, exactly, in whole multiples of one power of two for lengths, one
+ * for d and one for N. With p = E − P, X − P = (p·(N·d) − d·(N·p)) / (N·d), so rim and edge are
+ * decided without a division.
  */
 export function solvePlanarExactly(
   s: Planar,

@@ -24,9 +24,10 @@ function leastExponent(...parts: readonly Parts[]): number {
 }
 
 /**
- * One ray exactly. All lengths are whole multiples of one power of two 2^l, the direction's components of another, 2^k;
- * then A t² + 2bt + C = 0 has whole coefficients for t in units of 2^(l − k), and a factor 2^-e of a = m·2^e < 1 is
- * multiplied through. The sign of b² − AC is the class, and exact/round.ts rounds (−b ± √(b² − AC))/A once.
+ * One ray exactly. All lengths are whole multiples of one power of two 2^l, the direction's
+ * components of another, 2^k; then A t² + 2bt + C = 0 has whole coefficients for t in units of 2^(l
+ * − k), and a factor 2^-e of a = m·2^e < 1 is multiplied through. The sign of b² − AC is the class,
+ * and exact/round.ts rounds (−b ± √(b² − AC))/A once.
  */
 export function solveExactly(
   q: Quadric,

@@ -10,12 +10,16 @@ import {
 } from './batch.ts';
 
 /**
- * Solves ray i, writes its roots into out.t0[i] and out.t1[i] (NaN where there is none), if they are asked for, and returns the class.
- * It takes an index and no doubles: a call that is not inlined would box them.
+ * Solves ray i, writes its roots into out.t0[i] and out.t1[i] (NaN where there is none), if they
+ * are asked for, and returns the class. It takes an index and no doubles: a call that is not
+ * inlined would box them.
  */
 export type SolveRay = (rays: Rays, i: number, out: Answers) => number;
 
-/** A kernel that asks `solve` ray by ray, or `classify` where the roots are not wanted: for methods whose one ray costs many times a call. */
+/**
+ * A kernel that asks `solve` ray by ray, or `classify` where the roots are not wanted: for methods
+ * whose one ray costs many times a call.
+ */
 export function kernelOf(met: 'two' | 'one', solve: SolveRay, classify: SolveRay = solve): Kernel {
   const usual = met === 'two' ? TWO : ONE;
   function ask(one: SolveRay, rays: Rays, out: Answers): void {

@@ -29,7 +29,9 @@ export const REGISTERS = place(22);
 /** Where component k of a vector stands. */
 export const part = (vector: number, k: number): number => vector + 2 * k;
 
-/** Of the signs of left − right: one that is 1 decides against, one that is unknown leaves it open. */
+/**
+ * Of the signs of left − right: one that is 1 decides against, one that is unknown leaves it open.
+ */
 function verdictOf(a: number, b: number, c = -1, d = -1): number {
   if (a > 0 || b > 0 || c > 0 || d > 0) return NONE;
   return Number.isNaN(a + b + c + d) ? UNDECIDED : ONE;

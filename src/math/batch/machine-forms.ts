@@ -26,7 +26,10 @@ export const W = place(19);
 export const MINUS_FLARE = place(20);
 export const REGISTERS = place(21);
 
-/** A, B, C and D of a curved shape in a register machine: its trees unrolled, operation by operation. */
+/**
+ * A, B, C and D of a curved shape in a register machine: its trees unrolled, operation by
+ * operation.
+ */
 export function loadShape(q: Quadric, m: Machine, R: Float64Array): void {
   m.set(R, TWO_, 2);
   m.set(R, FOUR, 4);

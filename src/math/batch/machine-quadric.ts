@@ -34,8 +34,8 @@ import type { Machine } from './register-machine.ts';
 export type DiscriminantBy = 'course' | 'moment';
 
 /**
- * The stable solver over the course's A, B, C in a register machine: methods/tree-method.ts unrolled, operation by
- * operation. That class and roots are bit-equal to it is tested.
+ * The stable solver over the course's A, B, C in a register machine: methods/tree-method.ts
+ * unrolled, operation by operation. That class and roots are bit-equal to it is tested.
  */
 export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy): Kernel {
   const R = new Float64Array(REGISTERS);
@@ -73,7 +73,10 @@ export function machineQuadric(q: Quadric, machine: Machine, by: DiscriminantBy)
   );
 }
 
-/** |t| is not above this: t = q/A and C/q, where |q| lies between √D and |B| + √D, halved; NaN where the sign of B is not known. */
+/**
+ * |t| is not above this: t = q/A and C/q, where |q| lies between √D and |B| + √D, halved; NaN where
+ * the sign of B is not known.
+ */
 function largestRoot(m: Machine, R: Float64Array): number {
   const most = m.size(R, B) + Math.sqrt(m.size(R, D));
   const other = (2 * m.size(R, C)) / Math.sqrt(m.least(R, D));

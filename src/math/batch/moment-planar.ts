@@ -5,7 +5,10 @@ import type { Planar } from './planar.ts';
 const finite = (x: number): boolean => x - x === 0;
 const isAbove = (x: number): boolean => x > 0 && finite(x);
 
-/** The moment form in float64 for a flat shape: w = m × N and N·d, both with the sign of N·d, decide. */
+/**
+ * The moment form in float64 for a flat shape: w = m × N and N·d, both with the sign of N·d,
+ * decide.
+ */
 export function momentPlanar({ N, P, bound, size, u, v }: Planar): SolveRay {
   const [Nx, Ny, Nz] = N;
   const [Px, Py, Pz] = P;

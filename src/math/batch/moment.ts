@@ -22,15 +22,15 @@ import {
 const LARGE = 2 ** 1022;
 const MAX = Number.MAX_VALUE;
 /**
- * With |d|², |p|², |a| and ρ below 2^200: |B| ≤ 2(1 + |a|)|d||p| < 2^402 and |C| < 2^402; with |A| and |D| above 2^-200
- * also |q| ≥ √D/2 > 2^-102, and so q/A and C/q stay below 2^604.
+ * With |d|², |p|², |a| and ρ below 2^200: |B| ≤ 2(1 + |a|)|d||p| < 2^402 and |C| < 2^402; with |A|
+ * and |D| above 2^-200 also |q| ≥ √D/2 > 2^-102, and so q/A and C/q stay below 2^604.
  */
 const WIDE = 2 ** 200;
 const TINY = 2 ** -200;
 
 /**
- * The moment form over arrays, for curved shapes: D/4 = ρA + a(mx² + mz²) − my² and the stable roots. D < 0 makes both
- * roots NaN by itself; what needs a case distinction takes the scalar form.
+ * The moment form over arrays, for curved shapes: D/4 = ρA + a(mx² + mz²) − my² and the stable
+ * roots. D < 0 makes both roots NaN by itself; what needs a case distinction takes the scalar form.
  */
 export function momentQuadric(q: Quadric): Kernel {
   const slot = curvedSlot();

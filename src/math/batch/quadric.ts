@@ -20,7 +20,9 @@ export function quadricInTreeOrder(shape: Shape): Quadric | null {
   return numbers?.inTreeOrder ? numbers.read(shape) : null;
 }
 
-/** Whether `q`, read from a shape of `kind`, is what quadricOf(shape) would be. Allocates nothing. */
+/**
+ * Whether `q`, read from a shape of `kind`, is what quadricOf(shape) would be. Allocates nothing.
+ */
 export function stillHolds(q: Quadric, kind: Shape['kind'], shape: Shape): boolean {
   return shape.kind === kind && numbersOf(kind)?.holds(shape, q) === true;
 }

@@ -1,7 +1,8 @@
 /**
- * A number system over a register file, two doubles a number: float/double-double.ts and float/interval.ts are such
- * machines. Kernels for both are written once, as the trees' operations in the trees' order; what passes from call to
- * call is places in the file, never doubles, which V8 would box.
+ * A number system over a register file, two doubles a number: float/double-double.ts and
+ * float/interval.ts are such machines. Kernels for both are written once, as the trees' operations
+ * in the trees' order; what passes from call to call is places in the file, never doubles, which V8
+ * would box.
  */
 export interface Machine {
   set(R: Float64Array, out: number, x: number): void;
@@ -26,7 +27,10 @@ export interface Machine {
   least(R: Float64Array, a: number): number;
 }
 
-/** What is between this and the end of the range of any machine (2^996 for a factor in double-double) is room enough. */
+/**
+ * What is between this and the end of the range of any machine (2^996 for a factor in
+ * double-double) is room enough.
+ */
 export const ROOMY = 2 ** 900;
 
 /** Where the ray's numbers stand, in every program: six registers from 0 on. */

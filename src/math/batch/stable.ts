@@ -8,8 +8,9 @@ const LARGE = 2 ** 1022;
 const MAX = Number.MAX_VALUE;
 
 /**
- * The course's A, B, C and D with the sign-stable roots: q = −(B ± √D)/2, t = q/A and t = C/q. Where the roots are not asked for it
- * is the textbook method, but for which roots overflow; those rays take the scalar form.
+ * The course's A, B, C and D with the sign-stable roots: q = −(B ± √D)/2, t = q/A and t = C/q.
+ * Where the roots are not asked for it is the textbook method, but for which roots overflow; those
+ * rays take the scalar form.
  */
 export function stableQuadric(q: Quadric): Kernel {
   const slot = curvedSlot();

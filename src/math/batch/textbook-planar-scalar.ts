@@ -3,7 +3,10 @@ import type { Planar } from './planar.ts';
 
 const finite = (x: number): boolean => x - x === 0;
 
-/** What the course's formula makes of one ray and one plane: its numbers, and where the plane is met. */
+/**
+ * What the course's formula makes of one ray and one plane: its numbers, and where the plane is
+ * met.
+ */
 export interface PlanarSlot {
   offset: number;
   rate: number;
@@ -62,7 +65,10 @@ export function solvePlanar(
   return told ? ONE : UNDECIDED;
 }
 
-/** ≥ 0 where all conditions hold; one that fails decides, else one that is not finite leaves it open. */
+/**
+ * ≥ 0 where all conditions hold; one that fails decides, else one that is not finite leaves it
+ * open.
+ */
 function marginOf(s: Planar, { x, y, z }: PlanarSlot): number {
   if (s.bound === 'none') return 1;
   const [Px, Py, Pz] = s.P;

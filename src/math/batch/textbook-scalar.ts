@@ -1,7 +1,10 @@
 import { CONTAINED, NONE, ONE, TANGENT, TWO, UNDECIDED } from './batch.ts';
 import type { Quadric } from './quadric.ts';
 
-/** What the course's formula makes of one ray, written out operation by operation in the order of its trees. */
+/**
+ * What the course's formula makes of one ray, written out operation by operation in the order of
+ * its trees.
+ */
 export interface CurvedSlot {
   A: number;
   B: number;
@@ -45,7 +48,10 @@ export function textbookCoefficients(
   slot.D = B * B - 4 * A * C;
 }
 
-/** The case distinction of methods/solvers.ts on the slot's A, B, C, D; roots ascending, NaN where there is none. */
+/**
+ * The case distinction of methods/solvers.ts on the slot's A, B, C, D; roots ascending, NaN where
+ * there is none.
+ */
 export function solveSlot(slot: CurvedSlot, stable: boolean): number {
   const { A, B, C, D } = slot;
   slot.t0 = Number.NaN;
@@ -83,8 +89,8 @@ function keep(slot: CurvedSlot, verdict: number, t0: number, t1: number): number
 }
 
 /**
- * Whether a hit at t has a normal: a·(y − Cy) is NaN if the point is so far away that y overflows and a is 0. Then the
- * tree-walked method answers 'undecided', and so must the fast forms.
+ * Whether a hit at t has a normal: a·(y − Cy) is NaN if the point is so far away that y overflows
+ * and a is 0. Then the tree-walked method answers 'undecided', and so must the fast forms.
  */
 export function hasNormal(q: Quadric, Ey: number, dy: number, t: number): boolean {
   if (!vanishingFlare(q)) return true;

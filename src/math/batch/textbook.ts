@@ -2,13 +2,17 @@ import { type Answers, type Kernel, list, NONE, type Rays, selectFirst, TWO } fr
 import type { Quadric } from './quadric.ts';
 import { type CurvedSlot, curvedSlot, solveCurved, vanishingFlare } from './textbook-scalar.ts';
 
-/** A sum of two roots' sizes below this cannot have overflowed on the way; above, the scalar form looks closer. */
+/**
+ * A sum of two roots' sizes below this cannot have overflowed on the way; above, the scalar form
+ * looks closer.
+ */
 const LARGE = 2 ** 1022;
 const MAX = Number.MAX_VALUE;
 
 /**
- * The course's formula over arrays, for curved shapes. D < 0 makes both roots NaN by itself; whatever needs a case
- * distinction (A = 0, D = 0, an overflow) takes the scalar form, which is rare and hence a well-predicted branch.
+ * The course's formula over arrays, for curved shapes. D < 0 makes both roots NaN by itself;
+ * whatever needs a case distinction (A = 0, D = 0, an overflow) takes the scalar form, which is
+ * rare and hence a well-predicted branch.
  */
 export function textbookQuadric(q: Quadric, stable = false): Kernel {
   const slot = curvedSlot();
@@ -120,8 +124,9 @@ function inSpace(q: Quadric, rays: Rays, out: Answers, slot: CurvedSlot): void {
 }
 
 /**
- * D alone, for textbook and stable alike. Unlike the roots it does not tell whether these overflow: then `intersect` answers 'undecided', and so must
- * this. |t| ≤ (|B| + √D)/2|A| is below 2^1022 wherever |A| is not tiny beside |B| and √D, which is all that is tested.
+ * D alone, for textbook and stable alike. Unlike the roots it does not tell whether these overflow:
+ * then `intersect` answers 'undecided', and so must this. |t| ≤ (|B| + √D)/2|A| is below 2^1022
+ * wherever |A| is not tiny beside |B| and √D, which is all that is tested.
  */
 function margins(q: Quadric, rays: Rays, out: Answers, slot: CurvedSlot, stable: boolean): void {
   const { count, Ex, Ey, Ez, dx, dy, dz } = rays;

@@ -59,7 +59,10 @@ function withinCircle(X: Float64Array, C: Float64Array, r: number): number {
   return finite(beyond) ? (beyond > 0 ? NONE : ONE) : UNDECIDED;
 }
 
-/** P ≤ x ≤ P + L along both axes: one condition that fails decides, one that overflows leaves it open. */
+/**
+ * P ≤ x ≤ P + L along both axes: one condition that fails decides, one that overflows leaves it
+ * open.
+ */
 function withinSquare(X: Float64Array, P: Float64Array, L: number, u: number, v: number): number {
   const a = fround((P[u] as number) - (X[u] as number));
   const b = fround((X[u] as number) - fround((P[u] as number) + L));

@@ -16,7 +16,10 @@ import type { Quadric } from './quadric.ts';
 
 const { fround } = Math;
 
-/** What is below this does not round to infinity: a cylinder's hit would have no y, though its roots do not know. */
+/**
+ * What is below this does not round to infinity: a cylinder's hit would have no y, though its roots
+ * do not know.
+ */
 const MOST = 2 ** 127;
 /** With B and √D below 2^60 and |A| above 2^-60 no root leaves the range. */
 const WIDE = 2 ** 60;
@@ -46,7 +49,9 @@ function rounded(q: Quadric): Rounded {
   };
 }
 
-/** The course's formula over arrays with every number and operation in float32, for curved shapes. */
+/**
+ * The course's formula over arrays with every number and operation in float32, for curved shapes.
+ */
 export function textbook32Quadric(quadric: Quadric): Kernel {
   const q = rounded(quadric);
   // A, B, C, D of the ray at hand.

@@ -2,14 +2,20 @@ import type { Dyadic } from './dyadic.ts';
 import { isqrt } from './isqrt.ts';
 import { neg, type Surd, sign, toNumber } from './surd.ts';
 
-/** ± 0.d₁d₂… · 10^(exponent + 1): `digits` has its decimal point behind the first digit. Zero has one digit, 0. */
+/**
+ * ± 0.d₁d₂… · 10^(exponent + 1): `digits` has its decimal point behind the first digit. Zero has
+ * one digit, 0.
+ */
 export interface Decimal {
   readonly negative: boolean;
   readonly digits: string;
   readonly exponent: number;
 }
 
-/** The first n significant decimal digits of a, rounded to nearest, a half away from zero: all of them are right, however many. */
+/**
+ * The first n significant decimal digits of a, rounded to nearest, a half away from zero: all of
+ * them are right, however many.
+ */
 export function decimalDigits(a: Surd, n: number): Decimal {
   const side = sign(a);
   if (side === 0) return { negative: false, digits: '0', exponent: 0 };
@@ -34,8 +40,9 @@ const guessExponent = (x: number): number =>
 const shifted = ({ m, e }: Dyadic, to: number): bigint => m << BigInt(e - to);
 
 /**
- * floor(a · 10^places) for a > 0, exactly. Over one power of two, a = (U ± √S)/W in whole numbers, and floor(x/W) = floor(floor(x)/W)
- * for W ≥ 1, so the whole part of the root is all that is needed of it.
+ * floor(a · 10^places) for a > 0, exactly. Over one power of two, a = (U ± √S)/W in whole numbers,
+ * and floor(x/W) = floor(floor(x)/W) for W ≥ 1, so the whole part of the root is all that is needed
+ * of it.
  */
 function scaledFloor({ u, v, w, D }: Surd, places: number): string {
   const squareExponent = 2 * v.e + D.e;

@@ -10,7 +10,10 @@ const LONGEST = 20_000;
 
 const ONE = surd.fromNumber(1);
 
-/** The exact value of what was typed: fractions and the root of one. Null for what is not one: π, sin(1), √2 + √3. */
+/**
+ * The exact value of what was typed: fractions and the root of one. Null for what is not one: π,
+ * sin(1), √2 + √3.
+ */
 export function exactOf(tree: Typed): Surd | null {
   try {
     return numberOf(tree);

@@ -27,7 +27,10 @@ export const nearAxis = family({
   ray: nearAxisRay,
 });
 
-/** Beside the axis, going nearly along it and nearly at right angles to p: the two products of B cancel. */
+/**
+ * Beside the axis, going nearly along it and nearly at right angles to p: the two products of B
+ * cancel.
+ */
 export const linearCancellation = family({
   id: 'linear-cancellation',
   title: 'B cancels',

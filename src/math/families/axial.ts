@@ -3,7 +3,10 @@ import type { Vec3 } from '../vec3.ts';
 import type { Setting } from './define.ts';
 import { inBox, onUnitCircle } from './parts.ts';
 
-/** A curved shape with the numbers of its equation (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², as far as doubles tell them. */
+/**
+ * A curved shape with the numbers of its equation (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², as far as
+ * doubles tell them.
+ */
 export interface Axial extends Setting {
   readonly center: Vec3;
   readonly a: number;
@@ -50,7 +53,10 @@ export const ordinaryAxial = (random: Random): Axial =>
 /** A radius to compare other lengths with. */
 export const sizeOf = ({ a, r }: Axial): number => r || Math.sqrt(Math.abs(a)) || 1;
 
-/** A height at which the shape has a circle to speak of: 1…2 from a cone's vertex, up to 1 from another centre. */
+/**
+ * A height at which the shape has a circle to speak of: 1…2 from a cone's vertex, up to 1 from
+ * another centre.
+ */
 export const ordinaryHeight = (random: Random, { r }: Axial): number =>
   r === 0 ? randomSign(random) * uniform(random, 1, 2) : uniform(random, -1, 1);
 

@@ -30,7 +30,8 @@ export interface Family {
    * One ray and its shape.
    *
    * @param random where chance comes from, numbers in [0, 1): the same draws give the same ray.
-   * @param difficulty a number within the dial's `range`; left out: drawn from its `usual`. A family
+   * @param difficulty a number within the dial's `range`; left out: drawn from its `usual`. A
+   * family
    *   without a dial does not look at it.
    */
   make(random: Random, difficulty?: number): Question;
@@ -81,7 +82,10 @@ const BITS_PER_DIGIT = 3.321928094887362;
 /** The power of two that is nearest to 10^k. */
 export const bitsOf = (k: number): number => Math.round(k * BITS_PER_DIGIT);
 
-/** 10^k within 6 %, a smooth function of k; the standard lets `**` differ between engines, this does not. */
+/**
+ * 10^k within 6 %, a smooth function of k; the standard lets `**` differ between engines, this does
+ * not.
+ */
 export function tenTo(k: number): number {
   const bits = k * BITS_PER_DIGIT;
   const whole = Math.floor(bits);

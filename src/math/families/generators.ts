@@ -16,7 +16,10 @@ import {
   times,
 } from './parts.ts';
 
-/** A curved shape in quarters whose slope √a is one of them too, so that A = 0 has solutions in doubles. */
+/**
+ * A curved shape in quarters whose slope √a is one of them too, so that A = 0 has solutions in
+ * doubles.
+ */
 interface Ruled extends Axial {
   readonly slope: number;
 }
@@ -56,7 +59,9 @@ export const linear = family({
   }),
 });
 
-/** Either way round at one of the four quarters of the waist, whose points are doubles for any r. */
+/**
+ * Either way round at one of the four quarters of the waist, whose points are doubles for any r.
+ */
 function waistRuling(random: Random, { center, r, slope }: Ruled): Ray {
   const s = randomSign(random);
   const turn = randomSign(random) * slope;
@@ -65,7 +70,10 @@ function waistRuling(random: Random, { center, r, slope }: Ruled): Ray {
     : { origin: plus(center, [0, 0, s * r]), direction: [turn, 1, 0] };
 }
 
-/** A line in the surface: along a cone's generator, a cylinder's, or one of a hyperboloid's two rulings. */
+/**
+ * A line in the surface: along a cone's generator, a cylinder's, or one of a hyperboloid's two
+ * rulings.
+ */
 function generatorRay(random: Random, shape: Ruled): Ray {
   const through =
     shape.r === 0

@@ -5,7 +5,10 @@ import { type Axial, innerPoint, ordinaryAxial, sizeOf } from './axial.ts';
 import { family, tenTo } from './define.ts';
 import { along, inBox, minus, plus, unitDirection } from './parts.ts';
 
-/** From somewhere around the shape; four in five are aimed at its inside, the others anywhere near it. */
+/**
+ * From somewhere around the shape; four in five are aimed at its inside, the others anywhere near
+ * it.
+ */
 export function typicalRay(random: Random, axial: Axial): Ray {
   const size = Math.max(1, sizeOf(axial));
   const origin = plus(axial.center, inBox(random, 5 * size));

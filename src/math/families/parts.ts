@@ -4,8 +4,8 @@ import { integer, pick, type Random, randomSign, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 
 /*
- * What the families are drawn with. Nothing here uses sin, cos or pow: their last bits differ between engines, and a
- * seed should mean the same rays everywhere.
+ * What the families are drawn with. Nothing here uses sin, cos or pow: their last bits differ
+ * between engines, and a seed should mean the same rays everywhere.
  */
 
 export const inBox = (random: Random, size: number): Vec3 => [
@@ -79,7 +79,10 @@ export function perpendicular(random: Random, n: Vec3): Vec3 {
   }
 }
 
-/** A whole number from −size to size in quarters: sums, products and squares of a few of them are exact. */
+/**
+ * A whole number from −size to size in quarters: sums, products and squares of a few of them are
+ * exact.
+ */
 export const quarter = (random: Random, size: number): number =>
   integer(random, -4 * size, 4 * size) / 4;
 export const inQuarters = (random: Random, size: number): Vec3 => [

@@ -52,7 +52,9 @@ export const scaleWorld = family({
   },
 });
 
-/** A level ray through the shape, so that there are roots, with t of the order of 2^(±1050 … ±1110). */
+/**
+ * A level ray through the shape, so that there are roots, with t of the order of 2^(±1050 … ±1110).
+ */
 function rayOutOfRange(random: Random, { ordinary, bits }: Enlarged): Ray {
   const [x, z] = onUnitCircle(random);
   const direction = [x, uniform(random, -0.1, 0.1), z] as const;

@@ -23,7 +23,10 @@ import {
   wholeVector,
 } from './parts.ts';
 
-/** A tangent line of the surface moved 10^-k radii along the normal, with E `distance` radii before the touching point. */
+/**
+ * A tangent line of the surface moved 10^-k radii along the normal, with E `distance` radii before
+ * the touching point.
+ */
 function besideTangent(random: Random, axial: Axial, k: number, distance: number): Ray {
   const { point, normal } = surfacePoint(random, axial);
   const n = unit(normal);
@@ -57,7 +60,9 @@ export const nearTangentFar = family({
   ray: nearTangentFarRay,
 });
 
-/** A shape in whole numbers with a point of it and two directions that span its tangent plane there. */
+/**
+ * A shape in whole numbers with a point of it and two directions that span its tangent plane there.
+ */
 interface Touching {
   readonly axial: Axial;
   readonly point: Vec3;
@@ -65,7 +70,10 @@ interface Touching {
   readonly upwards: Vec3;
 }
 
-/** At the waist, r = n·2^j: the point is (x, 0, z)·2^j from the centre, and the tangent plane is upright. */
+/**
+ * At the waist, r = n·2^j: the point is (x, 0, z)·2^j from the centre, and the tangent plane is
+ * upright.
+ */
 function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Touching {
   const { x, y: z, n } = pythagorean(random);
   const j = integer(random, -2, 9);
@@ -78,7 +86,10 @@ function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Touc
   };
 }
 
-/** At height n·h of a cone of slope c: (c x h, n h, c z h) from the vertex, which is a generator too. */
+/**
+ * At height n·h of a cone of slope c: (c x h, n h, c z h) from the vertex, which is a generator
+ * too.
+ */
 function onCone(random: Random): Touching {
   const { x, y: z, n } = pythagorean(random);
   const vertex = wholeVector(random, 50);

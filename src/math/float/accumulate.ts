@@ -1,14 +1,16 @@
 import { LEAST_EXACT_PRODUCT, productError, sumError } from './eft.ts';
 
-/** How many doubles a running sum is kept in; one more place tells what was lost, see `exactlyZero`. */
+/**
+ * How many doubles a running sum is kept in; one more place tells what was lost, see `exactlyZero`.
+ */
 export const LEVELS = 4;
 
 export const newLevels = (): Float64Array => new Float64Array(LEVELS + 1);
 
 /**
- * Adds x to the sum held in `levels`: each level takes the rounding errors of the one above it. Of n terms in all, only what
- * falls out of the last level is lost: |error| ≤ (2n u)^4 Σ|x| (Ogita, Rump, Oishi 2005, SumK with K = 4), that is 2^-184 Σ|x| for
- * n ≤ 64.
+ * Adds x to the sum held in `levels`: each level takes the rounding errors of the one above it. Of
+ * n terms in all, only what falls out of the last level is lost: |error| ≤ (2n u)^4 Σ|x| (Ogita,
+ * Rump, Oishi 2005, SumK with K = 4), that is 2^-184 Σ|x| for n ≤ 64.
  */
 export function accumulate(levels: Float64Array, x: number): void {
   let rest = x;

@@ -2,20 +2,23 @@ import { LEAST_EXACT_PRODUCT, productError, squareError, sumError } from './eft.
 import { nextDown, nextUp } from './ulp.ts';
 
 /**
- * One operation rounded down or up. JavaScript always rounds to nearest, so the result may have to move one double outwards:
- * it does when the sign of the rounding error says so, and, unlike pbrt's Interval, it stays when there was no error. That is what lets an
- * interval end in exactly 0, and so lets small whole numbers decide "tangent", "parallel", "on the rim".
- * Where the error is not to be had (overflow, or a product near the subnormals) the result moves in any case: that is
- * always safe, since rounding to nearest is never further than the next double.
+ * One operation rounded down or up. JavaScript always rounds to nearest, so the result may have to
+ * move one double outwards: it does when the sign of the rounding error says so, and, unlike pbrt's
+ * Interval, it stays when there was no error. That is what lets an interval end in exactly 0, and
+ * so lets small whole numbers decide "tangent", "parallel", "on the rim". Where the error is not to
+ * be had (overflow, or a product near the subnormals) the result moves in any case: that is always
+ * safe, since rounding to nearest is never further than the next double.
  *
- * Operands are ends of intervals: ±Infinity is allowed, NaN is not. Of 0·∞ the product is 0 (every number of the interval is finite).
- * A difference ∞ − ∞ bounds nothing: the answer is the infinity on the safe side.
+ * Operands are ends of intervals: ±Infinity is allowed, NaN is not. Of 0·∞ the product is 0 (every
+ * number of the interval is finite). A difference ∞ − ∞ bounds nothing: the answer is the infinity
+ * on the safe side.
  */
 
 /**
- * u(1 + 2u): |x| times this lies above half of the space from x to its neighbours and below one and a half of it, so
- * adding it rounds to the next double, also where the spacing halves (Rump, Zimmermann, Boldo, Melquiond 2009, Computing
- * predecessor and successor in rounding to nearest). Far from the ends of the range, where it must not round itself.
+ * u(1 + 2u): |x| times this lies above half of the space from x to its neighbours and below one and
+ * a half of it, so adding it rounds to the next double, also where the spacing halves (Rump,
+ * Zimmermann, Boldo, Melquiond 2009, Computing predecessor and successor in rounding to nearest).
+ * Far from the ends of the range, where it must not round itself.
  */
 const STEP = 2 ** -53 * (1 + 2 ** -52);
 const LEAST = 2 ** -960;
@@ -31,7 +34,9 @@ function below(x: number): number {
   return size > LEAST && size < MOST ? x - size * STEP : nextDown(x);
 }
 
-/** The end given by the rounded result and the sign of (true result − rounded result); NaN: unknown. */
+/**
+ * The end given by the rounded result and the sign of (true result − rounded result); NaN: unknown.
+ */
 function down(rounded: number, error: number): number {
   if (error >= 0) return rounded;
   return Number.isNaN(rounded) ? -Infinity : below(rounded);
@@ -70,8 +75,9 @@ export function mulUp(a: number, b: number): number {
 }
 
 /**
- * The sign of a/b − q, as a number: that of the remainder a − q·b, over b. q·b rounded is within 2u of a, so their
- * difference is exact (Sterbenz), and what is subtracted from it last is q·b's own error.
+ * The sign of a/b − q, as a number: that of the remainder a − q·b, over b. q·b rounded is within 2u
+ * of a, so their difference is exact (Sterbenz), and what is subtracted from it last is q·b's own
+ * error.
  */
 function quotientError(a: number, b: number, q: number): number {
   const p = q * b;

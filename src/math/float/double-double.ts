@@ -1,16 +1,20 @@
 import { fastSumError, productError, squareError, sumError } from './eft.ts';
 
 /**
- * Double-double numbers x = hi + lo with |lo| ≤ ulp(hi)/2, so hi is x rounded: 106 bits at least, and the exponents of a double.
+ * Double-double numbers x = hi + lo with |lo| ≤ ulp(hi)/2, so hi is x rounded: 106 bits at least,
+ * and the exponents of a double.
  *
- * They live in a register file, a Float64Array in which `R[a]` is a hi and `R[a + 1]` its lo; `out` may be one of the
- * operands. So a batch kernel allocates nothing, and src/math/arithmetic/double-double.ts wraps the same functions.
+ * They live in a register file, a Float64Array in which `R[a]` is a hi and `R[a + 1]` its lo; `out`
+ * may be one of the operands. So a batch kernel allocates nothing, and
+ * src/math/arithmetic/double-double.ts wraps the same functions.
  *
- * Bounds (u = 2^-53) are relative errors, proven by Joldes, Muller, Popescu 2017, Tight and rigorous error bounds for
- * basic building blocks of double-word arithmetic, and by Lefèvre, Louvet, Muller, Picot, Rideau 2022 for the root. They need
- * every product of two hi's (for the quotient also q·hi, for the root its square) to lie in 2^-968 … 2^1020 and every
- * hi that is multiplied under 2^996, the range of eft.ts. Above it the results are NaN, never a wrong number; below it
- * each product is off by up to 2^-1073 more, and nothing tells: a sign found near 2^-968 means nothing.
+ * Bounds (u = 2^-53) are relative errors, proven by Joldes, Muller, Popescu 2017, Tight and
+ * rigorous error bounds for basic building blocks of double-word arithmetic, and by Lefèvre,
+ * Louvet, Muller, Picot, Rideau 2022 for the root. They need every product of two hi's (for the
+ * quotient also q·hi, for the root its square) to lie in 2^-968 … 2^1020 and every hi that is
+ * multiplied under 2^996, the range of eft.ts. Above it the results are NaN, never a wrong number;
+ * below it each product is off by up to 2^-1073 more, and nothing tells: a sign found near 2^-968
+ * means nothing.
  */
 export type Registers = Float64Array;
 
@@ -50,8 +54,9 @@ export function neg(R: Registers, out: number, a: number): void {
 }
 
 /**
- * The accurate addition (their algorithm 6), ≤ 3u²/(1 − 4u) of the sum even when hi's cancel. The "sloppy" one, 9 operations shorter,
- * has no bound at all there, and cancellation is what these numbers are for.
+ * The accurate addition (their algorithm 6), ≤ 3u²/(1 − 4u) of the sum even when hi's cancel. The
+ * "sloppy" one, 9 operations shorter, has no bound at all there, and cancellation is what these
+ * numbers are for.
  */
 export function add(R: Registers, out: number, a: number, b: number): void {
   const aHi = get(R, a);
@@ -78,7 +83,10 @@ export function sub(R: Registers, out: number, a: number, b: number): void {
   put(R, out, v, sumError(aLo, bLo, t) + fastSumError(s, c, v));
 }
 
-/** Their algorithm 10, ≤ 5u²: the error of hi·hi exactly, the two cross terms rounded, lo·lo ≤ u²·hi·hi left out. */
+/**
+ * Their algorithm 10, ≤ 5u²: the error of hi·hi exactly, the two cross terms rounded, lo·lo ≤
+ * u²·hi·hi left out.
+ */
 export function mul(R: Registers, out: number, a: number, b: number): void {
   const x = get(R, a);
   const y = get(R, b);
@@ -101,8 +109,9 @@ export function mulDouble(R: Registers, out: number, a: number, k: number): void
 }
 
 /**
- * Their algorithm 17, ≤ 9.8u² + O(u³): q = fl(hi/hi), the remainder a − q·b (whose leading part is exact, since q·b
- * agrees with a in all but the last bits), and one more digit q' = remainder / hi. NaN for b = 0.
+ * Their algorithm 17, ≤ 9.8u² + O(u³): q = fl(hi/hi), the remainder a − q·b (whose leading part is
+ * exact, since q·b agrees with a in all but the last bits), and one more digit q' = remainder / hi.
+ * NaN for b = 0.
  */
 export function div(R: Registers, out: number, a: number, b: number): void {
   const x = get(R, a);
@@ -119,8 +128,8 @@ export function div(R: Registers, out: number, a: number, b: number): void {
 }
 
 /**
- * One Newton step from s = fl(√hi), ≤ 25/8 u²: hi − s² is a double (Sterbenz, and the remainder of a root is representable). Zero
- * has the root 0, a negative number NaN.
+ * One Newton step from s = fl(√hi), ≤ 25/8 u²: hi − s² is a double (Sterbenz, and the remainder of
+ * a root is representable). Zero has the root 0, a negative number NaN.
  */
 export function sqrt(R: Registers, out: number, a: number): void {
   const x = get(R, a);
@@ -152,7 +161,10 @@ export function size(R: Registers, a: number): number {
 /** The same: hi is within a rounding error of the number. */
 export const least = size;
 
-/** Puts the lesser one first. Both are normalised, so the first parts decide, and where these are equal the second ones. */
+/**
+ * Puts the lesser one first. Both are normalised, so the first parts decide, and where these are
+ * equal the second ones.
+ */
 export function sort(R: Registers, a: number, b: number): void {
   const x = get(R, a);
   const y = get(R, b);

@@ -1,9 +1,10 @@
 import { addDown, addUp, divDown, divUp, mulDown, mulUp, sqrtDown, sqrtUp } from './directed.ts';
 
 /**
- * Intervals in a register file: `R[a]` is a lower end and `R[a + 1]` the upper one; `out` may be one of the operands. Each
- * result holds the exact result of any numbers of its operands. An end may be infinite, the numbers in between are finite.
- * src/math/arithmetic/interval.ts wraps these functions; batch kernels call them as they are, and allocate nothing.
+ * Intervals in a register file: `R[a]` is a lower end and `R[a + 1]` the upper one; `out` may be
+ * one of the operands. Each result holds the exact result of any numbers of its operands. An end
+ * may be infinite, the numbers in between are finite. src/math/arithmetic/interval.ts wraps these
+ * functions; batch kernels call them as they are, and allocate nothing.
  */
 export type Registers = Float64Array;
 
@@ -44,7 +45,10 @@ export function sub(R: Registers, out: number, a: number, b: number): void {
   R[out] = lo;
 }
 
-/** The signs of the ends tell which two products are the least and the greatest; only where both hold 0 there are four. */
+/**
+ * The signs of the ends tell which two products are the least and the greatest; only where both
+ * hold 0 there are four.
+ */
 export function mul(R: Registers, out: number, a: number, b: number): void {
   const p = get(R, a);
   const q = get(R, a + 1);
@@ -103,7 +107,9 @@ export function sqrt(R: Registers, out: number, a: number): void {
   R[out + 1] = sqrtUp(Math.max(get(R, a + 1), 0));
 }
 
-/** Bounds of the lesser and of the greater of two; where they overlap nobody knows which is which. */
+/**
+ * Bounds of the lesser and of the greater of two; where they overlap nobody knows which is which.
+ */
 export function sort(R: Registers, a: number, b: number): void {
   const lo = get(R, a);
   const hi = get(R, a + 1);
@@ -113,7 +119,9 @@ export function sort(R: Registers, a: number, b: number): void {
   R[b + 1] = Math.max(hi, get(R, b + 1));
 }
 
-/** 1 or −1 where no number of the interval says otherwise, 0 only for [0, 0], NaN for all others. */
+/**
+ * 1 or −1 where no number of the interval says otherwise, 0 only for [0, 0], NaN for all others.
+ */
 export function sign(R: Registers, a: number): number {
   const lo = get(R, a);
   const hi = get(R, a + 1);
@@ -122,7 +130,10 @@ export function sign(R: Registers, a: number): number {
   return lo === 0 && hi === 0 ? 0 : Number.NaN;
 }
 
-/** The middle. Halved before they are added: the sum of two ends may overflow. −0 comes out as 0, [−∞, ∞] as NaN. */
+/**
+ * The middle. Halved before they are added: the sum of two ends may overflow. −0 comes out as 0,
+ * [−∞, ∞] as NaN.
+ */
 export function toNumber(R: Registers, a: number): number {
   const lo = get(R, a);
   const hi = get(R, a + 1);

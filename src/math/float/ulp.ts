@@ -24,10 +24,10 @@ export function nextUp(x: number): number {
 export const nextDown = (x: number): number => -nextUp(-x);
 
 /**
- * How many steps from double to double lead from a to b: a whole number ≥ 0, whatever the order of a
- * and b. +0 and −0 are the same place, steps are counted through it, and Infinity is one step beyond
- * MAX_VALUE. NaN if a or b is. Exact up to 2^53; beyond that (opposite ends of the line: 1.8e19) the
- * nearest double to the count.
+ * How many steps from double to double lead from a to b: a whole number ≥ 0, whatever the order of
+ * a and b. +0 and −0 are the same place, steps are counted through it, and Infinity is one step
+ * beyond MAX_VALUE. NaN if a or b is. Exact up to 2^53; beyond that (opposite ends of the line:
+ * 1.8e19) the nearest double to the count.
  *
  * @example
  * ulpDistance(0.1 + 0.2, 0.3); // → 1

@@ -58,9 +58,9 @@ export const momentAbout = (center: string): ExprTriple =>
   );
 
 /**
- * D = 4(ρA + a(mx² + mz²) − my²) for the surface (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ: Lagrange's identity for the metric
- * diag(1, −a, 1) turns b² − AC into this. B² and 4AC agree in ever more digits as E moves away; here nothing grows with
- * the distance but the rounding of m itself.
+ * D = 4(ρA + a(mx² + mz²) − my²) for the surface (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ: Lagrange's
+ * identity for the metric diag(1, −a, 1) turns b² − AC into this. B² and 4AC agree in ever more
+ * digits as E moves away; here nothing grows with the distance but the rounding of m itself.
  */
 export function momentDiscriminant(a: Expr | null, rho: Expr | null): Expr {
   const [mx, my, mz] = components('m');

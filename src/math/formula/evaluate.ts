@@ -10,7 +10,9 @@ export interface Values<T> {
   readonly vectors: Readonly<Record<string, Triple<T>>>;
 }
 
-/** Doubles as numbers of another system; each is taken over exactly where the system is wide enough. */
+/**
+ * Doubles as numbers of another system; each is taken over exactly where the system is wide enough.
+ */
 export const lift = <T>(values: Values<number>, { of }: Arithmetic<T>): Values<T> =>
   mapped(values, of);
 
@@ -33,8 +35,9 @@ export function withVector<T>(values: Values<T>, id: string, v: Triple<T>): Valu
 }
 
 /**
- * The value of a tree, operation by operation in the order in which it is written. `branch` is the sign taken at ±.
- * Throws a RangeError for a symbol without a value: that is a formula used in the wrong place, never bad input.
+ * The value of a tree, operation by operation in the order in which it is written. `branch` is the
+ * sign taken at ±. Throws a RangeError for a symbol without a value: that is a formula used in the
+ * wrong place, never bad input.
  */
 export function evaluate<T>(
   expr: Expr,

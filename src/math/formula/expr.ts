@@ -1,9 +1,10 @@
 import type { Axis } from '../vec3.ts';
 
 /**
- * A formula as a small tree, in the course's symbols. It is a notation, not a computer algebra system: a tree is never
- * rewritten, and it is evaluated in the order in which it is written (sums and products from the left), so that its
- * float64 value is the value that a student's program gets.
+ * A formula as a small tree, in the course's symbols. It is a notation, not a computer algebra
+ * system: a tree is never rewritten, and it is evaluated in the order in which it is written (sums
+ * and products from the left), so that its float64 value is the value that a student's program
+ * gets.
  */
 export type Expr =
   | { readonly op: 'number'; readonly value: number }

@@ -36,7 +36,10 @@ export function reproduces(
   return value !== null && roundsTo(value, result, RESULT_DIGITS);
 }
 
-/** The exact value of the line as it is printed; null where a number of it is not finite, or it has no value. */
+/**
+ * The exact value of the line as it is printed; null where a number of it is not finite, or it has
+ * no value.
+ */
 export function recomputed(
   expr: Expr,
   values: Values<number>,

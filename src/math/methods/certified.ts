@@ -10,7 +10,8 @@ export const certified: Method = {
     'For every finite input: the class of exact arithmetic, and each root one of the two doubles around the exact one, itself where that is a double. The coordinates of a point likewise, from the exact root; the direction of its normal within 2^-50, unless it leaves the doubles.',
   source:
     'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
-  // Coefficients and triples are asked for one at a time: both are the exact method's own, whose promise (correctly rounded) is the stronger one.
+  // Coefficients and triples are asked for one at a time: both are the exact method's own, whose
+  // promise (correctly rounded) is the stronger one.
   coefficients: exact.coefficients,
   solve: exact.solve,
   intersect: intersectCertified,

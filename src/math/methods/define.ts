@@ -5,7 +5,10 @@ import type { Shape } from '../shapes/index.ts';
 import type { Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 
-/** What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form and its solver. */
+/**
+ * What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form
+ * and its solver.
+ */
 export type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
 
 /** A method of the ladder. Its functions expect input that was checked before. */
@@ -20,6 +23,9 @@ export interface Method {
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;
-  /** So that its own operations can be followed one by one; a method that is not made of trees has none. */
+  /**
+   * So that its own operations can be followed one by one; a method that is not made of trees has
+   * none.
+   */
   readonly parts?: Parts;
 }

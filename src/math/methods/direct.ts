@@ -9,8 +9,9 @@ import type { Shape } from '../shapes/index.ts';
 import type { Method } from './define.ts';
 
 /**
- * the method `walked` without walking its trees: the same operations in the same order, hence the same bits (which is tested), at a small part
- * of the price. A shape that has no table entry, and the rare answers, still come from the trees.
+ * the method `walked` without walking its trees: the same operations in the same order, hence the
+ * same bits (which is tested), at a small part of the price. A shape that has no table entry, and
+ * the rare answers, still come from the trees.
  */
 export function direct(walked: Method, stable: boolean): Method {
   return {

@@ -19,7 +19,8 @@ export interface Meeting<T> {
 }
 
 /**
- * What decides, and how it is formed from the ray and the shape: one half of a method; the arithmetic and the solver are the other.
+ * What decides, and how it is formed from the ray and the shape: one half of a method; the
+ * arithmetic and the solver are the other.
  */
 export interface Form {
   /** D of a curved shape, whose A, B and C are among the values. */
@@ -37,7 +38,10 @@ export const courseForm: Form = {
   },
 };
 
-/** By the ray's moment m = d × (E − C), in which the distance from which the ray comes cancels before anything is rounded. */
+/**
+ * By the ray's moment m = d × (E − C), in which the distance from which the ray comes cancels
+ * before anything is rounded.
+ */
 export const momentForm: Form = {
   discriminant({ moment, momentD }, values, ar) {
     return evaluate(momentD, ar, withVector(values, 'm', evaluateTriple(moment, ar, values)));

@@ -8,7 +8,8 @@ import { textbook } from './textbook.ts';
 import { textbook32 } from './textbook32.ts';
 
 /**
- * The ladder, from the course's own formula upwards. A new method is one new file and one word here.
+ * The ladder, from the course's own formula upwards. A new method is one new file and one word
+ * here.
  *
  * @example
  * METHODS.map(({ id }) => id).includes('certified'); // → true

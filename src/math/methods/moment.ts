@@ -4,13 +4,15 @@ import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
 /*
- * The error of D/4, in units of u = 2^-53 and to first order (second-order terms are 1e-15 of these), without over- and
- * underflow. p = E − C is off by 1 of itself, a product dy·pz by 2, and mx by 3 of Sx = |dy pz| + |dz py|, since its
- * subtraction adds 1 of |mx| ≤ Sx. Then
+ * The error of D/4, in units of u = 2^-53 and to first order (second-order terms are 1e-15 of
+ * these), without over- and underflow. p = E − C is off by 1 of itself, a product dy·pz by 2, and
+ * mx by 3 of Sx = |dy pz| + |dz py|, since its subtraction adds 1 of |mx| ≤ Sx. Then
  *   mx² + mz²   2·3 + 1 + 1 = 8 of Sx² + Sz²;  times a: 9, or 10 if a = c² is rounded itself
  *   my²         2·3 + 1 = 7 of Sy²
- *   ρA          ρ = r²: 1; A: dy² 1, a dy² 2 (or 3), the two sums 2; the product 1: 6 of ρ·Am, Am = dx² + dz² + |a|dy²
- * and each of the three is in at most two more additions: 12 of ρ·Am + |a|(Sx² + Sz²) + Sy² covers them all. The 4 is exact.
+ *   ρA ρ = r²: 1; A: dy² 1, a dy² 2 (or 3), the two sums 2; the product 1: 6 of ρ·Am, Am = dx² +
+ *   dz² + |a|dy²
+ * and each of the three is in at most two more additions: 12 of ρ·Am + |a|(Sx² + Sz²) + Sy² covers
+ * them all. The 4 is exact.
  */
 export const moment = treeMethod(
   {

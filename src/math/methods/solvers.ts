@@ -19,8 +19,9 @@ type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
 export type Solver = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>) => Solved<T>;
 
 /**
- * The course's case distinction around a formula for the two roots: A = 0 leaves a line, and the sign of D decides.
- * Nothing is compared with an epsilon: where the arithmetic's own value is zero, it is taken for zero.
+ * The course's case distinction around a formula for the two roots: A = 0 leaves a line, and the
+ * sign of D decides. Nothing is compared with an epsilon: where the arithmetic's own value is zero,
+ * it is taken for zero.
  */
 function solverWith(rootPair: RootPair): Solver {
   return (A, B, C, D, ar) => {

@@ -8,7 +8,10 @@ import type { Vec3 } from '../vec3.ts';
 import type { Form } from './forms.ts';
 import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
 
-/** A flat shape by its trees. `exactValues`: the same numbers for exact arithmetic, if it comes to that. */
+/**
+ * A flat shape by its trees. `exactValues`: the same numbers for exact arithmetic, if it comes to
+ * that.
+ */
 export function intersectFlat<T>(
   formula: FlatFormula,
   values: Values<T>,
@@ -68,8 +71,9 @@ function planeHit<T>(
 }
 
 /**
- * The method's own distance where that is one. Its squares may leave its range though the place does not, and a place beside the rim may be rounded
- * into the figure: then that of the point which it shows. Without such a point the distance is beyond what the method can count.
+ * The method's own distance where that is one. Its squares may leave its range though the place
+ * does not, and a place beside the rim may be rounded into the figure: then that of the point which
+ * it shows. Without such a point the distance is beyond what the method can count.
  */
 function distanceOf(
   bound: Bound,

@@ -31,8 +31,9 @@ import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
 type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source'>;
 
 /**
- * A method that is an arithmetic, a way to form what decides and a way to solve the quadratic: the trees are evaluated in
- * that arithmetic, and whatever is shown of them is rounded to doubles at the very end.
+ * A method that is an arithmetic, a way to form what decides and a way to solve the quadratic: the
+ * trees are evaluated in that arithmetic, and whatever is shown of them is rounded to doubles at
+ * the very end.
  */
 export function treeMethod<T>(
   about: About,

@@ -23,7 +23,10 @@ export function signOf<T>(x: T, ar: Arithmetic<T>): Sign | null {
   return Number.isNaN(sign) ? null : (sign as Sign);
 }
 
-/** A float method whose roots or points overflowed into NaN says that it cannot tell, rather than print them. */
+/**
+ * A float method whose roots or points overflowed into NaN says that it cannot tell, rather than
+ * print them.
+ */
 export function answer(found: Intersection): Intersection {
   const numbers = found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
   const broken =

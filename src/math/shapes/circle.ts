@@ -56,7 +56,10 @@ const BOUND: Bound = {
     const root = ar.sqrt(D);
     return [ar.div(ar.sub(ar.neg(B), root), A), ar.div(ar.sub(root, B), A)];
   },
-  /** The line's distance from C is |d × (E − C)| / |d|; squared and freed of the quotient it is exact. */
+  /**
+   * The line's distance from C is |d × (E − C)| / |d|; squared and freed of the quotient it is
+   * exact.
+   */
   meetsLine(values, ar) {
     const { E, d, C, r } = get(values);
     const moment = squaredNorm(cross(d, between(E, C, ar), ar), ar);

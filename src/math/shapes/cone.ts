@@ -9,7 +9,9 @@ import { pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
-/** Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|. */
+/**
+ * Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|.
+ */
 export interface Cone {
   readonly kind: 'cone';
   readonly vertex: Vec3;

@@ -16,7 +16,9 @@ export interface Naming {
   readonly name: string;
   /** Where its normal is zero: 'the vertex'; null where the normal is zero nowhere. */
   readonly singular: string | null;
-  /** What a ray with A = 0 is parallel to: 'the axis'; null where A is never 0, or does not exist. */
+  /**
+   * What a ray with A = 0 is parallel to: 'the axis'; null where A is never 0, or does not exist.
+   */
   readonly straight: string | null;
   /** Where a point of a figure lies when 1, 2, … of its conditions hold with equality. */
   readonly border: readonly string[];
@@ -41,21 +43,33 @@ export interface ShapeDefinition<S extends { readonly kind: string }> {
   /** Its picture in menus: an SVG path in a box of 24 by 24. */
   readonly icon: string;
   readonly params: readonly Param[];
-  /** The equation of the surface (a figure's conditions not counted), in x, y, z and the shape's symbols. */
+  /**
+   * The equation of the surface (a figure's conditions not counted), in x, y, z and the shape's
+   * symbols.
+   */
   readonly surface: Relation;
   /** Its trees; the square's depend on which axis its normal is. */
   formula(shape: S): Formula;
   /** What its symbols stand for. */
   values(shape: S): Values<number>;
-  /** What the fast kernels need; null: its trees serve every method, slowly and with the same answers. */
+  /**
+   * What the fast kernels need; null: its trees serve every method, slowly and with the same
+   * answers.
+   */
   readonly numbers: KernelNumbers<S>;
   /** What a picture needs: extent, circles, convexity. */
   readonly body: Body<S>;
   /** Whether src/math/families has families written for it; if not, they are made from `params`. */
   readonly ownFamilies: boolean;
-  /** A sentence on what the shape's numbers mean, with its values put in; '' if there is nothing to add. */
+  /**
+   * A sentence on what the shape's numbers mean, with its values put in; '' if there is nothing to
+   * add.
+   */
   meaning(shape: S): string;
-  /** The point that the picture keeps in view, and a length of the shape's own about it (0 if it has none). */
+  /**
+   * The point that the picture keeps in view, and a length of the shape's own about it (0 if it has
+   * none).
+   */
   anchor(shape: S): { readonly at: Vec3; readonly size: number };
   /** For exactly tangent rays; a flat shape has none. */
   readonly circleNear?: CircleNear<S>;

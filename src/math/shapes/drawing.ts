@@ -1,6 +1,9 @@
 import type { Vec3 } from '../vec3.ts';
 
-/** The part of the world that a picture shows: a ball, and the heights that unbounded shapes are drawn between. */
+/**
+ * The part of the world that a picture shows: a ball, and the heights that unbounded shapes are
+ * drawn between.
+ */
 export interface Stage {
   readonly center: Vec3;
   /** Radius of the ball that the camera frames, in world lengths. */
@@ -12,12 +15,16 @@ export interface Stage {
   readonly high: number;
 }
 
-/** How a patch ends: at a true edge of the figure, at a cut through a surface that goes on, or in a point. */
+/**
+ * How a patch ends: at a true edge of the figure, at a cut through a surface that goes on, or in a
+ * point.
+ */
 export type PatchEnd = 'edge' | 'rim' | 'goes-on' | 'point' | 'joins';
 
 /**
- * A piece of a surface as data: u and v run over [0, 1]. The canvas decides how finely to sample it.
- * `closed` says that u = 1 meets u = 0. 'rim' is a cut drawn solid, 'goes-on' one drawn fading and dashed.
+ * A piece of a surface as data: u and v run over [0, 1]. The canvas decides how finely to sample
+ * it. `closed` says that u = 1 meets u = 0. 'rim' is a cut drawn solid, 'goes-on' one drawn fading
+ * and dashed.
  */
 export interface Patch {
   at(u: number, v: number): Vec3;
@@ -35,9 +42,10 @@ export interface Patch {
 }
 
 /**
- * A place of the shape that can be taken hold of to change a parameter. A point goes where it is dragged. A length, or a
- * number that follows from one, is read off how far the place is from `from`: along a direction, or, about an axis, on any
- * radius; the picture takes the one that is seen best.
+ * A place of the shape that can be taken hold of to change a parameter. A point goes where it is
+ * dragged. A length, or a number that follows from one, is read off how far the place is from
+ * `from`: along a direction, or, about an axis, on any radius; the picture takes the one that is
+ * seen best.
  */
 export type Grip =
   | { readonly type: 'point'; readonly param: string; readonly at: Vec3 }
@@ -65,6 +73,9 @@ export interface Figure {
   readonly lines: readonly { readonly from: Vec3; readonly to: Vec3 }[];
   /** Named points of the shape: V, C, P. */
   readonly marks: readonly { readonly symbol: string; readonly at: Vec3 }[];
-  /** Normal arrows that belong to the shape itself (plane, circle, square), as a direction of any length. */
+  /**
+   * Normal arrows that belong to the shape itself (plane, circle, square), as a direction of any
+   * length.
+   */
   readonly normals: readonly { readonly at: Vec3; readonly direction: Vec3 }[];
 }

@@ -22,7 +22,9 @@ const along = (p: Vec3, s: number, e1: Vec3, t: number, e2: Vec3): Vec3 => [
   p[2] + s * e1[2] + t * e2[2],
 ];
 
-/** A square part of the whole plane, about the point of it that is nearest to the stage's middle. */
+/**
+ * A square part of the whole plane, about the point of it that is nearest to the stage's middle.
+ */
 export function drawPlane(normal: Vec3, point: Vec3, stage: Stage): Figure {
   const { e1, e2, unit } = spanning(normal);
   const gap =
@@ -70,7 +72,10 @@ export function unitAlong(axis: Axis): Vec3 {
   return UNIT[axis];
 }
 
-/** The two axes of a plane whose normal is `axis`, in the order that makes a right-handed frame with it. */
+/**
+ * The two axes of a plane whose normal is `axis`, in the order that makes a right-handed frame with
+ * it.
+ */
 export function inPlaneAxes(axis: Axis): readonly [Axis, Axis] {
   return axis === 'x' ? ['y', 'z'] : axis === 'y' ? ['z', 'x'] : ['x', 'y'];
 }

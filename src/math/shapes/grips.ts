@@ -3,9 +3,15 @@ import type { Grip, Stage } from './drawing.ts';
 import { inPlaneAxes, unitAlong } from './flat-drawing.ts';
 
 const AXIS: Vec3 = [0, 1, 0];
-/** How high above a vertex or centre, in stage radii, a slope is taken: well inside the picture, and not on top of the point. */
+/**
+ * How high above a vertex or centre, in stage radii, a slope is taken: well inside the picture, and
+ * not on top of the point.
+ */
 const LEVER = 0.3;
-/** The same in radii of a surface that has one: on a sphere, and on ellipsoids nearly twice as flat, there is a circle. */
+/**
+ * The same in radii of a surface that has one: on a sphere, and on ellipsoids nearly twice as flat,
+ * there is a circle.
+ */
 const LEVER_OF_RADIUS = 0.75;
 /** A radius below this many stage radii is too short to be a lever. */
 const SHORT = 0.03;
@@ -21,7 +27,10 @@ export function radiusGrip(param: string, center: Vec3, radius: number, axis: Ve
   return { type: 'reach', param, from: center, direction, reach: radius, isLength: true, value };
 }
 
-/** A cone's slope, on the circle at a height below its vertex, or above where below is out of the picture: c = radius / height. */
+/**
+ * A cone's slope, on the circle at a height below its vertex, or above where below is out of the
+ * picture: c = radius / height.
+ */
 export function slopeGrip(param: string, vertex: Vec3, slope: number, stage: Stage): Grip {
   const h = LEVER * stage.radius;
   const side = vertex[1] - h < stage.low ? 1 : -1;
@@ -48,7 +57,10 @@ export function flareGrip(
   return { type: 'reach', param, from, direction, reach, isLength: false, value };
 }
 
-/** A paraboloid's k, on the circle at a height from its vertex on the side where it is: k = reach² / height. */
+/**
+ * A paraboloid's k, on the circle at a height from its vertex on the side where it is: k = reach² /
+ * height.
+ */
 export function widthGrip(param: string, vertex: Vec3, width: number, stage: Stage): Grip {
   const h = (width < 0 ? -LEVER : LEVER) * stage.radius;
   const from: Vec3 = [vertex[0], vertex[1] + h, vertex[2]];

@@ -11,7 +11,9 @@ import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
-/** Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²). */
+/**
+ * Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²).
+ */
 export interface Hyperboloid {
   readonly kind: 'hyperboloid';
   readonly center: Vec3;

@@ -12,7 +12,8 @@ import { square } from './square.ts';
  * Every shape there is, in the order of the menu. A new shape is one new file and one word here.
  *
  * @example
- * SHAPES.find(({ kind }) => kind === 'cone')?.params.map(({ key }) => key); // → ['vertex', 'slope']
+ * SHAPES.find(({ kind }) => kind === 'cone')?.params.map(({ key }) => key); // → ['vertex',
+ * 'slope']
  */
 export const SHAPES = [
   plane,
@@ -27,6 +28,8 @@ export const SHAPES = [
 
 type ShapeOf<D> = D extends ShapeDefinition<infer S> ? S : never;
 
-/** A kind with its parameters, by the keys of its `params`: points and lengths in units of length. */
+/**
+ * A kind with its parameters, by the keys of its `params`: points and lengths in units of length.
+ */
 export type Shape = ShapeOf<(typeof SHAPES)[number]>;
 export type ShapeKind = Shape['kind'];

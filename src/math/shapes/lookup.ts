@@ -6,7 +6,8 @@ import { checkParam } from './params.ts';
 
 /** The registry's entry for a kind, or undefined. */
 export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
-  // One entry's functions take that entry's shape only; whoever looks one up by a shape's kind passes that shape.
+  // One entry's functions take that entry's shape only; whoever looks one up by a shape's kind
+  // passes that shape.
   return BY_KIND.get(kind) as ShapeDefinition<Shape> | undefined;
 }
 
@@ -16,7 +17,10 @@ const FIELDS: ReadonlyMap<string, readonly string[]> = new Map(
   SHAPES.map(({ kind, params }) => [kind, params.map(({ key }) => key)]),
 );
 
-/** What a name that people may look for is here: "a hyperboloid with a = -1"; null for a name that nothing has. */
+/**
+ * What a name that people may look for is here: "a hyperboloid with a = -1"; null for a name that
+ * nothing has.
+ */
 export function knownAs(name: unknown): string | null {
   for (const { kind } of SHAPES) {
     const { title, alsoCalled = {} } = findShape(kind) ?? {};

@@ -35,9 +35,9 @@ export interface Planar {
 export interface QuadricNumbers<S> {
   readonly family: 'quadric';
   /**
-   * Whether the shape's trees for A, B, C and D do the operations of axialFormula in its order. Then
-   * the kernels of every method give the trees' bits. If not, only `certified` and `exact` use the
-   * numbers: their answers do not depend on the order of operations.
+   * Whether the shape's trees for A, B, C and D do the operations of axialFormula in its order.
+   * Then the kernels of every method give the trees' bits. If not, only `certified` and `exact` use
+   * the numbers: their answers do not depend on the order of operations.
    */
   readonly inTreeOrder: boolean;
   read(shape: S): Quadric;

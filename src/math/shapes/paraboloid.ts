@@ -62,7 +62,9 @@ const formula: CurvedFormula = {
   normal: [n('x'), negative(over(k, num(2))), n('z')],
 };
 
-/** √(kh), 0 on the side where there is no surface. As a product of roots: kh need not be a double. */
+/**
+ * √(kh), 0 on the side where there is no surface. As a product of roots: kh need not be a double.
+ */
 const radiusAt = (width: number, h: number): number =>
   width < 0 === h < 0 ? Math.sqrt(Math.abs(width)) * Math.sqrt(Math.abs(h)) : 0;
 

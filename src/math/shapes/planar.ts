@@ -36,8 +36,9 @@ export interface FlatFormula {
 }
 
 /**
- * The same place without t: X − P = w / (N·d), with m = d × (E − P) and w = m × N, for any N. So that conditions need no
- * sign of N·d, it and w are both taken times that sign: `rate` is |N·d| in these trees.
+ * The same place without t: X − P = w / (N·d), with m = d × (E − P) and w = m × N, for any N. So
+ * that conditions need no sign of N·d, it and w are both taken times that sign: `rate` is |N·d| in
+ * these trees.
  */
 export interface PlaneByMoment {
   readonly m: ExprTriple;
@@ -47,7 +48,10 @@ export interface PlaneByMoment {
   readonly x: ExprTriple;
 }
 
-/** Where a figure ends inside its plane, asked in any arithmetic. Points X = (x, y, z) lie in its plane. */
+/**
+ * Where a figure ends inside its plane, asked in any arithmetic. Points X = (x, y, z) lie in its
+ * plane.
+ */
 export interface Bound {
   /** What the course tests of X; all must hold. Rim and edge are inside. */
   readonly conditions: readonly Relation[];
@@ -56,11 +60,14 @@ export interface Bound {
   /** Euclidean distance of X from the figure, for an X outside of it. */
   distance<T>(x: Triple<T>, values: Values<T>, arithmetic: Arithmetic<T>): T;
   /**
-   * For a ray in the figure's plane: from which t to which t its line is in the figure, both included; null where it
-   * passes beside. Asked in exact arithmetic only.
+   * For a ray in the figure's plane: from which t to which t its line is in the figure, both
+   * included; null where it passes beside. Asked in exact arithmetic only.
    */
   span<T>(values: Values<T>, exact: Arithmetic<T>): readonly [T, T] | null;
-  /** For a ray in the figure's plane: does its line meet the figure? Null where the arithmetic cannot tell. */
+  /**
+   * For a ray in the figure's plane: does its line meet the figure? Null where the arithmetic
+   * cannot tell.
+   */
   meetsLine<T>(values: Values<T>, arithmetic: Arithmetic<T>): boolean | null;
 }
 

@@ -3,8 +3,8 @@ import type { Figure, Patch, PatchEnd, Stage } from './drawing.ts';
 import { multiplesWithin, roundStep } from './steps.ts';
 
 /**
- * (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², in doubles, for the picture only. r is never squared: the square of a very long or
- * very short length is not a double.
+ * (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², in doubles, for the picture only. r is never squared: the
+ * square of a very long or very short length is not a double.
  */
 export interface Revolution {
   readonly center: Vec3;
@@ -12,7 +12,10 @@ export interface Revolution {
   readonly r: number;
 }
 
-/** The drawn part of a surface of revolution: between the stage's heights, and not wider than the stage. */
+/**
+ * The drawn part of a surface of revolution: between the stage's heights, and not wider than the
+ * stage.
+ */
 export function drawRevolution(surface: Revolution, symbol: string, stage: Stage): Figure {
   const pieces = profile(surface, stage).map((piece) => patchOf(surface, piece, stage));
   return aboutAxis(pieces, surface.center, symbol, stage);
@@ -38,7 +41,9 @@ export function aboutAxis(
 /** The axis shows a little beyond the surface. */
 const overshoot = ({ low, high }: Stage): number => high + (high - low) * 0.04;
 
-/** A cylinder's centre has no height of its own that matters: its mark is kept where it can be seen. */
+/**
+ * A cylinder's centre has no height of its own that matters: its mark is kept where it can be seen.
+ */
 export function axisPoint(center: Vec3, { low, high }: Stage): Vec3 {
   return [center[0], Math.min(Math.max(center[1], low), high), center[2]];
 }
@@ -51,7 +56,10 @@ export interface Piece {
   readonly end: PatchEnd;
 }
 
-/** The heights at which the surface has a positive radius, cut to the stage; radius² is a parabola in the height. */
+/**
+ * The heights at which the surface has a positive radius, cut to the stage; radius² is a parabola
+ * in the height.
+ */
 function profile({ center, a, r }: Revolution, stage: Stage): Piece[] {
   const { low, high } = stage;
   const y = center[1];
@@ -160,7 +168,10 @@ export interface Heights {
   inverse(y: number): number;
 }
 
-/** v to height and back. Towards a rounded end the heights close up, so that the end is round in the picture too. */
+/**
+ * v to height and back. Towards a rounded end the heights close up, so that the end is round in the
+ * picture too.
+ */
 function heights({ from, to, start, end }: Piece): Heights {
   const middle = (from + to) / 2;
   const half = (to - from) / 2;

@@ -10,7 +10,10 @@ import type { PlanarNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
 
-/** A square with sides along the axes, from its corner towards larger coordinates; its normal points along +axis. */
+/**
+ * A square with sides along the axes, from its corner towards larger coordinates; its normal points
+ * along +axis.
+ */
 export interface Square {
   readonly kind: 'square';
   readonly corner: Vec3;

@@ -28,7 +28,10 @@ import type { Findings } from './result-files.ts';
 import '../../ui/dialog.css';
 import './accuracy-page.css';
 
-/** What accuracy costs in time: this ray, a family's rays against the clock, and how hard rays can get. */
+/**
+ * What accuracy costs in time: this ray, a family's rays against the clock, and how hard rays can
+ * get.
+ */
 export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) => {
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
@@ -56,7 +59,10 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   const frontierSaves = plotExports('frontier', leftPlot);
   const hardnessSaves = plotExports('difficulty', rightPlot);
 
-  /** What is measured is read from the settings when they are drawn next: they may have been changed since the last time. */
+  /**
+   * What is measured is read from the settings when they are drawn next: they may have been changed
+   * since the last time.
+   */
   let isAsked = false;
   function measure(): void {
     isAsked = true;

@@ -48,7 +48,10 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
   };
 }
 
-/** Remembers which inputs moved until the page is drawn, and what that changed until the ray is another one. It is said aloud, too. */
+/**
+ * Remembers which inputs moved until the page is drawn, and what that changed until the ray is
+ * another one. It is said aloud, too.
+ */
 function createAnswer(announce: (words: string) => void) {
   const moved = new Map<string, { readonly from: number; to: number }>();
   let last: RayModel | null = null;

@@ -5,10 +5,16 @@ import type { SweepRequest } from '../../lab/sweep.ts';
 import type { AccuracySettings } from '../../state/accuracy/settings.ts';
 import { familyName } from './plot-headings.ts';
 
-/** Enough rays for the share of 9 in 10 to mean something, and few enough for the exact method to pass them in 10 ms. */
+/**
+ * Enough rays for the share of 9 in 10 to mean something, and few enough for the exact method to
+ * pass them in 10 ms.
+ */
 const SHAPES = 6;
 const COUNT = 512;
-/** The best quarter of the rounds within 2 % of the best: later ones would hardly change a figure that is shown. */
+/**
+ * The best quarter of the rounds within 2 % of the best: later ones would hardly change a figure
+ * that is shown.
+ */
 const SETTLES = { rounds: 7, spread: 0.02 };
 
 export const measureRequest = ({ family, dial, seed }: AccuracySettings): MeasureRequest => ({

@@ -17,7 +17,10 @@ import {
 } from './settings.ts';
 import './check-page.css';
 
-/** Questions or own numbers on the left, the own program on the right; on a narrow screen one at a time. */
+/**
+ * Questions or own numbers on the left, the own program on the right; on a narrow screen one at a
+ * time.
+ */
 export const mountCheck: MountPage = (host, context) => {
   host.classList.add('check');
   const tabs = element('parts-area', host);

@@ -6,7 +6,10 @@ const SESSIONS = 'graze.check.sessions';
 const PROGRAM = 'graze.check.program';
 const OWN = 'graze.check.own';
 
-/** What the device keeps of this page, so that a reload loses nothing. Nothing of it is sent anywhere. */
+/**
+ * What the device keeps of this page, so that a reload loses nothing. Nothing of it is sent
+ * anywhere.
+ */
 export interface Memory {
   session(seed: number, set: string): Progress;
   keep(progress: Progress): void;

@@ -42,7 +42,8 @@ export function mountProgram(
   let cases = '';
   let set = FIRST_SET;
   const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);
-  // A text that is too long for the box, kept by an older version, stays where it is until another is written.
+  // A text that is too long for the box, kept by an older version, stays where it is until another
+  // is written.
   const kept = memory.program();
   let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
   let written = unshown === null ? kept : null;

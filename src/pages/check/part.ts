@@ -14,7 +14,10 @@ export interface PartContext extends PageContext {
   readonly set: (wanted: Partial<CheckSettings>) => void;
 }
 
-/** One of the two that share the left side: words above the picture and below it, and what the picture shows. */
+/**
+ * One of the two that share the left side: words above the picture and below it, and what the
+ * picture shows.
+ */
 export interface LeftPart {
   render(head: HTMLElement, body: HTMLElement, state: AppState, settings: CheckSettings): Shown;
 }
@@ -31,7 +34,10 @@ export function element(className: string, into: Element): HTMLElement {
 /** As 'iso', from farther away: a drawn E may lie low in front, where 'iso' cuts the stage off. */
 const ROOMY: View = { azimuth: 16, elevation: 14, zoom: 0.72 };
 
-/** A picture that can be turned; its view is nobody else's. Its code and canvas come with the first thing to show. */
+/**
+ * A picture that can be turned; its view is nobody else's. Its code and canvas come with the first
+ * thing to show.
+ */
 export function turnablePicture(
   host: HTMLElement,
   changed: () => void,

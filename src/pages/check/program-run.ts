@@ -11,9 +11,15 @@ import { setOf } from '../../check/sets.ts';
 import { SHAPES, type ShapeKind } from '../../math/shapes/index.ts';
 import { runInSandbox } from './sandbox.ts';
 
-/** The cases are the same for everybody: a seed of their own would only make two reports hard to compare. */
+/**
+ * The cases are the same for everybody: a seed of their own would only make two reports hard to
+ * compare.
+ */
 const CASES_SEED = 41;
-/** Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to be short. */
+/**
+ * Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to
+ * be short.
+ */
 const TIMED = 24;
 
 /** All shapes are those of the link's set: what a link to all cases meant when it was written. */

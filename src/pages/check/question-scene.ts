@@ -93,7 +93,10 @@ function unsolved(wanted: Wanted): SceneModel {
 
 const isFinitePoint = (p: Vec3): boolean => p.every(Number.isFinite);
 
-/** Where the student's t's and points lie, or how the student's normal points. Null where the answer has no place. */
+/**
+ * Where the student's t's and points lie, or how the student's normal points. Null where the answer
+ * has no place.
+ */
 function ghostOf({ input, answers, given }: Wanted, scene: SceneModel): GhostModel | null {
   if (!answers) return null;
   const { stage, ray, hits } = scene;

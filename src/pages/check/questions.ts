@@ -28,7 +28,10 @@ export interface Questions extends LeftPart {
   json(): string;
 }
 
-/** The questions of one session after another: what was typed lives on the device, what was judged with the page. */
+/**
+ * The questions of one session after another: what was typed lives on the device, what was judged
+ * with the page.
+ */
 export function createQuestions({ memory, changed, set }: PartContext): Questions {
   let progress = memory.session(1, FIRST_SET);
   let index = 0;
@@ -54,7 +57,10 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     posed = question(seed, at, own);
     recallVerdict();
   };
-  /** Hits and normals stand in the picture when there is nothing left to find out; before, the student's own points. */
+  /**
+   * Hits and normals stand in the picture when there is nothing left to find out; before, the
+   * student's own points.
+   */
   const shown = (): Shown => {
     const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
     const results = solvedAt !== null || given;

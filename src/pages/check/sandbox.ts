@@ -24,7 +24,10 @@ export interface Heard {
   end(ending: Ending): void;
 }
 
-/** From the request of the frame to the first word from its worker; and from the moment when something was loaded. */
+/**
+ * From the request of the frame to the first word from its worker; and from the moment when
+ * something was loaded.
+ */
 const OPEN_LIMIT_MS = 12_000;
 const AFTER_LOAD_MS = 5000;
 /** The frame's own watchdog takes a second; a frame that says nothing for longer is dead itself. */
@@ -35,8 +38,8 @@ const MOST_MESSAGES = 5000;
 let lastId = 0;
 
 /**
- * Runs a program in a frame of its own: no origin, no network, no storage, no page (sandbox.html), in a fresh worker. The
- * frame goes away with the run. Gives a function that cancels it.
+ * Runs a program in a frame of its own: no origin, no network, no storage, no page (sandbox.html),
+ * in a fresh worker. The frame goes away with the run. Gives a function that cancels it.
  */
 export function runInSandbox(
   host: Element,
@@ -116,7 +119,10 @@ function pass(reply: Reply, heard: Heard, end: (ending: Ending) => void): void {
 const FILE = './sandbox.html';
 const OFFLINE = import.meta.env.MODE === 'single';
 
-/** The site has a file with its own policy; the offline file, which has none, carries the same text inside. */
+/**
+ * The site has a file with its own policy; the offline file, which has none, carries the same text
+ * inside.
+ */
 async function open(frame: HTMLIFrameElement, host: Element): Promise<void> {
   if (OFFLINE) {
     const { default: text } = await import('./sandbox.html?raw');

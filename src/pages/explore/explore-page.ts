@@ -28,7 +28,10 @@ export interface Explore {
   graph(): SVGSVGElement | null;
 }
 
-/** Scene and graph on the left, parameters and algebra on the right. The scene comes when it has been loaded. */
+/**
+ * Scene and graph on the left, parameters and algebra on the right. The scene comes when it has
+ * been loaded.
+ */
 export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () => void): Explore {
   host.classList.add('explore');
   const picker = section(host, 'picker-area');
@@ -45,7 +48,8 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
   wide.addEventListener('change', changed);
-  // Parameters before the algebra where both are in view at once; the focus goes the way that the eye does.
+  // Parameters before the algebra where both are in view at once; the focus goes the way that the
+  // eye does.
   const panelContent = (model: ExploreModel, card: TemplateResult, large: boolean) => {
     const compact = narrow.matches || (large && wide.matches);
     const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);

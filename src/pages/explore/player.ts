@@ -12,8 +12,8 @@ export interface Player {
 }
 
 /**
- * Moves the bead along the ray, resting at each root. Someone who asked for less motion sees it step from root to root.
- * `move` is told each t; `changed` that playing began or ended.
+ * Moves the bead along the ray, resting at each root. Someone who asked for less motion sees it
+ * step from root to root. `move` is told each t; `changed` that playing began or ended.
  */
 export function createPlayer(move: (t: number) => void, changed: () => void): Player {
   let frame = 0;
@@ -52,7 +52,9 @@ export function createPlayer(move: (t: number) => void, changed: () => void): Pl
   };
 }
 
-/** t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached. */
+/**
+ * t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached.
+ */
 export function timetable(
   { from, to, roots }: Pick<GraphModel, 'from' | 'to' | 'roots'>,
   stepwise: boolean,

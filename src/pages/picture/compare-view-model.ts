@@ -3,7 +3,9 @@ import { errorMap } from './error-map.ts';
 import type { PictureModel } from './picture-model.ts';
 import { themeColours } from './theme-colours.ts';
 
-/** What the compareView shows: one picture, two, or the map of their differences in the theme's ink. */
+/**
+ * What the compareView shows: one picture, two, or the map of their differences in the theme's ink.
+ */
 export function compareViewModel(
   { picture, requests, main, other, comparison }: PictureModel,
   host: HTMLElement,

@@ -22,7 +22,10 @@ export interface CompareViewActions {
   pixel(x: number, y: number): void;
   /** The pixel cursor is here, not chosen yet. */
   cursor(x: number, y: number): void;
-  /** A press on the picture, in pixels and parts of them: true if something was taken hold of, which `drag` then moves. */
+  /**
+   * A press on the picture, in pixels and parts of them: true if something was taken hold of, which
+   * `drag` then moves.
+   */
   grab(x: number, y: number): boolean;
   drag(x: number, y: number): void;
 }
@@ -37,7 +40,10 @@ export interface CompareView {
 const STEP = 5;
 const FAR_STEP = 10;
 
-/** One picture, or two under each other of which a divider shows one part each; a square marks a pixel. */
+/**
+ * One picture, or two under each other of which a divider shows one part each; a square marks a
+ * pixel.
+ */
 export function createCompareView(host: HTMLElement, actions: CompareViewActions): CompareView {
   host.className = 'compare-view';
   const frame = element('div', 'picture-frame', host);

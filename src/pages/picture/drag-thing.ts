@@ -33,7 +33,10 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Drag
   return { scene, id: thing.id, width, height, from: [x, y], depth: t / Math.hypot(...way) };
 }
 
-/** Drags the thing to another place of the picture: from where it was taken, whatever else has changed since. */
+/**
+ * Drags the thing to another place of the picture: from where it was taken, whatever else has
+ * changed since.
+ */
 export function dragTo(held: DraggedThing, x: number, y: number): (now: Scene) => Scene {
   const { scene, id, width, height, from, depth } = held;
   const { right, up } = lensOf(scene.camera, width / height);

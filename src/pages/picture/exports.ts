@@ -53,7 +53,10 @@ export function pictureBlob(model: PictureModel | null): Promise<Blob | null> {
   return new Promise((resolve) => canvas.toBlob(resolve));
 }
 
-/** Takes a file that holds a scene; false for one that holds something else. A broken scene says what is wrong with it. */
+/**
+ * Takes a file that holds a scene; false for one that holds something else. A broken scene says
+ * what is wrong with it.
+ */
 export function openScene(text: string, dispatch: Dispatch): boolean {
   if (!looksLikeScene(text)) return false;
   try {
@@ -76,7 +79,8 @@ function looksLikeScene(text: string): boolean {
     if (typeof data !== 'object' || data === null) return false;
     return 'things' in data || ('graze' in data && data.graze === 'scene');
   } catch {
-    // A scene with a slip in it is still meant to be one: the place of the slip is said when it is read.
+    // A scene with a slip in it is still meant to be one: the place of the slip is said when it is
+    // read.
     return /"things"|"graze"\s*:\s*"scene"/.test(text);
   }
 }

@@ -3,7 +3,10 @@ import type { TreeModel } from '../../canvas/ray-tree.ts';
 import { late, notLoaded } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
-/** The view in space, whose code is loaded with the first pixel that is chosen. The list stands without it. */
+/**
+ * The view in space, whose code is loaded with the first pixel that is chosen. The list stands
+ * without it.
+ */
 export interface LateRayTree {
   /** Null takes the view away. */
   render(model: TreeModel | null): void;

@@ -27,7 +27,10 @@ export async function loadPicture(): Promise<MountPage> {
   return (host, context) => mountPicture(host, context, spawn);
 }
 
-/** The picture with what lies over it and below it on the left; what it cost, or its scene, on the right. */
+/**
+ * The picture with what lies over it and below it on the left; what it cost, or its scene, on the
+ * right.
+ */
 function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTracer): PageView {
   const { changed, dispatch, announce } = context;
   const parts = sections(host);

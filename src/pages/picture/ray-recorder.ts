@@ -4,11 +4,15 @@ import type { WorkerLike } from '../../workers/trace-job.ts';
 import type { TraceRequest } from './trace-request.ts';
 
 export interface RayRecorder {
-  /** The rays of one pixel, by the same code that traces the picture; rejects with why it could not. */
+  /**
+   * The rays of one pixel, by the same code that traces the picture; rejects with why it could not.
+   */
   record(request: TraceRequest, x: number, y: number): Promise<RayTree>;
 }
 
-/** A worker of its own follows the rays of single pixels: a picture under way need not stop for it. */
+/**
+ * A worker of its own follows the rays of single pixels: a picture under way need not stop for it.
+ */
 export function createRayRecorder(spawn: () => WorkerLike): RayRecorder {
   let worker: WorkerLike | null = null;
   let job = 0;

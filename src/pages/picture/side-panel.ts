@@ -31,7 +31,10 @@ export interface SidePanelTools {
 
 type Tab = 'ledger' | 'scene';
 
-/** What the picture cost, or its scene to be edited. Which of them is shown is nothing that undo should bring back. */
+/**
+ * What the picture cost, or its scene to be edited. Which of them is shown is nothing that undo
+ * should bring back.
+ */
 export function createSidePanel(
   host: HTMLElement,
   { dispatch, changed, tools, count, isCounting }: SidePanelTools,

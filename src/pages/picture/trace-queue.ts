@@ -10,9 +10,14 @@ import type { TraceRequest } from './trace-request.ts';
 /** Finished pictures that are kept to come back to; each takes up to 16 bytes a pixel. */
 const MOST_KEPT = 16;
 
-/** Traces what is wanted, one picture after the other with all workers, so that times can be compared. */
+/**
+ * Traces what is wanted, one picture after the other with all workers, so that times can be
+ * compared.
+ */
 export interface TraceQueue {
-  /** The pictures that are needed now, the most urgent first. What runs and is not among them ends. */
+  /**
+   * The pictures that are needed now, the most urgent first. What runs and is not among them ends.
+   */
   want(requests: readonly TraceRequest[]): void;
   /** As far as a picture has come; null if nobody has begun it. */
   seen(request: TraceRequest): TraceProgress | null;

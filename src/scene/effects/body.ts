@@ -2,8 +2,9 @@ import type { Answers, Rays } from '../../math/batch/batch.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 
 /*
- * What an effect's code is given and gives. Rays come in waves: the rays of one generation that one cause has fired, as a structure of arrays.
- * The tracer finds what they hit, then calls the bodies that the scene needs, each at its place, over the whole wave.
+ * What an effect's code is given and gives. Rays come in waves: the rays of one generation that one
+ * cause has fired, as a structure of arrays. The tracer finds what they hit, then calls the bodies
+ * that the scene needs, each at its place, over the whole wave.
  */
 
 export const CAMERA = 0;
@@ -18,7 +19,10 @@ export interface Wave {
   readonly rays: Rays;
   /** The camera ray that each descends from, in the tile's count. */
   readonly sample: Int32Array;
-  /** A number of its own for each way from the camera, the same however the picture is cut into tiles: the seed of its chance. */
+  /**
+   * A number of its own for each way from the camera, the same however the picture is cut into
+   * tiles: the seed of its chance.
+   */
   readonly path: Int32Array;
   /** The surface that it leaves, or −1. */
   readonly from: Int32Array;
@@ -43,7 +47,10 @@ export interface Wave {
   readonly Px: Float64Array;
   readonly Py: Float64Array;
   readonly Pz: Float64Array;
-  /** Of length 1, on the side that the ray comes from; `back` is 1 where that is not the shape's own side. */
+  /**
+   * Of length 1, on the side that the ray comes from; `back` is 1 where that is not the shape's own
+   * side.
+   */
   readonly Nx: Float64Array;
   readonly Ny: Float64Array;
   readonly Nz: Float64Array;
@@ -65,7 +72,10 @@ export interface Wave {
 export interface Look {
   readonly colour: Vec3;
   readonly other: Vec3;
-  /** Which components of a point count for the pattern, and what a square of it measures; none for a plain paint. */
+  /**
+   * Which components of a point count for the pattern, and what a square of it measures; none for a
+   * plain paint.
+   */
   readonly pattern: readonly (0 | 1 | 2)[];
   readonly size: number;
   readonly mirror: number;
@@ -133,8 +143,8 @@ export interface Tools {
   /** The wave that the effect's rays of the next generation go to, with room for so many more. */
   next(count: number): Wave;
   /**
-   * Whether a ray with this largest weight may be fired: false beyond the last generation, and where it can bring no more than half a level of 255.
-   * Keeps count of both.
+   * Whether a ray with this largest weight may be fired: false beyond the last generation, and
+   * where it can bring no more than half a level of 255. Keeps count of both.
    */
   worth(weight: number): boolean;
   /** Counts rays put into `next`. */
@@ -143,12 +153,15 @@ export interface Tools {
 }
 
 /**
- * `all`: the effect was forced on, so it is simulated wherever it could be, with a share of 0 where no material asks for it. That costs what it
- * costs and changes no bit.
+ * `all`: the effect was forced on, so it is simulated wherever it could be, with a share of 0 where
+ * no material asks for it. That costs what it costs and changes no bit.
  */
 export type EffectBody = RootsBody | WayBody | PaintBody | LightBody | GlossBody | BounceBody;
 
-/** Chooses among both roots: puts into t0 the first root after `from`'s that counts, NaN if none does. */
+/**
+ * Chooses among both roots: puts into t0 the first root after `from`'s that counts, NaN if none
+ * does.
+ */
 export interface RootsBody {
   readonly at: 'roots';
   choose(rays: Rays, out: Answers, low: number, high: number, tMin: number, leaving: boolean): void;

@@ -1,6 +1,9 @@
 import { REFLECTED, type REFRACTED, type Wave } from './body.ts';
 
-/** The mirrored ray: d − 2(d·N)N, from the stored hit point, with the share `weight` of what the ray brings. Returns its place in `next`. */
+/**
+ * The mirrored ray: d − 2(d·N)N, from the stored hit point, with the share `weight` of what the ray
+ * brings. Returns its place in `next`.
+ */
 export function mirrored(wave: Wave, i: number, next: Wave, weight: number): number {
   const j = follow(wave, i, next, weight, REFLECTED);
   const x = wave.Nx[i] as number;

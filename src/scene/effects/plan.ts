@@ -28,7 +28,10 @@ export function planEffects(scene: Scene, forced: Forced = {}): readonly Planned
   });
 }
 
-/** Without soft shadows a light with a size is taken for a point at its centre: its shadows get hard, not lost. */
+/**
+ * Without soft shadows a light with a size is taken for a point at its centre: its shadows get
+ * hard, not lost.
+ */
 export function shownScene(scene: Scene, forced: Forced): Scene {
   if (forced['soft-shadow'] !== 'off') return scene;
   const lights = scene.lights.map((light) =>

@@ -4,14 +4,20 @@ import type { Feelers, LightBody, Lit, Wave } from './body.ts';
 /** Feelers a call: enough for the kernels, and they stay in the cache. */
 const AT_ONCE = 4096;
 
-/** So many different sets of points are drawn, once; each hit takes one of them, turned by an angle of its own. */
+/**
+ * So many different sets of points are drawn, once; each hit takes one of them, turned by an angle
+ * of its own.
+ */
 const SETS = 64;
 const SEED = 2026;
 
 /** By points a side: x and y of each point of a unit disc, set after set. */
 const drawn = new Map<number, Float64Array>();
 
-/** A square grid, each point at a random place of its cell, mapped onto the disc: every ring gets its share. */
+/**
+ * A square grid, each point at a random place of its cell, mapped onto the disc: every ring gets
+ * its share.
+ */
 function pointsOf(side: number): Float64Array {
   const known = drawn.get(side);
   if (known) return known;
@@ -29,8 +35,8 @@ function pointsOf(side: number): Float64Array {
 }
 
 /**
- * Rays to points of the light's disc as it is seen from the hit. Which points is up to the camera ray and its way: the picture does not depend on
- * the order in which hits are looked at.
+ * Rays to points of the light's disc as it is seen from the hit. Which points is up to the camera
+ * ray and its way: the picture does not depend on the order in which hits are looked at.
  */
 export const body: LightBody = {
   at: 'light',
@@ -92,7 +98,10 @@ function aim(
   }
 }
 
-/** 32 bits, each of which depends on all that are given (the finisher of MurmurHash3, Appleby, public domain). */
+/**
+ * 32 bits, each of which depends on all that are given (the finisher of MurmurHash3, Appleby,
+ * public domain).
+ */
 function mixed(bits: number): number {
   let h = bits ^ (bits >>> 16);
   h = Math.imul(h, 0x85ebca6b);

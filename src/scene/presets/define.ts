@@ -15,7 +15,10 @@ export interface ScenePreset {
   readonly id: string;
   /** What there is to see, in a sentence. */
   readonly reason: string;
-  /** What Compare begins with, as a link has it under `against`: the comparison that the reason speaks of. */
+  /**
+   * What Compare begins with, as a link has it under `against`: the comparison that the reason
+   * speaks of.
+   */
   readonly compare?: string;
   readonly scene: Scene;
 }

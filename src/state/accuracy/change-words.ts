@@ -15,7 +15,10 @@ export const SAYS: Readonly<Record<Verdict, string>> = {
 
 type Rows = Pick<ThisRay, 'rows' | 'reference'>;
 
-/** Which verdicts another ray changes, method by method, and whether exact arithmetic's is among them; '' if none. */
+/**
+ * Which verdicts another ray changes, method by method, and whether exact arithmetic's is among
+ * them; '' if none.
+ */
 export function flips(before: Rows, after: Rows): string {
   const changed = after.rows.flatMap(({ method, found, judgement }, i) => {
     const was = before.rows[i]?.found.class;

@@ -25,7 +25,10 @@ export const questionOf = (worth: Worth): Question => (worth === 'wrong' ? 'clas
 
 export const titleOf = (id: string): string => findMethod(id)?.title ?? id;
 
-/** The plot of what was measured, in the chosen units. Null before there is a time, or where no ray has a root to have digits. */
+/**
+ * The plot of what was measured, in the chosen units. Null before there is a time, or where no ray
+ * has a root to have digits.
+ */
 export function frontierOf(
   { rows }: Pick<Measured, 'rows'>,
   { worth, cost }: { readonly worth: Worth; readonly cost: Cost },

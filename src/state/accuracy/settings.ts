@@ -72,7 +72,10 @@ function read<K extends keyof AccuracySettings>(
     : { value, problem: null };
 }
 
-/** The settings that texts of a link stand for, defaults where they say nothing usable; and what was not. */
+/**
+ * The settings that texts of a link stand for, defaults where they say nothing usable; and what was
+ * not.
+ */
 export function readAccuracy(given: Settings): {
   readonly values: AccuracySettings;
   readonly problems: readonly string[];

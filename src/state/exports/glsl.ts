@@ -6,7 +6,10 @@ import { body, inBraces, type Language, vectorCode } from './language.ts';
 import { type Constant, partsOf } from './parts.ts';
 import type { Test } from './program.ts';
 
-/** A fragment shader for WebGL2 that compiles as it stands; its functions can be copied into another one. */
+/**
+ * A fragment shader for WebGL2 that compiles as it stands; its functions can be copied into another
+ * one.
+ */
 export const glsl: Export = {
   id: 'glsl',
   title: 'the ray as GLSL',

@@ -8,7 +8,10 @@ import { putIn, resultsOf } from '../put-in.ts';
 import { hitLines } from './hit-lines.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';
 
-/** The page's algebra from the ray to the hits: symbols, numbers put in, value; digits as on the page. */
+/**
+ * The page's algebra from the ray to the hits: symbols, numbers put in, value; digits as on the
+ * page.
+ */
 export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { derivation, contradicted, found, exactly } = model;
   const range = rangeNote(derivation, found, exactly);
@@ -37,7 +40,10 @@ const wordsLine = <M>(words: string): Line<M> => ({
   words,
 });
 
-/** E, d and the shape's own numbers. A, B, C and D are among the derivation's numbers, but they are its results. */
+/**
+ * E, d and the shape's own numbers. A, B, C and D are among the derivation's numbers, but they are
+ * its results.
+ */
 function given<M>({ derivation }: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { scalars, vectors } = derivation.numbers;
   const results = new Set(derivation.steps.map(({ id }) => id));
@@ -89,7 +95,9 @@ function resultPiece<M>(
     : number(value, marks);
 }
 
-/** The condition in symbols, then in numbers; of a length only the value is told, as on the page. */
+/**
+ * The condition in symbols, then in numbers; of a length only the value is told, as on the page.
+ */
 function conditionLines<M>(
   { relation, left, right, holds }: ConditionStep,
   { derivation }: ExploreModel,

@@ -37,8 +37,8 @@ export interface Program {
 }
 
 /**
- * What the textbook method does, in its order: nothing is compared with an epsilon, and an overflow is told. Answers are the
- * t's of the whole line, ascending.
+ * What the textbook method does, in its order: nothing is compared with an epsilon, and an overflow
+ * is told. Answers are the t's of the whole line, ascending.
  */
 export function programOf(formula: Formula): Program {
   return formula.family === 'curved' ? curved(formula) : flat(formula);

@@ -7,7 +7,9 @@ import { body, inBraces, type Language, vectorCode } from './language.ts';
 import { type Constant, partsOf } from './parts.ts';
 import type { Test } from './program.ts';
 
-/** The ray and the shape, the course's formula, and what it finds, as a program that prints JSON. */
+/**
+ * The ray and the shape, the course's formula, and what it finds, as a program that prints JSON.
+ */
 export const typescript: Export = {
   id: 'typescript',
   title: 'the ray as TypeScript',

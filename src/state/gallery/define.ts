@@ -1,10 +1,14 @@
 /**
- * Some words, and the claims that make them true: 'D > 0', 'E inside', 't2 leaves', 'textbook class none'. Each kind of
- * claim has a check in tests/unit/state/gallery-claims.ts, and words that claim something must name a claim for it.
+ * Some words, and the claims that make them true: 'D > 0', 'E inside', 't2 leaves', 'textbook class
+ * none'. Each kind of claim has a check in tests/unit/state/gallery-claims.ts, and words that claim
+ * something must name a claim for it.
  */
 export type Clause = readonly [words: string, ...claims: string[]];
 
-/** A state worth looking at. It is a link like any other, so whatever a preset can show, a person can send. */
+/**
+ * A state worth looking at. It is a link like any other, so whatever a preset can show, a person
+ * can send.
+ */
 export interface Preset {
   readonly id: string;
   readonly title: string;

@@ -11,7 +11,10 @@ export type Against =
   | { readonly change: 'start'; readonly start: StartRule }
   | { readonly change: 'effect'; readonly effect: EffectId; readonly force: 'on' | 'off' };
 
-/** In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection'; '' for no comparison. */
+/**
+ * In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection'; '' for
+ * no comparison.
+ */
 export const AGAINST = {
   read(text: string): Against | null {
     if (text === '') return null;
@@ -33,7 +36,10 @@ export const AGAINST = {
   },
 } as const;
 
-/** What Compare begins with: what the scene's reason speaks of, or else the start rule. Never a picture with itself. */
+/**
+ * What Compare begins with: what the scene's reason speaks of, or else the start rule. Never a
+ * picture with itself.
+ */
 export function firstAgainst(sceneText: string, start: StartRule, method: string): string {
   const wanted = findPreset(sceneText)?.compare ?? 'start:none';
   if (wanted === `method:${method}`) return `method:${DEFAULT_METHOD}`;
@@ -48,7 +54,10 @@ export function otherSide(settings: TraceSettings, against: Against): TraceSetti
   return { ...settings, forced };
 }
 
-/** What a side is, in the words of a picker: method and start rule, and an effect if that is the cause. */
+/**
+ * What a side is, in the words of a picker: method and start rule, and an effect if that is the
+ * cause.
+ */
 export function sideWords(settings: TraceSettings, against: Against | null): string {
   const method = findMethod(settings.method)?.title ?? settings.method;
   const start = startWords(settings.start);

@@ -12,7 +12,10 @@ export interface SideOption {
   readonly words: string;
 }
 
-/** Everything that one side can differ in: another method, another start rule, one effect the other way. */
+/**
+ * Everything that one side can differ in: another method, another start rule, one effect the other
+ * way.
+ */
 export function sideOptions(
   scene: Scene,
   settings: TraceSettings,

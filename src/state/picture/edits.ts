@@ -29,7 +29,10 @@ export function refusalOf(scene: Scene): string | null {
 /** Whether a parameter says where the shape is: moving it moves the whole shape. */
 export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
 
-/** A thing with one parameter of its shape changed. Where it is kept between heights they go along with it. */
+/**
+ * A thing with one parameter of its shape changed. Where it is kept between heights they go along
+ * with it.
+ */
 export function withParam(thing: Placed, param: Param, value: Vec3 | number | string): Placed {
   const shape = { ...thing.shape, [param.key]: value } as Shape;
   if (!isPlace(param) || !thing.between) return { ...thing, shape };

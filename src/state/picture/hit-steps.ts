@@ -24,7 +24,10 @@ export interface SurfaceSteps {
   readonly roots: readonly RootFate[];
 }
 
-/** The course's algebra of one ray and the whole shape, and what became of each root; null for a ray that the math module refuses (an overflowed direction). */
+/**
+ * The course's algebra of one ray and the whole shape, and what became of each root; null for a ray
+ * that the math module refuses (an overflowed direction).
+ */
 export function surfaceSteps(shape: Shape, meeting: Meeting, method: string): SurfaceSteps | null {
   const { ray, between } = meeting;
   try {

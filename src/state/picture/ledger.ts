@@ -10,7 +10,10 @@ export interface LedgerRow extends PlannedEffect {
   /** Which part of the time it took, 0 … 1, and where its part begins behind those above it. */
   readonly share: number;
   readonly from: number;
-  /** Pixels that are another colour without it (or, forced off, with it); null if nobody has counted. */
+  /**
+   * Pixels that are another colour without it (or, forced off, with it); null if nobody has
+   * counted.
+   */
   readonly pixels: number | null;
 }
 
@@ -118,7 +121,10 @@ const sum = (a: Cost, b: Cost): Cost => ({
   ms: a.ms + b.ms,
 });
 
-/** The ledger for a table program, one effect a line; what did not run is there too, with its reason. */
+/**
+ * The ledger for a table program, one effect a line; what did not run is there too, with its
+ * reason.
+ */
 export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): string {
   const head =
     'effect,needed,forced,reason,rays,questions,solves,ms of all workers,share,pixels changed';

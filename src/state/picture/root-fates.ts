@@ -28,13 +28,18 @@ export interface RootFate {
   readonly words: string;
 }
 
-/** The least t that counts: for a camera ray, and for one that leaves a surface under a start rule. */
+/**
+ * The least t that counts: for a camera ray, and for one that leaves a surface under a start rule.
+ */
 export const leastOf = (start: StartRule, camera: boolean): number =>
   start.rule === 'epsilon' && !camera
     ? Math.max(start.epsilon, Number.MIN_VALUE)
     : Number.MIN_VALUE;
 
-/** Every root of the whole shape with what became of it: the rules of the tracer (ask.ts, heights-body.ts), one ray at a time. */
+/**
+ * Every root of the whole shape with what became of it: the rules of the tracer (ask.ts,
+ * heights-body.ts), one ray at a time.
+ */
 export function rootFates(found: Intersection, meeting: Meeting): RootFate[] {
   const { ray, between, leaves, least, most, passes } = meeting;
   const start = leaves ? startOf(found) : -1;

@@ -5,13 +5,16 @@ import { PRESETS } from '../../scene/presets/index.ts';
 import type { Scene } from '../../scene/types.ts';
 
 /*
- * A scene in a link: a preset by its id, any other one as its JSON, deflated, in the letters that a link may hold
- * (base64url, RFC 4648), after a tilde, which no id has.
+ * A scene in a link: a preset by its id, any other one as its JSON, deflated, in the letters that a
+ * link may hold (base64url, RFC 4648), after a tilde, which no id has.
  */
 
 const MARK = '~';
 const LONGEST = 30_000;
-/** Bytes that are inflated at once: a link that makes too many of them is given up after one more portion. */
+/**
+ * Bytes that are inflated at once: a link that makes too many of them is given up after one more
+ * portion.
+ */
 const PORTION = 1024;
 
 export const DEFAULT_SCENE = 'cone-on-mirror';

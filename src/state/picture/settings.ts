@@ -117,7 +117,10 @@ export function readPicture(settings: Settings): {
   return { settings: found, problems };
 }
 
-/** A change of settings as the action 'settings' wants it: what is a default is taken out of the link. */
+/**
+ * A change of settings as the action 'settings' wants it: what is a default is taken out of the
+ * link.
+ */
 export function changed(
   values: Readonly<Partial<Record<PictureKey, string>>>,
 ): Readonly<Record<string, string | null>> {
@@ -208,7 +211,9 @@ function word(words: readonly string[]) {
   };
 }
 
-/** A scene keeps its identity while its text is the same; of many, the latest few are remembered. */
+/**
+ * A scene keeps its identity while its text is the same; of many, the latest few are remembered.
+ */
 function memoised<T>(read: (text: string) => T): (text: string) => T {
   const known = new Map<string, T>();
   return (text) => {

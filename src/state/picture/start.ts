@@ -3,7 +3,10 @@ import { display, shortest } from '../../text/format.ts';
 import { parseNumber } from '../../text/parse.ts';
 import type { StartRule } from '../../tracer/types.ts';
 
-/** The rules that a menu offers: the one that is right, none, and epsilons from too small to too large. */
+/**
+ * The rules that a menu offers: the one that is right, none, and epsilons from too small to too
+ * large.
+ */
 export const START_TEXTS = ['from', 'none', '1e-15', '1e-9', '0.001', '0.3'] as const;
 
 /** 'from', 'none', or an epsilon. */

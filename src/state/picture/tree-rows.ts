@@ -34,7 +34,10 @@ export type Tracing = Pick<TraceSettings, 'method' | 'start' | 'forced'>;
 /** Fewer shadow rays to one light than this stand each on its own line. */
 const GROUP_FROM = 3;
 
-/** The lines of a tree, each ray before those that it fires. `open`: paths of groups that are shown ray by ray. */
+/**
+ * The lines of a tree, each ray before those that it fires. `open`: paths of groups that are shown
+ * ray by ray.
+ */
 export function treeRows(
   scene: Scene,
   root: RayNode,

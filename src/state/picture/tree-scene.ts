@@ -12,7 +12,10 @@ export interface TreeLine {
   readonly from: Vec3;
   readonly to: Vec3;
   readonly weight: number;
-  /** What stands at its end: a point of a surface, what blocks it, the light; nothing where it goes on. */
+  /**
+   * What stands at its end: a point of a surface, what blocks it, the light; nothing where it goes
+   * on.
+   */
   readonly end: 'hit' | 'blocked' | 'light' | 'background';
   readonly light: string | null;
 }
@@ -24,13 +27,19 @@ export interface TreeScene {
   readonly touched: Figure;
   readonly others: Figure;
   readonly lines: readonly TreeLine[];
-  /** Degrees about the vertical at which the view begins: beside the camera, from where its ray is seen as a line. */
+  /**
+   * Degrees about the vertical at which the view begins: beside the camera, from where its ray is
+   * seen as a line.
+   */
   readonly azimuth: number;
   readonly description: string;
 }
 
 const BESIDE_CAMERA = 50;
-/** Rays are drawn so many stage radii long where nothing ends them, or where their end is farther away. */
+/**
+ * Rays are drawn so many stage radii long where nothing ends them, or where their end is farther
+ * away.
+ */
 const LONG = 1.9;
 const OPEN_END = 1.1;
 
@@ -68,7 +77,10 @@ const flat = (node: RayNode, path: string): Named[] => [
   ...node.children.flatMap((child, i) => flat(child, `${path}.${i}`)),
 ];
 
-/** About the points that are hit, with what is hit in full where that is no larger than a few times as much. */
+/**
+ * About the points that are hit, with what is hit in full where that is no larger than a few times
+ * as much.
+ */
 function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[]): Stage {
   const hits = nodes.flatMap(({ node: { end, ray } }) =>
     end.end === 'hit' ? [end.point] : end.end === 'blocked' ? [along(ray, end.t)] : [],

@@ -43,7 +43,10 @@ export async function pickShape(page: Page, title: string): Promise<void> {
   await settle(page);
 }
 
-/** The link is written a moment after the state: its keys and values once they are as they should be. */
+/**
+ * The link is written a moment after the state: its keys and values once they are as they should
+ * be.
+ */
 export async function expectInLink(page: Page, wanted: Readonly<Record<string, string | null>>) {
   await expect(async () => {
     const given = new URLSearchParams((await hashOf(page)).split('?')[1]);

@@ -77,7 +77,10 @@ export function expected(shape: Shape, ray: Ray, method: string): Shown {
   return shown;
 }
 
-/** The stretch of a line in a figure's plane that is in the figure; one number where it only touches. */
+/**
+ * The stretch of a line in a figure's plane that is in the figure; one number where it only
+ * touches.
+ */
 function putSpan(put: (name: string, value: Value) => void, shape: Shape, ray: Ray): void {
   const span = spanInFigure(shape, ray);
   if (!span) return;

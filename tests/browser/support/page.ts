@@ -5,7 +5,10 @@ export const SCENE_CHUNK = /\/scene-[^/]*\.js$/;
 /** The browser's own words when the scene is kept away. */
 export const NO_SCENE = /^Failed to load resource: net::ERR_FAILED$/;
 
-/** Leaves the picture out where it is not what a test is about: software rendering would take most of its time. */
+/**
+ * Leaves the picture out where it is not what a test is about: software rendering would take most
+ * of its time.
+ */
 export async function withoutScene(page: Page): Promise<void> {
   await page.route(SCENE_CHUNK, (route) => route.abort());
 }
@@ -20,15 +23,19 @@ export async function settle(page: Page): Promise<void> {
   );
 }
 
-/** Until the page has had the time to write its own form of the link; by the page's own clock, which a busy machine slows. */
+/**
+ * Until the page has had the time to write its own form of the link; by the page's own clock, which
+ * a busy machine slows.
+ */
 export async function linkWritten(page: Page): Promise<void> {
   await settle(page);
   await page.evaluate(() => new Promise<void>((done) => setTimeout(done, 200)));
 }
 
 /**
- * Opens a link: loads the page the first time, later writes the new hash into the address as a person would. The event
- * is sent at once, so that a list of links does not have to wait for the browser's own.
+ * Opens a link: loads the page the first time, later writes the new hash into the address as a
+ * person would. The event is sent at once, so that a list of links does not have to wait for the
+ * browser's own.
  */
 export async function open(page: Page, hash: string): Promise<void> {
   if (page.url() === 'about:blank') {

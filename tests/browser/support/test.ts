@@ -14,8 +14,8 @@ interface Strict {
 }
 
 /**
- * Every test fails on an error or warning on the console, an uncaught error, a dialog, and on any request that leaves
- * the page's own origin.
+ * Every test fails on an error or warning on the console, an uncaught error, a dialog, and on any
+ * request that leaves the page's own origin.
  */
 export const test = base.extend<Strict>({
   provoked: [null, { option: true }],

@@ -13,7 +13,9 @@ import type { Shape, ShapeKind } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { curved, exactly, flat, run } from './students.ts';
 
-/* A cause is named for a program if it explains all of its results, those that are right included. */
+/*
+ * A cause is named for a program if it explains all of its results, those that are right included.
+ */
 
 const SEED = 41;
 const KINDS = SHAPES.map(({ kind }) => kind);
@@ -287,7 +289,8 @@ describe('no cause', () => {
         return { ...output, t: output.t.map((t) => t * factor + random() - 0.5) };
       });
       const found = findings(cases, outputs);
-      // A few noisy results among the hard or special ones leave the rest as it was, and nothing is to be said.
+      // A few noisy results among the hard or special ones leave the rest as it was, and nothing is
+      // to be said.
       expect(found.map(({ flaw, branch }) => `${flaw.id} ${branch} ${share}`)).toEqual([]);
     }
   });

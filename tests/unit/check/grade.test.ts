@@ -173,7 +173,9 @@ describe('a choice', () => {
 
 describe('several fields', () => {
   const y = numberField('y');
-  /** The course gives (1, 20); whatever is edited gives (7, 20) or, without the start at E, (2, 3). */
+  /**
+   * The course gives (1, 20); whatever is edited gives (7, 20) or, without the start at E, (2, 3).
+   */
   const shape = { kind: 'cylinder', center: [0, 0, 0], radius: 1 } as const;
   const course = courseOf(shape);
   const derivation = derivationOf([x, y], course, [], (edited) => {

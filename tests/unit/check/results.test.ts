@@ -28,7 +28,10 @@ describe('cases for other languages', () => {
   });
 });
 
-/* The same results in every dialect. They are a program's, so that not all are right and some are no numbers. */
+/*
+ * The same results in every dialect. They are a program's, so that not all are right and some are
+ * no numbers.
+ */
 
 interface Result {
   readonly id: string;

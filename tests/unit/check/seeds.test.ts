@@ -21,7 +21,10 @@ function posed(seed: number): string {
     .join(' ');
 }
 
-/** As seeds were when the first links were handed out: a lecturer's link poses the same questions ever after. */
+/**
+ * As seeds were when the first links were handed out: a lecturer's link poses the same questions
+ * ever after.
+ */
 const POSED: Readonly<Record<number, string>> = {
   1: '01b07788 991867d3 e1ffa71b 857c1c45 e6f16336 aa79125f bb9ba810 771750a1 0659c6d5 19ca3ec6 98382866 b7ab9560 ce318011 5f5e588b 469005e6 e4b9c11c',
   2: '3f416b6a 448900e2 5a375ab6 579dc86b b4e045eb 32a3e083 3286e918 79ebdcf6 cfbc551b cdbdc1a9 52cb311b d510c867 75c4bee3 605fd152 3974c0db 1006096c',

@@ -3,7 +3,9 @@ import type { Output } from '../../../src/check/program/judge.ts';
 import { readValue } from '../../../src/check/program/protocol.ts';
 import { intersect } from '../../../src/math/index.ts';
 
-/** Our own programs only: what a student writes runs in the sandbox, in the tests of the browser. */
+/**
+ * Our own programs only: what a student writes runs in the sandbox, in the tests of the browser.
+ */
 export function run(source: string, cases: readonly Case[]): Output[] {
   const program = new Function(`${source}; return intersect;`)() as (
     s: unknown,
@@ -28,7 +30,10 @@ export const exactly = (cases: readonly Case[]): Output[] =>
     }
   });
 
-/* Programs as students write them, in another order than the project's own, and a place for each mistake. */
+/*
+ * Programs as students write them, in another order than the project's own, and a place for each
+ * mistake.
+ */
 
 const CURVED = {
   begin: '',

@@ -71,7 +71,8 @@ describe('what no mistake explains gets no name', () => {
       const [posed, derivation] = [QUESTIONS[at], derivations[at]];
       if (!posed || !derivation) continue;
       const { fields, truth } = posed;
-      // From one of the lines on, some are something else, and the first of them is not what a known mistake gives.
+      // From one of the lines on, some are something else, and the first of them is not what a
+      // known mistake gives.
       const from = Math.floor(random() * fields.length);
       const texts: Record<string, string> = {};
       let explained = false;

@@ -22,7 +22,10 @@ const AsyncFunction = (async () => undefined).constructor as new (
   ...parts: string[]
 ) => (...given: unknown[]) => Promise<void>;
 
-/** What stands behind a statement: `// → value` or `// throws InvalidInput: message`, on its line or the next. */
+/**
+ * What stands behind a statement: `// → value` or `// throws InvalidInput: message`, on its line or
+ * the next.
+ */
 const CLAIM = /^[ \t]*\n?[ \t]*\/\/ (→|throws) (.*)/;
 
 /**

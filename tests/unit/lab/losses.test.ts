@@ -44,7 +44,8 @@ describe('the trace of a method', () => {
           const roots = all.filter(
             ({ letter }) => plainText(letter ?? { op: 'scalar', id: '' }) === 't',
           );
-          // Enclosures are cut where they cross, so an interval's root may have another middle than its last step.
+          // Enclosures are cut where they cross, so an interval's root may have another middle than
+          // its last step.
           if (one.id === 'interval' || found.class === 'undecided') continue;
           expect(roots.map(({ own }) => own).sort((a, b) => a - b)).toEqual(
             found.hits.map(({ t }) => t),

@@ -4,7 +4,9 @@ import { sentenceOf } from '../../../src/lab/sentence.ts';
 import type { MeasuredRow } from '../../../src/lab/session.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
-/** Rounds of a task that takes `ms` by itself, on a machine whose other work adds to most of them. */
+/**
+ * Rounds of a task that takes `ms` by itself, on a machine whose other work adds to most of them.
+ */
 function rounds(ms: number, count: number, busy: number, random: () => number): number[] {
   return Array.from({ length: count }, (_, k) =>
     k === count >> 1 || random() > busy ? ms : ms * (1 + 3 * random()),

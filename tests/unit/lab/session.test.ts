@@ -71,7 +71,8 @@ describe('a session', () => {
     const [first] = measureSession(request('far-origin', 7.6), ticking());
     const row = first?.rows.find(({ id }) => id === 'textbook');
     expect(row?.quality.judged.misses).toBeGreaterThan(10);
-    // More than one ray in ten fails, and fewer than half: nine of ten have no digit, and half would have some.
+    // More than one ray in ten fails, and fewer than half: nine of ten have no digit, and half
+    // would have some.
     const share = (row?.quality.wrong ?? 0) / 192;
     expect([share > 0.1, share < 0.5, row?.quality.digits]).toEqual([true, true, 0]);
     const worst = row?.quality.worst;

@@ -19,8 +19,8 @@ import { type ExactHit, exactHits, faithful, straight } from './exact-hits.ts';
 const out = createAnswers(1);
 
 /**
- * What certified gets wrong on this ray, in words, or null: as an object, in a batch by roots, and in a batch by class only. Each root must be one of
- * the doubles around the exact one.
+ * What certified gets wrong on this ray, in words, or null: as an object, in a batch by roots, and
+ * in a batch by class only. Each root must be one of the doubles around the exact one.
  */
 export function disagreement(shape: Shape, ray: Ray, truth = exactHits(shape, ray)): string | null {
   const found = intersect(shape, ray, 'certified');

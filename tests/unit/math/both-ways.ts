@@ -82,7 +82,10 @@ export function ask(fast: boolean, form: Ask, shape: Shape, rays: Rays, out: Ans
   }
 }
 
-/** The first place where two arrays are not the same doubles (all NaN are alike), in words; null if there is none. */
+/**
+ * The first place where two arrays are not the same doubles (all NaN are alike), in words; null if
+ * there is none.
+ */
 export function difference(a: Float64Array, b: Float64Array): string | null {
   if (a.length !== b.length) return `${a.length} and ${b.length} numbers`;
   const at = a.findIndex((x, i) => !Object.is(x, b[i]));

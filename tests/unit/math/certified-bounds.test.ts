@@ -26,8 +26,9 @@ import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
 /*
- * The bounds that certify, against the true errors in exact arithmetic: the error never exceeds its bound, and for some rays it is a stated share of it at
- * least, so that a bound does not grow unnoticed. The figure's is so sharp that cutting it to an eighth breaks it.
+ * The bounds that certify, against the true errors in exact arithmetic: the error never exceeds its
+ * bound, and for some rays it is a stated share of it at least, so that a bound does not grow
+ * unnoticed. The figure's is so sharp that cutting it to an eighth breaks it.
  */
 
 const { add, sub, mul, sqr, sign, of } = exact;
@@ -61,7 +62,10 @@ interface Flat {
   readonly ray: Ray;
 }
 
-/** Lines through circles and squares, from near and far, straight and slanted, most of them beside the rim. */
+/**
+ * Lines through circles and squares, from near and far, straight and slanted, most of them beside
+ * the rim.
+ */
 function figures(random: Random, kind: 'circle' | 'square', count: number): Flat[] {
   return Array.from({ length: count }, (_, i) => {
     const direction = i % 3 === 0 ? lean(random, 2 ** -30) : vector(random);
@@ -136,7 +140,8 @@ test('N·p / N·d in double-double, however much of both cancels (seed 52)', () 
   let worst = 0;
   for (let k = 0; k < 6000; k++) {
     const normal = vector(random);
-    // d and p nearly at right angles to N: two coordinates at random, the third one makes up for them but for some bits.
+    // d and p nearly at right angles to N: two coordinates at random, the third one makes up for
+    // them but for some bits.
     const level = (): Vec3 => {
       const [x, y] = [uniform(random, -1, 1), uniform(random, -1, 1)];
       const z = -(normal[0] * x + normal[1] * y) / normal[2];

@@ -28,8 +28,9 @@ import {
 import { namedValues } from './named-values.ts';
 
 /*
- * What the comments of pass 1 say of its rough values, at those values themselves: a search looks for the ray on which each is worst. So a limit that lets more
- * rays through than its derivation allows is seen, long before a root is wrong.
+ * What the comments of pass 1 say of its rough values, at those values themselves: a search looks
+ * for the ray on which each is worst. So a limit that lets more rays through than its derivation
+ * allows is seen, long before a root is wrong.
  */
 
 const U = 2 ** -53;

@@ -7,16 +7,22 @@ import { BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts'
 import { BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
 
 /*
- * Constants that are far more cautious than any ray shows: each against the count of its own derivation, step by step as the comment beside it has them. So none
- * may be weakened without the derivation, which no wrong answer would betray.
+ * Constants that are far more cautious than any ray shows: each against the count of its own
+ * derivation, step by step as the comment beside it has them. So none may be weakened without the
+ * derivation, which no wrong answer would betray.
  */
 const U = 2 ** -53;
 const of = (bounds: Float64Array, k: number): number => bounds[k] as number;
 const sum = (steps: readonly number[]): number => steps.reduce((a, b) => a + b, 0);
 
-/** What q is off, in reaches: t·dl, tl·d, their sum and pl for x and z; for y what k's lower half and the larger sum add. */
+/**
+ * What q is off, in reaches: t·dl, tl·d, their sum and pl for x and z; for y what k's lower half
+ * and the larger sum add.
+ */
 const offQ = 2 ** -75 * sum([3, 3, 10]);
-/** What f is off, in widths and sizes: ql, the bracket, the product, three sums, k, fh; and q twice. */
+/**
+ * What f is off, in widths and sizes: ql, the bracket, the product, three sums, k, fh; and q twice.
+ */
 const offF = 2 ** -73 * sum([1, 1, 1, 3, 1, 1]) + 2 * offQ;
 
 describe('recentred', () => {

@@ -19,8 +19,9 @@ import { climbFromUnits } from './climb.ts';
 import { DOUBLES, known, type Off, running } from './running-error.ts';
 
 /*
- * As certified-derived.test.ts, for the parts on grids. What is exact there is so by the grids, which is asserted first; of the rest only sizes count, all of
- * them with the signs that make the most of it. |dx|, k|dy|, |dz| are D = 1 together, and so are those of p, for P.
+ * As certified-derived.test.ts, for the parts on grids. What is exact there is so by the grids,
+ * which is asserted first; of the rest only sizes count, all of them with the signs that make the
+ * most of it. |dx|, k|dy|, |dz| are D = 1 together, and so are those of p, for P.
  */
 const SEED = 63;
 const U = 2 ** -53;
@@ -35,7 +36,9 @@ const beside = left(CUT);
 
 type Sizes = readonly [number, number, number];
 
-/** How many of the grid's steps 1 is at most: with three roundings, and what k1 y1 is more than k y. */
+/**
+ * How many of the grid's steps 1 is at most: with three roundings, and what k1 y1 is more than k y.
+ */
 const steps = (cut: number): number => 1 / ((cut - 1) * U) + 4;
 
 describe('what the grids make exact, and no finer or coarser than that', () => {
@@ -138,7 +141,10 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
   /** √ of 1: D − s² is exact but for two roundings of (s − sh)(s + sh), and halved. */
   const root = mul(known(HALF), add(known(1), known(1))).off / 2;
 
-  /** E + t d and what is left of it, of L, where A = 1 and d has one component; a normal's component adds the rounding of C. */
+  /**
+   * E + t d and what is left of it, of L, where A = 1 and d has one component; a normal's component
+   * adds the rounding of C.
+   */
   function own(): number {
     const [A, t, one] = [known(1), known(left(CUT_TIME)), known(1)];
     const restOfA = add(known(HALF), known(U));

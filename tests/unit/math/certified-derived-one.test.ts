@@ -11,8 +11,9 @@ import { climbFromUnits } from './climb.ts';
 import { DOUBLES, known, negative, type Off, running, TWICE } from './running-error.ts';
 
 /*
- * As certified-derived.test.ts, for the one ray that is answered with points and normals: upper halves are exact with what they lost, so only sizes count. A
- * lower half is u of its upper one at most, and the products of two lower halves are left out.
+ * As certified-derived.test.ts, for the one ray that is answered with points and normals: upper
+ * halves are exact with what they lost, so only sizes count. A lower half is u of its upper one at
+ * most, and the products of two lower halves are left out.
  */
 const SEED = 62;
 const U = 2 ** -53;
@@ -23,7 +24,9 @@ const total = (...xs: readonly Off[]): Off => xs.reduce(add);
 /** What a rounded x lost. */
 const low = (x: number): Off => known(U * abs(x));
 
-/** The greatest share of a bound is below 1 and above 3/4, for `length` sizes that are 1 together. */
+/**
+ * The greatest share of a bound is below 1 and above 3/4, for `length` sizes that are 1 together.
+ */
 function tight(length: number, bound: number, off: (...at: readonly number[]) => number): void {
   const worst = climbFromUnits(seeded(SEED), length, (at) => {
     const all = at.reduce((sum, x) => sum + abs(x), 0);
@@ -128,7 +131,10 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
     });
   });
 
-  /** t = 1 and a slope of about 1: how much of its bound the step takes if F and F' are off by as much as they may be. */
+  /**
+   * t = 1 and a slope of about 1: how much of its bound the step takes if F and F' are off by as
+   * much as they may be.
+   */
   function step(F: number, offF: number, eta: number): number {
     places.R[places.F] = F;
     places.R[places.F + 1] = F * U;

@@ -22,8 +22,9 @@ import {
 } from './running-error.ts';
 
 /*
- * Each bound of the certified stages against what its operations may add up to: a directed search for the rays where that is most stays below it, and comes
- * nearer than half. So a bound that is cut by half is seen here, even where no ray is known that breaks it.
+ * Each bound of the certified stages against what its operations may add up to: a directed search
+ * for the rays where that is most stays below it, and comes nearer than half. So a bound that is
+ * cut by half is seen here, even where no ray is known that breaks it.
  */
 const SEED = 61;
 const U = 2 ** -53;
@@ -188,7 +189,10 @@ describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, ()
   const { add, mul } = doubles;
   const onGrid = (x: number, grid: number): number => x + grid - grid;
   const all = ([x, y, z]: Vec3): number => abs(x) + abs(y) + abs(z);
-  /** v but for its last component, which lets N·v cancel to LEAST_SHARE of its terms, or a little more. */
+  /**
+   * v but for its last component, which lets N·v cancel to LEAST_SHARE of its terms, or a little
+   * more.
+   */
   const level = (N: Vec3, v: Vec3, by: number): Vec3 => {
     const rest = N[0] * v[0] + N[1] * v[1];
     return [v[0], v[1], (-rest / N[2]) * (1 + 99 * by * flat.LEAST_SHARE)];

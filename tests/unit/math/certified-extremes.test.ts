@@ -7,8 +7,9 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement, misplaced } from './against-exact.ts';
 
 /*
- * Hits and misses by a few ulps, with every exponent: each product of a filter leaves the doubles for some of them. The guards of the fast stages (BOX, the
- * absolute terms) are there for these alone.
+ * Hits and misses by a few ulps, with every exponent: each product of a filter leaves the doubles
+ * for some of them. The guards of the fast stages (BOX, the absolute terms) are there for these
+ * alone.
  */
 const SEED = 81;
 const times = (v: Vec3, k: number): Vec3 => [scale(v[0], k), scale(v[1], k), scale(v[2], k)];
@@ -20,8 +21,9 @@ const vector = (random: Random): Vec3 => [
 const few = (random: Random): number => 1 + randomSign(random) * 2 ** -uniform(random, 20, 53);
 
 /**
- * Exponents of the shape's own number (a normal, or heights), of lengths and of d: anything, all within the box, or one such that it adds up with another one, or
- * with both, to about those of the smallest doubles, or so that t does. The others are within the box half of the time.
+ * Exponents of the shape's own number (a normal, or heights), of lengths and of d: anything, all
+ * within the box, or one such that it adds up with another one, or with both, to about those of the
+ * smallest doubles, or so that t does. The others are within the box half of the time.
  */
 function exponents(random: Random): [number, number, number] {
   const most = random() < 0.5 ? 99 : 900;
@@ -39,7 +41,10 @@ function exponents(random: Random): [number, number, number] {
   return all.map((x) => Math.max(-1010, Math.min(1000, x))) as [number, number, number];
 }
 
-/** Straight up but for rests, so that the circle lies in y = 0 as far as the doubles of its rim tell. */
+/**
+ * Straight up but for rests, so that the circle lies in y = 0 as far as the doubles of its rim
+ * tell.
+ */
 const lean = (random: Random): Vec3 => [
   uniform(random, -1, 1) * 2 ** -70,
   uniform(random, 1, 2),
@@ -68,7 +73,10 @@ function beside(random: Random): Question {
   return { shape, ray: { origin: times(origin, l), direction: times(direction, s) } };
 }
 
-/** A line past a point of a curved shape, nearly along its tangent or not; heights have an exponent of their own. */
+/**
+ * A line past a point of a curved shape, nearly along its tangent or not; heights have an exponent
+ * of their own.
+ */
 function along(random: Random): Question {
   const [l, s, h] = exponents(random);
   const up = Math.round(h / 3);

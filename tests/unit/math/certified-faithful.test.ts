@@ -3,7 +3,10 @@ import * as dy from '../../../src/math/exact/dyadic.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 
-/* What is off by FAITHFUL of itself and a little more (as the bound is worked out in doubles), is still between the neighbours of the double it is rounded to. */
+/*
+ * What is off by FAITHFUL of itself and a little more (as the bound is worked out in doubles), is
+ * still between the neighbours of the double it is rounded to.
+ */
 
 const n = dy.fromNumber;
 const OFF = dy.mul(n(FAITHFUL), n(1 + 2 ** -49));

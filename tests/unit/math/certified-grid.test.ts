@@ -32,7 +32,10 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement, misplaced } from './against-exact.ts';
 import { exactHits, faithful } from './exact-hits.ts';
 
-/* The stage that answers most single rays: its bounds against the true errors, and that it is the one that answers. */
+/*
+ * The stage that answers most single rays: its bounds against the true errors, and that it is the
+ * one that answers.
+ */
 
 const { add, sub, mul, sqr, sign, of, toNumber } = exact;
 const size = (x: Surd): Surd => (sign(x) < 0 ? exact.neg(x) : x);
@@ -67,7 +70,10 @@ function radiusGrazed(a: number, p: Vec3, d: Vec3): number {
   return Math.sqrt((y ** 2 - a * (x ** 2 + z ** 2)) / A);
 }
 
-/** A shape, and a ray whose `axis` coordinate nearly vanishes at a hit, moved there together: the error is all that is left of it. */
+/**
+ * A shape, and a ray whose `axis` coordinate nearly vanishes at a hit, moved there together: the
+ * error is all that is left of it.
+ */
 function crossing(random: Random, axis: number): Question {
   const center = vector(random, 10 ** uniform(random, 0, 3));
   const flare = uniform(random, -3, 3);

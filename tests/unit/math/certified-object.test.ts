@@ -3,7 +3,10 @@ import { intersect } from '../../../src/math/intersect.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 
-/* The answer is data: whoever spreads, clones, saves or compares it gets all of it, whichever stage decided. */
+/*
+ * The answer is data: whoever spreads, clones, saves or compares it gets all of it, whichever stage
+ * decided.
+ */
 
 const sphere: Shape = { kind: 'hyperboloid', center: [0, 0, 0], flare: -1, radius: 3 };
 const cylinder: Shape = { kind: 'cylinder', center: [0, 7, 0], radius: 1 };

@@ -11,7 +11,10 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { unfaithful } from './exact-quadratic.ts';
 
-/* Roots of two doubles each in plain numbers (plain-roots.ts), asked directly, for rays that the filters would and would not have answered. */
+/*
+ * Roots of two doubles each in plain numbers (plain-roots.ts), asked directly, for rays that the
+ * filters would and would not have answered.
+ */
 
 const SEED = 93;
 const slot = certifiedSlot();
@@ -65,7 +68,8 @@ describe(`where it must doubt (seed ${SEED})`, () => {
 
   test('tangents but for a few units of twice the digits', () => {
     const share = doubts((r) => {
-      // Touches at (3, 0, 4)/5 of the radius; the distance along the ray is kept short, so that D is all that is hard.
+      // Touches at (3, 0, 4)/5 of the radius; the distance along the ray is kept short, so that D
+      // is all that is hard.
       const [c, s] = [3 / 8, 1 / 2];
       const off = 2 ** -uniform(r, 95, 112) * (r() < 0.5 ? -1 : 1);
       const back = integer(r, 1, 64) / 64;

@@ -16,8 +16,8 @@ import { climb } from './climb.ts';
 import { form } from './exact-quadratic.ts';
 
 /*
- * Pass 3 on quadratics whose roots are known: A(t − a − δa)(t − b − δb). With a = 0 the root is the step itself, not rounded to a larger number, and
- * shows the step's own error.
+ * Pass 3 on quadratics whose roots are known: A(t − a − δa)(t − b − δb). With a = 0 the root is the
+ * step itself, not rounded to a larger number, and shows the step's own error.
  */
 
 const U = 2 ** -53;

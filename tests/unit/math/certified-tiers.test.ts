@@ -32,7 +32,10 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { flareOf, form, unfaithful } from './exact-quadratic.ts';
 
-/* Each fast stage alone, against exact arithmetic: what it settles is right, and the errors that its bounds allow for do occur. */
+/*
+ * Each fast stage alone, against exact arithmetic: what it settles is right, and the errors that
+ * its bounds allow for do occur.
+ */
 
 const scratch = createScratch();
 const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;

@@ -13,8 +13,9 @@ import { SMALLEST as SMALLEST_DEPARTS } from '../../../src/tracer/departs.ts';
 import { DOUBLES, known, type Off, running } from './running-error.ts';
 
 /*
- * Absolute terms: what products that leave the doubles may cost where every number is as large as the stage lets it be, so that what is lost is multiplied by the
- * most. All sizes, so differences are sums. Widening what a stage takes, or lessening its term, is seen here.
+ * Absolute terms: what products that leave the doubles may cost where every number is as large as
+ * the stage lets it be, so that what is lost is multiplied by the most. All sizes, so differences
+ * are sums. Widening what a stage takes, or lessening its term, is seen here.
  */
 /** Half of it is lost by a product, and the bound is rounded there too. */
 const UNIT = Number.MIN_VALUE;
@@ -56,7 +57,8 @@ describe('in doubles', () => {
     const lost = round + a * UNIT + UNIT;
     const [A, b, C] = [of(LARGEST, lost), of(LARGEST, lost), of(LARGEST, lost + UNIT)];
     expect(add(sqr(b), mul(A, C)).off).toBeLessThan(SMALLEST);
-    // Of DIRECT_ERROR 4u are A's rounding, and there is room for as much again: Am is SMALLEST / 2 LARGEST at least, or D would not be certain.
+    // Of DIRECT_ERROR 4u are A's rounding, and there is room for as much again: Am is SMALLEST / 2
+    // LARGEST at least, or D would not be certain.
     expect(DIRECT_ERROR).toBeGreaterThan(8 * 2 ** -53);
     covers(SMALLEST, (lost / (4 * 2 ** -53)) * 2 * LARGEST);
   });
@@ -101,7 +103,8 @@ test('points from a faithful root: F, its slope, and a step below the doubles', 
   expect(add(add(mul(N, g), mul(N, g)), mul(N, g)).off).toBeLessThan(SMALLEST);
   // A product that is split, and one that is rounded.
   covers(places.LOST, 2 * UNIT + UNIT);
-  // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half that 2η is: two and a half.
+  // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half
+  // that 2η is: two and a half.
   covers(places.TINY, 3 * UNIT);
 });
 

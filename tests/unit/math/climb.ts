@@ -13,7 +13,9 @@ export interface Search {
   readonly steps: number;
 }
 
-/** The largest score that is found by changing a place again and again and keeping what is no worse. */
+/**
+ * The largest score that is found by changing a place again and again and keeping what is no worse.
+ */
 export function climb(random: Random, search: Search): number {
   const { start, score, change = oneOrTwo, starts, steps } = search;
   let most = 0;

@@ -35,7 +35,10 @@ import {
 const SEED = 31415;
 const EPSILON = Number.EPSILON;
 
-/** Fewer roundings than this lead from u and v to a point, and from there to left − right; each is at most ε/2. */
+/**
+ * Fewer roundings than this lead from u and v to a point, and from there to left − right; each is
+ * at most ε/2.
+ */
 const ROUNDINGS = 32;
 
 const isCurved = (definition: ShapeDefinition<Shape>, shape: Shape): boolean =>
@@ -225,7 +228,8 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
         const { hits } = intersect(shape, r, 'exact');
         hits.forEach(({ point, normal, t }, i) => {
           expect(t).toBeGreaterThanOrEqual(hits[i - 1]?.t ?? -Infinity);
-          // Each coordinate is off by ε/2 of itself, which counts twice in a square; the rest is the test's own.
+          // Each coordinate is off by ε/2 of itself, which counts twice in a square; the rest is
+          // the test's own.
           const tolerance = 8 * EPSILON * termsAt(shape, point);
           expect(Math.abs(residual(shape, point))).toBeLessThanOrEqual(tolerance);
           const there = numbers(courseNormal(shape, point));
@@ -257,7 +261,8 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
       test('−d: the same places in reverse, t negated', () => {
         for (const { shape, ray: r } of cases) {
           const found = intersect(shape, r, method);
-          // With B = 0 the two roots of a stable formula come from two expressions that swap places, an ulp apart.
+          // With B = 0 the two roots of a stable formula come from two expressions that swap
+          // places, an ulp apart.
           if (method !== 'exact' && coefficients(shape, r, 'exact').B === 0) continue;
           const back = intersect(shape, ray(r.origin, timesPower(r.direction, -1)), method);
           const mirrored = meaning(found, (t) => -t);
@@ -280,7 +285,8 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
           const there = meaning(intersect(moved, ray(shift(r.origin, by), r.direction), method));
           const told = ({ class: verdict, hits }: typeof found) => ({
             class: verdict,
-            // A float rung's normal is made from its rounded point, so it may change with the place; t may not.
+            // A float rung's normal is made from its rounded point, so it may change with the
+            // place; t may not.
             hits: hits.map(({ t, normal }) => (method === 'exact' ? { t, normal } : { t })),
           });
           expect({ shape, r, ...told(there) }).toEqual({ shape, r, ...told(found) });
@@ -351,7 +357,10 @@ const signsAbout = (shape: Shape, r: GridCase['ray'], t: number): [number, numbe
   signAt(shape, r, nextUp(t)),
 ];
 
-/** On a fine exact sample, with every root that was found between two neighbours of it, and far beyond. */
+/**
+ * On a fine exact sample, with every root that was found between two neighbours of it, and far
+ * beyond.
+ */
 function signChanges(shape: Shape, r: GridCase['ray'], found: readonly number[]): number {
   const sample = Array.from({ length: 65 }, (_, i) => (i - 32) / 2);
   const about = found.flatMap((t) => [nextDown(t), nextUp(t)]);
@@ -362,7 +371,9 @@ function signChanges(shape: Shape, r: GridCase['ray'], found: readonly number[])
   return signs.filter((sign, i) => i > 0 && sign !== signs[i - 1]).length;
 }
 
-/** By hand, from f(−1), f(0) and f(1); a figure's conditions are asked at its plane's exact point. */
+/**
+ * By hand, from f(−1), f(0) and f(1); a figure's conditions are asked at its plane's exact point.
+ */
 function classOf(definition: ShapeDefinition<Shape>, shape: Shape, r: GridCase['ray']): string {
   const { A, B, C } = polynomial(shape, r);
   const four = exact.of(4);

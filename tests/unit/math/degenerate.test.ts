@@ -73,7 +73,8 @@ describe('A = 0', () => {
 
   describe('hyperboloid, parallel to an asymptote', () => {
     test('one root', () => {
-      // a = 1, r = 1, d = (1, 1, 0), p = (3, 1, 0): A = 0, B = 6 − 2 = 4, C = 9 − 1 − 1 = 7, t = −7/4.
+      // a = 1, r = 1, d = (1, 1, 0), p = (3, 1, 0): A = 0, B = 6 − 2 = 4, C = 9 − 1 − 1 = 7, t =
+      // −7/4.
       const found = exactly(hyperboloid(O, 1, 1), ray([3, 1, 0], [1, 1, 0]));
       expect(found.hits).toEqual([
         { t: -1.75, point: [1.25, -0.75, 0], normal: [1.25, 0.75, 0], singular: false },
@@ -275,7 +276,8 @@ describe('in the plane of a circle: does the line meet it?', () => {
   });
 
   test('askew along 3-4-5, exactly touching and just beside', () => {
-    // The line 3x + 4y = 3·1 + 4·1 + 2·5 touches: its distance from (1, 1) is 10/5. It passes (3, 2) and (−1, 5).
+    // The line 3x + 4y = 3·1 + 4·1 + 2·5 touches: its distance from (1, 1) is 10/5. It passes (3,
+    // 2) and (−1, 5).
     expect(meets([3, 2, 3], [-4, 3, 0])).toBe(true);
     expect(meets([3, nextUp(2), 3], [-4, 3, 0])).toBe(false);
     expect(meets([3, nextDown(2), 3], [-4, 3, 0])).toBe(true);
@@ -466,7 +468,8 @@ const SEED = 20240917;
 
 test(`no method ever answers NaN: 300 rays a shape over the whole range of doubles, seed ${SEED}`, () => {
   const random = seeded(SEED);
-  // Half of the components are zero or of ordinary size, or hardly any two numbers would have to do with each other.
+  // Half of the components are zero or of ordinary size, or hardly any two numbers would have to do
+  // with each other.
   const x = (): number => [0, 1, wide(random, -3, 3), wide(random)][integer(random, 0, 3)] ?? 0;
   const v = (): Vec3 => [x(), x(), x()];
   const nonZero = (): Vec3 => {

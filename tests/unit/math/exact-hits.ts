@@ -50,7 +50,10 @@ export function exactHits(shape: Shape, ray: Ray): { class: Verdict; hits: Exact
   };
 }
 
-/** Whether x is one of the two doubles around the exact number: that number itself where it is a double. The sign of zero counts. */
+/**
+ * Whether x is one of the two doubles around the exact number: that number itself where it is a
+ * double. The sign of zero counts.
+ */
 export function faithful(truth: Surd, x: number): boolean {
   const [low, high] = bracket(truth);
   return Object.is(x, low) || Object.is(x, high);

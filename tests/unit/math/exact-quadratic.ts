@@ -31,7 +31,10 @@ export function solved(q: Quadric, { origin: E, direction: d }: Ray): ExactSolut
   return solveExact(form(a, v, v), dy.shift(form(a, v, p), 1), C);
 }
 
-/** What is wrong with these roots, NaN where there is none; null if each is one of the two doubles around its root, or the root itself. */
+/**
+ * What is wrong with these roots, NaN where there is none; null if each is one of the two doubles
+ * around its root, or the root itself.
+ */
 export function unfaithful(q: Quadric, ray: Ray, t0: number, t1: number): string | null {
   const { class: verdict, roots } = solved(q, ray);
   const found = [t0, t1].filter((t) => !Number.isNaN(t));

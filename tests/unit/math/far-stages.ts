@@ -17,8 +17,10 @@ import { runningError } from './operation-errors.ts';
 import type { Off } from './running-error.ts';
 
 /*
- * The stages after the ordinary rays', at their own values before the last rounding. A search looks for rays on which an error is the largest share of its bound: it
- * never is more than the bound, and where one of the bound's constants is weakened, it is. So each constant is needed, and none is far larger than it must be.
+ * The stages after the ordinary rays', at their own values before the last rounding. A search looks
+ * for rays on which an error is the largest share of its bound: it never is more than the bound,
+ * and where one of the bound's constants is weakened, it is. So each constant is needed, and none
+ * is far larger than it must be.
  */
 
 export const U = 2 ** -53;
@@ -134,7 +136,10 @@ export const withinLimits = ({ named }: Asked): boolean => {
   );
 };
 
-/** How far Newton's step is from the root, but for the rounding of f, as a share of what is charged for it. */
+/**
+ * How far Newton's step is from the root, but for the rounding of f, as a share of what is charged
+ * for it.
+ */
 export const shareOfSteps: Share = (a) => {
   if (!withinLimits(a)) return 0;
   const { ta, tb, fa, fb, half } = a.named as Record<string, number>;
@@ -155,7 +160,8 @@ export const possible = (a: Asked, name: string): number => (a.errors().get(name
 export const value = ({ named }: Asked, name: string): number => named[name] as number;
 
 /*
- * What the roundings may come to at worst on a ray, as a share of what is charged for them. `by` is what the constant is multiplied by.
+ * What the roundings may come to at worst on a ray, as a share of what is charged for them. `by` is
+ * what the constant is multiplied by.
  */
 export type Charge = (a: Asked, by: number) => number;
 

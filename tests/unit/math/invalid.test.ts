@@ -5,12 +5,18 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import { initialShape } from '../../../src/state/state.ts';
 import { ray } from './shorthand.ts';
 
-/** Types are for those who write TypeScript; a student's page or a worker's message may hold anything. */
+/**
+ * Types are for those who write TypeScript; a student's page or a worker's message may hold
+ * anything.
+ */
 type Anything = Record<string, unknown>;
 
 const GOOD: Ray = ray([1, 2, 3], [0, 0, 1]);
 
-/** What is thrown, by either entry to the kernel; the test fails if one of them throws nothing or something else. */
+/**
+ * What is thrown, by either entry to the kernel; the test fails if one of them throws nothing or
+ * something else.
+ */
 function refusal(shape: unknown, r: unknown = GOOD): string {
   const messages = [intersect, coefficients].map((f) => {
     try {

@@ -7,8 +7,8 @@ import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { drawJudged, judged, medianBits, method, score, wrongShare } from './measure.ts';
 
 /*
- * What the methods get wrong, measured: the failures that the ladder is there to show. If one of them goes away, or grows, a
- * formula has changed.
+ * What the methods get wrong, measured: the failures that the ladder is there to show. If one of
+ * them goes away, or grows, a formula has changed.
  */
 
 const share = (id: string, family: string, difficulty?: number, count = 200): number =>
@@ -16,7 +16,10 @@ const share = (id: string, family: string, difficulty?: number, count = 200): nu
 const bits = (id: string, family: string, difficulty?: number): number =>
   medianBits(score(id, drawJudged(family, 120, 82, difficulty)));
 
-/** At right angles to the axis of the unit cylinder, from 1e8 radii, aimed within 0.95 of the radius: all clear hits. */
+/**
+ * At right angles to the axis of the unit cylinder, from 1e8 radii, aimed within 0.95 of the
+ * radius: all clear hits.
+ */
 function levelRay(random: Random): Ray {
   const angle = uniform(random, 0, 2 * Math.PI);
   const [x, z] = [Math.cos(angle), Math.sin(angle)];
@@ -150,7 +153,10 @@ describe('rims', () => {
 });
 
 describe('B = 0: −d turns the roots around', () => {
-  /** Rays past the axis of a cylinder at right angles to E − C, and how many change a root's size with the sign of d. */
+  /**
+   * Rays past the axis of a cylinder at right angles to E − C, and how many change a root's size
+   * with the sign of d.
+   */
   const turned = (id: string): number => {
     const random = seeded(84);
     let changed = 0;

@@ -16,10 +16,11 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
 
 /*
- * Small whole numbers, all of them: E from (0, 0, −2) to (3, 3, 3), every d from −2 to 2 up to its sign, about a centre
- * that is not 0; `exact` is asked every seventh of these rays by each shape, the next shape the next
- * ones, and `certified` all of them. What the answer must be is found here in whole numbers that doubles hold exactly, so `exact` is not
- * compared with anything of its own. No rounding anywhere also means that `interval` must decide, and rightly.
+ * Small whole numbers, all of them: E from (0, 0, −2) to (3, 3, 3), every d from −2 to 2 up to its
+ * sign, about a centre that is not 0; `exact` is asked every seventh of these rays by each shape,
+ * the next shape the next ones, and `certified` all of them. What the answer must be is found here
+ * in whole numbers that doubles hold exactly, so `exact` is not compared with anything of its own.
+ * No rounding anywhere also means that `interval` must decide, and rightly.
  */
 
 const range = (low: number, high: number): number[] =>
@@ -46,7 +47,10 @@ const thin = (k: number, step = 7): Ray[] => rays.filter((_, i) => i % step === 
 
 interface Expected {
   readonly class: string;
-  /** Correctly rounded: quotients of small whole numbers, or (−B ± √D) / 2A with D no square, to a few ulps. */
+  /**
+   * Correctly rounded: quotients of small whole numbers, or (−B ± √D) / 2A with D no square, to a
+   * few ulps.
+   */
   readonly roots: readonly number[];
   readonly rational: boolean;
 }
@@ -189,7 +193,10 @@ describe(`certified at every one of ${rays.length} rays`, () => {
   const packed = packRays(rays);
   const out = createAnswers(rays.length);
 
-  /** What the batch gets wrong: each class, by roots and by `classes`, and each root that is a quotient of whole numbers. */
+  /**
+   * What the batch gets wrong: each class, by roots and by `classes`, and each root that is a
+   * quotient of whole numbers.
+   */
   function wrongInBatch(shape: Shape, expected: (ray: Ray) => Expected): unknown[] {
     const kernel = batchOf(certified, shape);
     if (!kernel) throw new Error(`no kernel for ${shape.kind}`);
@@ -205,7 +212,10 @@ describe(`certified at every one of ${rays.length} rays`, () => {
     });
   }
 
-  /** A quotient of whole numbers below 2^20, rounded, and the neighbours of it: unless it is a double, and that it is if it has few bits. */
+  /**
+   * A quotient of whole numbers below 2^20, rounded, and the neighbours of it: unless it is a
+   * double, and that it is if it has few bits.
+   */
   function besides(t: number, rounded: number): boolean {
     if (Math.fround(rounded) === rounded) return Object.is(t, rounded + 0);
     return t === rounded || t === nextUp(rounded) || t === nextDown(rounded);

@@ -11,8 +11,10 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { disagreement } from './against-exact.ts';
 
 /*
- * What must happen to the answer when the question is turned, mirrored, scaled or moved without a rounding: by exact to the last bit,
- * by certified to the class and the doubles around each root, on every family, however hard. (The contract suite asks the same of every method on rays that round nothing.)
+ * What must happen to the answer when the question is turned, mirrored, scaled or moved without a
+ * rounding: by exact to the last bit, by certified to the class and the doubles around each root,
+ * on every family, however hard. (The contract suite asks the same of every method on rays that
+ * round nothing.)
  */
 
 const SEED = 111;
@@ -81,8 +83,8 @@ function expectImage(
 }
 
 /**
- * The same class; and each root, before and after, one of the two doubles around the exact one. Which of the two may change with the
- * question, so the bits are not compared with each other.
+ * The same class; and each root, before and after, one of the two doubles around the exact one.
+ * Which of the two may change with the question, so the bits are not compared with each other.
  */
 function expectCertified(q: Question, image: Question): void {
   const [before, after] = [q, image].map(({ shape, ray }) => certified.intersect(shape, ray));
@@ -95,7 +97,10 @@ function expectCertified(q: Question, image: Question): void {
 
 const swapped = ([x, y, z]: Vec3): Vec3 => [z, y, x];
 const mirrored = ([x, y, z]: Vec3): Vec3 => [-x, y, z];
-/** Squares start at their lower left corner, so they are not mirrored; and an axis is renamed by an exchange. */
+/**
+ * Squares start at their lower left corner, so they are not mirrored; and an axis is renamed by an
+ * exchange.
+ */
 const isSquare = ({ shape }: Question): boolean => shape.kind === 'square';
 const exchanged = (q: Question): Question => {
   const image = mapped(q, swapped);
@@ -107,7 +112,10 @@ const exchanged = (q: Question): Question => {
 };
 
 const normal = (x: number): boolean => x === 0 || (Math.abs(x) > 1e-290 && Math.abs(x) < 1e290);
-/** A change of scale rounds no number of the question or of its answer; a root that is 0 did not underflow. */
+/**
+ * A change of scale rounds no number of the question or of its answer; a root that is 0 did not
+ * underflow.
+ */
 function roomy(q: Question): boolean {
   const { hits, details } = exact.intersect(q.shape, q.ray);
   const asked = [...Object.values(q.shape), q.ray.origin, q.ray.direction].flat();

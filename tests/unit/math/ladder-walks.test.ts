@@ -10,7 +10,8 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
 /*
- * A number is stepped through the place where the class changes, double by double: it must change once, and there.
+ * A number is stepped through the place where the class changes, double by double: it must change
+ * once, and there.
  */
 
 const STEPS = 25;
@@ -108,7 +109,9 @@ function exactly({ shape, ray }: Question) {
   return { d, m, level, side };
 }
 
-/** The class on both sides of where the number, were it not a double, would make the ray a tangent. */
+/**
+ * The class on both sides of where the number, were it not a double, would make the ray a tangent.
+ */
 function expectFlipAt(
   q: Question,
   key: string,
@@ -192,7 +195,10 @@ describe('through rim and edge', () => {
     }
   });
 
-  /** The least r or L for which the figure is met, if that is a double; null for a square that is missed anyway. */
+  /**
+   * The least r or L for which the figure is met, if that is a double; null for a square that is
+   * missed anyway.
+   */
   function boundOf(q: Question): number | null {
     const found = thresholdOf(q);
     if (!found) return null;

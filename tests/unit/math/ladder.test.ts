@@ -11,7 +11,8 @@ import { rayCases } from './read-vectors.ts';
 import { wild } from './wild.ts';
 
 /*
- * Every method held to its own promise, on the vectors and on seeded families. What the methods get wrong by design is in ladder-facts.test.ts.
+ * Every method held to its own promise, on the vectors and on seeded families. What the methods get
+ * wrong by design is in ladder-facts.test.ts.
  */
 
 const SEED = 71;

@@ -60,7 +60,8 @@ test('which of two roots is nearer is decided exactly, though both round to the 
 });
 
 test('faithful roots that are one neighbour off on either side do not mislead', () => {
-  // Exactly −(1 + 0.4 · 2^-52) and 1 + 0.6 · 2^-52: the first one is nearer, though its faithful double may be the larger one.
+  // Exactly −(1 + 0.4 · 2^-52) and 1 + 0.6 · 2^-52: the first one is nearer, though its faithful
+  // double may be the larger one.
   const hit = (t: number): Hit => ({ t, point: [t, 0, 0], normal: [t, 0, 0], singular: false });
   const signs = { A: 1, B: -1, C: -1, D: 1 } as const;
   const told = (near: number, far: number, B: Sign) =>

@@ -17,7 +17,10 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { rayCases } from './read-vectors.ts';
 import { wild } from './wild.ts';
 
-/* The batch kernels of the methods below certified: class and roots bit-equal to the trees, ray by ray. */
+/*
+ * The batch kernels of the methods below certified: class and roots bit-equal to the trees, ray by
+ * ray.
+ */
 
 const BATCH_METHODS = METHODS.filter(({ id }) =>
   ['textbook32', 'moment', 'compensated', 'interval'].includes(id),

@@ -16,7 +16,10 @@ import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { FlatFormula } from '../../../src/math/shapes/planar.ts';
 import { rayCases } from './read-vectors.ts';
 
-/* What the methods are made of: the two forms against each other, bounds and enclosures against exact arithmetic. */
+/*
+ * What the methods are made of: the two forms against each other, bounds and enclosures against
+ * exact arithmetic.
+ */
 
 const random = seeded(91);
 const drawn: Question[] = FAMILIES.flatMap(({ make }) =>

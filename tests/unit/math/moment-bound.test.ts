@@ -3,7 +3,10 @@ import * as dy from '../../../src/math/exact/dyadic.ts';
 import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 
-/* D/4 by the moment in doubles, against the same exactly: below its bound, and not far below where each part of it rules. */
+/*
+ * D/4 by the moment in doubles, against the same exactly: below its bound, and not far below where
+ * each part of it rules.
+ */
 
 const n = dy.fromNumber;
 const square = (x: dy.Dyadic): dy.Dyadic => dy.mul(x, x);

@@ -3,8 +3,9 @@ import { loopOf } from '../../../src/math/wasm/source.ts';
 type Numbers = Readonly<Record<string, number>>;
 
 /**
- * What every name in a loop's text stands for, for one ray: as the loop itself computes it, both sides of its branches. `constant` gives what the loop takes from
- * arrays before it begins; `elements` are the ray's own, by array.
+ * What every name in a loop's text stands for, for one ray: as the loop itself computes it, both
+ * sides of its branches. `constant` gives what the loop takes from arrays before it begins;
+ * `elements` are the ray's own, by array.
  */
 export function namedValues(
   source: string,

@@ -6,8 +6,9 @@ import type { Param } from '../../../src/math/shapes/params.ts';
 import { AXES, type Axis, type Vec3 } from '../../../src/math/vec3.ts';
 
 /*
- * Random shapes and rays whose numbers are whole multiples of a power of two, few bits long: sums, shifts and exchanges of
- * them are exact, and exact degeneracies (tangents, generators, rays in a plane) come up by themselves.
+ * Random shapes and rays whose numbers are whole multiples of a power of two, few bits long: sums,
+ * shifts and exchanges of them are exact, and exact degeneracies (tangents, generators, rays in a
+ * plane) come up by themselves.
  */
 
 type AnyDefinition = ShapeDefinition<Shape>;

@@ -5,8 +5,9 @@ import { elementOf, loopOf } from '../../../src/math/wasm/source.ts';
 import { known, negative, type Off, running } from './running-error.ts';
 
 /*
- * Running error analysis (running-error.ts) of a loop's own text, operation by operation, for one ray.
- * An operation that happens to be exact adds nothing. What is cut to a grid, and a size that others are measured by, is what it is: a definition, not an approximation.
+ * Running error analysis (running-error.ts) of a loop's own text, operation by operation, for one
+ * ray. An operation that happens to be exact adds nothing. What is cut to a grid, and a size that
+ * others are measured by, is what it is: a definition, not an approximation.
  */
 
 type Numbers = Readonly<Record<string, number>>;
@@ -98,8 +99,8 @@ function run(code: readonly number[], names: readonly string[], values: Map<stri
 }
 
 /**
- * The analysis of a loop: `constant` and `elements` as for namedValues; `more` are formulas beside the loop's own, by name; what is
- * `exact` is taken to be so.
+ * The analysis of a loop: `constant` and `elements` as for namedValues; `more` are formulas beside
+ * the loop's own, by name; what is `exact` is taken to be so.
  */
 export function runningError(
   source: string,

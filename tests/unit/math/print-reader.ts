@@ -3,8 +3,9 @@ import type { Values } from '../../../src/math/formula/evaluate.ts';
 import { dotProduct, squaredNorm, type Triple } from '../../../src/math/formula/evaluate.ts';
 
 /**
- * Reads a formula as a person reads it, and works it out in doubles from the left: LaTeX as the printer writes it, and MathML
- * after `asLatex`. Written apart from the printer, so that a lost pair of parentheses shows in the value.
+ * Reads a formula as a person reads it, and works it out in doubles from the left: LaTeX as the
+ * printer writes it, and MathML after `asLatex`. Written apart from the printer, so that a lost
+ * pair of parentheses shows in the value.
  */
 export function readLatex(text: string, values: Values<number>, branch: 1 | -1 = 1): number {
   const tokens = text.replace(/\\(left|right)(?![a-z])/g, '').match(/\\[a-z]+|[\d.]+|\S/g) ?? [];

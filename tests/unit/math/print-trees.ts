@@ -21,7 +21,10 @@ import {
 } from '../../../src/math/formula/expr.ts';
 import { AXES } from '../../../src/math/vec3.ts';
 
-/** Six digits write these in full, and m · 10ⁿ is exact: what is read from a printed line is what was put in. */
+/**
+ * Six digits write these in full, and m · 10ⁿ is exact: what is read from a printed line is what
+ * was put in.
+ */
 export const TREE_VALUES: Values<number> = {
   scalars: { A: -3, r: 0.7, t: 1.25, k: 1.5e-7, q: -2.5e9 },
   vectors: { E: [3, -1, 0.3], d: [-0.8, 0.2, 4], N: [2, 1e-6, -7] },

@@ -6,7 +6,10 @@ export interface Element {
 
 const TOKEN = /<(\/?)([a-z]+)((?:\s+[\w:-]+="[^"<&]*")*)\s*(\/?)>|([^<]+)/gy;
 
-/** A document that is well-formed XML, of the few kinds of things that ours have in them; throws on anything else. */
+/**
+ * A document that is well-formed XML, of the few kinds of things that ours have in them; throws on
+ * anything else.
+ */
 export function parseXml(text: string): Element {
   const top: Open = { name: '', attributes: {}, children: [] };
   const open: Open[] = [top];

@@ -18,9 +18,10 @@ import {
 } from './shorthand.ts';
 
 /*
- * `exact` against decimal.js (MIT, the arbitrary-precision library that math.js and others stand on), which shares nothing
- * with it: decimal digits instead of dyadics, the course's formulas written out here by hand, and so many digits that
- * + − × are exact and a quotient or a root is off by less than any double can notice.
+ * `exact` against decimal.js (MIT, the arbitrary-precision library that math.js and others stand
+ * on), which shares nothing with it: decimal digits instead of dyadics, the course's formulas
+ * written out here by hand, and so many digits that + − × are exact and a quotient or a root is off
+ * by less than any double can notice.
  */
 
 type D3 = [Decimal, Decimal, Decimal];
@@ -33,8 +34,9 @@ interface Answer {
 }
 
 /**
- * `digits`: enough for every sum and product to be exact. A double whose last bit is 2^−e has e digits behind the point, the
- * longest product (c²dy² · c²py² in D) has eight factors, and some more are for the quotients.
+ * `digits`: enough for every sum and product to be exact. A double whose last bit is 2^−e has e
+ * digits behind the point, the longest product (c²dy² · c²py² in D) has eight factors, and some
+ * more are for the quotients.
  */
 function reference(digits: number) {
   const Big = Decimal.clone({ precision: digits, minE: -9e15, maxE: 9e15 });
@@ -48,7 +50,10 @@ function reference(digits: number) {
   const sub3 = (a: D3, b: D3): D3 => [a[0].sub(b[0]), a[1].sub(b[1]), a[2].sub(b[2])];
   const dot = (a: D3, b: D3): Decimal => a[0].mul(b[0]).add(a[1].mul(b[1])).add(a[2].mul(b[2]));
 
-  /** What is left of a coordinate that should be exactly 0 lies this far below its terms; no double does. */
+  /**
+   * What is left of a coordinate that should be exactly 0 lies this far below its terms; no double
+   * does.
+   */
   const noise = new Big(10).pow(-Math.floor(digits / 2));
   const cleaned = (value: Decimal, size: Decimal): Decimal =>
     value.abs().lt(size.mul(noise)) ? new Big(0) : value;
@@ -195,7 +200,8 @@ interface Range {
 }
 
 const RANGES: readonly Range[] = [
-  // The last bit is at 2⁻⁵⁰ for most of them and rarely below 2⁻⁶⁵: at most 65 digits a factor, eight factors in D.
+  // The last bit is at 2⁻⁵⁰ for most of them and rarely below 2⁻⁶⁵: at most 65 digits a factor,
+  // eight factors in D.
   {
     name: 'ordinary numbers, all 53 bits random',
     seed: 271,
@@ -210,7 +216,8 @@ const RANGES: readonly Range[] = [
     digits: 300,
     x: (random) => integer(random, -6, 6) / 2,
   },
-  // The last bit is at 2⁻¹¹² at most: 112 digits a factor behind the point, eight factors in D, and 145 in front.
+  // The last bit is at 2⁻¹¹² at most: 112 digits a factor behind the point, eight factors in D, and
+  // 145 in front.
   {
     name: 'from 1e-18 to 1e18',
     seed: 182,

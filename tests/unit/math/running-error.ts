@@ -1,6 +1,7 @@
 /*
- * Running error analysis (Wilkinson 1963): a number and the most that the operations which made it may have put it off, if each is off by as much as
- * it can be. No ray reaches that, since roundings do not all point one way; but a bound must cover it, and should not be much above it.
+ * Running error analysis (Wilkinson 1963): a number and the most that the operations which made it
+ * may have put it off, if each is off by as much as it can be. No ray reaches that, since roundings
+ * do not all point one way; but a bound must cover it, and should not be much above it.
  */
 
 export interface Off {
@@ -8,7 +9,10 @@ export interface Off {
   readonly off: number;
 }
 
-/** What one operation may cost: `sum` and `product` of its result, `lost` of a product that leaves the doubles. */
+/**
+ * What one operation may cost: `sum` and `product` of its result, `lost` of a product that leaves
+ * the doubles.
+ */
 export interface Costs {
   readonly sum: number;
   readonly product: number;

@@ -58,7 +58,8 @@ describe('meaning, by every solver', () => {
   });
 
   test('the default is the correctly rounded one', () => {
-    // Kahan's note of 2004: (At − C)(t − 1) with A and C so close that B² − 4AC vanishes among the doubles.
+    // Kahan's note of 2004: (At − C)(t − 1) with A and C so close that B² − 4AC vanishes among the
+    // doubles.
     const [A, B, C]: Triple = [94906265.625, -189812534, 94906268.375];
     expect(solveQuadratic(A, B, C)).toEqual({ class: 'two', roots: [1, 1.0000000289759583] });
     expect(solveQuadratic(A, B, C, 'exact')).toEqual(solveQuadratic(A, B, C));
@@ -211,7 +212,8 @@ describe(`correctly rounded: the exact sign of f on both sides of every root, se
         if (below * above !== -1) expect({ triple, t, below, above }).toBe('a change of sign');
         hits++;
       }
-      // f has the sign of A far out on both sides, so two roots or none is a matter of what lies between.
+      // f has the sign of A far out on both sides, so two roots or none is a matter of what lies
+      // between.
       const least = dy.fromNumber(-triple[1] / (2 * triple[0]));
       const dips = f(triple, least) === -Math.sign(triple[0]);
       if (dips) expect({ triple, verdict }).toEqual({ triple, verdict: 'two' });

@@ -17,8 +17,8 @@ import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
 /*
- * The surface's own equation, asked in several number systems. It knows nothing of A, B, C: what is found here about roots
- * is found by looking at the surface along the ray.
+ * The surface's own equation, asked in several number systems. It knows nothing of A, B, C: what is
+ * found here about roots is found by looking at the surface along the ray.
  */
 
 function at<T>(shape: Shape, x: Triple<T>, ar: Arithmetic<T>): Values<T> {
@@ -35,7 +35,10 @@ function leftMinusRight<T>(shape: Shape, x: Triple<T>, ar: Arithmetic<T>): T {
 /** left − right of the surface's equation at X, as a program in doubles gets it. */
 export const residual = (shape: Shape, x: Vec3): number => leftMinusRight(shape, x, float64);
 
-/** Every term with its absolute value and every minus a plus: what a rounding error is to be measured against. */
+/**
+ * Every term with its absolute value and every minus a plus: what a rounding error is to be
+ * measured against.
+ */
 const magnitude: Arithmetic<number> = {
   ...float64,
   of: Math.abs,
@@ -69,8 +72,8 @@ export function polynomial(shape: Shape, ray: Ray): { A: Surd; B: Surd; C: Surd 
 }
 
 /**
- * ∇(left − right) at X, exactly: for a polynomial of second degree (f(X + e) − f(X − e))/2 is the derivative itself, not an
- * approximation of it.
+ * ∇(left − right) at X, exactly: for a polynomial of second degree (f(X + e) − f(X − e))/2 is the
+ * derivative itself, not an approximation of it.
  */
 export function gradient(shape: Shape, x: Vec3): Triple<Surd> {
   const point: Triple<Surd> = [exact.of(x[0]), exact.of(x[1]), exact.of(x[2])];

@@ -18,8 +18,9 @@ import {
 } from './shorthand.ts';
 
 /*
- * Every line of the table in MATH.md §1, in numbers that can be followed by hand: small whole numbers, halves and
- * quarters, so that no method has anything to round, not even in float32. p = E − C throughout.
+ * Every line of the table in MATH.md §1, in numbers that can be followed by hand: small whole
+ * numbers, halves and quarters, so that no method has anything to round, not even in float32. p = E
+ * − C throughout.
  */
 
 type HandHit = readonly [t: number, P: Vec3, N: Vec3];
@@ -46,7 +47,8 @@ interface FlatLine extends Line {
 
 const CURVED: readonly CurvedLine[] = [
   {
-    // p = (4, −6, 0), d = (−1, ½, 0). A = 1 + 0; B = 2(−1)4 + 0 = −8; C = 16 + 0 − 4 = 12; D = 64 − 48 = 16; t = (8 ± 4)/2.
+    // p = (4, −6, 0), d = (−1, ½, 0). A = 1 + 0; B = 2(−1)4 + 0 = −8; C = 16 + 0 − 4 = 12; D = 64 −
+    // 48 = 16; t = (8 ± 4)/2.
     name: 'cylinder, straight through its axis',
     shape: cylinder([1, 7, 2], 2),
     ray: ray([5, 1, 2], [-1, 0.5, 0]),
@@ -58,8 +60,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // p = (4, ·, −1), d = (1, 2, 1). A = 1 + 1; B = 2·1·4 + 2·1·(−1) = 6; C = 16 + 1 − 25 = −8; D = 36 + 64 = 100;
-    // t = (−6 ± 10)/4. E is inside.
+    // p = (4, ·, −1), d = (1, 2, 1). A = 1 + 1; B = 2·1·4 + 2·1·(−1) = 6; C = 16 + 1 − 25 = −8; D =
+    // 36 + 64 = 100; t = (−6 ± 10)/4. E is inside.
     name: 'cylinder, from inside, askew',
     shape: cylinder([1, 0, -1], 5),
     ray: ray([5, 0, -2], [1, 2, 1]),
@@ -71,7 +73,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // p = (2, 3, 5), d = (0, 1, −2). A = 4; B = 2(−2)5 = −20; C = 4 + 25 − 4 = 25; D = 400 − 400 = 0; t = 20/8.
+    // p = (2, 3, 5), d = (0, 1, −2). A = 4; B = 2(−2)5 = −20; C = 4 + 25 − 4 = 25; D = 400 − 400 =
+    // 0; t = 20/8.
     name: 'cylinder, tangent',
     shape: cylinder([0, 0, 0], 2),
     ray: ray([2, 3, 5], [0, 1, -2]),
@@ -89,8 +92,8 @@ const CURVED: readonly CurvedLine[] = [
     hits: [],
   },
   {
-    // c² = ¼, p = (4, 4, 0), d = (−1, 0, 0). A = 1; B = −8; C = 16 − ¼·16 = 12; D = 64 − 48 = 16; t = (8 ± 4)/2.
-    // N = (x, −¼·4, z).
+    // c² = ¼, p = (4, 4, 0), d = (−1, 0, 0). A = 1; B = −8; C = 16 − ¼·16 = 12; D = 64 − 48 = 16; t
+    // = (8 ± 4)/2. N = (x, −¼·4, z).
     name: 'cone, level ray',
     shape: cone([0, 0, 0], 0.5),
     ray: ray([4, 4, 0], [-1, 0, 0]),
@@ -102,8 +105,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // c² = 4, p = (3, 2, 2), d = (1, 1, 2). A = 1 + 4 − 4·1 = 1; B = 2·1·3 + 2·2·2 − 2·4·1·2 = 6 + 8 − 16 = −2;
-    // C = 9 + 4 − 4·4 = −3; D = 4 + 12 = 16; t = (2 ± 4)/2. N = (x − 1, −4(y + 1), z).
+    // c² = 4, p = (3, 2, 2), d = (1, 1, 2). A = 1 + 4 − 4·1 = 1; B = 2·1·3 + 2·2·2 − 2·4·1·2 = 6 +
+    // 8 − 16 = −2; C = 9 + 4 − 4·4 = −3; D = 4 + 12 = 16; t = (2 ± 4)/2. N = (x − 1, −4(y + 1), z).
     name: 'cone, askew, vertex away from the origin',
     shape: cone([1, -1, 0], 2),
     ray: ray([4, 1, 2], [1, 1, 2]),
@@ -127,8 +130,9 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // c² = 4, p = (5, −1, 0), d = (1, 1, 0). A = 1 − 4 = −3; B = 10 − 2·4·1·(−1) = 18; C = 25 − 4 = 21;
-    // D = 324 + 252 = 576 = 24²; t = (−18 ± 24)/(−6): A < 0 turns the two around. One hit on each nappe.
+    // c² = 4, p = (5, −1, 0), d = (1, 1, 0). A = 1 − 4 = −3; B = 10 − 2·4·1·(−1) = 18; C = 25 − 4 =
+    // 21; D = 324 + 252 = 576 = 24²; t = (−18 ± 24)/(−6): A < 0 turns the two around. One hit on
+    // each nappe.
     name: 'cone, both nappes, A < 0',
     shape: cone([0, 0, 0], 2),
     ray: ray([5, -1, 0], [1, 1, 0]),
@@ -140,7 +144,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // c = 1, p = (3, 1, 0), d = (1, 1, 0), parallel to a generator. A = 1 − 1 = 0; B = 6 − 2 = 4; C = 9 − 1 = 8; t = −C/B.
+    // c = 1, p = (3, 1, 0), d = (1, 1, 0), parallel to a generator. A = 1 − 1 = 0; B = 6 − 2 = 4; C
+    // = 9 − 1 = 8; t = −C/B.
     name: 'cone, A = 0, one root',
     shape: cone([0, 0, 0], 1),
     ray: ray([3, 1, 0], [1, 1, 0]),
@@ -149,7 +154,8 @@ const CURVED: readonly CurvedLine[] = [
     hits: [[-2, [1, -1, 0], [1, 1, 0]]],
   },
   {
-    // c = 1, p = (2, 2, 3), d = (1, 1, 0). A = 0; B = 4 − 4 = 0; C = 4 + 9 − 4 = 9 everywhere along the ray.
+    // c = 1, p = (2, 2, 3), d = (1, 1, 0). A = 0; B = 4 − 4 = 0; C = 4 + 9 − 4 = 9 everywhere along
+    // the ray.
     name: 'cone, A = B = 0, none',
     shape: cone([0, 0, 0], 1),
     ray: ray([2, 2, 3], [1, 1, 0]),
@@ -167,8 +173,8 @@ const CURVED: readonly CurvedLine[] = [
     hits: [],
   },
   {
-    // a = 1, r = 1, p = (−3, 2, 2), d = (1, 0, 0). A = 1; B = −6; C = 9 + 4 − 1·4 − 1 = 8; D = 36 − 32 = 4; t = (6 ± 2)/2.
-    // N = (x − 1, −(y + 1), z − 2).
+    // a = 1, r = 1, p = (−3, 2, 2), d = (1, 0, 0). A = 1; B = −6; C = 9 + 4 − 1·4 − 1 = 8; D = 36 −
+    // 32 = 4; t = (6 ± 2)/2. N = (x − 1, −(y + 1), z − 2).
     name: 'hyperboloid, level ray',
     shape: hyperboloid([1, -1, 2], 1, 1),
     ray: ray([-2, 1, 4], [1, 0, 0]),
@@ -180,8 +186,9 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // a = ½, r = 2¼, p = (1, −2, 1¼), d = (2, 2, 0). A = 4 − ½·4 = 2; B = 2·2·1 − 2·½·2·(−2) = 4 + 4 = 8;
-    // C = 1 + 25/16 − ½·4 − 81/16 = −4½; D = 64 + 36 = 100; t = (−8 ± 10)/4. N = (x, −½(y − 1), z + 1).
+    // a = ½, r = 2¼, p = (1, −2, 1¼), d = (2, 2, 0). A = 4 − ½·4 = 2; B = 2·2·1 − 2·½·2·(−2) = 4 +
+    // 4 = 8; C = 1 + 25/16 − ½·4 − 81/16 = −4½; D = 64 + 36 = 100; t = (−8 ± 10)/4. N = (x, −½(y −
+    // 1), z + 1).
     name: 'hyperboloid, askew, a and r no whole numbers',
     shape: hyperboloid([0, 1, -1], 0.5, 2.25),
     ray: ray([1, -1, 0.25], [2, 2, 0]),
@@ -193,8 +200,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // a = −1, r = 3 is a sphere. p = (2, 5, 1), d = (0, −1, 0). A = 0 + 1 = 1; B = −2(−1)(−1)5 = −10;
-    // C = 4 + 1 + 25 − 9 = 21; D = 100 − 84 = 16; t = (10 ± 4)/2. N = (x, y − 1, z).
+    // a = −1, r = 3 is a sphere. p = (2, 5, 1), d = (0, −1, 0). A = 0 + 1 = 1; B = −2(−1)(−1)5 =
+    // −10; C = 4 + 1 + 25 − 9 = 21; D = 100 − 84 = 16; t = (10 ± 4)/2. N = (x, y − 1, z).
     name: 'hyperboloid with a = −1: a sphere',
     shape: hyperboloid([0, 1, 0], -1, 3),
     ray: ray([2, 6, 1], [0, -1, 0]),
@@ -206,7 +213,8 @@ const CURVED: readonly CurvedLine[] = [
     ],
   },
   {
-    // a = 1, r = 1, p = (1, 0, 0), d = (0, 1, 1): a ruling through the waist. A = 1 − 1; B = 0; C = 1 − 1.
+    // a = 1, r = 1, p = (1, 0, 0), d = (0, 1, 1): a ruling through the waist. A = 1 − 1; B = 0; C =
+    // 1 − 1.
     name: 'hyperboloid, the ray is one of its rulings',
     shape: hyperboloid([0, 0, 0], 1, 1),
     ray: ray([1, 0, 0], [0, 1, 1]),
@@ -248,7 +256,8 @@ const FLAT: readonly FlatLine[] = [
     hits: [[-2.5, [-1.5, -1.5, 0], [2, 0, -1]]],
   },
   {
-    // N·(E−C) = 2(1 − 5) = −8; N·d = 4; t = 2: (4, 5, 5), from C by (3, 4, 0), and 5 ≤ 5: the rim is inside.
+    // N·(E−C) = 2(1 − 5) = −8; N·d = 4; t = 2: (4, 5, 5), from C by (3, 4, 0), and 5 ≤ 5: the rim
+    // is inside.
     name: 'circle, on its rim',
     shape: circle([0, 0, 2], [1, 1, 5], 5),
     ray: ray([0, 0, 1], [2, 2.5, 2]),
@@ -332,7 +341,9 @@ const FLAT: readonly FlatLine[] = [
   },
 ];
 
-/** An interval may not be able to tell a zero from its neighbours; every other method must answer. */
+/**
+ * An interval may not be able to tell a zero from its neighbours; every other method must answer.
+ */
 const mayDoubt = (method: string, line: Line): boolean =>
   method === 'interval' && !(line.class === 'two' || line.class === 'one');
 

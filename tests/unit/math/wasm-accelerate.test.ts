@@ -3,7 +3,10 @@ import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
-/* accelerate() where there is WebAssembly, where there is none, and undone. Each test has the modules for itself: what accelerate finds it keeps. */
+/*
+ * accelerate() where there is WebAssembly, where there is none, and undone. Each test has the
+ * modules for itself: what accelerate finds it keeps.
+ */
 
 afterEach(() => {
   vi.unstubAllGlobals();

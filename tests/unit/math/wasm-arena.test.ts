@@ -3,7 +3,10 @@ import { createArena } from '../../../src/math/methods/certified/fast/arena.ts';
 import { ARENA, PAGES } from '../../../src/math/methods/certified/fast/layout.ts';
 import { integer, seeded } from '../../../src/math/rng.ts';
 
-/* Arrays in the kernels' memory. The collector is played here: what it finds unused comes back when the test says so. */
+/*
+ * Arrays in the kernels' memory. The collector is played here: what it finds unused comes back when
+ * the test says so.
+ */
 
 const SIZE = 65536 * PAGES;
 const buffer = new ArrayBuffer(SIZE);

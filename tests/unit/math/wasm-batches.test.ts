@@ -21,7 +21,10 @@ import {
 } from './both-ways.ts';
 import { wild } from './wild.ts';
 
-/* Certified's batches by WebAssembly: the same bits and the same verdicts as by the stages in TypeScript, whatever is asked and wherever the arrays are. */
+/*
+ * Certified's batches by WebAssembly: the same bits and the same verdicts as by the stages in
+ * TypeScript, whatever is asked and wherever the arrays are.
+ */
 
 const CURVED = FAMILIES.filter(({ make }) => quadricOf(make(seeded(1)).shape) !== null);
 const isCurved = (shape: Shape): boolean => quadricOf(shape) !== null;
@@ -56,7 +59,10 @@ function differs(shape: Shape, list: readonly Ray[], places: Places = {}): strin
   return wrong ? `${JSON.stringify(shape)}, ${list.length} rays: ${wrong}` : null;
 }
 
-/** One batch for several shapes' rays would not do: each shape is asked about all rays of the same draw. */
+/**
+ * One batch for several shapes' rays would not do: each shape is asked about all rays of the same
+ * draw.
+ */
 function wildBatches(seed: number, shapes: number, count: number): [Shape, Ray[]][] {
   const drawn = wild(seed, 2 * shapes);
   const rays = wild(seed + 1, count).map(({ ray }) => ray);

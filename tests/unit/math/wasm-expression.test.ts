@@ -3,7 +3,10 @@ import { integer, pick, type Random, seeded, wide } from '../../../src/math/rng.
 import { type Code, codeOf } from '../../../src/math/wasm/expression.ts';
 import { compiled, compiledCondition } from './compiled.ts';
 
-/* Formulas of TypeScript, compiled for two rays at a time, against the same formulas in this engine: the same bits. */
+/*
+ * Formulas of TypeScript, compiled for two rays at a time, against the same formulas in this
+ * engine: the same bits.
+ */
 
 const NAMES = ['a', 'b', 'c', 'd_2'] as const;
 const ODD = [

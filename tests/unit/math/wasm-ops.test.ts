@@ -4,7 +4,10 @@ import { moduleOf } from '../../../src/math/wasm/module.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
 import { leb, signedLeb } from '../../../src/math/wasm/ops.ts';
 
-/* LEB128 by the definition of the WebAssembly Core Specification, section 5.2.2, and by what an engine reads. */
+/*
+ * LEB128 by the definition of the WebAssembly Core Specification, section 5.2.2, and by what an
+ * engine reads.
+ */
 
 const unsignedOf = (bytes: readonly number[]): number =>
   bytes.reduce((sum, byte, k) => sum + (byte & 0x7f) * 2 ** (7 * k), 0);

@@ -5,8 +5,8 @@ import { DEFAULT_SETTINGS } from '../../../src/tracer/types.ts';
 import type { FromTraceWorker, ToTraceWorker } from '../../../src/workers/protocol.ts';
 
 /*
- * The workers as they are, with what they say caught: the buffer of the kernels' memory must not be in it. Transferring it throws, and copying one array of it copies
- * the whole memory.
+ * The workers as they are, with what they say caught: the buffer of the kernels' memory must not be
+ * in it. Transferring it throws, and copying one array of it copies the whole memory.
  */
 
 afterEach(() => {

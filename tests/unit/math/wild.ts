@@ -3,7 +3,10 @@ import { integer, seeded, wide } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
-/** Shapes and rays of every exponent, and the extremes: overflow and underflow at every step of the formulas. */
+/**
+ * Shapes and rays of every exponent, and the extremes: overflow and underflow at every step of the
+ * formulas.
+ */
 export function wild(seed: number, count: number): Question[] {
   const random = seeded(seed);
   const extremes = [0, -0, Number.MIN_VALUE, Number.MAX_VALUE, -Number.MAX_VALUE, 1e-160, 1e154, 1];

@@ -22,7 +22,10 @@ import { display } from '../../../src/text/format.ts';
 import { anyPicture } from '../state/random-state.ts';
 import { isAtMost, readLine, rounds } from './rational.ts';
 
-/* A line that is worked out again with the numbers printed in it gives the printed result, or says ≈. */
+/*
+ * A line that is worked out again with the numbers printed in it gives the printed result, or says
+ * ≈.
+ */
 
 const PLAIN: Marks<string> = {
   join: (parts) => parts.join(''),

@@ -1,4 +1,7 @@
-/** A line as a person reads it, worked out in whole numbers: n/d, nothing rounded. Written apart from the printer. */
+/**
+ * A line as a person reads it, worked out in whole numbers: n/d, nothing rounded. Written apart
+ * from the printer.
+ */
 export interface Rational {
   readonly n: bigint;
   readonly d: bigint;

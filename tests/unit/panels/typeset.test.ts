@@ -26,7 +26,10 @@ function markup(part: unknown): string {
 
 const parsed = (m: unknown): Element => parseXml(`<math>${markup(m)}</math>`);
 
-/** What stands on the page, in a line: raised with ^, lowered with _, roots and fractions with √{} and {}/{}. */
+/**
+ * What stands on the page, in a line: raised with ^, lowered with _, roots and fractions with √{}
+ * and {}/{}.
+ */
 function reading(element: Element): string {
   const parts = elements(element).map(reading);
   const [a = '', b = '', c = ''] = parts;

@@ -23,7 +23,10 @@ import { borderScene, type FractionScene, KINDS, linkOf } from './typed-scenes.t
 
 const SEED = 16180;
 
-/** What the page says of a link: the case of the typed numbers, and whether it is another one than that of the stored. */
+/**
+ * What the page says of a link: the case of the typed numbers, and whether it is another one than
+ * that of the stored.
+ */
 function saidOf(link: string) {
   const state = decode(link);
   expect(state.problems).toEqual([]);

@@ -300,7 +300,8 @@ describe('the stage', () => {
       });
       for (let k = 0; k < steps; k++) {
         let [a, b] = stages.slice(k, k + 2) as [(typeof stages)[0], (typeof stages)[0]];
-        // Steep is allowed, a step is not: the half with the larger change is halved again until nothing is left of it.
+        // Steep is allowed, a step is not: the half with the larger change is halved again until
+        // nothing is left of it.
         for (let n = 0; n < 40 && jump(a.stage, b.stage) > 0.03; n++) {
           const x = (a.x + b.x) / 2;
           const middle = { x, stage: stageAt(x) };

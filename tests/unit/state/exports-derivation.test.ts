@@ -75,7 +75,10 @@ const plain = (words: string): string =>
     .replace(/\$\^\{(-?\d+)\}\$/g, (_, power: string) => superscript(Number(power)));
 const isWrittenOut = (x: number): boolean => Number.isFinite(x) && !display(x).includes('·');
 
-/** Of the derivation's own steps: symbols, numbers and value, each against the tree and the kernel's number. */
+/**
+ * Of the derivation's own steps: symbols, numbers and value, each against the tree and the kernel's
+ * number.
+ */
 function checkSteps({ derivation, found, exactly }: ExploreModel, rows: readonly Row[]): number {
   let checked = 0;
   for (const step of derivation.steps) {

@@ -9,8 +9,9 @@ import {
 } from './exports-cases.ts';
 
 /*
- * Here the shader is read as a person would read it, put into JavaScript word by word, and run in doubles. That a compiler
- * takes it, and what a GPU makes of it in 32 bits, is for the browser: see EXPORT_CASES.
+ * Here the shader is read as a person would read it, put into JavaScript word by word, and run in
+ * doubles. That a compiler takes it, and what a GPU makes of it in 32 bits, is for the browser: see
+ * EXPORT_CASES.
  */
 
 type Vec = { x: number; y: number; z: number };
@@ -66,7 +67,8 @@ function checkRun(c: ExportCase): void {
     const singular = n.every((x) => x === 0);
     return { t, point: asArray(at), normal: singular ? [0, 0, 0] : n, singular };
   });
-  // A point at infinity may have a normal that is no number. The other programs tell; the shader leaves it to its caller.
+  // A point at infinity may have a normal that is no number. The other programs tell; the shader
+  // leaves it to its caller.
   const lost = hits.some((h) => [...h.point, ...h.normal].some(Number.isNaN));
   const found = lost ? { class: 'undecided', hits: [] } : { class: GLSL_CASES[kind], hits };
   expect(found, c.name).toEqual(textbookAnswer(c));
@@ -84,7 +86,10 @@ const KEYWORDS = 'const out struct return if void bool int float vec3 vec4 preci
   ' ',
 );
 const BUILT_IN = 'sqrt dot length isnan isinf x y z'.split(' ');
-/** Of GLSL ES 3.00, section 3.8, those that a formula's symbol or a parameter's name could come near. */
+/**
+ * Of GLSL ES 3.00, section 3.8, those that a formula's symbol or a parameter's name could come
+ * near.
+ */
 const RESERVED =
   'active asm attribute cast centroid class coherent common enum extern external filter fixed flat goto half inline inout input interface invariant layout long namespace noinline output partition patch public readonly resource sample sampler shared short sizeof smooth static superp switch template this typedef uniform union unsigned using varying volatile writeonly'.split(
     ' ',

@@ -11,7 +11,10 @@ import {
   textbookAnswer,
 } from './exports-cases.ts';
 
-/* The exported programs are run, and what they print is compared with the textbook method, bit by bit. */
+/*
+ * The exported programs are run, and what they print is compared with the textbook method, bit by
+ * bit.
+ */
 
 const ALL: readonly ExportCase[] = [...EXPORT_CASES, ...HARD_CASES];
 /** For a machine that has other things to do; unloaded it is two seconds. */

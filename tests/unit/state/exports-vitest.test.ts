@@ -9,7 +9,10 @@ import { rayTypeScript } from '../../../src/state/exports/typescript.ts';
 import { vitestCase } from '../../../src/state/exports/vitest.ts';
 import { EXPORT_CASES, modelOf } from './exports-cases.ts';
 
-/* The exported tests are run by vitest and checked by tsc, in a project of their own that borrows our src and node_modules. */
+/*
+ * The exported tests are run by vitest and checked by tsc, in a project of their own that borrows
+ * our src and node_modules.
+ */
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 /** Exact always, and the other methods in turn. */

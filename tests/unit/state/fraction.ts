@@ -1,4 +1,7 @@
-/** Fractions of whole numbers, written for the tests alone: the answers of the product are held against these. */
+/**
+ * Fractions of whole numbers, written for the tests alone: the answers of the product are held
+ * against these.
+ */
 export interface Fraction {
   readonly n: bigint;
   /** Positive. */

@@ -53,7 +53,10 @@ function ordinary(kind: AppState['kind'], random: Random): AppState {
   };
 }
 
-/** What a drag of E, or of the tip of d, over the place where D changes its sign leaves; null where there is no such place. */
+/**
+ * What a drag of E, or of the tip of d, over the place where D changes its sign leaves; null where
+ * there is no such place.
+ */
 function snapped(state: AppState, symbol: 'E' | 'd', random: Random): AppState | null {
   const model = createDerive(() => closerLook)(state);
   const handle = model.scene.handles.find((h) => h.symbol === symbol);

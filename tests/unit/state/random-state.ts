@@ -107,7 +107,10 @@ export const anyState: fc.Arbitrary<AppState> = fc
     return typedIn(state, texts);
   });
 
-/** A picture has to add a few lengths to one another: numbers with that much room below the largest double. */
+/**
+ * A picture has to add a few lengths to one another: numbers with that much room below the largest
+ * double.
+ */
 export const PICTURED = 1e300;
 
 /** States whose numbers can be drawn. */

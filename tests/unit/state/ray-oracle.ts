@@ -4,7 +4,10 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math/shorthand.ts';
 
-/* Facts of a ray and a shape in small whole numbers and halves, where doubles do not round; nothing here asks src/math. */
+/*
+ * Facts of a ray and a shape in small whole numbers and halves, where doubles do not round; nothing
+ * here asks src/math.
+ */
 
 /** (x−Cx)² + (z−Cz)² = a(y−Cy)² + k(y−Cy) + ρ */
 interface Quadric {
@@ -82,7 +85,9 @@ function changes(signs: readonly number[]): Crossing[] {
   return all.slice(1).flatMap((s, i) => (s === all[i] ? [] : [s < 0 ? 'enters' : 'leaves']));
 }
 
-/** Of a flat shape: N, a point of its plane, and where a point of the plane lies as to the figure. */
+/**
+ * Of a flat shape: N, a point of its plane, and where a point of the plane lies as to the figure.
+ */
 export function flatOf(shape: Shape): { readonly N: Vec3; readonly P: Vec3 } | null {
   if (shape.kind === 'plane') return { N: shape.normal, P: shape.point };
   if (shape.kind === 'circle') return { N: shape.normal, P: shape.center };
@@ -95,7 +100,10 @@ export function flatOf(shape: Shape): { readonly N: Vec3; readonly P: Vec3 } | n
   return { N, P: shape.corner };
 }
 
-/** How far a point of the plane lies outside the figure (0 within), and how many of its limits it lies on. */
+/**
+ * How far a point of the plane lies outside the figure (0 within), and how many of its limits it
+ * lies on.
+ */
 export function figurePlace(
   shape: Shape,
   x: Vec3,
@@ -136,7 +144,10 @@ function direction(random: Random): Vec3 {
 
 type Draw = (random: Random) => Shape;
 
-/** Shapes of every name, the degenerate ones included, so small that every cell of the table comes up. */
+/**
+ * Shapes of every name, the degenerate ones included, so small that every cell of the table comes
+ * up.
+ */
 export const DRAWS: Readonly<Record<string, Draw>> = {
   cylinder: (random) => cylinder(triple(random, whole), integer(random, 0, 3)),
   cone: (random) => cone(triple(random, whole), pick(random, [-1, 0, 0.5, 1, 2])),
@@ -163,7 +174,10 @@ export const DRAWS: Readonly<Record<string, Draw>> = {
     square(triple(random, whole), integer(random, 0, 2), pick(random, ['x', 'y', 'z'])),
 };
 
-/** A point of the shape where something special is: its centre, its wall, its rim, an edge, a corner. */
+/**
+ * A point of the shape where something special is: its centre, its wall, its rim, an edge, a
+ * corner.
+ */
 function special(random: Random, shape: Shape): Vec3 {
   const { C, rho } = quadricOf(shape) ?? { C: flatOf(shape)?.P ?? [0, 0, 0], rho: 0 };
   const r =

@@ -133,7 +133,8 @@ describe('tangency', () => {
   });
 
   test('where it is no double, the neighbour with the smaller D is taken, and said to be near only', () => {
-    // D = x² − 2 in exact arithmetic is never 0; in doubles its sign changes between two neighbours.
+    // D = x² − 2 in exact arithmetic is never 0; in doubles its sign changes between two
+    // neighbours.
     const tangency: Tangency = {
       quick: (value) => (value as number) ** 2 - 2,
       exact(value) {

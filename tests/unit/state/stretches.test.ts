@@ -18,7 +18,10 @@ function nameAt(shape: Shape, ray: Ray, t: number): string {
   return figurePlace(shape, x).off === 0 ? 'on it' : 'outside';
 }
 
-/** A number in the middle of an interval with as few digits as there is room for, so that f of it is exact. */
+/**
+ * A number in the middle of an interval with as few digits as there is room for, so that f of it is
+ * exact.
+ */
 function within(from: number, to: number): number {
   for (let step = 4; step > 2 ** -12; step /= 2) {
     const t = Math.round((from + to) / 2 / step) * step;

@@ -37,7 +37,9 @@ const nonZero = tenths.filter(({ n }) => n !== 0n);
 const parts = fc.record({ triple, s: size, k: size, at: place, far: nonZero, turn: place });
 type Parts = typeof parts extends fc.Arbitrary<infer T> ? T : never;
 
-/** A point of the circle of radius s·h about the y axis, and what is tangential there, of length h. */
+/**
+ * A point of the circle of radius s·h about the y axis, and what is tangential there, of length h.
+ */
 function round({ triple: { p, q, h }, s }: Parts) {
   return {
     on: scale(s, point(p, ZERO, q)),

@@ -278,7 +278,8 @@ describe('hostile links', () => {
   test.each(HOSTILE)('%s', (_, hash) => {
     const started = performance.now();
     const state = decode(hash);
-    // Tens of milliseconds; quadratic time in a million characters would be hours, a busy machine is not.
+    // Tens of milliseconds; quadratic time in a million characters would be hours, a busy machine
+    // is not.
     expect(performance.now() - started).toBeLessThan(4000);
     expect(Object.keys(state)).toEqual(Object.keys(INITIAL));
     expect(Object.getPrototypeOf(state)).toBe(Object.prototype);

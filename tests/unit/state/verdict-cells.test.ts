@@ -21,8 +21,9 @@ import {
 } from './ray-oracle.ts';
 
 /*
- * Every sentence of the table, on rays of small numbers, against facts that are found without src/math. A sentence is cut
- * into phrases; each phrase has a fact, and nothing of a sentence may be left over.
+ * Every sentence of the table, on rays of small numbers, against facts that are found without
+ * src/math. A sentence is cut into phrases; each phrase has a fact, and nothing of a sentence may
+ * be left over.
  */
 
 type Fact<T> = (course: T, match: RegExpMatchArray, shape: Shape, ray: Ray) => boolean;

@@ -287,7 +287,8 @@ describe('parseNumber: round trips', () => {
   it(`reads what display shows as the same six digits (seed ${SEED})`, () => {
     fc.assert(
       fc.property(anyDouble, (x) => {
-        // The smallest doubles have fewer than six digits of room: 4.94066e-324 reads back as itself all the same.
+        // The smallest doubles have fewer than six digits of room: 4.94066e-324 reads back as
+        // itself all the same.
         expect(read(display(x))).toBe(
           Math.abs(x) < 1e-300 ? read(display(x)) : Number(x.toPrecision(6)),
         );

@@ -16,7 +16,10 @@ import { createFeelers, createWave } from '../../../src/tracer/wave.ts';
 import { worldOf } from '../../../src/tracer/world.ts';
 import { someRays } from './tracing.ts';
 
-/** Where a ray from `from` meets a surface first, by whole numbers and one surface at a time; Infinity: nowhere. */
+/**
+ * Where a ray from `from` meets a surface first, by whole numbers and one surface at a time;
+ * Infinity: nowhere.
+ */
 function first(surface: Surface, ray: Ray, from: Surface | undefined): number {
   const options = { from: from?.shape };
   const { hits } = intersect(surface.shape, ray, 'exact', options);

@@ -151,7 +151,8 @@ describe('the ledger', () => {
     let now = 0;
     const { prepareTracer } = await import('../../../src/tracer/prepare.ts');
     const { TINY } = await import('./tracing.ts');
-    // A clock that goes on by one at each look: every part that is timed gets some, and all together not more than there was.
+    // A clock that goes on by one at each look: every part that is timed gets some, and all
+    // together not more than there was.
     const tracer = await prepareTracer(presetOf('everything'), TINY, () => ++now);
     const { ledger } = tracer.trace({ y0: 0, y1: 27, step: 1, refines: false });
     const times = [ledger.camera, ...Object.values(ledger.effects)].map(({ ms }) => ms);

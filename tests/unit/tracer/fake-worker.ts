@@ -2,7 +2,10 @@ import { prepareTracer, type Tracer } from '../../../src/tracer/prepare.ts';
 import type { FromTraceWorker, ToTraceWorker } from '../../../src/workers/protocol.ts';
 import type { WorkerLike } from '../../../src/workers/trace-job.ts';
 
-/** A worker of this thread: it traces when `step` is called, one message at a time, so that a test decides the order. */
+/**
+ * A worker of this thread: it traces when `step` is called, one message at a time, so that a test
+ * decides the order.
+ */
 export interface FakeWorker extends WorkerLike {
   readonly inbox: ToTraceWorker[];
   readonly done: ToTraceWorker[];

@@ -126,7 +126,8 @@ test.each([1, 2, 3, 4, 5, 6, 7, 8, 9, 10])(
     const certified = await picture(scene, SMALL);
     const exact = await picture(scene, { ...SMALL, method: 'exact' });
     expect([...certified.surface]).toEqual([...exact.surface]);
-    // A last bit of t moves a point, and at the edge of a shadow or of a checker that decides: one pixel in a hundred may.
+    // A last bit of t moves a point, and at the edge of a shadow or of a checker that decides: one
+    // pixel in a hundred may.
     let differ = 0;
     for (let k = 0; k < certified.rgba.length; k += 4) {
       const same = [0, 1, 2].every((c) => certified.rgba[k + c] === exact.rgba[k + c]);

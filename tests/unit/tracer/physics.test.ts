@@ -21,7 +21,10 @@ const glassOf = (index: number, sigma = 0): Material => ({
   glass: { index, absorption: [sigma, sigma, sigma] },
 });
 
-/** Everything white and equally bright: whatever is put in, every pixel stays white if no energy is gained or lost. */
+/**
+ * Everything white and equally bright: whatever is put in, every pixel stays white if no energy is
+ * gained or lost.
+ */
 const furnace = (things: readonly Placed[], camera: Scene['camera']): Scene => ({
   title: 'furnace',
   camera,

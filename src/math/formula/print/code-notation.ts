@@ -17,7 +17,10 @@ export interface VectorSyntax {
   norm(of: string): string;
 }
 
-/** What a symbol is called in the program. The centre C and the coefficient C cannot both be C there. */
+/**
+ * What a symbol is called in the program. The centre C and the coefficient C cannot both be C
+ * there.
+ */
 export interface Names {
   scalar(id: string): string;
   vector(id: string): string;
@@ -39,8 +42,9 @@ type Rank = (typeof RANK)[keyof typeof RANK];
 const RANK = { sum: 1, product: 2, minus: 3, single: 4 } as const;
 
 /**
- * The tree as an expression of a programming language that does every operation in the order of the tree, so that in
- * doubles the program has the tree's float64 value to the last bit. A square is x * x: a power function may round otherwise.
+ * The tree as an expression of a programming language that does every operation in the order of the
+ * tree, so that in doubles the program has the tree's float64 value to the last bit. A square is x
+ * * x: a power function may round otherwise.
  */
 export function printCode(
   expr: Expr,
@@ -95,7 +99,10 @@ function atLeast({ text, rank }: Code, least: Rank): string {
   return rank >= least ? text : `(${text})`;
 }
 
-/** Languages read sums and products from the left, as the tree does; the first operand of a kind needs no parentheses. */
+/**
+ * Languages read sums and products from the left, as the tree does; the first operand of a kind
+ * needs no parentheses.
+ */
 function term(of: Code, sign: 1 | -1, i: number): string {
   if (i > 0) return ` ${sign === 1 ? '+' : '-'} ${atLeast(of, RANK.product)}`;
   return sign === 1 ? of.text : `-${atLeast(of, RANK.single)}`;

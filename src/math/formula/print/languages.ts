@@ -17,7 +17,10 @@ export const PYTHON: CodeSyntax = {
   vectors: null,
 };
 
-/** Points are vec3; their dot products and lengths are the language's own, whose order of adding it does not tell. */
+/**
+ * Points are vec3; their dot products and lengths are the language's own, whose order of adding it
+ * does not tell.
+ */
 export const GLSL: CodeSyntax = {
   number: withPoint,
   component: (vector, axis) => `${vector}.${axis}`,
@@ -28,7 +31,10 @@ export const GLSL: CodeSyntax = {
   },
 };
 
-/** Never a whole number's literal: in Python those are whole numbers of any length, in GLSL they do not mix with floats. */
+/**
+ * Never a whole number's literal: in Python those are whole numbers of any length, in GLSL they do
+ * not mix with floats.
+ */
 function withPoint(x: number): string {
   const text = shortest(x);
   if (!Number.isFinite(x)) throw new RangeError(`no literal for ${text}`);

@@ -63,7 +63,10 @@ const ESCAPED: Readonly<Record<string, string>> = {
   '’': "'",
 };
 
-/** Words of the page inside of \text{}: nothing but ASCII, so that it does not matter which engine sets it. */
+/**
+ * Words of the page inside of \text{}: nothing but ASCII, so that it does not matter which engine
+ * sets it.
+ */
 export function latexText(words: string): string {
   const escaped = words
     .replace(/[\\^~−·∞√≤≥≠≈±’&%#_{}$]/g, (c) => ESCAPED[c] ?? `\\${c}`)

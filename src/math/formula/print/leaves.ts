@@ -106,7 +106,9 @@ export function along(expr: VectorExpr, axis: (typeof AXES)[number]): Expr {
   return minus(along(expr.left, axis), along(expr.right, axis));
 }
 
-/** Whether this part of a formula is printed as one number where −B, √D, 2A and N·d are worked out. */
+/**
+ * Whether this part of a formula is printed as one number where −B, √D, 2A and N·d are worked out.
+ */
 export function isWorked({ op }: Expr): boolean {
   return op === 'negative' || op === 'root' || op === 'product' || op === 'dot';
 }

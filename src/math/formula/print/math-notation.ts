@@ -5,7 +5,9 @@ import type { Notation, WrittenTerm } from './printer.ts';
 export type Sort = 'scalar' | 'vector';
 export type Sign = '+' | '−' | '±' | '·' | ',' | '=' | '≈' | '≠' | '<' | '>' | '≤';
 
-/** The marks that mathematics is written with, in some medium M: LaTeX, MathML, templates of a page. */
+/**
+ * The marks that mathematics is written with, in some medium M: LaTeX, MathML, templates of a page.
+ */
 export interface Marks<M> {
   join(parts: readonly M[]): M;
   symbol(id: string, sort: Sort): M;
@@ -31,9 +33,15 @@ export interface Marks<M> {
 /** A written piece, and what has to be known to put it next to others. */
 export interface Piece<M> {
   readonly m: M;
-  /** How tightly it holds together: a sum, a dot product, a product or a minus sign, a power, a single thing. */
+  /**
+   * How tightly it holds together: a sum, a dot product, a product or a minus sign, a power, a
+   * single thing.
+   */
   readonly rank: Rank;
-  /** What it begins with: a numeral cannot follow another factor without a dot, a minus sign no plus. */
+  /**
+   * What it begins with: a numeral cannot follow another factor without a dot, a minus sign no
+   * plus.
+   */
   readonly starts: 'numeral' | 'minus' | 'other';
   /** Its square, where that is not just a raised 2. */
   readonly squared?: M;
@@ -51,7 +59,10 @@ export interface Leaves<M> {
   whole(expr: Expr): Piece<M> | null;
 }
 
-/** Mathematics as people write it: factors side by side, quotients as fractions, parentheses only where needed. */
+/**
+ * Mathematics as people write it: factors side by side, quotients as fractions, parentheses only
+ * where needed.
+ */
 export function mathNotation<M>(marks: Marks<M>, leaves: Leaves<M>): Notation<Piece<M>> {
   const atLeast = ({ m, rank }: Piece<M>, least: Rank): M => (rank >= least ? m : marks.parens(m));
   /** Behind a sign: two signs in a row are told apart. */
@@ -74,7 +85,8 @@ export function mathNotation<M>(marks: Marks<M>, leaves: Leaves<M>): Notation<Pi
       // A first factor in parentheses hides what it starts with.
       starts: factors[0] && factors[0].rank >= RANK.product ? factors[0].starts : 'other',
     }),
-    // 2 before ½ would read as a mixed number: a fraction counts as a numeral. Its square needs parentheses.
+    // 2 before ½ would read as a mixed number: a fraction counts as a numeral. Its square needs
+    // parentheses.
     quotient: (over, under) => ({
       m: marks.fraction(over.m, under.m),
       rank: RANK.power,

@@ -2,7 +2,10 @@ import type { Marks } from './math-notation.ts';
 
 const NAMESPACE = 'http://www.w3.org/1998/Math/MathML';
 
-/** Mathematics as a MathML string. Each piece is a run of elements; where one is needed it goes into an mrow. */
+/**
+ * Mathematics as a MathML string. Each piece is a run of elements; where one is needed it goes into
+ * an mrow.
+ */
 export const MATHML: Marks<string> = {
   join: (parts) => parts.join(''),
   symbol: mi,

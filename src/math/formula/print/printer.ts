@@ -2,8 +2,8 @@ import type { Axis } from '../../vec3.ts';
 import type { Expr, VectorExpr } from '../expr.ts';
 
 /**
- * How each operation is written, its operands being written already. P is what a written operand is known by: its text,
- * and how tightly it holds together.
+ * How each operation is written, its operands being written already. P is what a written operand is
+ * known by: its text, and how tightly it holds together.
  */
 export interface Notation<P> {
   number(value: number): P;
@@ -18,7 +18,10 @@ export interface Notation<P> {
   plusMinus(left: P, right: P): P;
   dot(left: VectorExpr, right: VectorExpr): P;
   norm(of: VectorExpr): P;
-  /** A subtree that is written in a way of its own (by a name, by its value), or null to go on into it. */
+  /**
+   * A subtree that is written in a way of its own (by a name, by its value), or null to go on into
+   * it.
+   */
   whole(expr: Expr): P | null;
 }
 

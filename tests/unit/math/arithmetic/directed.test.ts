@@ -66,7 +66,8 @@ describe.each(Object.entries(OPERATIONS))('%s', (_, { down, up, exactly }) => {
       expect(got[1], `${a}, ${b}`).toBeGreaterThanOrEqual(truth[1]);
       if (got[0] !== truth[0] || got[1] !== truth[1]) loose += 1;
     }
-    // One double too wide is allowed near the subnormals and beyond the splitter; it is not the rule.
+    // One double too wide is allowed near the subnormals and beyond the splitter; it is not the
+    // rule.
     expect(loose).toBeLessThan(2400);
   });
 });

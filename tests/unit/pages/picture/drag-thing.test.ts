@@ -37,7 +37,8 @@ describe('a thing dragged in the picture', () => {
     if (!held) throw new Error('not held');
     const moved = dragTo(held, held.from[0] - 4, held.from[1] - 3)(preset.scene);
     const after = middleOf(index, moved, await picture(moved));
-    // Its middle is known to a pixel: it is cut off by what stands before it, and grows as it comes nearer.
+    // Its middle is known to a pixel: it is cut off by what stands before it, and grows as it comes
+    // nearer.
     expect(Math.abs((after?.x ?? 0) - at.x + 4)).toBeLessThan(1);
     expect(Math.abs((after?.y ?? 0) - at.y + 3)).toBeLessThan(1);
   });
