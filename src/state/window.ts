@@ -30,7 +30,10 @@ export function windowOf(found: Intersection, ends: readonly number[] = []): Win
   return within(found, [1, ...ends]);
 }
 
-/** The same for the graph alone: without the tip of d where that is so far off that two roots fall together. */
+/**
+ * The same for the graph alone: without the tip of d where that is so far off that two roots fall
+ * together.
+ */
 export function graphWindowOf(found: Intersection, ends: readonly number[] = []): Window {
   const whole = windowOf(found, ends);
   const [first, last] = rootsOf(found);
