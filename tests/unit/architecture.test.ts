@@ -304,6 +304,22 @@ describe('src', () => {
     expect([...rooms]).toEqual(expect.arrayContaining(['math', 'state', 'canvas', 'main']));
   });
 
+  test('has the table that docs/ARCHITECTURE.md shows', () => {
+    const text = readFileSync(join(ROOT, 'docs/ARCHITECTURE.md'), 'utf8');
+    const rows = [...text.matchAll(/^\| (`.*`) \| .* \| (.*?)(?: \(.*\))? \|$/gm)];
+    const shown = rows.flatMap(([, folders = '', words = '']) =>
+      [...folders.matchAll(/`(\w+)(?:\.ts)?`/g)].map(([, room = '']) => [
+        room,
+        words
+          .split(', ')
+          .flatMap((one) => (one === 'the pure rooms' ? PURE : one === 'nothing' ? [] : [one]))
+          .sort(),
+      ]),
+    );
+    const sorted = Object.entries(ROOMS).map(([room, allowed]) => [room, [...allowed].sort()]);
+    expect(Object.fromEntries(shown)).toEqual(Object.fromEntries(sorted));
+  });
+
   test('imports only along the table', () => {
     expect(wrongImports(SRC)).toEqual([]);
   });
