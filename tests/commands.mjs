@@ -20,10 +20,11 @@ const freePort = () =>
     });
   });
 
-/** `npm start` serves the page and its program. */
-async function starts() {
+/** Whether `npm run` with this script serves a page that has `program` in it, and that too. */
+async function serves(script, program) {
   const port = await freePort();
-  const argv = ['start', '--', '--host', '127.0.0.1', '--port', String(port), '--strictPort'];
+  const where = ['--host', '127.0.0.1', '--port', String(port), '--strictPort'];
+  const argv = ['run', script, '--', ...where];
   const server = spawn('npm', argv, {
     stdio: 'ignore',
     detached: true,
@@ -34,8 +35,8 @@ async function starts() {
     while (Date.now() < until) {
       const page = await fetch(`http://127.0.0.1:${port}/`).catch(() => null);
       if (page?.ok) {
-        const program = await fetch(`http://127.0.0.1:${port}/src/main.ts`);
-        return (await page.text()).includes('/src/main.ts') && program.ok;
+        const [path] = program.exec(await page.text()) ?? [];
+        return path !== undefined && (await fetch(`http://127.0.0.1:${port}/${path}`)).ok;
       }
       await new Promise((ok) => setTimeout(ok, 200));
     }
@@ -52,7 +53,8 @@ export async function commands() {
     console.log(`[npm ${name}: ${ok ? 'as the README says' : 'FAILED'}]`);
     if (!ok) failed++;
   };
-  judge('start', await starts());
+  judge('start', await serves('start', /src\/main\.ts/));
+  judge('run preview', await serves('preview', /assets\/[\w-]+\.js/));
   for (const [script, ...args] of BRIEF) {
     const { status, stdout, stderr } = spawnSync('npm', ['run', script, '--', ...args], {
       encoding: 'utf8',
@@ -60,5 +62,5 @@ export async function commands() {
     if (status !== 0) console.error(`${stdout}\n${stderr}`);
     judge(`run ${script}`, status === 0);
   }
-  return [BRIEF.length + 1 - failed, failed];
+  return [BRIEF.length + 2 - failed, failed];
 }
