@@ -12,8 +12,8 @@ import { square } from './square.ts';
  * Every shape there is, in the order of the menu. A new shape is one new file and one word here.
  *
  * @example
- * SHAPES.find(({ kind }) => kind === 'cone')?.params.map(({ key }) => key); // → ['vertex',
- * 'slope']
+ * const { params } = SHAPES.find(({ kind }) => kind === 'cone')!;
+ * params.map(({ key }) => key); // → ['vertex', 'slope']
  */
 export const SHAPES = [
   plane,

@@ -42,7 +42,7 @@ describe('docs/NUMERICS.md', () => {
   });
 });
 
-/** Bits that each method loses of the root nearest to t = 0, where its class is right: seed 2026. */
+/** Bits that each method loses of the root nearest to t = 0, where its class is right. */
 function medianLosses(family: string, dial: number, ids: readonly string[]): readonly number[] {
   const random = seeded(2026);
   const losses = ids.map((): number[] => []);
