@@ -22,9 +22,8 @@ import type { Operation } from './trace.ts';
  *   number.
  * - overflow: what comes out is not finite, what went in is.
  * - underflow: a product, square or quotient of what went in is exactly not 0, but below the
- *   smallest normal number of the format, where
- *   digits run out. Never a sum: the sum of two floating-point numbers is exact where it is that
- *   small (Hauser 1996).
+ *   smallest normal number of the format, where digits run out. Never a sum: the sum of two
+ *   floating-point numbers is exact where it is that small (Hauser 1996).
  * - zero: the sum is exactly 0, and what comes out is not.
  * - total: a sum whose exact value is no larger than the errors that its terms bring along, so that
  *   no digit is left.

@@ -6,10 +6,13 @@ import type { Forced } from '../scene/effects/plan.ts';
 /*
  * How to use the tracer.
  *
- *   const tracer = await prepareTracer(scene, settings, clock); // prepare.ts: loads the bodies of
- *   the effects that run, no others
- *   const result = tracer.trace(tile); // a TileResult: pixels, what the camera rays hit, a ledger
- *   const tree = tracer.record(x, y); // the ray tree of one pixel, by the same code
+ *   const tracer = await prepareTracer(scene, settings, clock);
+ *   const result = tracer.trace(tile);
+ *   const tree = tracer.record(x, y);
+ *
+ * `prepareTracer` (prepare.ts) loads the bodies of the effects that run, no others. `trace` gives a
+ * TileResult: pixels, what the camera rays hit, a ledger. `record` gives the ray tree of one pixel,
+ * by the same code.
  *
  * On the page nobody calls these: workers/trace-job.ts splits a picture over workers, coarse to
  * fine, and puts a Frame together. What is simulated and why is scene/effects/plan.ts, before any

@@ -9,8 +9,8 @@ import { createTiles } from './tiles.ts';
 /**
  * What the driver needs of a worker; the browser's own Worker fits, and so does a fake one:
  *
- *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock: () =>
- *   performance.now() });
+ *   const clock = () => performance.now();
+ *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock });
  *   const job = pool.start(scene, settings, { progress: (state) => … });
  *   job.cancel();                     // or pool.start(…) again: the old job says nothing more
  *   const tree = await job.record(x, y);

@@ -9,8 +9,8 @@ import { treeMethod } from './tree-method.ts';
  * mx by 3 of Sx = |dy pz| + |dz py|, since its subtraction adds 1 of |mx| ≤ Sx. Then
  *   mx² + mz²   2·3 + 1 + 1 = 8 of Sx² + Sz²;  times a: 9, or 10 if a = c² is rounded itself
  *   my²         2·3 + 1 = 7 of Sy²
- *   ρA ρ = r²: 1; A: dy² 1, a dy² 2 (or 3), the two sums 2; the product 1: 6 of ρ·Am, Am = dx² +
- *   dz² + |a|dy²
+ *   ρA          ρ = r²: 1; A: dy² 1, a dy² 2 (or 3), the two sums 2; the product 1: 6 of ρ·Am,
+ *               where Am = dx² + dz² + |a|dy²
  * and each of the three is in at most two more additions: 12 of ρ·Am + |a|(Sx² + Sz²) + Sy² covers
  * them all. The 4 is exact.
  */
