@@ -14,6 +14,12 @@ const readme = read('README.md');
 
 const isThere = (path: string): boolean => existsSync(new URL(path, ROOT));
 
+/** Where its links to files lead, as paths from the root. */
+const linksIn = (path: string): readonly string[] =>
+  [...read(path).matchAll(/\]\((?!https?:|#)([^)#]+)(?:#[^)]*)?\)/g)].map(([, link = '']) =>
+    posix.join(posix.dirname(path), link),
+  );
+
 describe.each(DOCUMENTS)('%s', (path) => {
   const text = read(path);
 
@@ -29,9 +35,7 @@ describe.each(DOCUMENTS)('%s', (path) => {
   });
 
   test('every link to a file leads to one', () => {
-    const links = [...text.matchAll(/\]\((?!https?:|#)([^)#]+)(?:#[^)]*)?\)/g)].map((m) =>
-      posix.join(posix.dirname(path), m[1] ?? ''),
-    );
+    const links = linksIn(path);
     expect(links.filter((link) => !isThere(link))).toEqual([]);
   });
 });
@@ -41,11 +45,12 @@ describe('the README', () => {
     expect(readme.trimEnd().split('\n').length).toBeLessThanOrEqual(120);
   });
 
-  test('leads to every document', () => {
-    const others = DOCUMENTS.filter(
-      (path) => path !== 'README.md' && path !== 'docs/bench-tracer.md',
-    );
-    expect(others.filter((path) => !readme.includes(`](${path})`))).toEqual([]);
+  test('leads to every document, in a step or two', () => {
+    const reached = new Set(['README.md']);
+    for (const path of reached) {
+      for (const link of linksIn(path)) if (DOCUMENTS.includes(link)) reached.add(link);
+    }
+    expect(DOCUMENTS.filter((path) => !reached.has(path))).toEqual([]);
   });
 
   test('has a line on every command but those that npm runs by itself', () => {
