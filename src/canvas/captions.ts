@@ -17,7 +17,7 @@ const WORD = 0.29;
 
 type Symbolic = Pick<Caption, 'letter' | 'sub'>;
 
-export function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: number } {
+function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: number } {
   if (letter.length > 1) return { w: WORD * font * letter.length, h: 0.6 * font };
   const wide = letter === letter.toUpperCase() ? WIDE : NARROW;
   return { w: font * (wide + (sub ? SUB : 0)), h: font * (HIGH + (sub ? 0.12 : 0)) };

@@ -1,3 +1,4 @@
+import { roundStep } from '../math/shapes/steps.ts';
 import type { StageUnits } from './stage-units.ts';
 import { smoothstep } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';
@@ -41,12 +42,4 @@ function fadingLine(horizontal: 0 | 2, offset: number, half: number, y: number):
     fade[k] = 1 - smoothstep(CLEAR * REACH, REACH, Math.hypot(offset, s));
   }
   return { points, fade, closed: false, ink: 'edge', width: 1, alpha: 0.45, dash: null };
-}
-
-/** The nearest of 1, 2, 5 times a power of ten, by ratio. */
-export function roundStep(size: number): number {
-  const power = 10 ** Math.floor(Math.log10(size));
-  const rest = size / power;
-  const digit = rest < Math.SQRT2 ? 1 : rest < Math.sqrt(10) ? 2 : rest < Math.sqrt(50) ? 5 : 10;
-  return digit * power;
 }

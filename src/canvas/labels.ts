@@ -104,7 +104,7 @@ export function overlap(a: Box, b: Box): number {
 }
 
 /** Length of the part of a segment inside a box. */
-export function lengthInside(segment: Segment, box: Box): number {
+function lengthInside(segment: Segment, box: Box): number {
   const span = spanInside(segment, box);
   if (!span) return 0;
   const [x1, y1, x2, y2] = segment;

@@ -73,7 +73,7 @@ export function pointOn(patch: Patch, u: number, v: number, units: StageUnits): 
   return units.toStage(patch.at(u, v));
 }
 
-export function surfaceFade(patch: Patch, u: number, v: number): number {
+function surfaceFade(patch: Patch, u: number, v: number): number {
   const rest = fadeOf(patch, u, v, FADE_LENGTH, FADE_SIDES);
   return FADE_REST + (1 - FADE_REST) * rest;
 }

@@ -74,7 +74,7 @@ export function onThemeChange(changed: () => void): () => void {
  * '#1c1f24', '#abc' or 'rgb(28, 31, 36)' → 0 … 1 in sRGB. Anything else is a middle grey, which
  * shows on every theme.
  */
-export function rgb(color: string): Rgb {
+function rgb(color: string): Rgb {
   const hex = /^#([\da-f]{3}|[\da-f]{6})$/i.exec(color)?.[1];
   const full = hex?.length === 3 ? hex.replace(/./g, '$&$&') : hex;
   const channels = full

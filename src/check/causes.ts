@@ -71,4 +71,4 @@ const sameSet = (a: Mistakes, b: Mistakes): boolean =>
   a.length === b.length && a.every((mistake) => b.includes(mistake));
 
 /** t1 and t2 are both the line t of the derivation. */
-export const lineOf = (id: string): string => id.replace(/[12]$/, '');
+const lineOf = (id: string): string => id.replace(/[12]$/, '');

@@ -17,7 +17,7 @@ const SLACK = 0.05;
 const MOST_BUT_NEAREST = 15.9;
 
 /** −log10 of a relative error, between 0 and MOST_DIGITS; NaN errors leave no digit standing. */
-export function digitsOfError(relative: number): number {
+function digitsOfError(relative: number): number {
   if (relative === 0) return MOST_DIGITS;
   return relative < 1 ? Math.min(MOST_DIGITS, Math.max(0, -Math.log10(relative))) : 0;
 }

@@ -35,7 +35,7 @@ export interface Settling {
 }
 
 /** What the design asks for: 15 rounds of samples of 10 ms and 100 steps. */
-export const USUAL: Plan = { rounds: 15, least: 10, steps: 100, warmUp: 3 };
+const USUAL: Plan = { rounds: 15, least: 10, steps: 100, warmUp: 3 };
 
 /** Milliseconds a call, by task, one for each round. */
 export type Times = ReadonlyMap<string, readonly number[]>;

@@ -2,7 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import type { Answer, Input } from '../check/types.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { display, displayTriple, MINUS } from '../text/format.ts';
+import { display, displayTriple } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { classOf } from './symbols.ts';
 
@@ -39,16 +39,6 @@ function item(letter: string, sort: 'vector' | 'scalar', words: string): Templat
     ? symbol(letter, null, cls, letter)
     : html`<span>normal along</span>`;
   return html`<li>${name}${/^[a-zA-Z]$/.test(letter) ? ' = ' : ' '}<span class=${cls}>${words}</span></li>`;
-}
-
-/** "E = (6, 1, 2), d = (−1, 0, 0), C = …" in one line of plain text. */
-export function inputWords({ shape, ray }: Input): string {
-  const given = shape as unknown as Readonly<Record<string, unknown>>;
-  const own = definitionOf(shape).params.map(({ symbol: s, key }) => `${s} = ${text(given[key])}`);
-  return [`E = ${text(ray.origin)}`, `d = ${text(ray.direction)}`, ...own]
-    .join(', ')
-    .replaceAll('NaN', 'not a number')
-    .replaceAll(`${MINUS}Infinity`, `${MINUS}∞`);
 }
 
 /** An answer that is told: all the digits that paper needs. */

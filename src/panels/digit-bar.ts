@@ -15,7 +15,7 @@ export function markedNumber({ right, wrong, exponent }: Marked): TemplateResult
 }
 
 /** Sixteen cells, as many of them filled as digits are right. */
-export function digitBar(count: number): TemplateResult {
+function digitBar(count: number): TemplateResult {
   const cells = Array.from(
     { length: PLACES },
     (_, i) =>

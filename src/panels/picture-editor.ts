@@ -28,8 +28,8 @@ export interface EditorTools {
 }
 
 /** Forms that are no thing's and no light's; no name begins like this in a scene of ours. */
-export const CAMERA = '@camera';
-export const WORLD = '@world';
+const CAMERA = '@camera';
+const WORLD = '@world';
 
 /** Everything in the scene, each with its form; what can be added. */
 export function editor(

@@ -34,7 +34,7 @@ export interface PixelTools {
   close(): void;
 }
 
-export const RAY_WORDS: Readonly<Record<RayKind, string>> = {
+const RAY_WORDS: Readonly<Record<RayKind, string>> = {
   camera: 'camera ray',
   shadow: 'shadow ray',
   reflected: 'reflected ray',

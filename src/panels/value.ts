@@ -43,7 +43,7 @@ function toggleDigits(event: Event): void {
 }
 
 /** So many significant digits, or as many as fit; never fewer than two. */
-export function displayWithin(x: number, room: number, most = 6): string {
+function displayWithin(x: number, room: number, most = 6): string {
   for (let digits = most; digits > 2; digits--) {
     const text = display(x, digits);
     if (text.length <= room) return text;

@@ -127,7 +127,7 @@ export interface SphereLight extends LightBase {
   readonly radius: number;
 }
 
-export const PLAIN_SHINE: Shine = { strength: 0, exponent: 20 };
+const PLAIN_SHINE: Shine = { strength: 0, exponent: 20 };
 export const GREY: Material = {
   paint: { pattern: 'plain', colour: '#b9b4aa' },
   shine: PLAIN_SHINE,

@@ -38,7 +38,7 @@ import type {
  * What a stranger's file may hold. Coordinates this far out still square without trouble in
  * float32.
  */
-export const LIMITS = {
+const LIMITS = {
   things: 250,
   lights: 8,
   coordinate: 1e12,

@@ -42,7 +42,7 @@ export function graphOf(
   };
 }
 
-export function quadratic({ details }: Intersection): { A: number; B: number; C: number } {
+function quadratic({ details }: Intersection): { A: number; B: number; C: number } {
   if (details.family === 'curved') return { A: details.A, B: details.B, C: details.C };
   return { A: 0, B: details.rate, C: details.offset };
 }

@@ -6,8 +6,7 @@ import { subscript } from '../text/scripts.ts';
 export type Between = readonly [low: number, high: number];
 
 /** The height of a point, as the tracer works it out. */
-export const heightAt = ({ origin, direction }: Ray, t: number): number =>
-  origin[1] + t * direction[1];
+const heightAt = ({ origin, direction }: Ray, t: number): number => origin[1] + t * direction[1];
 
 /** "y = 1.774 > 1": why the point at t is not there; null if it is. */
 export function whyCut(ray: Ray, t: number, [low, high]: Between): string | null {

@@ -30,8 +30,9 @@ export type PageId = (typeof PAGES)[number]['id'];
 export type Settings = Readonly<Record<string, string>>;
 
 /**
- * Everything that a page shows follows from this; a link carries it, the other shapes' parameters
- * excepted.
+ * Everything that a page shows follows from this. A link carries it, but for the other shapes and
+ * what was typed for them, which only a file has, and for problems, preset, revealed and ghost,
+ * which last as long as the page is open.
  */
 export interface AppState {
   readonly page: PageId;
@@ -72,29 +73,6 @@ export interface Ghost {
   readonly shape: Shape;
   readonly ray: Ray;
 }
-
-/**
- * Where each part of the state is kept: in the link, in a saved file, or nowhere. Undo: see
- * history.ts.
- */
-export const KEPT: Readonly<Record<keyof AppState, 'link' | 'file' | 'session'>> = {
-  page: 'link',
-  kind: 'link',
-  shapes: 'file',
-  E: 'link',
-  d: 'link',
-  unit: 'link',
-  typed: 'file',
-  method: 'link',
-  view: 'link',
-  bead: 'link',
-  between: 'link',
-  settings: 'link',
-  problems: 'session',
-  preset: 'session',
-  revealed: 'session',
-  ghost: 'session',
-};
 
 /** The same for E and d as shapes have for theirs. */
 export const RAY_PARAMS = {

@@ -49,7 +49,7 @@ function places(owner: string, param: Param, value: Vec3 | number | string): Pla
  * As it is kept: with decimal points, since commas separate in a link; undefined where there is
  * nothing to keep.
  */
-export function keptText(text: string | undefined, value: number): string | undefined {
+function keptText(text: string | undefined, value: number): string | undefined {
   const plain = text?.trim().replace(/,(?=\d)/g, '.');
   if (plain === undefined || spelled(plain) === linkNumber(value)) return undefined;
   const parsed = parseNumber(plain);

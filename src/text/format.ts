@@ -12,7 +12,7 @@ const FIXED_BELOW = 6;
 const FIXED_FROM = -4;
 
 /** What stands for a number that a method lost: ∞ − ∞, 0 · ∞. */
-export const NO_VALUE = 'no value';
+const NO_VALUE = 'no value';
 
 export interface DisplayParts {
   /** With its sign, a true minus; '∞' for an infinity. */

@@ -125,7 +125,7 @@ const titleOf = (id: string): string => METHODS.find((method) => method.id === i
 const wordFor = (forced: 'on' | 'off' | undefined): string =>
   forced === undefined ? 'as the scene calls for it' : `forced ${forced}`;
 
-export function startInWords(start: StartRule): string {
+function startInWords(start: StartRule): string {
   if (start.rule === 'from') return 'the root where a ray starts is dropped';
   return start.rule === 'none' ? 'none' : `t ≥ ${start.epsilon}`;
 }

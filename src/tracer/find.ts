@@ -21,7 +21,7 @@ export interface Finder {
  * what a method gets wrong outside of a shape's box is seen, too. `certified` and `exact` answer
  * alike with and without.
  */
-export const BOXES_FROM = 6;
+const BOXES_FROM = 6;
 
 /** `targets` go by surface. `heights` is undefined where none of them is cut. */
 export function createFinder(

@@ -20,7 +20,7 @@ export function highlighted(): Highlight {
   return current;
 }
 
-export function baseSymbol(symbol: string): string {
+function baseSymbol(symbol: string): string {
   return symbol.split('.')[0] ?? symbol;
 }
 

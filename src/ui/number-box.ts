@@ -20,7 +20,7 @@ import { TypedEvent } from './typed-event.ts';
  * `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with
  * their texts.
  */
-export class GrazeNumberBox extends LitElement {
+class GrazeNumberBox extends LitElement {
   static override properties = {
     value: { type: Number },
     step: { type: Number },

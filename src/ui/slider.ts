@@ -9,7 +9,7 @@ import { keyStep, onStep } from './step.ts';
  * without forcing a value onto it that was typed, and takes fine steps with Shift. Sends
  * `graze-value` with the new number.
  */
-export class GrazeSlider extends LitElement {
+class GrazeSlider extends LitElement {
   static override properties = {
     value: { type: Number },
     least: { type: Number },

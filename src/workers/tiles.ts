@@ -2,7 +2,7 @@ import { pixelsOf } from '../tracer/camera.ts';
 import type { Tile } from '../tracer/types.ts';
 
 /** The blocks of the passes, coarse to fine. */
-export const STEPS: readonly number[] = [8, 4, 2, 1];
+const STEPS: readonly number[] = [8, 4, 2, 1];
 
 /**
  * A tile takes about this long: short enough to cancel and to show progress, long enough for the

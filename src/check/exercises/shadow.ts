@@ -5,7 +5,7 @@ import { work } from '../work.ts';
 import type { Exercise } from './define.ts';
 import { chosen, drawInput, drawUntil, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
-export const SHADOW = [
+const SHADOW = [
   { id: 'lit', title: 'E is lit' },
   { id: 'dark', title: 'E is in the shadow' },
 ];

@@ -53,7 +53,7 @@ export const linear: Exercise = {
   lines: ['A', 'B', 'C', 't'],
 };
 
-export const PLACES = [
+const PLACES = [
   { id: 'meets', title: 'meets the plane in one point' },
   { id: 'beside', title: 'is parallel, beside the plane' },
   { id: 'in', title: 'lies in the plane' },

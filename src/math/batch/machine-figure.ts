@@ -20,9 +20,9 @@ export const X = place(13);
 export const Y = place(14);
 export const Z = place(15);
 /** And my, mz after it. */
-export const MX = place(16);
+const MX = place(16);
 export const W = place(19);
-export const V = place(20);
+const V = place(20);
 export const ZERO = place(21);
 export const REGISTERS = place(22);
 

@@ -4,15 +4,15 @@ import { DX, DY, DZ, EX, EY, EZ, FREE, type Machine } from './register-machine.t
 /* The registers of a curved shape, two doubles each. */
 const place = (k: number): number => FREE + 2 * k;
 export const TWO_ = place(0);
-export const FOUR = place(1);
+const FOUR = place(1);
 export const CX = place(2);
 export const CY = place(3);
 export const CZ = place(4);
 export const FLARE = place(5);
-export const RHO = place(6);
-export const PX = place(7);
-export const PY = place(8);
-export const PZ = place(9);
+const RHO = place(6);
+const PX = place(7);
+const PY = place(8);
+const PZ = place(9);
 export const A = place(10);
 export const B = place(11);
 export const C = place(12);
@@ -22,7 +22,7 @@ export const T1 = place(15);
 export const X = place(16);
 export const Y = place(17);
 export const Z = place(18);
-export const W = place(19);
+const W = place(19);
 export const MINUS_FLARE = place(20);
 export const REGISTERS = place(21);
 

@@ -41,9 +41,8 @@ export const hyperboloidOf = (center: Vec3, flare: number, radius: number): Axia
 
 export const ordinaryCylinder = (random: Random): Axial =>
   cylinderOf(inBox(random, 2), uniform(random, 0.3, 2));
-export const ordinaryCone = (random: Random): Axial =>
-  coneOf(inBox(random, 2), uniform(random, 0.3, 2));
-export const ordinaryHyperboloid = (random: Random): Axial =>
+const ordinaryCone = (random: Random): Axial => coneOf(inBox(random, 2), uniform(random, 0.3, 2));
+const ordinaryHyperboloid = (random: Random): Axial =>
   hyperboloidOf(inBox(random, 2), uniform(random, 0.2, 2), uniform(random, 0.3, 2));
 
 /** One of the three curved shapes, about as large as its distance from the origin. */
@@ -57,12 +56,11 @@ export const sizeOf = ({ a, r }: Axial): number => r || Math.sqrt(Math.abs(a)) |
  * A height at which the shape has a circle to speak of: 1…2 from a cone's vertex, up to 1 from
  * another centre.
  */
-export const ordinaryHeight = (random: Random, { r }: Axial): number =>
+const ordinaryHeight = (random: Random, { r }: Axial): number =>
   r === 0 ? randomSign(random) * uniform(random, 1, 2) : uniform(random, -1, 1);
 
 /** The radius of its circle at height h above the centre. */
-export const radiusAt = ({ a, r }: Axial, h: number): number =>
-  Math.sqrt(Math.max(0, a * h * h + r * r));
+const radiusAt = ({ a, r }: Axial, h: number): number => Math.sqrt(Math.max(0, a * h * h + r * r));
 
 export interface SurfacePoint {
   readonly point: Vec3;

@@ -107,7 +107,7 @@ export function nonZero(draw: () => Vec3): Vec3 {
 export const stepsOf = (k: number): number => scale(1, Math.round(k));
 
 /** x moved by up to `most` doubles either way, 0 included. */
-export function nudged(random: Random, x: number, most: number): number {
+function nudged(random: Random, x: number, most: number): number {
   let moved = x;
   const steps = integer(random, -most, most);
   for (let i = 0; i < Math.abs(steps); i++) moved = steps > 0 ? nextUp(moved) : nextDown(moved);

@@ -14,7 +14,7 @@ import { bitsOf, family, tenTo } from './define.ts';
 import { typicalRay } from './ordinary.ts';
 import { along, type Draw, inBox, minus, type NonEmpty, onUnitCircle, scaled } from './parts.ts';
 
-export function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
+function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
   const { origin, direction } = typicalRay(random, axial);
   return { origin, direction: scaled(direction, bitsOf(k)) };
 }

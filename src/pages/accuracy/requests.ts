@@ -61,7 +61,7 @@ export function provenanceOf(
 }
 
 /** 5 µs, 1 ms: a step of a clock has no more than two figures worth telling. */
-export const stepWords = (ms: number): string =>
+const stepWords = (ms: number): string =>
   ms < 0.9995 ? `${rounded(1000 * ms, 2)} µs` : `${rounded(ms, 2)} ms`;
 
 function browserName(agent: string): string {

@@ -15,7 +15,7 @@ import type { View } from '../../state/view.ts';
 import { displayTriple } from '../../text/format.ts';
 
 /** The state of Explore that shows this input. */
-export function stateOf({ shape, ray }: Input): AppState {
+function stateOf({ shape, ray }: Input): AppState {
   return {
     ...INITIAL,
     kind: shape.kind,

@@ -55,7 +55,7 @@ export function createPlayer(move: (t: number) => void, changed: () => void): Pl
 /**
  * t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached.
  */
-export function timetable(
+function timetable(
   { from, to, roots }: Pick<GraphModel, 'from' | 'to' | 'roots'>,
   stepwise: boolean,
 ): (elapsed: number) => number | null {

@@ -166,7 +166,7 @@ function verdictOf(
 }
 
 /** 'glass cone', 'glass cone, its lower cap' */
-export function surfaceName(scene: Scene, surface: Surface | undefined): string {
+function surfaceName(scene: Scene, surface: Surface | undefined): string {
   const name = surface && scene.things[surface.thing]?.id;
   if (!surface || name === undefined) return 'nothing';
   if (surface.part === 'shape') return name;

@@ -42,7 +42,7 @@ export function partsPiece<M>({ mantissa, exponent }: DisplayParts, marks: Marks
 }
 
 /** (3, 1, −0.5) */
-export function triple<M>(parts: readonly M[], marks: Marks<M>): M {
+function triple<M>(parts: readonly M[], marks: Marks<M>): M {
   return marks.parens(
     marks.join(parts.flatMap((m, i) => (i > 0 ? [marks.operator(','), m] : [m]))),
   );

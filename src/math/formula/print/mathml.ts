@@ -36,7 +36,7 @@ export function mathmlText(words: string): string {
   return `<mtext>${escapeXml(words)}</mtext>`;
 }
 
-export function escapeXml(text: string): string {
+function escapeXml(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
 }
 
