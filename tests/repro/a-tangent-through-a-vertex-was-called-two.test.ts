@@ -18,6 +18,9 @@ test('a ray through the vertex of a very thin cone is a tangent', () => {
 
 test('and so with WebAssembly', () => {
   accelerate();
-  expect(disagreement(shape, ray)).toBeNull();
-  decelerate();
+  try {
+    expect(disagreement(shape, ray)).toBeNull();
+  } finally {
+    decelerate();
+  }
 });

