@@ -3,10 +3,7 @@ import { type Pose, radians } from './camera.ts';
 import { along, dot, type Point } from './stage-units.ts';
 
 const FOV = 24;
-/**
- * Distance of the camera, in stage radii, at zoom 1: the look of the comps, where the stage fills
- * the frame's width.
- */
+/** Distance of the camera, in stage radii, at zoom 1: the stage fills the frame's width. */
 const DISTANCE = 2.9;
 /** In a frame narrower than this the width decides, not the height. */
 const WIDEST_TALL = 1.6;

@@ -144,7 +144,7 @@ describe('the formulas that all shapes share', () => {
   });
 });
 
-/** The course's table, MATH.md §1, as the programs that its trees are. */
+/** The course's table (docs/NUMERICS.md) as the programs that its trees are. */
 const CURVED: Record<string, Record<string, string>> = {
   cylinder: {
     surface: '((x - Cx)² + (z - Cz)²) = r²',

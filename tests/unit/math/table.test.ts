@@ -18,7 +18,7 @@ import {
 } from './shorthand.ts';
 
 /*
- * Every line of the table in MATH.md §1, in numbers that can be followed by hand: small whole
+ * Every line of the table in docs/NUMERICS.md, in numbers that can be followed by hand: small whole
  * numbers, halves and quarters, so that no method has anything to round, not even in float32. p = E
  * − C throughout.
  */

@@ -3,6 +3,7 @@ import { priceText } from '../../../src/lab/sentence.ts';
 import { measureSession } from '../../../src/lab/session.ts';
 import { sweepSession } from '../../../src/lab/sweep.ts';
 import { findFamily } from '../../../src/math/families.ts';
+import { METHODS } from '../../../src/math/methods/index.ts';
 import { SHAPES } from '../../../src/math/shapes/index.ts';
 import { changeWords } from '../../../src/state/accuracy/change-words.ts';
 import { frontierOf } from '../../../src/state/accuracy/frontier.ts';
@@ -96,9 +97,9 @@ describe('how hard', () => {
 describe('the ray', () => {
   const model = createRayModel();
 
-  test.each(SHAPES.map(({ kind }) => kind))('%s: eight rows, words for each', (kind) => {
+  test.each(SHAPES.map(({ kind }) => kind))('%s: a row for each method, and words', (kind) => {
     const { rows, where, words, losses } = model({ ...INITIAL, kind });
-    expect(rows).toHaveLength(8);
+    expect(rows.map(({ method }) => method)).toEqual(METHODS);
     expect([...where.values()].every((text) => text.length > 3)).toBe(true);
     expect(words).toMatch(/^The \w+ of Explore, with E [\d.]+ away\. /);
     expect(losses.steps.length).toBeGreaterThan(3);
