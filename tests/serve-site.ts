@@ -19,11 +19,11 @@ interface Hosting {
   readonly isolated: boolean;
 }
 
-/** Builds the site and serves it on a free port of this machine. */
+/** Serves the site on a free port of this machine; built now, unless whoever started this has built it. */
 export async function serveSite(
   { folder, isolated }: Hosting = { folder: '/', isolated: true },
 ): Promise<{ url: string; close: () => void }> {
-  await build({ logLevel: 'warn' });
+  if (!process.env.SITE_IS_BUILT) await build({ logLevel: 'warn' });
   const server = createServer((request, response) => {
     const path = (request.url ?? '/').split('?')[0] ?? '/';
     const file = join(SITE, path === folder ? 'index.html' : path.slice(folder.length));

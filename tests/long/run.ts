@@ -10,6 +10,7 @@ import { type Seen, tour } from './tour.ts';
 const COMMANDS: Readonly<Record<string, readonly string[]>> = {
   rays: ['fuzz', '--rays', '1e7'],
   page: ['fuzz:page', '--actions', '5000'],
+  shots: ['shots'],
   bench: ['bench'],
 };
 const STEPS = [...BROWSERS, ...Object.keys(COMMANDS)];
@@ -34,7 +35,8 @@ const browsers = BROWSERS.filter((name) => steps.includes(name));
 if (browsers.length > 0) await tours(browsers);
 for (const [step, [script = '', ...args]] of Object.entries(COMMANDS)) {
   if (!steps.includes(step)) continue;
-  const seed = values.seed === undefined || step === 'bench' ? [] : ['--seed', values.seed];
+  const seed =
+    values.seed === undefined || !script.startsWith('fuzz') ? [] : ['--seed', values.seed];
   const argv = ['run', script, '--', ...args, ...seed];
   judge(`npm ${argv.join(' ')}`, spawnSync('npm', argv, { stdio: 'inherit' }).status === 0);
 }
