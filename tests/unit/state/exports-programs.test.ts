@@ -41,7 +41,7 @@ for text in json.load(sys.stdin):
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(compile(text, "ray.py", "exec"), {"__name__": "__main__"})
-    print(out.getvalue().graph())
+    print(out.getvalue().strip())
 `;
 
 function runPython(texts: readonly string[]): unknown[] {
