@@ -19,7 +19,7 @@ interface Hosting {
   readonly isolated: boolean;
 }
 
-/** Serves the site on a free port of this machine; built now, unless whoever started this has built it. */
+/** Serves the site on a free port; built now, unless whoever started this has built it. */
 export async function serveSite(
   { folder, isolated }: Hosting = { folder: '/', isolated: true },
 ): Promise<{ url: string; close: () => void }> {

@@ -3,6 +3,7 @@
 import { mkdirSync } from 'node:fs';
 import { chromium } from '@playwright/test';
 import { GALLERY } from '../src/state/gallery/index.ts';
+import { countPending, frames, framesDone } from './browser/support/pending.ts';
 import { serveSite } from './serve-site.ts';
 
 const LOOKS = [
@@ -11,8 +12,6 @@ const LOOKS = [
   { name: 'projector', theme: 'projector', width: 1280, height: 720 },
   { name: 'phone', theme: 'light', width: 390, height: 844 },
 ] as const;
-/** Software rendering needs a moment for the first picture. */
-const PATIENCE_MS = 500;
 
 const [wanted = ''] = process.argv.slice(2);
 mkdirSync('test-results/shots', { recursive: true });
@@ -24,6 +23,7 @@ const browser = await chromium.launch({ args, ...(executablePath && { executable
 let taken = 0;
 for (const { name, theme, width, height } of LOOKS) {
   const page = await browser.newPage({ viewport: { width, height } });
+  await page.addInitScript(countPending);
   await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
   await page.goto(site.url);
   await page.waitForSelector('.scene-area canvas');
@@ -31,7 +31,8 @@ for (const { name, theme, width, height } of LOOKS) {
     await page.evaluate((hash) => {
       location.hash = hash;
     }, link);
-    await page.waitForTimeout(PATIENCE_MS);
+    await frames(page, 2);
+    await framesDone(page);
     taken++;
     await page.screenshot({ path: `test-results/shots/${id}-${name}.png` });
   }

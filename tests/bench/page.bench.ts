@@ -47,7 +47,7 @@ async function sliderSteps(target: Page, url: string): Promise<void> {
   await slider.focus();
   for (let i = 0; i < STEPS; i++) {
     await target.keyboard.press(i % 20 < 10 ? 'ArrowRight' : 'ArrowLeft');
-    await target.waitForTimeout(20);
+    await target.evaluate(() => new Promise(requestAnimationFrame));
   }
   const found = await target.evaluate(() =>
     ['graze step', 'graze scene'].map((name) => ({

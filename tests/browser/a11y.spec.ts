@@ -1,5 +1,5 @@
 import { SHAPES } from '../../src/math/index.ts';
-import { violations } from './support/axe.ts';
+import { violationsInThemes } from './support/axe.ts';
 import { box, pickShape, slider, typeInto } from './support/controls.ts';
 import { open } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -9,26 +9,24 @@ const SIZES = [
   { width: 390, height: 844 },
 ] as const;
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  for (const viewport of SIZES) {
-    test.describe(`${colorScheme}, ${viewport.width} px`, () => {
-      test.use({ colorScheme, viewport });
-      test('axe finds nothing for any shape, a refused text, a broken link', async ({ page }) => {
-        await open(page, '#/explore?shape=cone&zoom=1');
-        await page.locator('canvas').waitFor();
-        expect.soft(await violations(page), 'a broken link').toEqual([]);
-        await page.getByRole('button', { name: 'Dismiss' }).click();
-        for (const { kind, title } of SHAPES) {
-          await pickShape(page, title);
-          expect.soft(await violations(page), kind).toEqual([]);
-        }
-        await pickShape(page, 'cone');
-        await typeInto(page, 'c', 'abc');
-        await expect(page.getByRole('alert')).toBeVisible();
-        expect.soft(await violations(page), 'a refused text').toEqual([]);
-      });
+for (const viewport of SIZES) {
+  test.describe(`${viewport.width} px`, () => {
+    test.use({ viewport });
+    test('axe finds nothing for any shape, a refused text, a broken link', async ({ page }) => {
+      await open(page, '#/explore?shape=cone&zoom=1');
+      await page.locator('canvas').waitFor();
+      expect.soft(await violationsInThemes(page), 'a broken link').toEqual([]);
+      await page.getByRole('button', { name: 'Dismiss' }).click();
+      for (const { kind, title } of SHAPES) {
+        await pickShape(page, title);
+        expect.soft(await violationsInThemes(page), kind).toEqual([]);
+      }
+      await pickShape(page, 'cone');
+      await typeInto(page, 'c', 'abc');
+      await expect(page.getByRole('alert')).toBeVisible();
+      expect.soft(await violationsInThemes(page), 'a refused text').toEqual([]);
     });
-  }
+  });
 }
 
 test('everything that can be operated has a name', async ({ page }) => {

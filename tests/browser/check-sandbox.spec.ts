@@ -130,7 +130,7 @@ test.describe('messages of any size and number', () => {
     ],
   ] as const) {
     test(`${what}: the run ends, and the page lives`, async ({ page }) => {
-      await openCheck(page, '');
+      await openCheck(page, 'cases=plane');
       await runProgram(page, source);
       const all = await told(page);
       expect(all).toContain(words);
@@ -151,7 +151,7 @@ test('a time cannot be forged, and chance is noticed', async ({ page }) => {
 });
 
 test('a text that is too long is not taken, and nothing is lost', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   await editor(page).fill('// mine');
   const long = '\n'.repeat(LONGEST_PROGRAM + 1);
   await editor(page).fill(long);
@@ -198,7 +198,7 @@ test.describe('a sandbox that cannot be opened', () => {
   ] as const) {
     test(`since it ${what}, is said to be that, and nothing is graded`, async ({ page }) => {
       await page.clock.install();
-      await openCheck(page, '');
+      await openCheck(page, 'cases=plane');
       await page.route('**/sandbox.html', async (route) => {
         // Asked again from the page, after the frame has failed: then the connection is known to be
         // broken.
@@ -233,7 +233,7 @@ for (const [what, line] of [
   ['a bomb of bytes', 'const all = []; for (;;) all.push(new Uint8Array(1e8).fill(1));'],
 ] as const) {
   test(`${what} is ended, and the page lives`, async ({ page }) => {
-    await openCheck(page, '');
+    await openCheck(page, 'cases=plane');
     const source = body(line);
     await runProgram(page, source);
     expect(await told(page)).toContain('no sign of life for a second');
@@ -245,19 +245,19 @@ for (const [what, line] of [
 }
 
 test('a bomb of strings is an error with its line', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   await runProgram(page, body('let s = "x"; for (;;) s += s + s;'));
   expect(await told(page)).toContain('threw in line 2: Invalid string length');
 });
 
 test('a loop before anything begins', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   await runProgram(page, 'for (;;) {}');
   expect(await told(page)).toContain('Stopped at case 1');
 });
 
 test('errors come with the line in the student’s code', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   const source =
     'function helper(x) {\n  return x.nothing.more;\n}\n\nexport function intersect(shape, ray) {\n  return helper({});\n}\n';
   await runProgram(page, source);
@@ -273,7 +273,7 @@ test('errors come with the line in the student’s code', async ({ page }) => {
 });
 
 test('results of a wrong form are named', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   for (const [line, words] of [
     ['return [1, 2];', 'returned an array'],
     ['return 3;', 'returned a number'],
@@ -292,7 +292,7 @@ test('results of a wrong form are named', async ({ page }) => {
 });
 
 test('network, storage, page and top navigation are blocked and named', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   const url = page.url();
   const storage = await page.evaluate(() => JSON.stringify(localStorage));
   for (const [line, words] of [
@@ -352,7 +352,7 @@ test.describe('where the names are gone round', () => {
     });
     const { port } = server.address() as { port: number };
     const url = `http://127.0.0.1:${port}/x.js`;
-    await openCheck(page, '');
+    await openCheck(page, 'cases=plane');
     // The server is there, and would be heard.
     expect(await (await page.request.get(url)).text()).toBe('');
     expect(arrived).toBe(1);
@@ -378,7 +378,7 @@ test('a run can be cancelled', async ({ page }) => {
 });
 
 test('what was typed survives a reload', async ({ page }) => {
-  await openCheck(page, '');
+  await openCheck(page, 'cases=plane');
   await editor(page).fill('// mine\n');
   await page.reload();
   await expect(editor(page)).toHaveValue('// mine\n');

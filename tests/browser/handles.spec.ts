@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
-import { hashOf, open, quantities, settle } from './support/page.ts';
+import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
+import { frames } from './support/pending.ts';
+import { drawn, still } from './support/scene.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 1280, height: 720 } });
@@ -24,17 +26,6 @@ async function openScene(page: Page, hash = START): Promise<void> {
   await open(page, hash);
   await page.locator('.scene-handle').first().waitFor();
   await still(page);
-}
-
-/** Until no frame has been drawn for a while. */
-async function still(page: Page): Promise<void> {
-  let last = -1;
-  await expect(async () => {
-    const frames = Number(await page.locator('[data-frames]').getAttribute('data-frames'));
-    const same = frames === last;
-    last = frames;
-    expect(same && frames > 0).toBe(true);
-  }).toPass({ intervals: [100] });
 }
 
 /** Where a mark or a handle is on the page, by its own translation. */
@@ -333,7 +324,7 @@ test('a drag of a handle does not turn the scene, and a click on one moves nothi
   await openScene(page);
   await drag(page, await spotOf(handle(page, 'V')), 40, 30);
   await page.mouse.up();
-  await page.waitForTimeout(250);
+  await linkWritten(page);
   expect(await hashOf(page)).not.toContain('view=');
   await still(page);
   const { x, y } = await spotOf(handle(page, 'E'));
@@ -348,7 +339,7 @@ test('with a unit d the tip stands at the unit vector, and a drag sets the raw d
   await openScene(page, '#/explore?shape=plane&d=-3,0,-4&unit=1&method=exact');
   await drag(page, await spotOf(handle(page, 'd')), 20, -30);
   await page.mouse.up();
-  await page.waitForTimeout(250);
+  await linkWritten(page);
   const raw =
     /[?&]d=([^&]*)/
       .exec(await hashOf(page))?.[1]
@@ -393,56 +384,58 @@ test('a kept ray is drawn faintly, with its hits and a word', async ({ page }) =
   await expect(page.locator('[data-mark^="ghost"]')).toHaveCount(0);
 });
 
-test('the picture is a PNG at twice the size, with the scene in it', async ({ page }) => {
-  await openScene(page);
-  await page.keyboard.press('e');
-  const saved = page.waitForEvent('download');
-  await page.locator('[data-export="picture-png"] button').click();
-  const png = readFileSync(await (await saved).path()).toString('base64');
-  const seen = await page.evaluate(async (src) => {
-    const image = new Image();
-    image.src = src;
-    await image.decode();
-    const canvas = document.createElement('canvas');
-    [canvas.width, canvas.height] = [image.width, image.height];
-    const context = canvas.getContext('2d');
-    context?.drawImage(image, 0, 0);
-    const data = context?.getImageData(0, 0, image.width, image.height).data ?? [];
-    const count = (ink: readonly number[]): number => {
-      let found = 0;
-      for (let k = 0; k < data.length; k += 4) {
-        if (ink.every((c, i) => Math.abs((data[k + i] ?? 0) - c) < 12)) found++;
-      }
-      return found;
-    };
-    const root = document.querySelector('.scene-root');
-    return {
-      width: image.width / (root?.clientWidth ?? 1),
-      height: image.height / (root?.clientHeight ?? 1),
-      paper: count([0xf3, 0xf1, 0xec]),
-      inks: {
-        E: count([0x0b, 0x41, 0x8f]),
-        ray: count([0xb8, 0x4a, 0x00]),
-        shape: count([0x8c, 0x4b, 0xcb]),
-        hit: count([0x00, 0x5f, 0x58]),
-        normal: count([0xcb, 0x1c, 0x80]),
-      },
-    };
-  }, `data:image/png;base64,${png}`);
-  expect(seen).toMatchObject({ width: 2, height: 2 });
-  expect(seen.paper).toBeGreaterThan(100_000);
-  for (const [ink, pixels] of Object.entries(seen.inks)) expect(pixels, ink).toBeGreaterThan(500);
+test.describe('with the picture', () => {
+  test.use({ ink: true });
+
+  test('the picture is a PNG at twice the size, with the scene in it', async ({ page }) => {
+    await openScene(page);
+    await page.keyboard.press('e');
+    const saved = page.waitForEvent('download');
+    await page.locator('[data-export="picture-png"] button').click();
+    const png = readFileSync(await (await saved).path()).toString('base64');
+    const seen = await page.evaluate(async (src) => {
+      const image = new Image();
+      image.src = src;
+      await image.decode();
+      const canvas = document.createElement('canvas');
+      [canvas.width, canvas.height] = [image.width, image.height];
+      const context = canvas.getContext('2d');
+      context?.drawImage(image, 0, 0);
+      const data = context?.getImageData(0, 0, image.width, image.height).data ?? [];
+      const count = (ink: readonly number[]): number => {
+        let found = 0;
+        for (let k = 0; k < data.length; k += 4) {
+          if (ink.every((c, i) => Math.abs((data[k + i] ?? 0) - c) < 12)) found++;
+        }
+        return found;
+      };
+      const root = document.querySelector('.scene-root');
+      return {
+        width: image.width / (root?.clientWidth ?? 1),
+        height: image.height / (root?.clientHeight ?? 1),
+        paper: count([0xf3, 0xf1, 0xec]),
+        inks: {
+          E: count([0x0b, 0x41, 0x8f]),
+          ray: count([0xb8, 0x4a, 0x00]),
+          shape: count([0x8c, 0x4b, 0xcb]),
+          hit: count([0x00, 0x5f, 0x58]),
+          normal: count([0xcb, 0x1c, 0x80]),
+        },
+      };
+    }, `data:image/png;base64,${png}`);
+    expect(seen).toMatchObject({ width: 2, height: 2 });
+    expect(seen.paper).toBeGreaterThan(100_000);
+    for (const [ink, pixels] of Object.entries(seen.inks)) expect(pixels, ink).toBeGreaterThan(500);
+  });
 });
 
 test('nothing is drawn while a handle is only looked at', async ({ page }) => {
   await openScene(page);
   const { x, y } = await spotOf(handle(page, 'E'));
   await page.mouse.move(x, y);
-  await still(page);
-  const frames = page.locator('[data-frames]');
-  const before = await frames.getAttribute('data-frames');
-  await page.waitForTimeout(800);
-  expect(await frames.getAttribute('data-frames')).toBe(before);
+  const before = await still(page);
+  await frames(page, 30);
+  expect(await drawn(page)).toBe(before);
 });
 
 async function smallestRoom(page: Page): Promise<number> {
@@ -482,7 +475,7 @@ test.describe('on a phone', () => {
     expect(await page.evaluate(() => scrollY)).toBe(0);
     // Its arrows stay, for the next touch.
     await expect(page.locator('.axis-arrow-hit')).not.toHaveCount(0);
-    await page.waitForTimeout(250);
+    await linkWritten(page);
     expect(await hashOf(page), 'the scene has not been turned').not.toContain('view=');
   });
 });

@@ -1,6 +1,15 @@
 import { SHAPES } from '../../src/math/index.ts';
 import { box, expectInLink, slider } from './support/controls.ts';
-import { hashOf, NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import {
+  hashOf,
+  linkWritten,
+  NO_SCENE,
+  open,
+  quantities,
+  settle,
+  withoutScene,
+} from './support/page.ts';
+import { frames } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ provoked: NO_SCENE });
@@ -67,12 +76,12 @@ test('single keys can be switched off, and stay off', async ({ page }) => {
   await page.keyboard.press('Escape');
   await expectInLink(page, { shape: 'cone' });
   await page.keyboard.press('1');
-  await page.waitForTimeout(300);
+  await linkWritten(page);
   await expectInLink(page, { shape: 'cone' });
   await page.reload();
   await page.locator('[data-quantity="class"]').waitFor();
   await page.keyboard.press('2');
-  await page.waitForTimeout(300);
+  await linkWritten(page);
   await expectInLink(page, { shape: 'cone' });
   await page.keyboard.press('PageDown');
   await expect(page.locator('.example-name')).toContainText('one point');
@@ -88,7 +97,8 @@ test('the bead plays, and stands still when it is stopped', async ({ page }) => 
   await page.keyboard.press('b');
   await settle(page);
   const rest = await beadAt(page);
-  await page.waitForTimeout(300);
+  // While it plays it moves with every frame.
+  await frames(page, 20);
   expect(await beadAt(page)).toBe(rest);
 });
 

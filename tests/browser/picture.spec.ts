@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { EFFECTS } from '../../src/scene/effects/index.ts';
 import { findPreset } from '../../src/scene/presets/index.ts';
+import { RAY_KINDS } from '../../src/tracer/types.ts';
 import { expectInLink } from './support/controls.ts';
 import { linkWritten, settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -70,17 +72,20 @@ test('glass cone on a mirror: a picture and what it cost; without the mirror its
 
 test('rows add up: rays and roots of camera and effects are the picture’s', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=everything&light=4`);
+  const named = await page
+    .locator(':is(.ledger .entry:not(.total), .idle [data-effect])')
+    .evaluateAll((rows) => rows.map((row) => row.getAttribute('data-effect') ?? ''));
+  expect(named.sort()).toEqual(['camera', ...EFFECTS.map(({ id }) => id)].sort());
   for (const quantity of ['rays', 'solves']) {
     const parts = await page
       .locator(`.ledger .entry:not(.total) [data-quantity="${quantity}"]`)
       .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
-    expect(parts.length).toBe(9);
     expect(parts.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', quantity));
   }
   const kinds = await page
     .locator('.ledger-kinds [data-quantity^="rays."]:not([data-quantity="rays.saved"])')
     .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
-  expect(kinds).toHaveLength(4);
+  expect(kinds).toHaveLength(RAY_KINDS.length);
   expect(kinds.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', 'rays'));
 });
 
@@ -416,17 +421,17 @@ test.describe('on a phone', () => {
   });
 });
 
-for (const width of [600, 768, 1000, 1024, 1100, 1920]) {
-  test(`nothing sticks out to the side at ${width} px`, async ({ page }) => {
+test('nothing sticks out to the side at any width', async ({ page }) => {
+  await openPicture(
+    page,
+    `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none&split=100`,
+  );
+  for (const width of [600, 768, 1000, 1024, 1100, 1920]) {
     await page.setViewportSize({ width, height: 800 });
-    await openPicture(
-      page,
-      `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none&split=100`,
-    );
-    const seen = await page.evaluate(() => document.scrollingElement?.scrollWidth);
-    expect(seen).toBe(width);
-  });
-}
+    await settle(page);
+    expect.soft(await page.evaluate(() => document.scrollingElement?.scrollWidth)).toBe(width);
+  }
+});
 
 test.describe('without WebGL', () => {
   test('the list of rays and their lines in space are there', async ({ page }) => {

@@ -10,10 +10,11 @@ import {
   settle,
   withoutScene,
 } from './support/page.ts';
-import { middleOf, openScene, picture, still } from './support/scene.ts';
+import { frames, framesAsked } from './support/pending.ts';
+import { drawn, middleOf, openScene, picture, still } from './support/scene.ts';
 import { expect, test } from './support/test.ts';
 
-test.use({ viewport: { width: 940, height: 700 } });
+test.use({ viewport: { width: 940, height: 700 }, ink: true });
 
 const START = '#/explore?shape=cone&method=exact';
 
@@ -52,16 +53,6 @@ test.describe('without the picture', () => {
     await press(page, page.locator('.graph-bead'), 'ArrowRight');
     await expectInLink(page, { E: '4,1,1' });
   });
-});
-
-test('without WebGL the lines are drawn, and a sentence says so', async ({ page }) => {
-  await page.addInitScript(() => {
-    HTMLCanvasElement.prototype.getContext = () => null;
-  });
-  await open(page, START);
-  await expect(page.locator('.scene-notes')).toContainText('no WebGL');
-  await expect(page.locator('.scene-fallback path').first()).toBeAttached();
-  expect((await quantities(page)).class).toBe('two');
 });
 
 test('the five views', async ({ page }) => {
@@ -113,24 +104,15 @@ test('the scene is turned by mouse, wheel and keys', async ({ page }) => {
 });
 
 test('nothing is drawn while nothing changes', async ({ page }) => {
-  await page.addInitScript(() => {
-    const counter = globalThis as unknown as { asked: number };
-    counter.asked = 0;
-    const ask = globalThis.requestAnimationFrame.bind(globalThis);
-    globalThis.requestAnimationFrame = (draw) => {
-      counter.asked++;
-      return ask(draw);
-    };
-  });
   await openScene(page, START);
   const idle = async (): Promise<number> => {
-    const frames = await still(page);
-    const asked = () => page.evaluate(() => (globalThis as unknown as { asked: number }).asked);
-    const before = await asked();
-    await page.waitForTimeout(1000);
-    expect(await asked()).toBe(before);
-    expect(Number(await page.locator('[data-frames]').getAttribute('data-frames'))).toBe(frames);
-    return frames;
+    const before = await still(page);
+    await linkWritten(page);
+    const asked = await framesAsked(page);
+    await frames(page, 60);
+    expect(await framesAsked(page)).toBe(asked);
+    expect(await drawn(page)).toBe(before);
+    return before;
   };
   const first = await idle();
   await slider(page, 'E.x').press('ArrowRight');

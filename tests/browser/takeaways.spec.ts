@@ -67,15 +67,19 @@ test('GLSL compiles in WebGL2, for every preset', async ({ page }) => {
   expect(faults).toEqual([]);
 });
 
-test('the graph as SVG and the picture as PNG are whole', async ({ page }) => {
-  await open(page, LINK);
-  await page.locator('canvas').waitFor();
-  const drawing = (await saved(page, 'graph-svg')).toString('utf8');
-  expect(drawing).toMatch(/^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
-  expect(drawing).not.toMatch(/NaN|var\(--|undefined/);
-  const png = await saved(page, 'picture-png');
-  expect(png.subarray(1, 4).toString()).toBe('PNG');
-  expect(await colours(page, png.toString('base64'))).toBeGreaterThan(200);
+test.describe('with the picture', () => {
+  test.use({ ink: true });
+
+  test('the graph as SVG and the picture as PNG are whole', async ({ page }) => {
+    await open(page, LINK);
+    await page.locator('canvas').waitFor();
+    const drawing = (await saved(page, 'graph-svg')).toString('utf8');
+    expect(drawing).toMatch(/^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+    expect(drawing).not.toMatch(/NaN|var\(--|undefined/);
+    const png = await saved(page, 'picture-png');
+    expect(png.subarray(1, 4).toString()).toBe('PNG');
+    expect(await colours(page, png.toString('base64'))).toBeGreaterThan(200);
+  });
 });
 
 /** How many different colours a picture has: a blank one has one. */

@@ -5,17 +5,16 @@ import { createDerive } from '../../src/state/derive.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { shortest } from '../../src/text/format.ts';
-
-/** Longer than the page takes to write its link. */
-const SETTLE_MS = 350;
+import { frames, timersDone } from '../browser/support/pending.ts';
 
 /**
- * Null if the page is whole: no word of NaN, and every number on it is the math module's for the
- * state in its link.
+ * Of a page with `countPending`. Null if the page is whole: no word of NaN, and every number on it
+ * is the math module's for the state in its link.
  */
 export async function pageTruth(page: Page, errors: readonly string[]): Promise<string | null> {
   if (errors.length > 0) return `errors at ${page.url()}: ${errors.join('\n')}`;
-  await page.waitForTimeout(SETTLE_MS);
+  await frames(page, 2);
+  await timersDone(page);
   const { hash, shown, words, boxes, playing } = await page.evaluate(() => ({
     playing: document.querySelector('.ray-tool[aria-pressed="true"]')?.textContent === 'stop',
     hash: location.hash,

@@ -2,6 +2,7 @@
 // wanted.
 import { parseArgs } from 'node:util';
 import { chromium } from '@playwright/test';
+import { countPending } from '../browser/support/pending.ts';
 import { serveSite } from '../serve-site.ts';
 import { pageTruth } from './page-truth.ts';
 import { prepare, randomUser } from './random-user.ts';
@@ -31,6 +32,7 @@ async function fuzz(url: string): Promise<number> {
   const page = await context.newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  await page.addInitScript(countPending);
   await prepare(page);
   await page.goto(url);
   const result = await randomUser(

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import { frames, timersDone } from './pending.ts';
 import { expect } from './test.ts';
 
 export const SCENE_CHUNK = /\/scene-[^/]*\.js$/;
@@ -17,19 +18,13 @@ export type Shown = Record<string, string>;
 
 /** Until what was asked for stands on the page: the state is drawn in the next animation frame. */
 export async function settle(page: Page): Promise<void> {
-  await page.evaluate(
-    () =>
-      new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))),
-  );
+  await frames(page, 2);
 }
 
-/**
- * Until the page has had the time to write its own form of the link; by the page's own clock, which
- * a busy machine slows.
- */
+/** Until the page has written its own form of the link, which it does by a timer after a change. */
 export async function linkWritten(page: Page): Promise<void> {
   await settle(page);
-  await page.evaluate(() => new Promise<void>((done) => setTimeout(done, 200)));
+  await timersDone(page);
 }
 
 /**

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { open } from './page.ts';
+import { framesDone } from './pending.ts';
 import { expect } from './test.ts';
 
 export async function openScene(page: Page, hash: string): Promise<void> {
@@ -8,16 +9,16 @@ export async function openScene(page: Page, hash: string): Promise<void> {
   await still(page);
 }
 
-/** Until no frame has been drawn for a while. */
+/** Until the scene is drawn and nothing moves; how often it has been drawn. */
 export async function still(page: Page): Promise<number> {
-  let last = -1;
-  await expect(async () => {
-    const frames = Number(await page.locator('[data-frames]').getAttribute('data-frames'));
-    const same = frames === last;
-    last = frames;
-    expect(same && frames > 0).toBe(true);
-  }).toPass({ intervals: [120] });
-  return last;
+  await expect(page.locator('[data-frames]')).toHaveAttribute('data-frames', /[1-9]/);
+  await framesDone(page);
+  return drawn(page);
+}
+
+/** How often the scene has been drawn. */
+export async function drawn(page: Page): Promise<number> {
+  return Number(await page.locator('[data-frames]').getAttribute('data-frames'));
 }
 
 /** What the canvas itself shows, without what lies over it. */

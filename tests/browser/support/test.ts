@@ -1,4 +1,5 @@
 import { test as base, expect } from '@playwright/test';
+import { countPending } from './pending.ts';
 
 export { expect };
 
@@ -6,7 +7,19 @@ export { expect };
 const DRIVER_REMARK =
   /^\[\.WebGL-0x[0-9a-f]+\] ?GL Driver Message \(OpenGL, Performance, GL_CLOSE_PATH_NV, High\): GPU stall due to ReadPixels/;
 
+/**
+ * Software rendering takes most of a test's time. Where nobody looks at the pixels, the scene does
+ * all but fill triangles: it is loaded, lays out, counts its frames and moves its handles.
+ */
+function withoutInk(): void {
+  const { prototype } = WebGL2RenderingContext;
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'])
+    Object.defineProperty(prototype, name, { value: () => undefined });
+}
+
 interface Strict {
+  /** Whether the canvas of the scene is filled. */
+  ink: boolean;
   /** What a test provokes on purpose and may therefore appear on the console. */
   provoked: RegExp | null;
   /** Everything that went wrong so far; a test may look at it before its end. */
@@ -19,8 +32,11 @@ interface Strict {
  */
 export const test = base.extend<Strict>({
   provoked: [null, { option: true }],
+  ink: [false, { option: true }],
   complaints: [
-    async ({ context, baseURL, provoked }, use) => {
+    async ({ context, baseURL, provoked, ink }, use) => {
+      await context.addInitScript(countPending);
+      if (!ink) await context.addInitScript(withoutInk);
       const complaints: string[] = [];
       const complain = (text: string): void => {
         if (!DRIVER_REMARK.test(text) && !provoked?.test(text)) complaints.push(text);

@@ -89,7 +89,7 @@ describe('through an exact tangent of whole numbers', () => {
   });
 });
 
-/** E − C and d as exact numbers, with the moment and the forms of docs/NUMERICS.md, section 2, written out. */
+/** E − C and d as exact numbers, with moment and forms (docs/NUMERICS.md, 2) written out. */
 function exactly({ shape, ray }: Question) {
   const { add, sub, mul, sqr, of } = numbers;
   const center =
