@@ -36,17 +36,32 @@ export function derivationFor({ exercise, draft, fields, given }: Posed): Deriva
   return derivationOf(fields, courseOf(draft.shape), draft.watch, answers);
 }
 
-/** Far more draws than any exercise was seen to need; a generator that needs more is broken. */
-const MAX_DRAWS = 200_000;
+/**
+ * Random numbers for one question. The most that was seen is 200,000 (tangent, hyperboloid); an
+ * exercise that needs more than this cannot be posed, and says so within seconds.
+ */
+const MOST_NUMBERS = 3_000_000;
 
-/** The same question for the same seed everywhere. */
+/**
+ * The same question for the same seed everywhere. Throws RangeError for a kind of shape that the
+ * exercise cannot be posed about.
+ */
 export function pose(exercise: Exercise, kind: ShapeKind, seed: number, level: Level): Posed {
-  const random = seeded(seed);
-  for (let i = 0; i < MAX_DRAWS; i++) {
+  const random = atMost(MOST_NUMBERS, seeded(seed), () => {
+    throw new RangeError(`no input for ${exercise.id}, ${kind}, seed ${seed}`);
+  });
+  for (;;) {
     const posed = tryPose(exercise, kind, level, random);
     if (posed) return posed;
   }
-  throw new RangeError(`no input for ${exercise.id}, ${kind}, seed ${seed}`);
+}
+
+function atMost(most: number, random: Random, exceeded: () => never): Random {
+  let count = 0;
+  return () => {
+    count++;
+    return count > most ? exceeded() : random();
+  };
 }
 
 function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Random): Posed | null {

@@ -5,7 +5,7 @@ import { type Answers, choiceField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { byParam, quadraticWords } from './by-param.ts';
 import { CASES, type Draft, type Exercise } from './define.ts';
-import { drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
+import { drawInput, drawUntil, kindsOf, mayBeStraight, numberOf } from './draw.ts';
 import { numberParams, withParam } from './params.ts';
 import { caseWords } from './words.ts';
 
@@ -19,7 +19,7 @@ export const crossing: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   draw(random, kind, level) {
-    const bySlope = random() < 0.5;
+    const bySlope = random() < 0.5 && mayBeStraight(kind);
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => {

@@ -1,9 +1,9 @@
 import { float64 } from '../../math/arithmetic/float64.ts';
 import { evaluateTriple } from '../../math/formula/evaluate.ts';
 import { valuesOf } from '../../math/methods/tree-method.ts';
-import { integer, pick, type Random } from '../../math/rng.ts';
+import { integer, pick, type Random, seeded } from '../../math/rng.ts';
 import { SHAPES, type Shape, type ShapeKind } from '../../math/shapes/index.ts';
-import { findShape } from '../../math/shapes/lookup.ts';
+import { definitionOf, findShape } from '../../math/shapes/lookup.ts';
 import type { Param } from '../../math/shapes/params.ts';
 import { AXES, type Axis, type Vec3 } from '../../math/vec3.ts';
 import { courseOf } from '../course.ts';
@@ -75,6 +75,12 @@ export function kindsOf(family: 'curved' | 'flat'): ShapeKind[] {
     return courseOf({ kind, ...initial } as unknown as Shape).family === family;
   });
 }
+
+/** Whether A may be 0: on a sphere it never is. */
+export const mayBeStraight = (kind: ShapeKind): boolean => {
+  const shape = drawShape(seeded(1), kind, 1);
+  return definitionOf(shape).named(shape).straight !== null;
+};
 
 const DENOMINATORS = [1, 2, 3, 4, 5, 6, 8, 10];
 

@@ -1,19 +1,18 @@
-import { seeded } from '../../math/rng.ts';
-import type { ShapeKind } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { choiceField, mayBeAbsent, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { CASES, type Exercise } from './define.ts';
-import { allClean, chosen, drawInput, drawShape, drawUntil, kindsOf, numberOf } from './draw.ts';
+import {
+  allClean,
+  chosen,
+  drawInput,
+  drawUntil,
+  kindsOf,
+  mayBeStraight,
+  numberOf,
+} from './draw.ts';
 import { caseWords } from './words.ts';
-
-/** Whether A may be 0: on a sphere it never is. */
-const mayBeStraight = (kind: ShapeKind): boolean => {
-  const shape = drawShape(seeded(1), kind, 1);
-  return definitionOf(shape).named(shape).straight !== null;
-};
 
 /** A = 0 for a curved shape: a line, with one root or none. */
 export const linear: Exercise = {

@@ -78,7 +78,7 @@ function viewSize({ camera: { eye, target, angle } }: Scene): number {
   return Number((half / 4).toPrecision(1));
 }
 
-/** A grey shape in the middle of the picture, of a size that is seen. */
+/** A grey shape in the middle of the picture, of a size that is seen; cut off where it has no end. */
 export function newThing(scene: Scene, kind: ShapeKind): Placed {
   const unit = viewSize(scene);
   const { target } = scene.camera;
@@ -90,7 +90,8 @@ export function newThing(scene: Scene, kind: ShapeKind): Placed {
   });
   const shape = { ...initial, ...Object.fromEntries(params) } as Shape;
   const id = freeId(scene, kind);
-  if (!canBeCapped(shape)) return { id, shape, material: GREY };
+  const ends = definitionOf(shape).body.box(shape, null) !== null;
+  if (ends || !canBeCapped(shape)) return { id, shape, material: GREY };
   const between = [target[1] - unit, target[1] + unit] as const;
   return { id, shape, material: GREY, between, capped: true };
 }

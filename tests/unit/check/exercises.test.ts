@@ -133,6 +133,34 @@ describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
   },
 );
 
+describe('posing ends', () => {
+  test.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
+    '%s, for each of its shapes at each level',
+    (_, exercise) => {
+      for (const kind of exercise.kinds) {
+        for (const level of [1, 2, 3] as const) {
+          expect(pose(exercise, kind, 613 * level, level).draft.shape.kind).toBe(kind);
+        }
+      }
+    },
+  );
+
+  test('also where there is nothing to pose, within one draw or over many', () => {
+    const [exercise] = EXERCISES;
+    if (!exercise) throw new RangeError('no exercises');
+    const never = (random: () => number): null => {
+      random();
+      return null;
+    };
+    const forEver = (random: () => number): never => {
+      for (;;) random();
+    };
+    for (const draw of [never, forEver]) {
+      expect(() => pose({ ...exercise, draw }, 'plane', 1, 1)).toThrow('no input for flat, plane');
+    }
+  });
+});
+
 describe('the opposite ray and the swapped roots', () => {
   const posedAs = (id: string): Posed[] => {
     const exercise = EXERCISES.find((one) => one.id === id);

@@ -47,6 +47,16 @@ describe('what is added', () => {
     expect(sceneFromJson(sceneToJson(next))).toEqual(next);
   });
 
+  test('is whole where it ends by itself: only what goes on for ever is cut off', () => {
+    for (const { scene } of PRESETS) {
+      for (const { kind } of SHAPES) {
+        const { shape, between } = newThing(scene, kind);
+        const ends = definitionOf(shape).body.box(shape, null) !== null;
+        if (ends) expect([kind, between]).toEqual([kind, undefined]);
+      }
+    }
+  });
+
   test('is called something that nothing else is called', () => {
     for (const { scene } of PRESETS) {
       const ids = [...scene.things, ...scene.lights].map(({ id }) => id);
