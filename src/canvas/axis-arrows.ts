@@ -11,13 +11,11 @@ import type { Theme } from './theme.ts';
 
 /** Length of an arrow where it is seen in full, in pixels at scale 1. */
 export const ARROW_LENGTH = 50;
-/**
- * One that leads to the eye or away is drawn longer than it is, so that it can be taken; from here
- * on it is left out.
- */
+/** Least drawn length, in px at scale 1, of an arrow that is foreshortened. */
 const MIN_LENGTH = 34;
+/** An arrow whose true length on the screen is less, in px at scale 1, is not drawn. */
 const HIDDEN_BELOW = 9;
-/** They begin outside of the mark. */
+/** Where an arrow begins: so far from the handle's middle, in px at scale 1, clear of its mark. */
 const START = 12;
 
 interface AxisArrow {
@@ -41,7 +39,7 @@ function axisArrows(place: Point, projection: Projection, scale: number): (AxisA
   });
 }
 
-/** For labels to keep off; the letter at the end included. */
+/** What labels must not cover: each arrow, and the letter at its end. */
 export function axisArrowSegments(
   { place }: HandlePlace,
   projection: Projection,
@@ -56,7 +54,9 @@ export function axisArrowSegments(
   });
 }
 
-/** Three arrows along the axes of the world; what is taken by one moves along it. */
+/**
+ * Draws three arrows along the world's axes. Dragging one moves the handle along that axis only.
+ */
 export function drawAxisArrows(
   layer: Layer,
   { handle, place }: HandlePlace,
@@ -89,7 +89,7 @@ export function drawAxisArrows(
   }
 }
 
-/** To the side of the axis that stays in the frame. */
+/** The end of an arrow: on the side of the axis that stays in the frame. */
 function endOf(
   place: Point,
   axis: number,

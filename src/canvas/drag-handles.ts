@@ -11,7 +11,7 @@ import { heading, isInside } from './off-screen-pointer.ts';
 import type { Projection } from './projection.ts';
 import type { Theme } from './theme.ts';
 
-/** The head of d lies so far behind its tip. */
+/** Distance in px from the tip of d back to the middle of its arrow head. */
 const BEHIND_TIP = 9;
 
 const ROOM: readonly Part[] = [

@@ -8,7 +8,7 @@ import type { Projection } from './projection.ts';
 import { axisOffers, type Modifiers, type Snapped, snapDrag } from './snap-drag.ts';
 import type { StageUnits } from './stage-units.ts';
 
-/** So many pixels make a drag; less is a click, or a finger that trembles. */
+/** Pixels that the pointer must move before a press is a drag; less is a click. */
 const DRAG_THRESHOLD = 3;
 
 /** What the scene shows of the handles. */
@@ -25,7 +25,7 @@ export interface DragContext {
   units(): StageUnits;
   projection(): Projection;
   dispatch: Dispatch;
-  /** The picture stands still from now on, until it is let go. */
+  /** Keeps camera and stage fixed until `release`. */
   hold(): void;
   release(): void;
   changed(): void;

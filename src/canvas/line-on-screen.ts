@@ -2,24 +2,24 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { Projection } from './projection.ts';
 import { along, dot, type Point } from './stage-units.ts';
 
-/** Along a straight line through a point of the picture. */
+/** A straight line through a point of the scene, as it is seen: pixels along it to lengths. */
 export interface LineOnScreen {
-  /** On the screen, of length 1. */
+  /** The line's direction on the screen, of length 1. */
   readonly course: readonly [number, number];
   /** Pixels per stage unit at the point. */
   readonly scale: number;
-  /** How far along the line, in stage units, so many pixels along its course are. */
+  /** Length along the line, in stage units, of so many pixels along `course`. */
   reach(pixels: number): number;
 }
 
 /**
- * Foreshortened to less than this, a line leads to the eye: it then moves as if it were seen at
- * this length.
+ * Least ratio of seen to true length. A line that is foreshortened more, because it leads to the
+ * eye, is treated as if it had this ratio.
  */
 const MIN_FORESHORTENING = 0.12;
-/** Towards its vanishing point a line is drawn ever closer: from here on evenly. */
+/** Least ratio of the scale near the vanishing point to the scale at the handle. */
 const MIN_CLOSING = 0.1;
-/** No drag leads farther than this, in stage radii. */
+/** Longest drag, in stage radii. */
 const MAX_REACH = 4;
 
 export function lineOnScreen(place: Point, direction: Vec3, projection: Projection): LineOnScreen {

@@ -2,10 +2,11 @@ import type { Vec3 } from '../math/vec3.ts';
 import { type Pose, radians } from './camera.ts';
 import { along, dot, type Point } from './stage-units.ts';
 
+/** Vertical field of view, in degrees. */
 const FOV = 24;
-/** Distance of the camera, in stage radii, at zoom 1: the stage fills the frame's width. */
+/** Distance of the camera at zoom 1, in stage radii: the stage then fills the frame's width. */
 const DISTANCE = 2.9;
-/** In a frame narrower than this the width decides, not the height. */
+/** Width over height below which the frame's width sets the camera's distance, not its height. */
 const WIDEST_TALL = 1.6;
 
 /**

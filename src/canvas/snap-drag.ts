@@ -26,11 +26,11 @@ export interface Modifiers {
 export interface Snapped {
   readonly value: Value;
   readonly reason: string | null;
-  /** What it is held by, for the next time. */
+  /** Key of the offer that it snapped to, for the next move; null if none. */
   readonly held: string | null;
 }
 
-/** A number's step is never this many pixels apart: seen from near, its grid is finer. */
+/** Largest distance in px between two snap positions of a number's handle. */
 const MAX_STEP_PX = 12;
 
 /** Where a drag that has come to (dx, dy) leaves the value: at what it snaps to, or on the grid. */

@@ -37,7 +37,7 @@ const SAME_PIXELS = 0.02;
 
 const data: number[] = [];
 
-/** Projects a stroke and hands its visible pieces to the pen. `nearer` as in Lens.project. */
+/** Projects a stroke and hands its visible pieces to the pen. `nearer` as in Projection.project. */
 export function paint(stroke: Stroke, projection: Projection, pen: Pen, nearer = 0): void {
   const { points, fade } = stroke;
   const total = points.length / 3;

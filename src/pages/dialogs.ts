@@ -49,7 +49,7 @@ function exportDialog({ exports, tools, say }: DialogParts): () => void {
   const content = (): TemplateResult => {
     if (items === 'loading') return html`<p role="status">loading…</p>`;
     if (items === 'failed') return notLoaded('What can be copied or saved did not come.', load);
-    return exportContent(items, { copy, keep, ...actions });
+    return exportContent(items, { copy, saveItem, ...actions });
   };
   const dialog = createDialog('File and export', content);
   const put = (next: typeof items): void => {
@@ -74,7 +74,7 @@ function exportDialog({ exports, tools, say }: DialogParts): () => void {
     dialog.close();
     say(copied ? `copied: ${title}` : 'it could not be copied: save it instead');
   };
-  const keep = async ({ file, type, text, blob, title }: ExportItem): Promise<void> => {
+  const saveItem = async ({ file, type, text, blob, title }: ExportItem): Promise<void> => {
     const content = text ? text() : await blob?.();
     dialog.close();
     if (content) download(file, content, type);

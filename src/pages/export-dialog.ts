@@ -14,7 +14,7 @@ export interface ExportItem {
 
 export interface ExportActions {
   readonly copy: (item: ExportItem) => void;
-  readonly keep: (item: ExportItem) => void;
+  readonly saveItem: (item: ExportItem) => void;
   readonly save: () => void;
   readonly openFile: () => void;
   readonly print: () => void;
@@ -38,7 +38,7 @@ export function exportContent(
           (item) => html`<tr data-export=${item.id}>
             <th scope="row">${item.title}</th>
             <td>${item.text ? html`<button type="button" class="button" aria-label=${`Copy ${item.title}`} @click=${() => actions.copy(item)}>Copy</button>` : ''}</td>
-            <td><button type="button" class="button" aria-label=${`Save ${item.title}`} @click=${() => actions.keep(item)}>Save</button></td>
+            <td><button type="button" class="button" aria-label=${`Save ${item.title}`} @click=${() => actions.saveItem(item)}>Save</button></td>
           </tr>`,
         )}
       </tbody>

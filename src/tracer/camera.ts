@@ -8,7 +8,7 @@ import type { Tile, TraceSettings } from './types.ts';
  * The camera's three directions, the sideways ones as long as half the picture's width and height
  * at distance 1.
  */
-export interface Lens {
+export interface CameraAxes {
   readonly eye: Vec3;
   readonly ahead: Vec3;
   readonly right: Vec3;
@@ -17,7 +17,11 @@ export interface Lens {
   readonly medium: number;
 }
 
-export function lensOf({ eye, target, angle }: Camera, aspect: number, medium = -1): Lens {
+export function cameraAxes(
+  { eye, target, angle }: Camera,
+  aspect: number,
+  medium = -1,
+): CameraAxes {
   const ahead = unit([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
   // Looking straight up or down, the picture's top is where z points away.
   const steep = ahead[0] === 0 && ahead[2] === 0;
@@ -47,12 +51,12 @@ export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32A
 
 /** Puts the camera rays of these pixels into the wave, a pixel's rays one after the other. */
 export function fireCamera(
-  lens: Lens,
+  axes: CameraAxes,
   { width, height, samples }: TraceSettings,
   pixels: ArrayLike<number>,
   wave: Wave,
 ): void {
-  const { eye, ahead, right, up, medium } = lens;
+  const { eye, ahead, right, up, medium } = axes;
   const side = Math.round(Math.sqrt(samples));
   const { rays } = wave;
   let j = 0;

@@ -2,7 +2,7 @@ import { EFFECTS } from '../scene/effects/index.ts';
 import { planEffects, shownScene } from '../scene/effects/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import type { Part } from './book.ts';
-import { fireCamera, lensOf, pixelsOf } from './camera.ts';
+import { cameraAxes, fireCamera, pixelsOf } from './camera.ts';
 import { level } from './colour.ts';
 import { addLedgers, EMPTY_LEDGER } from './ledger.ts';
 import { mediumAt } from './medium.ts';
@@ -52,14 +52,14 @@ export function tracerOf(
 ): Tracer {
   const engine = createEngine(scene, settings, parts, clock, unseen);
   const { camera } = scene;
-  const lens = lensOf(camera, settings.width / settings.height, mediumAt(scene, camera.eye));
+  const axes = cameraAxes(camera, settings.width / settings.height, mediumAt(scene, camera.eye));
   return {
     parts,
-    trace: (tile) => traceTile(engine, lens, settings, tile),
+    trace: (tile) => traceTile(engine, axes, settings, tile),
     record(x, y) {
       const recorder = createRecorder(scene);
       const wave = engine.camera(settings.samples);
-      fireCamera(lens, settings, [y * settings.width + x], wave);
+      fireCamera(axes, settings, [y * settings.width + x], wave);
       engine.follow(wave, new Float64Array(3 * settings.samples), recorder);
       return recorder.treeOf(x, y);
     },
@@ -68,7 +68,7 @@ export function tracerOf(
 
 function traceTile(
   engine: Engine,
-  lens: ReturnType<typeof lensOf>,
+  axes: ReturnType<typeof cameraAxes>,
   settings: TraceSettings,
   tile: Tile,
 ): TileResult {
@@ -83,7 +83,7 @@ function traceTile(
   for (let first = 0; first < pixels.length; first += each) {
     const some = pixels.subarray(first, first + each);
     const wave = engine.camera(some.length * samples);
-    fireCamera(lens, settings, some, wave);
+    fireCamera(axes, settings, some, wave);
     film.fill(0);
     ledger = addLedgers(ledger, engine.follow(wave, film));
     develop(film, samples, some.length, rgba.subarray(4 * first));

@@ -7,7 +7,7 @@ import { everything } from '../../src/scene/presets/everything.ts';
 import { hundred } from '../../src/scene/presets/hundred.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { fireCamera, lensOf, pixelsOf } from '../../src/tracer/camera.ts';
+import { cameraAxes, fireCamera, pixelsOf } from '../../src/tracer/camera.ts';
 import { createFinder } from '../../src/tracer/find.ts';
 import { newTally, totalOf } from '../../src/tracer/ledger.ts';
 import { prepareTracer } from '../../src/tracer/prepare.ts';
@@ -121,7 +121,7 @@ for (const count of [1, 2, 4, 6, 8, 12, 25, 100]) {
   const settings = { ...DEFAULT_SETTINGS, width: 160, height: 90 };
   const wave = createWave(settings.width * settings.height);
   const pixels = pixelsOf({ y0: 0, y1: 90, step: 1, refines: false }, 160);
-  fireCamera(lensOf(scene.camera, 16 / 9), settings, pixels, wave);
+  fireCamera(cameraAxes(scene.camera, 16 / 9), settings, pixels, wave);
   const cells = [Number.POSITIVE_INFINITY, 0].map((least) => {
     const effect = { body: heights, clock: () => 0, spend: () => {} };
     const finder = createFinder(targets, { rule: 'from' }, effect, least);

@@ -4,7 +4,7 @@ import { changeThing } from '../../scene/edit.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';
 import { isPlace, withParam } from '../../state/picture/edits.ts';
-import { lensOf } from '../../tracer/camera.ts';
+import { cameraAxes } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
 /** A thing that is held in the picture, by the point that was seen there. */
@@ -26,7 +26,7 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Drag
   const thing = surface && scene.things[surface.thing];
   const t = seen.t[pixel] ?? Number.NaN;
   if (!thing || Number.isNaN(t)) return null;
-  const { ahead, right, up } = lensOf(scene.camera, width / height);
+  const { ahead, right, up } = cameraAxes(scene.camera, width / height);
   const u = (2 * (Math.floor(x) + 0.5)) / width - 1;
   const v = 1 - (2 * (Math.floor(y) + 0.5)) / height;
   const way = ahead.map((a, i) => a + u * (right[i] ?? 0) + v * (up[i] ?? 0));
@@ -39,7 +39,7 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Drag
  */
 export function dragTo(held: DraggedThing, x: number, y: number): (now: Scene) => Scene {
   const { scene, id, width, height, from, depth } = held;
-  const { right, up } = lensOf(scene.camera, width / height);
+  const { right, up } = cameraAxes(scene.camera, width / height);
   const du = (2 * (x - from[0]) * depth) / width;
   const dv = (-2 * (y - from[1]) * depth) / height;
   const pixel = (2 * depth * Math.hypot(...up)) / height;

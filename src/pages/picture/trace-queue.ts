@@ -80,7 +80,7 @@ export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): 
   const start = (request: TraceRequest): void => {
     const job = open().start(request.scene, request.settings, {
       progress(state) {
-        // A job that was replaced may still have a word on its way.
+        // A job that was replaced may still post a message.
         if (running !== null && running.request !== request) return;
         seen.set(request.key, state);
         if (state.state !== 'loading' && state.state !== 'tracing') {

@@ -64,7 +64,7 @@ function curved({ A, B, C, normal }: CurvedFormula): Program {
       put('C', C),
       put('D', DISCRIMINANT),
       when({ is: 'zero', name: 'A' }, ...LINEAR),
-      // An A that was lost has taken D with it.
+      // If A overflowed, D is NaN as well.
       undecidedIfLost('D'),
       when({ is: 'negative', name: 'D' }, answer('none')),
       when({ is: 'zero', name: 'D' }, ...single('tangent', DOUBLE_ROOT)),
