@@ -11,7 +11,6 @@ import { announcement } from './state/announce.ts';
 import type { CloserLook } from './state/closer-look.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
 import { exampleOf } from './state/example.ts';
-import { fromFile, toFile } from './state/file.ts';
 import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
 import { createStore } from './state/store.ts';
@@ -61,7 +60,8 @@ const tools: PageActions = {
     const copied = await copyText(location.href);
     say(copied ? 'link copied' : 'the link could not be copied: it is in the address bar');
   },
-  save: () => download('graze.json', toFile(store.get()), 'application/json'),
+  save: () =>
+    withFiles(({ toFile }) => download('graze.json', toFile(store.get()), 'application/json')),
   openFile: async () => openText(await pickFile('.json,application/json')),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
@@ -124,6 +124,8 @@ function loadCloserLook(): void {
     });
 }
 
+const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
+
 let dialogs: Promise<Dialogs> | null = null;
 /** Their code is loaded when the first of them is asked for. */
 function openDialog(name: keyof Dialogs): void {
@@ -134,7 +136,7 @@ function openDialog(name: keyof Dialogs): void {
     (made) => made[name](),
     () => {
       dialogs = null;
-      say('this could not be loaded: try it again, or reload the page');
+      sayNotLoaded();
     },
   );
 }
@@ -262,11 +264,18 @@ function say(words: string): void {
 function openText(text: string | null): void {
   if (text === null) return;
   if (pages.current()?.open?.(text)) return;
-  const opened = fromFile(text);
-  if (opened.ok) {
-    store.dispatch({ type: 'open', state: opened.state });
-    readShown();
-  } else store.dispatch({ type: 'say', problems: [opened.reason] });
+  withFiles(({ fromFile }) => {
+    const opened = fromFile(text);
+    if (opened.ok) {
+      store.dispatch({ type: 'open', state: opened.state });
+      readShown();
+    } else store.dispatch({ type: 'say', problems: [opened.reason] });
+  });
+}
+
+/** What reads and writes files is loaded when the first one is saved or opened. */
+function withFiles(use: (files: typeof import('./state/file.ts')) => void): void {
+  late(() => import('./state/file.ts')).then(use, sayNotLoaded);
 }
 
 store.subscribe(() => {

@@ -40,7 +40,18 @@ export function helpContent(
     ${HELP[page]}
     <h3>Links and files</h3>
     <p>The address holds the whole state and can be written by hand. A saved state can be dropped on the page.</p>
+    ${licences()}
   </div>`;
+}
+
+/** The offline file holds the licences itself; a site has them in a file beside it. */
+function licences(): TemplateResult {
+  const kept = document.getElementById('third-party');
+  if (kept instanceof HTMLTemplateElement) {
+    return html`<details class="licences"><summary>Licences of the packages and the font in this file</summary>
+      <pre tabindex="0">${kept.content.textContent}</pre></details>`;
+  }
+  return html`<p class="licences"><a href="./THIRD-PARTY.txt" target="_blank" rel="noopener">Licences of the packages and the font in Graze</a></p>`;
 }
 
 const NAMES: Readonly<Record<string, string>> = {

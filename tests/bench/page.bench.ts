@@ -2,8 +2,8 @@
 // real browser.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { gzipSync } from 'node:zlib';
 import { chromium, type Page } from '@playwright/test';
+import { firstLoad, packed } from '../first-load.ts';
 import { serveSite } from '../serve-site.ts';
 
 const SITE = 'dist/site';
@@ -20,9 +20,11 @@ function sizes(): void {
   console.log('| chunk | kB | kB gz |\n|---|---:|---:|');
   for (const name of readdirSync(join(SITE, 'assets')).sort()) {
     const bytes = readFileSync(join(SITE, 'assets', name));
-    const packed = name.endsWith('.woff2') ? bytes.length : gzipSync(bytes, { level: 9 }).length;
-    console.log(`| ${name} | ${kB(bytes.length)} | ${kB(packed)} |`);
+    const sent = name.endsWith('.woff2') ? bytes.length : packed(bytes);
+    console.log(`| ${name} | ${kB(bytes.length)} | ${kB(sent)} |`);
   }
+  const first = [...firstLoad(SITE).values()].reduce((sum, size) => sum + size, 0);
+  console.log(`\nFirst load: ${kB(first)} kB gz of scripts`);
 }
 
 function kB(bytes: number): string {

@@ -1,11 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { packRays } from '../../../src/math/batch/batch.ts';
 import type { Planar } from '../../../src/math/batch/planar.ts';
-import { DIRECT_ERROR } from '../../../src/math/methods/certified/class-quadric.ts';
 import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
 import * as flat from '../../../src/math/methods/certified/kernel-planar.ts';
-import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import { DIRECT_ERROR, momentError } from '../../../src/math/methods/certified/moment-bound.ts';
 import { rootInTwice } from '../../../src/math/methods/certified/slow-planar.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';

@@ -6,11 +6,11 @@ import { findFamily, type Question } from '../../../src/math/families.ts';
 import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
-import { DIRECT_ERROR } from '../../../src/math/methods/certified/class-quadric.ts';
 import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
 import { FAITHFUL, placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
 import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
+import { DIRECT_ERROR } from '../../../src/math/methods/certified/moment-bound.ts';
 import {
   createFound,
   findRoots,

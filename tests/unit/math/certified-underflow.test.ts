@@ -4,7 +4,11 @@ import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import * as byClass from '../../../src/math/methods/certified/class-quadric.ts';
 import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
 import * as figure from '../../../src/math/methods/certified/figure.ts';
-import { LEAST_A, momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import {
+  DIRECT_ERROR,
+  LEAST_A,
+  momentError,
+} from '../../../src/math/methods/certified/moment-bound.ts';
 import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
 import * as places from '../../../src/math/methods/certified/places.ts';
 import { BOX } from '../../../src/math/methods/certified/scaled-quadric.ts';
@@ -51,7 +55,7 @@ describe('in doubles', () => {
   const { add, mul, sqr } = losing(UNIT);
 
   test('classes by the direct form: D, and A where D is certain', () => {
-    const { LARGEST, SMALLEST, DIRECT_ERROR } = byClass;
+    const { LARGEST, SMALLEST } = byClass;
     const a = BOX ** 2;
     const round = 2 * UNIT;
     const lost = round + a * UNIT + UNIT;

@@ -1,6 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { LEAST_A, momentError } from './moment-bound.ts';
+import { DIRECT_ERROR, LEAST_A, momentError } from './moment-bound.ts';
 import type { OpenRays } from './roots-quadric.ts';
 import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
 
@@ -17,7 +17,6 @@ import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
  * LARGEST at most, which is less than 2^-470; and where D is above SMALLEST, Am is above SMALLEST / 2 LARGEST = 2^-823, so that what A lost, 2^-874, is within
  * the 4u that its own DIRECT_ERROR is too large by (and more).
  */
-export const DIRECT_ERROR = 27 * 2 ** -53;
 export const SMALLEST = 2 ** -422;
 /** Am and Cm below this: squares of the box's numbers, six of them and a. */
 export const LARGEST = BOX ** 4;

@@ -27,3 +27,6 @@ export const LEAST_A = 2 ** -20;
 /** The bound on |δ(D/4)| that is derived above. */
 export const momentError = (S: number, M: number, rhoAm: number): number =>
   S * (MOMENT_ERROR * M + SQUARE_ERROR * S) + RHO_ERROR * rhoAm + SMALLEST_D;
+
+/** The bound of the direct form, b² − AC, in units of Am·Cm; derived in class-quadric.ts. */
+export const DIRECT_ERROR = 27 * 2 ** -53;

@@ -3,9 +3,9 @@ import type { Quadric } from '../../batch/quadric.ts';
 import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { A, B, C, createAlgebra, D, OFF, putAlgebra, SIZE } from './algebra.ts';
-import { DIRECT_ERROR } from './class-quadric.ts';
 import { FAITHFUL } from './faithful.ts';
 import { createRoots, hitAt } from './hit-quadric.ts';
+import { DIRECT_ERROR } from './moment-bound.ts';
 import { createFound, findRoots, T0, T1, VERDICT } from './one-ray.ts';
 import { putRoots } from './plain-roots.ts';
 
