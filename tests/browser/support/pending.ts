@@ -54,9 +54,16 @@ interface Counted {
   readonly pending: Pending;
 }
 
-/** Until the page has no short timer left: the link is written by one, a moment after a change. */
+/**
+ * Until the short timers that the page has now have run: the link is written by one, a moment after a
+ * change. While something plays there is always a next one, which is not waited for.
+ */
 export async function timersDone(page: Page): Promise<void> {
-  await page.waitForFunction(() => (window as unknown as Counted).pending.timers.size === 0);
+  await page.evaluate(async () => {
+    const { timers, frame } = (window as unknown as Counted).pending;
+    const now = [...timers];
+    while (now.some((id) => timers.has(id))) await new Promise<number>((done) => frame(done));
+  });
 }
 
 /** Until the page asks for no frame: nothing moves any more. */
