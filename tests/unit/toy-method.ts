@@ -4,7 +4,7 @@ import { textbookSolver } from '../../src/math/methods/solvers.ts';
 import { treeMethod } from '../../src/math/methods/tree-method.ts';
 
 /**
- * A method that is not Graze's own, as a newcomer would add it: a form and a solver that no rung
+ * A method that is not Graze's own, as a newcomer would add it: a form and a solver that no method
  * combines.
  */
 export const momentTextbook = treeMethod(

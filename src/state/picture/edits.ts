@@ -78,7 +78,9 @@ function viewSize({ camera: { eye, target, angle } }: Scene): number {
   return Number((half / 4).toPrecision(1));
 }
 
-/** A grey shape in the middle of the picture, of a size that is seen; cut off where it has no end. */
+/**
+ * A grey shape in the middle of the picture, of a size that is seen; cut off where it has no end.
+ */
 export function newThing(scene: Scene, kind: ShapeKind): Placed {
   const unit = viewSize(scene);
   const { target } = scene.camera;

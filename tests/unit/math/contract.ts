@@ -285,7 +285,7 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
           const there = meaning(intersect(moved, ray(shift(r.origin, by), r.direction), method));
           const told = ({ class: verdict, hits }: typeof found) => ({
             class: verdict,
-            // A float rung's normal is made from its rounded point, so it may change with the
+            // A float method's normal is made from its rounded point, so it may change with the
             // place; t may not.
             hits: hits.map(({ t, normal }) => (method === 'exact' ? { t, normal } : { t })),
           });
