@@ -55,8 +55,8 @@ interface Counted {
 }
 
 /**
- * Until the short timers that the page has now have run: the link is written by one, a moment after a
- * change. While something plays there is always a next one, which is not waited for.
+ * Until the short timers that the page has now have run: the link is written by one, a moment
+ * after a change. While something plays there is always a next one, which is not waited for.
  */
 export async function timersDone(page: Page): Promise<void> {
   await page.evaluate(async () => {
