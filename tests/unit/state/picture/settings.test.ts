@@ -16,6 +16,7 @@ import { readStart, startText } from '../../../../src/state/picture/start.ts';
 import { initialShape } from '../../../../src/state/state.ts';
 import { decode, encode } from '../../../../src/state/url.ts';
 import { DEFAULT_SETTINGS } from '../../../../src/tracer/types.ts';
+import { OLD_SCENES } from './old-scenes.ts';
 
 const SEED = 20261;
 
@@ -35,6 +36,11 @@ describe('a scene in a link', () => {
       expect(back).toEqual(edited);
       expect(Object.is(back.camera.eye[0], -0)).toBe(true);
     }
+  });
+
+  test.each(OLD_SCENES)('an old one opens as $scene.title, and is still its text', (old) => {
+    expect(sceneFromText(old.link)).toEqual(old.scene);
+    expect(textOfScene(old.scene)).toBe(old.link);
   });
 
   test('stays short enough for an address', () => {
