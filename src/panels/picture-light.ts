@@ -3,6 +3,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { changeLight } from '../scene/edit.ts';
 import type { Light, Scene } from '../scene/types.ts';
 import { asLight, LIGHT_KINDS, LIGHT_WORDS, refusalOf } from '../state/picture/edits.ts';
+import { effectFields } from './picture-effect-fields.ts';
 import {
   type ChangeScene,
   choiceField,
@@ -57,5 +58,6 @@ export function lightForm(scene: Scene, light: Light, change: ChangeScene): Temp
     </div>
     ${number('strength', light.strength, [0, 2])}
     ${light.light === 'sun' ? triple('towards', light.towards) : triple('at', light.at)}
-    ${light.light === 'sphere' ? number('radius', light.radius, [0.05, 3]) : nothing}`;
+    ${light.light === 'sphere' ? number('radius', light.radius, [0.05, 3]) : nothing}
+    ${effectFields('light', light, { check, send })}`;
 }

@@ -14,6 +14,7 @@ import {
 } from '../state/picture/edits.ts';
 import { initialShape, paramValue } from '../state/state.ts';
 import { paramRow } from './param-rows.ts';
+import { effectFields } from './picture-effect-fields.ts';
 import {
   type ChangeScene,
   checkField,
@@ -100,7 +101,8 @@ function heights({ shape, between, capped }: Placed, tools: Tools): TemplateResu
   }`;
 }
 
-function materialForm({ paint, shine, mirror, glass }: Material, tools: Tools): TemplateResult {
+function materialForm(material: Material, tools: Tools): TemplateResult {
+  const { paint, shine, mirror, glass } = material;
   const of =
     (edit: (now: Material) => Material): Edit =>
     (now) => ({ ...now, material: edit(now.material) });
@@ -166,5 +168,9 @@ function materialForm({ paint, shine, mirror, glass }: Material, tools: Tools): 
             send: (edit) => send(glassy((now) => ({ ...now, absorption: edit(now.absorption) }))),
           })}`
         : nothing
-    }`;
+    }
+    ${effectFields('material', material, {
+      check: (edit) => check(of(edit)),
+      send: (edit) => send(of(edit)),
+    })}`;
 }

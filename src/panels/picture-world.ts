@@ -1,6 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import type { Background, Camera, Scene } from '../scene/types.ts';
 import { refusalOf } from '../state/picture/edits.ts';
+import { effectFields } from './picture-effect-fields.ts';
 import { type ChangeScene, colourField, numberField, tripleField } from './picture-fields.ts';
 
 export function cameraForm(scene: Scene, change: ChangeScene): TemplateResult {
@@ -45,5 +46,6 @@ export function worldForm(scene: Scene, change: ChangeScene): TemplateResult {
       step: 0.05,
       check: (ambient) => refusalOf({ ...scene, ambient }),
       send: (ambient) => change((now) => ({ ...now, ambient })),
-    })}`;
+    })}
+    ${effectFields('scene', scene, { check: (edit) => refusalOf(edit(scene)), send: change })}`;
 }

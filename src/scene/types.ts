@@ -9,6 +9,9 @@ import type { Axis, Vec3 } from '../math/vec3.ts';
 /** '#rrggbb' as in a colour box: sRGB. The tracer works with linear light. */
 export type Colour = string;
 
+/** What the fields that effects declare (effects/fields.ts) are set to: by effect, then by key. */
+export type EffectValues = Readonly<Record<string, Readonly<Record<string, number | string>>>>;
+
 export interface Scene {
   readonly title: string;
   readonly camera: Camera;
@@ -20,6 +23,7 @@ export interface Scene {
   readonly ambient: number;
   readonly things: readonly Placed[];
   readonly lights: readonly Light[];
+  readonly effects?: EffectValues;
 }
 
 /** A pinhole. */
@@ -55,6 +59,7 @@ export interface Material {
   readonly mirror: number;
   /** Light goes through instead of meeting the paint. The outside is air: index 1. */
   readonly glass?: Glass;
+  readonly effects?: EffectValues;
 }
 
 export type Paint = PlainPaint | PatternPaint;
@@ -107,6 +112,7 @@ interface LightBase {
    * distance.
    */
   readonly strength: number;
+  readonly effects?: EffectValues;
 }
 
 export interface PointLight extends LightBase {

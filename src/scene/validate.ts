@@ -1,6 +1,7 @@
 import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
 import type { Shape } from '../math/shapes/index.ts';
 import { checkedShape, definitionOf } from '../math/shapes/lookup.ts';
+import { effectValues } from './effects/declared.ts';
 import {
   axis,
   colour,
@@ -64,8 +65,9 @@ const material = record<Material>(
     shine: record<Shine>({ strength: share, exponent: number(1, 10_000) }),
     mirror: share,
     glass: record<Glass>({ index: number(1, 5), absorption: vector(number(0, 1e6)) }),
+    effects: effectValues('material'),
   },
-  ['glass'],
+  ['glass', 'effects'],
 );
 
 const shape: Read<Shape> = (value, path) => {
@@ -100,20 +102,32 @@ const thing = record<Placed>({ id: name, shape, material, between: heights, capp
 ]);
 
 const common = { id: name, colour, strength: number(0, 100) };
+const added = { effects: effectValues('light') };
 const light = variant<Light>('light', {
-  point: record<PointLight>({ light: oneOf(['point']), ...common, at: point }),
-  sun: record<SunLight>({ light: oneOf(['sun']), ...common, towards: direction }),
-  sphere: record<SphereLight>({ light: oneOf(['sphere']), ...common, at: point, radius: size }),
+  point: record<PointLight>({ light: oneOf(['point']), ...common, at: point, ...added }, [
+    'effects',
+  ]),
+  sun: record<SunLight>({ light: oneOf(['sun']), ...common, towards: direction, ...added }, [
+    'effects',
+  ]),
+  sphere: record<SphereLight>(
+    { light: oneOf(['sphere']), ...common, at: point, radius: size, ...added },
+    ['effects'],
+  ),
 });
 
-const scene = record<Scene>({
-  title: name,
-  camera: record<Camera>({ eye: point, target: point, angle: number(0.000001, 170) }),
-  background: record<Background>({ low: colour, high: colour }),
-  ambient: share,
-  things: listOf(thing, LIMITS.things),
-  lights: listOf(light, LIMITS.lights),
-});
+const scene = record<Scene>(
+  {
+    title: name,
+    camera: record<Camera>({ eye: point, target: point, angle: number(0.000001, 170) }),
+    background: record<Background>({ low: colour, high: colour }),
+    ambient: share,
+    things: listOf(thing, LIMITS.things),
+    lights: listOf(light, LIMITS.lights),
+    effects: effectValues('scene'),
+  },
+  ['effects'],
+);
 
 /**
  * A value from anywhere as a Scene of its own, nothing of it shared. Throws InvalidInput with where

@@ -1,4 +1,4 @@
-import type { Lit, Look, Wave, WorldLight } from '../scene/effects/body.ts';
+import type { AddLight, Lit, Look, Wave, WorldLight } from '../scene/effects/body.ts';
 import type { Background } from '../scene/types.ts';
 import { linear } from './colour.ts';
 import type { TracerWorld } from './world.ts';
@@ -116,6 +116,16 @@ export function light(wave: Wave, lit: Lit): void {
 
 /** Linear light of the samples, three doubles each. */
 export type Film = Float64Array;
+
+/** Adds what joins a wave's rays on their way to the film. */
+export const adderOf =
+  ({ sample }: Wave, film: Film): AddLight =>
+  (i, red, green, blue) => {
+    const at = 3 * (sample[i] as number);
+    film[at] = (film[at] as number) + red;
+    film[at + 1] = (film[at + 1] as number) + green;
+    film[at + 2] = (film[at + 2] as number) + blue;
+  };
 
 /** What each ray brings to its sample, in the order of the wave. */
 export function gather(

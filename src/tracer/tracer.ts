@@ -3,7 +3,7 @@ import type { Scene } from '../scene/types.ts';
 import { type Book, openBook, type Part } from './book.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
-import { type Film, face, gather, light, meet, paint } from './shade.ts';
+import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
 import type { Ledger, TraceSettings } from './types.ts';
 import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
@@ -63,7 +63,8 @@ export function createEngine(
 
   const cutting = heights ? (heights.all ? 'all' : 'needed') : 'off';
   const world = worldOf(scene, settings.method, cutting);
-  const least = unseen / brightest(world, scene.ambient);
+  const wayBodies = ways.map(({ body }) => body);
+  const least = unseen / brightest(world, scene.ambient, wayBodies);
 
   let book: Book = openBook(parts, clock);
   const finder = createFinder(
@@ -159,8 +160,9 @@ export function createEngine(
     let others = book.heightsMs() - chosen;
     meet(wave, world);
     watching?.wave(wave);
+    const add = adderOf(wave, film);
     for (const part of ways) {
-      others += book.timed(part, () => part.body.run(wave, world, part.all));
+      others += book.timed(part, () => part.body.run(wave, world, part.all, add));
     }
     paint(wave, world, scene.ambient);
     for (const part of paints) {

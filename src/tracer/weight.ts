@@ -1,4 +1,4 @@
-import type { World } from '../scene/effects/body.ts';
+import type { WayBody, World } from '../scene/effects/body.ts';
 import { STEEPEST } from './colour.ts';
 
 /*
@@ -23,9 +23,18 @@ export const MOST_BOUNCES = 64;
  * adds `mirror` of what another ray brings; glass shows shine · Σ strength and 1 − shine of what
  * other rays bring, of which Fresnel gives R to one and 1 − R to the other. So if others bring at
  * most L, so does this one: L = max(1, ambient + (1 + the largest shine) Σ strength).
+ *
+ * Light that joins on the way comes on top: with s(L) for the most that a ray shows at its start, a
+ * ray of the last generation shows at most s(L), one before it s(s(L)), and so on. The first body's
+ * light is the nearest, so it comes last.
  */
-export function brightest({ looks, lights }: World, ambient: number): number {
+export function brightest(world: World, ambient: number, ways: readonly WayBody[]): number {
+  const { looks, lights } = world;
   const light = lights.reduce((sum, { colour }) => sum + Math.max(...colour), 0);
   const shine = looks.reduce((most, look) => Math.max(most, look.shine), 0);
-  return Math.max(1, ambient + (1 + shine) * light);
+  let most = Math.max(1, ambient + (1 + shine) * light);
+  for (let generation = 0; generation <= MOST_BOUNCES; generation++) {
+    for (const way of ways.toReversed()) most = way.brightest(world, most);
+  }
+  return most;
 }

@@ -8,6 +8,8 @@ import type { Shape } from '../math/shapes/index.ts';
 import { definitionOf } from '../math/shapes/lookup.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Look, World, WorldLight } from '../scene/effects/body.ts';
+import { declaredAt } from '../scene/effects/declared.ts';
+import { type BodyValues, type Owner, type Place, valuesOf } from '../scene/effects/fields.ts';
 import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
 import { boxOf } from './boxes.ts';
@@ -59,6 +61,7 @@ export function worldOf(
     surfaces,
     looks: materials.map((material, k) => lookOf(material, surfaces[k]?.shape as Shape)),
     lights: scene.lights.map(lightOf),
+    values: bodyValuesOf('scene', scene),
     targets: surfaces.map((surface, k): Target => {
       const between = heights === 'off' ? undefined : surface.between;
       const formula = definitionOf(surface.shape).formula(surface.shape);
@@ -81,7 +84,20 @@ export function worldOf(
 
 const EVERYWHERE = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY] as const;
 
-function lookOf({ paint, shine, mirror, glass }: Material, shape: Shape): Look {
+/** A value of a declared field as a body wants it: colours are linear. */
+function bodyValuesOf(place: Place, owner: Owner): BodyValues {
+  const sets = declaredAt(place).map((set) => {
+    const values = Object.entries(valuesOf(set, owner)).map(([key, value]) => {
+      const isColour = set.fields[key]?.type === 'colour';
+      return [key, isColour ? linear(value as string) : value] as const;
+    });
+    return [set.effect, Object.fromEntries(values)] as const;
+  });
+  return Object.fromEntries(sets);
+}
+
+function lookOf(material: Material, shape: Shape): Look {
+  const { paint, shine, mirror, glass } = material;
   const plain = linear(paint.colour);
   return {
     colour: plain,
@@ -95,6 +111,7 @@ function lookOf({ paint, shine, mirror, glass }: Material, shape: Shape): Look {
     absorption: glass?.absorption ?? [0, 0, 0],
     matte: glass ? 0 : 1 - mirror,
     glossy: 1 - mirror,
+    values: bodyValuesOf('material', material),
   };
 }
 
@@ -124,5 +141,6 @@ function lightOf(light: Light, index: number): WorldLight {
     sun,
     radius: light.light === 'sphere' ? light.radius : 0,
     colour,
+    values: bodyValuesOf('light', light),
   };
 }

@@ -10,6 +10,7 @@ export const body: WayBody = {
       else if (all) fade(wave.red, wave.green, wave.blue, i, CLEAR, chordOf(wave.t, i));
     }
   },
+  brightest: (_, behind) => behind,
 };
 
 const CLEAR = [0, 0, 0] as const;

@@ -1,5 +1,6 @@
 import type { Answers, Rays } from '../../math/batch/batch.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import type { BodyValues } from './fields.ts';
 
 /*
  * What an effect's code is given and gives. Rays come in waves: the rays of one generation that one
@@ -88,6 +89,7 @@ export interface Look {
   readonly matte: number;
   /** The share that highlights are taken of, 1 − mirror. */
   readonly glossy: number;
+  readonly values: BodyValues;
 }
 
 export interface WorldLight {
@@ -97,12 +99,15 @@ export interface WorldLight {
   readonly sun: boolean;
   readonly radius: number;
   readonly colour: Vec3;
+  readonly values: BodyValues;
 }
 
 export interface World {
   /** By surface. */
   readonly looks: readonly Look[];
   readonly lights: readonly WorldLight[];
+  /** Of the scene's own fields. */
+  readonly values: BodyValues;
 }
 
 /** One light over a wave: the hits that face it, with the way to it. */
@@ -167,10 +172,23 @@ export interface RootsBody {
   choose(rays: Rays, out: Answers, low: number, high: number, tMin: number, leaving: boolean): void;
 }
 
+/**
+ * Adds linear light to the sample of ray i. It is added as it is given: light that joins the ray on
+ * its way comes times the share of it that arrives at the sample.
+ */
+export type AddLight = (i: number, red: number, green: number, blue: number) => void;
+
 /** What happens to the light between start and hit. */
 export interface WayBody {
   readonly at: 'way';
-  run(wave: Wave, world: World, all: boolean): void;
+  /** Multiplies each ray's share by what gets through, and adds the light that joins on the way. */
+  run(wave: Wave, world: World, all: boolean, add: AddLight): void;
+  /**
+   * The most of a colour that a ray can show at its start, if no more than `behind` arrives at its
+   * hit: never less than `behind`, and never less for a larger one. A body that adds no light
+   * returns `behind`. Rays that could show nothing are not fired, by this bound.
+   */
+  brightest(world: World, behind: number): number;
 }
 
 export interface PaintBody {

@@ -1,5 +1,6 @@
 import type { Scene } from '../types.ts';
 import type { EffectBody } from './body.ts';
+import type { FieldSet } from './fields.ts';
 
 /** Whether a scene calls for an effect, and why or why not, in words that follow its name. */
 export interface Need {
@@ -15,14 +16,19 @@ export interface EffectDefinition<Id extends string> {
   readonly title: string;
   /** What it is, in a sentence. */
   readonly idea: string;
+  /** What it adds to a scene's, a material's or a light's data: at most one set a place. */
+  readonly fields: readonly FieldSet<Id>[];
   neededBy(scene: Scene): Need;
   load(): Promise<EffectBody>;
 }
 
-/** Keeps the id's literal type, from which the union of all is derived. */
+/**
+ * Keeps the id's literal type, from which the union of all is derived. An effect that says nothing
+ * of fields adds none.
+ */
 export const defineEffect = <const Id extends string>(
-  effect: EffectDefinition<Id>,
-): EffectDefinition<Id> => effect;
+  effect: Omit<EffectDefinition<Id>, 'fields'> & Partial<Pick<EffectDefinition<Id>, 'fields'>>,
+): EffectDefinition<Id> => ({ fields: [], ...effect });
 
 export const needed = (reason: string): Need => ({ needed: true, leftOut: false, reason });
 /** It would change nothing in nature either. */

@@ -34,16 +34,10 @@ export function planEffects(scene: Scene, forced: Forced = {}): readonly Planned
  */
 export function shownScene(scene: Scene, forced: Forced): Scene {
   if (forced['soft-shadow'] !== 'off') return scene;
-  const lights = scene.lights.map((light) =>
-    light.light === 'sphere'
-      ? ({
-          light: 'point',
-          id: light.id,
-          colour: light.colour,
-          strength: light.strength,
-          at: light.at,
-        } as const)
-      : light,
-  );
+  const lights = scene.lights.map((light) => {
+    if (light.light !== 'sphere') return light;
+    const { radius: _, ...point } = light;
+    return { ...point, light: 'point' } as const;
+  });
   return { ...scene, lights };
 }

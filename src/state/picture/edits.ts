@@ -22,7 +22,9 @@ export function refusalOf(scene: Scene): string | null {
     return null;
   } catch (error) {
     if (!(error instanceof InvalidInput)) throw error;
-    return error.message.replace(/^(?:\w+(?:\[\d+\])?\.)+(?=\w)/, '').replace(/^\w+\[\d+\]: /, '');
+    return error.message
+      .replace(/^(?:[\w-]+(?:\[\d+\])?\.)+(?=\w)/, '')
+      .replace(/^\w+\[\d+\]: /, '');
   }
 }
 
@@ -116,7 +118,9 @@ export function newLight(scene: Scene, kind: Light['light']): Light {
 
 /** The same light of another kind; a sun stands where the lamp was, seen from the target. */
 export function asLight(light: Light, kind: Light['light'], target: Vec3): Light {
-  const { id, colour, strength } = light;
+  const { id, colour, strength, effects } = light;
+  const common = { id, colour, strength };
+  const added = effects ? { effects } : {};
   const far = (v: Vec3, w: Vec3, s: number): Vec3 => [
     v[0] + s * w[0],
     v[1] + s * w[1],
@@ -126,11 +130,11 @@ export function asLight(light: Light, kind: Light['light'], target: Vec3): Light
   if (kind === 'sun') {
     const towards = light.light === 'sun' ? light.towards : far(light.at, target, -1);
     const none = towards.every((x) => x === 0);
-    return { light: 'sun', id, colour, strength, towards: none ? [0, 1, 0] : towards };
+    return { light: 'sun', ...common, towards: none ? [0, 1, 0] : towards, ...added };
   }
-  if (kind === 'point') return { light: 'point', id, colour, strength, at };
+  if (kind === 'point') return { light: 'point', ...common, at, ...added };
   const radius = light.light === 'sphere' ? light.radius : 0.5;
-  return { light: 'sphere', id, colour, strength, at, radius };
+  return { light: 'sphere', ...common, at, radius, ...added };
 }
 
 /** What a thing is, in a few words: a hyperboloid with a = −1 is a sphere. */

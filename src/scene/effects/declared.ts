@@ -1,0 +1,47 @@
+import { type Read, record } from '../reader.ts';
+import type { EffectValues } from '../types.ts';
+import {
+  type Field,
+  type FieldSet,
+  type FieldValue,
+  type Owner,
+  type Place,
+  readerOf,
+  valuesOf,
+} from './fields.ts';
+import { EFFECTS } from './index.ts';
+
+/** The fields that all effects together declare at a place, in the order of the registry. */
+export const declaredAt = (place: Place): readonly FieldSet[] =>
+  EFFECTS.flatMap(({ fields }): readonly FieldSet[] => fields).filter((set) => set.place === place);
+
+/** Reads what is under `effects` in a scene, a material or a light. */
+export function effectValues(place: Place): Read<EffectValues> {
+  const sets = declaredAt(place).map(({ effect, fields }) => {
+    const keys = Object.entries(fields).map(([key, field]) => [key, readerOf(field)] as const);
+    const read = record<Record<string, FieldValue>>(Object.fromEntries(keys), Object.keys(fields));
+    return [effect, read] as const;
+  });
+  return record<EffectValues>(
+    Object.fromEntries(sets),
+    sets.map(([effect]) => effect),
+  );
+}
+
+/** One declared field of an owner and what it is set to. */
+export interface FieldRow {
+  readonly set: FieldSet;
+  readonly key: string;
+  readonly field: Field;
+  readonly value: FieldValue;
+}
+
+/** What a form shows of an owner: every field declared for its place, defaults included. */
+export const fieldRows = (place: Place, owner: Owner): readonly FieldRow[] =>
+  declaredAt(place).flatMap((set) => {
+    const values = valuesOf(set, owner);
+    return Object.entries(set.fields).map(([key, field]) => {
+      const value = values[key] ?? field.default;
+      return { set, key, field, value };
+    });
+  });

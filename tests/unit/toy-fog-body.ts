@@ -1,0 +1,25 @@
+import type { WayBody } from '../../src/scene/effects/body.ts';
+import { bodyValues } from '../../src/scene/effects/fields.ts';
+import { air } from './toy-fog.ts';
+
+export const body: WayBody = {
+  at: 'way',
+  run(wave, world, _all, add) {
+    const { density, colour } = bodyValues(air, world);
+    for (let i = 0; i < wave.count; i++) {
+      const t = wave.t[i] as number;
+      // 0 · ∞ is no number: a ray that meets nothing goes on for the largest length there is.
+      const through = Math.exp(-density * (Number.isNaN(t) ? Number.MAX_VALUE : t));
+      const red = wave.red[i] as number;
+      const green = wave.green[i] as number;
+      const blue = wave.blue[i] as number;
+      const [r, g, b] = colour;
+      const joins = 1 - through;
+      add(i, red * joins * r, green * joins * g, blue * joins * b);
+      wave.red[i] = red * through;
+      wave.green[i] = green * through;
+      wave.blue[i] = blue * through;
+    }
+  },
+  brightest: (world, behind) => Math.max(behind, ...bodyValues(air, world).colour),
+};
