@@ -4,12 +4,7 @@ import { THEMES } from '../../../src/ui/theme.ts';
 import { frames } from './pending.ts';
 
 /** What a theme can break: it changes colours, and on the projector sizes. */
-const OF_A_THEME = [
-  'color-contrast',
-  'link-in-text-block',
-  'scrollable-region-focusable',
-  'target-size',
-];
+const OF_A_THEME = ['color-contrast', 'link-in-text-block', 'scrollable-region-focusable'];
 
 /** One line a violation: the rule, and the elements that break it; of these rules, or of all. */
 export async function violations(page: Page, rules?: string[]): Promise<string[]> {
