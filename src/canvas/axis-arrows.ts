@@ -1,4 +1,4 @@
-import { AXES } from '../math/vec3.ts';
+import { AXES } from '../math/shapes.ts';
 import { coordinate } from '../text/coordinate.ts';
 import { italic } from './captions.ts';
 import type { HandlePlace } from './handle-place.ts';

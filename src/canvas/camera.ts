@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { FreeView, NamedView, View } from '../state/view.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { PointHandle, ReachHandle } from '../state/handles.ts';
 import type { Value, Way } from '../state/snap.ts';
 import type { HandlePlace } from './handle-place.ts';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { HitMark, SceneModel } from '../state/scene-model.ts';
 import { type Arrow, CLEAR, type Mark } from './marks.ts';
 import {

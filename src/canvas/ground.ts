@@ -1,4 +1,4 @@
-import { roundStep } from '../math/shapes/steps.ts';
+import { roundStep } from '../math/drawing.ts';
 import type { StageUnits } from './stage-units.ts';
 import { smoothstep } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';

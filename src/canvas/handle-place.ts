@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Handle, ReachHandle } from '../state/handles.ts';
 import type { Projection, Spot } from './projection.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Projection } from './projection.ts';
 import { along, dot, type Point } from './stage-units.ts';
 

@@ -1,5 +1,6 @@
-import { roundStep } from '../math/shapes/steps.ts';
-import { type Vec3, withComponent } from '../math/vec3.ts';
+import { roundStep } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
+import { withComponent } from '../math/shapes.ts';
 import type { Handle } from '../state/handles.ts';
 import type { Value } from '../state/snap.ts';
 import { keyStep } from '../ui/step.ts';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { RaySegment, SceneModel } from '../state/scene-model.ts';
 import { spanInside } from './labels.ts';
 import type { Projection } from './projection.ts';

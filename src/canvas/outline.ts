@@ -1,4 +1,4 @@
-import type { Drawing, Patch, PatchEnd } from '../math/shapes/drawing.ts';
+import type { Drawing, Patch, PatchEnd } from '../math/drawing.ts';
 import { type StageUnits, unit } from './stage-units.ts';
 import { at, type Dash, type Stroke, straight } from './stroke.ts';
 import { lineFade, pointOn } from './tessellation.ts';

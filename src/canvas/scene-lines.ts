@@ -1,4 +1,4 @@
-import type { Drawing, Stage } from '../math/shapes/drawing.ts';
+import type { Drawing, Stage } from '../math/drawing.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { ghostStrokes } from './ghost.ts';
 import { ground } from './ground.ts';

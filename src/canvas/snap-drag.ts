@@ -1,5 +1,5 @@
-import type { Vec3 } from '../math/vec3.ts';
-import { AXES } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { AXES } from '../math/shapes.ts';
 import type { Handle } from '../state/handles.ts';
 import {
   ENTER,

@@ -1,5 +1,5 @@
-import type { Stage } from '../math/shapes/drawing.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Stage } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
 
 /** A point in stage units: the stage's centre is 0 and its radius 1. */
 export type Point = [number, number, number];

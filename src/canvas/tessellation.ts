@@ -1,5 +1,5 @@
-import type { Patch, PatchEnd } from '../math/shapes/drawing.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Patch, PatchEnd } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
 import { type Point, type StageUnits, smoothstep, unit } from './stage-units.ts';
 
 /**

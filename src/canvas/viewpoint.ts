@@ -1,5 +1,5 @@
-import type { Stage } from '../math/shapes/drawing.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Stage } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import type { FreeView, View } from '../state/view.ts';
 import { freeOf, type Pose, poseOf } from './camera.ts';

@@ -1,5 +1,5 @@
 import { type Random, seeded } from '../math/rng.ts';
-import type { ShapeKind } from '../math/shapes/index.ts';
+import type { ShapeKind } from '../math/shapes.ts';
 import { type Course, courseOf } from './course.ts';
 import { type Derivation, derivationOf } from './derivation.ts';
 import type { Draft, Exercise, Level } from './exercises/define.ts';

@@ -1,8 +1,15 @@
-import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, POINT, ROOTS } from '../math/formula/common.ts';
-import type { Expr, ExprTriple, Relation } from '../math/formula/expr.ts';
-import type { Formula } from '../math/shapes/define.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import {
+  DISCRIMINANT,
+  DOUBLE_ROOT,
+  type Expr,
+  type ExprTriple,
+  LINEAR_ROOT,
+  POINT,
+  type Relation,
+  ROOTS,
+} from '../math/formula.ts';
+import type { Shape } from '../math/index.ts';
+import { definitionOf, type Formula } from '../math/shapes.ts';
 
 /**
  * The choices that the course makes around its formulas. A misconception may make one of them

@@ -1,4 +1,4 @@
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import type { Posed } from './compose.ts';
 import { withParam } from './exercises/params.ts';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import { parseNumber, parseTriple } from '../text/parse.ts';
 import { adviceFor } from './advice.ts';
 import { atLengthOf, rightDigits, unitsOf } from './precision.ts';

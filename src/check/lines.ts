@@ -1,9 +1,17 @@
-import { float64 } from '../math/arithmetic/float64.ts';
-import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
-import { type Expr, type Relation, scalar } from '../math/formula/expr.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
-import { whichHold, withPoint } from '../math/shapes/planar.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import {
+  type Expr,
+  evaluate,
+  evaluateTriple,
+  float64,
+  type Relation,
+  scalar,
+  type Values,
+  valuesOf,
+  whichHold,
+  withPoint,
+  withScalars,
+} from '../math/formula.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Course, CurvedCourse, FlatCourse } from './course.ts';
 import { courseOf } from './course.ts';
 import type { Misconception } from './misconceptions/define.ts';

@@ -1,5 +1,4 @@
-import { alongRay } from '../math/along.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { alongRay, definitionOf } from '../math/shapes.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { courseOf } from './course.ts';
 import type { Answers, Input } from './types.ts';

@@ -1,6 +1,5 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import type { Triple } from '../math/formula/evaluate.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Arithmetic, Triple } from '../math/formula.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Answer, Answers } from './types.ts';
 
 /** A student's own value of a quantity, if there is a usable one. */

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { Answer } from './types.ts';
 

@@ -1,4 +1,4 @@
-import type { Expr, Relation, Term } from '../math/formula/expr.ts';
+import type { Expr, Relation, Term } from '../math/formula.ts';
 
 /** What stands in a subtree's place, or null to leave it and look further down. */
 export type Edit = (expr: Expr) => Expr | null;

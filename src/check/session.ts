@@ -1,5 +1,5 @@
 import { integer, seeded } from '../math/rng.ts';
-import type { ShapeKind } from '../math/shapes/index.ts';
+import type { ShapeKind } from '../math/shapes.ts';
 import { type Posed, pose } from './compose.ts';
 import type { Level } from './exercises/define.ts';
 import { EXERCISES } from './exercises/index.ts';

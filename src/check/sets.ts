@@ -1,4 +1,4 @@
-import type { ShapeKind } from '../math/shapes/index.ts';
+import type { ShapeKind } from '../math/shapes.ts';
 
 /** An exercise of a set: how often it comes up, and for which shapes in turn. */
 export interface Turn {

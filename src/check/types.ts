@@ -1,8 +1,6 @@
-import type { Surd } from '../math/exact/surd.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Surd } from '../math/exact.ts';
+import type { Values } from '../math/formula.ts';
+import type { Ray, Shape, Vec3 } from '../math/index.ts';
 
 /** A ray and the shape it is asked about. */
 export interface Input {

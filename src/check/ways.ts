@@ -11,7 +11,7 @@ import {
   squared,
   times,
   vec,
-} from '../math/formula/expr.ts';
+} from '../math/formula.ts';
 import type { Course, FlatCourse } from './course.ts';
 import type { Answers } from './types.ts';
 

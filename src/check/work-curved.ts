@@ -1,7 +1,12 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
-import { withPoint } from '../math/shapes/planar.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import {
+  type Arithmetic,
+  evaluate,
+  evaluateTriple,
+  type Values,
+  withPoint,
+  withScalars,
+} from '../math/formula.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { CurvedCourse, Rules } from './course.ts';
 import { ownNumber, ownTriple, roundedTriple, usableTriple } from './own-values.ts';
 import { ABSENT, type Answer, type Answers } from './types.ts';

@@ -1,7 +1,15 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { evaluate, evaluateTriple, type Values, withScalars } from '../math/formula/evaluate.ts';
-import { type Expr, scalar } from '../math/formula/expr.ts';
-import { all, whichHold, withPoint } from '../math/shapes/planar.ts';
+import {
+  type Arithmetic,
+  all,
+  type Expr,
+  evaluate,
+  evaluateTriple,
+  scalar,
+  type Values,
+  whichHold,
+  withPoint,
+  withScalars,
+} from '../math/formula.ts';
 import type { FlatCourse } from './course.ts';
 import { ownNumber, ownTriple, roundedTriple } from './own-values.ts';
 import { rewrite } from './rewrite.ts';

@@ -1,9 +1,5 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { exact } from '../math/arithmetic/exact.ts';
-import { float64 } from '../math/arithmetic/float64.ts';
-import type { Surd } from '../math/exact/surd.ts';
-import { mapped, type Values } from '../math/formula/evaluate.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
+import type { Surd } from '../math/exact.ts';
+import { type Arithmetic, exact, float64, mapped, type Values, valuesOf } from '../math/formula.ts';
 import type { Course } from './course.ts';
 import type { Answers, Input } from './types.ts';
 import { curvedWork } from './work-curved.ts';

@@ -9,7 +9,7 @@ import {
   type Surd,
   sign,
   sub,
-} from '../math/exact/surd.ts';
+} from '../math/exact.ts';
 import { MOST_DIGITS } from './digits.ts';
 import type { Operation } from './trace.ts';
 

@@ -1,4 +1,4 @@
-import { div, fromNumber, isZero, type Surd, sub, toNumber } from '../math/exact/surd.ts';
+import { div, fromNumber, isZero, type Surd, sub, toNumber } from '../math/exact.ts';
 import { MINUS } from '../text/format.ts';
 
 /**

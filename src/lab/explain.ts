@@ -1,5 +1,5 @@
-import { type Surd, toNumber } from '../math/exact/surd.ts';
-import type { Method } from '../math/methods/define.ts';
+import { type Surd, toNumber } from '../math/exact.ts';
+import type { Method } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Cause, inputsOf, size } from './causes.ts';
 import { digitCount } from './digits.ts';

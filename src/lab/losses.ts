@@ -1,8 +1,6 @@
-import { exact } from '../math/arithmetic/exact.ts';
-import type { Expr } from '../math/formula/expr.ts';
-import type { Method } from '../math/methods/define.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
+import { type Expr, exact } from '../math/formula.ts';
+import type { Ray, Shape } from '../math/index.ts';
+import type { Method } from '../math/shapes.ts';
 import { absorbedBy, type Cause, causeOf, inputsOf, overflows } from './causes.ts';
 import { MOST_DIGITS } from './digits.ts';
 import { plainText } from './plain.ts';

@@ -1,5 +1,10 @@
-import type { Expr, VectorExpr } from '../math/formula/expr.ts';
-import { type Notation, print, type WrittenTerm } from '../math/formula/print/printer.ts';
+import {
+  type Expr,
+  type Notation,
+  print,
+  type VectorExpr,
+  type WrittenTerm,
+} from '../math/formula.ts';
 import { MINUS, shortest } from '../text/format.ts';
 
 interface Text {

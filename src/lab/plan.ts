@@ -1,13 +1,16 @@
-import { createAnswers, packRays, type Rays, verdictsOfRoots } from '../math/batch/batch.ts';
-import { batchOf } from '../math/batch/kernels.ts';
-import { kernelArray } from '../math/batch/memory.ts';
+import {
+  batchOf,
+  createAnswers,
+  kernelArray,
+  packRays,
+  type Rays,
+  verdictsOfRoots,
+} from '../math/batch.ts';
+import { exactMethod as exact } from '../math/exact.ts';
 import type { Family } from '../math/families.ts';
-import type { Verdict } from '../math/intersection.ts';
-import type { Method } from '../math/methods/define.ts';
-import { exact } from '../math/methods/exact.ts';
-import type { Ray } from '../math/ray.ts';
+import type { Ray, Shape, Verdict } from '../math/index.ts';
 import { type Random, seeded } from '../math/rng.ts';
-import type { Shape } from '../math/shapes/index.ts';
+import type { Method } from '../math/shapes.ts';
 import type { Task } from './run.ts';
 
 /** Shapes of a family with rays for each, and what is exactly right. */

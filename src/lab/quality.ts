@@ -1,12 +1,12 @@
 import {
   type Answers,
+  batchOf,
   createAnswers,
   verdictsOfClasses,
   verdictsOfRoots,
-} from '../math/batch/batch.ts';
-import { batchOf } from '../math/batch/kernels.ts';
-import { ulpDistance } from '../math/float/ulp.ts';
-import type { Method } from '../math/methods/define.ts';
+} from '../math/batch.ts';
+import { ulpDistance } from '../math/index.ts';
+import type { Method } from '../math/shapes.ts';
 import { rightDigitsOfDouble } from './digits.ts';
 import type { Batch } from './plan.ts';
 import { quantile, sorted } from './stats.ts';

@@ -1,14 +1,17 @@
-import { exact as exactly } from '../math/arithmetic/exact.ts';
-import type { Surd } from '../math/exact/surd.ts';
-import { DISCRIMINANT, POINT } from '../math/formula/common.ts';
-import { evaluate, evaluateTriple, type Triple, withScalars } from '../math/formula/evaluate.ts';
-import type { Intersection } from '../math/intersection.ts';
-import { exact } from '../math/methods/exact.ts';
-import { textbookSolver } from '../math/methods/solvers.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { exactMethod as exact, type Surd } from '../math/exact.ts';
+import {
+  DISCRIMINANT,
+  evaluate,
+  evaluateTriple,
+  exact as exactly,
+  POINT,
+  type Triple,
+  textbookSolver,
+  valuesOf,
+  withScalars,
+} from '../math/formula.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 
 export interface ExactHit {
   readonly t: Surd;

@@ -1,7 +1,7 @@
+import { isFast } from '../math/batch.ts';
 import { FAMILIES, type Family } from '../math/families.ts';
-import { InvalidInput, quote } from '../math/invalid-input.ts';
-import { isFast } from '../math/methods/certified/roots-quadric.ts';
-import { METHODS } from '../math/methods/index.ts';
+import { InvalidInput, METHODS } from '../math/index.ts';
+import { quote } from '../math/shapes.ts';
 import { batchesOf, type Form, type Sample, tasksOf } from './plan.ts';
 import { multipleOf, type Price, priceOf } from './price.ts';
 import { qualityOf } from './quality.ts';

@@ -1,25 +1,32 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { DISCRIMINANT, DOUBLE_ROOT, LINEAR_ROOT, POINT, ROOTS } from '../math/formula/common.ts';
+import { exactMethod as exact } from '../math/exact.ts';
 import {
+  type Arithmetic,
   alongAxes,
+  type CurvedFormula,
+  comp,
+  courseForm,
+  DISCRIMINANT,
+  DOUBLE_ROOT,
+  type Expr,
+  type ExprTriple,
   evaluate,
   evaluateTriple,
+  type FlatFormula,
+  type Form,
+  LINEAR_ROOT,
+  POINT,
+  ROOTS,
+  type Solver,
+  STABLE_Q,
+  STABLE_ROOTS,
+  scalar,
   type Triple,
   type Values,
   withScalars,
   withVector,
-} from '../math/formula/evaluate.ts';
-import { comp, type Expr, type ExprTriple, scalar } from '../math/formula/expr.ts';
-import type { Method } from '../math/methods/define.ts';
-import { exact } from '../math/methods/exact.ts';
-import { courseForm, type Form } from '../math/methods/forms.ts';
-import { type Solver, STABLE_Q, STABLE_ROOTS } from '../math/methods/solvers.ts';
-import type { Ray } from '../math/ray.ts';
-import type { CurvedFormula } from '../math/shapes/axial-quadric.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { FlatFormula } from '../math/shapes/planar.ts';
-import { AXES } from '../math/vec3.ts';
+} from '../math/formula.ts';
+import type { Ray, Shape } from '../math/index.ts';
+import { AXES, definitionOf, type Method } from '../math/shapes.ts';
 import { type Operation, type Trace, type Traced, traceIn } from './trace.ts';
 
 /**

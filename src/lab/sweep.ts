@@ -1,6 +1,5 @@
-import type { Dial, Family } from '../math/families.ts';
-import { FAMILIES } from '../math/families.ts';
-import { METHODS } from '../math/methods/index.ts';
+import { type Dial, FAMILIES, type Family } from '../math/families.ts';
+import { METHODS } from '../math/index.ts';
 import { batchesOf, type Sample } from './plan.ts';
 import { qualityOf } from './quality.ts';
 import { familyOf } from './session.ts';

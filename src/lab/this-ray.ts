@@ -1,12 +1,15 @@
-import { fromNumber, type Surd, sub, toNumber } from '../math/exact/surd.ts';
-import { ulpDistance } from '../math/float/ulp.ts';
-import type { Triple } from '../math/formula/evaluate.ts';
-import type { Hit, Intersection } from '../math/intersection.ts';
-import type { Method } from '../math/methods/define.ts';
-import { METHODS } from '../math/methods/index.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { fromNumber, type Surd, sub, toNumber } from '../math/exact.ts';
+import type { Triple } from '../math/formula.ts';
+import {
+  type Hit,
+  type Intersection,
+  METHODS,
+  type Ray,
+  type Shape,
+  ulpDistance,
+  type Vec3,
+} from '../math/index.ts';
+import type { Method } from '../math/shapes.ts';
 import { digitCount, type Marked, markDigits, rightDigits } from './digits.ts';
 import { type ExactHit, type Reference, referenceOf } from './reference.ts';
 import { type Judgement, judge } from './verdict.ts';

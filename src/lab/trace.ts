@@ -1,18 +1,20 @@
-import type { Arithmetic } from '../math/arithmetic/arithmetic.ts';
-import { exact } from '../math/arithmetic/exact.ts';
-import type { Surd } from '../math/exact/surd.ts';
-import { evaluate, type Triple, type Values } from '../math/formula/evaluate.ts';
+import type { Surd } from '../math/exact.ts';
 import {
+  type Arithmetic,
   comp,
   type Expr,
+  evaluate,
+  exact,
   negative,
   num,
   over,
   root,
   scalar,
   squared,
-} from '../math/formula/expr.ts';
-import { AXES } from '../math/vec3.ts';
+  type Triple,
+  type Values,
+} from '../math/formula.ts';
+import { AXES } from '../math/shapes.ts';
 import { MOST_DIGITS, trustedDigits } from './digits.ts';
 import { keyOf, productOf, sumOf } from './written.ts';
 

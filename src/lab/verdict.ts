@@ -1,4 +1,4 @@
-import type { Verdict } from '../math/intersection.ts';
+import type { Verdict } from '../math/index.ts';
 
 /** What a method's class is worth against the exact one. */
 export type Judgement = 'right' | 'misses' | 'invents' | 'misnames' | 'undecided';

@@ -1,4 +1,4 @@
-import type { Expr, Term } from '../math/formula/expr.ts';
+import type { Expr, Term } from '../math/formula.ts';
 
 /** Sums and products are written flat, as they are evaluated: from the left. */
 export function sumOf(left: Expr, term: Term): Expr {

@@ -1,4 +1,4 @@
-import { SHAPES } from '../math/shapes/index.ts';
+import { SHAPES } from '../math/index.ts';
 import type { Store } from '../state/store.ts';
 
 /** What the page itself can do beyond changing the state. */

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
-import { SHAPES } from '../math/shapes/index.ts';
+import { SHAPES } from '../math/index.ts';
 import { createDerive } from '../state/derive.ts';
 import type { Example } from '../state/example.ts';
 import type { Preset } from '../state/gallery/define.ts';

@@ -1,8 +1,13 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
-import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
-import { type Expr, plus, scalar } from '../math/formula/expr.ts';
-import type { Intersection } from '../math/intersection.ts';
-import { METHODS } from '../math/methods/index.ts';
+import {
+  type ConditionStep,
+  type Derivation,
+  type Expr,
+  plus,
+  type Step,
+  scalar,
+} from '../math/formula.ts';
+import { type Intersection, METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';

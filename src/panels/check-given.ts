@@ -1,7 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import type { Answer, Input } from '../check/types.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { classOf } from './symbols.ts';

@@ -1,8 +1,6 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { Line } from '../check/lines.ts';
-import { float64 } from '../math/arithmetic/float64.ts';
-import { evaluate } from '../math/formula/evaluate.ts';
-import type { Expr, Relation } from '../math/formula/expr.ts';
+import { type Expr, evaluate, float64, type Relation } from '../math/formula.ts';
 import { comparableDigits, type PutIn, putInSideBySide, valuesAsResults } from '../state/put-in.ts';
 import { display } from '../text/format.ts';
 import { formula } from './formula.ts';

@@ -4,7 +4,7 @@ import { FOUR_DIGITS_WORDS } from '../check/grade.ts';
 import { editedLines } from '../check/lines.ts';
 import { type OwnLine, type OwnReport, ownFields } from '../check/own-numbers.ts';
 import type { Input } from '../check/types.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { ids, namedCauses, whereAndWhat } from './check-feedback.ts';
 import { type FieldView, fieldRow } from './check-field.ts';
 import { inputRow } from './check-given.ts';

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { FORMAT_WORDS } from '../check/program/exchange.ts';
-import { SHAPES } from '../math/shapes/index.ts';
+import { SHAPES } from '../math/index.ts';
 import type { ProgramTools, ProgramView } from './check-program-view.ts';
 import './check-program.css';
 

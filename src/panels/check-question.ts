@@ -3,7 +3,7 @@ import { FOUR_DIGITS_WORDS, type Mark, roundedWords } from '../check/grade.ts';
 import { type Asked, askedAt } from '../check/progress.ts';
 import { summary } from '../check/summary.ts';
 import type { Field } from '../check/types.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { feedback, helpButtons, helps, mayBeHelped } from './check-feedback.ts';
 import { type FieldView, fieldRow } from './check-field.ts';
 import { inputRow, shownAnswer } from './check-given.ts';

@@ -3,7 +3,7 @@ import type { Output } from '../check/program/judge.ts';
 import type { ConsoleLine } from '../check/program/protocol.ts';
 import type { Failure, FamilyReport, GroupScore, Report } from '../check/program/report.ts';
 import { BRANCHES, type Finding } from '../check/program/suspects.ts';
-import { definitionOf, findShape } from '../math/shapes/lookup.ts';
+import { definitionOf, findShape } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { lineName } from './check-feedback.ts';
 import { inputRow } from './check-given.ts';

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { AXES, type Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { AXES } from '../math/shapes.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { display, shortest } from '../text/format.ts';

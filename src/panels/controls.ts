@@ -1,5 +1,5 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
-import { AXES } from '../math/vec3.ts';
+import { AXES } from '../math/shapes.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { display } from '../text/format.ts';

@@ -3,7 +3,7 @@ import { digitCount, markDigits } from '../lab/digits.ts';
 import { whyLost } from '../lab/explain.ts';
 import type { Losses, Step } from '../lab/losses.ts';
 import { plainText } from '../lab/plain.ts';
-import { type Surd, toNumber } from '../math/exact/surd.ts';
+import { type Surd, toNumber } from '../math/exact.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';
 import { formula } from './formula.ts';

@@ -1,6 +1,6 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import type { Hit, Intersection } from '../math/intersection.ts';
-import { AXES, type Vec3 } from '../math/vec3.ts';
+import type { Hit, Intersection, Vec3 } from '../math/index.ts';
+import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { exactBeside, rootGap } from '../state/exact-digits.ts';
 import { whyCut } from '../state/heights.ts';

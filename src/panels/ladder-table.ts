@@ -4,7 +4,7 @@ import { grouped, priceText } from '../lab/sentence.ts';
 import type { Timing } from '../lab/session.ts';
 import type { MethodRow, RootRow } from '../lab/this-ray.ts';
 import { JUDGEMENTS } from '../lab/verdict.ts';
-import type { Verdict } from '../math/intersection.ts';
+import type { Verdict } from '../math/index.ts';
 import { SAYS } from '../state/accuracy/change-words.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';

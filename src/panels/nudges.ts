@@ -1,7 +1,6 @@
 import { html, type TemplateResult } from 'lit';
-import { nextDown, nextUp } from '../math/float/ulp.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { AXES, definitionOf, nextDown, nextUp, withComponent } from '../math/shapes.ts';
 import type { Dispatch, ParamValue } from '../state/actions.ts';
 import { type AppState, paramValue, shapeOf } from '../state/state.ts';
 import { displayAll, shortest } from '../text/format.ts';

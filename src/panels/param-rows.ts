@@ -1,13 +1,14 @@
 import { html, type TemplateResult } from 'lit';
-import { InvalidInput } from '../math/invalid-input.ts';
+import { InvalidInput, type Vec3 } from '../math/index.ts';
 import {
+  AXES,
   type AxisParam,
   checkParam,
   type NumberParam,
   type Param,
   type VectorParam,
-} from '../math/shapes/params.ts';
-import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
+  withComponent,
+} from '../math/shapes.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';
 import { textsOf } from '../ui/typed-event.ts';

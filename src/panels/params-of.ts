@@ -1,6 +1,5 @@
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Param } from '../math/shapes/params.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { definitionOf, type Param } from '../math/shapes.ts';
 import type { Dispatch, Edit, ParamValue } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { paramValue, RAY_PARAMS } from '../state/state.ts';

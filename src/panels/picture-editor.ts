@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { SHAPES, type Shape } from '../math/shapes/index.ts';
-import { definitionOf, findShape } from '../math/shapes/lookup.ts';
+import { SHAPES, type Shape } from '../math/index.ts';
+import { definitionOf, findShape } from '../math/shapes.ts';
 import { addLight, addShape, addThing, freeId } from '../scene/edit.ts';
 import type { Scene } from '../scene/types.ts';
 import {

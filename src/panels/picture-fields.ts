@@ -1,6 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { AXES, type Vec3, withComponent } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { AXES, withComponent } from '../math/shapes.ts';
 import type { Scene } from '../scene/types.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';

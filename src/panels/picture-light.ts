@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import { changeLight } from '../scene/edit.ts';
 import type { Light, Scene } from '../scene/types.ts';
 import { asLight, LIGHT_KINDS, LIGHT_WORDS, refusalOf } from '../state/picture/edits.ts';

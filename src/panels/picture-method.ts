@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import { METHODS } from '../math/methods/index.ts';
+import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import { changed, type PictureSettings } from '../state/picture/settings.ts';
 import { readStart, START_TEXTS, startText, startWords } from '../state/picture/start.ts';

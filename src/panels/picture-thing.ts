@@ -1,6 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { AXES } from '../math/vec3.ts';
+import { AXES, definitionOf } from '../math/shapes.ts';
 import { changeThing } from '../scene/edit.ts';
 import type { Glass, Material, Paint, Placed, Scene } from '../scene/types.ts';
 import { applied } from '../state/actions.ts';

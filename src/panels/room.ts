@@ -1,7 +1,5 @@
-import type { Step } from '../math/derivation.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Expr, VectorExpr } from '../math/formula/expr.ts';
-import { AXES, axisIndex } from '../math/vec3.ts';
+import type { Expr, Step, Values, VectorExpr } from '../math/formula.ts';
+import { AXES, axisIndex } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 
 /** Where numbers that are put in stand: in how many lines of how many characters. */

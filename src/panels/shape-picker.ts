@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from 'lit';
-import { SHAPES } from '../math/shapes/index.ts';
+import { SHAPES } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import './shape-picker.css';

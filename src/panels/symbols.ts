@@ -1,5 +1,5 @@
-import { SHAPES } from '../math/shapes/index.ts';
-import type { Param } from '../math/shapes/params.ts';
+import { SHAPES } from '../math/index.ts';
+import type { Param } from '../math/shapes.ts';
 
 /** Which colour a symbol of a formula has, and which symbol lights up with it. */
 

@@ -1,8 +1,13 @@
 import { mathml, type TemplateResult } from 'lit';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Expr, Relation } from '../math/formula/expr.ts';
-import { inNumbers, inSymbols, numberPiece } from '../math/formula/print/leaves.ts';
-import type { Marks } from '../math/formula/print/math-notation.ts';
+import {
+  type Expr,
+  inNumbers,
+  inSymbols,
+  type Marks,
+  numberPiece,
+  type Relation,
+  type Values,
+} from '../math/formula.ts';
 import { classOf, highlightOf } from './symbols.ts';
 
 /**

@@ -1,4 +1,4 @@
-import type { Shape } from '../math/shapes/index.ts';
+import type { Shape } from '../math/index.ts';
 import { GREY, type Light, type Placed, type Scene } from './types.ts';
 
 /* Edits: each gives a new scene and leaves what it did not touch as it was, the same objects. */

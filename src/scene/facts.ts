@@ -1,6 +1,5 @@
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { sideOf } from '../math/side.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { definitionOf, sideOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
 /* What effects ask of a scene. */

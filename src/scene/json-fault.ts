@@ -1,4 +1,4 @@
-import { quote } from '../math/invalid-input.ts';
+import { quote } from '../math/shapes.ts';
 
 /** Nested deeper than any scene: where it happens counts as the fault. */
 const DEEPEST = 500;

@@ -1,4 +1,5 @@
-import { InvalidInput, quote } from '../math/invalid-input.ts';
+import { InvalidInput } from '../math/index.ts';
+import { quote } from '../math/shapes.ts';
 import { jsonFault } from './json-fault.ts';
 import type { Scene } from './types.ts';
 import { validateScene } from './validate.ts';

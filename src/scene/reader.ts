@@ -1,5 +1,5 @@
-import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
-import { AXES, type Axis, type Vec3 } from '../math/vec3.ts';
+import { InvalidInput, type Vec3 } from '../math/index.ts';
+import { AXES, type Axis, quote, refused } from '../math/shapes.ts';
 
 /**
  * Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`.

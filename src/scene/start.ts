@@ -1,4 +1,4 @@
-import type { Answers } from '../math/batch/batch.ts';
+import type { Answers } from '../math/batch.ts';
 
 /**
  * The rule of math/leave.ts for the answers of `both`: the root nearest to 0 is where the ray

@@ -1,6 +1,6 @@
-import type { Heights } from '../math/shapes/body.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Heights } from '../math/drawing.ts';
+import type { Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
 export type SurfacePart = 'shape' | 'low cap' | 'high cap';

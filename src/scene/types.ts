@@ -1,5 +1,5 @@
-import type { Shape } from '../math/shapes/index.ts';
-import type { Axis, Vec3 } from '../math/vec3.ts';
+import type { Shape, Vec3 } from '../math/index.ts';
+import type { Axis } from '../math/shapes.ts';
 
 /*
  * A scene is plain data: what is said here is what a file holds. Everything is readonly; an edited

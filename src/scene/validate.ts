@@ -1,6 +1,5 @@
-import { InvalidInput, quote, refused } from '../math/invalid-input.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { checkedShape, definitionOf } from '../math/shapes/lookup.ts';
+import { InvalidInput, type Shape } from '../math/index.ts';
+import { checkedShape, definitionOf, quote, refused } from '../math/shapes.ts';
 import { effectValues } from './effects/declared.ts';
 import {
   axis,

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';

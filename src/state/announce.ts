@@ -1,4 +1,4 @@
-import { findShape } from '../math/shapes/lookup.ts';
+import { findShape } from '../math/shapes.ts';
 import { rootTexts } from '../text/apart.ts';
 import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';

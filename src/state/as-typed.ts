@@ -1,9 +1,7 @@
-import { intersectTyped } from '../math/as-typed.ts';
-import { decimalDigits } from '../math/exact/decimal.ts';
-import { fromNumber, type Surd } from '../math/exact/surd.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Intersection, Verdict } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
+import { decimalDigits, fromNumber, type Surd } from '../math/exact.ts';
+import type { Values } from '../math/formula.ts';
+import type { Intersection, Ray, Verdict } from '../math/index.ts';
+import { intersectTyped } from '../math/shapes.ts';
 import { hintOn } from '../text/parse.ts';
 import { superscript } from '../text/scripts.ts';
 import {

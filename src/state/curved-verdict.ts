@@ -1,5 +1,5 @@
-import type { CurvedDetails, Intersection } from '../math/intersection.ts';
-import type { Naming } from '../math/shapes/define.ts';
+import type { Intersection } from '../math/index.ts';
+import type { CurvedDetails, Naming } from '../math/shapes.ts';
 import { sidesOf } from './sides.ts';
 import { type Comparison, cannotDecide, zero } from './verdict-parts.ts';
 import {

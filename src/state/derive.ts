@@ -1,10 +1,7 @@
-import { type Derivation, derivation } from '../math/derivation.ts';
-import { intersect } from '../math/intersect.ts';
-import type { Intersection, Verdict } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Drawing, Stage } from '../math/shapes/drawing.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import type { Drawing, Stage } from '../math/drawing.ts';
+import { type Derivation, derivation } from '../math/formula.ts';
+import { type Intersection, intersect, type Ray, type Shape, type Verdict } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';

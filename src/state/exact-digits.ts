@@ -1,15 +1,15 @@
-import { exact } from '../math/arithmetic/exact.ts';
-import type { Derivation, Step } from '../math/derivation.ts';
-import { decimalDigits } from '../math/exact/decimal.ts';
-import type { Surd } from '../math/exact/surd.ts';
-import { DISCRIMINANT } from '../math/formula/common.ts';
-import { evaluate, withScalars } from '../math/formula/evaluate.ts';
-import { intersect } from '../math/intersect.ts';
-import type { Intersection } from '../math/intersection.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import { decimalDigits, type Surd } from '../math/exact.ts';
+import {
+  type Derivation,
+  DISCRIMINANT,
+  evaluate,
+  exact,
+  type Step,
+  valuesOf,
+  withScalars,
+} from '../math/formula.ts';
+import { type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { digitsToTell } from '../text/apart.ts';
 import {
   CERTAIN_DIGITS,

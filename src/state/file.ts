@@ -1,6 +1,5 @@
-import { quote } from '../math/invalid-input.ts';
-import { SHAPES, type Shape } from '../math/shapes/index.ts';
-import { checkedShape } from '../math/shapes/lookup.ts';
+import { SHAPES, type Shape } from '../math/index.ts';
+import { checkedShape, quote } from '../math/shapes.ts';
 import { type AppState, INITIAL, PAGES, type Settings } from './state.ts';
 import { readTexts, type TypedTexts } from './typed-texts.ts';
 import { decode, encode, MAX_KEYS } from './url.ts';

@@ -1,10 +1,12 @@
-import type { TypedNumber } from '../math/arithmetic/typed.ts';
-import { borderConditions, spanInFigure } from '../math/figure.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { FlatDetails, Intersection, PlaneHit } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import type { TypedNumber, Values } from '../math/formula.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import {
+  borderConditions,
+  definitionOf,
+  type FlatDetails,
+  type PlaneHit,
+  spanInFigure,
+} from '../math/shapes.ts';
 import { sideOfPlane } from './sides.ts';
 import { type Comparison, cannotDecide, type Piece, zero } from './verdict-parts.ts';
 import { type Sides, STRETCH, sideKey, WHERE } from './verdict-table.ts';

@@ -1,8 +1,5 @@
-import { alongRay } from '../math/along.ts';
-import { spanInFigure } from '../math/figure.ts';
-import type { Intersection } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import { alongRay, spanInFigure } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import type { GraphModel } from './graph-model.ts';
 import { stretchesOf } from './stretches.ts';

@@ -1,12 +1,19 @@
-import { coefficients, intersect } from '../math/intersect.ts';
-import { InvalidInput } from '../math/invalid-input.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Drawing, Grip } from '../math/shapes/drawing.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { checkParam, type NumberParam, type VectorParam } from '../math/shapes/params.ts';
-import { unitVector } from '../math/unit.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Drawing, Grip } from '../math/drawing.ts';
+import {
+  coefficients,
+  InvalidInput,
+  intersect,
+  type Ray,
+  type Shape,
+  type Vec3,
+} from '../math/index.ts';
+import {
+  checkParam,
+  definitionOf,
+  type NumberParam,
+  unitVector,
+  type VectorParam,
+} from '../math/shapes.ts';
 import { display, displayTriple } from '../text/format.ts';
 import type { Action, Edit, ParamValue } from './actions.ts';
 import type { Probe, Tangency, Value } from './snap.ts';

@@ -1,4 +1,4 @@
-import type { Ray } from '../math/ray.ts';
+import type { Ray } from '../math/index.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 

@@ -1,16 +1,14 @@
-import { exact as exactly } from '../math/arithmetic/exact.ts';
-import { exactOf } from '../math/exact/of-typed.ts';
-import { compare, fromNumber, isZero, type Surd } from '../math/exact/surd.ts';
+import { compare, exactOf, fromNumber, isZero, type Surd } from '../math/exact.ts';
 import {
+  exact as exactly,
   lift,
   squaredNorm,
   type Triple,
   type Values,
   withVector,
-} from '../math/formula/evaluate.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Param } from '../math/shapes/params.ts';
+} from '../math/formula.ts';
+import type { Shape } from '../math/index.ts';
+import { definitionOf, type Param } from '../math/shapes.ts';
 import { shortest } from '../text/format.ts';
 import { parseTyped } from '../text/parse.ts';
 import { type AppState, RAY_PARAMS } from './state.ts';

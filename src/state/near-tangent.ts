@@ -1,13 +1,15 @@
-import { exact } from '../math/arithmetic/exact.ts';
-import type { Surd } from '../math/exact/surd.ts';
-import { nextDown, nextUp } from '../math/float/ulp.ts';
-import { POINT } from '../math/formula/common.ts';
-import { evaluateTriple, squaredNorm, withScalars } from '../math/formula/evaluate.ts';
-import { valuesOf } from '../math/methods/tree-method.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { withPoint } from '../math/shapes/planar.ts';
+import type { Surd } from '../math/exact.ts';
+import {
+  evaluateTriple,
+  exact,
+  POINT,
+  squaredNorm,
+  valuesOf,
+  withPoint,
+  withScalars,
+} from '../math/formula.ts';
+import type { Ray, Shape } from '../math/index.ts';
+import { definitionOf, nextDown, nextUp } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Exactly, exactText } from './exact-digits.ts';
 import type { Handle } from './handles.ts';

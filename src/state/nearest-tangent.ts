@@ -1,9 +1,5 @@
-import { intersect } from '../math/intersect.ts';
-import type { CircleNear } from '../math/shapes/define.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import { short } from '../math/shapes/short.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { intersect, type Shape, type Vec3 } from '../math/index.ts';
+import { type CircleNear, definitionOf, short } from '../math/shapes.ts';
 import { type AppState, rayOf, shapeOf } from './state.ts';
 
 /** What is changed to make a ray tangent in exact arithmetic. */

@@ -1,15 +1,19 @@
-import { asSurd, type Ratio, ratios } from '../math/arithmetic/ratios.ts';
-import type { ConditionStep, Derivation, Step } from '../math/derivation.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Expr } from '../math/formula/expr.ts';
 import {
   asPrinted,
+  asSurd,
+  type ConditionStep,
+  type Derivation,
+  type Expr,
   isWritable,
+  type Ratio,
+  ratios,
   recomputed,
   reproduces,
+  type Step,
+  type Values,
   type Written,
-} from '../math/formula/recompute.ts';
-import type { Intersection } from '../math/intersection.ts';
+} from '../math/formula.ts';
+import type { Intersection } from '../math/index.ts';
 import { type Exactly, exactText, shownResult } from './exact-digits.ts';
 import { rootsOf } from './window.ts';
 

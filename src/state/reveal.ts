@@ -1,4 +1,4 @@
-import type { Derivation } from '../math/derivation.ts';
+import type { Derivation } from '../math/formula.ts';
 import type { RaySegment, SceneModel } from './scene-model.ts';
 
 interface Derived {

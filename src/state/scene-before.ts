@@ -1,7 +1,5 @@
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Ray, Shape, Vec3 } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { displayTriple } from '../text/format.ts';
 import { clipToStage } from './scene.ts';
 import type { RaySegment, SceneModel } from './scene-model.ts';

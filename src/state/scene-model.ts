@@ -1,5 +1,5 @@
-import type { Drawing, Stage } from '../math/shapes/drawing.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Drawing, Stage } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Handle } from './handles.ts';
 import type { View } from './view.ts';
 

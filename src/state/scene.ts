@@ -1,8 +1,5 @@
-import type { Intersection } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Drawing, Stage } from '../math/shapes/drawing.ts';
-import { multiplesWithin, roundStep } from '../math/shapes/steps.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { type Drawing, multiplesWithin, roundStep, type Stage } from '../math/drawing.ts';
+import type { Intersection, Ray, Vec3 } from '../math/index.ts';
 import { withArticle } from '../text/article.ts';
 import { displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';

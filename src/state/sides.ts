@@ -1,4 +1,5 @@
-import type { Intersection, Sign } from '../math/intersection.ts';
+import type { Intersection } from '../math/index.ts';
+import type { Sign } from '../math/shapes.ts';
 
 /** Where each hit is as seen from E: −1 behind it, 0 at E itself, 1 ahead. */
 export function sidesOf(found: Intersection): readonly Sign[] {

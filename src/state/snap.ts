@@ -1,6 +1,6 @@
-import type { Sign } from '../math/intersection.ts';
-import { roundStep } from '../math/shapes/steps.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { roundStep } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
+import type { Sign } from '../math/shapes.ts';
 
 /** What a handle moves: a point or direction, or one number. */
 export type Value = Vec3 | number;

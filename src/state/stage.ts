@@ -1,9 +1,6 @@
-import type { Intersection } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Stage } from '../math/shapes/drawing.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Stage } from '../math/drawing.ts';
+import type { Intersection, Ray, Shape, Vec3 } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 
 /**
  * The world at the scale of the sliders: this part of it is shown as long as everything happens

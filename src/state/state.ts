@@ -1,9 +1,5 @@
-import { DEFAULT_METHOD } from '../math/intersect.ts';
-import type { Ray } from '../math/ray.ts';
-import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
-import type { Param } from '../math/shapes/params.ts';
-import { unitVector } from '../math/unit.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { type Ray, SHAPES, type Shape, type Vec3 } from '../math/index.ts';
+import { DEFAULT_METHOD, type Param, type ShapeKind, unitVector } from '../math/shapes.ts';
 import type { Between } from './heights.ts';
 import type { View } from './view.ts';
 

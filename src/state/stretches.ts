@@ -1,5 +1,5 @@
-import type { Span } from '../math/figure.ts';
-import type { Intersection, Sign } from '../math/intersection.ts';
+import type { Intersection } from '../math/index.ts';
+import type { Sign, Span } from '../math/shapes.ts';
 import type { Stretch } from './scene-model.ts';
 
 /**

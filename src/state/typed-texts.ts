@@ -1,7 +1,5 @@
-import { SHAPES, type Shape, type ShapeKind } from '../math/shapes/index.ts';
-import { findShape } from '../math/shapes/lookup.ts';
-import type { Param } from '../math/shapes/params.ts';
-import { AXES, type Vec3 } from '../math/vec3.ts';
+import { SHAPES, type Shape, type Vec3 } from '../math/index.ts';
+import { AXES, findShape, type Param, type ShapeKind } from '../math/shapes.ts';
 import { shortest } from '../text/format.ts';
 import { normalise } from '../text/normalise.ts';
 import { parseNumber } from '../text/parse.ts';

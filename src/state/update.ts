@@ -1,8 +1,5 @@
-import { findMethod } from '../math/intersect.ts';
-import type { Shape, ShapeKind } from '../math/shapes/index.ts';
-import { findShape } from '../math/shapes/lookup.ts';
-import { checkParam, type Param } from '../math/shapes/params.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Shape, Vec3 } from '../math/index.ts';
+import { checkParam, findMethod, findShape, type Param, type ShapeKind } from '../math/shapes.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
 import { exampleOf } from './example.ts';
 import { GALLERY } from './gallery/index.ts';

@@ -1,10 +1,14 @@
-import { DEFAULT_METHOD, findMethod } from '../math/intersect.ts';
-import { InvalidInput, quote } from '../math/invalid-input.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape, ShapeKind } from '../math/shapes/index.ts';
-import { findShape, knownAs } from '../math/shapes/lookup.ts';
-import { checkParam, type Param } from '../math/shapes/params.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { InvalidInput, type Ray, type Shape, type Vec3 } from '../math/index.ts';
+import {
+  checkParam,
+  DEFAULT_METHOD,
+  findMethod,
+  findShape,
+  knownAs,
+  type Param,
+  quote,
+  type ShapeKind,
+} from '../math/shapes.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { Between } from './heights.ts';
 import {

@@ -1,4 +1,4 @@
-import type { Sign } from '../math/intersection.ts';
+import type { Sign } from '../math/shapes.ts';
 
 export interface Comparison {
   /** A quantity's name as the derivation calls it. */

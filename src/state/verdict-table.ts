@@ -1,4 +1,4 @@
-import type { Sign } from '../math/intersection.ts';
+import type { Sign } from '../math/shapes.ts';
 
 /** Where the roots are as seen from E, ascending: '−' behind it, '0' at E itself, '+' ahead. */
 export type Side = '-' | '0' | '+';

@@ -1,5 +1,5 @@
-import type { Intersection } from '../math/intersection.ts';
-import { roundStep } from '../math/shapes/steps.ts';
+import { roundStep } from '../math/drawing.ts';
+import type { Intersection } from '../math/index.ts';
 
 /** The stretch of t that the graph shows, and the ray is drawn over. */
 export interface Window {

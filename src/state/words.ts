@@ -1,9 +1,6 @@
-import type { TypedNumber } from '../math/arithmetic/typed.ts';
-import type { Values } from '../math/formula/evaluate.ts';
-import type { Intersection } from '../math/intersection.ts';
-import type { Ray } from '../math/ray.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
+import type { TypedNumber, Values } from '../math/formula.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import { rootTexts } from '../text/apart.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';

@@ -1,5 +1,11 @@
-import { type Answers, createAnswers, createRays, NONE, type Rays } from '../math/batch/batch.ts';
-import { kernelArray } from '../math/batch/memory.ts';
+import {
+  type Answers,
+  createAnswers,
+  createRays,
+  kernelArray,
+  NONE,
+  type Rays,
+} from '../math/batch.ts';
 import type { RootsBody } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
 import { departs } from './departs.ts';

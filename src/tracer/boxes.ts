@@ -1,7 +1,7 @@
-import type { Rays } from '../math/batch/batch.ts';
-import type { Box } from '../math/shapes/body.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Rays } from '../math/batch.ts';
+import type { Box } from '../math/drawing.ts';
+import type { Vec3 } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import type { Surface } from '../scene/surfaces.ts';
 
 /** The box of a surface, a little larger than it is; null for one that has no end. */

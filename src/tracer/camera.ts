@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import { CAMERA, type Wave } from '../scene/effects/body.ts';
 import type { Camera } from '../scene/types.ts';
 import { unit } from './gradient.ts';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
 import type { Colour } from '../scene/types.ts';
 
 /* sRGB (IEC 61966-2-1) and linear light. */

@@ -1,4 +1,4 @@
-import { METHODS } from '../math/methods/index.ts';
+import { METHODS } from '../math/index.ts';
 import { EFFECTS } from '../scene/effects/index.ts';
 import type { StartRule, TraceSettings } from './types.ts';
 import { NOTHING } from './types.ts';

@@ -1,5 +1,4 @@
-import type { Rays } from '../math/batch/batch.ts';
-import type { Quadric } from '../math/batch/quadric.ts';
+import type { Quadric, Rays } from '../math/batch.ts';
 
 /*
  * A ray that leaves a curved surface on its convex side does not come back, and that can be seen

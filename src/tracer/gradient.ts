@@ -1,9 +1,7 @@
-import { float64 } from '../math/arithmetic/float64.ts';
-import { quadricOf } from '../math/batch/quadric.ts';
-import { evaluateTriple, withScalars } from '../math/formula/evaluate.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { quadricOf } from '../math/batch.ts';
+import { evaluateTriple, float64, withScalars } from '../math/formula.ts';
+import type { Shape, Vec3 } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 
 /**
  * How a surface's gradient is worked out at a point: the constant N of a flat shape, the linear

@@ -1,5 +1,5 @@
-import { sideOf } from '../math/side.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/index.ts';
+import { sideOf } from '../math/shapes.ts';
 import { isGlass } from '../scene/facts.ts';
 import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Scene } from '../scene/types.ts';

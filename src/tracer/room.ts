@@ -1,4 +1,4 @@
-import type { Rays } from '../math/batch/batch.ts';
+import type { Rays } from '../math/batch.ts';
 import { type Asker, createAsker, type HeightsEffect } from './ask.ts';
 import type { Slopes } from './boxes.ts';
 import type { StartRule } from './types.ts';

@@ -1,5 +1,4 @@
-import type { Ray } from '../math/ray.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import type { Ray, Vec3 } from '../math/index.ts';
 import type { EffectId } from '../scene/effects/index.ts';
 import type { Forced } from '../scene/effects/plan.ts';
 

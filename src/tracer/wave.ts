@@ -1,5 +1,4 @@
-import { createRays } from '../math/batch/batch.ts';
-import { kernelArray } from '../math/batch/memory.ts';
+import { createRays, kernelArray } from '../math/batch.ts';
 import type { Feelers, Lit, Wave, WorldLight } from '../scene/effects/body.ts';
 
 const doubles = (n: number): Float64Array => new Float64Array(n);

@@ -1,12 +1,7 @@
-import type { Kernel } from '../math/batch/batch.ts';
-import { batchOf } from '../math/batch/kernels.ts';
-import { type Quadric, quadricOf } from '../math/batch/quadric.ts';
-import { findMethod } from '../math/intersect.ts';
-import { InvalidInput, quote } from '../math/invalid-input.ts';
-import type { Box } from '../math/shapes/body.ts';
-import type { Shape } from '../math/shapes/index.ts';
-import { definitionOf } from '../math/shapes/lookup.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { batchOf, type Kernel, type Quadric, quadricOf } from '../math/batch.ts';
+import type { Box } from '../math/drawing.ts';
+import { InvalidInput, type Shape, type Vec3 } from '../math/index.ts';
+import { definitionOf, findMethod, quote } from '../math/shapes.ts';
 import type { Look, World, WorldLight } from '../scene/effects/body.ts';
 import { declaredAt } from '../scene/effects/declared.ts';
 import { type BodyValues, type Owner, type Place, valuesOf } from '../scene/effects/fields.ts';

@@ -1,5 +1,5 @@
 import type { Random } from '../../math/rng.ts';
-import type { ShapeKind } from '../../math/shapes/index.ts';
+import type { ShapeKind } from '../../math/shapes.ts';
 import type { Course } from '../course.ts';
 import type { Answers, Field, Input } from '../types.ts';
 

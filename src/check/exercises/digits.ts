@@ -1,14 +1,7 @@
-import { nearAxis } from '../../math/families/asymptotes.ts';
-import { farOrigin, typical } from '../../math/families/ordinary.ts';
-import type { NonEmpty } from '../../math/families/parts.ts';
-import { cancellation } from '../../math/families/starts.ts';
-import { nearTangent } from '../../math/families/tangents.ts';
-import { findMethod } from '../../math/intersect.ts';
-import type { CurvedDetails } from '../../math/intersection.ts';
+import { findFamily } from '../../math/families.ts';
+import type { Shape, Vec3 } from '../../math/index.ts';
 import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
-import type { Shape } from '../../math/shapes/index.ts';
-import { findShape } from '../../math/shapes/lookup.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { type CurvedDetails, findMethod, findShape } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
 import type { Exercise } from './define.ts';
@@ -52,12 +45,21 @@ function alongGenerator(random: Random): Input {
   return { shape, ray: { origin: quarters(6), direction } };
 }
 
-const DRAWS: NonEmpty<(random: Random) => Input> = [
-  (random) => typical.make(random),
-  (random) => farOrigin.make(random),
-  (random) => cancellation.make(random),
-  (random) => nearTangent.make(random),
-  (random) => nearAxis.make(random),
+type Draw = (random: Random) => Input;
+
+/** Rays of a family; the ids are those of src/math/families. */
+function drawOf(id: string): Draw {
+  const family = findFamily(id);
+  if (!family) throw new RangeError(`no family ${id}`);
+  return (random) => family.make(random);
+}
+
+const DRAWS: readonly [Draw, ...Draw[]] = [
+  drawOf('typical'),
+  drawOf('far-origin'),
+  drawOf('cancellation'),
+  drawOf('near-tangent'),
+  drawOf('near-axis'),
   alongGenerator,
 ];
 

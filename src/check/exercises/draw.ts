@@ -1,11 +1,14 @@
-import { float64 } from '../../math/arithmetic/float64.ts';
-import { evaluateTriple } from '../../math/formula/evaluate.ts';
-import { valuesOf } from '../../math/methods/tree-method.ts';
+import { evaluateTriple, float64, valuesOf } from '../../math/formula.ts';
+import { SHAPES, type Shape, type Vec3 } from '../../math/index.ts';
 import { integer, pick, type Random, seeded } from '../../math/rng.ts';
-import { SHAPES, type Shape, type ShapeKind } from '../../math/shapes/index.ts';
-import { definitionOf, findShape } from '../../math/shapes/lookup.ts';
-import type { Param } from '../../math/shapes/params.ts';
-import { AXES, type Axis, type Vec3 } from '../../math/vec3.ts';
+import {
+  AXES,
+  type Axis,
+  definitionOf,
+  findShape,
+  type Param,
+  type ShapeKind,
+} from '../../math/shapes.ts';
 import { courseOf } from '../course.ts';
 import type { Answers, Input } from '../types.ts';
 import { roughWork } from '../work.ts';

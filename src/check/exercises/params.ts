@@ -1,5 +1,5 @@
-import type { Shape } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
+import type { Shape } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import type { Draft } from './define.ts';
 
 type Param = NonNullable<Draft['param']>;

@@ -1,6 +1,4 @@
-import { float64 } from '../../math/arithmetic/float64.ts';
-import { evaluate, evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
-import { valuesOf } from '../../math/methods/tree-method.ts';
+import { evaluate, evaluateTriple, float64, valuesOf, withScalars } from '../../math/formula.ts';
 import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';

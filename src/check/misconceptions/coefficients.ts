@@ -1,4 +1,4 @@
-import { type Expr, scalar, squared } from '../../math/formula/expr.ts';
+import { type Expr, scalar, squared } from '../../math/formula.ts';
 import type { CurvedCourse } from '../course.ts';
 import { isNumber, isScalar, mentionsAxis, rewrite } from '../rewrite.ts';
 import { ofCurved } from './define.ts';

@@ -1,4 +1,4 @@
-import { minus, norm, num, over, squared, times, vec } from '../../math/formula/expr.ts';
+import { minus, norm, num, over, squared, times, vec } from '../../math/formula.ts';
 import { isScalar, rewriteRelation } from '../rewrite.ts';
 import { ofFlat, ofRules } from './define.ts';
 

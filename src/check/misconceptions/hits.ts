@@ -1,4 +1,4 @@
-import { norm, over, times, vec } from '../../math/formula/expr.ts';
+import { norm, over, times, vec } from '../../math/formula.ts';
 import { occurs, rewrite } from '../rewrite.ts';
 import { ofCurved, ofRules } from './define.ts';
 

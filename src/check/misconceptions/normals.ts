@@ -1,4 +1,4 @@
-import { negative, plus, scalar, times } from '../../math/formula/expr.ts';
+import { negative, plus, scalar, times } from '../../math/formula.ts';
 import { rewrite } from '../rewrite.ts';
 import { ofCurved } from './define.ts';
 

@@ -10,7 +10,7 @@ import {
   times,
   vec,
   vecMinus,
-} from '../../math/formula/expr.ts';
+} from '../../math/formula.ts';
 import { rewrite } from '../rewrite.ts';
 import { type Misconception, ofCurved, ofFlat } from './define.ts';
 

@@ -1,4 +1,4 @@
-import { norm, times, vec } from '../../math/formula/expr.ts';
+import { norm, times, vec } from '../../math/formula.ts';
 import { isNumber, isScalar, rewrite } from '../rewrite.ts';
 import { ofCurved, ofRules } from './define.ts';
 

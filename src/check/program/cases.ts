@@ -1,10 +1,7 @@
 import { findFamily, madeFamilies } from '../../math/families.ts';
-import { intersect } from '../../math/intersect.ts';
-import type { Intersection } from '../../math/intersection.ts';
+import { type Intersection, intersect, type Vec3 } from '../../math/index.ts';
 import { pick, type Random, seeded } from '../../math/rng.ts';
-import type { ShapeKind } from '../../math/shapes/index.ts';
-import { findShape } from '../../math/shapes/lookup.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { findShape, type ShapeKind } from '../../math/shapes.ts';
 import type { Input } from '../types.ts';
 
 /** What a right program returns: every root of the whole line, ascending, a tangent's once. */

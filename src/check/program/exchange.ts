@@ -1,5 +1,4 @@
-import { findShape } from '../../math/shapes/lookup.ts';
-import type { Param } from '../../math/shapes/params.ts';
+import { findShape, type Param } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import type { Case } from './cases.ts';
 import { LONGEST_RESULTS } from './results.ts';

@@ -1,10 +1,16 @@
-import { float64 } from '../../math/arithmetic/float64.ts';
-import { evaluate, withScalars } from '../../math/formula/evaluate.ts';
-import { type Expr, negative, num, over, times } from '../../math/formula/expr.ts';
-import { valuesOf } from '../../math/methods/tree-method.ts';
-import type { Shape } from '../../math/shapes/index.ts';
-import { withPoint } from '../../math/shapes/planar.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import {
+  type Expr,
+  evaluate,
+  float64,
+  negative,
+  num,
+  over,
+  times,
+  valuesOf,
+  withPoint,
+  withScalars,
+} from '../../math/formula.ts';
+import type { Shape, Vec3 } from '../../math/index.ts';
 import { type Course, type CurvedCourse, courseOf } from '../course.ts';
 import { findMisconception, MISCONCEPTIONS } from '../misconceptions/index.ts';
 import { rewrite } from '../rewrite.ts';

@@ -1,4 +1,4 @@
-import { quote } from '../../math/invalid-input.ts';
+import { quote } from '../../math/shapes.ts';
 import type { Output } from './judge.ts';
 
 /** What the page sends into the sandbox. Nothing of what is expected is among it. */

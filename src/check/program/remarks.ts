@@ -1,4 +1,4 @@
-import { intersect } from '../../math/intersect.ts';
+import { intersect } from '../../math/index.ts';
 import type { Case } from './cases.ts';
 import { judgeCase, NEEDED_DIGITS, type Output } from './judge.ts';
 

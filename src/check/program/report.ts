@@ -1,4 +1,4 @@
-import { intersect } from '../../math/intersect.ts';
+import { intersect } from '../../math/index.ts';
 import { type Case, GROUPS, type GroupId } from './cases.ts';
 import { judgeCase, type Output, type Verdict } from './judge.ts';
 import { remarks } from './remarks.ts';

@@ -1,4 +1,4 @@
-import { quote } from '../../math/invalid-input.ts';
+import { quote } from '../../math/shapes.ts';
 import type { Case } from './cases.ts';
 import { type Line, linesOf, numberIn } from './cells.ts';
 import type { Output } from './judge.ts';

@@ -1,10 +1,7 @@
-import type { Expr } from '../../math/formula/expr.ts';
-import { type Names, printCode } from '../../math/formula/print/code-notation.ts';
-import { TYPESCRIPT } from '../../math/formula/print/languages.ts';
+import { type Expr, type Names, printCode, TYPESCRIPT } from '../../math/formula.ts';
+import type { Shape } from '../../math/index.ts';
 import { seeded } from '../../math/rng.ts';
-import type { Shape, ShapeKind } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import { AXES } from '../../math/vec3.ts';
+import { AXES, definitionOf, type ShapeKind } from '../../math/shapes.ts';
 import { type Course, type CurvedCourse, courseOf, type FlatCourse } from '../course.ts';
 import { drawShape } from '../exercises/draw.ts';
 

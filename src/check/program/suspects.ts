@@ -1,4 +1,4 @@
-import type { ShapeKind } from '../../math/shapes/index.ts';
+import type { ShapeKind } from '../../math/shapes.ts';
 import { type Course, courseOf } from '../course.ts';
 import type { Answers, Input } from '../types.ts';
 import { roughWork } from '../work.ts';

@@ -1,6 +1,4 @@
-import type { ShapeKind } from '../../math/shapes/index.ts';
-import { findShape } from '../../math/shapes/lookup.ts';
-import type { Param } from '../../math/shapes/params.ts';
+import { findShape, type Param, type ShapeKind } from '../../math/shapes.ts';
 import { programOf } from './source.ts';
 
 const typeOf = (param: Param): string => {

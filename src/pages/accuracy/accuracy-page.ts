@@ -5,7 +5,7 @@ import type { Picked } from '../../charts/hardness-model.ts';
 import { sentenceOf } from '../../lab/sentence.ts';
 import type { MeasuredRow } from '../../lab/session.ts';
 import { findFamily, type Question } from '../../math/families.ts';
-import { quote } from '../../math/invalid-input.ts';
+import { quote } from '../../math/shapes.ts';
 import { measureBar } from '../../panels/measure-bar.ts';
 import { frontierOf, questionOf, titleOf } from '../../state/accuracy/frontier.ts';
 import { hardnessOf } from '../../state/accuracy/hardness.ts';

@@ -8,7 +8,8 @@ import { readResults } from '../../check/program/results.ts';
 import { adviceFor, asScript, tooLong } from '../../check/program/script.ts';
 import { textbookFor } from '../../check/program/template.ts';
 import { setOf } from '../../check/sets.ts';
-import { SHAPES, type ShapeKind } from '../../math/shapes/index.ts';
+import { SHAPES } from '../../math/index.ts';
+import type { ShapeKind } from '../../math/shapes.ts';
 import { runInSandbox } from './sandbox.ts';
 
 /**

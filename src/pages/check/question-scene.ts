@@ -1,9 +1,6 @@
 import type { Answers, Input } from '../../check/types.ts';
-import { float64 } from '../../math/arithmetic/float64.ts';
-import { POINT } from '../../math/formula/common.ts';
-import { evaluateTriple, withScalars } from '../../math/formula/evaluate.ts';
-import { valuesOf } from '../../math/methods/tree-method.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { evaluateTriple, float64, POINT, valuesOf, withScalars } from '../../math/formula.ts';
+import type { Vec3 } from '../../math/index.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
 import { sceneBefore } from '../../state/scene-before.ts';

@@ -1,6 +1,6 @@
 import { plan } from '../../check/session.ts';
 import { FIRST_SET, SETS } from '../../check/sets.ts';
-import { findShape } from '../../math/shapes/lookup.ts';
+import { findShape } from '../../math/shapes.ts';
 import type { Settings } from '../../state/state.ts';
 import type { Readable } from '../page.ts';
 

@@ -1,5 +1,5 @@
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import type { Vec3 } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import { changeThing } from '../../scene/edit.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';

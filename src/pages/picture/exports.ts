@@ -1,4 +1,4 @@
-import { InvalidInput } from '../../math/invalid-input.ts';
+import { InvalidInput } from '../../math/index.ts';
 import { sceneFromJson, sceneToJson } from '../../scene/json.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { ledgerCsv } from '../../state/picture/ledger.ts';

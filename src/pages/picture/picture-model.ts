@@ -1,4 +1,4 @@
-import { METHODS } from '../../math/methods/index.ts';
+import { METHODS } from '../../math/index.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { EMPTY_LEDGER, type LedgerModel, ledgerModel } from '../../state/picture/ledger.ts';
 import { type PictureSettings, pictureSettings } from '../../state/picture/settings.ts';

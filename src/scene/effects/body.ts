@@ -1,5 +1,5 @@
-import type { Answers, Rays } from '../../math/batch/batch.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import type { Answers, Rays } from '../../math/batch.ts';
+import type { Vec3 } from '../../math/index.ts';
 import type { BodyValues } from './fields.ts';
 
 /*

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../math/vec3.ts';
+import type { Vec3 } from '../../math/index.ts';
 import { colour, number, oneOf, type Read } from '../reader.ts';
 import type { Colour, EffectValues } from '../types.ts';
 

@@ -1,6 +1,6 @@
 import type { MethodRow, ThisRay } from '../../lab/this-ray.ts';
 import { JUDGEMENTS } from '../../lab/verdict.ts';
-import type { Verdict } from '../../math/intersection.ts';
+import type { Verdict } from '../../math/index.ts';
 import { displayAll } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 

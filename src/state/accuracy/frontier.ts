@@ -2,7 +2,7 @@ import { digitCount } from '../../lab/digits.ts';
 import type { Price } from '../../lab/price.ts';
 import { grouped, priceText, type Question } from '../../lab/sentence.ts';
 import type { Measured, MeasuredRow, Timing } from '../../lab/session.ts';
-import { findMethod } from '../../math/intersect.ts';
+import { findMethod } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import type { Cost, Worth } from './settings.ts';
 

@@ -1,8 +1,8 @@
 import { whereLost } from '../../lab/explain.ts';
 import { type Losses, lossesOf } from '../../lab/losses.ts';
 import { type ThisRay, thisRay } from '../../lab/this-ray.ts';
-import { findMethod } from '../../math/intersect.ts';
-import { METHODS } from '../../math/methods/index.ts';
+import { METHODS } from '../../math/index.ts';
+import { findMethod } from '../../math/shapes.ts';
 import { type AppState, rayOf, shapeOf } from '../state.ts';
 import { rayWords } from './ray-words.ts';
 

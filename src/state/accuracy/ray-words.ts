@@ -1,8 +1,7 @@
 import type { Reference } from '../../lab/reference.ts';
-import { sub, toNumber } from '../../math/exact/surd.ts';
-import type { Ray } from '../../math/ray.ts';
-import type { Shape } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
+import { sub, toNumber } from '../../math/exact.ts';
+import type { Ray, Shape } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 
 /** What is asked of every method: the shape, how far E is from it, and what is exactly true. */

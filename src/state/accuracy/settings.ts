@@ -1,5 +1,5 @@
 import { findFamily } from '../../math/families.ts';
-import { quote } from '../../math/invalid-input.ts';
+import { quote } from '../../math/shapes.ts';
 import type { Settings } from '../state.ts';
 
 /** What the two plots of the Accuracy page show; a link carries it. */

@@ -1,5 +1,4 @@
-import { POINT } from '../../math/formula/common.ts';
-import { GLSL as SYNTAX } from '../../math/formula/print/languages.ts';
+import { POINT, GLSL as SYNTAX } from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
 import { body, inBraces, type Language, vectorCode } from './language.ts';

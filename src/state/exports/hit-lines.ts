@@ -1,6 +1,6 @@
-import { numberTriple } from '../../math/formula/print/leaves.ts';
-import type { Marks } from '../../math/formula/print/math-notation.ts';
-import type { Hit, PlaneHit } from '../../math/intersection.ts';
+import { type Marks, numberTriple } from '../../math/formula.ts';
+import type { Hit } from '../../math/index.ts';
+import type { PlaneHit } from '../../math/shapes.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { HitWords } from '../words.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';

@@ -1,6 +1,11 @@
-import type { Expr, ExprTriple } from '../../math/formula/expr.ts';
-import { type CodeSyntax, type Names, printCode } from '../../math/formula/print/code-notation.ts';
-import type { Verdict } from '../../math/intersection.ts';
+import {
+  type CodeSyntax,
+  type Expr,
+  type ExprTriple,
+  type Names,
+  printCode,
+} from '../../math/formula.ts';
+import type { Verdict } from '../../math/index.ts';
 import type { Program, Statement, Test } from './program.ts';
 
 /** How a language writes the statements of a program. */

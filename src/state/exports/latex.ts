@@ -1,4 +1,4 @@
-import { LATEX, latexText } from '../../math/formula/print/latex.ts';
+import { LATEX, latexText } from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
 import type { Line } from './line.ts';

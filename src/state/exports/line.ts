@@ -1,5 +1,4 @@
-import { numberPiece } from '../../math/formula/print/leaves.ts';
-import type { Marks, Sign } from '../../math/formula/print/math-notation.ts';
+import { type Marks, numberPiece, type PrintedSign as Sign } from '../../math/formula.ts';
 
 /** One line of the derivation: left, a relation, right, and what it means in words. */
 export interface Line<M> {

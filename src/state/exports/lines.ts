@@ -1,7 +1,14 @@
-import type { ConditionStep, Step } from '../../math/derivation.ts';
-import type { Expr, Relation } from '../../math/formula/expr.ts';
-import { inNumbers, inSymbols, numberTriple, partsPiece } from '../../math/formula/print/leaves.ts';
-import type { Marks } from '../../math/formula/print/math-notation.ts';
+import {
+  type ConditionStep,
+  type Expr,
+  inNumbers,
+  inSymbols,
+  type Marks,
+  numberTriple,
+  partsPiece,
+  type Relation,
+  type Step,
+} from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import { exactParts, rangeNote, shownResult } from '../exact-digits.ts';
 import { putIn, resultsOf } from '../put-in.ts';

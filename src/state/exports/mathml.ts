@@ -1,4 +1,4 @@
-import { MATHML, mathmlDocument, mathmlText } from '../../math/formula/print/mathml.ts';
+import { MATHML, mathmlDocument, mathmlText } from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
 import type { Line } from './line.ts';

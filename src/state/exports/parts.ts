@@ -1,10 +1,6 @@
-import { float64 } from '../../math/arithmetic/float64.ts';
-import type { Triple } from '../../math/formula/evaluate.ts';
-import type { Names } from '../../math/formula/print/code-notation.ts';
-import { intersect } from '../../math/intersect.ts';
-import { valuesOf } from '../../math/methods/tree-method.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import { AXES, type Axis } from '../../math/vec3.ts';
+import { float64, type Names, type Triple, valuesOf } from '../../math/formula.ts';
+import { intersect } from '../../math/index.ts';
+import { AXES, type Axis, definitionOf } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
 import { type Program, programOf } from './program.ts';

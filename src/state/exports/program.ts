@@ -1,16 +1,18 @@
 import {
+  type CurvedFormula,
   components,
   DISCRIMINANT,
   DOUBLE_ROOT,
+  type Expr,
+  type ExprTriple,
+  type FlatFormula,
   LINEAR_ROOT,
+  minus,
   POINT,
   ROOTS,
-} from '../../math/formula/common.ts';
-import { type Expr, type ExprTriple, minus } from '../../math/formula/expr.ts';
-import type { Verdict } from '../../math/intersection.ts';
-import type { CurvedFormula } from '../../math/shapes/axial-quadric.ts';
-import type { Formula } from '../../math/shapes/define.ts';
-import type { FlatFormula } from '../../math/shapes/planar.ts';
+} from '../../math/formula.ts';
+import type { Verdict } from '../../math/index.ts';
+import type { Formula } from '../../math/shapes.ts';
 
 /** The course's algorithm in the few statements that it takes, to be written in any language. */
 export type Statement =

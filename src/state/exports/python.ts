@@ -1,5 +1,4 @@
-import { POINT } from '../../math/formula/common.ts';
-import { PYTHON as SYNTAX } from '../../math/formula/print/languages.ts';
+import { POINT, PYTHON as SYNTAX } from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
 import { body, type Language, vectorCode } from './language.ts';

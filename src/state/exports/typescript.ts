@@ -1,5 +1,4 @@
-import { POINT } from '../../math/formula/common.ts';
-import { TYPESCRIPT as SYNTAX } from '../../math/formula/print/languages.ts';
+import { POINT, TYPESCRIPT as SYNTAX } from '../../math/formula.ts';
 import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';

@@ -1,5 +1,4 @@
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import { AXES } from '../../math/vec3.ts';
+import { AXES, definitionOf } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';

@@ -1,5 +1,5 @@
-import { DEFAULT_METHOD, findMethod } from '../../math/intersect.ts';
-import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { InvalidInput } from '../../math/index.ts';
+import { DEFAULT_METHOD, findMethod, quote } from '../../math/shapes.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';

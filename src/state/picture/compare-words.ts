@@ -1,5 +1,5 @@
-import { findMethod } from '../../math/intersect.ts';
-import { METHODS } from '../../math/methods/index.ts';
+import { METHODS } from '../../math/index.ts';
+import { findMethod } from '../../math/shapes.ts';
 import { EFFECTS } from '../../scene/effects/index.ts';
 import { planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';

@@ -1,8 +1,5 @@
-import { InvalidInput } from '../../math/invalid-input.ts';
-import type { Shape, ShapeKind } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import type { Param } from '../../math/shapes/params.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { InvalidInput, type Shape, type Vec3 } from '../../math/index.ts';
+import { definitionOf, type Param, type ShapeKind } from '../../math/shapes.ts';
 import { freeId } from '../../scene/edit.ts';
 import {
   GREY,

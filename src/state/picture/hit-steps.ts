@@ -1,10 +1,6 @@
-import { derivation, type Step } from '../../math/derivation.ts';
-import type { Values } from '../../math/formula/evaluate.ts';
-import type { Expr } from '../../math/formula/expr.ts';
-import { intersect } from '../../math/intersect.ts';
-import { InvalidInput } from '../../math/invalid-input.ts';
-import type { Shape } from '../../math/shapes/index.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
+import { derivation, type Expr, type Step, type Values } from '../../math/formula.ts';
+import { InvalidInput, intersect, type Shape } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import { type PutIn, putInSideBySide, valuesAsResults } from '../put-in.ts';
 import { verdictWords } from '../words.ts';
 import { type Meeting, type RootFate, rootFates } from './root-fates.ts';

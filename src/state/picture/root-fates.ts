@@ -1,5 +1,4 @@
-import type { Intersection } from '../../math/intersection.ts';
-import type { Ray } from '../../math/ray.ts';
+import type { Intersection, Ray } from '../../math/index.ts';
 import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 import type { StartRule } from '../../tracer/types.ts';

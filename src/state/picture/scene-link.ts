@@ -1,5 +1,6 @@
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
-import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { InvalidInput } from '../../math/index.ts';
+import { quote } from '../../math/shapes.ts';
 import { LONGEST_JSON, sceneFromJson, sceneToJson } from '../../scene/json.ts';
 import { PRESETS } from '../../scene/presets/index.ts';
 import type { Scene } from '../../scene/types.ts';

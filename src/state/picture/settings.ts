@@ -1,4 +1,5 @@
-import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { InvalidInput } from '../../math/index.ts';
+import { quote } from '../../math/shapes.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import type { Forced } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';

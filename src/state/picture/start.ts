@@ -1,4 +1,5 @@
-import { InvalidInput, quote } from '../../math/invalid-input.ts';
+import { InvalidInput } from '../../math/index.ts';
+import { quote } from '../../math/shapes.ts';
 import { display, shortest } from '../../text/format.ts';
 import { parseNumber } from '../../text/parse.ts';
 import type { StartRule } from '../../tracer/types.ts';

@@ -1,5 +1,4 @@
-import type { Ray } from '../../math/ray.ts';
-import type { Shape } from '../../math/shapes/index.ts';
+import type { Ray, Shape } from '../../math/index.ts';
 import { isGlass } from '../../scene/facts.ts';
 import { type Surface, surfacesOf } from '../../scene/surfaces.ts';
 import type { Scene } from '../../scene/types.ts';

@@ -1,6 +1,6 @@
-import type { Figure, Patch, Stage } from '../../math/shapes/drawing.ts';
-import { definitionOf } from '../../math/shapes/lookup.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import type { Figure, Patch, Stage } from '../../math/drawing.ts';
+import type { Vec3 } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';

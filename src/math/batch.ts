@@ -1,0 +1,16 @@
+/** Door: many rays at once, as structures of arrays. */
+export {
+  type Answers,
+  createAnswers,
+  createRays,
+  type Kernel,
+  NONE,
+  packRays,
+  type Rays,
+  verdictsOfClasses,
+  verdictsOfRoots,
+} from './batch/batch.ts';
+export { batchOf } from './batch/kernels.ts';
+export { kernelArray } from './batch/memory.ts';
+export { type Quadric, quadricOf } from './batch/quadric.ts';
+export { isFast } from './methods/certified/roots-quadric.ts';
