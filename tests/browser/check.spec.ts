@@ -157,7 +157,7 @@ test.describe('questions', () => {
     await page.getByLabel('seed').fill('42');
     await page.keyboard.press('Enter');
     await expect(page.locator('.given').first()).not.toHaveText(before);
-    await expect.poll(() => hashOf(page)).toContain(`set=${LATEST_SET}&seed=42`);
+    await expect.poll(() => hashOf(page)).toContain(`seed=42&set=${LATEST_SET}`);
   });
 });
 

@@ -1,5 +1,4 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
@@ -16,6 +15,7 @@ async function fresh() {
   vi.resetModules();
   const { accelerate, decelerate } = await import('../../../src/math/accelerate.ts');
   const batch = await import('../../../src/math/batch/batch.ts');
+  const { batchOf } = await import('../../../src/math/batch/kernels.ts');
   const { kernelArray } = await import('../../../src/math/batch/memory.ts');
   const { certified } = await import('../../../src/math/methods/certified.ts');
   const { shape, rays } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(seeded(181), 300);
