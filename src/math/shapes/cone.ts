@@ -70,7 +70,7 @@ export const cone: ShapeDefinition<Cone> = {
   body: quadricBody(NUMBERS.read),
   ownFamilies: true,
   meaning: ({ slope }) =>
-    slope === 0 ? 'c = 0: only the axis is left' : 'h above V the radius is |ch|',
+    slope === 0 ? 'c = 0: only the axis is left' : 'at h above V: radius |ch|',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
   circleNear({ vertex, slope, ...rest }, height, hypotenuse, bits) {
     const c = short(slope, bits);

@@ -130,5 +130,5 @@ function meaningOf(a: number, r: number): string {
   }
   if (a === 0) return 'a = 0: a cylinder';
   if (a === -1) return 'a = −1: a sphere';
-  return a < 0 ? 'a < 0: an ellipsoid' : 'at height h: √(ah² + r²)';
+  return a < 0 ? 'a < 0: an ellipsoid' : 'at h above C: √(ah² + r²)';
 }

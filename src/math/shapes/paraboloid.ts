@@ -114,7 +114,7 @@ export const paraboloid: ShapeDefinition<Paraboloid> = {
   body,
   ownFamilies: false,
   meaning: ({ width }) =>
-    width === 0 ? 'k = 0: only the axis is left' : 'h above V the radius is √(kh)',
+    width === 0 ? 'k = 0: only the axis is left' : 'at h above V: radius √(kh)',
   anchor: ({ vertex }) => ({ at: vertex, size: 0 }),
   draw({ vertex, width }, stage) {
     return {
