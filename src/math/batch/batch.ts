@@ -50,9 +50,10 @@ export interface Answers {
 /**
  * A kernel for one shape. Rays are expected to be finite, with d ≠ 0; each call overwrites the
  * answers. At a ray that is not, `exact` and `certified` throw InvalidInput, with its index; then
- * no ray has an answer: t0, t1 and margin are NaN, and nothing is listed. The other methods go on
- * with what their arithmetic makes of it. Numbers that the formula does not look at may be
- * anything: a cylinder's does not look at Ey and dy.
+ * no ray has an answer: t0, t1 and margin are NaN, and nothing is listed. So does every method for
+ * a shape without kernel numbers. Elsewhere the other methods go on with what their arithmetic
+ * makes of it. Numbers that the formula does not look at may be anything: a cylinder's does not
+ * look at Ey and dy.
  */
 export interface Kernel {
   /**

@@ -87,6 +87,8 @@ export const sphere: ShapeDefinition<Sphere> = {
   anchor: ({ center, radius }) => ({ at: center, size: radius }),
   draw: ({ center, radius }, stage) => ({
     ...drawRevolution({ center, a: -1, r: radius }, 'C', stage),
+    // A sphere has no axis of its own.
+    lines: [],
     grips: [pointGrip('center', center), radiusGrip('radius', center, radius)],
   }),
 };
