@@ -1,4 +1,5 @@
 import { useMemory } from './batch/memory.ts';
+import { setAccelerated } from './batch/target.ts';
 import { createFast, type Fast } from './methods/certified/fast/index.ts';
 import { useFastRoots } from './methods/certified/roots-quadric.ts';
 
@@ -19,6 +20,7 @@ export function accelerate(): boolean {
   if (made === undefined) made = createFast();
   useFastRoots(made?.roots ?? null);
   useMemory(made?.allocate ?? null);
+  setAccelerated(made !== null);
   return made !== null;
 }
 
@@ -32,4 +34,5 @@ export function accelerate(): boolean {
 export function decelerate(): void {
   useFastRoots(null);
   useMemory(null);
+  setAccelerated(false);
 }

@@ -10,7 +10,8 @@ export {
   verdictsOfClasses,
   verdictsOfRoots,
 } from './batch/batch.ts';
-export { batchOf } from './batch/kernels.ts';
+export { batchOf, targetOf } from './batch/kernels.ts';
 export { kernelArray } from './batch/memory.ts';
 export { type Quadric, quadricOf } from './batch/quadric.ts';
+export type { Target } from './batch/target.ts';
 export { isFast } from './methods/certified/roots-quadric.ts';

@@ -1,5 +1,6 @@
 import { certifiedPlanar } from '../methods/certified/kernel-planar.ts';
 import { certifiedKernel } from '../methods/certified/kernel-quadric.ts';
+import { useFastRoots } from '../methods/certified/roots-quadric.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Kernel } from './batch.ts';
@@ -13,6 +14,7 @@ import { momentPlanar } from './moment-planar.ts';
 import { type Planar, planarOf } from './planar.ts';
 import { type Quadric, quadricInTreeOrder, quadricOf } from './quadric.ts';
 import { stableQuadric } from './stable.ts';
+import { isAccelerated, type Target } from './target.ts';
 import { textbookQuadric } from './textbook.ts';
 import { textbookPlanar } from './textbook-planar.ts';
 import { textbook32Quadric } from './textbook32.ts';
@@ -24,6 +26,8 @@ import { treeKernel } from './trees.ts';
  * fastest kernel that there is; by default `intersect`, asked ray by ray. Kernels are not a part of
  * a method, because a page that asks for one ray at a time is not to load them.
  *
+ * @param target TypeScript, or SIMD where there is such a kernel and `accelerate()` has succeeded;
+ *   absent: SIMD as long as the module is accelerated. `targetOf` tells which one it is.
  * @example
  * const certified = METHODS.find(({ id }) => id === 'certified')!;
  * const kernel = batchOf(certified, { kind: 'cylinder', center: [0, 0, 0], radius: 5 });
@@ -31,8 +35,43 @@ import { treeKernel } from './trees.ts';
  * kernel.both(packRays([{ origin: [-10, 0, 3], direction: [1, 0, 0] }]), out);
  * [out.t0[0], out.t1[0]]; // → [6, 14]
  */
-export const batchOf = (method: Method, shape: Shape): Kernel =>
-  KERNELS[method.id]?.(shape) ?? treeKernel(shape, method.intersect);
+export function batchOf(method: Method, shape: Shape, target?: Target): Kernel {
+  const kernel = KERNELS[method.id]?.(shape) ?? treeKernel(shape, method.intersect);
+  return target === 'typescript' && hasSimd(method, shape) ? inTypeScript(kernel) : kernel;
+}
+
+/**
+ * What the kernel that `batchOf` gives for the same runs as: 'simd' only where there is a SIMD
+ * kernel and `accelerate()` has succeeded.
+ *
+ * @param target as for `batchOf`.
+ * @example
+ * const exact = METHODS.find(({ id }) => id === 'exact')!;
+ * targetOf(exact, { kind: 'cylinder', center: [0, 0, 0], radius: 5 }, 'simd'); // → 'typescript'
+ */
+export const targetOf = (method: Method, shape: Shape, target?: Target): Target =>
+  target !== 'typescript' && isAccelerated() && hasSimd(method, shape) ? 'simd' : 'typescript';
+
+const hasSimd = (method: Method, shape: Shape): boolean =>
+  method.id === 'certified' && quadricOf(shape) !== null;
+
+/** The stages of `certified` in TypeScript, whatever batches go through otherwise. */
+function inTypeScript(kernel: Kernel): Kernel {
+  function slowly(ask: () => void): void {
+    const before = useFastRoots(null);
+    try {
+      ask();
+    } finally {
+      useFastRoots(before);
+    }
+  }
+  return {
+    met: kernel.met,
+    classes: (rays, out) => slowly(() => kernel.classes(rays, out)),
+    first: (rays, tMin, tMax, out) => slowly(() => kernel.first(rays, tMin, tMax, out)),
+    both: (rays, out) => slowly(() => kernel.both(rays, out)),
+  };
+}
 
 /** For each method that has kernels of its own; null for a shape that they do not know. */
 const KERNELS: Readonly<Record<string, (shape: Shape) => Kernel | null>> = {

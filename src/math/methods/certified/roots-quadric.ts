@@ -26,9 +26,15 @@ export type FastRoots = (
 const LEAST_BATCH = 16;
 let fast: FastRoots | null = null;
 
-/** From now on batches go through `roots`; null: through TypeScript again. */
-export function useFastRoots(roots: FastRoots | null): void {
+/**
+ * From now on batches go through `roots`; null: through TypeScript again.
+ *
+ * @returns what they went through until now.
+ */
+export function useFastRoots(roots: FastRoots | null): FastRoots | null {
+  const before = fast;
   fast = roots;
+  return before;
 }
 
 /** Whether batches go through WebAssembly. */
