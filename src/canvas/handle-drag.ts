@@ -21,7 +21,7 @@ export interface ShownHandle {
 }
 
 /** What the handles need of the scene. */
-export interface DragContext {
+interface DragContext {
   units(): StageUnits;
   projection(): Projection;
   dispatch: Dispatch;

@@ -9,7 +9,7 @@ export interface Box {
 export type Segment = readonly [x1: number, y1: number, x2: number, y2: number];
 
 /** A label that wants to be near a mark, best in direction `angle` (radians, y down). */
-export interface Wish {
+interface Wish {
   readonly key: string;
   readonly x: number;
   readonly y: number;

@@ -10,7 +10,7 @@ const HANDLE_KEYS =
 let count = 0;
 
 /** The elements of a scene, without what changes from frame to frame. */
-export interface SceneElements {
+interface SceneElements {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   /** Lines in place of the canvas, where there is no WebGL. */

@@ -4,7 +4,7 @@ import { at } from './stroke.ts';
 import { type Grid, lineFade, pointOn } from './tessellation.ts';
 
 /** A piece of a silhouette: points in stage units with the opacity there. */
-export interface Chain {
+interface Chain {
   readonly points: Float64Array;
   readonly fade: Float64Array;
   readonly closed: boolean;

@@ -4,7 +4,7 @@
  */
 export type Ink = 'shape' | 'd' | 'hit' | 'normal' | 'ink3' | 'edge';
 
-export type Rgb = readonly [number, number, number];
+type Rgb = readonly [number, number, number];
 
 /** What the GPU needs to know of src/ui/tokens.css. */
 export interface Theme {

@@ -1,4 +1,4 @@
-export interface HardnessPoint {
+interface HardnessPoint {
   readonly difficulty: number;
   /** Right digits, 0 … 15.95. */
   readonly digits: number;

@@ -10,7 +10,7 @@ import type { Answers, Field } from './types.ts';
 import { work } from './work.ts';
 
 /** A known mistake with what it gives on this very input. */
-export interface Suspect {
+interface Suspect {
   readonly misconception: Misconception;
   readonly answers: Answers;
 }

@@ -13,7 +13,7 @@ export interface Given {
   readonly units: readonly number[];
 }
 
-export type Read =
+type Read =
   | { readonly ok: true; readonly given: Given }
   | { readonly ok: false; readonly reason: string };
 

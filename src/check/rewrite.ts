@@ -1,7 +1,7 @@
 import type { Expr, Relation, Term } from '../math/formula.ts';
 
 /** What stands in a subtree's place, or null to leave it and look further down. */
-export type Edit = (expr: Expr) => Expr | null;
+type Edit = (expr: Expr) => Expr | null;
 
 /**
  * The tree with every subtree that the edit answers replaced, from the outside inwards. The same

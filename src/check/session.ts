@@ -5,7 +5,7 @@ import type { Level } from './exercises/define.ts';
 import { EXERCISES } from './exercises/index.ts';
 import { FIRST_SET, setOf } from './sets.ts';
 
-export interface Slot {
+interface Slot {
   readonly exercise: string;
   readonly kind: ShapeKind;
   readonly level: Level;

@@ -1,14 +1,14 @@
 import type { ShapeKind } from '../math/shapes.ts';
 
 /** An exercise of a set: how often it comes up, and for which shapes in turn. */
-export interface Turn {
+interface Turn {
   readonly exercise: string;
   readonly times: number;
   readonly kinds: readonly ShapeKind[];
 }
 
 /** What a seed draws from. */
-export interface QuestionSet {
+interface QuestionSet {
   /** Shapes that "all shapes" means for own programs. */
   readonly shapes: readonly ShapeKind[];
   readonly turns: readonly Turn[];

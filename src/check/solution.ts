@@ -8,7 +8,7 @@ import { work } from './work.ts';
  * Words, and under them lines of the derivation: in symbols, or with the numbers put in and the
  * result left open.
  */
-export interface Hint {
+interface Hint {
   readonly words: string;
   readonly lines: readonly Line[];
   readonly layer: 'symbols' | 'numbers';

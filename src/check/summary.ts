@@ -3,7 +3,7 @@ import { findMisconception } from './misconceptions/index.ts';
 import { type Asked, askedAt, type Progress } from './progress.ts';
 import { plan } from './session.ts';
 
-export interface SummaryLine {
+interface SummaryLine {
   /** From 1. */
   readonly question: number;
   readonly topic: string;

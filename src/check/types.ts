@@ -26,7 +26,7 @@ export type Answers = Readonly<Record<string, Answer>>;
 /** A student's answer that says that a quantity does not exist. */
 export const ABSENT = 'does not exist';
 
-export interface Option {
+interface Option {
   readonly id: string;
   readonly title: string;
 }

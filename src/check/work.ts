@@ -9,7 +9,7 @@ import { flatWork } from './work-flat.ts';
  * Values that a student already has, right or not: later lines are worked out from them. Only
  * finite ones count.
  */
-export type Own = Answers;
+type Own = Answers;
 
 const NOTHING: Own = {};
 

@@ -13,7 +13,7 @@ import { quantile, sorted } from './stats.ts';
 import { type Judgement, judge } from './verdict.ts';
 
 /** A ray of a batch. */
-export interface Place {
+interface Place {
   readonly batch: number;
   readonly ray: number;
 }

@@ -29,7 +29,7 @@ export interface Plan {
  * Enough is measured when a quarter of each task's rounds took at most a share `spread` more than
  * its least, and not before so many rounds.
  */
-export interface Settling {
+interface Settling {
   readonly rounds: number;
   readonly spread: number;
 }
@@ -41,7 +41,7 @@ const USUAL: Plan = { rounds: 15, least: 10, steps: 100, warmUp: 3 };
 export type Times = ReadonlyMap<string, readonly number[]>;
 
 /** The state of a measurement after one more sample. */
-export interface Progress {
+interface Progress {
   /** Rounds that are complete; below 0 in the warm-up. */
   readonly round: number;
   /** Samples taken, and how many there will be at most. */

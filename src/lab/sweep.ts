@@ -18,7 +18,7 @@ export interface SweepPoint {
   readonly rows: readonly { readonly id: string; readonly quality: Summary }[];
 }
 
-export interface DialFamily extends Family {
+interface DialFamily extends Family {
   readonly dial: Dial;
 }
 
@@ -50,7 +50,7 @@ export function* sweepSession(request: SweepRequest): Generator<SweepPoint, void
 }
 
 /** A method's line through a sweep. */
-export interface Line {
+interface Line {
   readonly id: string;
   /** Up to the last difficulty at which 9 rays of 10 have a right digit. */
   readonly points: readonly { readonly difficulty: number; readonly quality: Summary }[];

@@ -135,7 +135,7 @@ function next(store: Store, tools: PageActions): void {
  * Keys without a modifier can be switched off: speech input and a slip of the hand type letters
  * too.
  */
-export interface KeySettings {
+interface KeySettings {
   readonly singleKeys: boolean;
   readonly page: string;
 }

@@ -12,7 +12,7 @@ export interface ExportItem {
   readonly blob: (() => Promise<Blob | null>) | null;
 }
 
-export interface ExportActions {
+interface ExportActions {
   readonly copy: (item: ExportItem) => void;
   readonly saveItem: (item: ExportItem) => void;
   readonly save: () => void;

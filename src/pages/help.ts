@@ -4,7 +4,7 @@ import type { Command } from './commands.ts';
 import { ABOUT, HELP } from './help-pages.ts';
 import './help.css';
 
-export interface KeyChoice {
+interface KeyChoice {
   readonly singleKeys: boolean;
   readonly choose: (on: boolean) => void;
 }

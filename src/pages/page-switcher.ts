@@ -17,7 +17,7 @@ const LATE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = 
     late(() => import('./picture/picture-page.ts')).then(({ loadPicture }) => loadPicture()),
 };
 
-export interface PageSwitcher {
+interface PageSwitcher {
   /** Shows the page of this state, and draws it. */
   show(state: AppState): void;
   /** Asks again for the page that is shown, if its code did not come. */
@@ -26,7 +26,7 @@ export interface PageSwitcher {
   current(): PageView | null;
 }
 
-export interface PageSwitcherTools extends PageContext {
+interface PageSwitcherTools extends PageContext {
   /** Draws Explore into the element that it got at first. */
   readonly explore: { mount(host: HTMLElement): void; render(state: AppState): void };
   /** A page's code has arrived; its settings have not been read yet. */

@@ -7,7 +7,7 @@ import type { Command } from './commands.ts';
 import { ICONS, LOGO } from './icons.ts';
 import './shell.css';
 
-export interface ShellTools {
+interface ShellTools {
   readonly theme: Theme;
   readonly command: (id: string) => Command | undefined;
   /** Shows a page; one that could not be loaded is tried again. */

@@ -14,7 +14,7 @@ import {
 import './check-lines.css';
 
 /** Symbols only (a hint), or with the numbers put in and the value behind. */
-export type Layer = 'symbols' | 'numbers';
+type Layer = 'symbols' | 'numbers';
 
 /** Lines of a derivation, one under the other; each may break between its layers. */
 export function derivationLines(lines: readonly Line[], layer: Layer): TemplateResult {

@@ -10,14 +10,14 @@ import { type FieldView, fieldRow } from './check-field.ts';
 import { inputRow } from './check-given.ts';
 import { derivationLines } from './check-lines.ts';
 
-export interface OwnView {
+interface OwnView {
   readonly input: Input;
   readonly texts: Texts;
   /** Null until the student asks. */
   readonly report: OwnReport | null;
 }
 
-export interface OwnTools {
+interface OwnTools {
   type(field: string, text: string): void;
   check(): void;
   clear(): void;

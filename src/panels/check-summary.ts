@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Summary } from '../check/summary.ts';
 import './check-summary.css';
 
-export interface SummaryTools {
+interface SummaryTools {
   save(): void;
   print(): void;
   restart(): void;

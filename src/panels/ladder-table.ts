@@ -11,7 +11,7 @@ import { digitCell, markedNumber } from './digit-bar.ts';
 import { symbol } from './formula.ts';
 import './ladder-table.css';
 
-export interface LadderModel {
+interface LadderModel {
   readonly rows: readonly MethodRow[];
   /** In a few words, by method. */
   readonly where: ReadonlyMap<string, string>;

@@ -6,7 +6,7 @@ import './measure-bar.css';
 /** A timer this coarse makes a measurement several times as long. */
 const COARSE_MS = 0.5;
 
-export interface MeasureModel {
+interface MeasureModel {
   /** Null: nothing was measured yet. */
   readonly measured: Measured | null;
   readonly running: boolean;
@@ -15,7 +15,7 @@ export interface MeasureModel {
   readonly provenance: string;
 }
 
-export interface MeasureActions {
+interface MeasureActions {
   measure(): void;
   cancel(): void;
 }

@@ -10,7 +10,7 @@ import {
 } from '../state/picture/settings.ts';
 import './picture-bar.css';
 
-export interface BarTools {
+interface BarTools {
   set(values: Readonly<Partial<Record<PictureKey, string>>>): void;
   compare(): void;
   again(): void;

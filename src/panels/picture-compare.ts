@@ -68,7 +68,7 @@ function side(
   </select>`;
 }
 
-export interface ComparisonShown {
+interface ComparisonShown {
   /** Null until both pictures are finished. */
   readonly found: Comparison | null;
   readonly trustsLeft: boolean;

@@ -10,7 +10,7 @@ import './picture-fields.css';
 /** Sends an edit of the scene: a form may have been drawn before the scene was changed last. */
 export type ChangeScene = (edit: (now: Scene) => Scene) => void;
 
-export interface NumberField {
+interface NumberField {
   readonly label: string;
   readonly value: number;
   readonly range: readonly [number, number];
@@ -38,7 +38,7 @@ export function numberField({
   </div>`;
 }
 
-export interface TripleField {
+interface TripleField {
   readonly label: string;
   readonly value: Vec3;
   readonly names?: readonly [string, string, string];

@@ -14,7 +14,7 @@ import { shortest } from '../text/format.ts';
 import type { Cost } from '../tracer/types.ts';
 import './picture-ledger.css';
 
-export interface LedgerTools {
+interface LedgerTools {
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
   /** Traces the picture once more without each effect, to count the pixels that it changes. */
   measure(): void;

@@ -9,7 +9,7 @@ import { formula } from './formula.ts';
 import { typesetNumbers, typesetSymbols } from './typeset.ts';
 import './picture-pixel.css';
 
-export interface PixelModel {
+interface PixelModel {
   readonly x: number;
   readonly y: number;
   /** Which of the pixel's camera rays, of how many. */
@@ -27,7 +27,7 @@ export interface PixelModel {
   readonly opened: ReadonlySet<string>;
 }
 
-export interface PixelTools {
+interface PixelTools {
   sample(index: number): void;
   choose(path: string): void;
   toggle(path: string): void;

@@ -2,7 +2,7 @@
  * What no scene is shown with though nature has it, or has it otherwise; the page and docs/FAKED.md
  * say the same of it.
  */
-export interface Simplification {
+interface Simplification {
   readonly title: string;
   /** Left out altogether, or done more simply than nature does. */
   readonly how: 'left out' | 'simplified';

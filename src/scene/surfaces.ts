@@ -3,7 +3,7 @@ import type { Shape } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
-export type SurfacePart = 'shape' | 'low cap' | 'high cap';
+type SurfacePart = 'shape' | 'low cap' | 'high cap';
 
 /** What a ray can hit: a thing's shape, or a circle that closes one of its ends. */
 export interface Surface {

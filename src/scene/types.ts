@@ -73,7 +73,7 @@ export interface PlainPaint {
  * Cubes of this size in space (checker), or slices across an axis (stripes), in two colours by
  * turns.
  */
-export type PatternPaint = CheckerPaint | StripesPaint;
+type PatternPaint = CheckerPaint | StripesPaint;
 
 export interface CheckerPaint {
   readonly pattern: 'checker';

@@ -28,7 +28,7 @@ export interface AsTyped {
   readonly notes: readonly string[];
 }
 
-export interface Difference {
+interface Difference {
   readonly class: Verdict;
   readonly typed: VerdictWords;
   readonly stored: VerdictWords;

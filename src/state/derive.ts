@@ -58,7 +58,7 @@ function remember<Args extends readonly unknown[], R>(
 }
 
 /** How near the ray is to tangency, and what finds a ray that touches, where there is one. */
-export interface Near extends NearTangent {
+interface Near extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
 

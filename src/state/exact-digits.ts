@@ -53,7 +53,7 @@ const LARGEST = display(Number.MAX_VALUE, 2);
 const SMALLEST = display(Number.MIN_VALUE, 2);
 
 /** How a result stands on the page. */
-export interface ShownResult {
+interface ShownResult {
   /** In place of the double's own digits, where it is no finite number, or 0 for what is not 0. */
   readonly text: string | null;
   /** What is said beside it. */

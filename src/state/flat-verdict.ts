@@ -11,7 +11,7 @@ import { sideOfPlane } from './sides.ts';
 import { type Comparison, cannotDecide, type Piece, zero } from './verdict-parts.ts';
 import { type Sides, STRETCH, sideKey, WHERE } from './verdict-table.ts';
 
-export interface Said {
+interface Said {
   readonly relations: readonly Comparison[];
   readonly pieces: readonly Piece[];
 }

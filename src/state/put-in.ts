@@ -102,7 +102,7 @@ export function putInSideBySide(
 const exactTextOf = (x: Ratio | null): string | null => x && exactText(asSurd(x));
 
 /** A number that a line ends with, and the sign that it takes at ±. */
-export interface Result {
+interface Result {
   readonly value: number;
   /** What is printed for a number that no double can hold. */
   readonly text: string | null;

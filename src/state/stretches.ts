@@ -7,7 +7,7 @@ import type { Stretch } from './scene-model.ts';
  * said. A flat shape has two sides and no inside: f > 0 is the side that N points to. Null where
  * the method cannot tell.
  */
-export type Place = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
+type Place = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
 
 export interface PlacedStretch {
   readonly from: number;

@@ -2,7 +2,7 @@ import { roundStep } from '../math/drawing.ts';
 import type { Intersection } from '../math/index.ts';
 
 /** The stretch of t that the graph shows, and the ray is drawn over. */
-export interface Window {
+interface Window {
   readonly from: number;
   readonly to: number;
   /** What it leaves out, in words. */

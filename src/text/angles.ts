@@ -19,7 +19,7 @@ function withoutDegrees(tree: Typed): Typed | null {
 }
 
 /** sign · √(over/under); under = 0 is a pole. */
-export interface SpecialValue {
+interface SpecialValue {
   readonly sign: 1 | -1;
   readonly over: number;
   readonly under: number;

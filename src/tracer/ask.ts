@@ -14,7 +14,7 @@ import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
 /** Rays packed for one kernel call: `index[k]` says which ray of the wave the k-th is. */
-export interface Packed {
+interface Packed {
   readonly rays: Rays;
   readonly index: Int32Array;
 }

@@ -8,7 +8,7 @@ import { createRoom } from './room.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
-export interface Finder {
+interface Finder {
   /** The nearest hit of each ray of the wave, into t and surface. */
   nearest(wave: Wave, tally: Tally): void;
   /** Whether anything that blocks light is hit before the limit, into blocker. */

@@ -7,7 +7,7 @@ interface Growing extends RayNode {
   readonly children: RayNode[];
 }
 
-export interface TreeRecorder extends Recorder {
+interface TreeRecorder extends Recorder {
   treeOf(x: number, y: number): RayTree;
 }
 

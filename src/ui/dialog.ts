@@ -1,7 +1,7 @@
 import { html, render, type TemplateResult } from 'lit';
 import './dialog.css';
 
-export interface Dialog {
+interface Dialog {
   open(): void;
   close(): void;
   readonly isOpen: boolean;

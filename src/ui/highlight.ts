@@ -3,7 +3,7 @@
  * which symbol it is with data-symbol="E" (or "E.x": the part before the dot counts); a lit one
  * carries the class `lit`. Views that draw on a canvas listen to `onHighlight`.
  */
-export type Highlight = string | null;
+type Highlight = string | null;
 
 type Listener = (symbol: Highlight) => void;
 

@@ -5,7 +5,7 @@ export type Theme = (typeof THEMES)[number];
 
 const KEY = 'graze.theme';
 
-export interface ThemeSwitch {
+interface ThemeSwitch {
   current(): Theme;
   /** What is on the page: never 'system'. */
   applied(): Exclude<Theme, 'system'>;

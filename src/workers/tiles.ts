@@ -14,7 +14,7 @@ const LEAST_PIXELS = 64;
 /** Before anything has been measured. */
 const FIRST_PIXELS = 256;
 
-export interface Tiles {
+interface Tiles {
   readonly total: number;
   /**
    * The next one, or undefined when all have been given out. A pass may begin before the last is

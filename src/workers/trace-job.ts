@@ -25,7 +25,7 @@ export interface WorkerLike {
   terminate(): void;
 }
 
-export interface TracePoolOptions {
+interface TracePoolOptions {
   readonly spawn: () => WorkerLike;
   /** The device's cores, at most MOST_WORKERS of them. */
   readonly workers: number;
@@ -35,7 +35,7 @@ export interface TracePoolOptions {
 
 export const MOST_WORKERS = 8;
 
-export type TraceState = 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
+type TraceState = 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
 
 /** Re-exported for those who show it. */
 export type { Frame } from './frame.ts';
@@ -68,7 +68,7 @@ export interface TraceJob {
   record(x: number, y: number): Promise<RayTree>;
 }
 
-export interface TraceListener {
+interface TraceListener {
   /** At every tile, and at the end. */
   progress(state: TraceProgress): void;
 }

@@ -1,7 +1,7 @@
 import { SHAPES, type Shape, type Vec3 } from '../../src/math/index.ts';
 import { pick, type Random, randomSign, seeded, uniform, wide } from '../../src/math/rng.ts';
 import { checkParam } from '../../src/math/shapes/params.ts';
-import { cone } from './support/cases.ts';
+import { cone } from '../unit/math/shorthand.ts';
 import { box, expectInLink, press, slider, typeInto } from './support/controls.ts';
 import { expected, linkOf } from './support/expected.ts';
 import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';

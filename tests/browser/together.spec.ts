@@ -1,4 +1,4 @@
-import { cone } from './support/cases.ts';
+import { cone } from '../unit/math/shorthand.ts';
 import { box, expectInLink, slider } from './support/controls.ts';
 import { expectedBead } from './support/expected.ts';
 import { quantities, settle } from './support/page.ts';

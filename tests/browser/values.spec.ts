@@ -1,7 +1,8 @@
 import { intersect, SHAPES } from '../../src/math/index.ts';
 import { DEFAULT_METHOD } from '../../src/math/intersect.ts';
 import { unitVector } from '../../src/math/unit.ts';
-import { CASES, cone } from './support/cases.ts';
+import { cone } from '../unit/math/shorthand.ts';
+import { CASES } from './support/cases.ts';
 import { expected, expectedBead, linkOf } from './support/expected.ts';
 import { NO_SCENE, open, quantities, readable, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';

@@ -50,7 +50,7 @@ function differences(hash: string, shown: readonly [string, string][]): string |
 }
 
 /** Every number that is said of a link, by the math module itself. */
-export function quantitiesOf(hash: string): Map<string, string> {
+function quantitiesOf(hash: string): Map<string, string> {
   const model = createDerive(() => closerLook)(decode(hash, INITIAL));
   const found = new Map<string, string>();
   const put = (name: string, x: number): void => {

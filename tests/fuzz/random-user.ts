@@ -160,7 +160,7 @@ async function sceneBox(page: Page): Promise<{ x: number; y: number; w: number; 
   return { x: box?.x ?? 0, y: box?.y ?? 0, w: box?.width ?? 100, h: box?.height ?? 100 };
 }
 
-export interface Fuzzed {
+interface Fuzzed {
   readonly done: number;
   /** What was wrong, with the deeds that led there; null if nothing was. */
   readonly failure: string | null;

@@ -7,14 +7,14 @@ import { numberOf } from './draw.ts';
 import { withParam } from './params.ts';
 
 /** start + linear·p + square·p² */
-export interface Quadratic {
+interface Quadratic {
   readonly start: number;
   readonly linear: number;
   readonly square: number;
 }
 
 /** A and D as functions of the draft's parameter p: of degree 2 at most, for every shape. */
-export interface ByParam {
+interface ByParam {
   readonly A: Quadratic;
   readonly D: Quadratic;
 }

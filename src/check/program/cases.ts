@@ -5,7 +5,7 @@ import { findShape, type ShapeKind } from '../../math/shapes.ts';
 import type { Input } from '../types.ts';
 
 /** What a right program returns: every root of the whole line, ascending, a tangent's once. */
-export interface Expected {
+interface Expected {
   readonly class: Intersection['class'];
   readonly t: readonly number[];
   readonly normal: readonly Vec3[];

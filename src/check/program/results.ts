@@ -19,7 +19,7 @@ import { readValue } from './protocol.ts';
 
 export const LONGEST_RESULTS = 2_000_000;
 
-export type Results =
+type Results =
   | {
       readonly ok: true;
       /** In the order of the cases; undefined where there is none. */

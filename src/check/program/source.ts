@@ -19,7 +19,7 @@ const code = (expr: Expr, branch: 1 | -1 = 1): string =>
 const triple = (exprs: readonly Expr[]): string => `[${exprs.map((e) => code(e)).join(', ')}]`;
 
 /** How these formulas are changed first, or null where there is nothing to change. */
-export type CourseEdit = (course: Course) => Course | null;
+type CourseEdit = (course: Course) => Course | null;
 
 const UNEDITED: CourseEdit = (course) => course;
 

@@ -32,7 +32,7 @@ export const BRANCHES = {
   degenerate: 'with a degenerate shape',
   hard: 'called hard',
 } as const;
-export type Branch = keyof typeof BRANCHES;
+type Branch = keyof typeof BRANCHES;
 
 /** Fewer cases than this are no evidence. */
 const LEAST = 3;

@@ -62,7 +62,7 @@ const ordinaryHeight = (random: Random, { r }: Axial): number =>
 /** The radius of its circle at height h above the centre. */
 const radiusAt = ({ a, r }: Axial, h: number): number => Math.sqrt(Math.max(0, a * h * h + r * r));
 
-export interface SurfacePoint {
+interface SurfacePoint {
   readonly point: Vec3;
   /** The outward gradient's direction there, not normalised. */
   readonly normal: Vec3;

@@ -48,7 +48,7 @@ export interface Setting {
   readonly shape: Shape;
 }
 
-export interface FamilyParts<S extends Setting> {
+interface FamilyParts<S extends Setting> {
   readonly id: string;
   readonly title: string;
   readonly idea: string;

@@ -9,7 +9,7 @@ import type { Solver } from './solvers.ts';
  * What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form
  * and its solver.
  */
-export type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
+type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
 
 /** A method of the ladder. Its functions expect input that was checked before. */
 export interface Method {

@@ -13,7 +13,7 @@ import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import { type FlatFormula, whichHold, withPoint } from '../shapes/planar.ts';
 
 /** Where a line meets a figure's plane, and which of the figure's conditions hold there. */
-export interface Meeting<T> {
+interface Meeting<T> {
   readonly x: Triple<T>;
   readonly holds: readonly (boolean | null)[];
 }

@@ -5,7 +5,7 @@ import { type Expr, minus, negative, num, over, plus, root, scalar } from '../fo
 import type { Verdict } from '../intersection.ts';
 
 /** What a solver finds for A t² + B t + C = 0, in its own arithmetic. */
-export interface Solved<T> {
+interface Solved<T> {
   readonly class: Verdict;
   readonly D: T;
   /** Ascending; one for a tangent. */

@@ -11,7 +11,7 @@ export interface Box {
 export type Heights = readonly [low: number, high: number];
 
 /** A horizontal circle about a vertical axis. */
-export interface Disc {
+interface Disc {
   readonly x: number;
   readonly z: number;
   readonly radius: number;

@@ -87,7 +87,7 @@ export type CircleNear<S> = (
   bits: number,
 ) => ShortCircle<S> | null;
 
-export interface ShortCircle<S> {
+interface ShortCircle<S> {
   readonly shape: S;
   /** Over the shape's point. */
   readonly height: number;

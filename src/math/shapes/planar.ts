@@ -40,7 +40,7 @@ export interface FlatFormula {
  * that conditions need no sign of N·d, it and w are both taken times that sign: `rate` is |N·d| in
  * these trees.
  */
-export interface PlaneByMoment {
+interface PlaneByMoment {
   readonly m: ExprTriple;
   /** In m and N. */
   readonly w: ExprTriple;

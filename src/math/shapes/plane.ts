@@ -7,7 +7,7 @@ import type { PlanarNumbers } from './numbers.ts';
 import { normalParam, pointParam } from './params.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
-export interface Plane {
+interface Plane {
   readonly kind: 'plane';
   readonly normal: Vec3;
   readonly point: Vec3;

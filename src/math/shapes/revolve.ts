@@ -6,7 +6,7 @@ import { multiplesWithin, roundStep } from './steps.ts';
  * (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², in doubles, for the picture only. r is never squared: the
  * square of a very long or very short length is not a double.
  */
-export interface Revolution {
+interface Revolution {
   readonly center: Vec3;
   readonly a: number;
   readonly r: number;

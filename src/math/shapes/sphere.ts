@@ -20,7 +20,7 @@ import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
-export interface Sphere {
+interface Sphere {
   readonly kind: 'sphere';
   readonly center: Vec3;
   readonly radius: number;

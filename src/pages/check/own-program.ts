@@ -13,7 +13,7 @@ import { createRuns, kindsFor } from './program-run.ts';
 import { exploreLink } from './question-scene.ts';
 import type { CheckSettings } from './settings.ts';
 
-export interface Program {
+interface Program {
   render(settings: CheckSettings): void;
   source(): string;
   cases(format: 'json' | 'csv'): string;

@@ -34,7 +34,7 @@ const MOST_NOTES = 3;
 const MOST_LINES = 101;
 
 /** What a run of a program has led to so far. */
-export interface RunState {
+interface RunState {
   readonly running: { readonly done: number; readonly total: number } | null;
   readonly trouble: string;
   readonly notes: readonly string[];
@@ -61,7 +61,7 @@ const NOTHING: RunState = {
   finished: 0,
 };
 
-export interface Runs {
+interface Runs {
   get(): RunState;
   run(source: string, kinds: readonly ShapeKind[]): void;
   cancel(): void;

@@ -22,7 +22,7 @@ import { download } from '../../ui/files.ts';
 import type { LeftPart, PartContext, Shown } from './part.ts';
 import type { CheckSettings } from './settings.ts';
 
-export interface Questions extends LeftPart {
+interface Questions extends LeftPart {
   readonly tools: QuestionTools;
   /** The session as it stands, to be taken away. */
   json(): string;

@@ -7,14 +7,14 @@ import {
   type Timing,
 } from '../../check/program/protocol.ts';
 
-export type Ending =
+type Ending =
   | { readonly how: 'done' }
   | { readonly how: 'refused'; readonly message: string; readonly line: number | null }
   | { readonly how: 'stopped'; readonly message: string }
   /** The frame or its worker never began: nothing is known of the program. */
   | { readonly how: 'unopened'; readonly message: string };
 
-export interface Heard {
+interface Heard {
   output(index: number, output: Output): void;
   note(message: string): void;
   console(line: ConsoleLine): void;

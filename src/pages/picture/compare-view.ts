@@ -16,7 +16,7 @@ export interface CompareViewModel {
   readonly version: string;
 }
 
-export interface CompareViewActions {
+interface CompareViewActions {
   /** Where the divider is to stand, from where it stands. */
   split(edit: (percent: number) => number): void;
   pixel(x: number, y: number): void;
@@ -30,7 +30,7 @@ export interface CompareViewActions {
   drag(x: number, y: number): void;
 }
 
-export interface CompareView {
+interface CompareView {
   /** For what lies over the pictures. */
   readonly over: HTMLElement;
   render(model: CompareViewModel): void;

@@ -7,7 +7,7 @@ import type { Mounted } from '../../ui/mounted.ts';
  * The view in space, whose code is loaded with the first pixel that is chosen. The list stands
  * without it.
  */
-export interface LateRayTree {
+interface LateRayTree {
   /** Null takes the view away. */
   render(model: TreeModel | null): void;
 }

@@ -4,14 +4,14 @@ import type { Picture } from '../../tracer/compare.ts';
 const ACROSS = 17;
 const DOWN = 4;
 
-export interface MagnifierModel {
+interface MagnifierModel {
   readonly pixel: readonly [number, number];
   readonly left: Picture | null;
   readonly right: Picture | null;
   readonly comparing: boolean;
 }
 
-export interface PixelMagnifier {
+interface PixelMagnifier {
   /** Null takes it away. */
   render(model: MagnifierModel | null): void;
 }

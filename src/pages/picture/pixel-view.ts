@@ -9,14 +9,14 @@ import type { PictureModel } from './picture-model.ts';
 import type { RayRecorder } from './ray-recorder.ts';
 import type { TraceRequest } from './trace-request.ts';
 
-export interface PixelView {
+interface PixelView {
   /** The list of rays of the pixel that is chosen, or how to choose one. */
   panel(model: PictureModel): TemplateResult;
   /** The same rays for the view in space; null while there are none. */
   space(model: PictureModel): TreeModel | null;
 }
 
-export interface PixelActions {
+interface PixelActions {
   readonly changed: () => void;
   readonly announce: (words: string) => void;
   readonly close: () => void;

@@ -12,7 +12,7 @@ import { openScene } from './exports.ts';
 import type { PictureActions } from './page-actions.ts';
 import type { PictureModel } from './picture-model.ts';
 
-export interface SidePanel {
+interface SidePanel {
   /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
   isEditing(): boolean;
   /** Opens the form of a thing or light. */
@@ -20,7 +20,7 @@ export interface SidePanel {
   render(state: AppState, model: PictureModel): void;
 }
 
-export interface SidePanelTools {
+interface SidePanelTools {
   readonly dispatch: Dispatch;
   readonly changed: () => void;
   readonly tools: PictureActions;

@@ -31,7 +31,7 @@ export interface TraceQueue {
   rest(): void;
 }
 
-export interface TraceQueueTools {
+interface TraceQueueTools {
   readonly spawn: () => WorkerLike;
   readonly workers: number;
   /** Something is to be seen that was not there before. */

@@ -3,7 +3,7 @@ import type { EffectBody } from './body.ts';
 import type { FieldSet } from './fields.ts';
 
 /** Whether a scene calls for an effect, and why or why not, in words that follow its name. */
-export interface Need {
+interface Need {
   readonly needed: boolean;
   /** Not needed by the scene as Graze simplifies it, though nature would show it. */
   readonly leftOut: boolean;
@@ -11,7 +11,7 @@ export interface Need {
 }
 
 /** What is known of an effect without its code; `load` fetches that, a chunk of its own. */
-export interface EffectDefinition<Id extends string> {
+interface EffectDefinition<Id extends string> {
   readonly id: Id;
   readonly title: string;
   /** What it is, in a sentence. */

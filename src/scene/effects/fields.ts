@@ -16,7 +16,7 @@ interface Common {
   readonly label: string;
 }
 
-export interface NumberField extends Common {
+interface NumberField extends Common {
   readonly type: 'number';
   readonly default: number;
   /** What a file may hold. */
@@ -28,19 +28,19 @@ export interface NumberField extends Common {
   readonly unit: string;
 }
 
-export interface ColourField extends Common {
+interface ColourField extends Common {
   readonly type: 'colour';
   readonly default: Colour;
 }
 
-export interface ChoiceField<W extends string = string> extends Common {
+interface ChoiceField<W extends string = string> extends Common {
   readonly type: 'choice';
   readonly default: NoInfer<W>;
   readonly options: readonly (readonly [value: W, words: string])[];
 }
 
 export type Field = NumberField | ColourField | ChoiceField;
-export type Fields = Readonly<Record<string, Field>>;
+type Fields = Readonly<Record<string, Field>>;
 export type FieldValue = number | string;
 
 /** All fields of one effect at one place. */

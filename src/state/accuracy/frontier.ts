@@ -6,7 +6,7 @@ import { findMethod } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import type { Cost, Worth } from './settings.ts';
 
-export interface FrontierData {
+interface FrontierData {
   readonly marks: readonly {
     readonly id: string;
     readonly name: string;

@@ -14,7 +14,7 @@ export interface Constant {
 }
 
 /** What every exported program is made of, whatever its language. */
-export interface Parts {
+interface Parts {
   readonly program: Program;
   readonly shape: readonly Constant[];
   readonly E: Triple<number>;

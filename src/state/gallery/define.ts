@@ -3,7 +3,7 @@
  * none'. Each kind of claim has a check in tests/unit/state/gallery-claims.ts, and words that claim
  * something must name a claim for it.
  */
-export type Clause = readonly [words: string, ...claims: string[]];
+type Clause = readonly [words: string, ...claims: string[]];
 
 /**
  * A state worth looking at. It is a link like any other, so whatever a preset can show, a person

@@ -12,7 +12,7 @@ export interface SurfaceStep {
   readonly put: PutIn | null;
 }
 
-export interface SurfaceSteps {
+interface SurfaceSteps {
   readonly title: string;
   readonly f: Expr;
   readonly lines: readonly SurfaceStep[];

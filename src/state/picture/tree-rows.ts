@@ -28,7 +28,7 @@ export interface TreeRow {
 }
 
 /** What of a picture's settings decides which root counts. */
-export type Tracing = Pick<TraceSettings, 'method' | 'start' | 'forced'>;
+type Tracing = Pick<TraceSettings, 'method' | 'start' | 'forced'>;
 
 /** Fewer shadow rays to one light than this stand each on its own line. */
 const GROUP_FROM = 3;

@@ -7,7 +7,7 @@ import { frames } from './pending.ts';
 const OF_A_THEME = ['color-contrast', 'link-in-text-block', 'scrollable-region-focusable'];
 
 /** One line a violation: the rule, and the elements that break it; of these rules, or of all. */
-export async function violations(page: Page, rules?: string[]): Promise<string[]> {
+async function violations(page: Page, rules?: string[]): Promise<string[]> {
   const axe = new AxeBuilder({ page }).setLegacyMode(true);
   const { violations: found } = await (rules ? axe.withRules(rules) : axe).analyze();
   return found.flatMap(({ id, nodes }) =>

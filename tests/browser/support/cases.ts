@@ -10,10 +10,8 @@ import {
   square,
 } from '../../unit/math/shorthand.ts';
 
-export { circle, cone, cylinder, hyperboloid, plane, square };
-
 /** What a case is about, the answer that the course gives, and the question. */
-export interface Case {
+interface Case {
   readonly title: string;
   readonly class: IntersectionClass;
   readonly shape: Shape;

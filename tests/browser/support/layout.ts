@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-export interface Extent {
+interface Extent {
   readonly width: number;
   readonly height: number;
 }

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 
 /** What the page has asked the browser to call soon, and how often it has asked for a frame. */
-export interface Pending {
+interface Pending {
   readonly timers: Set<number>;
   readonly frames: Set<number>;
   asked: number;

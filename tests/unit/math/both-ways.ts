@@ -40,7 +40,7 @@ export function packed(list: readonly Ray[], capacity = list.length): Rays {
 }
 
 /** What answers hold before, and beyond the count after, too. */
-export const BESIDE = 77.5;
+const BESIDE = 77.5;
 
 export function blank(capacity: number): Answers {
   const out = createAnswers(capacity, kernelArray);
@@ -49,7 +49,7 @@ export function blank(capacity: number): Answers {
   return out;
 }
 
-export interface Found {
+interface Found {
   readonly t0: Float64Array;
   readonly t1: Float64Array;
   /** `ray verdict`, sorted. */

@@ -2,7 +2,7 @@ import { integer, type Random, randomSign, uniform } from '../../../src/math/rng
 
 type Numbers = readonly number[];
 
-export interface Search {
+interface Search {
   /** Where a search begins. */
   readonly start: () => number[];
   /** What is to be as large as can be; 0 where the question does not arise. */

@@ -22,7 +22,7 @@ export function drawJudged(id: string, count: number, seed: number, difficulty?:
   return judged(Array.from({ length: count }, () => family.make(random, difficulty)));
 }
 
-export interface Score {
+interface Score {
   readonly count: number;
   /** Another class than the exact one. */
   readonly wrong: number;

@@ -38,7 +38,7 @@ export function gridShape(random: Random, { kind, params }: AnyDefinition, step:
   return { kind, ...Object.fromEntries(values) } as unknown as Shape;
 }
 
-export const gridRay = (random: Random, step: number): Ray => ({
+const gridRay = (random: Random, step: number): Ray => ({
   origin: gridVector(random, step, 5, false),
   direction: gridVector(random, step, 2, true),
 });

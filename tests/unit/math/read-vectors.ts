@@ -25,7 +25,7 @@ export interface VectorCase {
   };
 }
 
-export interface QuadraticCase {
+interface QuadraticCase {
   readonly source: string;
   readonly A: number;
   readonly B: number;

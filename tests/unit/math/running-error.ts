@@ -13,7 +13,7 @@ export interface Off {
  * What one operation may cost: `sum` and `product` of its result, `lost` of a product that leaves
  * the doubles.
  */
-export interface Costs {
+interface Costs {
   readonly sum: number;
   readonly product: number;
   readonly lost?: number;

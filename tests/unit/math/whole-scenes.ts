@@ -44,7 +44,7 @@ const near = (random: Random, at: number): number => Math.round(at) + integer(ra
  * Exponents of the lengths and of d by which one of them, or what the algebra makes of both, is
  * near a threshold: lengths l, l² or l⁴, d likewise, b and F' ~ l d, D ~ l² d², t ~ l / d.
  */
-export function units(random: Random): { readonly length: number; readonly speed: number } {
+function units(random: Random): { readonly length: number; readonly speed: number } {
   const one = (): number => near(random, threshold(random) / pick(random, [1, 2, 4]));
   const wide = exponentOf(places.WIDE);
   const length = pick<() => number>(random, [

@@ -2,7 +2,7 @@
  * A line as a person reads it, worked out in whole numbers: n/d, nothing rounded. Written apart
  * from the printer.
  */
-export interface Rational {
+interface Rational {
   readonly n: bigint;
   readonly d: bigint;
 }
@@ -10,14 +10,14 @@ export interface Rational {
 type Read = Rational | readonly Rational[];
 
 const of = (n: bigint, d = 1n): Rational => (d < 0n ? { n: -n, d: -d } : { n, d });
-export const add = (a: Rational, b: Rational): Rational => of(a.n * b.d + b.n * a.d, a.d * b.d);
+const add = (a: Rational, b: Rational): Rational => of(a.n * b.d + b.n * a.d, a.d * b.d);
 const mul = (a: Rational, b: Rational): Rational => of(a.n * b.n, a.d * b.d);
 const negative = (a: Rational): Rational => of(-a.n, a.d);
-export const sub = (a: Rational, b: Rational): Rational => add(a, negative(b));
-export const size = (a: Rational): Rational => (a.n < 0n ? negative(a) : a);
+const sub = (a: Rational, b: Rational): Rational => add(a, negative(b));
+const size = (a: Rational): Rational => (a.n < 0n ? negative(a) : a);
 export const isAtMost = (a: Rational, b: Rational): boolean => a.n * b.d <= b.n * a.d;
 
-export function powerOfTen(exponent: number): Rational {
+function powerOfTen(exponent: number): Rational {
   const scale = 10n ** BigInt(Math.abs(exponent));
   return exponent < 0 ? of(1n, scale) : of(scale);
 }

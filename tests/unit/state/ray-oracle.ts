@@ -39,7 +39,7 @@ export function f({ C, a, k = 0, rho }: Quadric, [x, y, z]: Vec3): number {
   return (x - C[0]) ** 2 + (z - C[2]) ** 2 - a * h ** 2 - k * h - rho;
 }
 
-export type Crossing = 'enters' | 'leaves';
+type Crossing = 'enters' | 'leaves';
 
 /** What happens to f along the line, found by looking at its sign at chosen t. */
 export interface Course {
