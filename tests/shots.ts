@@ -1,4 +1,4 @@
-// npm run shots: a screenshot of every preset, in each theme and on a phone, into
+// npm run shots: a screenshot of every example, in each theme and on a phone, into
 // test-results/shots, for people to look at.
 import { mkdirSync } from 'node:fs';
 import { chromium } from '@playwright/test';
@@ -27,7 +27,7 @@ for (const { name, theme, width, height } of LOOKS) {
   await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
   await page.goto(site.url);
   await page.waitForSelector('.scene-area canvas');
-  for (const { id, link } of GALLERY.filter((preset) => preset.id.includes(wanted))) {
+  for (const { id, link } of GALLERY.filter((example) => example.id.includes(wanted))) {
     await page.evaluate((hash) => {
       location.hash = hash;
     }, link);

@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import { type Priced, steps } from '../lab/pareto.ts';
 import type { FrontierMark } from './frontier-model.ts';
-import type { Box } from './place-labels.ts';
+import type { Box } from './mark-labels.ts';
 import { type Field, px } from './plot.ts';
 
 /** The step line as thin boxes, so that no name lies on it. */

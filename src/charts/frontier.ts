@@ -6,7 +6,7 @@ import type { Mounted } from '../ui/mounted.ts';
 import { lineBoxes, markOf, stepLine } from './frontier-marks.ts';
 import type { FrontierMark, FrontierModel } from './frontier-model.ts';
 import { watchMetrics } from './graph-metrics.ts';
-import { type Box, placeLabels } from './place-labels.ts';
+import { type Box, labelMarks } from './mark-labels.ts';
 import {
   axes,
   type Field,
@@ -136,7 +136,7 @@ function names(
     radius: (mark.id === chosen ? 11 : 6) * field.mark,
     ...labelSize(nameOf(mark), field.em * (mark.id === chosen ? BOLD : 1)),
   }));
-  const places = placeLabels(wishes, fieldBox(field), taken);
+  const places = labelMarks(wishes, fieldBox(field), taken);
   return spots.flatMap((spot, i) => {
     const place = places[i];
     const cls = spot.mark.id === chosen ? 'is-chosen' : '';

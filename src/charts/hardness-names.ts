@@ -1,6 +1,6 @@
 import { svg, type TemplateResult } from 'lit';
 import type { HardnessLine, HardnessModel, HardnessScales } from './hardness-model.ts';
-import { type Box, placeLabels, spread } from './place-labels.ts';
+import { type Box, labelMarks, spread } from './mark-labels.ts';
 import { type Field, fieldBox, labelSize, nameAt, px } from './plot.ts';
 
 interface EndName {
@@ -90,7 +90,7 @@ function fallNames(
     const height = sizes.reduce((sum, size) => sum + size.height, 0);
     return { x: x(fall.difficulty), y: y(0), radius: 6, width, height };
   });
-  const places = placeLabels(wishes, frame, taken);
+  const places = labelMarks(wishes, frame, taken);
   return falls.flatMap((fall, i) => {
     const place = places[i];
     const wish = wishes[i];

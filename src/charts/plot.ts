@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import { coordinate } from '../text/coordinate.ts';
 import { LETTER, type Metrics } from './graph-frame.ts';
-import type { Box, Placed, Wish } from './place-labels.ts';
+import type { Box, Placed, Wish } from './mark-labels.ts';
 import './graph.css';
 import './plot.css';
 

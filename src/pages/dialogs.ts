@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
-import type { Example } from '../state/example.ts';
+import type { ShownExample } from '../state/example.ts';
 import type { PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
@@ -15,7 +15,7 @@ export interface DialogParts {
   readonly commands: readonly Command[];
   /** Draws small pictures, once the scene's code is there. */
   readonly thumbnail: () => Thumbnail | null;
-  readonly example: () => Example | null;
+  readonly example: () => ShownExample | null;
   readonly page: () => PageId;
   readonly exports: () => Promise<readonly ExportItem[]>;
   readonly dispatch: Dispatch;
@@ -32,7 +32,7 @@ export function createDialogs(parts: DialogParts): Dialogs {
     galleryContent(parts.example(), pick, parts.thumbnail()),
   );
   const pick = (id: string): void => {
-    parts.dispatch({ type: 'preset', id });
+    parts.dispatch({ type: 'example', id });
     gallery.close();
   };
   const help = createDialog('Help', () =>

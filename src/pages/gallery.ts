@@ -2,8 +2,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { SHAPES } from '../math/index.ts';
 import { createDerive } from '../state/derive.ts';
-import type { Example } from '../state/example.ts';
-import type { Preset } from '../state/gallery/define.ts';
+import type { ShownExample } from '../state/example.ts';
+import type { Example } from '../state/gallery/define.ts';
 import { GALLERY } from '../state/gallery/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { decode } from '../state/url.ts';
@@ -12,9 +12,9 @@ import './gallery.css';
 /** Draws a small picture of a scene into an element. */
 export type Thumbnail = (host: HTMLElement, model: SceneModel) => void;
 
-/** Every preset with a small picture and its sentence, shape by shape. */
+/** Every example with a small picture and its sentence, shape by shape. */
 export function galleryContent(
-  current: Example | null,
+  current: ShownExample | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
 ): TemplateResult {
@@ -23,33 +23,33 @@ export function galleryContent(
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>
         <h3>${title}</h3>
-        <div class="presets">${own.map((preset) => card(preset, current?.preset === preset ? current : null, pick, thumbnail))}</div>
+        <div class="gallery-cards">${own.map((example) => card(example, current?.entry === example ? current : null, pick, thumbnail))}</div>
       </section>`;
     })}
   </div>`;
 }
 
 function card(
-  preset: Preset,
-  current: Example | null,
+  example: Example,
+  current: ShownExample | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
 ): TemplateResult {
   const draw = (element: Element | undefined): void => {
     if (element instanceof HTMLElement && thumbnail && element.childElementCount === 0) {
-      thumbnail(element, createDerive()(decode(preset.link)).scene);
+      thumbnail(element, createDerive()(decode(example.link)).scene);
     }
   };
   return html`<button
     type="button"
-    class="preset"
-    data-preset=${preset.id}
+    class="gallery-card"
+    data-example=${example.id}
     aria-pressed=${current !== null && !current.changed}
-    @click=${() => pick(preset.id)}
+    @click=${() => pick(example.id)}
   >
     <span class="thumbnail" aria-hidden="true" ${ref(draw)}></span>
-    <strong>${preset.title}</strong>
-    ${current?.changed ? html`<span class="preset-look">Changed since: choosing it brings it back.</span>` : nothing}
-    <span class="preset-look">${preset.look}</span>
+    <strong>${example.title}</strong>
+    ${current?.changed ? html`<span class="gallery-look">Changed since: choosing it brings it back.</span>` : nothing}
+    <span class="gallery-look">${example.look}</span>
   </button>`;
 }

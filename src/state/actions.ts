@@ -45,8 +45,8 @@ export type Action =
   | { readonly type: 'link'; readonly hash: string }
   /** A whole state: from a file, or made of the one there is. */
   | { readonly type: 'open'; readonly state: Edit<AppState> }
-  | { readonly type: 'preset'; readonly id: string }
-  /** The next preset, or the one before. */
+  | { readonly type: 'example'; readonly id: string }
+  /** The next example, or the one before. */
   | { readonly type: 'browse'; readonly by: 1 | -1 }
   /** How many lines of the result are shown; null for all of them. */
   | { readonly type: 'reveal'; readonly lines: number | null }

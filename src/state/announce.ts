@@ -24,9 +24,9 @@ export function announcement(before: ExploreModel, after: ExploreModel): string 
 function newExample({ example: old }: ExploreModel, { example, state }: ExploreModel): string {
   if (!example || example.changed) return '';
   if (old && !old.changed && old.number === example.number) return '';
-  const { number, of, preset } = example;
-  const look = state.revealed === null ? ` ${preset.look}` : '';
-  return `Example ${number} of ${of}: ${preset.title}.${look}`;
+  const { number, of, entry } = example;
+  const look = state.revealed === null ? ` ${entry.look}` : '';
+  return `Example ${number} of ${of}: ${entry.title}.${look}`;
 }
 
 const leavesExample = (before: ExploreModel, after: ExploreModel): boolean =>

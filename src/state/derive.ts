@@ -5,7 +5,7 @@ import { definitionOf } from '../math/shapes.ts';
 import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
 import { type Exactly, exactlyOf } from './exact-digits.ts';
-import { type Example, exampleOf } from './example.ts';
+import { exampleOf, type ShownExample } from './example.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
 import { type Handle, handlesOf } from './handles.ts';
@@ -34,7 +34,7 @@ export interface ExploreModel {
   readonly asTyped: AsTyped;
   readonly derivation: Derivation;
   /** The example that is shown, as it is or changed. */
-  readonly example: Example | null;
+  readonly example: ShownExample | null;
   readonly verdict: VerdictWords;
   /** Where the numbers cannot be set any nearer to tangency. */
   readonly near: Near | null;

@@ -1,11 +1,11 @@
-import type { Preset } from './gallery/define.ts';
+import type { Example } from './gallery/define.ts';
 import { GALLERY } from './gallery/index.ts';
 import { type AppState, INITIAL } from './state.ts';
 import { decode, encode } from './url.ts';
 
 /** The example that a state shows, or was made from. */
-export interface Example {
-  readonly preset: Preset;
+export interface ShownExample {
+  readonly entry: Example;
   /** From 1. */
   readonly number: number;
   readonly of: number;
@@ -21,16 +21,16 @@ let numbers: ReadonlyMap<string, number> | null = null;
 /**
  * Whoever opens an example's link has the example, and so has whoever undoes what he changed in it.
  */
-export function exampleOf(state: AppState): Example | null {
+export function exampleOf(state: AppState): ShownExample | null {
   numbers ??= new Map(GALLERY.map(({ link }, i) => [valuesOf(decode(link)), i]));
   const same = numbers.get(valuesOf(state));
-  const at = same ?? GALLERY.findIndex(({ id }) => id === state.preset);
-  const preset = GALLERY[at];
-  if (!preset) return null;
+  const at = same ?? GALLERY.findIndex(({ id }) => id === state.example);
+  const entry = GALLERY[at];
+  if (!entry) return null;
   const changed = same === undefined;
   // With another shape nothing of the example is left.
-  if (changed && decode(preset.link).kind !== state.kind) return null;
-  return { preset, number: at + 1, of: GALLERY.length, changed };
+  if (changed && decode(entry.link).kind !== state.kind) return null;
+  return { entry, number: at + 1, of: GALLERY.length, changed };
 }
 
 /** What a caption speaks of: ray, shape and method, however one looks at them. */
@@ -40,5 +40,5 @@ function valuesOf(state: AppState): string {
 }
 
 /** "tangent", or "tangent, changed" */
-export const titleOf = ({ preset, changed }: Example): string =>
-  changed ? `${preset.title}, changed` : preset.title;
+export const titleOf = ({ entry, changed }: ShownExample): string =>
+  changed ? `${entry.title}, changed` : entry.title;

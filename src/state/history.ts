@@ -93,6 +93,6 @@ function forth({ past, present, future }: History): History {
 }
 
 function restored(present: AppState, from: AppState): AppState {
-  const { page, kind, shapes, E, d, unit, typed, method, settings, preset } = from;
-  return { ...present, page, kind, shapes, E, d, unit, typed, method, settings, preset };
+  const { page, kind, shapes, E, d, unit, typed, method, settings, example } = from;
+  return { ...present, page, kind, shapes, E, d, unit, typed, method, settings, example };
 }

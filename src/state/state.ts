@@ -27,7 +27,7 @@ export type Settings = Readonly<Record<string, string>>;
 
 /**
  * Everything that a page shows follows from this. A link carries it, but for the other shapes and
- * what was typed for them, which only a file has, and for problems, preset, revealed and ghost,
+ * what was typed for them, which only a file has, and for problems, example, revealed and ghost,
  * which last as long as the page is open.
  */
 export interface AppState {
@@ -57,8 +57,8 @@ export interface AppState {
   readonly settings: Readonly<Record<PageId, Settings>>;
   /** What was wrong with the link or file that was opened, in words. */
   readonly problems: readonly string[];
-  /** The preset that was opened last, whatever has been moved since: see example.ts. */
-  readonly preset: string | null;
+  /** The example that was opened last, whatever has been moved since: see example.ts. */
+  readonly example: string | null;
   /** How many lines of the result are shown, for predicting first; null shows everything. */
   readonly revealed: number | null;
   /** A ray and its hits that were kept to compare with. */
@@ -115,7 +115,7 @@ export const INITIAL: AppState = {
   between: null,
   settings: Object.fromEntries(PAGES.map(({ id }) => [id, {}])) as unknown as AppState['settings'],
   problems: [],
-  preset: null,
+  example: null,
   revealed: null,
   ghost: null,
 };

@@ -31,9 +31,9 @@ export function update(state: AppState, action: Action): AppState {
 
 /** An example that came by its link is remembered as soon as it is changed. */
 function kept(state: AppState, next: AppState): AppState {
-  if (state.preset !== null || next.preset !== null) return next;
+  if (state.example !== null || next.example !== null) return next;
   const example = exampleOf(state);
-  return example ? { ...next, preset: example.preset.id } : next;
+  return example ? { ...next, example: example.entry.id } : next;
 }
 
 function step(state: AppState, action: Action): AppState {
@@ -79,10 +79,10 @@ function updated(state: AppState, action: Action): AppState {
       return decode(action.hash, state);
     case 'open':
       return applied(action.state, state);
-    case 'preset':
-      return openPreset(state, action.id);
+    case 'example':
+      return openExample(state, action.id);
     case 'browse':
-      return openPreset(state, neighbour(exampleOf(state)?.preset.id ?? state.preset, action.by));
+      return openExample(state, neighbour(exampleOf(state)?.entry.id ?? state.example, action.by));
     case 'reveal':
       return { ...state, revealed: action.lines };
     case 'ghost':
@@ -178,9 +178,9 @@ function reset(state: AppState, what: What): AppState {
   return withParam(without(`${kind}.${param.symbol}`), param.key, param.initial);
 }
 
-function openPreset(state: AppState, id: string): AppState {
-  const preset = GALLERY.find((entry) => entry.id === id);
-  return preset ? { ...decode(preset.link, state), preset: id } : state;
+function openExample(state: AppState, id: string): AppState {
+  const found = GALLERY.find((entry) => entry.id === id);
+  return found ? { ...decode(found.link, state), example: id } : state;
 }
 
 /** Round the gallery; from nowhere, its first or last entry. */

@@ -207,7 +207,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     between: page === 'explore' || !aboutRay(page) ? look.between : null,
     settings: { ...before.settings, [page]: own },
     problems,
-    preset: null,
+    example: null,
     revealed: before.revealed === null ? null : 0,
     ghost: before.ghost,
   };

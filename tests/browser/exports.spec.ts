@@ -41,7 +41,7 @@ test('what is copied is what the page shows, for every text', async ({ page }) =
   }
 });
 
-test('GLSL compiles in WebGL2, for every preset', async ({ page }) => {
+test('GLSL compiles in WebGL2, for every example', async ({ page }) => {
   await open(page, LINK);
   const glsl = EXPORTS.find(({ id }) => id === 'glsl');
   const programs = GALLERY.map(({ id, link }) => [

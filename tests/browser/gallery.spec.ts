@@ -8,18 +8,18 @@ import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 900, height: 660 } });
 
-test('every preset is in the gallery with its sentence and a small picture', async ({ page }) => {
+test('every example is in the gallery with its sentence and a small picture', async ({ page }) => {
   await open(page, '#/explore');
   await page.locator('canvas').waitFor();
   await page.getByRole('button', { name: /^example:/ }).click();
   const dialog = page.getByRole('dialog', { name: 'Examples' });
   for (const { id, title, look } of GALLERY) {
-    const card = dialog.locator(`[data-preset="${id}"]`);
+    const card = dialog.locator(`[data-example="${id}"]`);
     await expect(card).toContainText(title);
     await expect(card).toContainText(look);
     expect(await card.locator('svg path').count(), id).toBeGreaterThan(2);
   }
-  await dialog.locator('[data-preset="cone-vertex"]').click();
+  await dialog.locator('[data-example="cone-vertex"]').click();
   await expect(dialog).toBeHidden();
   await expect(page.locator('.example-name')).toContainText('through the vertex');
   expect((await quantities(page)).class).toBe('tangent');
@@ -31,13 +31,13 @@ test.describe('without the picture', () => {
 
   test('a clicker walks through all of them and round again', async ({ page }) => {
     await open(page, '#/explore');
-    for (const preset of GALLERY) {
+    for (const example of GALLERY) {
       await page.keyboard.press('PageDown');
       await settle(page);
-      const state = decode(preset.link);
+      const state = decode(example.link);
       const found = intersect(shapeOf(state), rayOf(state), state.method);
-      await expect(page.locator('.example-name strong')).toHaveText(preset.title);
-      expect((await quantities(page)).class, preset.id).toBe(found.class);
+      await expect(page.locator('.example-name strong')).toHaveText(example.title);
+      expect((await quantities(page)).class, example.id).toBe(found.class);
     }
     await page.keyboard.press('PageDown');
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY[0]?.title ?? '');

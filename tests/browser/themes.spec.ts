@@ -5,7 +5,7 @@ import { expect, test } from './support/test.ts';
 test.use({ provoked: NO_SCENE, viewport: { width: 1280, height: 720 } });
 test.beforeEach(({ page }) => withoutScene(page));
 
-test('on the projector everything is on one screen, for every preset', async ({ page }) => {
+test('on the projector everything is on one screen, for every example', async ({ page }) => {
   await page.addInitScript(() => localStorage.setItem('graze.theme', 'projector'));
   await open(page, '#/explore');
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'projector');

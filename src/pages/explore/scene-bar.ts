@@ -24,7 +24,7 @@ export function sceneBar(
         ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
-      ${example && !example.changed && !hidden ? html`<p class="look">${example.preset.look}</p>` : nothing}
+      ${example && !example.changed && !hidden ? html`<p class="look">${example.entry.look}</p>` : nothing}
     </div>
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}

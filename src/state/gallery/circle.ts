@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const CIRCLE: readonly Preset[] = [
-  preset(
+export const CIRCLE: readonly Example[] = [
+  example(
     'circle-hit',
     ['inside', 'P1 inside the figure'],
     [
@@ -14,7 +14,7 @@ export const CIRCLE: readonly Preset[] = [
     ],
     'shape=circle&N=1,0.5,0&C=0,1,0&r=2&E=3,1,1&d=-0.75,-0.5,-0.25',
   ),
-  preset(
+  example(
     'circle-rim',
     ['on the rim', 'P1 on 1 limit'],
     [
@@ -23,7 +23,7 @@ export const CIRCLE: readonly Preset[] = [
     ],
     'shape=circle&N=1,0,0&C=0,1,0&r=2&E=3,1,2&d=-1,0,0',
   ),
-  preset(
+  example(
     'circle-outside',
     ['beside it', 'class none', 'figure missed by 0.5'],
     [
@@ -36,7 +36,7 @@ export const CIRCLE: readonly Preset[] = [
     ],
     'shape=circle&N=1,0,0&C=0,1,0&r=2&E=3,1,2.5&d=-1,0,0',
   ),
-  preset(
+  example(
     'circle-contained',
     ['in its plane', 'class contained'],
     [

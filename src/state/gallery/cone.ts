@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const CONE: readonly Preset[] = [
-  preset(
+export const CONE: readonly Example[] = [
+  example(
     'cone-hit',
     ['two points', 'class two'],
     [
@@ -10,7 +10,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=3,1,1&d=-0.75,-0.25,-0.25',
   ),
-  preset(
+  example(
     'cone-miss',
     ['a miss', 'class none', 'E outside'],
     [
@@ -23,7 +23,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=3,2,1.5&d=-1,0,0&view=ray',
   ),
-  preset(
+  example(
     'cone-nappes',
     ['both nappes', 'P1 below V', 'P2 above V'],
     [
@@ -34,7 +34,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=1,0,0&d=-0.125,1,0.125',
   ),
-  preset(
+  example(
     'cone-tangent',
     ['tangent', 'class tangent'],
     [
@@ -43,7 +43,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=1,1,3&d=0,0,-1&view=ray',
   ),
-  preset(
+  example(
     'cone-vertex',
     ['through the vertex', 'P1 at V'],
     [
@@ -56,7 +56,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=3,1,0&d=-0.75,0.5,0',
   ),
-  preset(
+  example(
     'cone-parallel',
     ['parallel to a generator', 'd along a generator', 'class one'],
     [
@@ -66,7 +66,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=2.5,0,0&d=-0.5,1,0',
   ),
-  preset(
+  example(
     'cone-generator',
     ['along a generator', 'd along a generator', 'class contained'],
     [
@@ -81,7 +81,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=1.5,0,0&d=-0.5,1,0',
   ),
-  preset(
+  example(
     'cone-near-generator',
     ['almost along it', 'd within 1e-11 of a generator'],
     [
@@ -95,7 +95,7 @@ export const CONE: readonly Preset[] = [
     ],
     'shape=cone&V=0,3,0&c=0.5&E=2.25,0,0&d=-0.500000000001,1,0&method=textbook',
   ),
-  preset(
+  example(
     'cone-inside',
     ['from inside', 'E inside'],
     [

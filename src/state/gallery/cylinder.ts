@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const CYLINDER: readonly Preset[] = [
-  preset(
+export const CYLINDER: readonly Example[] = [
+  example(
     'cylinder-hit',
     ['in and out', 't1 enters', 't2 leaves'],
     [
@@ -11,7 +11,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25',
   ),
-  preset(
+  example(
     'cylinder-miss',
     ['a miss', 'class none', 'E outside'],
     [
@@ -21,7 +21,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=4,1,2&d=-1,0,0&view=top',
   ),
-  preset(
+  example(
     'cylinder-tangent',
     ['tangent', 'class tangent'],
     [
@@ -31,7 +31,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=4,1,1.5&d=-1,0,0&view=top',
   ),
-  preset(
+  example(
     'cylinder-inside',
     ['from inside', 'E inside'],
     [
@@ -41,7 +41,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=0.5,1,0&d=-1,0.25,0.5',
   ),
-  preset(
+  example(
     'cylinder-behind',
     ['both behind E', 't1 behind E', 't2 behind E'],
     [
@@ -50,7 +50,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=3,1,0.5&d=1,0,0.25',
   ),
-  preset(
+  example(
     'cylinder-parallel',
     ['parallel to the axis', 'd along the axis', 'class none'],
     [
@@ -60,7 +60,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=2.5,4,0&d=0,-1,0',
   ),
-  preset(
+  example(
     'cylinder-generator',
     ['along a generator', 'd along the axis', 'class contained'],
     [
@@ -69,7 +69,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1.5&E=1.5,4,0&d=0,-1,0',
   ),
-  preset(
+  example(
     'cylinder-axis',
     ['radius 0', 'r = 0'],
     [
@@ -78,7 +78,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=0&E=3,2,0&d=-1,-0.25,0',
   ),
-  preset(
+  example(
     'cylinder-far',
     ['from far away', 'E beyond 1e8'],
     [
@@ -93,7 +93,7 @@ export const CYLINDER: readonly Preset[] = [
     ],
     'shape=cylinder&C=0,1,0&r=1&E=100000000,1,50000000&d=-0.2,0,-0.1&method=textbook',
   ),
-  preset(
+  example(
     'cylinder-tiny',
     ['a tiny world', 'lengths about 1e-9'],
     [

@@ -6,10 +6,10 @@
 type Clause = readonly [words: string, ...claims: string[]];
 
 /**
- * A state worth looking at. It is a link like any other, so whatever a preset can show, a person
+ * A state worth looking at. It is a link like any other, so whatever a example can show, a person
  * can send.
  */
-export interface Preset {
+export interface Example {
   readonly id: string;
   readonly title: string;
   /** One sentence: what to look at. */
@@ -19,7 +19,7 @@ export interface Preset {
   readonly told: readonly Clause[];
 }
 
-export function preset(id: string, title: Clause, look: readonly Clause[], link: string): Preset {
+export function example(id: string, title: Clause, look: readonly Clause[], link: string): Example {
   return {
     id,
     title: title[0],

@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const HYPERBOLOID: readonly Preset[] = [
-  preset(
+export const HYPERBOLOID: readonly Example[] = [
+  example(
     'hyperboloid-hit',
     ['through the waist', 'P1 within 0.5 of the waist', 'P2 within 0.5 of the waist'],
     [
@@ -17,7 +17,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,0.25,0&a=0.4&r=1&E=3,1,1&d=-0.8,-0.2,-0.3',
   ),
-  preset(
+  example(
     'hyperboloid-miss',
     ['past the waist', 'class none', 'E outside', 'd level', 'E at the height of the waist'],
     [
@@ -36,7 +36,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=0.5&r=1&E=3,1,1.5&d=-1,0,0&view=ray',
   ),
-  preset(
+  example(
     'hyperboloid-out-in',
     ['out and in again', 't1 leaves', 't2 enters', 't1 ahead'],
     [
@@ -46,7 +46,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=0.5&r=0.5&E=1.25,-1,0&d=-0.125,1,0',
   ),
-  preset(
+  example(
     'hyperboloid-parallel',
     ['parallel to the asymptote', 'd along a generator', 'class one'],
     [
@@ -56,7 +56,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=1&r=1&E=3,3,0.5&d=-1,-1,0',
   ),
-  preset(
+  example(
     'hyperboloid-ruling',
     ['a line in the surface', 'class contained'],
     [
@@ -65,7 +65,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=1&r=1&E=1,-1,-2&d=0,1,1',
   ),
-  preset(
+  example(
     'hyperboloid-cylinder',
     ['a is 0', 'a = 0'],
     [
@@ -84,7 +84,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=0&r=1.5&E=3,2,1&d=-1,-0.25,-0.25',
   ),
-  preset(
+  example(
     'hyperboloid-ellipsoid',
     ['an ellipsoid', 'named ellipsoid'],
     [
@@ -93,7 +93,7 @@ export const HYPERBOLOID: readonly Preset[] = [
     ],
     'shape=hyperboloid&C=0,1,0&a=-0.5&r=1.5&E=3,2,1&d=-1,-0.25,-0.25',
   ),
-  preset(
+  example(
     'hyperboloid-sphere',
     ['touching a sphere', 'named sphere', 't1 touches', 't1 ahead'],
     [

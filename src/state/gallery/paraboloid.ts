@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const PARABOLOID: readonly Preset[] = [
-  preset(
+export const PARABOLOID: readonly Example[] = [
+  example(
     'paraboloid-hit',
     ['two points', 'class two'],
     [
@@ -10,7 +10,7 @@ export const PARABOLOID: readonly Preset[] = [
     ],
     'shape=paraboloid&V=0,0,0&k=2&E=4,2,1&d=-1,-0.125,-0.25',
   ),
-  preset(
+  example(
     'paraboloid-axis',
     ['parallel to the axis', 'd along the axis', 'class one'],
     [
@@ -20,7 +20,7 @@ export const PARABOLOID: readonly Preset[] = [
     ],
     'shape=paraboloid&V=0,0,0&k=2&E=1,4,0.5&d=0,-1,0',
   ),
-  preset(
+  example(
     'paraboloid-tangent',
     ['tangent', 'class tangent'],
     [
@@ -29,7 +29,7 @@ export const PARABOLOID: readonly Preset[] = [
     ],
     'shape=paraboloid&V=0,0,0&k=2&E=4,2,2&d=-1,0,0&view=ray',
   ),
-  preset(
+  example(
     'paraboloid-inside',
     ['from inside', 'E inside'],
     [
@@ -38,7 +38,7 @@ export const PARABOLOID: readonly Preset[] = [
     ],
     'shape=paraboloid&V=0,0,0&k=2&E=0.5,2,0&d=-1,0.25,0.25',
   ),
-  preset(
+  example(
     'paraboloid-down',
     ['turned over', 'k < 0'],
     [

@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const PLANE: readonly Preset[] = [
-  preset(
+export const PLANE: readonly Example[] = [
+  example(
     'plane-hit',
     ['one point', 'class one'],
     [
@@ -11,7 +11,7 @@ export const PLANE: readonly Preset[] = [
     ],
     'shape=plane&N=0,1,0&P=0,0,0&E=3,3,1&d=-1,-1,0',
   ),
-  preset(
+  example(
     'plane-behind',
     ['behind E', 't1 behind E'],
     [
@@ -20,7 +20,7 @@ export const PLANE: readonly Preset[] = [
     ],
     'shape=plane&N=0,1,0&P=0,0,0&E=2,2,1&d=-1,1,0',
   ),
-  preset(
+  example(
     'plane-parallel',
     ['parallel', 'N.d = 0', 'class none'],
     [
@@ -29,7 +29,7 @@ export const PLANE: readonly Preset[] = [
     ],
     'shape=plane&N=0,1,0&P=0,0,0&E=3,1,1&d=-1,0,0',
   ),
-  preset(
+  example(
     'plane-contained',
     ['in the plane', 'class contained'],
     [
@@ -38,7 +38,7 @@ export const PLANE: readonly Preset[] = [
     ],
     'shape=plane&N=0,1,0&P=0,0,0&E=3,0,1&d=-1,0,0.25',
   ),
-  preset(
+  example(
     'plane-grazing',
     ['at a flat angle', 'angle to the plane < 2°'],
     [

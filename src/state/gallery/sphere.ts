@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const SPHERE: readonly Preset[] = [
-  preset(
+export const SPHERE: readonly Example[] = [
+  example(
     'sphere-hit',
     ['two points', 'class two'],
     [
@@ -10,13 +10,13 @@ export const SPHERE: readonly Preset[] = [
     ],
     'shape=sphere&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25',
   ),
-  preset(
+  example(
     'sphere-miss',
     ['a miss', 'class none', 'E outside'],
     [['D < 0: f is above zero for every t.', 'D < 0', 'f > 0 everywhere', 'class none']],
     'shape=sphere&C=0,1,0&r=1.5&E=3,1,2&d=-1,0,0&view=top',
   ),
-  preset(
+  example(
     'sphere-tangent',
     ['tangent', 'class tangent'],
     [
@@ -25,7 +25,7 @@ export const SPHERE: readonly Preset[] = [
     ],
     'shape=sphere&C=0,1,0&r=1.5&E=4,2.5,0&d=-1,0,0&view=front',
   ),
-  preset(
+  example(
     'sphere-inside',
     ['from inside', 'E inside'],
     [
@@ -34,7 +34,7 @@ export const SPHERE: readonly Preset[] = [
     ],
     'shape=sphere&C=0,1,0&r=1.5&E=0.5,1,0&d=-1,0.5,0.25',
   ),
-  preset(
+  example(
     'sphere-far',
     ['from far away', 'E beyond 5e8'],
     [

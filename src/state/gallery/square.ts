@@ -1,7 +1,7 @@
-import { type Preset, preset } from './define.ts';
+import { type Example, example } from './define.ts';
 
-export const SQUARE: readonly Preset[] = [
-  preset(
+export const SQUARE: readonly Example[] = [
+  example(
     'square-hit',
     ['inside', 'P1 inside the figure'],
     [
@@ -14,7 +14,7 @@ export const SQUARE: readonly Preset[] = [
     ],
     'shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.75,-0.125,-0.25',
   ),
-  preset(
+  example(
     'square-edge',
     ['on an edge', 'P1 on 1 limit'],
     [
@@ -23,7 +23,7 @@ export const SQUARE: readonly Preset[] = [
     ],
     'shape=square&P=0,0,-1&L=2&axis=x&E=3,2,0&d=-1,0,0',
   ),
-  preset(
+  example(
     'square-outside',
     ['past a corner', 'class none', '2 conditions fail'],
     [
@@ -36,7 +36,7 @@ export const SQUARE: readonly Preset[] = [
     ],
     'shape=square&P=0,0,-1&L=2&axis=x&E=3,2.75,2&d=-1,0,0',
   ),
-  preset(
+  example(
     'square-floor',
     ['lying down', 'normal along y'],
     [
@@ -50,7 +50,7 @@ export const SQUARE: readonly Preset[] = [
     ],
     'shape=square&P=-1,0,-1&L=2&axis=y&E=3,2,1&d=-0.75,-0.5,-0.25',
   ),
-  preset(
+  example(
     'square-contained',
     ['in its plane', 'class contained'],
     [

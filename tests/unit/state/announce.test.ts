@@ -52,7 +52,7 @@ test('what is hidden is not told', () => {
 
 describe('an example', () => {
   const derive = createDerive(() => closerLook);
-  const opened = update(INITIAL, { type: 'preset', id: 'circle-rim' });
+  const opened = update(INITIAL, { type: 'example', id: 'circle-rim' });
   const moved = update(opened, { type: 'param', key: 'radius', value: 3 });
 
   test('is announced with its number, title, caption and verdict', () => {
@@ -72,7 +72,7 @@ describe('an example', () => {
 
   test('keeps its caption to itself while the results are hidden', () => {
     const hidden = update(INITIAL, { type: 'reveal', lines: 0 });
-    const next = update(hidden, { type: 'preset', id: 'circle-rim' });
+    const next = update(hidden, { type: 'example', id: 'circle-rim' });
     expect(announcement(derive(hidden), derive(next))).toMatch(
       /^Example \d+ of \d+: on the rim\.$/,
     );

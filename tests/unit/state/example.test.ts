@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Action } from '../../../src/state/actions.ts';
-import { type Example, exampleOf, titleOf } from '../../../src/state/example.ts';
+import { exampleOf, type ShownExample, titleOf } from '../../../src/state/example.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { advance, type History, historyOf } from '../../../src/state/history.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
@@ -17,7 +17,7 @@ const start = historyOf(INITIAL);
 describe.each(GALLERY.map(({ id, title }, i) => [id, `${i + 1} ${title}`] as const))(
   '%s',
   (id, named) => {
-    const open = doing(start, { type: 'preset', id });
+    const open = doing(start, { type: 'example', id });
 
     test('is the example while nothing is changed, however one looks at it', () => {
       const looked = doing(open, { type: 'view', view: 'side' }, { type: 'bead', t: 2 });
@@ -26,7 +26,7 @@ describe.each(GALLERY.map(({ id, title }, i) => [id, `${i + 1} ${title}`] as con
 
     test('is the example again when its link is opened', () => {
       const again = decode(encode(open.present), INITIAL);
-      expect([again.preset, shown(again)]).toEqual([null, named]);
+      expect([again.example, shown(again)]).toEqual([null, named]);
       const edited = doing(historyOf(again), { type: 'method', id: 'stable' });
       expect(shown(edited.present)).toBe(`${named}, changed`);
     });
@@ -54,20 +54,20 @@ describe.each(GALLERY.map(({ id, title }, i) => [id, `${i + 1} ${title}`] as con
 );
 
 test('two examples in a row, the second undone: the first one is back', () => {
-  const two = doing(start, { type: 'preset', id: 'cone-hit' }, { type: 'browse', by: 1 });
+  const two = doing(start, { type: 'example', id: 'cone-hit' }, { type: 'browse', by: 1 });
   const back = doing(two, { type: 'undo' }).present;
-  expect((exampleOf(back) as Example).preset.id).toBe('cone-hit');
+  expect((exampleOf(back) as ShownExample).entry.id).toBe('cone-hit');
 });
 
 test('of another shape it is no example', () => {
-  const other = doing(start, { type: 'preset', id: 'cone-hit' }, { type: 'shape', kind: 'plane' });
+  const other = doing(start, { type: 'example', id: 'cone-hit' }, { type: 'shape', kind: 'plane' });
   expect(exampleOf(other.present)).toBeNull();
 });
 
 test('next goes on from the link of an example', () => {
-  const link = encode(doing(start, { type: 'preset', id: 'cone-hit' }).present);
+  const link = encode(doing(start, { type: 'example', id: 'cone-hit' }).present);
   const next = doing(historyOf(decode(link, INITIAL)), { type: 'browse', by: 1 });
-  expect(exampleOf(next.present)?.preset.id).toBe('cone-miss');
+  expect(exampleOf(next.present)?.entry.id).toBe('cone-miss');
 });
 
 test('what the page opens with is no example', () => {

@@ -3,7 +3,7 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import type { Preset } from '../../../src/state/gallery/define.ts';
+import type { Example } from '../../../src/state/gallery/define.ts';
 import { paramValue, rayOf, shapeOf } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
 import { hitWords } from '../../../src/state/words.ts';
@@ -20,7 +20,7 @@ interface Subject {
 
 type Check = (subject: Subject, ...parts: string[]) => boolean;
 
-export function subjectOf({ link }: Preset, method: string): Subject {
+export function subjectOf({ link }: Example, method: string): Subject {
   const state = decode(link);
   const [shape, ray] = [shapeOf(state), rayOf(state)];
   return { shape, ray, found: intersect(shape, ray, method) };

@@ -6,7 +6,7 @@ import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { decode } from '../../../src/state/url.ts';
 import { holds, subjectOf } from './gallery-claims.ts';
 
-test('each preset is named once', () => {
+test('each example is named once', () => {
   expect(new Set(GALLERY.map(({ id }) => id)).size).toBe(GALLERY.length);
 });
 

@@ -103,7 +103,7 @@ test('every undoable action is undone whole', () => {
     { type: 'param', key: 'slope', value: 1.5 },
     { type: 'method', id: 'textbook' },
     { type: 'reset', what: 'all' },
-    { type: 'preset', id: 'plane-hit' },
+    { type: 'example', id: 'plane-hit' },
     { type: 'browse', by: -1 },
     { type: 'link', hash: '#/explore?shape=square&L=3' },
   ];

@@ -29,10 +29,11 @@ const STEP = 4;
 /**
  * A place for every label, in the order of the wishes, such that no two overlap, none covers a mark
  * or one of the `taken` boxes, and all lie in the frame. Beside the mark if that is free, else the
- * free place nearest to it. The same wishes give the same places. Only a frame too small for its
- * labels makes two of them meet.
+ * free place nearest to it, with a line. The same wishes give the same places. Only a frame too
+ * small for its labels makes two of them meet. A still plot can be that strict; in the scene, which
+ * moves, a label may cover a little rather than jump (canvas/labels.ts).
  */
-export function placeLabels(
+export function labelMarks(
   wishes: readonly Wish[],
   frame: Box,
   taken: readonly Box[] = [],

@@ -1,18 +1,18 @@
 import { describe, expect, test } from 'vitest';
 import {
   type Box,
+  labelMarks,
   overlap,
-  placeLabels,
   spread,
   type Wish,
-} from '../../../src/charts/place-labels.ts';
+} from '../../../src/charts/mark-labels.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
 const FRAME: Box = { left: 40, top: 10, width: 540, height: 280 };
 const wish = (x: number, y: number, width = 80): Wish => ({ x, y, radius: 5, width, height: 16 });
 
 function collisions(wishes: readonly Wish[], taken: readonly Box[] = []): string[] {
-  const placed = placeLabels(wishes, FRAME, taken);
+  const placed = labelMarks(wishes, FRAME, taken);
   const marks = wishes.map(({ x, y, radius: r }) => ({
     left: x - r,
     top: y - r,
@@ -39,14 +39,14 @@ function collisions(wishes: readonly Wish[], taken: readonly Box[] = []): string
 
 describe('labels', () => {
   test('a lonely mark has its name at its right, at the right edge at its left', () => {
-    const [first] = placeLabels([wish(100, 100)], FRAME);
+    const [first] = labelMarks([wish(100, 100)], FRAME);
     expect(first).toEqual({ left: 111, top: 92, width: 80, height: 16, led: false });
-    expect(placeLabels([wish(570, 100)], FRAME)[0]?.left).toBe(570 - 11 - 80);
+    expect(labelMarks([wish(570, 100)], FRAME)[0]?.left).toBe(570 - 11 - 80);
   });
 
   test('between two others it stands above, clear of its mark', () => {
     const beside = [9, 111].map((left) => ({ left, top: 92, width: 80, height: 16 }));
-    expect(placeLabels([wish(100, 100)], { ...FRAME, left: 0 }, beside)[0]).toEqual({
+    expect(labelMarks([wish(100, 100)], { ...FRAME, left: 0 }, beside)[0]).toEqual({
       left: 60,
       top: 100 - 11 - 16 + 2,
       width: 80,
@@ -58,7 +58,7 @@ describe('labels', () => {
   test('eight marks on one point', () => {
     const all = Array.from({ length: 8 }, () => wish(300, 20, 120));
     expect(collisions(all)).toEqual([]);
-    expect(placeLabels(all, FRAME).some(({ led }) => led)).toBe(true);
+    expect(labelMarks(all, FRAME).some(({ led }) => led)).toBe(true);
   });
 
   test('marks in the corners, and boxes that are taken', () => {
