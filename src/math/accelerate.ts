@@ -1,7 +1,13 @@
-import { useMemory } from './batch/memory.ts';
+import { type Allocate, useMemory } from './batch/memory.ts';
+import { createSimdMemory } from './batch/simd-memory.ts';
 import { setAccelerated } from './batch/target.ts';
-import { createFast, type Fast } from './methods/certified/fast/index.ts';
-import { useFastRoots } from './methods/certified/roots-quadric.ts';
+import { createFastRoots } from './methods/certified/fast/index.ts';
+import { type FastRoots, useFastRoots } from './methods/certified/roots-quadric.ts';
+
+interface Fast {
+  readonly roots: FastRoots;
+  readonly allocate: Allocate;
+}
 
 let made: Fast | null | undefined;
 
@@ -17,7 +23,7 @@ let made: Fast | null | undefined;
  * decelerate();
  */
 export function accelerate(): boolean {
-  if (made === undefined) made = createFast();
+  if (made === undefined) made = loaded();
   useFastRoots(made?.roots ?? null);
   useMemory(made?.allocate ?? null);
   setAccelerated(made !== null);
@@ -35,4 +41,15 @@ export function decelerate(): void {
   useFastRoots(null);
   useMemory(null);
   setAccelerated(false);
+}
+
+function loaded(): Fast | null {
+  if (typeof WebAssembly === 'undefined') return null;
+  try {
+    const memory = createSimdMemory();
+    return { roots: createFastRoots(memory), allocate: memory.allocate };
+  } catch {
+    // CompileError without vectors, that or EvalError under a policy, RangeError without room.
+    return null;
+  }
 }

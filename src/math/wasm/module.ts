@@ -13,6 +13,10 @@ export interface Func {
 const I32 = 0x7f;
 const V128 = 0x7b;
 const END = 0x0b;
+/** Kinds of what is imported and exported, and limits without an upper one. */
+const FUNCTION = 0x00;
+const MEMORY = 0x02;
+const AT_LEAST = 0x00;
 const HEADER = [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00];
 
 const vector = (items: readonly Code[]): number[] => [...leb(items.length), ...items.flat()];
@@ -25,8 +29,18 @@ const text = (name: string): number[] => [
   ...[...name].map((c) => c.charCodeAt(0)),
 ];
 
-/** The module of these functions with an exported memory `memory` of so many pages of 64 KiB (WebAssembly Core Specification 2.0, section 5.5). */
-export function moduleOf(functions: readonly Func[], pages: number): Uint8Array {
+/** The memory that a module imports, by these names, of at least so many pages of 64 KiB. */
+export interface ImportedMemory {
+  readonly module: string;
+  readonly name: string;
+  readonly pages: number;
+}
+
+/**
+ * The module of these functions, which import their memory (WebAssembly Core Specification 2.0,
+ * section 5.5).
+ */
+export function moduleOf(functions: readonly Func[], memory: ImportedMemory): Uint8Array {
   const types = functions.map(({ params }) => [0x60, ...vector(Array(params).fill([I32])), 1, I32]);
   const bodies = functions.map(({ ints, vectors, body }) => {
     const code = [
@@ -42,15 +56,17 @@ export function moduleOf(functions: readonly Func[], pages: number): Uint8Array 
   return Uint8Array.from([
     ...HEADER,
     ...section(1, types),
+    ...section(2, [
+      [...text(memory.module), ...text(memory.name), MEMORY, AT_LEAST, ...leb(memory.pages)],
+    ]),
     ...section(
       3,
       functions.map((_, i) => leb(i)),
     ),
-    ...section(5, [[0x01, ...leb(pages), ...leb(pages)]]),
-    ...section(7, [
-      [...text('memory'), 0x02, 0],
-      ...functions.map(({ name }, i) => [...text(name), 0x00, ...leb(i)]),
-    ]),
+    ...section(
+      7,
+      functions.map(({ name }, i) => [...text(name), FUNCTION, ...leb(i)]),
+    ),
     ...section(10, bodies),
   ]);
 }

@@ -2,6 +2,8 @@ import { type Code, codeOf } from '../../../src/math/wasm/expression.ts';
 import { moduleOf } from '../../../src/math/wasm/module.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
 
+export const ONE_PAGE = { module: 'batch', name: 'memory', pages: 1 } as const;
+
 type Numbers = Readonly<Record<string, number>>;
 
 /** Two lanes, x and its neighbour: the operations must not mix them. */
@@ -15,9 +17,11 @@ export function compiled(formula: string, names: readonly string[]): Evaluate {
     return op.load(op.i32(0), 16 * (k + 1));
   };
   const body = [...op.store(op.i32(0), 0, codeOf(formula, load)), ...op.i32(0)];
-  const bytes = moduleOf([{ name: 'run', params: 0, ints: 0, vectors: 0, body }], 1);
-  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(bytes as BufferSource));
-  const memory = new Float64Array((exports.memory as WebAssembly.Memory).buffer);
+  const bytes = moduleOf([{ name: 'run', params: 0, ints: 0, vectors: 0, body }], ONE_PAGE);
+  const imported = new WebAssembly.Memory({ initial: ONE_PAGE.pages });
+  const module = new WebAssembly.Module(bytes as BufferSource);
+  const { exports } = new WebAssembly.Instance(module, { batch: { memory: imported } });
+  const memory = new Float64Array(imported.buffer);
   return (low, high) => {
     names.forEach((name, k) => {
       memory[2 * k + 2] = low[name] as number;

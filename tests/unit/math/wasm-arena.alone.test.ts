@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { createArena } from '../../../src/math/methods/certified/fast/arena.ts';
-import { ARENA, PAGES } from '../../../src/math/methods/certified/fast/layout.ts';
+import { createArena } from '../../../src/math/batch/simd-arena.ts';
+import { ARENA, PAGES } from '../../../src/math/batch/simd-memory.ts';
 import { integer, seeded } from '../../../src/math/rng.ts';
 
 /*
@@ -34,7 +34,7 @@ function arena(): {
       }
     },
   );
-  const make = createArena(buffer);
+  const make = createArena(buffer, ARENA);
   return {
     make,
     drop(array) {

@@ -3,6 +3,7 @@ import { integer, seeded } from '../../../src/math/rng.ts';
 import { moduleOf } from '../../../src/math/wasm/module.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
 import { leb, signedLeb } from '../../../src/math/wasm/ops.ts';
+import { ONE_PAGE } from './compiled.ts';
 
 /*
  * LEB128 by the definition of the WebAssembly Core Specification, section 5.2.2, and by what an
@@ -64,9 +65,11 @@ describe('LEB128', () => {
     );
     const bytes = moduleOf(
       numbers.map((x, k) => ({ name: `f${k}`, params: 0, ints: 0, vectors: 0, body: op.i32(x) })),
-      1,
+      ONE_PAGE,
     );
-    const { exports } = new WebAssembly.Instance(new WebAssembly.Module(bytes as BufferSource));
+    const module = new WebAssembly.Module(bytes as BufferSource);
+    const memory = new WebAssembly.Memory({ initial: 1 });
+    const { exports } = new WebAssembly.Instance(module, { batch: { memory } });
     numbers.forEach((x, k) => {
       expect((exports[`f${k}`] as () => number)()).toBe(x === 0 ? 0 : x);
     });

@@ -1,9 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import { ARENA, BLOCK, CAPACITY } from '../../../src/math/batch/simd-memory.ts';
 import { blockKernel } from '../../../src/math/methods/certified/fast/block-kernel.ts';
 import { flowOf, partsOf, scopeOf } from '../../../src/math/methods/certified/fast/flow.ts';
 import {
-  ARENA,
-  CAPACITY,
   handed,
   LATTICE_NUMBERS,
   PLACE,
@@ -177,9 +176,7 @@ describe("the kernels' memory", () => {
       [LATTICE_NUMBERS, 8 * Object.keys(AT).length],
       [SCALED_NUMBERS, 8 * Object.keys(AT_SCALED).length],
     ] as const;
-    const arrays = (['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz', 't0', 't1'] as const).map(
-      (name) => [PLACE[name], 8 * CAPACITY] as const,
-    );
+    const arrays = Object.values(BLOCK).map((at) => [at, 8 * CAPACITY] as const);
     const lists = (['doubtful', 'unsettled'] as const).map(
       (name) => [PLACE[name], 4 * (CAPACITY + 1)] as const,
     );

@@ -1,58 +1,31 @@
 import type { Answers, Rays } from '../../../batch/batch.ts';
-import type { Allocate } from '../../../batch/memory.ts';
 import type { Quadric } from '../../../batch/quadric.ts';
+import {
+  addressOf,
+  CAPACITY,
+  part,
+  type Run,
+  type SimdMemory,
+} from '../../../batch/simd-memory.ts';
 import type { FastRoots, OpenRays } from '../roots-quadric.ts';
 import type { CertifiedQuadric } from '../scaled-quadric.ts';
-import { createArena } from './arena.ts';
-import {
-  CAPACITY,
-  INPUTS,
-  type Input,
-  LATTICE_NUMBERS,
-  type Param,
-  PLACE,
-  SCALED_NUMBERS,
-} from './layout.ts';
+import { type Input, LATTICE_NUMBERS, PLACE, SCALED_NUMBERS } from './layout.ts';
 import { certifiedModule } from './module.ts';
 
-export interface Fast {
-  /** Both roots by WebAssembly, two rays at a time: the stages of roots-quadric.ts, compiled from the same text, and so to the same bits. */
-  readonly roots: FastRoots;
-  /** Arrays that need not be copied. */
-  readonly allocate: Allocate;
-}
-
-/** Null where WebAssembly, its vectors or its memory are missing or forbidden. */
-export function createFast(): Fast | null {
-  const instance = instantiate();
-  if (!instance) return null;
-  const { buffer } = instance.exports.memory as WebAssembly.Memory;
-  return { roots: fastRoots(instance.exports, buffer), allocate: createArena(buffer) };
-}
-
-function instantiate(): WebAssembly.Instance | null {
-  if (typeof WebAssembly === 'undefined') return null;
-  const bytes = certifiedModule() as BufferSource;
-  try {
-    return new WebAssembly.Instance(new WebAssembly.Module(bytes));
-  } catch {
-    // Without vectors an engine says CompileError, under a content security policy without 'wasm-unsafe-eval' that or EvalError, without room for the memory RangeError.
-    return null;
-  }
-}
-
-/** The addresses of Ex, Ey, Ez, dx, dy, dz, t0 and t1, and what else a kernel wants. */
-type Run = (...numbers: number[]) => number;
-
-function fastRoots(exports: WebAssembly.Exports, buffer: ArrayBuffer): FastRoots {
-  const doubles = (offset: number, length = CAPACITY): Float64Array =>
-    new Float64Array(buffer, offset, length);
+/**
+ * Both roots by WebAssembly, two rays at a time: the stages of roots-quadric.ts, compiled from the
+ * same text, and so to the same bits. Throws what the engine throws where it does not run them.
+ */
+export function createFastRoots(memory: SimdMemory): FastRoots {
+  const { buffer, block } = memory;
+  const exports = memory.load(certifiedModule());
   const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, CAPACITY + 1);
-  const block = Object.fromEntries(
-    [...INPUTS, 't0', 't1'].map((name) => [name, doubles(PLACE[name as Param])]),
-  ) as Record<Param, Float64Array>;
-  const latticeNumbers = doubles(LATTICE_NUMBERS, (SCALED_NUMBERS - LATTICE_NUMBERS) / 8);
-  const scaledNumbers = doubles(SCALED_NUMBERS, 16);
+  const latticeNumbers = new Float64Array(
+    buffer,
+    LATTICE_NUMBERS,
+    (SCALED_NUMBERS - LATTICE_NUMBERS) / 8,
+  );
+  const scaledNumbers = new Float64Array(buffer, SCALED_NUMBERS, 16);
   const doubtful = indices(PLACE.doubtful);
   const unsettled = indices(PLACE.unsettled);
   const doubtfulBytes = new Int32Array(buffer, PLACE.doubtfulBytes, 1);
@@ -62,12 +35,8 @@ function fastRoots(exports: WebAssembly.Exports, buffer: ArrayBuffer): FastRoots
     refined: exports[`refined${hasY}`] as Run,
   }));
 
-  /** Where the kernels find a part of an input: where it is, or in the block, where it is copied to. */
-  function addressOf(name: Input, array: Float64Array, from: number, count: number): number {
-    if (array.buffer === buffer) return array.byteOffset + 8 * from;
-    block[name].set(part(array, from, count));
-    return PLACE[name];
-  }
+  const place = (name: Input, array: Float64Array, from: number, count: number): number =>
+    addressOf(memory, name, array, from, count);
 
   return (q: Quadric, c: CertifiedQuadric, rays: Rays, out: Answers, left: OpenRays): void => {
     const kernel = kernels[q.hasY ? 1 : 0] as (typeof kernels)[number];
@@ -82,12 +51,12 @@ function fastRoots(exports: WebAssembly.Exports, buffer: ArrayBuffer): FastRoots
       // The kernels write two answers at a time: the last of an odd number goes alone, through the block, since what comes after it is not theirs.
       const here = inPlace && rest > 1;
       count = here ? rest & ~1 : rest;
-      const ex = addressOf('Ex', Ex, from, count);
-      const ey = q.hasY ? addressOf('Ey', Ey, from, count) : 0;
-      const ez = addressOf('Ez', Ez, from, count);
-      const x = addressOf('dx', dx, from, count);
-      const y = q.hasY ? addressOf('dy', dy, from, count) : 0;
-      const z = addressOf('dz', dz, from, count);
+      const ex = place('Ex', Ex, from, count);
+      const ey = q.hasY ? place('Ey', Ey, from, count) : 0;
+      const ez = place('Ez', Ez, from, count);
+      const x = place('dx', dx, from, count);
+      const y = q.hasY ? place('dy', dy, from, count) : 0;
+      const z = place('dz', dz, from, count);
       const near = here ? t0.byteOffset + 8 * from : PLACE.t0;
       const far = here ? t1.byteOffset + 8 * from : PLACE.t1;
       let doubts = count;
@@ -114,7 +83,3 @@ function fastRoots(exports: WebAssembly.Exports, buffer: ArrayBuffer): FastRoots
     }
   };
 }
-
-/** A view of a part, or the array itself if that is all of it: views cost more than copying some hundred numbers. */
-const part = (array: Float64Array, from: number, count: number): Float64Array =>
-  from === 0 && count === array.length ? array : array.subarray(from, from + count);

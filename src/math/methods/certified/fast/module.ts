@@ -1,3 +1,4 @@
+import { IMPORT, PAGES } from '../../../batch/simd-memory.ts';
 import { type Func, moduleOf } from '../../../wasm/module.ts';
 import { elementOf, loopOf } from '../../../wasm/source.ts';
 import { AT } from '../lattice.ts';
@@ -14,7 +15,7 @@ import { BOUNDS as REFINED } from '../refined.ts';
 import refined from '../refined-roots.ts?raw';
 import { AT_SCALED } from '../scaled-quadric.ts';
 import { blockKernel } from './block-kernel.ts';
-import { LATTICE_NUMBERS, PAGES, SCALED_NUMBERS } from './layout.ts';
+import { LATTICE_NUMBERS, SCALED_NUMBERS } from './layout.ts';
 import { listKernel } from './list-kernel.ts';
 import type { Numbers } from './prologue.ts';
 
@@ -44,7 +45,7 @@ const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
 
 /** The kernels, compiled from the text of the loops in TypeScript: without y and with it. */
 export const certifiedModule = (): Uint8Array =>
-  moduleOf([...kernelsOf(false), ...kernelsOf(true)], PAGES);
+  moduleOf([...kernelsOf(false), ...kernelsOf(true)], { ...IMPORT, pages: PAGES });
 
 function kernelsOf(hasY: boolean): Func[] {
   const rough = hasY
