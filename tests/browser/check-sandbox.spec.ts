@@ -1,4 +1,5 @@
 import { createServer } from 'node:http';
+import type { Page } from '@playwright/test';
 import { findMisconception } from '../../src/check/misconceptions/index.ts';
 import { LONGEST_PROGRAM } from '../../src/check/program/script.ts';
 import { programOf } from '../../src/check/program/source.ts';
@@ -20,9 +21,15 @@ test.use({
 const body = (line: string): string =>
   `function intersect(shape, ray) {\n  ${line}\n  return { t: [] };\n}\n`;
 
-/** The page still answers, and nothing that was typed is lost. */
-async function alive(page: Parameters<typeof told>[0], source: string): Promise<void> {
-  await expect(editor(page)).toHaveValue(source);
+async function passesAll(page: Page, group: string): Promise<void> {
+  const score = report(page).locator(`[data-quantity="passed.${group}"]`);
+  const total = await score.getAttribute('data-total');
+  expect(Number(total)).toBeGreaterThan(0);
+  await expect(score).toHaveAttribute('data-value', total ?? '');
+}
+
+/** The page still answers, and the sandbox goes. */
+async function alive(page: Page): Promise<void> {
   const parts = page.getByRole('navigation', { name: 'Parts of this page' });
   await parts.getByRole('button', { name: 'Own numbers' }).click();
   await expect(page.getByRole('heading', { name: 'Own numbers' })).toBeVisible();
@@ -40,10 +47,7 @@ test('a correct program passes what is ordinary and special, and its time is mea
   await openCheck(page, 'cases=cone');
   const source = `export ${programOf('cone') ?? ''}`;
   await runProgram(page, source);
-  for (const group of ['ordinary', 'special']) {
-    const score = report(page).locator(`[data-quantity="passed.${group}"]`);
-    expect(await score.getAttribute('data-value')).toBe(await score.getAttribute('data-total'));
-  }
+  for (const group of ['ordinary', 'special']) await passesAll(page, group);
   for (const method of ['textbook', 'certified']) {
     const beside = page.locator(`[data-quantity="passed.hard.${method}"]`);
     await expect(beside).toHaveAttribute('data-value', /\d/);
@@ -51,7 +55,8 @@ test('a correct program passes what is ordinary and special, and its time is mea
   await expect(page.locator('[data-quantity="multiple"]')).toHaveAttribute('data-value', /\d/);
   expect(await told(page)).toContain('in the middle half of the rounds');
   await expect(report(page).locator('[data-cause]')).toHaveCount(0);
-  await alive(page, source);
+  await expect(editor(page)).toHaveValue(source);
+  await alive(page);
 });
 
 test('causes are named, two at once too', async ({ page }) => {
@@ -75,11 +80,10 @@ test('a program may use any name, and export what it likes', async ({ page }) =>
   const all = [...names, ...more].map((name) => `const ${name} = 1;`).join('\n');
   const close = 'function close(a, b) { return Math.abs(a - b) < 1e-9; }';
   await runProgram(page, `${all}\n${close}\n${programOf('plane') ?? ''}`);
-  const ordinary = page.locator('[data-quantity="passed.ordinary"]');
-  await expect(ordinary).toHaveText('14 of 14');
+  await passesAll(page, 'ordinary');
   await expect(page.locator('[data-quantity="multiple"]')).toHaveAttribute('data-value', /\d/);
   await runProgram(page, `${programOf('plane', undefined, 'hit') ?? ''}\nexport default hit;`);
-  await expect(ordinary).toHaveText('14 of 14');
+  await passesAll(page, 'ordinary');
   await runProgram(page, 'function intersect(shape: Shape, ray: Ray) {}');
   expect(await told(page)).toContain('This looks like TypeScript');
 });
@@ -104,7 +108,8 @@ test('what a program writes on its console is shown, as text and with a limit', 
   expect(shown.length).toBeLessThan(5000);
 });
 
-test.describe('messages of any size and number', () => {
+test('messages of any size and number: the run ends, and the page lives', async ({ page }) => {
+  await openCheck(page, 'cases=plane');
   const never = 'function intersect() { return { t: [] }; }';
   for (const [what, source, words] of [
     [
@@ -129,15 +134,13 @@ test.describe('messages of any size and number', () => {
       'threw: 1',
     ],
   ] as const) {
-    test(`${what}: the run ends, and the page lives`, async ({ page }) => {
-      await openCheck(page, 'cases=plane');
-      await runProgram(page, source);
-      const all = await told(page);
-      expect(all).toContain(words);
-      expect(all.length).toBeLessThan(20_000);
-      await alive(page, source);
-    });
+    await runProgram(page, source);
+    const all = await told(page);
+    expect(all, what).toContain(words);
+    expect(all.length, what).toBeLessThan(20_000);
+    await expect(editor(page)).toHaveValue(source);
   }
+  await alive(page);
 });
 
 test('a time cannot be forged, and chance is noticed', async ({ page }) => {
@@ -226,34 +229,27 @@ test.describe('a sandbox that cannot be opened', () => {
   }
 });
 
-for (const [what, line] of [
-  ['an endless loop', 'for (;;) {}'],
-  ['an endless loop with a little work', 'let k = 0; while (true) k += Math.sqrt(k);'],
-  ['a bomb of arrays', 'const all = []; for (;;) all.push(new Array(1e6).fill(1));'],
-  ['a bomb of bytes', 'const all = []; for (;;) all.push(new Uint8Array(1e8).fill(1));'],
-] as const) {
-  test(`${what} is ended, and the page lives`, async ({ page }) => {
-    await openCheck(page, 'cases=plane');
+test('endless loops and bombs are ended, and the page lives', async ({ page }) => {
+  await openCheck(page, 'cases=plane');
+  for (const [what, line] of [
+    ['an endless loop', 'for (;;) {}'],
+    ['an endless loop with a little work', 'let k = 0; while (true) k += Math.sqrt(k);'],
+    ['a bomb of arrays', 'const all = []; for (;;) all.push(new Array(1e6).fill(1));'],
+    ['a bomb of bytes', 'const all = []; for (;;) all.push(new Uint8Array(1e8).fill(1));'],
+  ] as const) {
     const source = body(line);
     await runProgram(page, source);
-    expect(await told(page)).toContain('no sign of life for a second');
-    expect(await told(page)).toContain('did not end within a second');
-    await alive(page, source);
+    expect(await told(page), what).toContain('no sign of life for a second');
+    expect(await told(page), what).toContain('did not end within a second');
+    await expect(editor(page)).toHaveValue(source);
     await runProgram(page, body('return { t: [] };'));
-    expect(await told(page)).toContain('It never returns a root');
-  });
-}
-
-test('a bomb of strings is an error with its line', async ({ page }) => {
-  await openCheck(page, 'cases=plane');
+    expect(await told(page), `after ${what}`).toContain('It never returns a root');
+  }
   await runProgram(page, body('let s = "x"; for (;;) s += s + s;'));
   expect(await told(page)).toContain('threw in line 2: Invalid string length');
-});
-
-test('a loop before anything begins', async ({ page }) => {
-  await openCheck(page, 'cases=plane');
   await runProgram(page, 'for (;;) {}');
   expect(await told(page)).toContain('Stopped at case 1');
+  await alive(page);
 });
 
 test('errors come with the line in the student’s code', async ({ page }) => {
@@ -276,51 +272,59 @@ test('results of a wrong form are named', async ({ page }) => {
   await openCheck(page, 'cases=plane');
   for (const [line, words] of [
     ['return [1, 2];', 'returned an array'],
-    ['return 3;', 'returned a number'],
-    ['return;', 'returned nothing'],
-    ['return { t: 3 };', 't is a number'],
     ['return { t: ["a"] };', 't holds text'],
     ['return { t: new Array(1e6).fill(1) };', 't has 20 entries'],
     ['return { t: [1], normal: [[1, 2]] };', 'normal is not an array of triples'],
     ['return Promise.resolve({ t: [] });', 'a promise'],
     ['return { get t() { throw new Error("mine"); } };', 'threw in line 2: mine'],
-    ['return { t: [NaN, NaN] };', 'NaN for'],
   ] as const) {
     await runProgram(page, body(line));
     expect.soft(await told(page), line).toContain(words);
   }
 });
 
+/** Each is stopped at once, and says so. */
+const FORBIDDEN = [
+  ['fetch("https://example.com");', 'fetch: there is no network'],
+  ['new XMLHttpRequest();', 'XMLHttpRequest: there is no network'],
+  ['new WebSocket("wss://example.com");', 'WebSocket: there is no network'],
+  ['navigator.sendBeacon("https://example.com", "x");', 'navigator: there is no network'],
+  [
+    'importScripts("https://example.com/x.js");',
+    'importScripts: there is no loading of other code',
+  ],
+  ['new Worker("data:text/javascript,1");', 'Worker: there is no loading of other code'],
+  ['indexedDB.open("x");', 'indexedDB: there is no storage'],
+  ['localStorage.setItem("x", "y");', 'localStorage: there is no storage'],
+  ['caches.open("x");', 'caches: there is no storage'],
+  ['parent.document.title = "x";', 'parent: there is no page'],
+  ['top.location.href = "https://example.com";', 'top: there is no page'],
+  ['location.href = "https://example.com";', 'location: there is no page'],
+  ['document.body.remove();', 'there is no page in the sandbox'],
+  ['window.open("https://example.com");', 'there is no page in the sandbox'],
+  ['self.postMessage({ type: "done", id: 1 });', 'postMessage: there is no message to the outside'],
+  ['close();', 'close: there is no message to the outside'],
+  ['new BroadcastChannel("x");', 'BroadcastChannel: there is no message'],
+  ['eval("1");', 'unsafe-eval'],
+] as const;
+
 test('network, storage, page and top navigation are blocked and named', async ({ page }) => {
   await openCheck(page, 'cases=plane');
   const url = page.url();
   const storage = await page.evaluate(() => JSON.stringify(localStorage));
+  // What happens outside of a case is noted; three notes are shown.
+  for (let i = 0; i < FORBIDDEN.length; i += 3) {
+    const some = FORBIDDEN.slice(i, i + 3);
+    const tried = some.map(([line]) => `try { ${line} } catch (e) { Promise.reject(e); }`);
+    await runProgram(page, `${tried.join('\n')}\n${body('')}`);
+    const notes = await told(page);
+    for (const [line, words] of some) expect.soft(notes, line).toContain(words);
+  }
+  // As one that is not caught, in a case.
   for (const [line, words] of [
     ['fetch("https://example.com");', 'fetch: there is no network'],
-    ['new XMLHttpRequest();', 'XMLHttpRequest: there is no network'],
-    ['new WebSocket("wss://example.com");', 'WebSocket: there is no network'],
-    ['navigator.sendBeacon("https://example.com", "x");', 'navigator: there is no network'],
-    [
-      'importScripts("https://example.com/x.js");',
-      'importScripts: there is no loading of other code',
-    ],
-    ['new Worker("data:text/javascript,1");', 'Worker: there is no loading of other code'],
-    ['import("https://example.com/x.js");', 'Failed to fetch dynamically imported module'],
-    ['indexedDB.open("x");', 'indexedDB: there is no storage'],
-    ['localStorage.setItem("x", "y");', 'localStorage: there is no storage'],
-    ['caches.open("x");', 'caches: there is no storage'],
-    ['parent.document.title = "x";', 'parent: there is no page'],
-    ['top.location.href = "https://example.com";', 'top: there is no page'],
-    ['location.href = "https://example.com";', 'location: there is no page'],
     ['document.body.remove();', 'there is no page in the sandbox'],
-    ['window.open("https://example.com");', 'there is no page in the sandbox'],
-    [
-      'self.postMessage({ type: "done", id: 1 });',
-      'postMessage: there is no message to the outside',
-    ],
-    ['close();', 'close: there is no message to the outside'],
-    ['new BroadcastChannel("x");', 'BroadcastChannel: there is no message'],
-    ['eval("1");', 'unsafe-eval'],
+    ['import("https://example.com/x.js");', 'Failed to fetch dynamically imported module'],
   ] as const) {
     await runProgram(page, body(line));
     expect.soft(await told(page), line).toContain(words);

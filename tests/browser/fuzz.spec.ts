@@ -6,7 +6,7 @@ import { expect, test } from './support/test.ts';
 test.use({ viewport: { width: 720, height: 540 }, hasTouch: true });
 
 // `npm run test:long` has a user who goes on for thousands of actions.
-const ACTIONS = 100;
+const ACTIONS = 60;
 
 for (const seed of [11, 12]) {
   test(`${ACTIONS} actions of a random user find nothing wrong (seed ${seed})`, async ({

@@ -33,37 +33,30 @@ test('the list has every shape, and every class that a shape can have', () => {
   }
 });
 
-for (const { kind } of SHAPES) {
-  const cases = CASES.filter(({ shape }) => shape.kind === kind);
-  const see = (method: string) => {
-    test(`${kind} by ${method}: what is shown is what the math module found`, async ({
-      page,
-      provoked,
-    }) => {
-      if (provoked) await withoutScene(page);
-      for (const { title, shape, ray, class: verdict } of cases) {
-        if (method === 'exact') expect(intersect(shape, ray, method).class, title).toBe(verdict);
-        await open(page, linkOf(shape, ray, { method }));
-        const shown = await quantities(page);
-        const t = shown['bead.t'];
-        const bead = t === undefined ? {} : expectedBead(shape, ray, Number(t));
-        expect.soft(shown, title).toEqual({ ...expected(shape, ray, method), ...bead });
-        const lines = (await readable(page)).split('\n');
-        expect
-          .soft(
-            lines.filter((line) => NO_WORDS.test(line)),
-            title,
-          )
-          .toEqual([]);
-      }
-    });
-  };
-  see(FIRST);
-  test.describe('without the picture', () => {
-    test.use({ provoked: NO_SCENE });
-    OTHERS.forEach(see);
+/** One visit: a link to another shape, or of another class, leaves nothing of the one before. */
+const see = (method: string) => {
+  test(`by ${method}, what is shown is what the math module found`, async ({ page, provoked }) => {
+    if (provoked) await withoutScene(page);
+    for (const { title, shape, ray, class: verdict } of CASES) {
+      const name = `${shape.kind}: ${title}`;
+      if (method === 'exact') expect(intersect(shape, ray, method).class, name).toBe(verdict);
+      await open(page, linkOf(shape, ray, { method }));
+      const shown = await quantities(page);
+      const t = shown['bead.t'];
+      const bead = t === undefined ? {} : expectedBead(shape, ray, Number(t));
+      expect.soft(shown, name).toEqual({ ...expected(shape, ray, method), ...bead });
+      const lines = (await readable(page)).split('\n');
+      const nonsense = lines.filter((line) => NO_WORDS.test(line));
+      expect.soft(nonsense, name).toEqual([]);
+    }
   });
-}
+};
+
+see(FIRST);
+test.describe('without the picture', () => {
+  test.use({ provoked: NO_SCENE });
+  OTHERS.forEach(see);
+});
 
 test('the bead stands where the link says', async ({ page }) => {
   const shape = cone([0, 3, 0], 0.5);

@@ -67,7 +67,8 @@ const LINKS = [
 
 type Deed = (page: Page, random: Random) => Promise<string>;
 
-const SLOW = { timeout: 1500, noWaitAfter: true } as const;
+/** A control that is covered is missed; how long a click waits for it, in ms. */
+const PATIENCE = { timeout: 500, noWaitAfter: true } as const;
 
 /** Each deed says what it did, so that a failure can be read. */
 const DEEDS: readonly [Deed, ...Deed[]] = [
@@ -81,15 +82,15 @@ const DEEDS: readonly [Deed, ...Deed[]] = [
     const n = await buttons.count();
     const button = buttons.nth(integer(random, 0, Math.max(n - 1, 0)));
     const name = await button.evaluate((b) => b.getAttribute('aria-label') ?? b.textContent);
-    await button.click(SLOW);
+    await button.click(PATIENCE);
     return `button ${name?.trim().slice(0, 40)}`;
   },
   async (page, random) => {
     const boxes = page.locator('graze-number input:visible');
     const box = boxes.nth(integer(random, 0, Math.max((await boxes.count()) - 1, 0)));
     const text = pick(random, TYPED);
-    await box.fill(text, SLOW);
-    await box.press(pick(random, ['Enter', 'Tab', 'Escape', 'ArrowUp'] as const), SLOW);
+    await box.fill(text, PATIENCE);
+    await box.press(pick(random, ['Enter', 'Tab', 'Escape', 'ArrowUp'] as const), PATIENCE);
     return `typed ${text.slice(0, 30)}`;
   },
   async (page, random) => {
@@ -109,7 +110,7 @@ const DEEDS: readonly [Deed, ...Deed[]] = [
   async (page, random) => {
     const sliders = page.locator('input[type=range]:visible');
     const slider = sliders.nth(integer(random, 0, Math.max((await sliders.count()) - 1, 0)));
-    const box = await slider.boundingBox(SLOW);
+    const box = await slider.boundingBox(PATIENCE);
     if (!box) return 'no slider';
     await page.mouse.move(box.x + uniform(random, 0, 1) * box.width, box.y + box.height / 2);
     await page.mouse.down();
@@ -137,7 +138,7 @@ const DEEDS: readonly [Deed, ...Deed[]] = [
     const handles = page.locator('[data-handle]:visible');
     const n = await handles.count();
     if (n === 0) return 'no handle';
-    const box = await handles.nth(integer(random, 0, n - 1)).boundingBox(SLOW);
+    const box = await handles.nth(integer(random, 0, n - 1)).boundingBox(PATIENCE);
     if (!box) return 'no handle';
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
@@ -156,7 +157,7 @@ const DEEDS: readonly [Deed, ...Deed[]] = [
 ];
 
 async function sceneBox(page: Page): Promise<{ x: number; y: number; w: number; h: number }> {
-  const box = await page.locator('.scene-area').boundingBox(SLOW);
+  const box = await page.locator('.scene-area').boundingBox(PATIENCE);
   return { x: box?.x ?? 0, y: box?.y ?? 0, w: box?.width ?? 100, h: box?.height ?? 100 };
 }
 
