@@ -2,7 +2,7 @@ import { type Allocate, useMemory } from './batch/memory.ts';
 import { createSimdMemory } from './batch/simd-memory.ts';
 import { setAccelerated } from './batch/target.ts';
 import { createFastRoots } from './methods/certified/fast/index.ts';
-import { type FastRoots, useFastRoots } from './methods/certified/roots-quadric.ts';
+import { type FastRoots, useFastRoots } from './methods/certified/quadric-kernel.ts';
 
 interface Fast {
   readonly roots: FastRoots;

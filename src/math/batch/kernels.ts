@@ -1,6 +1,5 @@
-import { certifiedPlanar } from '../methods/certified/kernel-planar.ts';
-import { certifiedKernel } from '../methods/certified/kernel-quadric.ts';
-import { useFastRoots } from '../methods/certified/roots-quadric.ts';
+import { certifiedPlanar } from '../methods/certified/planar.ts';
+import { certifiedKernel, useFastRoots } from '../methods/certified/quadric-kernel.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Kernel } from './batch.ts';

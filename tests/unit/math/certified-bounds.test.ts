@@ -7,16 +7,20 @@ import type { Surd } from '../../../src/math/exact/surd.ts';
 import { findFamily } from '../../../src/math/families.ts';
 import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import {
-  A,
-  B,
-  C,
+  AT_A as A,
+  AT_B as B,
+  AT_C as C,
   createAlgebra,
-  D,
-  OFF,
+  AT_D as D,
+  AT_OFF as OFF,
   putAlgebra,
-} from '../../../src/math/methods/certified/algebra.ts';
-import { marginsOf } from '../../../src/math/methods/certified/figure.ts';
-import { R, rootInTwice, T } from '../../../src/math/methods/certified/slow-planar.ts';
+} from '../../../src/math/methods/certified/doubled.ts';
+import {
+  marginsOf,
+  TWICE as R,
+  rootInTwice,
+  TWICE_T as T,
+} from '../../../src/math/methods/certified/planar.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';

@@ -3,12 +3,15 @@ import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import * as surd from '../../../src/math/exact/surd.ts';
-import { AT, type Lattice, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
-import { BOUNDS } from '../../../src/math/methods/certified/lattice-bounds.ts';
-import inSpace from '../../../src/math/methods/certified/lattice-coarse.ts?raw';
-import aroundAxis from '../../../src/math/methods/certified/lattice-coarse-axis.ts?raw';
-import { count, ordinaryRoots } from '../../../src/math/methods/certified/lattice-roots.ts';
-import { BLOCK } from '../../../src/math/methods/certified/lattice-scratch.ts';
+import {
+  AT_LATTICE as AT,
+  type Lattice,
+  latticeOf,
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { count, ordinaryRoots } from '../../../src/math/methods/certified/units-roots.ts';
+import { BLOCK, ROUGH_BOUNDS as BOUNDS } from '../../../src/math/methods/certified/units-rough.ts';
+import inSpace from '../../../src/math/methods/certified/units-rough.ts?raw';
+import aroundAxis from '../../../src/math/methods/certified/units-rough.ts?raw';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -58,7 +61,9 @@ function roughly(kind: Kind, x: Numbers): Rough | null {
   const [dx, dyi, dz] = ray.direction;
   const named = coarse[q.hasY ? 1 : 0](
     (array, key) =>
-      (array === 'BOUNDS' ? BOUNDS[Number(key)] : lattice[AT[key as keyof typeof AT]]) as number,
+      (array === 'ROUGH_BOUNDS'
+        ? BOUNDS[Number(key)]
+        : lattice[AT[key as keyof typeof AT]]) as number,
     { Ex, Ey, Ez, dx, dy: dyi, dz },
   );
   return { q, ray, lattice, named, clear: Boolean(named.clear) };

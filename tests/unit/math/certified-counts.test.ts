@@ -1,10 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
-import { AT, latticeOf, UNIT_OF_DIRECTION } from '../../../src/math/methods/certified/lattice.ts';
-import { BOUNDS as ROUGH } from '../../../src/math/methods/certified/lattice-bounds.ts';
-import { SMALLEST_D } from '../../../src/math/methods/certified/moment-bound.ts';
-import { BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
-import { BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
+import { SMALLEST_D } from '../../../src/math/methods/certified/class.ts';
+import {
+  AT_LATTICE as AT,
+  latticeOf,
+  UNIT_OF_DIRECTION,
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { RECENTRED_BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
+import { REFINED_BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
+import { ROUGH_BOUNDS as ROUGH } from '../../../src/math/methods/certified/units-rough.ts';
 
 /*
  * Constants that are far more cautious than any ray shows: each against the count of its own

@@ -1,18 +1,29 @@
 import { describe, expect, test } from 'vitest';
 import {
   CUT,
-  coefficientsPass,
-  ERROR,
-} from '../../../src/math/methods/certified/grid-coefficients.ts';
-import {
   CUT_ORIGIN,
   CUT_TIME,
+  coefficientsPass,
+  createGrid,
+  ERROR,
+  GRID_A,
+  GRID_B,
+  GRID_C,
+  GRID_D,
+  GRID_DX,
+  GRID_DY,
+  GRID_DZ,
+  GRID_OFF_D,
+  GRID_OFF_X,
+  GRID_OFF_Y,
+  GRID_OFF_Z,
+  GRID_REACH_D,
+  GRID_REACH_P,
   POINT,
   rootsPass,
-} from '../../../src/math/methods/certified/grid-places.ts';
-import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
+} from '../../../src/math/methods/certified/grids.ts';
 import { createFound, T0, T1 } from '../../../src/math/methods/certified/one-ray.ts';
-import { AT_SCALED } from '../../../src/math/methods/certified/scaled-quadric.ts';
+import { AT_SCALED } from '../../../src/math/methods/certified/quadric-numbers.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { climbFromUnits } from './climb.ts';
@@ -158,19 +169,19 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
     return add(known(U), low).off;
   }
 
-  const grid = at.createGrid();
+  const grid = createGrid();
   const found = createFound();
   const putRoots = rootsPass(grid, found);
   /** OFF_X and the like of d = (x, y, z) and A = b = D/4 = 1, |d| = 1. */
   function offs(E: Vec3, t: readonly [number, number], P: number, off = 0, d: Vec3 = [1, 1, 1]) {
     grid.fill(0);
-    for (const k of [at.A, at.D, at.REACH_D]) grid[k] = 1;
-    [grid[at.DX], grid[at.DY], grid[at.DZ]] = d;
-    grid[at.REACH_P] = P;
-    grid[at.OFF_D] = off;
+    for (const k of [GRID_A, GRID_D, GRID_REACH_D]) grid[k] = 1;
+    [grid[GRID_DX], grid[GRID_DY], grid[GRID_DZ]] = d;
+    grid[GRID_REACH_P] = P;
+    grid[GRID_OFF_D] = off;
     [found[T0], found[T1]] = t;
     putRoots({ origin: E, direction: d });
-    return [at.OFF_X, at.OFF_Y, at.OFF_Z].map((k) => grid[k] ?? 0);
+    return [GRID_OFF_X, GRID_OFF_Y, GRID_OFF_Z].map((k) => grid[k] ?? 0);
   }
   const most = (length: number, share: (at: readonly number[]) => number): number =>
     climbFromUnits(seeded(SEED), length, share);
@@ -207,22 +218,22 @@ describe(`what a point may be off by (seed ${SEED})`, () => {
 });
 
 describe(`D/4, where one of A, b and C is all there is`, () => {
-  const grid = at.createGrid();
+  const grid = createGrid();
   const put = coefficientsPass(grid);
   /** ρ = 0 and k = 1. */
   const numbers = new Float64Array(Object.keys(AT_SCALED).length);
   for (const key of ['k', 'k1', 'sign', 'flare', 'wide'] as const) numbers[AT_SCALED[key]] = 1;
   test.each<[string, Vec3, Vec3, number]>([
-    ['A', [0, 0, 1], [1, 1, 0], at.A],
-    ['b', [1, 1, 0], [1, -1, 0], at.B],
-    ['C', [1, 1, 0], [0, 0, 1], at.C],
+    ['A', [0, 0, 1], [1, 1, 0], GRID_A],
+    ['b', [1, 1, 0], [1, -1, 0], GRID_B],
+    ['C', [1, 1, 0], [0, 0, 1], GRID_C],
   ])('%s', (_, d, p, which) => {
     put(numbers, { origin: p, direction: d });
-    const values = [at.A, at.B, at.C].map((k) => abs(grid[k] ?? 0));
+    const values = [GRID_A, GRID_B, GRID_C].map((k) => abs(grid[k] ?? 0));
     expect(values.filter((x) => x !== 0)).toEqual([grid[which]]);
     const [A = 0, b = 0, C = 0] = values;
-    const [D, P] = [grid[at.REACH_D] ?? 0, grid[at.REACH_P] ?? 0];
-    const off = grid[at.OFF_D] ?? 0;
+    const [D, P] = [grid[GRID_REACH_D] ?? 0, grid[GRID_REACH_P] ?? 0];
+    const off = grid[GRID_OFF_D] ?? 0;
     expect(off).toBe(ERROR * (2 * b * D * P + A * P * P + C * D * D));
     expect(off).toBeGreaterThan(0);
   });

@@ -1,9 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
-import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import { createRoots } from '../../../src/math/methods/certified/hit-quadric.ts';
-import * as places from '../../../src/math/methods/certified/places.ts';
-import { putRoots, QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/plain-roots.ts';
+import * as algebra from '../../../src/math/methods/certified/doubled.ts';
+import { createRoots } from '../../../src/math/methods/certified/doubled.ts';
+import {
+  putRoots,
+  QUOTIENT,
+  ROUNDED_Q,
+} from '../../../src/math/methods/certified/doubled-roots.ts';
+import * as places from '../../../src/math/methods/certified/hits.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -127,7 +131,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
     });
     share(6, (at) => {
       const [N, d] = [three(at, 0, 0), three(at, 3, 0)];
-      return dot(running(DOUBLES), N, d).off / (places.ERROR_RATE * size(N, d));
+      return dot(running(DOUBLES), N, d).off / (places.ERROR_FLAT_RATE * size(N, d));
     });
   });
 
@@ -136,10 +140,10 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
    * much as they may be.
    */
   function step(F: number, offF: number, eta: number): number {
-    places.R[places.F] = F;
-    places.R[places.F + 1] = F * U;
+    places.PLACE[places.PLACE_F] = F;
+    places.PLACE[places.PLACE_F + 1] = F * U;
     expect(places.putStep(0, 1, offF, 1, eta)).toBe(eta <= 0.25);
-    const [, delta = 0, off = 0] = places.STEP;
+    const [, delta = 0, off = 0] = places.PLACE_STEP;
     return Math.max(
       ...[-1, 1].flatMap((s) =>
         [-1, 1].map((r) => abs((F + s * offF) / (1 + r * eta) + delta) / off),
@@ -156,7 +160,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
   });
   test('and by rounding it, and the point', () => {
     step(0, 0, 0);
-    const covered = (places.STEP[2] ?? 0) - 2 ** -1072;
+    const covered = (places.PLACE_STEP[2] ?? 0) - 2 ** -1072;
     const onPoint = add(low(0), add(low(1), mul(known(2 * U), known(1)))).off;
     const first = low(1).x + 2 * U;
     const share = (onPoint + U * first + 4 * UU) / covered;
@@ -176,8 +180,10 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       const bend = 2 * U * 3;
       const offSlope = places.ERROR_SLOPE * abs(x);
       const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
-      const bent = abs(2 * x - (places.R[places.F] ?? 0) / (2 * x));
-      return (places.STEP[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED));
+      const bent = abs(2 * x - (places.PLACE[places.PLACE_F] ?? 0) / (2 * x));
+      return (
+        (places.PLACE_STEP[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
+      );
     });
     for (const share of shares) expect(share).toBeCloseTo(1, 13);
   });
@@ -229,18 +235,18 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
       };
       const ray: Ray = { origin: [3, some(), some()], direction: [-1, some(), some()] };
       algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);
-      if (!((numbers[algebra.D] ?? 0) > 0 && putRoots(numbers, roots))) continue;
+      if (!((numbers[algebra.AT_D] ?? 0) > 0 && putRoots(numbers, roots))) continue;
       asked++;
-      const [A, b, C, D] = [algebra.A, algebra.B, algebra.C, algebra.D].map((k) =>
+      const [A, b, C, D] = [algebra.AT_A, algebra.AT_B, algebra.AT_C, algebra.AT_D].map((k) =>
         abs(numbers[k] ?? 0),
       ) as [number, number, number, number];
-      const [offA, offB, offC, offD] = numbers.slice(algebra.OFF) as unknown as number[];
+      const [offA, offB, offC, offD] = numbers.slice(algebra.AT_OFF) as unknown as number[];
       const s = Math.sqrt(D);
       const offQ = ((offB ?? 0) + (offD ?? 0) / s) / (b + s);
       const charged = [offQ + (offA ?? 0) / A, offQ + (offC ?? 0) / C];
       const own = ROUNDED_Q + QUOTIENT;
       const shares = [2, 5].map((k) => (roots[k] ?? 0) / abs(roots[k - 2] ?? 0) - own);
-      const signs = (numbers[algebra.A] ?? 0) > 0 === (numbers[algebra.B] ?? 0) > 0;
+      const signs = (numbers[algebra.AT_A] ?? 0) > 0 === (numbers[algebra.AT_B] ?? 0) > 0;
       for (const [k, share] of shares.entries()) {
         const by = charged[signs ? k : 1 - k] as number;
         expect(share / by).toBeCloseTo(1, 6);

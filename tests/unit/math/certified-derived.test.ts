@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import { packRays } from '../../../src/math/batch/batch.ts';
 import type { Planar } from '../../../src/math/batch/planar.ts';
-import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
-import * as figure from '../../../src/math/methods/certified/figure.ts';
-import * as flat from '../../../src/math/methods/certified/kernel-planar.ts';
-import { DIRECT_ERROR, momentError } from '../../../src/math/methods/certified/moment-bound.ts';
-import { rootInTwice } from '../../../src/math/methods/certified/slow-planar.ts';
+import { DIRECT_ERROR, momentError } from '../../../src/math/methods/certified/class.ts';
+import * as figure from '../../../src/math/methods/certified/planar.ts';
+import * as flat from '../../../src/math/methods/certified/planar.ts';
+import { rootInTwice } from '../../../src/math/methods/certified/planar.ts';
+import { FAITHFUL, GRID_25, GRID_26 } from '../../../src/math/methods/certified/stage.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { ERROR as DEPARTS } from '../../../src/tracer/departs.ts';
@@ -199,11 +199,11 @@ describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, ()
 
   /** N·v in two parts, the first of them exact. */
   function dot(N: Vec3, v: Vec3, lost: number) {
-    const n = N.map((x) => onGrid(x, flat.GRID_25 * all(N)));
-    const h = v.map((x) => onGrid(x, flat.GRID_26 * all(v)));
+    const n = N.map((x) => onGrid(x, GRID_25 * all(N)));
+    const h = v.map((x) => onGrid(x, GRID_26 * all(v)));
     // What the grids leave over is half a unit of theirs at most, whatever these vectors leave.
-    const lower = known(U * flat.GRID_26 * all(v), lost);
-    const rest = known(U * flat.GRID_25 * all(N));
+    const lower = known(U * GRID_26 * all(v), lost);
+    const rest = known(U * GRID_25 * all(N));
     const high = (k: 0 | 1 | 2): Off => known(abs(n[k] as number));
     const of = (k: 0 | 1 | 2): Off => known(abs(v[k]), lost);
     const first = add(add(mul(high(0), lower), mul(high(1), lower)), mul(high(2), lower));
@@ -221,9 +221,9 @@ describe(`a flat shape's root on grids, before it is rounded (seed ${SEED})`, ()
       abs(offset) > flat.LEAST_SHARE * all(N) * all(p);
     if (!kept) return 0;
     const coarse = -offset / rate;
-    const th = onGrid(coarse, flat.GRID_25 * coarse);
-    const rh = onGrid(r.high, flat.GRID_26 * rate);
-    const half = known(U * flat.GRID_26 * abs(rate));
+    const th = onGrid(coarse, GRID_25 * coarse);
+    const rh = onGrid(r.high, GRID_26 * rate);
+    const half = known(U * GRID_26 * abs(rate));
     const lower = add(o.low, mul(known(abs(th)), add(half, r.low)));
     const rest = add(known(abs(o.high + th * rh)), lower);
     const step = mul(rest, known(1 / rate, 2 * U + r.low.off / abs(rate)));

@@ -6,11 +6,29 @@ import { findFamily, type Question } from '../../../src/math/families.ts';
 import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
-import { coefficientsPass, ERROR } from '../../../src/math/methods/certified/grid-coefficients.ts';
-import { FAITHFUL, placePass, rootsPass } from '../../../src/math/methods/certified/grid-places.ts';
+import { DIRECT_ERROR } from '../../../src/math/methods/certified/class.ts';
 import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
-import * as at from '../../../src/math/methods/certified/grid-scratch.ts';
-import { DIRECT_ERROR } from '../../../src/math/methods/certified/moment-bound.ts';
+import {
+  coefficientsPass,
+  createGrid,
+  ERROR,
+  GRID_A,
+  GRID_A_HEAD,
+  GRID_A_REST,
+  GRID_B,
+  GRID_B_LOW,
+  GRID_C,
+  GRID_D,
+  GRID_D_LOW,
+  GRID_OFF_D,
+  GRID_OFF_X,
+  GRID_OFF_Y,
+  GRID_OFF_Z,
+  GRID_REACH_D,
+  GRID_REACH_P,
+  placePass,
+  rootsPass,
+} from '../../../src/math/methods/certified/grids.ts';
 import {
   createFound,
   findRoots,
@@ -21,7 +39,8 @@ import {
 import {
   certifiedQuadric,
   readQuadric,
-} from '../../../src/math/methods/certified/scaled-quadric.ts';
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { FAITHFUL_ONCE as FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';
@@ -39,7 +58,7 @@ import { exactHits, faithful } from './exact-hits.ts';
 
 const { add, sub, mul, sqr, sign, of, toNumber } = exact;
 const size = (x: Surd): Surd => (sign(x) < 0 ? exact.neg(x) : x);
-const grid = at.createGrid();
+const grid = createGrid();
 const putCoefficients = coefficientsPass(grid);
 const found = createFound();
 const putRoots = rootsPass(grid, found);
@@ -141,17 +160,17 @@ describe('parts on grids', () => {
         const [a, twoB, c] = evaluateTriple([formula.A, formula.B, formula.C], exact, values);
         const b = mul(twoB, of(0.5));
         const d = sub(sqr(b), mul(a, c));
-        const D = value(at.REACH_D);
-        const P = value(at.REACH_P);
+        const D = value(GRID_REACH_D);
+        const P = value(GRID_REACH_P);
         const got: [number[], Surd, number][] = [
-          [[value(at.A_HEAD), value(at.A_REST)], a, ERROR * D * D],
-          [[value(at.B), value(at.B_LOW)], b, ERROR * D * P],
-          [[value(at.C)], c, ERROR * P * P],
-          [[value(at.D), value(at.D_LOW)], d, value(at.OFF_D)],
+          [[value(GRID_A_HEAD), value(GRID_A_REST)], a, ERROR * D * D],
+          [[value(GRID_B), value(GRID_B_LOW)], b, ERROR * D * P],
+          [[value(GRID_C)], c, ERROR * P * P],
+          [[value(GRID_D), value(GRID_D_LOW)], d, value(GRID_OFF_D)],
         ];
         got.forEach(([parts, truth, bound], i) => {
           // C is not handed on with its rest: what it is rounded by would hide the error.
-          if (i === 2 && 2 ** -53 * Math.abs(value(at.C)) > bound / 99) return;
+          if (i === 2 && 2 ** -53 * Math.abs(value(GRID_C)) > bound / 99) return;
           const error = toNumber(size(sub(parts.map(of).reduce(add), truth)));
           worst[i] = Math.max(worst[i] as number, error / bound);
         });
@@ -177,9 +196,9 @@ describe('parts on grids', () => {
       const truth = exactHits(shape, ray).hits;
       putCoefficients(read.c.numbers, ray);
       putRoots(ray);
-      const bound = value(at.OFF_X + axis);
+      const bound = value(GRID_OFF_X + axis);
       // Whatever is near 0 is wanted: nothing is left open.
-      for (const off of [at.OFF_X, at.OFF_Y, at.OFF_Z]) grid[off] = 0;
+      for (const off of [GRID_OFF_X, GRID_OFF_Y, GRID_OFF_Z]) grid[off] = 0;
       [hitAt(read.c.numbers, T0, 1), hitAt(read.c.numbers, T1, -1)].forEach((hit, i) => {
         const x = hit?.point[axis] as number;
         // What is rounded at the end is far below the bound.
@@ -348,8 +367,8 @@ describe('right or open', () => {
       if (!found) continue;
       expect(found.decidedBy).toBe('filter');
       putCoefficients(read.c.numbers, ray);
-      const both = value(at.REACH_D) * value(at.REACH_P);
-      least = Math.min(least, Math.abs(value(at.D)) / both ** 2);
+      const both = value(GRID_REACH_D) * value(GRID_REACH_P);
+      least = Math.min(least, Math.abs(value(GRID_D)) / both ** 2);
     }
     expect(least).toBeGreaterThan(2 ** -38);
     expect(least).toBeLessThan(2 ** -24);
@@ -407,12 +426,12 @@ describe('what the bounds do not settle is left open', () => {
         continue;
       }
       putCoefficients(read.c.numbers, ray);
-      const [D, P] = [value(at.REACH_D), value(at.REACH_P)];
+      const [D, P] = [value(GRID_REACH_D), value(GRID_REACH_P)];
       const share = {
-        A: (ERROR * D * D) / Math.abs(value(at.A)),
-        b: (ERROR * D * P) / Math.abs(value(at.B)),
-        C: (ERROR * P * P) / Math.abs(value(at.C)),
-        'D/4': value(at.OFF_D) / Math.abs(value(at.D)),
+        A: (ERROR * D * D) / Math.abs(value(GRID_A)),
+        b: (ERROR * D * P) / Math.abs(value(GRID_B)),
+        C: (ERROR * P * P) / Math.abs(value(GRID_C)),
+        'D/4': value(GRID_OFF_D) / Math.abs(value(GRID_D)),
       }[name];
       closest = Math.max(closest, share ?? 1);
     }
@@ -472,7 +491,7 @@ describe('what the bounds do not settle is left open', () => {
     putCoefficients(read.c.numbers, asked);
     putRoots(asked);
     axes.forEach((i) => {
-      grid[at.OFF_X + i] = offs[i] as number;
+      grid[GRID_OFF_X + i] = offs[i] as number;
     });
     return hitAt(read.c.numbers, T0, 1);
   }

@@ -3,8 +3,8 @@ import { NONE, TWO } from '../../../src/math/batch/batch.ts';
 import { solveExactly } from '../../../src/math/batch/exact-quadric.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { type Family, findFamily } from '../../../src/math/families.ts';
-import { plainRoots, UNKNOWN } from '../../../src/math/methods/certified/plain-roots.ts';
-import { certifiedSlot } from '../../../src/math/methods/certified/slow-quadric.ts';
+import { plainRoots, UNKNOWN } from '../../../src/math/methods/certified/doubled-roots.ts';
+import { certifiedSlot } from '../../../src/math/methods/certified/stage.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -12,7 +12,7 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { unfaithful } from './exact-quadratic.ts';
 
 /*
- * Roots of two doubles each in plain numbers (plain-roots.ts), asked directly, for rays that the
+ * Roots of two doubles each in plain numbers (doubled.ts), asked directly, for rays that the
  * filters would and would not have answered.
  */
 

@@ -2,13 +2,14 @@ import { describe, expect, test } from 'vitest';
 import { TWO } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { intersect } from '../../../src/math/intersect.ts';
-import * as algebra from '../../../src/math/methods/certified/algebra.ts';
+import * as algebra from '../../../src/math/methods/certified/doubled.ts';
+import { solveSlowly } from '../../../src/math/methods/certified/doubled-roots.ts';
 import {
   ACCUMULATED_ERROR,
   ERROR_LEVELS,
   sharpenC,
 } from '../../../src/math/methods/certified/near-surface.ts';
-import { certifiedSlot, solveSlowly } from '../../../src/math/methods/certified/slow-quadric.ts';
+import { certifiedSlot } from '../../../src/math/methods/certified/stage.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
@@ -41,14 +42,14 @@ test('C from its exact terms is not called 0 where a = c² lost bits, nor certai
     algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);
     sharpenC(numbers, 0);
   };
-  const off = (): number => numbers[algebra.OFF + 2] as number;
+  const off = (): number => numbers[algebra.AT_OFF + 2] as number;
   // 9/4 of the least double is rounded to 2 of them, and then C looks like 1 + 1 − 2.
   const cone: Shape = { kind: 'cone', vertex: [0, 0, 0], slope: 3 * 2 ** -538 };
   put(cone, { origin: [2 ** -438, 2 ** 99, 2 ** -438], direction: [1, 0, 0] });
-  expect(numbers[algebra.C]).toBe(0);
-  expect(off()).toBeGreaterThanOrEqual(algebra.SMALLEST);
+  expect(numbers[algebra.AT_C]).toBe(0);
+  expect(off()).toBeGreaterThanOrEqual(algebra.SMALLEST_ALGEBRA);
   put(cone, { origin: [2 ** -500, 1, 2 ** -500], direction: [1, 0, 0] });
-  expect(off()).toBeGreaterThanOrEqual(algebra.SMALLEST);
+  expect(off()).toBeGreaterThanOrEqual(algebra.SMALLEST_ALGEBRA);
 });
 
 /** Solved by this stage, right, and as it says. */

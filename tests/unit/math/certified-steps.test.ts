@@ -2,15 +2,18 @@ import { describe, expect, test } from 'vitest';
 import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
-import { AT, latticeOf } from '../../../src/math/methods/certified/lattice.ts';
-import { BOUNDS } from '../../../src/math/methods/certified/lattice-bounds.ts';
-import { coarseInSpace } from '../../../src/math/methods/certified/lattice-coarse.ts';
 import {
+  AT_LATTICE as AT,
+  latticeOf,
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { SHARE, SLACK_G, solvePass } from '../../../src/math/methods/certified/units-roots.ts';
+import {
+  ROUGH_BOUNDS as BOUNDS,
+  coarseInSpace,
   createScratch,
   HITS,
   UNSETTLED,
-} from '../../../src/math/methods/certified/lattice-scratch.ts';
-import { SHARE, SLACK_G, solvePass } from '../../../src/math/methods/certified/lattice-solve.ts';
+} from '../../../src/math/methods/certified/units-rough.ts';
 import { type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import { climb } from './climb.ts';
 import { form } from './exact-quadratic.ts';

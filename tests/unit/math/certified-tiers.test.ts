@@ -4,28 +4,32 @@ import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
 import {
-  AT,
+  AT_LATTICE as AT,
+  certifiedQuadric,
   type Lattice,
   latticeOf,
   UNIT_OF_DIRECTION,
-} from '../../../src/math/methods/certified/lattice.ts';
-import { coarseInSpace } from '../../../src/math/methods/certified/lattice-coarse.ts';
-import { coarseAroundAxis } from '../../../src/math/methods/certified/lattice-coarse-axis.ts';
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
 import {
+  recentredAroundAxis,
+  recentredInSpace,
+} from '../../../src/math/methods/certified/recentred.ts';
+import { refine } from '../../../src/math/methods/certified/refined.ts';
+import {
+  ROUNDING,
   residualsAroundAxis,
   residualsInSpace,
-} from '../../../src/math/methods/certified/lattice-residual.ts';
+  SMALL,
+  solvePass,
+} from '../../../src/math/methods/certified/units-roots.ts';
 import {
+  coarseAroundAxis,
+  coarseInSpace,
   createScratch,
   DOUBTS,
   HITS,
   UNSETTLED,
-} from '../../../src/math/methods/certified/lattice-scratch.ts';
-import { ROUNDING, SMALL, solvePass } from '../../../src/math/methods/certified/lattice-solve.ts';
-import { recentredAroundAxis } from '../../../src/math/methods/certified/recentred-axis.ts';
-import { recentredInSpace } from '../../../src/math/methods/certified/recentred-space.ts';
-import { refine } from '../../../src/math/methods/certified/refined-roots.ts';
-import { certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
+} from '../../../src/math/methods/certified/units-rough.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';

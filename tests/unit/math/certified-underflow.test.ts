@@ -1,18 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import { LEAST_EXACT_PRODUCT } from '../../../src/math/float/eft.ts';
-import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import * as byClass from '../../../src/math/methods/certified/class-quadric.ts';
-import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
-import * as figure from '../../../src/math/methods/certified/figure.ts';
-import {
-  DIRECT_ERROR,
-  LEAST_A,
-  momentError,
-} from '../../../src/math/methods/certified/moment-bound.ts';
+import * as byClass from '../../../src/math/methods/certified/class.ts';
+import { DIRECT_ERROR, LEAST_A, momentError } from '../../../src/math/methods/certified/class.ts';
+import * as algebra from '../../../src/math/methods/certified/doubled.ts';
+import * as places from '../../../src/math/methods/certified/hits.ts';
 import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
-import * as places from '../../../src/math/methods/certified/places.ts';
-import { BOX } from '../../../src/math/methods/certified/scaled-quadric.ts';
-import { SMALLEST as SMALLEST_PLANAR } from '../../../src/math/methods/certified/slow-planar.ts';
+import * as figure from '../../../src/math/methods/certified/planar.ts';
+import { SMALLEST_PLANAR } from '../../../src/math/methods/certified/planar.ts';
+import { BOX } from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
 import { SMALLEST as SMALLEST_DEPARTS } from '../../../src/tracer/departs.ts';
 import { DOUBLES, known, type Off, running } from './running-error.ts';
 
@@ -55,7 +51,7 @@ describe('in doubles', () => {
   const { add, mul, sqr } = losing(UNIT);
 
   test('classes by the direct form: D, and A where D is certain', () => {
-    const { LARGEST, SMALLEST } = byClass;
+    const { LARGEST, SMALLEST_DIRECT: SMALLEST } = byClass;
     const a = BOX ** 2;
     const round = 2 * UNIT;
     const lost = round + a * UNIT + UNIT;
@@ -86,7 +82,10 @@ describe('in doubles', () => {
   });
 
   test('how far inside a square', () => {
-    covers(figure.SMALLEST, add(mul(of(1), of(1)), add(mul(of(1), of(1)), mul(of(1), of(1)))).off);
+    covers(
+      figure.SMALLEST_FIGURE,
+      add(mul(of(1), of(1)), add(mul(of(1), of(1)), mul(of(1), of(1)))).off,
+    );
   });
 
   test('which way a ray departs', () => {
@@ -96,7 +95,7 @@ describe('in doubles', () => {
 
 test('points from a faithful root: F, its slope, and a step below the doubles', () => {
   const { add, mul, sqr } = losing(LOST);
-  const { WIDE, SMALLEST } = places;
+  const { WIDE, SMALLEST_PLACE: SMALLEST } = places;
   const g = of(WIDE, LOST);
   const a = of(WIDE ** 2, LOST);
   const F = add(add(add(sqr(g), sqr(g)), mul(a, sqr(g))), of(WIDE ** 2, LOST));
@@ -106,14 +105,14 @@ test('points from a faithful root: F, its slope, and a step below the doubles', 
   const N = of(WIDE);
   expect(add(add(mul(N, g), mul(N, g)), mul(N, g)).off).toBeLessThan(SMALLEST);
   // A product that is split, and one that is rounded.
-  covers(places.LOST, 2 * UNIT + UNIT);
+  covers(places.LOST_PLACE, 2 * UNIT + UNIT);
   // Half a unit for the quotient and for each of three terms of its bound, and of τ's unit the half
   // that 2η is: two and a half.
   covers(places.TINY, 3 * UNIT);
 });
 
 test('A, b, C and D/4 of one ray', () => {
-  const { LARGE, SMALLEST, SMALLEST_D } = algebra;
+  const { LARGE, SMALLEST_ALGEBRA: SMALLEST, SMALLEST_ALGEBRA_D: SMALLEST_D } = algebra;
   const { add, mul, sqr } = losing(LOST);
   // a·(y·y'), with a's lower half; then three products more.
   const flared = mul(of(LARGE, LOST), of(1, LOST));

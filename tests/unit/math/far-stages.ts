@@ -1,12 +1,15 @@
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import * as surd from '../../../src/math/exact/surd.ts';
-import { BOUNDS as RECENTRED } from '../../../src/math/methods/certified/recentred.ts';
-import recentredAxis from '../../../src/math/methods/certified/recentred-axis.ts?raw';
-import recentredSpace from '../../../src/math/methods/certified/recentred-space.ts?raw';
-import { BOUNDS as REFINED } from '../../../src/math/methods/certified/refined.ts';
-import refined from '../../../src/math/methods/certified/refined-roots.ts?raw';
-import { AT_SCALED, certifiedQuadric } from '../../../src/math/methods/certified/scaled-quadric.ts';
+import {
+  AT_SCALED,
+  certifiedQuadric,
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { RECENTRED_BOUNDS as RECENTRED } from '../../../src/math/methods/certified/recentred.ts';
+import recentredAxis from '../../../src/math/methods/certified/recentred.ts?raw';
+import recentredSpace from '../../../src/math/methods/certified/recentred.ts?raw';
+import { REFINED_BOUNDS as REFINED } from '../../../src/math/methods/certified/refined.ts';
+import refined from '../../../src/math/methods/certified/refined.ts?raw';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { climb } from './climb.ts';
@@ -76,7 +79,7 @@ export function asked(stage: Stage, kind: Kind, x: Numbers): Asked | null {
   const q = quadricOf(shape) as Quadric;
   const { numbers } = certifiedQuadric(q);
   const constant = (array: string, key: string): number =>
-    array === 'BOUNDS'
+    array.endsWith('_BOUNDS')
       ? (stage.bounds[Number(key)] as number)
       : (numbers[AT_SCALED[key as keyof typeof AT_SCALED]] as number);
   const [Ex, Ey, Ez] = ray.origin;

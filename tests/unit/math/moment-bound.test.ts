@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import * as dy from '../../../src/math/exact/dyadic.ts';
-import { momentError } from '../../../src/math/methods/certified/moment-bound.ts';
+import { momentError } from '../../../src/math/methods/certified/class.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 
 /*

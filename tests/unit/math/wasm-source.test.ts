@@ -11,8 +11,10 @@ import {
 import { listKernel } from '../../../src/math/methods/certified/fast/list-kernel.ts';
 import { certifiedModule } from '../../../src/math/methods/certified/fast/module.ts';
 import { type Numbers, numberOf } from '../../../src/math/methods/certified/fast/prologue.ts';
-import { AT } from '../../../src/math/methods/certified/lattice.ts';
-import { AT_SCALED } from '../../../src/math/methods/certified/scaled-quadric.ts';
+import {
+  AT_LATTICE as AT,
+  AT_SCALED,
+} from '../../../src/math/methods/certified/quadric-numbers.ts';
 import { createScope } from '../../../src/math/wasm/locals.ts';
 import * as op from '../../../src/math/wasm/ops.ts';
 import { loopOf, type Statement } from '../../../src/math/wasm/source.ts';
@@ -20,7 +22,6 @@ import { loopOf, type Statement } from '../../../src/math/wasm/source.ts';
 /* What is read out of a loop's text, and what is said of a text that is none. */
 
 const SOURCE = `
-import { A } from './a.ts';
 
 const LIMIT = 3;
 

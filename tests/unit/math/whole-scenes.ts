@@ -1,16 +1,16 @@
 import type { Question } from '../../../src/math/families.ts';
 import { exponentOf, MAX_EXPONENT, MIN_EXPONENT, scale } from '../../../src/math/float/bits.ts';
 import { LEAST_EXACT_PRODUCT } from '../../../src/math/float/eft.ts';
-import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import * as classes from '../../../src/math/methods/certified/class-quadric.ts';
-import { FAITHFUL } from '../../../src/math/methods/certified/faithful.ts';
-import * as hit from '../../../src/math/methods/certified/hit-quadric.ts';
-import * as moment from '../../../src/math/methods/certified/moment-bound.ts';
+import * as classes from '../../../src/math/methods/certified/class.ts';
+import * as moment from '../../../src/math/methods/certified/class.ts';
+import * as algebra from '../../../src/math/methods/certified/doubled.ts';
+import { ORDINARY } from '../../../src/math/methods/certified/doubled-roots.ts';
+import * as hit from '../../../src/math/methods/certified/hits.ts';
+import * as places from '../../../src/math/methods/certified/hits.ts';
 import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
-import * as places from '../../../src/math/methods/certified/places.ts';
-import { BOX } from '../../../src/math/methods/certified/scaled-quadric.ts';
-import * as flat from '../../../src/math/methods/certified/slow-planar.ts';
-import { ORDINARY } from '../../../src/math/methods/certified/slow-quadric.ts';
+import * as flat from '../../../src/math/methods/certified/planar.ts';
+import { BOX } from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, pick, type Random, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -23,9 +23,22 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
  */
 
 const limits = [
-  ...[algebra.SMALLEST, algebra.SMALLEST_D, algebra.LARGE, classes.SMALLEST, classes.LARGEST],
-  ...[hit.SMALLEST, hit.LOST, moment.SMALLEST_D, SMALLEST_C, places.SMALLEST, places.WIDE],
-  ...[flat.SMALLEST, BOX, 1 / BOX, ORDINARY, 1 / ORDINARY, LEAST_EXACT_PRODUCT],
+  ...[
+    algebra.SMALLEST_ALGEBRA,
+    algebra.SMALLEST_ALGEBRA_D,
+    algebra.LARGE,
+    classes.SMALLEST_DIRECT,
+    classes.LARGEST,
+  ],
+  ...[
+    hit.SMALLEST_NORMAL,
+    hit.LOST_POINT,
+    moment.SMALLEST_D,
+    SMALLEST_C,
+    places.SMALLEST_PLACE,
+    places.WIDE,
+  ],
+  ...[flat.SMALLEST_PLANAR, BOX, 1 / BOX, ORDINARY, 1 / ORDINARY, LEAST_EXACT_PRODUCT],
 ].map(exponentOf);
 
 /** Where a bound is compared with a number that it is to be a small share of. */

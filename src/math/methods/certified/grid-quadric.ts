@@ -1,11 +1,23 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import type { CurvedDetails, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { coefficientsPass, ERROR } from './grid-coefficients.ts';
-import { FAITHFUL, placePass, rootsPass } from './grid-places.ts';
-import * as at from './grid-scratch.ts';
+import {
+  coefficientsPass,
+  createGrid,
+  ERROR,
+  GRID_A,
+  GRID_B,
+  GRID_C,
+  GRID_D,
+  GRID_OFF_D,
+  GRID_REACH_D,
+  GRID_REACH_P,
+  placePass,
+  rootsPass,
+} from './grids.ts';
 import { createFound, findRoots, T0, T1 } from './one-ray.ts';
-import { BOX, type CertifiedQuadric } from './scaled-quadric.ts';
+import { BOX, type CertifiedQuadric } from './quadric-numbers.ts';
+import { FAITHFUL_ONCE } from './stage.ts';
 
 /*
  * One ray against a curved shape in one go, by parts on grids: class, A, B, C, D, points and normals to some 75 bits, which settles 99 of 100 rays of a
@@ -23,29 +35,29 @@ type Answer = (q: Quadric, c: CertifiedQuadric, ray: Ray) => Intersection | null
 export const gridQuadric = onGrids();
 
 function onGrids(): Answer {
-  const grid = at.createGrid();
+  const grid = createGrid();
   const putCoefficients = coefficientsPass(grid);
   const found = createFound();
   const putRoots = rootsPass(grid, found);
   const hitAt = placePass(grid, found);
   const BOUND = ERROR;
-  const SURE = FAITHFUL;
+  const SURE = FAITHFUL_ONCE;
   const SMALL = 1 / BOX;
   return (q, c, ray) => {
     if (!c.inBox) return null;
     putCoefficients(c.numbers, ray);
-    const A = grid[at.A] as number;
-    const b = grid[at.B] as number;
-    const C = grid[at.C] as number;
-    const D = grid[at.D] as number;
-    const reachD = grid[at.REACH_D] as number;
-    const reachP = grid[at.REACH_P] as number;
+    const A = grid[GRID_A] as number;
+    const b = grid[GRID_B] as number;
+    const C = grid[GRID_C] as number;
+    const D = grid[GRID_D] as number;
+    const reachD = grid[GRID_REACH_D] as number;
+    const reachP = grid[GRID_REACH_P] as number;
     const both = reachD * reachP;
     const sure =
       BOUND * (reachD * reachD) <= SURE * Math.abs(A) &&
       BOUND * both <= SURE * Math.abs(b) &&
       BOUND * (reachP * reachP) <= SURE * Math.abs(C) &&
-      (grid[at.OFF_D] as number) <= SURE * Math.abs(D) &&
+      (grid[GRID_OFF_D] as number) <= SURE * Math.abs(D) &&
       reachD > SMALL &&
       reachP > SMALL;
     if (!sure) return null;

@@ -7,7 +7,8 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { type Algebra, C, ERROR_C, FLARE, OFF, P } from './algebra.ts';
+import { type Algebra, AT_C, AT_FLARE, AT_OFF, AT_P, ERROR_C } from './doubled.ts';
+import { UU } from './stage.ts';
 
 /*
  * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the surface: added up from the exact terms of its expansion. There are 38:
@@ -15,7 +16,6 @@ import { type Algebra, C, ERROR_C, FLARE, OFF, P } from './algebra.ts';
  * `accumulate` is off by (2n u)^4 of it; adding up its levels by 3u² in each of three sums.
  * A product that leaves the doubles is off by ≤ 2^-1073; those of the squares along y are multiplied by a, that of a = c² by py², both < 2^200.
  */
-const UU = 2 ** -106;
 const TERMS = 38;
 export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;
 export const ERROR_LEVELS = 9 * UU;
@@ -24,42 +24,43 @@ export const SMALLEST_C = 2 ** -870;
 const levels = newLevels();
 
 /** The sum, and one of its levels, as hi and lo. */
-const R = new Float64Array(4);
+const SUM = new Float64Array(4);
 const LEVEL = 2;
 
 /**
  * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one:
- * SMALLEST_C is wider than the SMALLEST of algebra.ts. A C that is 0 exactly is off by nothing.
+ * SMALLEST_C is wider than the SMALLEST of doubled.ts. A C that is 0 exactly is off by nothing.
  */
 export function sharpenC(algebra: Algebra, r: number): void {
-  const a = algebra[FLARE] as number;
+  const a = algebra[AT_FLARE] as number;
   const rho = r * r;
   levels.fill(0);
-  addSquare(algebra, P, 1, 0);
-  addSquare(algebra, P + 4, 1, 0);
-  if (a !== 0) addSquare(algebra, P + 2, -a, -(algebra[FLARE + 1] as number));
+  addSquare(algebra, AT_P, 1, 0);
+  addSquare(algebra, AT_P + 4, 1, 0);
+  if (a !== 0) addSquare(algebra, AT_P + 2, -a, -(algebra[AT_FLARE + 1] as number));
   accumulate(levels, -rho);
   accumulate(levels, -squareError(r, rho));
   // r², or a = c², underflowed, and its error with it.
-  if (lost(r, rho) || lost(a, a)) levels[LEVELS] = Number.POSITIVE_INFINITY;
-  dd.set(R, 0, levels[0] as number);
+  if (lostBits(r, rho) || lostBits(a, a)) levels[LEVELS] = Number.POSITIVE_INFINITY;
+  dd.set(SUM, 0, levels[0] as number);
   for (let k = 1; k < LEVELS; k++) {
-    dd.set(R, LEVEL, levels[k] as number);
-    dd.add(R, 0, 0, LEVEL);
+    dd.set(SUM, LEVEL, levels[k] as number);
+    dd.add(SUM, 0, 0, LEVEL);
   }
-  const before = algebra[OFF + 2] as number;
+  const before = algebra[AT_OFF + 2] as number;
   const Cm = before / ERROR_C;
   const off = exactlyZero(levels)
     ? 0
-    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(R[0] as number);
+    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(SUM[0] as number);
   if (!(off < before)) return;
-  algebra[C] = R[0] as number;
-  algebra[C + 1] = R[1] as number;
-  algebra[OFF + 2] = off;
+  algebra[AT_C] = SUM[0] as number;
+  algebra[AT_C + 1] = SUM[1] as number;
+  algebra[AT_OFF + 2] = off;
 }
 
 /** Whether the product p of something that is not 0 is so small that bits of it, or all, are lost, and a zero would prove nothing. */
-const lost = (x: number, p: number): boolean => x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
+const lostBits = (x: number, p: number): boolean =>
+  x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
 
 /** Adds (hi + lo)²·(a + aLow) for hi and lo at k. */
 function addSquare(algebra: Algebra, k: number, a: number, aLow: number): void {
@@ -74,7 +75,7 @@ function addSquare(algebra: Algebra, k: number, a: number, aLow: number): void {
 }
 
 function addScaled(p: number, e: number, a: number, aLow: number): void {
-  if (lost(1, p)) levels[LEVELS] = Number.POSITIVE_INFINITY;
+  if (lostBits(1, p)) levels[LEVELS] = Number.POSITIVE_INFINITY;
   accumulateProduct(levels, p, a);
   accumulateProduct(levels, e, a);
   accumulateProduct(levels, p, aLow);

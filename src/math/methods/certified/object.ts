@@ -8,7 +8,7 @@ import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { CertifiedAnswer, exactly } from './answer.ts';
 import { gridQuadric } from './grid-quadric.ts';
-import { planarRoots } from './kernel-planar.ts';
+import { placeInPlane, placeOnQuadric } from './hits.ts';
 import {
   createFound,
   createOneRay,
@@ -20,11 +20,10 @@ import {
   T1,
   VERDICT,
 } from './one-ray.ts';
-import { placeInPlane, placeOnQuadric } from './places.ts';
 import { plainQuadric } from './plain-quadric.ts';
-import { readQuadric } from './scaled-quadric.ts';
-import { solvePlanarSlowly } from './slow-planar.ts';
-import { certifiedSlot } from './slow-quadric.ts';
+import { planarRoots, solvePlanarSlowly } from './planar.ts';
+import { readQuadric } from './quadric-numbers.ts';
+import { certifiedSlot } from './stage.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
 

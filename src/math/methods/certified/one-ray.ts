@@ -9,9 +9,10 @@ import {
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { bothRoots, type OpenRays } from './roots-quadric.ts';
-import { type CertifiedQuadric, certifiedQuadric } from './scaled-quadric.ts';
-import { type CertifiedSlot, certifiedSlot, solveSlowly } from './slow-quadric.ts';
+import { solveSlowly } from './doubled-roots.ts';
+import { bothRoots } from './quadric-kernel.ts';
+import { type CertifiedQuadric, certifiedQuadric } from './quadric-numbers.ts';
+import { type CertifiedSlot, certifiedSlot, type OpenRays } from './stage.ts';
 
 /*
  * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either of two doubles.
@@ -44,7 +45,7 @@ export const STAGE = 3;
 const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
 export const stageFound = (found: Found): DecidedBy => STAGES[found[STAGE] as number] ?? 'exact';
 
-/** A closure over its arrays, as in lattice-scratch.ts. */
+/** A closure over its arrays, as in units-rough.ts. */
 function into({ Ex, Ey, Ez, dx, dy, dz }: Rays): (ray: Ray) => void {
   return ({ origin: E, direction: d }) => {
     Ex[0] = E[0];

@@ -1,7 +1,8 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
-import { LEAST_A } from './moment-bound.ts';
-import { BOX } from './scaled-quadric.ts';
+import { LEAST_A, SMALLEST_D } from './class.ts';
+import { AT_SCALED, BOX } from './quadric-numbers.ts';
+import { FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './stage.ts';
 
 /*
  * Rays that come from far away or graze the shape: both roots lie close together, so the origin is moved to a short t between
@@ -21,26 +22,29 @@ import { BOX } from './scaled-quadric.ts';
  *   t is off by (2^-70 W|d|₁ + 0.6|δD'|/√D' + u(|b'| + √D')(9|d|₁²/|A| + 8))/|A|
  * before its only rounding, and faithful when that is below u|t|/2.
  */
-const GRID_25 = 2 ** 29;
-const GRID_26 = 2 ** 28;
-const GRID_P = 2 ** 6;
 const CROSS_ERROR = 2 ** -68;
-const SQUARE_ERROR = 6 * 2 ** -53;
-const RESIDUAL_ERROR = 14 * 2 ** -53;
+const SLOPE_SQUARE_ERROR = 6 * 2 ** -53;
+const RESIDUAL_SHARE = 14 * 2 ** -53;
 const SLOPE_ERROR = 2 ** -70;
 const CLOSED_A = 9 * 2 ** -53;
 const CLOSED = 8 * 2 ** -53;
-const FAITHFUL = 0.9 * 2 ** -54;
-/** Where the parts of the bound underflow: inside the box nothing that matters is smaller. */
-const SMALLEST_D = 2 ** -200;
 
 /** CROSS_ERROR has 2^-68 for 2^-69, so of the 2^-22 in Q half is enough. */
-const NARROW = 2 ** -23;
+const NARROW_RECENTRED = 2 ** -23;
 
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
-export const BOUNDS = Float64Array.of(
-  ...[GRID_25, GRID_26, GRID_P, SPLITTER, CROSS_ERROR, SQUARE_ERROR, RESIDUAL_ERROR, SLOPE_ERROR],
-  ...[CLOSED_A, CLOSED, FAITHFUL, SMALLEST_D, LEAST_A, BOX, NARROW],
+export const RECENTRED_BOUNDS = Float64Array.of(
+  ...[
+    GRID_25,
+    GRID_26,
+    GRID_P,
+    SPLITTER,
+    CROSS_ERROR,
+    SLOPE_SQUARE_ERROR,
+    RESIDUAL_SHARE,
+    SLOPE_ERROR,
+  ],
+  ...[CLOSED_A, CLOSED, FAITHFUL_ONCE, SMALLEST_D, LEAST_A, BOX, NARROW_RECENTRED],
 );
 
 /** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
@@ -51,3 +55,251 @@ export type RecentredPass = (
   places: Int32Array,
   count: number,
 ) => number;
+
+/** For cylinders, whose formula does not look at y. */
+export const recentredAroundAxis: RecentredPass = (
+  numbers,
+  { Ex, Ez, dx, dz },
+  { t0, t1 },
+  places,
+  count,
+) => {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const rhoLow = numbers[AT_SCALED.rhoLow] as number;
+  const grid25 = RECENTRED_BOUNDS[0] as number;
+  const grid26 = RECENTRED_BOUNDS[1] as number;
+  const gridOfP = RECENTRED_BOUNDS[2] as number;
+  const crossError = RECENTRED_BOUNDS[4] as number;
+  const squareError = RECENTRED_BOUNDS[5] as number;
+  const residualError = RECENTRED_BOUNDS[6] as number;
+  const slopeError = RECENTRED_BOUNDS[7] as number;
+  const closedA = RECENTRED_BOUNDS[8] as number;
+  const closed = RECENTRED_BOUNDS[9] as number;
+  const faithful = RECENTRED_BOUNDS[10] as number;
+  const smallestD = RECENTRED_BOUNDS[11] as number;
+  const box = RECENTRED_BOUNDS[13] as number;
+  const narrow = RECENTRED_BOUNDS[14] as number;
+  let left = 0;
+  for (let j = 0; j < count; j++) {
+    const i = places[j] as number;
+    const x = dx[i] as number;
+    const z = dz[i] as number;
+    const ex = Ex[i] as number;
+    const ez = Ez[i] as number;
+    const px = ex - Cx;
+    const pz = ez - Cz;
+    const vx = px - ex;
+    const lostX = ex - (px - vx) - (Cx + vx);
+    const vz = pz - ez;
+    const lostZ = ez - (pz - vz) - (Cz + vz);
+    const A = x * x + z * z;
+    const speed = Math.abs(x) + Math.abs(z);
+    const Sp = Math.abs(px) + Math.abs(pz);
+    const slope = x * px + z * pz;
+    const inverse = 1 / (A * speed);
+    const overA = inverse * speed;
+    const middle = -slope * overA;
+    const reach = Math.abs(middle) * speed + Sp;
+    const gridD = grid25 * speed;
+    const gridT = grid25 * (Math.abs(inverse * A) * reach);
+    const gridP = gridOfP * reach;
+    const t = middle + gridT - gridT;
+    const xh = x + gridD - gridD;
+    const xl = x - xh;
+    const phx = px + gridP - gridP;
+    const plx = px - phx + lostX;
+    const qx = phx + t * xh;
+    const zh = z + gridD - gridD;
+    const zl = z - zh;
+    const phz = pz + gridP - gridP;
+    const plz = pz - phz + lostZ;
+    const qz = phz + t * zh;
+    const size = Math.abs(qx) + Math.abs(qz);
+    const gridQ = grid26 * size;
+    const qxh = qx + gridQ - gridQ;
+    const qxl = qx - qxh + (t * xl + plx);
+    const qzh = qz + gridQ - gridQ;
+    const qzl = qz - qzh + (t * zl + plz);
+    const f =
+      qxh * qxh + qzh * qzh - rho + (qxl * (qxh + qxh + qxl) + qzl * (qzh + qzh + qzl) - rhoLow);
+    const b = qxh * xh + qzh * zh + (qxl * x + qxh * xl + (qzl * z + qzh * zl));
+    const D = b * b - A * f;
+    const width = size + reach;
+    const sizeB = Math.abs(b);
+    const square = speed * speed;
+    const error =
+      sizeB * (crossError * width * speed + squareError * sizeB) +
+      square * (crossError * width * (size + narrow * width) + residualError * Math.abs(f)) +
+      smallestD;
+    const inside = speed < box && speed * box > 1 && Sp < box;
+    const clear = D > 2 * error && inside;
+    const missed = D < -error && inside;
+    if (clear) {
+      const root = Math.sqrt(D);
+      const overSize = Math.abs(overA);
+      const near = t + (-b * overA - root * overSize);
+      const far = t + (root * overSize - b * overA);
+      const off =
+        (slopeError * width * speed +
+          (0.6 * error) / root +
+          (sizeB + root) * (closedA * square * overSize + closed)) *
+        overSize;
+      const settled = off <= faithful * Math.abs(near) && off <= faithful * Math.abs(far);
+      if (settled) {
+        t0[i] = near;
+        t1[i] = far;
+      } else places[left++] = i;
+    } else if (missed) {
+      t0[i] = Number.NaN;
+      t1[i] = Number.NaN;
+    } else places[left++] = i;
+  }
+  return left;
+};
+
+/** For shapes with a term in y. One loop: values handed between functions would go through memory. */
+export const recentredInSpace: RecentredPass = (
+  numbers,
+  { Ex, Ey, Ez, dx, dy, dz },
+  { t0, t1 },
+  places,
+  count,
+) => {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cy = numbers[AT_SCALED.Cy] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const k = numbers[AT_SCALED.k] as number;
+  const k1 = numbers[AT_SCALED.k1] as number;
+  const k2 = numbers[AT_SCALED.k2] as number;
+  const sign = numbers[AT_SCALED.sign] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const rhoLow = numbers[AT_SCALED.rhoLow] as number;
+  const grid25 = RECENTRED_BOUNDS[0] as number;
+  const grid26 = RECENTRED_BOUNDS[1] as number;
+  const gridOfP = RECENTRED_BOUNDS[2] as number;
+  const splitter = RECENTRED_BOUNDS[3] as number;
+  const crossError = RECENTRED_BOUNDS[4] as number;
+  const squareError = RECENTRED_BOUNDS[5] as number;
+  const residualError = RECENTRED_BOUNDS[6] as number;
+  const slopeError = RECENTRED_BOUNDS[7] as number;
+  const closedA = RECENTRED_BOUNDS[8] as number;
+  const closed = RECENTRED_BOUNDS[9] as number;
+  const faithful = RECENTRED_BOUNDS[10] as number;
+  const smallestD = RECENTRED_BOUNDS[11] as number;
+  const leastA = RECENTRED_BOUNDS[12] as number;
+  const box = RECENTRED_BOUNDS[13] as number;
+  const narrow = RECENTRED_BOUNDS[14] as number;
+  let left = 0;
+  for (let j = 0; j < count; j++) {
+    const i = places[j] as number;
+    const x = dx[i] as number;
+    const dyi = dy[i] as number;
+    const z = dz[i] as number;
+    const ex = Ex[i] as number;
+    const ey = Ey[i] as number;
+    const ez = Ez[i] as number;
+    const px = ex - Cx;
+    const py = ey - Cy;
+    const pz = ez - Cz;
+    const vx = px - ex;
+    const lostX = ex - (px - vx) - (Cx + vx);
+    const vy = py - ey;
+    const lostY = ey - (py - vy) - (Cy + vy);
+    const vz = pz - ez;
+    const lostZ = ez - (pz - vz) - (Cz + vz);
+    // k·dy and k·py: an exact leading product of 26 by 26 bits, and the rest.
+    const bigD = splitter * dyi;
+    const topD = bigD - (bigD - dyi);
+    const leadD = k1 * topD;
+    const restD = k1 * (dyi - topD) + k2 * dyi;
+    const y = leadD + restD;
+    const bigP = splitter * py;
+    const topP = bigP - (bigP - py);
+    const leadP = k1 * topP;
+    const restP = k1 * (py - topP) + k2 * py + k * lostY;
+    const round = x * x + z * z;
+    const yy = y * y;
+    const A = round - sign * yy;
+    const speed = Math.abs(x) + Math.abs(y) + Math.abs(z);
+    const Sp = Math.abs(px) + Math.abs(leadP) + Math.abs(pz);
+    const slope = x * px + z * pz - sign * (y * leadP);
+    const inverse = 1 / (A * speed);
+    const overA = inverse * speed;
+    const middle = -slope * overA;
+    const reach = Math.abs(middle) * speed + Sp;
+    const gridD = grid25 * speed;
+    const gridT = grid25 * (Math.abs(inverse * A) * reach);
+    const gridP = gridOfP * reach;
+    const t = middle + gridT - gridT;
+    const xh = x + gridD - gridD;
+    const xl = x - xh;
+    const phx = px + gridP - gridP;
+    const plx = px - phx + lostX;
+    const qx = phx + t * xh;
+    const yh = leadD + gridD - gridD;
+    const yl = leadD - yh + restD;
+    const phy = leadP + gridP - gridP;
+    const ply = leadP - phy + restP;
+    const qy = phy + t * yh;
+    const zh = z + gridD - gridD;
+    const zl = z - zh;
+    const phz = pz + gridP - gridP;
+    const plz = pz - phz + lostZ;
+    const qz = phz + t * zh;
+    const size = Math.abs(qx) + Math.abs(qy) + Math.abs(qz);
+    const gridQ = grid26 * size;
+    const qxh = qx + gridQ - gridQ;
+    const qxl = qx - qxh + (t * xl + plx);
+    const qyh = qy + gridQ - gridQ;
+    const qyl = qy - qyh + (t * yl + ply);
+    const qzh = qz + gridQ - gridQ;
+    const qzl = qz - qzh + (t * zl + plz);
+    const f =
+      qxh * qxh +
+      qzh * qzh -
+      sign * (qyh * qyh) -
+      rho +
+      (qxl * (qxh + qxh + qxl) +
+        qzl * (qzh + qzh + qzl) -
+        sign * (qyl * (qyh + qyh + qyl)) -
+        rhoLow);
+    const b =
+      qxh * xh +
+      qzh * zh -
+      sign * (qyh * yh) +
+      (qxl * x + qxh * xl + (qzl * z + qzh * zl) - sign * (qyl * y + qyh * yl));
+    const D = b * b - A * f;
+    const width = size + reach;
+    const sizeB = Math.abs(b);
+    const square = speed * speed;
+    const error =
+      sizeB * (crossError * width * speed + squareError * sizeB) +
+      square * (crossError * width * (size + narrow * width) + residualError * Math.abs(f)) +
+      smallestD;
+    const inside = speed < box && speed * box > 1 && Sp < box;
+    const clear = D > 2 * error && inside && Math.abs(A) > leastA * (round + yy);
+    const missed = D < -error && inside;
+    if (clear) {
+      const root = Math.sqrt(D);
+      const overSize = Math.abs(overA);
+      const near = t + (-b * overA - root * overSize);
+      const far = t + (root * overSize - b * overA);
+      const off =
+        (slopeError * width * speed +
+          (0.6 * error) / root +
+          (sizeB + root) * (closedA * square * overSize + closed)) *
+        overSize;
+      const settled = off <= faithful * Math.abs(near) && off <= faithful * Math.abs(far);
+      if (settled) {
+        t0[i] = near;
+        t1[i] = far;
+      } else places[left++] = i;
+    } else if (missed) {
+      t0[i] = Number.NaN;
+      t1[i] = Number.NaN;
+    } else places[left++] = i;
+  }
+  return left;
+};

@@ -1,20 +1,22 @@
+import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
-import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './moment-bound.ts';
-import { BOX } from './scaled-quadric.ts';
+import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './class.ts';
+import { AT_SCALED, BOX } from './quadric-numbers.ts';
+import { FAITHFUL, GRID_25, GRID_26, GRID_P } from './stage.ts';
 
 /*
- * The bounds of refined-roots.ts: each root by a step from a rough one with all its 53 bits. That is slower than the stages before it, and what remains is the few
+ * The bounds of refined.ts: each root by a step from a rough one with all its 53 bits. That is slower than the stages before it, and what remains is the few
  * rays that these leave because a root lies near 0 or the numbers are not ordinary.
  */
 
 /*
- * First it must be a clear hit, by the bound of moment-bound.ts:
+ * First it must be a clear hit, by the bound of class.ts:
  *   D > 2^17 δD                so √D is known to 2^-18;
  *   D > 2^-84 S²               so b's rounding error (≤ 8uS = 2^-50 S) and t's are below 2^-7 √D: each coarse root is nearer to its own root than
  *                              to the other one;
  *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
  */
-const CLEAR = 2 ** 17;
+const CLEAR_REFINED = 2 ** 17;
 const APART = 2 ** -84;
 
 /*
@@ -40,24 +42,213 @@ const APART = 2 ** -84;
  *   itself is off, 2^-71 L · 2Q: 8 of them.  16 · 2^-73 = 2^-69 W Q in all, and 2u|f|.
  *
  * From the coarse root with b' = b + A·t: b'² = D/4 + A f exactly, so the exact step is δ = ∓f/(√(D/4 + A f) + √(D/4)). Taking
- * f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is STEP) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
+ * f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is STEP_SHARE) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
  *   |error of the step| ≤ (2^-69 W Q + 2^-16 |f|)/(2√(D/4)),
  * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are u|t| apart, at least).
  */
 const RESIDUAL_ERROR = 2 ** -68;
 /** RESIDUAL_ERROR has 2^-68 for 2^-69, so of the 2^-20.3 in Q half is enough. */
-const NARROW = 2 ** -21;
-const STEP = 2 ** -17;
+const NARROW_REFINED = 2 ** -21;
+const STEP_SHARE = 2 ** -17;
 const STEP_ERROR = 2 ** -16;
 const SPREAD = 2 ** 20;
-const FAITHFUL = 2 ** -55;
-
-const GRID_25 = 2 ** 29;
-const GRID_26 = 2 ** 28;
-const GRID_P = 2 ** 6;
 
 /** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
-export const BOUNDS = Float64Array.of(
-  ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP],
-  ...[CLEAR, APART, LEAST_A, BOX, MOMENT_ERROR, SQUARE_ERROR, RHO_ERROR, SMALLEST_D, NARROW],
+export const REFINED_BOUNDS = Float64Array.of(
+  ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP_SHARE],
+  ...[
+    CLEAR_REFINED,
+    APART,
+    LEAST_A,
+    BOX,
+    MOMENT_ERROR,
+    SQUARE_ERROR,
+    RHO_ERROR,
+    SMALLEST_D,
+    NARROW_REFINED,
+  ],
 );
+
+/*
+ * The third stage; what it certifies is derived in refined.ts. One loop for both kinds of shapes: about an axis y and k are 0. It is long because what it hands on
+ * are forty numbers, which a call between two halves would send through memory.
+ */
+
+/** Settles what it can of the `count` rays at `places`, moves the others to the front and returns how many these are. */
+export function refine(
+  numbers: Float64Array,
+  hasY: boolean,
+  { Ex, Ey, Ez, dx, dy, dz }: Rays,
+  { t0, t1 }: Answers,
+  places: Int32Array,
+  count: number,
+): number {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cy = numbers[AT_SCALED.Cy] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const k = numbers[AT_SCALED.k] as number;
+  const k1 = numbers[AT_SCALED.k1] as number;
+  const k2 = numbers[AT_SCALED.k2] as number;
+  const sign = numbers[AT_SCALED.sign] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const rhoLow = numbers[AT_SCALED.rhoLow] as number;
+  const grid25 = REFINED_BOUNDS[0] as number;
+  const grid26 = REFINED_BOUNDS[1] as number;
+  const gridOfP = REFINED_BOUNDS[2] as number;
+  const splitter = REFINED_BOUNDS[3] as number;
+  const residualError = REFINED_BOUNDS[4] as number;
+  const stepError = REFINED_BOUNDS[5] as number;
+  const faithful = REFINED_BOUNDS[6] as number;
+  const spread = REFINED_BOUNDS[7] as number;
+  const step = REFINED_BOUNDS[8] as number;
+  const clearly = REFINED_BOUNDS[9] as number;
+  const apart = REFINED_BOUNDS[10] as number;
+  const leastA = REFINED_BOUNDS[11] as number;
+  const box = REFINED_BOUNDS[12] as number;
+  const momentError = REFINED_BOUNDS[13] as number;
+  const squareError = REFINED_BOUNDS[14] as number;
+  const rhoError = REFINED_BOUNDS[15] as number;
+  const smallestD = REFINED_BOUNDS[16] as number;
+  const narrow = REFINED_BOUNDS[17] as number;
+  let left = 0;
+  for (let j = 0; j < count; j++) {
+    const i = places[j] as number;
+    const x = dx[i] as number;
+    const dyi = hasY ? (dy[i] as number) : 0;
+    const z = dz[i] as number;
+    const ex = Ex[i] as number;
+    const ey = hasY ? (Ey[i] as number) : Cy;
+    const ez = Ez[i] as number;
+    // p = fl(E − C) and what it lost (Knuth's TwoSum).
+    const px = ex - Cx;
+    const py = ey - Cy;
+    const pz = ez - Cz;
+    const vx = px - ex;
+    const vy = py - ey;
+    const vz = pz - ez;
+    const lostX = ex - (px - vx) - (Cx + vx);
+    const lostY = ey - (py - vy) - (Cy + vy);
+    const lostZ = ez - (pz - vz) - (Cz + vz);
+    // k·dy and k·py: an exact leading product of 26 by 26 bits, and the rest.
+    const bigD = splitter * dyi;
+    const topD = bigD - (bigD - dyi);
+    const leadD = k1 * topD;
+    const restD = k1 * (dyi - topD) + k2 * dyi;
+    const y = leadD + restD;
+    const bigP = splitter * py;
+    const topP = bigP - (bigP - py);
+    const leadP = k1 * topP;
+    const restP = k1 * (py - topP) + k2 * py + k * lostY;
+
+    const Sd = Math.abs(x) + Math.abs(y) + Math.abs(z);
+    const Sp = Math.abs(px) + Math.abs(leadP) + Math.abs(pz);
+    const pk = k * py;
+    const mx = y * pz - z * pk;
+    const my = z * px - x * pz;
+    const mz = x * pk - y * px;
+    const round = x * x + z * z;
+    const yy = y * y;
+    const A = round - sign * yy;
+    const D = rho * A + sign * (mx * mx + mz * mz) - my * my;
+    const S = Sd * Sp;
+    const Am = round + yy;
+    const M = Math.abs(mx) + Math.abs(my) + Math.abs(mz);
+    const error = S * (momentError * M + squareError * S) + rhoError * (rho * Am) + smallestD;
+    const inside = Sd < box && Sd * box > 1 && Sp < box;
+    const clear = D > clearly * error && inside && D > apart * (S * S) && Math.abs(A) > leastA * Am;
+    if (!clear) {
+      places[left++] = i;
+      continue;
+    }
+    const slope = x * px + z * pz - sign * (y * pk);
+    const s = Math.sqrt(D);
+    const As = A * s;
+    const inverse = 1 / (As * Sd);
+    const overA = inverse * (s * Sd);
+    const ta = (-slope - s) * overA;
+    const tb = (s - slope) * overA;
+    const half = 0.5 * inverse * (A * Sd);
+    const over = inverse * As;
+    const reachA = Math.abs(ta) * Sd + Sp;
+    const reachB = Math.abs(tb) * Sd + Sp;
+    const gridD = grid25 * Sd;
+    const gridA = grid25 * (over * reachA);
+    const gridB = grid25 * (over * reachB);
+    const gridP = gridOfP * (reachA + reachB);
+    const xh = x + gridD - gridD;
+    const yh = leadD + gridD - gridD;
+    const zh = z + gridD - gridD;
+    const xl = x - xh;
+    const yl = leadD - yh + restD;
+    const zl = z - zh;
+    const phx = px + gridP - gridP;
+    const phy = leadP + gridP - gridP;
+    const phz = pz + gridP - gridP;
+    const plx = px - phx + lostX;
+    const ply = leadP - phy + restP;
+    const plz = pz - phz + lostZ;
+    // One root after the other: interleaved, more values are alive than there are registers.
+    const tah = ta + gridA - gridA;
+    const tal = ta - tah;
+    const ax = phx + tah * xh;
+    const ay = phy + tah * yh;
+    const az = phz + tah * zh;
+    const sizeOfA = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
+    const gridQA = grid26 * sizeOfA;
+    const axh = ax + gridQA - gridQA;
+    const ayh = ay + gridQA - gridQA;
+    const azh = az + gridQA - gridQA;
+    const axl = ax - axh + (tah * xl + tal * x + plx);
+    const ayl = ay - ayh + (tah * yl + tal * y + ply);
+    const azl = az - azh + (tah * zl + tal * z + plz);
+    const fa =
+      axh * axh +
+      azh * azh -
+      sign * (ayh * ayh) -
+      rho +
+      (axl * (axh + axh + axl) +
+        azl * (azh + azh + azl) -
+        sign * (ayl * (ayh + ayh + ayl)) -
+        rhoLow);
+    const tbh = tb + gridB - gridB;
+    const tbl = tb - tbh;
+    const bx = phx + tbh * xh;
+    const by = phy + tbh * yh;
+    const bz = phz + tbh * zh;
+    const sizeOfB = Math.abs(bx) + Math.abs(by) + Math.abs(bz);
+    const gridQB = grid26 * sizeOfB;
+    const bxh = bx + gridQB - gridQB;
+    const byh = by + gridQB - gridQB;
+    const bzh = bz + gridQB - gridQB;
+    const bxl = bx - bxh + (tbh * xl + tbl * x + plx);
+    const byl = by - byh + (tbh * yl + tbl * y + ply);
+    const bzl = bz - bzh + (tbh * zl + tbl * z + plz);
+    const fb =
+      bxh * bxh +
+      bzh * bzh -
+      sign * (byh * byh) -
+      rho +
+      (bxl * (bxh + bxh + bxl) +
+        bzl * (bzh + bzh + bzl) -
+        sign * (byl * (byh + byh + byl)) -
+        rhoLow);
+    const ra = ta + fa * half;
+    const rb = tb - fb * half;
+    const f = Math.abs(fa);
+    const g = Math.abs(fb);
+    const widthA = sizeOfA + reachA;
+    const widthB = sizeOfB + reachB;
+    const errorA = half * (residualError * widthA * (sizeOfA + narrow * widthA) + stepError * f);
+    const errorB = half * (residualError * widthB * (sizeOfB + narrow * widthB) + stepError * g);
+    const settled =
+      errorA <= faithful * Math.abs(ra) &&
+      errorB <= faithful * Math.abs(rb) &&
+      reachA + reachB <= spread * Sp &&
+      (f + g) * Math.abs(A) <= step * D;
+    if (settled) {
+      t0[i] = Math.min(ra, rb);
+      t1[i] = Math.max(ra, rb);
+    } else places[left++] = i;
+  }
+  return left;
+}

@@ -9,7 +9,7 @@ import {
 } from '../../../../src/math/batch/batch.ts';
 import { solveExactly } from '../../../../src/math/batch/exact-quadric.ts';
 import { quadricOf } from '../../../../src/math/batch/quadric.ts';
-import { certifiedKernel } from '../../../../src/math/methods/certified/kernel-quadric.ts';
+import { certifiedKernel } from '../../../../src/math/methods/certified/quadric-kernel.ts';
 import { rayCases, readAll } from '../read-vectors.ts';
 
 const curved = rayCases.filter(({ shape }) => quadricOf(shape));

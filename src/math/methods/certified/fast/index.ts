@@ -7,13 +7,14 @@ import {
   type Run,
   type SimdMemory,
 } from '../../../batch/simd-memory.ts';
-import type { FastRoots, OpenRays } from '../roots-quadric.ts';
-import type { CertifiedQuadric } from '../scaled-quadric.ts';
+import type { FastRoots } from '../quadric-kernel.ts';
+import type { CertifiedQuadric } from '../quadric-numbers.ts';
+import type { OpenRays } from '../stage.ts';
 import { type Input, LATTICE_NUMBERS, PLACE, SCALED_NUMBERS } from './layout.ts';
 import { certifiedModule } from './module.ts';
 
 /**
- * Both roots by WebAssembly, two rays at a time: the stages of roots-quadric.ts, compiled from the
+ * Both roots by WebAssembly, two rays at a time: the stages of quadric-kernel.ts, compiled from the
  * same text, and so to the same bits. Throws what the engine throws where it does not run them.
  */
 export function createFastRoots(memory: SimdMemory): FastRoots {

@@ -1,25 +1,25 @@
 import { IMPORT, PAGES } from '../../../batch/simd-memory.ts';
 import { type Func, moduleOf } from '../../../wasm/module.ts';
 import { elementOf, loopOf } from '../../../wasm/source.ts';
-import { AT } from '../lattice.ts';
-import { BOUNDS as COARSE } from '../lattice-bounds.ts';
-import inSpace from '../lattice-coarse.ts?raw';
-import aroundAxis from '../lattice-coarse-axis.ts?raw';
-import residual from '../lattice-residual.ts?raw';
-import { CONSTANTS as SOLVE } from '../lattice-solve.ts';
-import solve from '../lattice-solve.ts?raw';
-import { BOUNDS as RECENTRED } from '../recentred.ts';
-import recentredAxis from '../recentred-axis.ts?raw';
-import recentredSpace from '../recentred-space.ts?raw';
-import { BOUNDS as REFINED } from '../refined.ts';
-import refined from '../refined-roots.ts?raw';
-import { AT_SCALED } from '../scaled-quadric.ts';
+import { AT_LATTICE, AT_SCALED } from '../quadric-numbers.ts';
+import { RECENTRED_BOUNDS as RECENTRED } from '../recentred.ts';
+import recentredAxis from '../recentred.ts?raw';
+import recentredSpace from '../recentred.ts?raw';
+import { REFINED_BOUNDS as REFINED } from '../refined.ts';
+import refined from '../refined.ts?raw';
+import { SOLVE_BOUNDS as SOLVE } from '../units-roots.ts';
+import residual from '../units-roots.ts?raw';
+import solve from '../units-roots.ts?raw';
+import { ROUGH_BOUNDS as COARSE } from '../units-rough.ts';
+import inSpace from '../units-rough.ts?raw';
+import aroundAxis from '../units-rough.ts?raw';
 import { blockKernel } from './block-kernel.ts';
 import { LATTICE_NUMBERS, SCALED_NUMBERS } from './layout.ts';
 import { listKernel } from './list-kernel.ts';
 import type { Numbers } from './prologue.ts';
 
-const lattice = (key: string): number => LATTICE_NUMBERS + 8 * AT[key as keyof typeof AT];
+const lattice = (key: string): number =>
+  LATTICE_NUMBERS + 8 * AT_LATTICE[key as keyof typeof AT_LATTICE];
 const scaled = (key: string): number =>
   SCALED_NUMBERS + 8 * AT_SCALED[key as keyof typeof AT_SCALED];
 
@@ -29,9 +29,7 @@ const numbersOf = (known: Numbers['known']): Numbers => ({
 });
 
 /** What the three passes over ordinary rays take their bounds from. */
-const PASSES = [COARSE, [], SOLVE].map((bounds) =>
-  numbersOf({ BOUNDS: bounds, CONSTANTS: bounds }),
-);
+const PASSES = [{ ROUGH_BOUNDS: COARSE }, {}, { SOLVE_BOUNDS: SOLVE }].map(numbersOf);
 
 /** Where the parts end, found by measuring. */
 const CUTS = [
@@ -59,14 +57,14 @@ function kernelsOf(hasY: boolean): Func[] {
     blockKernel(`ordinary${hasY}`, PASSES, [rough, values, loopOf(solve, 'solvePass', hasY)], CUTS),
     listKernel(
       `recentred${hasY}`,
-      numbersOf({ BOUNDS: RECENTRED }),
+      numbersOf({ RECENTRED_BOUNDS: RECENTRED }),
       far,
       { clear: 'clear', settled: 'settled', missed: 'missed' },
       RECENTRED_CUTS,
     ),
     listKernel(
       `refined${hasY}`,
-      numbersOf({ BOUNDS: REFINED }),
+      numbersOf({ REFINED_BOUNDS: REFINED }),
       loopOf(refined, 'refine', hasY),
       { clear: 'clear', settled: 'settled', missed: null },
       REFINED_CUTS,

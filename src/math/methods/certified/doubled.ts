@@ -1,6 +1,7 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
+import { UU } from './stage.ts';
 
 /*
  * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles are split without loss (eft.ts); p = E − C is
@@ -12,17 +13,16 @@ import type { Ray } from '../../ray.ts';
  *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b, A, C: 14u² of b² + |AC|             124u² AmCm
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
- * ≤ 2^-1072, with what multiplies its lower half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST in A, b and C, and these 2^202
+ * ≤ 2^-1072, with what multiplies its lower half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST_ALGEBRA in A, b and C, and these 2^202
  * times in D (dy was let grow beyond any bound: tests/repro). What is then
  * divided is above 2^-968, where products are split without loss.
  */
-const UU = 2 ** -106;
 export const ERROR_A = 15 * UU;
 export const ERROR_B = 24 * UU;
 export const ERROR_C = 38 * UU;
 export const ERROR_D = 136 * UU;
-export const SMALLEST = 2 ** -872;
-export const SMALLEST_D = 2 ** -670;
+export const SMALLEST_ALGEBRA = 2 ** -872;
+export const SMALLEST_ALGEBRA_D = 2 ** -670;
 export const LARGE = 2 ** 200;
 
 /** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */
@@ -34,14 +34,14 @@ export type Algebra = Float64Array;
  */
 export const createAlgebra = (): Algebra => new Float64Array(21);
 
-export const A = 0;
-export const B = 2;
-export const C = 4;
-export const D = 6;
-export const OFF = 8;
-export const P = 12;
-export const FLARE = 18;
-export const SIZE = 20;
+export const AT_A = 0;
+export const AT_B = 2;
+export const AT_C = 4;
+export const AT_D = 6;
+export const AT_OFF = 8;
+export const AT_P = 12;
+export const AT_FLARE = 18;
+export const AT_SIZE = 20;
 
 /** a·b − p for a = ah + al, b = bh + bl cut in halves (Dekker). */
 export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
@@ -160,27 +160,33 @@ export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra
   const size = Math.abs(a);
   const Am = round + size * yy;
   const Cm = wide + size * qq + rho;
-  algebra[A] = Ah;
-  algebra[A + 1] = Al;
-  algebra[B] = bh;
-  algebra[B + 1] = bl;
-  algebra[C] = Ch;
-  algebra[C + 1] = Cl;
-  algebra[D] = Dh;
-  algebra[D + 1] = sumError(D0, D1, Dh);
-  algebra[OFF] = ERROR_A * Am + SMALLEST;
-  algebra[OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST;
-  algebra[OFF + 2] = ERROR_C * Cm + SMALLEST;
-  algebra[OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_D;
-  algebra[P] = px;
-  algebra[P + 1] = pxl;
-  algebra[P + 2] = py;
-  algebra[P + 3] = pyl;
-  algebra[P + 4] = pz;
-  algebra[P + 5] = pzl;
-  algebra[FLARE] = a;
-  algebra[FLARE + 1] = aLow;
+  algebra[AT_A] = Ah;
+  algebra[AT_A + 1] = Al;
+  algebra[AT_B] = bh;
+  algebra[AT_B + 1] = bl;
+  algebra[AT_C] = Ch;
+  algebra[AT_C + 1] = Cl;
+  algebra[AT_D] = Dh;
+  algebra[AT_D + 1] = sumError(D0, D1, Dh);
+  algebra[AT_OFF] = ERROR_A * Am + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 2] = ERROR_C * Cm + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_ALGEBRA_D;
+  algebra[AT_P] = px;
+  algebra[AT_P + 1] = pxl;
+  algebra[AT_P + 2] = py;
+  algebra[AT_P + 3] = pyl;
+  algebra[AT_P + 4] = pz;
+  algebra[AT_P + 5] = pzl;
+  algebra[AT_FLARE] = a;
+  algebra[AT_FLARE + 1] = aLow;
   const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
   const exactA = !q.squared || (yy < LARGE && qq < LARGE);
-  algebra[SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
+  algebra[AT_SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
 }
+
+/**
+ * t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra.
+ */
+export type Roots = Float64Array;
+export const createRoots = (): Roots => new Float64Array(6);

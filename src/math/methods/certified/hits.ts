@@ -1,0 +1,278 @@
+import type { Planar } from '../../batch/planar.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import * as dd from '../../float/double-double.ts';
+import { productError, SPLITTER, squareError, sumError } from '../../float/eft.ts';
+import type { Hit } from '../../intersection.ts';
+import type { Ray } from '../../ray.ts';
+import type { Vec3 } from '../../vec3.ts';
+import {
+  AT_FLARE as ALGEBRA_FLARE,
+  AT_P as ALGEBRA_P,
+  type Algebra,
+  AT_FLARE,
+  AT_P,
+  createAlgebra,
+  createRoots,
+  lost,
+  type Roots,
+} from './doubled.ts';
+import { FAITHFUL, U, UU } from './stage.ts';
+
+/*
+ * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and sum are split without loss, and what is left, ≤ u|X| and
+ * a few u|t d|, is rounded: u² |X|, which is here, and 8u² |t d|, for which `off` must have room. A coordinate whose error is below u/4 of it is faithful
+ * when it is rounded; one along which the line does not move is E's own.
+ */
+/** Of the normal's longest component: its direction is promised within 2^-50. */
+const STRAIGHT = 2 ** -52;
+export const LOST_POINT = 2 ** -1070;
+export const SMALLEST_NORMAL = 2 ** -600;
+
+/**
+ * The hit at root k of `roots`, which goes by the double that was `certified` for it, with E − C
+ * and a from `algebra`; null where a coordinate, or the way of the normal, stays open.
+ */
+export function hitAt(
+  q: Quadric,
+  { origin: E, direction: d }: Ray,
+  algebra: Algebra,
+  roots: Roots,
+  k: number,
+  certified: number,
+): Hit | null {
+  const t = roots[k] as number;
+  const tl = roots[k + 1] as number;
+  const off = roots[k + 2] as number;
+  let big = SPLITTER * t;
+  const th = big - (big - t);
+  const tm = t - th;
+  const dx = d[0];
+  const dy = d[1];
+  const dz = d[2];
+  const mx = t * dx;
+  const my = t * dy;
+  const mz = t * dz;
+  big = SPLITTER * dx;
+  const xh = big - (big - dx);
+  big = SPLITTER * dy;
+  const yh = big - (big - dy);
+  big = SPLITTER * dz;
+  const zh = big - (big - dz);
+  const lx = lost(th, tm, xh, dx - xh, mx) + tl * dx;
+  const ly = lost(th, tm, yh, dy - yh, my) + tl * dy;
+  const lz = lost(th, tm, zh, dz - zh, mz) + tl * dz;
+  const X = E[0] + mx;
+  const Y = E[1] + my;
+  const Z = E[2] + mz;
+  const pointX = X + (sumError(E[0], mx, X) + lx);
+  const pointY = Y + (sumError(E[1], my, Y) + ly);
+  const pointZ = Z + (sumError(E[2], mz, Z) + lz);
+  const offX = dx === 0 ? 0 : off * Math.abs(dx) + LOST_POINT;
+  const offY = dy === 0 ? 0 : off * Math.abs(dy) + LOST_POINT;
+  const offZ = dz === 0 ? 0 : off * Math.abs(dz) + LOST_POINT;
+  const faithful =
+    offX + 16 * UU * Math.abs(X) <= FAITHFUL * Math.abs(pointX) &&
+    offY + 16 * UU * Math.abs(Y) <= FAITHFUL * Math.abs(pointY) &&
+    offZ + 16 * UU * Math.abs(Z) <= FAITHFUL * Math.abs(pointZ);
+  if (!faithful) return null;
+  const px = algebra[AT_P] as number;
+  const py = algebra[AT_P + 2] as number;
+  const pz = algebra[AT_P + 4] as number;
+  const nx = px + mx;
+  const ny = py + my;
+  const nz = pz + mz;
+  const normalX = nx + (sumError(px, mx, nx) + lx + (algebra[AT_P + 1] as number));
+  const rise = sumError(py, my, ny) + ly + (algebra[AT_P + 3] as number);
+  const above = ny + rise;
+  const normalZ = nz + (sumError(pz, mz, nz) + lz + (algebra[AT_P + 5] as number));
+  const a = algebra[AT_FLARE] as number;
+  const down = a * above;
+  const normalY = q.hasY
+    ? -(
+        down +
+        (productError(a, above, down) +
+          a * (rise - (above - ny)) +
+          (algebra[AT_FLARE + 1] as number) * above)
+      )
+    : 0;
+  const size = Math.abs(a);
+  const long = Math.max(Math.abs(normalX), Math.abs(normalY), Math.abs(normalZ));
+  const around = Math.abs(px) + Math.abs(pz) + size * Math.abs(py);
+  if (!(offX + offZ + size * offY + 32 * UU * around + SMALLEST_NORMAL <= STRAIGHT * long))
+    return null;
+  return {
+    t: certified,
+    point: [pointX + 0, pointY + 0, pointZ + 0],
+    normal: [normalX + 0, normalY + 0, normalZ + 0],
+    singular: false,
+  };
+}
+
+/*
+ * Points and normals where a faithful root t is known and the exact one, t*, is wanted: δ = t* − t is one Newton step on a residual in double-double
+ * (float/double-double.ts has the bounds: a sum 3u², a product 5u²). u = 2^-53; |δ| ≤ τ = 2u|t| + 2^-1074; i runs over x, y, z.
+ *
+ *   g = E − C + t d, a sum of two double-doubles that are exact:                                    |δgi| ≤ 3u²|gi|
+ *   curved, F = gx² + gz² − a gy² − ρ: a square 6 + 5, times a 5 more, two sums:                    |δF| ≤ 22u² (gx² + gz² + |a|gy² + ρ)
+ *     F' = 2h = 2(gx dx + gz dz − a gy dy) in doubles: 5u of each, and u of F' at the end:          |δ2h| ≤ 13u Σ ai|gi di|, ai = 1, |a|, 1
+ *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ below, which is off by η'τ + |δF|/|2h|, η' = (|δ2h| + τ Am)/|2h|,
+ *     and A·F/2h in doubles by 8u τ Am:  |δF'| ≤ 13u Σ ai|gi di| + τ Am (η' + 8u) + Am |δF|/|2h|. From far away that matters: τ is long there.
+ *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:                             |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
+ *
+ * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the
+ * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d lost, times 2g and a, is below SMALLEST_PLACE in F; and in F' too, for t·d is
+ * only below 2^-968 for |d| < 2^106. But d may be of any length, since A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0) and is made
+ * of dx·(F/2h·dx) … (A underflowed, and Aδ with it: both in tests/repro).
+ */
+export const ERROR_CURVED = 24 * UU;
+export const ERROR_SLOPE = 14 * U;
+export const ERROR_FLAT = 16 * UU;
+export const ERROR_FLAT_RATE = 4 * U;
+export const ROUNDED = 14 * UU;
+export const WIDE = 2 ** 120;
+export const SMALLEST_PLACE = 2 ** -711;
+/** What t·d and δ·d may lose of a coordinate below the doubles, */
+export const LOST_PLACE = 2 ** -1072;
+/** and what a step that is below them itself, with its bound. */
+export const TINY = 2 ** -1072;
+
+/** g as three double-doubles, F, and what they are made from. */
+export const PLACE = new Float64Array(14);
+export const PLACE_F = 6;
+const PLACE_S = 8;
+const PLACE_V = 10;
+const PLACE_FLARE = 12;
+const placeAt = (k: number): number => PLACE[k] as number;
+const PLACE_G = [0, 2, 4] as const;
+
+/** What hitAt reads, in the ray's own units: the stage that found t may have had it in others. */
+const placeAlgebra = createAlgebra();
+export const PLACE_STEP = createRoots();
+
+/** Puts g, and E − C for hitAt. */
+function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
+  for (let i = 0; i < 3; i++) {
+    const e = origin[i] as number;
+    const c = center[i] as number;
+    const x = direction[i] as number;
+    PLACE[PLACE_S] = e - c;
+    PLACE[PLACE_S + 1] = sumError(e, -c, placeAt(PLACE_S));
+    placeAlgebra[ALGEBRA_P + 2 * i] = placeAt(PLACE_S);
+    placeAlgebra[ALGEBRA_P + 2 * i + 1] = placeAt(PLACE_S + 1);
+    PLACE[PLACE_V] = t * x;
+    PLACE[PLACE_V + 1] = productError(t, x, placeAt(PLACE_V));
+    dd.add(PLACE, PLACE_G[i] as number, PLACE_S, PLACE_V);
+  }
+}
+
+function putSquare(out: number, x: number): void {
+  PLACE[out] = x * x;
+  PLACE[out + 1] = squareError(x, placeAt(out));
+}
+
+/**
+ * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has
+ * overflowed (stage.ts): η, δ and Δ would be 0, and E + t d would pass for the point. |F'| < ∞
+ * also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN,
+ * except that F/2h is 0 where 2h is ∞, and then F' is ∞ or NaN by 2h itself.
+ */
+export function putStep(
+  k: number,
+  t: number,
+  offF: number,
+  slope: number,
+  offSlope: number,
+): boolean {
+  const steep = Math.abs(slope);
+  const eta = (offSlope + SMALLEST_PLACE) / steep;
+  const delta = -placeAt(PLACE_F) / slope;
+  PLACE_STEP[k] = t;
+  PLACE_STEP[k + 1] = delta;
+  PLACE_STEP[k + 2] =
+    (offF + SMALLEST_PLACE) / steep + (2 * U * eta + ROUNDED) * Math.abs(t) + TINY;
+  return eta <= 0.25 && steep < Number.POSITIVE_INFINITY;
+}
+
+/** (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish while s is long. */
+const times = (a: number, [x, y, z]: Vec3, s: number): number =>
+  x * (s * x) + z * (s * z) - a * (y * (s * y));
+
+/**
+ * The hit at the faithful root t, or null where a component stays open, or all of the normal's are
+ * zero.
+ */
+export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
+  const { origin: E, direction: d } = ray;
+  // A cylinder does not look at y: from E's own height nothing is subtracted.
+  putPlace(ray, [q.Cx, q.hasY ? q.Cy : E[1], q.Cz], t);
+  const [x, y, z] = [placeAt(0), placeAt(2), placeAt(4)];
+  if (q.squared) putSquare(PLACE_FLARE, q.flare);
+  else dd.set(PLACE, PLACE_FLARE, q.flare);
+  const a = placeAt(PLACE_FLARE);
+  placeAlgebra[ALGEBRA_FLARE] = a;
+  placeAlgebra[ALGEBRA_FLARE + 1] = placeAt(PLACE_FLARE + 1);
+  const size = Math.abs(a);
+  dd.sqr(PLACE, PLACE_F, 0);
+  dd.sqr(PLACE, PLACE_S, 4);
+  dd.add(PLACE, PLACE_F, PLACE_F, PLACE_S);
+  dd.sqr(PLACE, PLACE_S, 2);
+  dd.mul(PLACE, PLACE_S, PLACE_S, PLACE_FLARE);
+  dd.sub(PLACE, PLACE_F, PLACE_F, PLACE_S);
+  putSquare(PLACE_S, q.r);
+  dd.sub(PLACE, PLACE_F, PLACE_F, PLACE_S);
+  const offF = ERROR_CURVED * (x * x + z * z + size * y * y + q.r * q.r);
+  const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
+  const offSlope =
+    ERROR_SLOPE * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
+  const bend = times(-size, d, 2 * U * Math.abs(t) + TINY);
+  const eta = (offSlope + bend + SMALLEST_PLACE) / Math.abs(slope);
+  const known =
+    eta <= 0.25 &&
+    putStep(
+      k,
+      t,
+      offF,
+      slope - times(a, d, placeAt(PLACE_F) / slope),
+      offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope)),
+    );
+  const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
+  return known && narrow ? hitAt(q, ray, placeAlgebra, PLACE_STEP, k, t) : null;
+}
+
+/** As `placeOnQuadric`; the normal is N itself. */
+export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null {
+  const { origin: E, direction: d } = ray;
+  putPlace(ray, P, t);
+  let rate = 0;
+  let steep = 0;
+  let sharp = 0;
+  let size = 0;
+  dd.set(PLACE, PLACE_F, 0);
+  for (let i = 0; i < 3; i++) {
+    const n = N[i] as number;
+    const x = d[i] as number;
+    const g = PLACE_G[i] as number;
+    dd.mulDouble(PLACE, PLACE_S, g, n);
+    dd.add(PLACE, PLACE_F, PLACE_F, PLACE_S);
+    rate += n * x;
+    steep += Math.abs(n * x);
+    sharp += Math.abs(n * placeAt(g));
+    size = Math.max(size, Math.abs(n), Math.abs(placeAt(g)));
+  }
+  if (!putStep(0, t, ERROR_FLAT * sharp, rate, ERROR_FLAT_RATE * steep) || !(size < WIDE))
+    return null;
+  const delta = PLACE_STEP[1] as number;
+  const off = PLACE_STEP[2] as number;
+  const point: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < 3; i++) {
+    const e = E[i] as number;
+    const x = d[i] as number;
+    const m = t * x;
+    const s = e + m;
+    const p = s + (sumError(e, m, s) + productError(t, x, m) + delta * x);
+    const offX = x === 0 ? 0 : off * Math.abs(x) + 16 * UU * Math.abs(s) + LOST_PLACE;
+    if (!(offX <= FAITHFUL * Math.abs(p))) return null;
+    point[i] = p + 0;
+  }
+  return { t, point, normal: [N[0], N[1], N[2]], singular: false };
+}

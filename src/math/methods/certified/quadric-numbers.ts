@@ -1,0 +1,252 @@
+import { type Quadric, quadricOf, stillHolds } from '../../batch/quadric.ts';
+import { exponentOf, powerOfTwo } from '../../float/bits.ts';
+import { productError, SPLITTER, squareError } from '../../float/eft.ts';
+import type { Shape } from '../../shapes/index.ts';
+
+/**
+ * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k = √|a|, so that all three
+ * coordinates are alike. k = k1 + k2, k1 with at most 26 bits, off by less than 2^-78 k; for a cone k = |c| exactly.
+ * ρ = rho + rhoLow exactly.
+ */
+export interface CertifiedQuadric {
+  readonly k: number;
+  readonly k1: number;
+  readonly k2: number;
+  /** The sign of a. */
+  readonly sign: number;
+  readonly rho: number;
+  readonly rhoLow: number;
+  /** a rounded to a double. */
+  readonly flare: number;
+  /** Whether the fast stages may be used: see BOX. */
+  readonly inBox: boolean;
+  /** What the loops need of all that, as doubles for certain. */
+  readonly numbers: Float64Array;
+  /** The shape in units of its own, if it is an ordinary one. */
+  readonly lattice: Lattice | null;
+}
+
+/**
+ * The fast stages work on rays and shapes whose numbers lie between 2^-100 and 2^100 (zero where that makes sense): no
+ * product of theirs can overflow, and what underflows is far below their absolute terms. The rest is scaled first.
+ */
+export const BOX = 2 ** 100;
+
+/** Where in `numbers` each is; `flare` is a rounded, `flareLow` the rest of it, and `wide` is max(1, k). */
+export const AT_SCALED = {
+  Cx: 0,
+  Cy: 1,
+  Cz: 2,
+  k: 3,
+  k1: 4,
+  k2: 5,
+  sign: 6,
+  rho: 7,
+  rhoLow: 8,
+  flare: 9,
+  wide: 10,
+  flareLow: 11,
+} as const;
+
+const KEPT = 8;
+const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];
+let oldest = 0;
+
+/** One ray at a time, the same few shapes are asked about again and again: the latest ones are kept. */
+export function certifiedQuadric(q: Quadric): CertifiedQuadric {
+  for (const { q: known, c } of kept) if (same(known, q)) return c;
+  const c = prepared(q);
+  kept[oldest] = { q, c };
+  oldest = (oldest + 1) % KEPT;
+  return c;
+}
+
+/** A shape's numbers, and how the kernels take them. */
+export interface ReadQuadric {
+  readonly kind: Shape['kind'];
+  readonly q: Quadric;
+  readonly c: CertifiedQuadric;
+}
+
+let latest: ReadQuadric | null = null;
+
+/** The shape, read as a quadric; null where it is none. The last one is recognized by its numbers: a shape is its caller's and may change. */
+export function readQuadric(shape: Shape): ReadQuadric | null {
+  if (latest !== null && stillHolds(latest.q, latest.kind, shape)) return latest;
+  const q = quadricOf(shape);
+  if (!q) return null;
+  latest = { kind: shape.kind, q, c: certifiedQuadric(q) };
+  return latest;
+}
+
+const same = (a: Quadric, b: Quadric): boolean =>
+  a.Cx === b.Cx &&
+  a.Cy === b.Cy &&
+  a.Cz === b.Cz &&
+  a.r === b.r &&
+  a.flare === b.flare &&
+  a.hasY === b.hasY &&
+  a.squared === b.squared;
+
+function prepared(q: Quadric): CertifiedQuadric {
+  const rho = q.r * q.r;
+  const size = Math.abs(q.flare);
+  const s = q.squared ? size : Math.sqrt(size);
+  // √a to twice the digits: the remainder a − s² is a double, and so is its half over s but for one rounding.
+  const p = s * s;
+  const rest = q.squared || s === 0 ? 0 : (size - p - squareError(s, p)) / (2 * s);
+  const big = SPLITTER * s;
+  const k1 = big - (big - s);
+  const k2 = s - k1 + rest;
+  const sign = q.squared || q.flare > 0 ? 1 : -1;
+  const rhoLow = productError(q.r, q.r, rho);
+  const flare = q.squared ? q.flare * q.flare : q.flare;
+  const wide = Math.max(1, s);
+  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
+  return {
+    k: s,
+    k1,
+    k2,
+    sign,
+    rho,
+    rhoLow,
+    numbers: Float64Array.of(
+      ...[q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow],
+      ...[flare, wide, flareLow],
+    ),
+    flare,
+    inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
+    lattice: latticeOf(q),
+  };
+}
+
+/*
+ * Ordinary rays are cut so that their leading parts are whole multiples of a unit: x = whole + rest with |rest| ≤ 1/2 unit, and sums, products and squares
+ * of the whole parts are exact as long as they stay below 2^53 units. The units are powers of two that depend on the shape alone, so a ray's answer does not
+ * depend on its neighbours in the batch. That of y is smaller by the power of two, `up`, that brings a into [1/4, 1): so all three coordinates are alike, and
+ * bounds speak of y times `up`. (x + σ) − σ with σ = 1.5·2^52 units is x cut to units.
+ */
+
+/** |d| = 1 has 2^8 units, and a t that leads over the shape's size 2^9 or so. */
+const DIRECTION_BITS = 8;
+export const UNIT_OF_DIRECTION = 2 ** -DIRECTION_BITS;
+/** The shape's size has 2^17 units or up to twice as many: points up to 30 sizes from the centre have fewer than 2^23. */
+const SIZE_BITS = 17;
+/** Shapes beyond these powers of two are not ordinary. */
+const LARGEST_EXPONENT = 60;
+const LARGEST_STRETCH = 30;
+/** In units: beyond, E and C could not be cut exactly any more. */
+const LARGEST_LENGTH = 2 ** 45;
+/** In units: some component of d has then at least 2^3 units, so that t·d shows it when t is too large to be cut. */
+const SMALLEST_DIRECTION = 2 ** 4;
+/** In units: beyond, the sums of a point's whole parts might not be exact (units-roots.ts). */
+const LARGEST_SIZE = 2 ** 24;
+/** In units of t: how far apart the roots must be (units-roots.ts). */
+const LEAST_GAP = 20;
+/** In units: far above what may be lost to underflow, and below what matters. */
+const SMALLEST_IN_UNITS = 2 ** -100;
+
+/**
+ * A shape with its units, as one array of doubles: of an object's fields V8 would not know inside a loop whether they are small integers.
+ * Where each number is, is told by AT.
+ */
+export type Lattice = Float64Array;
+
+/**
+ * Where in a Lattice each number is. `cut`… cut d, dy, E, Ey and t to their units. C and ρ are cut into `whole` and `rest`; a = a1 + a2 + a3, in stretched y
+ * a1 in 32nds and a2 in 2^11ths, |a2| ≤ 2^-6, |a3| ≤ 2^-12. `two` are two units of t; the others are the limits above, as lengths or their squares.
+ */
+export const AT_LATTICE = {
+  cutD: 0,
+  cutDy: 1,
+  cutE: 2,
+  cutEy: 3,
+  cutT: 4,
+  Cx: 5,
+  Cy: 6,
+  Cz: 7,
+  wholeX: 8,
+  wholeY: 9,
+  wholeZ: 10,
+  restX: 11,
+  restY: 12,
+  restZ: 13,
+  a: 14,
+  a1: 15,
+  a2: 16,
+  a3: 17,
+  rho: 18,
+  wholeRho: 19,
+  restRho: 20,
+  up: 21,
+  two: 22,
+  smallest: 23,
+  largestDirection: 24,
+  smallestDirection: 25,
+  largestSize: 26,
+  leastGap: 27,
+} as const;
+
+const LATTICE_COUNT = 28;
+
+/** x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction. Math.round would make V8 convert to int32 and back. */
+const ROUND = 1.5 * 2 ** 52;
+const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
+
+/** Null for a shape whose numbers are not ordinary. */
+export function latticeOf(q: Quadric): Lattice | null {
+  const flare = q.squared ? q.flare * q.flare : q.flare;
+  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
+  const size = exponentOf(q.r || 1);
+  const stretch = flare === 0 ? 0 : Math.ceil((exponentOf(flare) + 1) / 2);
+  if (!(Math.abs(size) <= LARGEST_EXPONENT && Math.abs(stretch) <= LARGEST_STRETCH)) return null;
+  const up = powerOfTwo(stretch);
+  const unit = powerOfTwo(size - SIZE_BITS);
+  const unitD = UNIT_OF_DIRECTION;
+  const unitT = unit / unitD;
+  const farthest = Math.max(Math.abs(q.Cx), Math.abs(q.Cy) * up, Math.abs(q.Cz));
+  if (!(farthest < LARGEST_LENGTH * unit)) return null;
+  const [wholeX, wholeY, wholeZ] = [cut(q.Cx, unit), cut(q.Cy, unit / up), cut(q.Cz, unit)];
+  const square = up * up;
+  const a1 = cut(flare, square / 2 ** 5);
+  const a2 = cut(flare - a1, square / 2 ** 11);
+  const rho = q.r * q.r;
+  const wholeRho = cut(rho, unit * unit);
+  return latticeWith({
+    cutD: ROUND * unitD,
+    cutDy: (ROUND * unitD) / up,
+    cutE: ROUND * unit,
+    cutEy: (ROUND * unit) / up,
+    cutT: ROUND * unitT,
+    Cx: q.Cx,
+    Cy: q.Cy,
+    Cz: q.Cz,
+    wholeX,
+    wholeY,
+    wholeZ,
+    restX: q.Cx - wholeX,
+    restY: q.Cy - wholeY,
+    restZ: q.Cz - wholeZ,
+    a: flare,
+    a1,
+    a2,
+    a3: flare - a1 - a2 + flareLow,
+    rho,
+    wholeRho,
+    restRho: rho - wholeRho + productError(q.r, q.r, rho),
+    up,
+    two: 2 * unitT,
+    smallest: SMALLEST_IN_UNITS * (unit * unitD) ** 2,
+    largestDirection: (LARGEST_LENGTH * unitD) ** 2,
+    smallestDirection: (SMALLEST_DIRECTION * unitD) ** 2,
+    largestSize: LARGEST_SIZE * unit,
+    leastGap: LEAST_GAP * unitT,
+  });
+}
+
+function latticeWith(numbers: Readonly<Record<keyof typeof AT_LATTICE, number>>): Lattice {
+  const lattice = new Float64Array(LATTICE_COUNT);
+  for (const [name, at] of Object.entries(AT_LATTICE))
+    lattice[at] = numbers[name as keyof typeof AT_LATTICE];
+  return lattice;
+}

@@ -1,0 +1,302 @@
+import type { Answers, Rays } from '../../batch/batch.ts';
+import { AT_LATTICE, type Lattice, UNIT_OF_DIRECTION } from './quadric-numbers.ts';
+import { FAITHFUL_ONCE } from './stage.ts';
+import {
+  coarseAroundAxis,
+  coarseInSpace,
+  createScratch,
+  HITS,
+  type Scratch,
+  UNSETTLED,
+} from './units-rough.ts';
+
+/*
+ * Pass 2: f = q·q − ρ, q = p + t d, at the whole numbers t next to the rough roots, and g = q·d at the nearer one. In units (y times `up`), for
+ * lift = |t| + 2, l = lift/2 and s = Σ|qh|:
+ *
+ *   d = dh + dl, E = eh + el, |dl|, |el| ≤ 1/2, exactly; ph = eh − Ch and qh = ph + t·dh are exact;
+ *   ql = (el − Cl) + t·dl: |ql| ≤ |t|/2 + 1 = l; roundings u, u|t|/2 and u·l:                |δql| ≤ 2u·l
+ *   S = Σ|qh + ql| ≤ s + 1.5 lift = size, and so is Σ|2qh + ql|/2
+ *   H = Σqh² − ρh − …: size ≤ 2^24 keeps its terms below 2^48. x² + z² − a1·y² − ρh counts in 32nds, and a2·y² is a multiple of
+ *   2^-11, at most 2^5 · 2^48 of them: exact but for the last subtraction,                   u|H| ≤ u(|f| + |L|)
+ *   L = Σ ql(2qh + ql), |L| ≤ 2l·S: from δql 2, the bracket 1, the product 1, for y a's rounding 1 and its product 1, and four sums:
+ *   10u·2l·S = 10u·lift·size with the share of H;
+ *   a3: |a3| ≤ 2^-12, its rounding, the product and a sum:                                    3u·2^-12 s² < u·2^-10.4 s²
+ *   the rest of ρ (≤ 1/2) and the sum of both:                                                3u|f| in all.
+ *
+ * So |δf| ≤ ε + 3u|f|, ε = u·size(10·lift + 2^-10.4 size). And g: q is rounded, u, and off by 2u·l; the products u, a twice more; two sums:
+ * |δg| ≤ 6u·reach, where reach is the sum of the products' sizes, and what ql adds is far less.
+ *
+ * Math.abs is taken of numbers with a fraction where there is a choice: of whole ones V8 expects int32.
+ */
+
+export type ResidualPass = (lattice: Lattice) => void;
+
+export function residualsInSpace(s: Scratch): ResidualPass {
+  const { x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, near, far, count } = s;
+  const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
+  return (lattice) => {
+    const cutD = lattice[AT_LATTICE.cutD] as number;
+    const cutE = lattice[AT_LATTICE.cutE] as number;
+    const cutT = lattice[AT_LATTICE.cutT] as number;
+    const wholeX = lattice[AT_LATTICE.wholeX] as number;
+    const cutDy = lattice[AT_LATTICE.cutDy] as number;
+    const cutEy = lattice[AT_LATTICE.cutEy] as number;
+    const up = lattice[AT_LATTICE.up] as number;
+    const wholeY = lattice[AT_LATTICE.wholeY] as number;
+    const wholeZ = lattice[AT_LATTICE.wholeZ] as number;
+    const restX = lattice[AT_LATTICE.restX] as number;
+    const restY = lattice[AT_LATTICE.restY] as number;
+    const restZ = lattice[AT_LATTICE.restZ] as number;
+    const a = lattice[AT_LATTICE.a] as number;
+    const a1 = lattice[AT_LATTICE.a1] as number;
+    const a2 = lattice[AT_LATTICE.a2] as number;
+    const wholeRho = lattice[AT_LATTICE.wholeRho] as number;
+    const a3 = lattice[AT_LATTICE.a3] as number;
+    const restRho = lattice[AT_LATTICE.restRho] as number;
+    const hits = count[HITS] as number;
+    for (let j = 0; j < hits; j++) {
+      const x = xs[j] as number;
+      const y = ys[j] as number;
+      const z = zs[j] as number;
+      const ex = exs[j] as number;
+      const ey = eys[j] as number;
+      const ez = ezs[j] as number;
+      const xh = x + cutD - cutD;
+      const yh = y + cutDy - cutDy;
+      const zh = z + cutD - cutD;
+      const xl = x - xh;
+      const yl = y - yh;
+      const zl = z - zh;
+      const exh = ex + cutE - cutE;
+      const eyh = ey + cutEy - cutEy;
+      const ezh = ez + cutE - cutE;
+      const pxh = exh - wholeX;
+      const pyh = eyh - wholeY;
+      const pzh = ezh - wholeZ;
+      const pxl = ex - exh - restX;
+      const pyl = ey - eyh - restY;
+      const pzl = ez - ezh - restZ;
+      const t = (near[j] as number) + cutT - cutT;
+      const qx = pxh + t * xh;
+      const qy = pyh + t * yh;
+      const qz = pzh + t * zh;
+      const qxl = pxl + t * xl;
+      const qyl = pyl + t * yl;
+      const qzl = pzl + t * zl;
+      const atX = qx + qxl;
+      const atY = qy + qyl;
+      const atZ = qz + qzl;
+      const gx = atX * x;
+      const gy = a * (atY * y);
+      const gz = atZ * z;
+      gs[j] = gx + gz - gy;
+      reach[j] = Math.abs(gx) + Math.abs(gz) + Math.abs(gy);
+      const round = qx * qx + qz * qz;
+      const yy = qy * qy;
+      fNear[j] =
+        round -
+        a1 * yy -
+        wholeRho -
+        a2 * yy +
+        (qxl * (qx + atX) + qzl * (qz + atZ) - a * (qyl * (qy + atY)) - a3 * yy - restRho);
+      const v = (far[j] as number) + cutT - cutT;
+      const wx = pxh + v * xh;
+      const wy = pyh + v * yh;
+      const wz = pzh + v * zh;
+      const wxl = pxl + v * xl;
+      const wyl = pyl + v * yl;
+      const wzl = pzl + v * zl;
+      const wide = wx * wx + wz * wz;
+      const vv = wy * wy;
+      fFar[j] =
+        wide -
+        a1 * vv -
+        wholeRho -
+        a2 * vv +
+        (wxl * (wx + wx + wxl) +
+          wzl * (wz + wz + wzl) -
+          a * (wyl * (wy + wy + wyl)) -
+          a3 * vv -
+          restRho);
+      wholeNear[j] = t;
+      wholeFar[j] = v;
+      spread[j] = Math.abs(qx) + up * Math.abs(qy) + Math.abs(qz);
+      spreadFar[j] = Math.abs(wx) + up * Math.abs(wy) + Math.abs(wz);
+    }
+  };
+}
+
+export function residualsAroundAxis(s: Scratch): ResidualPass {
+  const { x: xs, z: zs, ex: exs, ez: ezs, near, far, count } = s;
+  const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
+  return (lattice) => {
+    const cutD = lattice[AT_LATTICE.cutD] as number;
+    const cutE = lattice[AT_LATTICE.cutE] as number;
+    const cutT = lattice[AT_LATTICE.cutT] as number;
+    const wholeX = lattice[AT_LATTICE.wholeX] as number;
+    const wholeZ = lattice[AT_LATTICE.wholeZ] as number;
+    const restX = lattice[AT_LATTICE.restX] as number;
+    const restZ = lattice[AT_LATTICE.restZ] as number;
+    const wholeRho = lattice[AT_LATTICE.wholeRho] as number;
+    const restRho = lattice[AT_LATTICE.restRho] as number;
+    const hits = count[HITS] as number;
+    for (let j = 0; j < hits; j++) {
+      const x = xs[j] as number;
+      const z = zs[j] as number;
+      const ex = exs[j] as number;
+      const ez = ezs[j] as number;
+      const xh = x + cutD - cutD;
+      const zh = z + cutD - cutD;
+      const xl = x - xh;
+      const zl = z - zh;
+      const exh = ex + cutE - cutE;
+      const ezh = ez + cutE - cutE;
+      const pxh = exh - wholeX;
+      const pzh = ezh - wholeZ;
+      const pxl = ex - exh - restX;
+      const pzl = ez - ezh - restZ;
+      const t = (near[j] as number) + cutT - cutT;
+      const qx = pxh + t * xh;
+      const qz = pzh + t * zh;
+      const qxl = pxl + t * xl;
+      const qzl = pzl + t * zl;
+      const atX = qx + qxl;
+      const atZ = qz + qzl;
+      const gx = atX * x;
+      const gz = atZ * z;
+      gs[j] = gx + gz;
+      reach[j] = Math.abs(gx) + Math.abs(gz);
+      const round = qx * qx + qz * qz;
+      fNear[j] = round - wholeRho + (qxl * (qx + atX) + qzl * (qz + atZ) - restRho);
+      const v = (far[j] as number) + cutT - cutT;
+      const wx = pxh + v * xh;
+      const wz = pzh + v * zh;
+      const wxl = pxl + v * xl;
+      const wzl = pzl + v * zl;
+      const wide = wx * wx + wz * wz;
+      fFar[j] = wide - wholeRho + (wxl * (wx + wx + wxl) + wzl * (wz + wz + wzl) - restRho);
+      wholeNear[j] = t;
+      wholeFar[j] = v;
+      spread[j] = Math.abs(qx) + Math.abs(qz);
+      spreadFar[j] = Math.abs(wx) + Math.abs(wz);
+    }
+  };
+}
+
+/*
+ * Pass 3. At a whole number a the quadratic has the value f and half the slope g = A·a + b, and D = g² − A f whatever a is. So with S = ±√D, of A's sign,
+ *
+ *   the smaller root is a + fa/(S − g),     the larger one b − fb/(S + g + A(b − a)),
+ *
+ * and S is had from the rough √D by Newton's step, which squares its error of 2^-29 (pass 1). With w = Am/|A|, R = reach/|S|, the steps δ ≤ 0.51 units and a gap
+ * b − a of at least LEAST_GAP units: |A f|/D ≤ 4·0.51·1.03/20 < 0.11, and |g| is between 0.94|S| and 1.06|S|.
+ *
+ *   S: g² 12.7uR and 1.1u; A f 3u + (3w + 2)u, times 0.11; the difference u; half of all that; the step's roundings 1.5u:   6.4uR + (0.2w + 2.9)u
+ *   S − g ≥ 1.94|S|: 6.4uR + 6uR + (0.2w + 2.9)u of |S|, and u:                                                       6.4uR + (0.1w + 2.5)u
+ *   S + g + A·gap: the same, and A·gap ≤ 2.12|S| with (3w + 2)u, two roundings:                                       6.4uR + (3.5w + 6)u
+ *   each step: f 3u, and four roundings (of one quotient for both, 1/(product of the divisors), in which each divisor cancels):  7u
+ *   together                                                                           (6.5R + 4w + 14)u|δ|: SLACK_G, SLACK_A, SLACK
+ *   From its own ε: ε/1.94|S|, and through S a fortieth of that:                                                      1.06 ε/(2|S|)
+ *   From εa through S into the larger root's step: |A|εa/(2|S|)/(1.94|S|)·|δb|, |A δb| ≤ 0.055|S|:                    0.03 εa/(2|S|): SHARE
+ *
+ * A root is rounded once: it is faithful, and the root itself where that is a double, if it was off by less than u|t|/2 before, since neighbours of t are
+ * at least u|t| apart. FAITHFUL_ONCE leaves a tenth for evaluating the bound. NaN and what overflows fail the comparisons.
+ */
+export const ROUNDING = 11 * 2 ** -53 * UNIT_OF_DIRECTION;
+export const SMALL = 2 ** -11 * 2 ** -53;
+export const SLACK_G = 13 * 2 ** -53;
+export const SHARE = 2 ** -5;
+export const SOLVE_BOUNDS = Float64Array.of(
+  ROUNDING,
+  SMALL,
+  FAITHFUL_ONCE,
+  SLACK_G,
+  1.5 * UNIT_OF_DIRECTION,
+  SHARE,
+);
+
+export type SolvePass = (lattice: Lattice, out: Answers) => void;
+
+export function solvePass(s: Scratch): SolvePass {
+  const { index, A: As, slope: slopes, half: halves, slack, unsettled, count } = s;
+  const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
+  return (lattice, { t0, t1 }) => {
+    const two = lattice[AT_LATTICE.two] as number;
+    const largest = lattice[AT_LATTICE.largestSize] as number;
+    const leastGap = lattice[AT_LATTICE.leastGap] as number;
+    const hits = count[HITS] as number;
+    let left = count[UNSETTLED] as number;
+    const rounding = SOLVE_BOUNDS[0] as number;
+    const small = SOLVE_BOUNDS[1] as number;
+    const faithful = SOLVE_BOUNDS[2] as number;
+    const slackG = SOLVE_BOUNDS[3] as number;
+    const threeHalves = SOLVE_BOUNDS[4] as number;
+    const share = SOLVE_BOUNDS[5] as number;
+    for (let j = 0; j < hits; j++) {
+      const a = wholeNear[j] as number;
+      const b = wholeFar[j] as number;
+      const A = As[j] as number;
+      const slope = slopes[j] as number;
+      const half = halves[j] as number;
+      const g = gs[j] as number;
+      const fA = fNear[j] as number;
+      const fB = fFar[j] as number;
+      const gap = b - a;
+      const root = slope + (g * g - A * fA - slope * slope) * half;
+      const downA = root - g;
+      const downB = root + (g + A * gap);
+      const over = 1 / (downA * downB);
+      const stepA = fA * (downB * over);
+      const stepB = fB * (downA * over);
+      const rootA = a + stepA;
+      const rootB = b - stepB;
+      const liftA = Math.abs(a) + two;
+      const liftB = Math.abs(b) + two;
+      const sizeA = (spread[j] as number) + threeHalves * liftA;
+      const sizeB = (spreadFar[j] as number) + threeHalves * liftB;
+      const weight = Math.abs(half);
+      const loss = (slack[j] as number) + slackG * ((reach[j] as number) * weight);
+      const lostA = Math.abs(stepA);
+      const lostB = Math.abs(stepB);
+      const epsilonA = sizeA * (rounding * liftA + small * sizeA);
+      const epsilonB = sizeB * (rounding * liftB + small * sizeB);
+      const errorA = weight * epsilonA;
+      const errorB = weight * (epsilonB + share * epsilonA);
+      const settled =
+        errorA + loss * lostA <= faithful * Math.abs(rootA) &&
+        errorB + loss * lostB <= faithful * Math.abs(rootB) &&
+        gap >= leastGap &&
+        sizeA < largest &&
+        sizeB < largest;
+      const i = index[j] as number;
+      if (settled) {
+        t0[i] = rootA;
+        t1[i] = rootB;
+      } else unsettled[left++] = i;
+    }
+    count[UNSETTLED] = left;
+  };
+}
+
+const scratch = createScratch();
+const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;
+const residuals = [residualsAroundAxis(scratch), residualsInSpace(scratch)] as const;
+const solve = solvePass(scratch);
+
+export const { doubtful, unsettled, count } = scratch;
+
+/** Both roots of rays `from` to `to`, but for count[DOUBTS] `doubtful` and count[UNSETTLED] `unsettled` ones. */
+export function ordinaryRoots(
+  lattice: Lattice,
+  hasY: boolean,
+  rays: Rays,
+  out: Answers,
+  from: number,
+  to: number,
+): void {
+  const form = hasY ? 1 : 0;
+  coarse[form](lattice, rays, out, from, to);
+  residuals[form](lattice);
+  solve(lattice, out);
+}
