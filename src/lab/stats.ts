@@ -2,7 +2,7 @@
  * Order statistics of a measurement; the mean of times says more about the machine's other work
  * than about ours.
  */
-interface Quartiles {
+export interface Quartiles {
   readonly low: number;
   readonly median: number;
   readonly high: number;

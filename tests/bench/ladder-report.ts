@@ -1,81 +1,104 @@
-import { priceOf } from '../../src/lab/price.ts';
 import type { Quality } from '../../src/lab/quality.ts';
-import type { Times } from '../../src/lab/run.ts';
-import { quantile, quartiles } from '../../src/lab/stats.ts';
+import { type Quartiles, quantile } from '../../src/lab/stats.ts';
 import type { Family } from '../../src/math/families.ts';
+import type { Method } from '../../src/math/shapes.ts';
+import type { Compared } from './objects.ts';
+import type { Beside } from './others.ts';
+import { type Form, nameOf, type Prices, ratioOf, TARGETS, type Target } from './prices.ts';
+import { ORDERS, type Order } from './rays.ts';
 
-/** What was measured of one family: for each method its times, both ways, and its mistakes. */
+/** What was measured of one family: each method's mistakes, and its times. */
 export interface Measured {
   readonly family: Pick<Family, 'id' | 'title' | 'idea'>;
-  readonly roots: Times;
-  readonly classes: Times;
   readonly quality: ReadonlyMap<string, Quality>;
+  readonly prices: Prices;
   readonly rays: number;
 }
 
 export const MARKS = ['<!-- bench -->', '<!-- /bench -->'] as const;
 
-/** To textbook: of the best rounds (quartiles, round by round). */
-export function ratios(times: Times, id: string): string {
-  const base = times.get('textbook') ?? [];
-  const { low, high } = quartiles((times.get(id) ?? []).map((x, k) => x / (base[k] ?? 1)));
-  return `${ratioOf(times, id)} (${low.toFixed(2)}–${high.toFixed(2)})`;
-}
-
-const leastOf = (times: Times, id: string): number => priceOf(times.get(id) ?? []).least;
-
-const ratioOf = (times: Times, id: string): string =>
-  (leastOf(times, id) / leastOf(times, 'textbook')).toFixed(2);
-
-export const nanoseconds = (times: Times, id: string, rays: number): string =>
-  Math.round((leastOf(times, id) / rays) * 1e6).toString();
-
 const row = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
 
-function table(head: readonly string[], rows: readonly (readonly string[])[]): string[] {
+export function table(head: readonly string[], rows: readonly (readonly string[])[]): string[] {
   return [row(head), row(head.map((_, i) => (i === 0 ? '---' : '---:'))), ...rows.map(row)];
 }
+
+const MISSING = '–';
+
+/** Three figures: the quartiles lie further apart. */
+const figures = (x: number): string => (x >= 100 ? x.toFixed(0) : x.toPrecision(3));
+const median = (q: Quartiles | null): string => (q ? figures(q.median) : MISSING);
+export const spread = (q: Quartiles | null): string =>
+  q ? `${figures(q.median)} (${figures(q.low)}–${figures(q.high)})` : MISSING;
 
 /** 0, a few units, or a rounded power: what fits into a cell. */
 const short = (x: number): string =>
   x < 1000 ? x.toFixed(0) : x.toExponential(1).replace('+', '');
 
 const ulpsOf = ({ ulps }: Quality, share: number): string =>
-  ulps.length ? short(quantile(ulps, share)) : '–';
+  ulps.length ? short(quantile(ulps, share)) : MISSING;
 
-/** One family in full. */
-export function familyTable({ family, roots, classes, quality, rays }: Measured): string[] {
+const microseconds = ({ times, rays }: Prices, id: string, order: Order): string => {
+  const all = [...(times[order].get(id) ?? [])].sort((a, b) => a - b);
+  return all.length ? `${((quantile(all, 0.5) / rays) * 1000).toPrecision(3)} µs` : MISSING;
+};
+
+/** Both targets in both orders: the cells of one line. */
+const cells = (of: (target: Target, order: Order) => string): string[] =>
+  TARGETS.flatMap((target) => ORDERS.map((order) => of(target, order)));
+
+/** textbook32 in TypeScript rounds each operation to float32 by a call: no price of float32. */
+const isEmulated = (id: string, target: Target): boolean =>
+  id === 'textbook32' && target === 'typescript';
+
+const toTextbook = (
+  { times }: Prices,
+  id: string,
+  target: Target,
+  order: Order,
+  form: Form,
+): Quartiles | null =>
+  ratioOf(times[order], nameOf(id, target, form), nameOf('textbook', target, form));
+
+/** One family in full, in the order that it is drawn in. */
+export function familyTable({ family, quality, prices }: Measured): string[] {
   const rows = [...quality].map(([id, q]) => [
     id,
-    ratios(roots, id),
-    nanoseconds(roots, id, rays),
-    ratios(classes, id),
-    nanoseconds(classes, id, rays),
+    ...TARGETS.map((target) =>
+      isEmulated(id, target) ? MISSING : spread(toTextbook(prices, id, target, 'random', 'both')),
+    ),
     `${q.wrong}`,
     `${q.undecided}`,
     ulpsOf(q, 0.999),
     ulpsOf(q, 1),
   ]);
-  const head = 'method,both roots,ns,class only,ns,wrong class,undecided,ulps: 99.9 %,max'.split(
-    ',',
-  );
+  const head = 'method,SIMD,TypeScript,wrong class,undecided,ulps: 99.9 %,max'.split(',');
   return [`### ${family.title}`, '', family.idea, '', ...table(head, rows), ''];
 }
 
+/** The rest of what was measured on many rays. */
+export interface Ladder {
+  readonly typical: Prices;
+  readonly onSurface: Prices;
+  readonly methods: readonly Method[];
+  readonly measured: readonly Measured[];
+}
+
+const HEAD = [
+  'ratio to textbook in the same column',
+  'SIMD, random',
+  'SIMD, sorted',
+  'TypeScript, random',
+  'TypeScript, sorted',
+];
+
 /**
- * The ladder at one look: what each method costs on ordinary rays and on a mix with 1 % hard ones,
- * and how often it is wrong on all the families together. Stands in docs/bench.md and, from the
- * same run, in the README.
+ * The ladder at one look: what both roots cost by each method, and how often it is wrong on all the
+ * families together. Stands in docs/bench.md and, from the same run, in the README.
  */
-export function headline(measured: readonly Measured[]): string[] {
-  const of = (id: string): Measured | undefined => measured.find(({ family }) => family.id === id);
-  const price = (id: string, form: 'roots' | 'classes', method: string): string => {
-    const found = of(id);
-    return found ? ratioOf(found[form], method) : '–';
-  };
-  const methods = [...(measured[0]?.quality.keys() ?? [])];
+export function headline({ typical, onSurface, methods, measured }: Ladder): string[] {
   const total = measured.reduce((sum, { rays }) => sum + rays, 0);
-  const rows = methods.map((id) => {
+  const rows = methods.map(({ id }) => {
     const all = measured.map(({ quality }) => quality.get(id) as Quality);
     const share = (count: (q: Quality) => number): string =>
       percent(
@@ -85,29 +108,82 @@ export function headline(measured: readonly Measured[]): string[] {
     const ulps = all.flatMap((q) => q.ulps).sort((a, b) => a - b);
     return [
       id,
-      price('typical', 'roots', id),
-      price('typical', 'classes', id),
-      price('mix', 'roots', id),
-      price('mix', 'classes', id),
+      ...cells((target, order) =>
+        isEmulated(id, target) ? MISSING : median(toTextbook(typical, id, target, order, 'both')),
+      ),
       share((q) => q.wrong),
       share((q) => q.undecided),
-      ulps.length ? short(quantile(ulps, 0.999)) : '–',
-      ulps.length ? short(ulps.at(-1) ?? 0) : '–',
+      ulps.length ? short(quantile(ulps, 0.999)) : MISSING,
     ];
   });
+  const more = (what: string, prices: Prices, form: Form): string[] => [
+    what,
+    ...cells((target, order) => median(toTextbook(prices, 'certified', target, order, form))),
+    ...['', '', ''],
+  ];
   const head = [
-    'method',
-    'typical rays: both roots',
-    'class only',
-    '1 % hard rays: both roots',
-    'class only',
+    ...HEAD,
     `wrong class, all ${measured.length} families`,
     'undecided',
     'ulps: 99.9 %',
-    'max',
   ];
-  return [MARKS[0], '', ...table(head, rows), '', MARKS[1]];
+  return [
+    MARKS[0],
+    '',
+    ...table(head, [
+      ...rows,
+      more('certified, class only', typical, 'classes'),
+      more('certified, rays that start on a surface', onSurface, 'both'),
+    ]),
+    '',
+    MARKS[1],
+  ];
 }
+
+/** What compares across columns, and what is no ratio. */
+export function besides({ typical }: Ladder): string[] {
+  const each = (of: (order: Order) => string): string => ORDERS.map(of).join(', sorted ');
+  const across = (order: Order, id: string, base: string): string =>
+    spread(ratioOf(typical.times[order], id, base));
+  const textbook = nameOf('textbook', 'typescript', 'both');
+  const certified = nameOf('certified', 'simd', 'both');
+  const emulated = nameOf('textbook32', 'typescript', 'both');
+  const exact = nameOf('exact', 'typescript', 'both');
+  return [
+    `* certified in SIMD to textbook in TypeScript: random ${each((o) => across(o, certified, textbook))}`,
+    `* textbook32 in TypeScript is emulated (Math.fround at each operation), to textbook: random ${each((o) => across(o, emulated, textbook))}`,
+    `* exact, a ray: random ${each((o) => microseconds(typical, exact, o))}`,
+    `* textbook in TypeScript, a ray: random ${each((o) => microseconds(typical, textbook, o))}`,
+    '',
+  ];
+}
+
+/** Every ratio again with its quartiles. */
+export function quartilesTable({ typical, onSurface, methods }: Ladder): string[] {
+  const line = (what: string, prices: Prices, id: string, form: Form): string[] => [
+    what,
+    ...cells((target, order) =>
+      isEmulated(id, target) ? MISSING : spread(toTextbook(prices, id, target, order, form)),
+    ),
+  ];
+  return table(HEAD, [
+    ...methods.map(({ id }) => line(id, typical, id, 'both')),
+    ...methods.map(({ id }) => line(`${id}, class only`, typical, id, 'classes')),
+    line('certified, rays that start on a surface', onSurface, 'certified', 'both'),
+  ]);
+}
+
+export const objectLines = (compared: readonly Compared[]): string[] =>
+  table(
+    ['`intersect`, one ray at a time, input checked, t and class read', 'ratio'],
+    compared.map((one) => [one.what, spread(one)]),
+  );
+
+export const otherLines = (beside: readonly Beside[]): string[] =>
+  table(
+    ['first hit at t ≥ 0, to textbook’s batch in TypeScript', 'ratio', 'wrong verdicts', 'rays'],
+    beside.map((one) => [one.what, spread(one), `${one.wrong}`, `${one.rays}`]),
+  );
 
 const percent = (part: number, all: number): string =>
   part === 0 ? '0' : `${((100 * part) / all).toPrecision(2)} %`;

@@ -100,7 +100,7 @@ describe('the table of the ladder', () => {
   test('is in the README as in docs/bench.md, with every method', () => {
     const shown = table(readme);
     expect(shown).toBe(table(read('docs/bench.md')));
-    const methods = [...shown.matchAll(/^\| (\w+) \| [\d.]+ \|/gm)].map((m) => m[1]);
+    const methods = [...shown.matchAll(/^\| (\w+) \| [\d.–]+ \|/gm)].map((m) => m[1]);
     expect(methods).toEqual(METHODS.map(({ id }) => id));
   });
 
@@ -111,7 +111,7 @@ describe('the table of the ladder', () => {
     expect(measured.length).toBeGreaterThan(20);
     for (const { title } of measured) {
       const [, part = ''] = bench.split(`### ${title}\n`);
-      const methods = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| [\d.]+ \(/gm)];
+      const methods = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| (?:–|[\d.]+ \()/gm)];
       expect([title, ...methods.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
     }
   });
