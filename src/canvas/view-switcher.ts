@@ -16,7 +16,10 @@ export function viewSwitcher(parent: Element, dispatch: Dispatch): (view: View) 
     return { id, button };
   });
   parent.append(group);
+  let shown: View | null = null;
   return (view) => {
+    if (view === shown) return;
+    shown = view;
     for (const { id, button } of buttons) button.setAttribute('aria-pressed', String(id === view));
   };
 }

@@ -7,6 +7,8 @@ import { clamp } from './steps.ts';
 
 /** Between the plot and what is written left of it, and down to what is written under it, in em. */
 const [ASIDE, UNDER] = [0.65, 1.4];
+/** Length of a nick under the plot, in em. */
+const NICK = 0.35;
 
 /** What lies under the graph: t < 0, the grid of f, the line t = 0, and the labels of both axes. */
 export function grid(scales: Scales, id: string): TemplateResult {
@@ -16,30 +18,28 @@ export function grid(scales: Scales, id: string): TemplateResult {
   const showsZero = x(0) >= left && x(0) <= right;
   return svg`
     <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${coordinate(zero - left)} height=${bottom - top}></rect>
+    <path class="graph-grid" d=${scales.fTicks.map(({ at }) => `M${left},${coordinate(at)}H${right}`).join('')}></path>
+    <path class="graph-nick" d=${scales.tTicks.map(({ at }) => `M${coordinate(at)},${bottom}v${coordinate(NICK * frame.em)}`).join('')}></path>
     ${scales.fTicks.map((tick) => fTick(tick, frame))}${scales.tTicks.map((tick) => tTick(tick, frame))}
     ${names(scales)}
     ${showsZero ? svg`<line class="graph-zero" data-symbol="E" x1=${zero} x2=${zero} y1=${top} y2=${bottom}></line>` : ''}`;
 }
 
-function fTick({ at, label }: Tick, { left, right, top, em }: Frame): TemplateResult {
+function fTick({ at, label }: Tick, { left, top, em }: Frame): TemplateResult | string {
   const y = coordinate(at);
   // The highest label would touch the name of the axis.
-  const text =
-    y < top + 0.5 * em
-      ? ''
-      : svg`<text class="graph-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
-  return svg`<line class="graph-grid" x1=${left} x2=${right} y1=${y} y2=${y}></line>${text}`;
+  return y < top + 0.5 * em
+    ? ''
+    : svg`<text class="graph-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
 }
 
-function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResult {
+function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResult | string {
   const x = coordinate(at);
   const half = (label.length * LETTER * em) / 2;
   // A label at an end must neither cover the name t nor leave the graph.
-  const fits = at - half > 2 * em && at + half < width;
-  const text = fits
+  return at - half > 2 * em && at + half < width
     ? svg`<text class="graph-tick" text-anchor="middle" x=${x} y=${coordinate(bottom + UNDER * em)}>${label}</text>`
     : '';
-  return svg`<line class="graph-nick" x1=${x} x2=${x} y1=${bottom} y2=${coordinate(bottom + 0.35 * em)}></line>${text}`;
 }
 
 /** The names of the axes, and the power of ten that was taken out of the labels of f. */

@@ -3,23 +3,22 @@ import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import { areaPath, curvePath, type Parabola } from './graph-curve.ts';
 import { LETTER } from './graph-frame.ts';
-import type { Scales, Tick } from './graph-scales.ts';
+import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
 
 /** The t axis at f = 0, in the ray's own line styles, with its ticks. */
 export function rayAxis(model: GraphModel, scales: Scales): TemplateResult {
   const { top, bottom, mark } = scales.frame;
   const y = coordinate(clamp(scales.y(0), top, bottom));
-  const tick = ({ at, value }: Tick) =>
-    value === 0
-      ? ''
-      : svg`<line class="graph-ray graph-mark" x1=${coordinate(at)} x2=${coordinate(at)} y1=${y - 5 * mark} y2=${y + 5 * mark}></line>`;
+  const ticks = scales.tTicks
+    .filter(({ value }) => value !== 0)
+    .map(({ at }) => `M${coordinate(at)},${coordinate(y - 5 * mark)}v${coordinate(10 * mark)}`);
   return svg`<g data-symbol="d">
     ${visible(model, scales).map(
       ({ from, to, stretch }) =>
         svg`<line class="graph-ray graph-${stretch}" x1=${from} x2=${to} y1=${y} y2=${y}></line>`,
     )}
-    ${scales.tTicks.map(tick)}
+    <path class="graph-ray graph-mark" d=${ticks.join('')}></path>
   </g>`;
 }
 

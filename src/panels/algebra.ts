@@ -1,4 +1,5 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import {
   type ConditionStep,
   type Derivation,
@@ -57,16 +58,19 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
   </section>`;
 }
 
-function methodPicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResult {
+function methodPicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
   const pick = (event: Event) =>
     dispatch({ type: 'method', id: (event.target as HTMLSelectElement).value });
-  return html`<label class="method">by
+  return guard(
+    [state.method],
+    () => html`<label class="method">by
     <select @change=${pick} .value=${state.method}>
       ${METHODS.map(
         ({ id, title, idea }) =>
           html`<option value=${id} title=${idea} ?selected=${id === state.method}>${title}</option>`,
       )}
-    </select></label>`;
+    </select></label>`,
+  );
 }
 
 /** Hidden, a line keeps its formula and its place, but not its numbers. */
@@ -75,7 +79,7 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
   const { found, exactly } = model;
   const line = shown ? numbersOf(step, model) : null;
   const stacked = id !== 't' && (id !== 'D' || line?.below === true);
-  const symbols = formula(typesetSymbols(expr), id === 't');
+  const symbols = guard([expr], () => formula(typesetSymbols(expr), id === 't'));
   const sign = line?.isFaithful === false ? '≈' : '=';
   const look = line?.long ? 'stacked wide' : stacked ? 'stacked' : 'inline';
   return html`<div class="step ${look}" data-step=${id}>

@@ -1,4 +1,5 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import { AXES } from '../math/shapes.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
@@ -20,7 +21,7 @@ export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResul
     ${rayHeader(model, dispatch)} ${rayHandles(model, dispatch).map(paramRow)}
     <div class="group surface">
       <h2>${title}</h2>
-      ${formula(typesetRelation(derivation.surface))}
+      ${guard([derivation.surface], () => formula(typesetRelation(derivation.surface)))}
       <span class="meaning">${meaning}</span>
     </div>
     ${vectors.map(paramRow)}

@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import { InvalidInput, type Vec3 } from '../math/index.ts';
 import {
   AXES,
@@ -28,8 +29,18 @@ function refusal(param: Param, candidate: unknown): string | null {
   }
 }
 
-/** The row of one parameter, whatever its sort. */
-export function paramRow(handle: Handle): TemplateResult {
+/**
+ * The row of one parameter, whatever its sort; drawn anew only where its value or what was typed
+ * for it is another: what it sends is made when the state is changed, from the state then.
+ */
+export function paramRow(handle: Handle): unknown {
+  const { param, value, typed, quantities } = handle;
+  const texts = param.type === 'vector' ? AXES.map((axis) => typed(`${param.symbol}.${axis}`)) : [];
+  const text = param.type === 'number' ? typed(param.symbol) : '';
+  return guard([param, value, quantities, text, ...texts], () => row(handle));
+}
+
+function row(handle: Handle): TemplateResult {
   const { param } = handle;
   if (param.type === 'vector') return vectorRow(handle, param);
   return param.type === 'number' ? numberCell(handle, param) : axisCell(handle, param);

@@ -1,12 +1,15 @@
-import { html, type TemplateResult } from 'lit';
+import { html } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import { SHAPES } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import './shape-picker.css';
 
 /** The row of shapes: picking one keeps the ray. */
-export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): TemplateResult {
-  return html`<div class="shapes" role="group" aria-label="Shape">
+export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
+  return guard(
+    [state.kind],
+    () => html`<div class="shapes" role="group" aria-label="Shape">
     ${SHAPES.map(
       ({ kind, title, icon }) => html`<button
         type="button"
@@ -15,5 +18,6 @@ export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): Templa
         @click=${() => dispatch({ type: 'shape', kind })}
       ><svg viewBox="0 0 24 24" width="26" height="26" aria-hidden="true"><path d=${icon} /></svg><span>${title}</span></button>`,
     )}
-  </div>`;
+  </div>`,
+  );
 }

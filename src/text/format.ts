@@ -52,11 +52,30 @@ export function displayTriple(v: readonly [number, number, number], digits = 6):
   return `(${v.map((x) => display(x, digits)).join(', ')})`;
 }
 
+/** The same number is written in many places and again with every frame; the latest are kept. */
+const written = new Map<number, Map<number, DisplayParts>>();
+const MOST_KEPT = 2000;
+let kept = 0;
+
 /**
  * What `display` writes, in two parts, for a view that typesets the power itself. Both zeros are
  * '0'.
  */
 export function displayParts(x: number, digits = 6): DisplayParts {
+  const before = written.get(x)?.get(digits);
+  if (before !== undefined) return before;
+  if (++kept > MOST_KEPT) {
+    written.clear();
+    kept = 1;
+  }
+  const parts = partsOf(x, digits);
+  const all = written.get(x);
+  if (all) all.set(digits, parts);
+  else written.set(x, new Map([[digits, parts]]));
+  return parts;
+}
+
+function partsOf(x: number, digits: number): DisplayParts {
   if (x === 0) return { mantissa: '0', exponent: null };
   if (Number.isNaN(x)) return { mantissa: NO_VALUE, exponent: null };
   const sign = x < 0 ? MINUS : '';

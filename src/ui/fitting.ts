@@ -26,10 +26,14 @@ export function shortened(x: number, fits: (text: string) => boolean): string {
     const isWhole = display(Number(x.toPrecision(digits)), CERTAIN_DIGITS) === whole;
     return `${isWhole ? '' : '≈'}${text}`;
   };
-  const candidates = [
-    ...[6, 5, 4, 3, 2, 1].map((n) => marked(display(x, n).replaceAll(' ', ''), n)),
-    // Narrower than a raised power.
-    ...[3, 2, 1].map((n) => marked(x.toExponential(n - 1).replaceAll('-', MINUS), n)),
-  ];
-  return candidates.find(fits) ?? '≈…';
+  for (const n of [6, 5, 4, 3, 2, 1]) {
+    const text = marked(display(x, n).replaceAll(' ', ''), n);
+    if (fits(text)) return text;
+  }
+  // Narrower than a raised power.
+  for (const n of [3, 2, 1]) {
+    const text = marked(x.toExponential(n - 1).replaceAll('-', MINUS), n);
+    if (fits(text)) return text;
+  }
+  return '≈…';
 }

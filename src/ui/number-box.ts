@@ -28,7 +28,6 @@ class GrazeNumberBox extends LitElement {
     symbol: { type: String },
     typed: { type: String },
     quantity: { type: String },
-    check: { attribute: false },
     text: { state: true },
     reason: { state: true },
     focused: { state: true },
@@ -43,8 +42,8 @@ class GrazeNumberBox extends LitElement {
   declare typed: string;
   /** The name in data-quantity; none if another element carries it. */
   declare quantity: string;
-  /** Why a number is not allowed here, or null. */
-  declare check: (value: number) => string | null;
+  /** Why a number is not allowed here, or null. Nothing of the box is drawn from it. */
+  check: (value: number) => string | null = () => null;
   declare private text: string | null;
   declare private reason: string | null;
   declare private focused: boolean;
@@ -65,7 +64,6 @@ class GrazeNumberBox extends LitElement {
     this.symbol = '';
     this.typed = '';
     this.quantity = '';
-    this.check = () => null;
     this.text = null;
     this.reason = null;
     this.focused = false;
