@@ -20,6 +20,19 @@ export interface Arithmetic<T> {
    * which is which.
    */
   sorted?(a: T, b: T): readonly [T, T];
+  /**
+   * `then` where a is known to be negative, else `otherwise`: only for a system that cannot ask for
+   * a sign, because it records what it is to do.
+   */
+  whereNegative?(a: T, then: T, otherwise: T): T;
   /** The nearest double, ties to even; ±Infinity beyond the doubles. */
   toNumber(a: T): number;
 }
+
+/** One of two values, of which only that is worked out, unless the system records both. */
+export const bySign = <T>(a: T, negative: () => T, otherwise: () => T, ar: Arithmetic<T>): T =>
+  ar.whereNegative
+    ? ar.whereNegative(a, negative(), otherwise())
+    : ar.sign(a) < 0
+      ? negative()
+      : otherwise();

@@ -1,71 +1,126 @@
-import * as iv from '../float/interval.ts';
+import * as directed from '../float/directed.ts';
+import { doubles, type Floats } from '../float/floats.ts';
 import type { Arithmetic } from './arithmetic.ts';
 
-/** Every real from lo to hi, lo ≤ hi; see src/math/float/interval.ts. */
-export interface Interval {
-  readonly lo: number;
-  readonly hi: number;
+/** Every real from lo to hi, lo ≤ hi. An end may be infinite, the numbers in between are finite. */
+export interface Ends<F> {
+  readonly lo: F;
+  readonly hi: F;
 }
 
-/** Two operands and a result. */
-const R: iv.Registers = new Float64Array(6);
-const A = 0;
-const B = 2;
-const OUT = 4;
+export type Interval = Ends<number>;
 
-const read = (at: number): Interval => ({ lo: R[at] as number, hi: R[at + 1] as number });
-
-function load(at: number, { lo, hi }: Interval): void {
-  R[at] = lo;
-  R[at + 1] = hi;
+/** One operation rounded down or up, as float/directed.ts. */
+export interface Directed<F> {
+  addDown(a: F, b: F): F;
+  addUp(a: F, b: F): F;
+  mulDown(a: F, b: F): F;
+  mulUp(a: F, b: F): F;
+  divDown(a: F, b: F): F;
+  divUp(a: F, b: F): F;
+  sqrtDown(a: F): F;
+  sqrtUp(a: F): F;
 }
 
-type Unary = (R: iv.Registers, out: number, a: number) => void;
-type Binary = (R: iv.Registers, out: number, a: number, b: number) => void;
+type Operations<T> = Pick<
+  Arithmetic<T>,
+  'of' | 'add' | 'sub' | 'mul' | 'div' | 'neg' | 'sqr' | 'sqrt'
+>;
 
-function unary(f: Unary): (a: Interval) => Interval {
-  return (a) => {
-    load(A, a);
-    f(R, OUT, A);
-    return read(OUT);
-  };
-}
+/** Each result holds the exact result of any numbers of its operands. */
+export function intervalOver<F, M>(f: Floats<F, M>, d: Directed<F>): Operations<Ends<F>> {
+  const zero = f.of(0);
+  const isNotNegative = (x: F): M => f.atMost(zero, x);
+  const isNotPositive = (x: F): M => f.atMost(x, zero);
+  const neg = ({ lo, hi }: Ends<F>): Ends<F> => ({ lo: f.neg(hi), hi: f.neg(lo) });
+  const add = (a: Ends<F>, b: Ends<F>): Ends<F> => ({
+    lo: d.addDown(a.lo, b.lo),
+    hi: d.addUp(a.hi, b.hi),
+  });
 
-function binary(f: Binary): (a: Interval, b: Interval) => Interval {
-  return (a, b) => {
-    load(A, a);
-    load(B, b);
-    f(R, OUT, A, B);
-    return read(OUT);
+  /** The factor is one number. */
+  function scaled({ lo, hi }: Ends<F>, k: F): Ends<F> {
+    const up = isNotNegative(k);
+    return { lo: d.mulDown(f.select(up, lo, hi), k), hi: d.mulUp(f.select(up, hi, lo), k) };
+  }
+
+  return {
+    of: (x) => ({ lo: f.of(x), hi: f.of(x) }),
+    add,
+    sub: (a, b) => add(a, neg(b)),
+    neg,
+    /**
+     * The signs of the ends tell which two products are the least and the greatest; only where both
+     * hold 0 inside there are four.
+     */
+    mul(a, b) {
+      const { lo: p, hi: q } = a;
+      const { lo: r, hi: s } = b;
+      if (r === s) return scaled(a, r);
+      if (p === q) return scaled(b, p);
+      const [below, above] = [f.less(p, zero), f.less(zero, q)];
+      const inside = f.and(f.less(r, zero), f.less(zero, s));
+      if (f.rarely(f.and(f.and(below, above), inside))) {
+        return {
+          lo: f.min(d.mulDown(p, s), d.mulDown(q, r)),
+          hi: f.max(d.mulUp(p, r), d.mulUp(q, s)),
+        };
+      }
+      const [up, reaches] = [isNotNegative(r), isNotNegative(s)];
+      const [over, under] = [isNotNegative(p), isNotPositive(q)];
+      const leastA = f.select(f.or(up, f.and(under, reaches)), p, q);
+      const leastB = f.select(f.and(below, f.or(under, up)), s, r);
+      const mostA = f.select(f.or(up, f.and(over, reaches)), q, p);
+      const mostB = f.select(f.or(over, f.and(above, up)), s, r);
+      return { lo: d.mulDown(leastA, leastB), hi: d.mulUp(mostA, mostB) };
+    },
+    /** The least is 0 where a holds 0: what `mul` of a with itself cannot know. */
+    sqr({ lo, hi }) {
+      if (lo === hi) return { lo: d.mulDown(lo, lo), hi: d.mulUp(lo, lo) };
+      const [from, to] = [f.abs(lo), f.abs(hi)];
+      const least = f.select(f.and(isNotPositive(lo), isNotNegative(hi)), zero, f.min(from, to));
+      const most = f.max(from, to);
+      return { lo: d.mulDown(least, least), hi: d.mulUp(most, most) };
+    },
+    /** A denominator that may be 0 leaves nothing known. */
+    div(a, b) {
+      const { lo: r, hi: s } = b;
+      if (f.rarely(f.and(isNotPositive(r), isNotNegative(s)))) {
+        return { lo: f.of(-Infinity), hi: f.of(Infinity) };
+      }
+      const up = isNotNegative(r);
+      const least = f.select(up, a.lo, a.hi);
+      const most = f.select(up, a.hi, a.lo);
+      return {
+        lo: d.divDown(least, f.select(isNotNegative(least), s, r)),
+        hi: d.divUp(most, f.select(isNotNegative(most), r, s)),
+      };
+    },
+    /** A root is only taken of what is known not to be negative, so an end below 0 counts as 0. */
+    sqrt: ({ lo, hi }) => ({ lo: d.sqrtDown(f.max(lo, zero)), hi: d.sqrtUp(f.max(hi, zero)) }),
   };
 }
 
 /**
  * Enclosures (Moore 1966, Interval analysis). A sign is known where no number of the interval says
- * otherwise.
+ * otherwise: 0 only for [0, 0].
  */
 export const interval: Arithmetic<Interval> = {
   id: 'interval',
-  of: (x) => ({ lo: x, hi: x }),
-  add: binary(iv.add),
-  sub: binary(iv.sub),
-  mul: binary(iv.mul),
-  div: binary(iv.div),
-  neg: unary(iv.neg),
-  sqr: unary(iv.sqr),
-  sqrt: unary(iv.sqrt),
-  sign(a) {
-    load(A, a);
-    return iv.sign(R, A);
+  ...intervalOver(doubles, directed),
+  sign({ lo, hi }) {
+    if (lo > 0) return 1;
+    if (hi < 0) return -1;
+    return lo === 0 && hi === 0 ? 0 : Number.NaN;
   },
-  sorted(a, b) {
-    load(A, a);
-    load(B, b);
-    iv.sort(R, A, B);
-    return [read(A), read(B)];
-  },
-  toNumber(a) {
-    load(A, a);
-    return iv.toNumber(R, A);
-  },
+  /** Bounds of the lesser and of the greater; where they overlap nobody knows which is which. */
+  sorted: (a, b) => [
+    { lo: Math.min(a.lo, b.lo), hi: Math.min(a.hi, b.hi) },
+    { lo: Math.max(a.lo, b.lo), hi: Math.max(a.hi, b.hi) },
+  ],
+  /**
+   * The middle. Halved before they are added: the sum of two ends may overflow. −0 comes out as 0,
+   * [−∞, ∞] as NaN.
+   */
+  toNumber: ({ lo, hi }) => (lo === hi ? lo : lo / 2 + hi / 2) + 0,
 };

@@ -5,11 +5,10 @@ import { type MakeArray, ownArray } from './memory.ts';
 
 /*
  * The batch form of a method: rays as a structure of arrays in, numbers out, no object or array
- * made per ray. (`exact` makes big integers, and so does `certified` for what its fast stages leave
- * open; the register machines of `compensated` and `interval` box a double now and then, up to some
- * 50 bytes a ray.) Every method implements Kernel with loops of its own: a loop shared between
- * methods through a callback is fast for the first one that it inlines and slow for all as soon as
- * there is a second.
+ * made per ray, but for rays that a kernel's loops leave open: these go to `intersect`, or in
+ * `certified` to whole numbers, by which `exact` works always. Every method has loops of its own: a
+ * loop shared between methods through a callback is fast for the first one that it inlines and slow
+ * for all as soon as there is a second.
  */
 
 /** Rays R(t) = E + t d, component by component; each array has at least `count` numbers. */
@@ -130,7 +129,7 @@ export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays
 /**
  * Room for the answers to `capacity` rays.
  *
- * @param make as for `createRays`; used for the roots.
+ * @param make as for `createRays`; not for the list.
  * @example
  * const rays = packRays([{ origin: [-10, 0, 3], direction: [1, 0, 0] }]);
  * const out = createAnswers(rays.count);
@@ -145,7 +144,7 @@ export function createAnswers(capacity: number, make: MakeArray = ownArray): Ans
   return {
     t0: make(capacity),
     t1: make(capacity),
-    margin: new Float64Array(capacity),
+    margin: make(capacity),
     rareCount: 0,
     rareIndex: new Int32Array(capacity),
     rareVerdict: new Uint8Array(capacity),

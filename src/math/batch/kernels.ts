@@ -4,20 +4,10 @@ import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Kernel } from './batch.ts';
 import { exactKernel } from './exact.ts';
-import { kernelOf } from './loops.ts';
-import { machinePlanar } from './machine-planar.ts';
-import { machineQuadric } from './machine-quadric.ts';
-import { doubleDoubleMachine, intervalMachine } from './machines.ts';
-import { momentQuadric } from './moment.ts';
-import { momentPlanar } from './moment-planar.ts';
-import { type Planar, planarOf } from './planar.ts';
-import { type Quadric, quadricInTreeOrder, quadricOf } from './quadric.ts';
-import { stableQuadric } from './stable.ts';
-import { isAccelerated, type Target } from './target.ts';
-import { textbookQuadric } from './textbook.ts';
-import { textbookPlanar } from './textbook-planar.ts';
-import { textbook32Quadric } from './textbook32.ts';
-import { textbook32Planar } from './textbook32-planar.ts';
+import { planarOf } from './planar.ts';
+import { quadricOf } from './quadric.ts';
+import { inTypeScript, straightKernel } from './straight.ts';
+import { simdNow, type Target } from './target.ts';
 import { treeKernel } from './trees.ts';
 
 /**
@@ -35,8 +25,11 @@ import { treeKernel } from './trees.ts';
  * [out.t0[0], out.t1[0]]; // → [6, 14]
  */
 export function batchOf(method: Method, shape: Shape, target?: Target): Kernel {
-  const kernel = KERNELS[method.id]?.(shape) ?? treeKernel(shape, method.intersect);
-  return target === 'typescript' && hasSimd(method, shape) ? inTypeScript(kernel) : kernel;
+  const kernel = KERNELS[method.id]?.(shape);
+  if (kernel) return target === 'typescript' ? withoutSimd(kernel) : kernel;
+  const plain = straightKernel(method, shape, inTypeScript);
+  if (!plain) return treeKernel(shape, method.intersect);
+  return target === 'typescript' ? plain : asAccelerated(method, shape, plain);
 }
 
 /**
@@ -49,13 +42,32 @@ export function batchOf(method: Method, shape: Shape, target?: Target): Kernel {
  * targetOf(exact, { kind: 'cylinder', center: [0, 0, 0], radius: 5 }, 'simd'); // → 'typescript'
  */
 export const targetOf = (method: Method, shape: Shape, target?: Target): Target =>
-  target !== 'typescript' && isAccelerated() && hasSimd(method, shape) ? 'simd' : 'typescript';
+  target !== 'typescript' && simdNow() !== null && hasSimd(method, shape) ? 'simd' : 'typescript';
 
-const hasSimd = (method: Method, shape: Shape): boolean =>
-  method.id === 'certified' && quadricOf(shape) !== null;
+function hasSimd(method: Method, shape: Shape): boolean {
+  if (method.id === 'certified') return quadricOf(shape) !== null;
+  return straightKernel(method, shape, inTypeScript) !== null;
+}
+
+/** SIMD as long as the module is accelerated. */
+function asAccelerated(method: Method, shape: Shape, plain: Kernel): Kernel {
+  let fast: Kernel | null = null;
+  const now = (): Kernel => {
+    const source = simdNow();
+    if (!source) return plain;
+    fast ??= straightKernel(method, shape, source);
+    return fast ?? plain;
+  };
+  return {
+    met: plain.met,
+    classes: (rays, out) => now().classes(rays, out),
+    first: (rays, tMin, tMax, out) => now().first(rays, tMin, tMax, out),
+    both: (rays, out) => now().both(rays, out),
+  };
+}
 
 /** The stages of `certified` in TypeScript, whatever batches go through otherwise. */
-function inTypeScript(kernel: Kernel): Kernel {
+function withoutSimd(kernel: Kernel): Kernel {
   function slowly(ask: () => void): void {
     const before = useFastRoots(null);
     try {
@@ -72,34 +84,15 @@ function inTypeScript(kernel: Kernel): Kernel {
   };
 }
 
-/** For each method that has kernels of its own; null for a shape that they do not know. */
+/** Kernels that are not made of a method's trees; null for a shape that they do not know. */
 const KERNELS: Readonly<Record<string, (shape: Shape) => Kernel | null>> = {
-  textbook32: kernelFor(textbook32Quadric, (p) => kernelOf('one', textbook32Planar(p))),
-  textbook: kernelFor(textbookQuadric, textbookPlanar),
-  stable: kernelFor(stableQuadric, textbookPlanar),
-  moment: kernelFor(momentQuadric, (p) => kernelOf('one', momentPlanar(p))),
-  compensated: kernelFor(
-    (q) => machineQuadric(q, doubleDoubleMachine, 'course'),
-    (p) => kernelOf('one', machinePlanar(p, doubleDoubleMachine, 'course')),
-  ),
-  interval: kernelFor(
-    (q) => machineQuadric(q, intervalMachine, 'moment'),
-    (p) => kernelOf('one', machinePlanar(p, intervalMachine, 'moment')),
-  ),
-  certified: kernelFor(certifiedKernel, certifiedPlanar, quadricOf),
+  certified: certifiedOf,
   exact: exactKernel,
 };
 
-/** For the two groups of shapes whose numbers a kernel can take. */
-function kernelFor(
-  curved: (q: Quadric) => Kernel,
-  flat: (p: Planar) => Kernel,
-  numbers: (shape: Shape) => Quadric | null = quadricInTreeOrder,
-): (shape: Shape) => Kernel | null {
-  return (shape) => {
-    const quadric = numbers(shape);
-    if (quadric) return curved(quadric);
-    const planar = planarOf(shape);
-    return planar && flat(planar);
-  };
+function certifiedOf(shape: Shape): Kernel | null {
+  const quadric = quadricOf(shape);
+  if (quadric) return certifiedKernel(quadric);
+  const planar = planarOf(shape);
+  return planar && certifiedPlanar(planar);
 }

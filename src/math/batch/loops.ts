@@ -41,10 +41,3 @@ export function kernelOf(met: 'two' | 'one', solve: SolveRay, classify: SolveRay
     },
   };
 }
-
-/** No root is left standing; returns the verdict. */
-export function withoutRoots(out: Answers, i: number, verdict: number): number {
-  out.t0[i] = Number.NaN;
-  out.t1[i] = Number.NaN;
-  return verdict;
-}

@@ -1,4 +1,4 @@
-import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { type Arithmetic, bySign } from '../arithmetic/arithmetic.ts';
 import { DISCRIMINANT, POINT } from '../formula/common.ts';
 import {
   evaluate,
@@ -10,12 +10,12 @@ import {
 } from '../formula/evaluate.ts';
 import { scalar } from '../formula/expr.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
-import { type FlatFormula, whichHold, withPoint } from '../shapes/planar.ts';
+import { excesses, type FlatFormula, withPoint } from '../shapes/planar.ts';
 
-/** Where a line meets a figure's plane, and which of the figure's conditions hold there. */
+/** Where a line meets a figure’s plane, and left − right of each of its conditions there. */
 interface Meeting<T> {
   readonly x: Triple<T>;
-  readonly holds: readonly (boolean | null)[];
+  readonly excesses: readonly T[];
 }
 
 /**
@@ -34,7 +34,7 @@ export const courseForm: Form = {
   discriminant: (_, values, ar) => evaluate(DISCRIMINANT, ar, values),
   meeting({ bound }, values, ar) {
     const x = evaluateTriple(POINT, ar, values);
-    return { x, holds: bound ? whichHold(bound.conditions, withPoint(values, x), ar) : [] };
+    return { x, excesses: bound ? excesses(bound.conditions, withPoint(values, x), ar) : [] };
   },
 };
 
@@ -46,17 +46,23 @@ export const momentForm: Form = {
   discriminant({ moment, momentD }, values, ar) {
     return evaluate(momentD, ar, withVector(values, 'm', evaluateTriple(moment, ar, values)));
   },
-  meeting({ byMoment, bound }, values, ar) {
+  meeting<T>({ byMoment, bound }: FlatFormula, values: Values<T>, ar: Arithmetic<T>) {
     const rate = evaluate(scalar('rate'), ar, values);
     const m = evaluateTriple(byMoment.m, ar, values);
     const w = evaluateTriple(byMoment.w, ar, withVector(values, 'm', m));
-    const turned = ar.sign(rate) < 0;
-    const at = withVector(
-      withScalars(values, { rate: turned ? ar.neg(rate) : rate }),
-      'w',
-      turned ? [ar.neg(w[0]), ar.neg(w[1]), ar.neg(w[2])] : w,
-    );
+    const turned = (x: T): T =>
+      bySign(
+        rate,
+        () => ar.neg(x),
+        () => x,
+        ar,
+      );
+    const at = withVector(withScalars(values, { rate: turned(rate) }), 'w', [
+      turned(w[0]),
+      turned(w[1]),
+      turned(w[2]),
+    ]);
     const x = evaluateTriple(byMoment.x, ar, at);
-    return { x, holds: bound ? whichHold(bound.momentConditions, at, ar) : [] };
+    return { x, excesses: bound ? excesses(bound.momentConditions, at, ar) : [] };
   },
 };

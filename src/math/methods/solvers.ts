@@ -1,4 +1,4 @@
-import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { type Arithmetic, bySign } from '../arithmetic/arithmetic.ts';
 import { DOUBLE_ROOT, LINEAR_ROOT, ROOTS } from '../formula/common.ts';
 import { evaluate, type Values } from '../formula/evaluate.ts';
 import { type Expr, minus, negative, num, over, plus, root, scalar } from '../formula/expr.ts';
@@ -13,10 +13,14 @@ interface Solved<T> {
 }
 
 /** Finds both roots of A t² + B t + C, for A ≠ 0 and D > 0, in any order. */
-type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
+export type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
 
 /** D is given: a method may know a better one than B² − 4AC. */
-export type Solver = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>) => Solved<T>;
+export interface Solver {
+  <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>): Solved<T>;
+  /** What it does where there are two roots, without the case distinction. */
+  readonly pair: RootPair;
+}
 
 /**
  * The course's case distinction around a formula for the two roots: A = 0 leaves a line, and the
@@ -24,7 +28,7 @@ export type Solver = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>) => Solved<T>
  * it is taken for zero.
  */
 function solverWith(rootPair: RootPair): Solver {
-  return (A, B, C, D, ar) => {
+  const solve = <T>(A: T, B: T, C: T, D: T, ar: Arithmetic<T>): Solved<T> => {
     const values = { scalars: { A, B, C, D }, vectors: {} };
     const signA = ar.sign(A);
     const signD = ar.sign(D);
@@ -36,6 +40,7 @@ function solverWith(rootPair: RootPair): Solver {
     const pair = rootPair(values, ar);
     return { class: 'two', D, roots: ascending(pair, ar) };
   };
+  return Object.assign(solve, { pair: rootPair });
 }
 
 function solveLinear<T>(A: T, B: T, C: T, ar: Arithmetic<T>): Pick<Solved<T>, 'class' | 'roots'> {
@@ -79,7 +84,13 @@ export const STABLE_ROOTS: readonly [Expr, Expr] = [
 
 /** The larger root by addition only, the other one from their product C/A. */
 export const stableSolver: Solver = solverWith((values, ar) => {
-  const q = evaluate(STABLE_Q[ar.sign(values.scalars.B ?? ar.of(0)) < 0 ? 1 : 0], ar, values);
+  const of = (which: 0 | 1) => evaluate(STABLE_Q[which], ar, values);
+  const q = bySign(
+    values.scalars.B ?? ar.of(0),
+    () => of(1),
+    () => of(0),
+    ar,
+  );
   const withQ = { scalars: { ...values.scalars, q }, vectors: {} };
   return [evaluate(STABLE_ROOTS[0], ar, withQ), evaluate(STABLE_ROOTS[1], ar, withQ)];
 });

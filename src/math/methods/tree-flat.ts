@@ -3,7 +3,7 @@ import { exact } from '../arithmetic/exact.ts';
 import type { Surd } from '../exact/surd.ts';
 import { evaluate, type Triple, type Values, withScalars } from '../formula/evaluate.ts';
 import type { FlatDetails, Hit, Intersection, PlaneHit } from '../intersection.ts';
-import { all, type Bound, type FlatFormula } from '../shapes/planar.ts';
+import { all, type Bound, type FlatFormula, notPositive } from '../shapes/planar.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Form } from './forms.ts';
 import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
@@ -51,8 +51,9 @@ function planeHit<T>(
   exactValues: () => Values<Surd>,
 ): PlaneHit {
   const t = evaluate(formula.t, ar, values);
-  const { x, holds } = form.meeting(formula, withScalars(values, { t }), ar);
+  const { x, excesses } = form.meeting(formula, withScalars(values, { t }), ar);
   const { bound } = formula;
+  const holds = excesses.map((excess) => notPositive(ar.sign(excess)));
   const inside = all(holds);
   const N = values.vectors.N as Triple<T>;
   const point = rounded(x, ar);

@@ -77,15 +77,22 @@ export function withPoint<T>(values: Values<T>, x: Triple<T>): Values<T> {
 }
 
 /** Which of the relations left ≤ right hold; null where the arithmetic cannot tell. */
-export function whichHold<T>(
+export const whichHold = <T>(
   relations: readonly Relation[],
   values: Values<T>,
   ar: Arithmetic<T>,
-): (boolean | null)[] {
-  return relations.map(({ left, right }) =>
-    notPositive(ar.sign(ar.sub(evaluate(left, ar, values), evaluate(right, ar, values)))),
+): (boolean | null)[] =>
+  excesses(relations, values, ar).map((excess) => notPositive(ar.sign(excess)));
+
+/** left − right of each relation. */
+export const excesses = <T>(
+  relations: readonly Relation[],
+  values: Values<T>,
+  ar: Arithmetic<T>,
+): T[] =>
+  relations.map(({ left, right }) =>
+    ar.sub(evaluate(left, ar, values), evaluate(right, ar, values)),
   );
-}
 
 /** All of them: one that fails decides, one that is unknown leaves it open. */
 export function all(holds: readonly (boolean | null)[]): boolean | null {

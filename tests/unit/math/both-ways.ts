@@ -40,7 +40,7 @@ export function packed(list: readonly Ray[], capacity = list.length): Rays {
 }
 
 /** What answers hold before, and beyond the count after, too. */
-const BESIDE = 77.5;
+export const BESIDE = 77.5;
 
 export function blank(capacity: number): Answers {
   const out = createAnswers(capacity, kernelArray);

@@ -1,4 +1,5 @@
-import { describe, expect, test } from 'vitest';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { accelerate, decelerate } from '../../../../src/math/accelerate.ts';
 import {
   createAnswers,
   packRays,
@@ -6,6 +7,7 @@ import {
   verdictsOfRoots,
 } from '../../../../src/math/batch/batch.ts';
 import { batchOf } from '../../../../src/math/batch/kernels.ts';
+import type { Target } from '../../../../src/math/batch/target.ts';
 import { FAMILIES } from '../../../../src/math/families.ts';
 import type { Method } from '../../../../src/math/methods/define.ts';
 import { METHODS } from '../../../../src/math/methods/index.ts';
@@ -82,8 +84,8 @@ function byObject(method: Method, { shape, rays }: Question) {
   });
 }
 
-function byBatch(method: Method, { shape, rays }: Question) {
-  const kernel = batchOf(method, shape);
+function byBatch(method: Method, { shape, rays }: Question, target: Target) {
+  const kernel = batchOf(method, shape, target);
   const packed = packRays(rays);
   const out = createAnswers(rays.length);
   kernel.classes(packed, out);
@@ -96,37 +98,47 @@ function byBatch(method: Method, { shape, rays }: Question) {
   return { classes, roots };
 }
 
-describe.each(METHODS.map((m) => [m.id, m] as const))('the batch of %s', (_, method) => {
-  test(`is bit-equal to its method on ${questions.length} shapes`, () => {
-    for (const question of questions) {
-      const expected = byObject(method, question);
-      const { classes, roots } = byBatch(method, question);
-      expect([question.id, roots]).toEqual([question.id, expected]);
-      expect([question.id, classes]).toEqual([question.id, expected.map(([verdict]) => verdict)]);
-    }
-  });
+const TARGETS = ['typescript', 'simd'] as const;
 
-  test('first is the smallest root in the interval, and t1 no number', () => {
-    for (const { id, shape, rays } of families) {
-      const kernel = batchOf(method, shape);
-      const packed = packRays(rays);
-      const out = createAnswers(rays.length);
-      for (const array of [out.t0, out.t1]) array.fill(77);
-      kernel.first(packed, 0.25, 4, out);
-      const firsts = rays.map((ray) => {
-        const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
-        return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;
-      });
-      expect([id, [...out.t0]]).toEqual([id, firsts]);
-      expect([id, ...out.t1]).toEqual([id, ...rays.map(() => Number.NaN)]);
-      const listed = Array.from(out.rareIndex.subarray(0, out.rareCount)).sort((i, j) => i - j);
-      const untold = rays.flatMap((ray, i) =>
-        /contained|undecided/.test(method.intersect(shape, ray).class) ? [i] : [],
-      );
-      expect([id, ...listed]).toEqual([id, ...untold]);
-    }
-  });
-});
+describe.each(METHODS.flatMap((m) => TARGETS.map((target) => [m.id, target, m] as const)))(
+  'the batch of %s in %s',
+  (_, target, method) => {
+    beforeAll(() => {
+      expect(accelerate()).toBe(true);
+    });
+    afterAll(decelerate);
+
+    test(`is bit-equal to its method on ${questions.length} shapes`, () => {
+      for (const question of questions) {
+        const expected = byObject(method, question);
+        const { classes, roots } = byBatch(method, question, target);
+        expect([question.id, roots]).toEqual([question.id, expected]);
+        expect([question.id, classes]).toEqual([question.id, expected.map(([verdict]) => verdict)]);
+      }
+    });
+
+    test('first is the smallest root in the interval, and t1 no number', () => {
+      for (const { id, shape, rays } of families) {
+        const kernel = batchOf(method, shape, target);
+        const packed = packRays(rays);
+        const out = createAnswers(rays.length);
+        for (const array of [out.t0, out.t1]) array.fill(77);
+        kernel.first(packed, 0.25, 4, out);
+        const firsts = rays.map((ray) => {
+          const ts = method.intersect(shape, ray).hits.map(({ t }) => t);
+          return ts.find((t) => t >= 0.25 && t <= 4) ?? Number.NaN;
+        });
+        expect([id, [...out.t0]]).toEqual([id, firsts]);
+        expect([id, ...out.t1]).toEqual([id, ...rays.map(() => Number.NaN)]);
+        const listed = Array.from(out.rareIndex.subarray(0, out.rareCount)).sort((i, j) => i - j);
+        const untold = rays.flatMap((ray, i) =>
+          /contained|undecided/.test(method.intersect(shape, ray).class) ? [i] : [],
+        );
+        expect([id, ...listed]).toEqual([id, ...untold]);
+      }
+    });
+  },
+);
 
 describe.each([
   ['textbook', textbookByTrees],

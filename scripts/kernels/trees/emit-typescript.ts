@@ -1,0 +1,277 @@
+import type { Node } from './graph.ts';
+import { INPUTS, type Program } from './program.ts';
+
+/*
+ * Loops of TypeScript. A choice by a comparison that is as often true as not would be a branch that
+ * no processor foresees: so conditions are numbers, 0 or 1, by which a value is multiplied or
+ * fetched. Only what is rare is a branch.
+ */
+
+const CALLS: Readonly<Partial<Record<Node['op'], string>>> = {
+  abs: 'Math.abs',
+  sqrt: 'Math.sqrt',
+};
+const SIGNS: Readonly<Partial<Record<Node['op'], string>>> = {
+  add: '+',
+  sub: '-',
+  mul: '*',
+  div: '/',
+};
+
+const isMask = ({ op }: Node): boolean => ['less', 'atMost', 'and', 'or', 'not'].includes(op);
+
+/** How many values read each one. */
+function usesOf(roots: readonly Node[]): Map<Node, number> {
+  const uses = new Map<Node, number>();
+  const walk = (n: Node): void => {
+    const before = uses.get(n) ?? 0;
+    uses.set(n, before + 1);
+    if (before === 0) n.args.forEach(walk);
+  };
+  roots.forEach(walk);
+  return uses;
+}
+
+/** Places of the scratch array. */
+interface Scratch {
+  count: number;
+}
+
+/** Writes statements into `lines` and gives the text of each value. */
+function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratch) {
+  const names = new Map<Node, string>();
+  let count = 0;
+
+  function name(text: string, lines: string[]): string {
+    const made = `v${count}`;
+    count += 1;
+    lines.push(`const ${made} = ${text};`);
+    return made;
+  }
+
+  function literal(x: number): string {
+    if (Number.isNaN(x)) return 'Number.NaN';
+    const power = Math.log2(Math.abs(x));
+    const isFar = Math.abs(power) > 30 && 2 ** power === Math.abs(x);
+    return isFar ? `${x < 0 ? '-' : ''}2 ** ${power}` : String(x);
+  }
+
+  const rounded = (text: string): string => (width === 32 ? `fround(${text})` : text);
+  const wrapped = (text: string): string =>
+    /^[\w.]+(\([^()]*\))?$/.test(text) ? text : `(${text})`;
+
+  function pairOf(a: string, b: string, lines: string[]): number {
+    const at = scratch.count;
+    scratch.count += 2;
+    lines.push(`S[${at}] = ${a};`, `S[${at + 1}] = ${b};`);
+    return at;
+  }
+
+  function textOf(n: Node, lines: string[]): string {
+    const of = (k: number): string => value(n.args[k] as Node, lines);
+    const call = CALLS[n.op];
+    const sign = SIGNS[n.op];
+    if (sign) return rounded(`${wrapped(of(0))} ${sign} ${wrapped(of(1))}`);
+    if (n.op === 'abs') return `${call}(${of(0)})`;
+    if (call) return rounded(`${call}(${of(0)})`);
+    switch (n.op) {
+      case 'neg':
+        return `-${wrapped(of(0))}`;
+      case 'constant':
+        return literal(n.value);
+      case 'keep':
+        return `${wrapped(of(1))} * ${bit(n.args[0] as Node, lines)}`;
+      case 'signed':
+        return `${wrapped(of(1))} * (1 - 2 * ${bit(n.args[0] as Node, lines)})`;
+      case 'unless':
+        return `${wrapped(of(1))} * (ONE_OR_NAN[${bit(n.args[0] as Node, lines)}] as number)`;
+      case 'select': {
+        const at = pairOf(of(2), of(1), lines);
+        return `S[${at} + ${bit(n.args[0] as Node, lines)}] as number`;
+      }
+      case 'min':
+      case 'max': {
+        const [a, b] = n.args as [Node, Node];
+        const order = `min ${textKey(a)} ${textKey(b)}`;
+        let pair = pairs.get(order);
+        if (!pair) {
+          const at = pairOf(of(0), of(1), lines);
+          pair = { at, later: name(`+(${of(1)} < ${of(0)})`, lines) };
+          pairs.set(order, pair);
+        }
+        const { at, later } = pair;
+        return n.op === 'min'
+          ? `S[${at} + ${later}] as number`
+          : `S[${at + 1} - ${later}] as number`;
+      }
+      default:
+        throw new RangeError(`no text for ${n.op}`);
+    }
+  }
+
+  const pairs = new Map<string, { at: number; later: string }>();
+  const keys = new Map<Node, number>();
+  function textKey(n: Node): number {
+    if (!keys.has(n)) keys.set(n, keys.size);
+    return keys.get(n) as number;
+  }
+
+  function value(n: Node, lines: string[]): string {
+    const known = names.get(n);
+    if (known) return known;
+    const text = textOf(n, lines);
+    const alone = (uses.get(n) ?? 0) < 2 && text.length < 48 && !/ as number$/.test(text);
+    if (alone || n.op === 'constant') return text;
+    const made = name(text, lines);
+    names.set(n, made);
+    return made;
+  }
+
+  /** A condition as 0 or 1. */
+  function bit(n: Node, lines: string[]): string {
+    const known = names.get(n);
+    if (known) return known;
+    const text = bitText(n, lines);
+    if ((uses.get(n) ?? 0) < 2 && text.length < 40) return text;
+    const made = name(text, lines);
+    names.set(n, made);
+    return made;
+  }
+
+  function bitText(n: Node, lines: string[]): string {
+    const [a, b] = n.args as [Node, Node];
+    if (n.op === 'less') return `+(${value(a, lines)} < ${value(b, lines)})`;
+    if (n.op === 'atMost') return `+(${value(a, lines)} <= ${value(b, lines)})`;
+    if (n.op === 'not') return `(1 - ${bit(a, lines)})`;
+    return `(${bit(a, lines)} ${n.op === 'and' ? '&' : '|'} ${bit(b, lines)})`;
+  }
+
+  /** A condition for a branch. */
+  function test(n: Node, lines: string[]): string {
+    const known = names.get(n);
+    if (known) return `${known} !== 0`;
+    const [a, b] = n.args as [Node, Node];
+    if (n.op === 'less') return `${value(a, lines)} < ${value(b, lines)}`;
+    if (n.op === 'atMost') return `${value(a, lines)} <= ${value(b, lines)}`;
+    if (n.op === 'not') return `!(${test(a, lines)})`;
+    return `(${test(a, lines)} ${n.op === 'and' ? '&&' : '||'} ${test(b, lines)})`;
+  }
+
+  /** For what is the same for all rays: worked out once, whatever it is used for. */
+  function named(n: Node, lines: string[]): void {
+    const text = isMask(n) ? bit(n, lines) : value(n, lines);
+    if (!names.has(n)) names.set(n, name(text, lines));
+  }
+
+  return {
+    names,
+    named,
+    value: (n: Node, lines: string[]) => (isMask(n) ? bit(n, lines) : value(n, lines)),
+    test,
+  };
+}
+
+/** The nodes that are the same for all rays and read by one that is not. */
+function uniformsOf(roots: readonly Node[]): Node[] {
+  const found = new Set<Node>();
+  const seen = new Set<Node>();
+  const walk = (n: Node): void => {
+    if (seen.has(n)) return;
+    seen.add(n);
+    if (n.uniform && n.op !== 'constant') found.add(n);
+    else n.args.forEach(walk);
+  };
+  roots.forEach(walk);
+  return [...found];
+}
+
+/** A function named `name`, given the shape's numbers in the order of `numbers`. */
+export function loopOf(
+  name: string,
+  numbers: readonly string[],
+  program: Program,
+  scratch: Scratch,
+): string {
+  const { format, outputs, rare, missed, rareRoots } = program;
+  const { width } = format;
+  const written = Object.entries(outputs);
+  const roots = [rare, ...(missed ? [missed] : []), ...written.map(([, n]) => n)];
+  if (rareRoots) roots.push(rareRoots);
+  const uses = usesOf(roots);
+  const places = { count: 0 };
+  const w = writer(width, uses, places);
+  const round = (text: string): string => (width === 32 ? `fround(${text})` : text);
+
+  const before: string[] = [];
+  const reading = (n: Node): void => {
+    if (n.op === 'number' && !w.names.has(n)) {
+      const named = `k${numbers.indexOf(n.name)}`;
+      before.push(`const ${named} = ${round(`n[${numbers.indexOf(n.name)}] as number`)};`);
+      w.names.set(n, named);
+    }
+    n.args.forEach(reading);
+  };
+  for (const n of uniformsOf(roots)) {
+    reading(n);
+    if (!w.names.has(n)) w.named(n, before);
+  }
+  const inputs = new Set<string>();
+  const seen = new Set<Node>();
+  const body: string[] = [];
+  const collect = (n: Node): void => {
+    if (seen.has(n)) return;
+    seen.add(n);
+    if (n.op === 'input') {
+      inputs.add(n.name);
+      w.names.set(n, local(n.name));
+    }
+    n.args.forEach(collect);
+  };
+  roots.forEach(collect);
+  const used = INPUTS.filter((input) => inputs.has(input));
+  for (const input of used) {
+    body.push(`const ${local(input)} = ${round(`${input}[i] as number`)};`);
+  }
+
+  const write = (lines: string[]): void => {
+    const texts = written.map(([array, n]): [string, string] => [array, w.value(n, lines)]);
+    for (const [array, text] of texts) lines.push(`${array}[i] = ${text};`);
+  };
+  if (!missed) {
+    const inner: string[] = [];
+    const texts = written.map(([array, n]): [string, string] => [array, w.value(n, body)]);
+    for (const [array, text] of texts) inner.push(`${array}[i] = ${text};`);
+    const test = w.test(rare, body);
+    body.push(...inner, `if (${test}) open[left++] = i;`);
+  } else {
+    const test = w.test(rare, body);
+    const hit: string[] = [];
+    const gone = w.test(missed, body);
+    write(hit);
+    const bad = rareRoots ? w.test(rareRoots, hit) : 'false';
+    body.push(
+      `if (${test}) open[left++] = i;`,
+      `else if (${gone}) {`,
+      ...written.map(([array]) => `${array}[i] = Number.NaN;`),
+      '} else {',
+      ...hit,
+      `if (${bad}) open[left++] = i;`,
+      '}',
+    );
+  }
+  scratch.count = Math.max(scratch.count, places.count);
+  return [
+    `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, open) => {`,
+    `const { ${written.map(([array]) => array).join(', ')} } = out;`,
+    ...before,
+    'let left = 0;',
+    'for (let i = 0; i < count; i++) {',
+    ...body,
+    '}',
+    'return left;',
+    '};',
+  ].join('\n');
+}
+
+/** Ex as ex, dx as x: what is read from the arrays Ex and dx. */
+const local = (input: string): string => (input.startsWith('E') ? `e${input[1]}` : `${input[1]}`);

@@ -1,0 +1,150 @@
+import type { Values } from '../../../src/math/formula/evaluate.ts';
+import { METHODS } from '../../../src/math/methods/index.ts';
+import type { Formula } from '../../../src/math/shapes/define.ts';
+import { SHAPES } from '../../../src/math/shapes/index.ts';
+import { loopOf } from './emit-typescript.ts';
+import { functionOf, moduleOf } from './emit-wasm.ts';
+import { type Ask, numbersOf, programOf } from './program.ts';
+import { SYSTEMS } from './recorders.ts';
+
+/** A file to be written, by its path below src/math/batch/generated. */
+export interface Generated {
+  readonly path: string;
+  readonly text: string;
+}
+
+const ASKS: readonly Ask[] = ['both', 'classes'];
+
+const header = (what: string): string => `/*
+ * ${what}
+ * Made by \`npm run kernels\` from the formula trees; not to be edited.
+ */
+`;
+
+interface Surface {
+  readonly kind: string;
+  readonly formula: Formula;
+  readonly symbols: Values<number>;
+}
+
+/** A shape of each kind; one whose trees depend on an axis stands for all: see turned.ts. */
+function surfaces(): Surface[] {
+  return SHAPES.map((definition) => {
+    const shape = Object.fromEntries([
+      ['kind', definition.kind],
+      ...definition.params.map(({ key, initial }) => [key, initial]),
+      ...definition.params.filter(({ type }) => type === 'axis').map(({ key }) => [key, 'x']),
+    ]) as never;
+    return {
+      kind: definition.kind,
+      formula: definition.formula(shape),
+      symbols: definition.values(shape),
+    };
+  });
+}
+
+/** For every method that is made of trees in a number system that kernels can have. */
+export function generate(): Generated[] {
+  const files: Generated[] = [];
+  const ids: [string, string][] = [];
+  const all = surfaces();
+  for (const { id, title, parts } of METHODS) {
+    parts?.(({ id: arithmetic }, form, solver) => {
+      const system = SYSTEMS[arithmetic];
+      if (!system) return;
+      ids.push([id, arithmetic]);
+      const scratch = { count: 0 };
+      const loops: string[] = [];
+      const functions = all.flatMap(({ kind, formula, symbols }) => {
+        const numbers = numbersOf(symbols);
+        return ASKS.map((ask) => {
+          const name = `${kind}${ask === 'both' ? 'Both' : 'Classes'}`;
+          const program = programOf({ formula, symbols, system, form, solver }, ask);
+          loops.push(loopOf(name, numbers, program, scratch));
+          return functionOf(name, numbers, program);
+        });
+      });
+      files.push(
+        { path: `${id}.ts`, text: typescript(title, arithmetic, scratch.count, loops) },
+        { path: `${id}-simd.ts`, text: wasm(title, moduleOf(functions)) },
+      );
+    });
+  }
+  return [...files, { path: 'index.ts', text: index(ids, all) }];
+}
+
+function typescript(title: string, arithmetic: string, places: number, loops: string[]): string {
+  const text = loops.join('\n\n');
+  const constants = [
+    ...(text.includes('fround(') ? ['const { fround } = Math;'] : []),
+    ...(text.includes('ONE_OR_NAN') ? ['const ONE_OR_NAN = Float64Array.of(1, Number.NaN);'] : []),
+    ...(places > 0 ? [`const S = new Float64Array(${places});`] : []),
+  ];
+  return [
+    `${header(`The method ${title} over arrays, in ${arithmetic}.`)}
+import type { Loop } from '../straight-loop.ts';`,
+    constants.join('\n'),
+    `${text.split('\n').flatMap(wrapped).join('\n')}\n`,
+  ].join('\n\n');
+}
+
+const COLUMNS = 96;
+
+/** A line in as many as it needs, each of which ends in an operator or a comma. */
+function wrapped(line: string): string[] {
+  if (line.length <= COLUMNS) return [line];
+  const cut = line.slice(0, COLUMNS).match(/^.*(?:\|\||&&|[-+*/&|<=,]) /)?.[0].length ?? 0;
+  if (cut === 0) throw new RangeError(`no place to cut ${line}`);
+  return [line.slice(0, cut - 1), ...wrapped(line.slice(cut))];
+}
+
+function wasm(title: string, bytes: Uint8Array): string {
+  const lines = Buffer.from(bytes)
+    .toString('base64')
+    .match(new RegExp(`.{1,${COLUMNS}}`, 'g'));
+  return `${header(`The method ${title} over arrays, as a module of WebAssembly in base64.`)}export const MODULE = \`
+${lines?.join('\n')}
+\`;
+`;
+}
+
+function index(ids: readonly (readonly [string, string])[], all: readonly Surface[]): string {
+  const name = (id: string): string => id.replaceAll('-', '');
+  return `${header('Which loops there are, by method and kind of shape.')}${ids
+    .map(([id]) => `import * as ${name(id)} from './${id}.ts';`)
+    .join('\n')}
+${ids.map(([id]) => `import { MODULE as ${name(id)}Simd } from './${id}-simd.ts';`).join('\n')}
+import type { Straight } from '../straight-loop.ts';
+
+/** The names of a shape's numbers, in the order in which its loops take them. */
+export const NUMBERS: Readonly<Record<string, readonly string[]>> = {
+${all
+  .map(
+    ({ kind, symbols }) =>
+      `  ${kind}: [${numbersOf(symbols)
+        .map((n) => `'${n}'`)
+        .join(', ')}],`,
+  )
+  .join('\n')}
+};
+
+export const STRAIGHT: Readonly<Record<string, Straight>> = {
+${ids
+  .map(
+    ([id, arithmetic]) => `  ${id}: {
+    simd: ${name(id)}Simd,
+    arithmetic: '${arithmetic}',
+    loops: {
+${all
+  .map(
+    ({ kind }) =>
+      `      ${kind}: { both: ${name(id)}.${kind}Both, classes: ${name(id)}.${kind}Classes },`,
+  )
+  .join('\n')}
+    },
+  },`,
+  )
+  .join('\n')}
+};
+`;
+}

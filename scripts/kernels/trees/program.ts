@@ -1,0 +1,224 @@
+import {
+  evaluate,
+  evaluateTriple,
+  type Triple,
+  type Values,
+  withScalars,
+} from '../../../src/math/formula/evaluate.ts';
+import type { Form } from '../../../src/math/methods/forms.ts';
+import type { Solver } from '../../../src/math/methods/solvers.ts';
+import type { CurvedFormula } from '../../../src/math/shapes/axial-quadric.ts';
+import type { Formula } from '../../../src/math/shapes/define.ts';
+import type { FlatFormula } from '../../../src/math/shapes/planar.ts';
+import { dependsOn, type Format, Graph, type Node } from './graph.ts';
+import type { Recorder, System } from './recorders.ts';
+
+/** One question to a shape by a method, as values that are worked out from one another. */
+export interface Program {
+  readonly format: Format;
+  /** What is written, by the name of the array. */
+  readonly outputs: Readonly<Partial<Record<'t0' | 't1' | 'margin', Node>>>;
+  /** Where it holds, the trees are asked instead. */
+  readonly rare: Node;
+  /**
+   * Where it holds, and `rare` does not, there is no root: neither the outputs nor `rareRoots` need
+   * be worked out. Null: the outputs are NaN by themselves.
+   */
+  readonly missed: Node | null;
+  readonly rareRoots: Node | null;
+}
+
+export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
+
+export interface Question {
+  readonly formula: Formula;
+  /** The shape's symbols; what they stand for does not matter. */
+  readonly symbols: Values<unknown>;
+  readonly system: System;
+  readonly form: Form;
+  readonly solver: Solver;
+}
+
+/** The names of a shape's numbers, in the order in which a kernel is given them. */
+export function numbersOf({ scalars, vectors }: Values<unknown>): string[] {
+  const parts = Object.keys(vectors).flatMap((id) => [0, 1, 2].map((k) => `${id}.${k}`));
+  return [...Object.keys(scalars), ...parts];
+}
+
+export type Ask = 'both' | 'classes';
+
+export function programOf(question: Question, ask: Ask): Program {
+  const g = new Graph(question.system.format);
+  const r = question.system.make(g);
+  const { formula } = question;
+  return formula.family === 'curved'
+    ? curved(g, r, question, formula, ask)
+    : flat(g, r, question, formula, ask);
+}
+
+interface Lifted {
+  readonly values: Values<unknown>;
+  readonly inputs: readonly Node[];
+}
+
+function lift(g: Graph, r: Recorder<unknown>, { scalars, vectors }: Values<unknown>): Lifted {
+  const inputs = INPUTS.map(g.input);
+  const [Ex, Ey, Ez, dx, dy, dz] = inputs.map(r.lift);
+  const number = (name: string): unknown => r.lift(g.number(name));
+  const own = Object.keys(vectors).map((id): [string, Triple<unknown>] => [
+    id,
+    [number(`${id}.0`), number(`${id}.1`), number(`${id}.2`)],
+  ]);
+  return {
+    inputs,
+    values: {
+      scalars: Object.fromEntries(Object.keys(scalars).map((id) => [id, number(id)])),
+      vectors: { ...Object.fromEntries(own), E: [Ex, Ey, Ez], d: [dx, dy, dz] },
+    },
+  };
+}
+
+/** Where an input is outside of the system's box. */
+function unusual(g: Graph, { box }: System, inputs: readonly Node[]): Node[] {
+  if (!box) return [];
+  const sizes = inputs.map(g.abs);
+  const sum = sizes.reduce((a, b) => g.add(a, b));
+  const zero = g.of(0);
+  const tiny = sizes.map((size) => g.and(g.less(zero, size), g.less(size, g.of(box.least))));
+  return [g.not(g.less(sum, g.of(box.most))), ...(box.least > 0 ? tiny : [])];
+}
+
+const any = (g: Graph, masks: readonly Node[]): Node => masks.reduce((a, b) => g.or(a, b));
+
+function curved(
+  g: Graph,
+  r: Recorder<unknown>,
+  { symbols, system, form, solver }: Question,
+  formula: CurvedFormula,
+  ask: Ask,
+): Program {
+  const ar = r.arithmetic;
+  const { values, inputs } = lift(g, r, symbols);
+  const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
+  const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
+  const known = (x: unknown): Node => g.or(r.isNegative(x), r.isPositive(x));
+  const format = system.format;
+  const before = g.take();
+
+  if (system.box) {
+    const positive = g.and(r.isPositive(D), g.not(r.isWithin(D, system.tiny)));
+    const rare = any(g, [
+      ...before,
+      ...unusual(g, system, inputs),
+      g.not(known(A)),
+      g.not(g.or(r.isNegative(D), positive)),
+    ]);
+    const missed = r.isNegative(D);
+    if (ask === 'classes') {
+      const clear = [
+        g.not(r.isWithin(A, system.tiny)),
+        r.isWithin(A, system.wide),
+        g.or(r.isNegative(B), g.or(r.isPositive(B), r.isZero(B))),
+      ].reduce((a, b) => g.and(a, b));
+      const one = g.of(1);
+      const margin = g.signed(missed, one);
+      return {
+        format,
+        outputs: { margin },
+        rare: g.or(rare, g.not(clear)),
+        missed: null,
+        rareRoots: null,
+      };
+    }
+    const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+    const [t0, t1] = r.sorted(t, s);
+    const inside = (x: Node): Node => g.and(g.isWithin(x, system.large), g.less(g.of(0), g.abs(x)));
+    const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
+    return { format, outputs: { t0, t1 }, rare, missed, rareRoots };
+  }
+
+  const shownD = r.shown(D);
+  const [a, b, c] = [A, B, C].map(r.shown) as [Node, Node, Node];
+  // What D does not depend on may have left the range though D is finite.
+  const apart = [a, b, c].filter((x) => !dependsOn(shownD, x));
+  const notFinite = (x: Node): Node => g.not(g.atMost(g.abs(x), g.of(system.greatest)));
+  const unseen =
+    format.width === 32 ? inputs.filter((x) => !dependsOn(shownD, x)).map(notFinite) : [];
+  if (ask === 'classes') {
+    const small = (x: Node): Node => g.isWithin(x, system.wide);
+    const large = (x: Node): Node => g.less(g.of(system.tiny), g.abs(x));
+    const clear = [
+      small(shownD),
+      small(b),
+      large(a),
+      // C/q is bounded by A, B and D only where D was made of C.
+      ...(apart.includes(c) ? [small(c), large(shownD), small(a)] : []),
+    ].reduce((x, y) => g.and(x, y));
+    return {
+      format,
+      outputs: { margin: shownD },
+      rare: any(g, [g.isZero(shownD), ...unseen, g.not(clear)]),
+      missed: null,
+      rareRoots: null,
+    };
+  }
+  const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+  const [t0, t1] = r.sorted(t, s);
+  const size = g.add(g.abs(t0), g.abs(t1));
+  return {
+    format,
+    outputs: { t0, t1 },
+    // Each is false where the roots are NaN because D < 0.
+    rare: any(g, [
+      g.atMost(g.of(system.large), size),
+      g.atMost(size, g.of(0)),
+      g.isZero(shownD),
+      g.isZero(a),
+      notFinite(shownD),
+      ...apart.map(notFinite),
+      ...unseen,
+    ]),
+    missed: null,
+    rareRoots: null,
+  };
+}
+
+function flat(
+  g: Graph,
+  r: Recorder<unknown>,
+  { symbols, system, form }: Question,
+  formula: FlatFormula,
+  ask: Ask,
+): Program {
+  const ar = r.arithmetic;
+  const { values, inputs } = lift(g, r, symbols);
+  const rate = evaluate(formula.rate, ar, values);
+  const t = evaluate(formula.t, ar, withScalars(values, { rate }));
+  const { x, excesses } = form.meeting(formula, withScalars(values, { rate, t }), ar);
+  const shown = r.shown(t);
+  const marks = g.take();
+  const outside = excesses.map(r.isPositive);
+  const missed = outside.length > 0 ? any(g, outside) : null;
+  const within = (y: unknown, bound: number): Node => g.not(r.isWithin(y, bound));
+  const open = excesses.map((y, k) =>
+    g.not(g.or(outside[k] as Node, g.or(r.isNegative(y), r.isZero(y)))),
+  );
+  // E + t d is no NaN; a place by the moment may be one.
+  const places = x.filter((y) => !dependsOn(r.shown(y), shown));
+  const bound = Math.sqrt(system.large);
+  const rare = any(g, [
+    ...marks,
+    ...unusual(g, system, inputs),
+    g.not(g.isWithin(shown, bound)),
+    ...(system.box
+      ? [g.not(g.or(r.isNegative(rate), r.isPositive(rate))), g.isZero(shown), ...open]
+      : [rate, ...excesses, ...places].map((y) => within(y, bound))),
+  ]);
+  const format = system.format;
+  const none = g.of(Number.NaN);
+  const outputs =
+    ask === 'both'
+      ? { t0: missed ? g.unless(missed, shown) : shown, t1: none }
+      : { margin: missed ? g.signed(missed, g.of(1)) : g.of(1) };
+  return { format, outputs, rare, missed: null, rareRoots: null };
+}

@@ -1,0 +1,116 @@
+/*
+ * Which loops there are, by method and kind of shape.
+ * Made by `npm run kernels` from the formula trees; not to be edited.
+ */
+import * as textbook32 from './textbook32.ts';
+import * as textbook from './textbook.ts';
+import * as stable from './stable.ts';
+import * as moment from './moment.ts';
+import * as compensated from './compensated.ts';
+import * as interval from './interval.ts';
+import { MODULE as textbook32Simd } from './textbook32-simd.ts';
+import { MODULE as textbookSimd } from './textbook-simd.ts';
+import { MODULE as stableSimd } from './stable-simd.ts';
+import { MODULE as momentSimd } from './moment-simd.ts';
+import { MODULE as compensatedSimd } from './compensated-simd.ts';
+import { MODULE as intervalSimd } from './interval-simd.ts';
+import type { Straight } from '../straight-loop.ts';
+
+/** The names of a shape's numbers, in the order in which its loops take them. */
+export const NUMBERS: Readonly<Record<string, readonly string[]>> = {
+  plane: ['N.0', 'N.1', 'N.2', 'P.0', 'P.1', 'P.2'],
+  cylinder: ['r', 'C.0', 'C.1', 'C.2'],
+  cone: ['c', 'V.0', 'V.1', 'V.2'],
+  hyperboloid: ['a', 'r', 'C.0', 'C.1', 'C.2'],
+  circle: ['r', 'N.0', 'N.1', 'N.2', 'C.0', 'C.1', 'C.2'],
+  square: ['L', 'N.0', 'N.1', 'N.2', 'P.0', 'P.1', 'P.2'],
+  sphere: ['r', 'C.0', 'C.1', 'C.2'],
+  paraboloid: ['k', 'V.0', 'V.1', 'V.2'],
+};
+
+export const STRAIGHT: Readonly<Record<string, Straight>> = {
+  textbook32: {
+    simd: textbook32Simd,
+    arithmetic: 'float32',
+    loops: {
+      plane: { both: textbook32.planeBoth, classes: textbook32.planeClasses },
+      cylinder: { both: textbook32.cylinderBoth, classes: textbook32.cylinderClasses },
+      cone: { both: textbook32.coneBoth, classes: textbook32.coneClasses },
+      hyperboloid: { both: textbook32.hyperboloidBoth, classes: textbook32.hyperboloidClasses },
+      circle: { both: textbook32.circleBoth, classes: textbook32.circleClasses },
+      square: { both: textbook32.squareBoth, classes: textbook32.squareClasses },
+      sphere: { both: textbook32.sphereBoth, classes: textbook32.sphereClasses },
+      paraboloid: { both: textbook32.paraboloidBoth, classes: textbook32.paraboloidClasses },
+    },
+  },
+  textbook: {
+    simd: textbookSimd,
+    arithmetic: 'float64',
+    loops: {
+      plane: { both: textbook.planeBoth, classes: textbook.planeClasses },
+      cylinder: { both: textbook.cylinderBoth, classes: textbook.cylinderClasses },
+      cone: { both: textbook.coneBoth, classes: textbook.coneClasses },
+      hyperboloid: { both: textbook.hyperboloidBoth, classes: textbook.hyperboloidClasses },
+      circle: { both: textbook.circleBoth, classes: textbook.circleClasses },
+      square: { both: textbook.squareBoth, classes: textbook.squareClasses },
+      sphere: { both: textbook.sphereBoth, classes: textbook.sphereClasses },
+      paraboloid: { both: textbook.paraboloidBoth, classes: textbook.paraboloidClasses },
+    },
+  },
+  stable: {
+    simd: stableSimd,
+    arithmetic: 'float64',
+    loops: {
+      plane: { both: stable.planeBoth, classes: stable.planeClasses },
+      cylinder: { both: stable.cylinderBoth, classes: stable.cylinderClasses },
+      cone: { both: stable.coneBoth, classes: stable.coneClasses },
+      hyperboloid: { both: stable.hyperboloidBoth, classes: stable.hyperboloidClasses },
+      circle: { both: stable.circleBoth, classes: stable.circleClasses },
+      square: { both: stable.squareBoth, classes: stable.squareClasses },
+      sphere: { both: stable.sphereBoth, classes: stable.sphereClasses },
+      paraboloid: { both: stable.paraboloidBoth, classes: stable.paraboloidClasses },
+    },
+  },
+  moment: {
+    simd: momentSimd,
+    arithmetic: 'float64',
+    loops: {
+      plane: { both: moment.planeBoth, classes: moment.planeClasses },
+      cylinder: { both: moment.cylinderBoth, classes: moment.cylinderClasses },
+      cone: { both: moment.coneBoth, classes: moment.coneClasses },
+      hyperboloid: { both: moment.hyperboloidBoth, classes: moment.hyperboloidClasses },
+      circle: { both: moment.circleBoth, classes: moment.circleClasses },
+      square: { both: moment.squareBoth, classes: moment.squareClasses },
+      sphere: { both: moment.sphereBoth, classes: moment.sphereClasses },
+      paraboloid: { both: moment.paraboloidBoth, classes: moment.paraboloidClasses },
+    },
+  },
+  compensated: {
+    simd: compensatedSimd,
+    arithmetic: 'double-double',
+    loops: {
+      plane: { both: compensated.planeBoth, classes: compensated.planeClasses },
+      cylinder: { both: compensated.cylinderBoth, classes: compensated.cylinderClasses },
+      cone: { both: compensated.coneBoth, classes: compensated.coneClasses },
+      hyperboloid: { both: compensated.hyperboloidBoth, classes: compensated.hyperboloidClasses },
+      circle: { both: compensated.circleBoth, classes: compensated.circleClasses },
+      square: { both: compensated.squareBoth, classes: compensated.squareClasses },
+      sphere: { both: compensated.sphereBoth, classes: compensated.sphereClasses },
+      paraboloid: { both: compensated.paraboloidBoth, classes: compensated.paraboloidClasses },
+    },
+  },
+  interval: {
+    simd: intervalSimd,
+    arithmetic: 'interval',
+    loops: {
+      plane: { both: interval.planeBoth, classes: interval.planeClasses },
+      cylinder: { both: interval.cylinderBoth, classes: interval.cylinderClasses },
+      cone: { both: interval.coneBoth, classes: interval.coneClasses },
+      hyperboloid: { both: interval.hyperboloidBoth, classes: interval.hyperboloidClasses },
+      circle: { both: interval.circleBoth, classes: interval.circleClasses },
+      square: { both: interval.squareBoth, classes: interval.squareClasses },
+      sphere: { both: interval.sphereBoth, classes: interval.sphereClasses },
+      paraboloid: { both: interval.paraboloidBoth, classes: interval.paraboloidClasses },
+    },
+  },
+};

@@ -1,0 +1,521 @@
+/*
+ * The method textbook over arrays, in float64.
+ * Made by `npm run kernels` from the formula trees; not to be edited.
+ */
+
+import type { Loop } from '../straight-loop.ts';
+
+const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
+
+export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k0 = n[0] as number;
+const k3 = n[3] as number;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ((k0 * (ex - k3)) + (k1 * (ey - k4))) + (k2 * (ez - k5));
+const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
+const v2 = (-v0) / v1;
+t0[i] = v2;
+t1[i] = Number.NaN;
+if ((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
+}
+return left;
+};
+
+export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k0 = n[0] as number;
+const k3 = n[3] as number;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ((k0 * (ex - k3)) + (k1 * (ey - k4))) + (k2 * (ez - k5));
+const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
+margin[i] = 1;
+if ((!(Math.abs((-v0) / v1) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
+}
+return left;
+};
+
+export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const z = dz[i] as number;
+const v1 = ex - k1;
+const v2 = ez - k3;
+const v3 = ((2 * x) * v1) + ((2 * z) * v2);
+const v4 = -v3;
+const v5 = (x * x) + (z * z);
+const v6 = (v3 * v3) - ((4 * v5) * (((v1 * v1) + (v2 * v2)) - v0));
+const v7 = 2 * v5;
+const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 2 ** -Infinity));
+const v9 = (v4 - v8) / v7;
+const v10 = (v4 + v8) / v7;
+const v11 = Math.abs(v9) + Math.abs(v10);
+t0[i] = v9;
+t1[i] = v10;
+if (((((2 ** 1022 <= v11 || v11 <= 2 ** -Infinity) || (v6 <= 2 ** -Infinity && 2 **
+-Infinity <= v6)) || (v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5)) || !(Math.abs(v6) <=
+1.7976931348623157e+308))) open[left++] = i;
+}
+return left;
+};
+
+export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const z = dz[i] as number;
+const v1 = ex - k1;
+const v2 = ez - k3;
+const v3 = ((2 * x) * v1) + ((2 * z) * v2);
+const v4 = (x * x) + (z * z);
+const v5 = (v3 * v3) - ((4 * v4) * (((v1 * v1) + (v2 * v2)) - v0));
+margin[i] = v5;
+if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
+Math.abs(v3) < 2 ** 500) && 2 ** -500 < Math.abs(v4))))) open[left++] = i;
+}
+return left;
+};
+
+export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+const v1 = 2 * v0;
+const k2 = n[2] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ex - k1;
+const v3 = ez - k3;
+const v4 = ey - k2;
+const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v1 * y) * v4);
+const v6 = -v5;
+const v7 = ((x * x) + (z * z)) - (v0 * (y * y));
+const v8 = (4 * v7) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
+const v9 = (v5 * v5) - v8;
+const v10 = 2 * v7;
+const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 2 ** -Infinity));
+const v12 = (v6 - v11) / v10;
+const v13 = (v6 + v11) / v10;
+const v14 = Math.abs(v12) + Math.abs(v13);
+t0[i] = v12;
+t1[i] = v13;
+if (((((2 ** 1022 <= v14 || v14 <= 2 ** -Infinity) || (v9 <= 2 ** -Infinity && 2 **
+-Infinity <= v9)) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7)) || !(Math.abs(v9) <=
+1.7976931348623157e+308))) open[left++] = i;
+}
+return left;
+};
+
+export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+const v1 = 2 * v0;
+const k2 = n[2] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ex - k1;
+const v3 = ez - k3;
+const v4 = ey - k2;
+const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v1 * y) * v4);
+const v6 = ((x * x) + (z * z)) - (v0 * (y * y));
+const v7 = (4 * v6) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
+const v8 = (v5 * v5) - v7;
+margin[i] = v8;
+if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
+Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+}
+return left;
+};
+
+export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k2 = n[2] as number;
+const k4 = n[4] as number;
+const k0 = n[0] as number;
+const v0 = 2 * k0;
+const k3 = n[3] as number;
+const k1 = n[1] as number;
+const v1 = k1 * k1;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ex - k2;
+const v3 = ez - k4;
+const v4 = ey - k3;
+const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v0 * y) * v4);
+const v6 = -v5;
+const v7 = ((x * x) + (z * z)) - (k0 * (y * y));
+const v8 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
+const v9 = (v5 * v5) - ((4 * v7) * v8);
+const v10 = 2 * v7;
+const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 2 ** -Infinity));
+const v12 = (v6 - v11) / v10;
+const v13 = (v6 + v11) / v10;
+const v14 = Math.abs(v12) + Math.abs(v13);
+t0[i] = v12;
+t1[i] = v13;
+if (((((2 ** 1022 <= v14 || v14 <= 2 ** -Infinity) || (v9 <= 2 ** -Infinity && 2 **
+-Infinity <= v9)) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7)) || !(Math.abs(v9) <=
+1.7976931348623157e+308))) open[left++] = i;
+}
+return left;
+};
+
+export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k2 = n[2] as number;
+const k4 = n[4] as number;
+const k0 = n[0] as number;
+const v0 = 2 * k0;
+const k3 = n[3] as number;
+const k1 = n[1] as number;
+const v1 = k1 * k1;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ex - k2;
+const v3 = ez - k4;
+const v4 = ey - k3;
+const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v0 * y) * v4);
+const v6 = ((x * x) + (z * z)) - (k0 * (y * y));
+const v7 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
+const v8 = (v5 * v5) - ((4 * v6) * v7);
+margin[i] = v8;
+if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
+Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+}
+return left;
+};
+
+export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+const k3 = n[3] as number;
+const k6 = n[6] as number;
+const k0 = n[0] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ((k1 * (ex - k4)) + (k2 * (ey - k5))) + (k3 * (ez - k6));
+const v1 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v2 = (-v0) / v1;
+const v3 = (ex + (v2 * x)) - k4;
+const v4 = (ey + (v2 * y)) - k5;
+const v5 = (ez + (v2 * z)) - k6;
+const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
+const v7 = v2 * (ONE_OR_NAN[+(2 ** -Infinity < v6)] as number);
+t0[i] = v7;
+t1[i] = Number.NaN;
+if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
+511))) open[left++] = i;
+}
+return left;
+};
+
+export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+const k3 = n[3] as number;
+const k6 = n[6] as number;
+const k0 = n[0] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ((k1 * (ex - k4)) + (k2 * (ey - k5))) + (k3 * (ez - k6));
+const v1 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v2 = (-v0) / v1;
+const v3 = (ex + (v2 * x)) - k4;
+const v4 = (ey + (v2 * y)) - k5;
+const v5 = (ez + (v2 * z)) - k6;
+const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
+margin[i] = 1 * (1 - 2 * +(2 ** -Infinity < v6));
+if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
+511))) open[left++] = i;
+}
+return left;
+};
+
+export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+const k3 = n[3] as number;
+const k6 = n[6] as number;
+const k0 = n[0] as number;
+const v0 = k5 + k0;
+const v1 = k6 + k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ((k1 * (ex - k4)) + (k2 * (ey - k5))) + (k3 * (ez - k6));
+const v3 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v4 = (-v2) / v3;
+const v5 = ey + (v4 * y);
+const v6 = k5 - v5;
+const v7 = v5 - v0;
+const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
+const v9 = ez + (v4 * z);
+const v10 = k6 - v9;
+const v11 = v9 - v1;
+const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
+t0[i] = v4 * (ONE_OR_NAN[v12] as number);
+t1[i] = Number.NaN;
+if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511))) open[left++] = i;
+}
+return left;
+};
+
+export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k4 = n[4] as number;
+const k2 = n[2] as number;
+const k5 = n[5] as number;
+const k3 = n[3] as number;
+const k6 = n[6] as number;
+const k0 = n[0] as number;
+const v0 = k5 + k0;
+const v1 = k6 + k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v2 = ((k1 * (ex - k4)) + (k2 * (ey - k5))) + (k3 * (ez - k6));
+const v3 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v4 = (-v2) / v3;
+const v5 = ey + (v4 * y);
+const v6 = k5 - v5;
+const v7 = v5 - v0;
+const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
+const v9 = ez + (v4 * z);
+const v10 = k6 - v9;
+const v11 = v9 - v1;
+const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
+margin[i] = 1 * (1 - 2 * v12);
+if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511))) open[left++] = i;
+}
+return left;
+};
+
+export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k2 = n[2] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v1 = ex - k1;
+const v2 = ey - k2;
+const v3 = ez - k3;
+const v4 = (((2 * x) * v1) + ((2 * y) * v2)) + ((2 * z) * v3);
+const v5 = -v4;
+const v6 = ((x * x) + (y * y)) + (z * z);
+const v7 = (4 * v6) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
+const v8 = (v4 * v4) - v7;
+const v9 = 2 * v6;
+const v10 = Math.sqrt(v8) * (1 - 2 * +(v9 < 2 ** -Infinity));
+const v11 = (v5 - v10) / v9;
+const v12 = (v5 + v10) / v9;
+const v13 = Math.abs(v11) + Math.abs(v12);
+t0[i] = v11;
+t1[i] = v12;
+if (((((2 ** 1022 <= v13 || v13 <= 2 ** -Infinity) || (v8 <= 2 ** -Infinity && 2 **
+-Infinity <= v8)) || (v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6)) || !(Math.abs(v8) <=
+1.7976931348623157e+308))) open[left++] = i;
+}
+return left;
+};
+
+export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k2 = n[2] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const v0 = k0 * k0;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v1 = ex - k1;
+const v2 = ey - k2;
+const v3 = ez - k3;
+const v4 = (((2 * x) * v1) + ((2 * y) * v2)) + ((2 * z) * v3);
+const v5 = ((x * x) + (y * y)) + (z * z);
+const v6 = (4 * v5) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
+const v7 = (v4 * v4) - v6;
+margin[i] = v7;
+if (((v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7) || !(((Math.abs(v7) < 2 ** 500 &&
+Math.abs(v4) < 2 ** 500) && 2 ** -500 < Math.abs(v5))))) open[left++] = i;
+}
+return left;
+};
+
+export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { t0, t1 } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const k2 = n[2] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ex - k1;
+const v1 = ez - k3;
+const v2 = (((2 * x) * v0) + ((2 * z) * v1)) - (k0 * y);
+const v3 = -v2;
+const v4 = (x * x) + (z * z);
+const v5 = (4 * v4) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
+const v6 = (v2 * v2) - v5;
+const v7 = 2 * v4;
+const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 2 ** -Infinity));
+const v9 = (v3 - v8) / v7;
+const v10 = (v3 + v8) / v7;
+const v11 = Math.abs(v9) + Math.abs(v10);
+t0[i] = v9;
+t1[i] = v10;
+if (((((2 ** 1022 <= v11 || v11 <= 2 ** -Infinity) || (v6 <= 2 ** -Infinity && 2 **
+-Infinity <= v6)) || (v4 <= 2 ** -Infinity && 2 ** -Infinity <= v4)) || !(Math.abs(v6) <=
+1.7976931348623157e+308))) open[left++] = i;
+}
+return left;
+};
+
+export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+const { margin } = out;
+const k1 = n[1] as number;
+const k3 = n[3] as number;
+const k0 = n[0] as number;
+const k2 = n[2] as number;
+let left = 0;
+for (let i = 0; i < count; i++) {
+const ex = Ex[i] as number;
+const ey = Ey[i] as number;
+const ez = Ez[i] as number;
+const x = dx[i] as number;
+const y = dy[i] as number;
+const z = dz[i] as number;
+const v0 = ex - k1;
+const v1 = ez - k3;
+const v2 = (((2 * x) * v0) + ((2 * z) * v1)) - (k0 * y);
+const v3 = (x * x) + (z * z);
+const v4 = (4 * v3) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
+const v5 = (v2 * v2) - v4;
+margin[i] = v5;
+if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
+Math.abs(v2) < 2 ** 500) && 2 ** -500 < Math.abs(v3))))) open[left++] = i;
+}
+return left;
+};

@@ -1,0 +1,106 @@
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
+import { float32 } from '../arithmetic/float32.ts';
+import { float64 } from '../arithmetic/float64.ts';
+import type { Values } from '../formula/evaluate.ts';
+import type { Method } from '../methods/define.ts';
+import type { Shape } from '../shapes/index.ts';
+import { definitionOf } from '../shapes/lookup.ts';
+import { type Axis, axisIndex } from '../vec3.ts';
+import {
+  type Answers,
+  type Kernel,
+  list,
+  NONE,
+  ONE,
+  type Rays,
+  selectFirst,
+  TWO,
+  VERDICTS,
+} from './batch.ts';
+import { NUMBERS, STRAIGHT } from './generated/index.ts';
+import { mayLackNormal } from './normals.ts';
+import type { Ask, Loops } from './straight-loop.ts';
+
+/** Where a method's loops for a kind of shape come from; null where there are none. */
+export type Source = (method: string, kind: string) => Loops | null;
+
+export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
+
+/** The loops of `source`, and the method itself for what they leave open; null without loops. */
+export function straightKernel(method: Method, shape: Shape, source: Source): Kernel | null {
+  const loops = source(method.id, shape.kind);
+  if (!loops || !isOrdinary(method, shape)) return null;
+  const met = definitionOf(shape).formula(shape).family === 'curved' ? 'two' : 'one';
+  const usual = met === 'two' ? TWO : ONE;
+  const turn = turnOf(shape);
+  const numbers = numbersOf(shape, turn);
+  let open = new Int32Array(0);
+
+  function ask(form: Ask, rays: Rays, out: Answers): void {
+    out.rareCount = 0;
+    if (open.length < rays.count) open = new Int32Array(rays.count);
+    const left = (loops as Loops)[form](numbers, turned(rays, turn), out, open);
+    for (let k = 0; k < left; k++) {
+      const i = open[k] as number;
+      const { class: verdict, hits } = method.intersect(shape, {
+        origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
+        direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
+      });
+      const place = VERDICTS.indexOf(verdict);
+      out.t0[i] = hits[0]?.t ?? Number.NaN;
+      out.t1[i] = hits[1]?.t ?? Number.NaN;
+      out.margin[i] = place === NONE ? -1 : 1;
+      if (place !== NONE && place !== usual) list(out, i, place);
+    }
+  }
+
+  return {
+    met,
+    both: (rays, out) => ask('both', rays, out),
+    classes: (rays, out) => ask('classes', rays, out),
+    first(rays, tMin, tMax, out) {
+      ask('both', rays, out);
+      selectFirst(out, rays.count, tMin, tMax);
+    },
+  };
+}
+
+/** Shapes whose numbers are outside of this are the trees' in double-double and intervals. */
+const LEAST = 2 ** -100;
+const MOST = 2 ** 100;
+const isInBox = (x: number): boolean => x === 0 || (Math.abs(x) > LEAST && Math.abs(x) < MOST);
+
+const FORMATS: Readonly<Record<string, Arithmetic<number>>> = { float32, float64 };
+
+/** Whether the loops' conditions are enough for this shape. */
+function isOrdinary(method: Method, shape: Shape): boolean {
+  const format = FORMATS[STRAIGHT[method.id]?.arithmetic ?? ''];
+  const { formula, values } = definitionOf(shape);
+  if (!format) return numbersOf(shape, 0).every(isInBox);
+  const own = formula(shape);
+  return own.family === 'flat' || !mayLackNormal(own, values(shape), format);
+}
+
+/** A shape that lies along an axis is looked at from there: x is the axis, then y and z follow. */
+function turnOf(shape: Shape): number {
+  const param = definitionOf(shape).params.find(({ type }) => type === 'axis');
+  return param ? axisIndex((shape as unknown as Record<string, Axis>)[param.key] as Axis) : 0;
+}
+
+function turned(rays: Rays, turn: number): Rays {
+  if (turn === 0) return rays;
+  const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
+  return turn === 1
+    ? { count, Ex: Ey, Ey: Ez, Ez: Ex, dx: dy, dy: dz, dz: dx }
+    : { count, Ex: Ez, Ey: Ex, Ez: Ey, dx: dz, dy: dx, dz: dy };
+}
+
+function numbersOf(shape: Shape, turn: number): Float64Array {
+  const { scalars, vectors } = definitionOf(shape).values(shape) as Values<number>;
+  const names = NUMBERS[shape.kind] ?? [];
+  return Float64Array.from(names, (name) => {
+    const [id, part] = name.split('.') as [string, string?];
+    if (part === undefined) return scalars[id] as number;
+    return vectors[id]?.[((Number(part) + turn) % 3) as 0 | 1 | 2] as number;
+  });
+}
