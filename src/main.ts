@@ -77,7 +77,10 @@ const tools: PageActions = {
     theme.set(next);
     say(`theme: ${next}`);
   },
-  play: () => player.toggle(modelNow().graph),
+  // It rests at each root, which would tell where they are.
+  play: () => {
+    if (modelNow().shown.hits) player.toggle(modelNow().graph);
+  },
   lines: () => {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };
@@ -90,6 +93,7 @@ const dialogParts: DialogParts = {
   thumbnail: () => explore?.scene.thumbnail() ?? null,
   exports: async () => pages.current()?.exports() ?? (explore ? exportsOf(explore) : []),
   example: () => exampleOf(store.get()),
+  hidden: () => store.get().revealed !== null,
   page: () => store.get().page,
   dispatch: store.dispatch,
   tools,
@@ -172,7 +176,7 @@ function renderExplore(state: AppState): void {
 
 function renderAll(): void {
   const state = store.get();
-  if (state.page !== 'explore') player.stop();
+  if (state.page !== 'explore' || !derive(state).shown.hits) player.stop();
   const title = PAGES.find(({ id }) => id === state.page)?.title;
   document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
   render(

@@ -16,6 +16,8 @@ export interface DialogParts {
   /** Draws small pictures, once the scene's code is there. */
   readonly thumbnail: () => Thumbnail | null;
   readonly example: () => ShownExample | null;
+  /** Whether the results are hidden: then no card tells them. */
+  readonly hidden: () => boolean;
   readonly page: () => PageId;
   readonly exports: () => Promise<readonly ExportItem[]>;
   readonly dispatch: Dispatch;
@@ -29,7 +31,7 @@ export type Dialogs = Readonly<Record<'gallery' | 'help' | 'export', () => void>
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
-    galleryContent(parts.example(), pick, parts.thumbnail()),
+    galleryContent(parts.example(), pick, parts.thumbnail(), parts.hidden()),
   );
   const pick = (id: string): void => {
     parts.dispatch({ type: 'example', id });

@@ -17,13 +17,14 @@ export function galleryContent(
   current: ShownExample | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
+  hidden: boolean,
 ): TemplateResult {
   return html`<div class="gallery">
     ${SHAPES.map(({ kind, title }) => {
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>
         <h3>${title}</h3>
-        <div class="gallery-cards">${own.map((example) => card(example, current?.entry === example ? current : null, pick, thumbnail))}</div>
+        <div class="gallery-cards">${own.map((example) => card(example, current?.entry === example ? current : null, pick, thumbnail, hidden))}</div>
       </section>`;
     })}
   </div>`;
@@ -34,22 +35,26 @@ function card(
   current: ShownExample | null,
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
+  hidden: boolean,
 ): TemplateResult {
   const draw = (element: Element | undefined): void => {
     if (element instanceof HTMLElement && thumbnail && element.childElementCount === 0) {
-      thumbnail(element, createDerive()(decode(example.link)).scene);
+      thumbnail(
+        element,
+        createDerive()({ ...decode(example.link), revealed: hidden ? 0 : null }).scene,
+      );
     }
   };
   return html`<button
     type="button"
     class="gallery-card"
-    data-example=${example.id}
+    data-example=${hidden ? nothing : example.id}
     aria-pressed=${current !== null && !current.changed}
     @click=${() => pick(example.id)}
   >
     <span class="thumbnail" aria-hidden="true" ${ref(draw)}></span>
-    <strong>${example.title}</strong>
+    <strong>${hidden ? `example ${GALLERY.indexOf(example) + 1}` : example.title}</strong>
     ${current?.changed ? html`<span class="gallery-look">Changed since: choosing it brings it back.</span>` : nothing}
-    <span class="gallery-look">${example.look}</span>
+    <span class="gallery-look">${hidden ? '' : example.look}</span>
   </button>`;
 }

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../math/index.ts';
+import type { Ask } from './ask.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';
@@ -50,6 +51,8 @@ export type Action =
   | { readonly type: 'browse'; readonly by: 1 | -1 }
   /** How many lines of the result are shown; null for all of them. */
   | { readonly type: 'reveal'; readonly lines: number | null }
+  /** What is to be predicted. */
+  | { readonly type: 'ask'; readonly ask: Ask }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
   /** To a ray and a shape near the present ones that touch exactly, where there are such. */

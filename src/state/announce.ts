@@ -25,8 +25,8 @@ function newExample({ example: old }: ExploreModel, { example, state }: ExploreM
   if (!example || example.changed) return '';
   if (old && !old.changed && old.number === example.number) return '';
   const { number, of, entry } = example;
-  const look = state.revealed === null ? ` ${entry.look}` : '';
-  return `Example ${number} of ${of}: ${entry.title}.${look}`;
+  if (state.revealed !== null) return `Example ${number} of ${of}.`;
+  return `Example ${number} of ${of}: ${entry.title}. ${entry.look}`;
 }
 
 const leavesExample = (before: ExploreModel, after: ExploreModel): boolean =>

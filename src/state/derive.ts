@@ -14,7 +14,7 @@ import type { Tangent } from './nearest-tangent.ts';
 import { shownLines, withoutResults } from './reveal.ts';
 import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
-import { sameStage, stageOf } from './stage.ts';
+import { sameStage, stageAround, stageOf } from './stage.ts';
 import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
 
@@ -91,7 +91,10 @@ export function createDerive(
   );
   const steps = remember(derivation);
   const graphFor = remember(graphOf);
-  const stage = keepWhile(sameStage, stageOf);
+  // While the hits are hidden their places may not be read off the part of the world that is shown.
+  const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
+    found ? stageOf(shape, r, found) : stageAround(shape, [r.origin]),
+  );
   const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
   const handles = remember(
     (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
@@ -125,7 +128,9 @@ export function createDerive(
     const exactly = check(shape, r);
     const exactClass = exactly.found.class;
     const graph = graphFor(found, shape, r, state.bead);
-    const s = stage(shape, r, found);
+    const derived = steps(shape, r, found);
+    const shown = shownLines({ derivation: derived }, state.revealed);
+    const s = stage(shape, r, shown.hits ? found : null);
     const picture = drawing(shape, s);
     const held = handles(shape, state.E, state.d, state.unit, r, picture);
     const near = nearly(closer, shape, r, exactly, held, state);
@@ -146,8 +151,6 @@ export function createDerive(
       view: state.view,
       ghost: ghostly(state.ghost),
     });
-    const derived = steps(shape, r, found);
-    const shown = shownLines({ derivation: derived }, state.revealed);
     return {
       state,
       shape,
@@ -164,7 +167,7 @@ export function createDerive(
       near,
       hits: hitWords(found),
       graph: shown.hits ? graph : { ...graph, concealed: true },
-      scene: shown.hits ? scene : withoutResults(scene),
+      scene: shown.hits ? scene : withoutResults(scene, state),
       shown,
     };
   };

@@ -35,10 +35,15 @@ export function exampleOf(state: AppState): ShownExample | null {
 
 /** What a caption speaks of: ray, shape and method, however one looks at them. */
 function valuesOf(state: AppState): string {
-  const { view, bead, settings } = INITIAL;
-  return encode({ ...state, page: 'explore', view, bead, settings });
+  const { view, bead, settings, revealed, ask } = INITIAL;
+  return encode({ ...state, page: 'explore', view, bead, settings, revealed, ask });
 }
 
-/** "tangent", or "tangent, changed" */
-export const titleOf = ({ entry, changed }: ShownExample): string =>
-  changed ? `${entry.title}, changed` : entry.title;
+/**
+ * "tangent", or "tangent, changed"; only its number while the results are hidden, as most titles
+ * tell them.
+ */
+export const titleOf = ({ entry, changed, number, of }: ShownExample, hidden = false): string => {
+  const title = hidden ? `${number} of ${of}` : entry.title;
+  return changed ? `${title}, changed` : title;
+};

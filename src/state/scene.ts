@@ -9,7 +9,7 @@ import type { Handle } from './handles.ts';
 import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
 import type { View } from './view.ts';
-import { windowOf } from './window.ts';
+import { rootsOf, windowOf } from './window.ts';
 import { hitSentences, hitWords } from './words.ts';
 
 interface Parts {
@@ -31,7 +31,7 @@ export function sceneOf(parts: Parts): SceneModel {
   const all = hitMarks(found, stage);
   // A float method may know t and lose the place on the way to it.
   const hits = all.filter(({ point }) => !point.some(Number.isNaN));
-  const reach = clipToStage(ray, stage, graph);
+  const reach = clipToStage(ray, stage, drawnOver(found, graph));
   const originDrawn = isDrawn(ray.origin, stage);
   const point: Vec3 = graph.bead.point;
   return {
@@ -97,6 +97,16 @@ export function clipToStage(
   return Number.isFinite(from) && Number.isFinite(to) && from < to ? { from, to } : null;
 }
 
+/**
+ * The stretch of t that the scene draws: what the graph shows, with the tip of d and every root;
+ * the whole line where there is no root, as then only the line tells how it passes the shape.
+ */
+function drawnOver(found: Intersection, graph: GraphModel): { from: number; to: number } {
+  if (rootsOf(found).length === 0) return { from: -Infinity, to: Infinity };
+  const whole = windowOf(found);
+  return { from: Math.min(whole.from, graph.from), to: Math.max(whole.to, graph.to) };
+}
+
 function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null {
   const reach = clipToStage(ray, stage, windowOf(found));
   if (!reach) return null;
@@ -111,18 +121,18 @@ function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null
   };
 }
 
-/** The graph's stretches, as far as they reach. */
+/** The graph's stretches; the first and the last go on as far as the line is drawn. */
 function segmentsOf({ stretches }: GraphModel, reach: { from: number; to: number }): RaySegment[] {
   return stretches
-    .map(({ from, to, stretch }) => ({
-      from: Math.max(from, reach.from),
-      to: Math.min(to, reach.to),
+    .map(({ from, to, stretch }, i) => ({
+      from: i === 0 ? reach.from : Math.max(from, reach.from),
+      to: i === stretches.length - 1 ? reach.to : Math.min(to, reach.to),
       stretch,
     }))
     .filter(({ from, to }) => from < to);
 }
 
-function ticksOf({ from, to }: { from: number; to: number }): number[] {
+export function ticksOf({ from, to }: { from: number; to: number }): number[] {
   const step = roundStep((to - from) / 5);
   return multiplesWithin(from, to, step).filter((t) => t !== 0);
 }

@@ -1,5 +1,6 @@
 import { type Ray, SHAPES, type Shape, type Vec3 } from '../math/index.ts';
 import { DEFAULT_METHOD, type Param, type ShapeKind, unitVector } from '../math/shapes.ts';
+import type { Ask } from './ask.ts';
 import type { Between } from './heights.ts';
 import type { View } from './view.ts';
 
@@ -27,8 +28,8 @@ export type Settings = Readonly<Record<string, string>>;
 
 /**
  * Everything that a page shows follows from this. A link carries it, but for the other shapes and
- * what was typed for them, which only a file has, and for problems, example, revealed and ghost,
- * which last as long as the page is open.
+ * what was typed for them, which only a file has, and for problems, example, ghost and how many of
+ * the hidden lines are revealed, which last as long as the page is open.
  */
 export interface AppState {
   readonly page: PageId;
@@ -61,6 +62,8 @@ export interface AppState {
   readonly example: string | null;
   /** How many lines of the result are shown, for predicting first; null shows everything. */
   readonly revealed: number | null;
+  /** What is asked while they are hidden; null leaves the choice of a question to the page. */
+  readonly ask: Ask | null;
   /** A ray and its hits that were kept to compare with. */
   readonly ghost: Ghost | null;
 }
@@ -117,6 +120,7 @@ export const INITIAL: AppState = {
   problems: [],
   example: null,
   revealed: null,
+  ask: null,
   ghost: null,
 };
 

@@ -85,6 +85,8 @@ function updated(state: AppState, action: Action): AppState {
       return openExample(state, neighbour(exampleOf(state)?.entry.id ?? state.example, action.by));
     case 'reveal':
       return { ...state, revealed: action.lines };
+    case 'ask':
+      return { ...state, ask: action.ask };
     case 'ghost':
       return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
     case 'tangent':

@@ -10,6 +10,7 @@ import {
   type ShapeKind,
 } from '../math/shapes.ts';
 import { parseNumber } from '../text/parse.ts';
+import { type Ask, isAsk } from './ask.ts';
 import type { Between } from './heights.ts';
 import {
   type AppState,
@@ -158,6 +159,8 @@ function lookPairs(state: AppState): [string, string][] {
   if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
   if (state.between) pairs.push(['between', heights.write(state.between)]);
+  if (state.revealed !== null) pairs.push(['hide', '1']);
+  if (state.ask) pairs.push(['ask', state.ask]);
   return pairs;
 }
 
@@ -187,7 +190,8 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
   const method = read('method', word, DEFAULT_METHOD, (v) => {
     if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
   });
-  const look = page === 'explore' ? readLook(read) : before;
+  const look =
+    page === 'explore' ? readLook(read, before) : { ...before, hidden: before.revealed !== null };
   const rest = [...given].filter(([key]) => !known.has(key));
   if (page === 'explore') {
     for (const [key] of rest) problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
@@ -208,7 +212,8 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     settings: { ...before.settings, [page]: own },
     problems,
     example: null,
-    revealed: before.revealed === null ? null : 0,
+    revealed: look.hidden ? 0 : null,
+    ask: look.ask,
     ghost: before.ghost,
   };
 }
@@ -232,8 +237,16 @@ function readRay(
   };
 }
 
-function readLook(read: Read): Pick<AppState, 'view' | 'bead' | 'between'> {
+interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask'> {
+  readonly hidden: boolean;
+}
+
+/** A link that says nothing of hiding leaves it as it is: a lecture goes on from link to link. */
+function readLook(read: Read, before: AppState): Look {
+  const unsaid = before.revealed === null ? '0' : '1';
   return {
+    hidden: read('hide', word, unsaid, flag) === '1',
+    ask: read<string | null>('ask', word as Codec<string | null>, null, knownAsk) as Ask | null,
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
     between: read<Between | null>('between', heights, null),
@@ -283,6 +296,11 @@ function knownKind(kind: string): void {
   throw new InvalidInput(
     known ? `${quote(kind)} is called ${known} here` : `${quote(kind)} is not a shape`,
   );
+}
+
+function knownAsk(ask: string | null): void {
+  if (ask === null || !isAsk(ask))
+    throw new InvalidInput(`${quote(ask ?? '')} is nothing to predict`);
 }
 
 function flag(text: string): void {

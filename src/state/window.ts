@@ -16,6 +16,8 @@ const CLOSE = 0.02;
  * them.
  */
 const TOO_CLOSE = 1e-5;
+/** A root nearer to E than this share of the other one's distance is looked at without that one. */
+const FAR = 1e-3;
 
 const TOGETHER = 't₁ and t₂ lie too close together to be told apart here';
 
@@ -38,9 +40,23 @@ export function graphWindowOf(found: Intersection, ends: readonly number[] = [])
   const whole = windowOf(found, ends);
   const [first, last] = rootsOf(found);
   if (first === undefined || last === undefined) return whole;
+  if (first === last) {
+    return Math.abs(first) < CLOSE && first !== 0 ? within(found, ends) : whole;
+  }
+  const alone = nearRootAlone(first, last);
+  if (alone) return alone;
   if (last - first > CLOSE * (whole.to - whole.from)) return whole;
   const near = within(found, ends);
   return near.note === TOGETHER ? whole : near;
+}
+
+/** Where one root is so far off that the other one would fall on E: the near one with E. */
+function nearRootAlone(first: number, last: number): Window | null {
+  const [near, far] = Math.abs(first) < Math.abs(last) ? [first, last] : [last, first];
+  if (near === 0 || !(Math.abs(near) < FAR * Math.abs(far))) return null;
+  const [name, side] = [far === first ? 't₁' : 't₂', far > 0 ? 'right' : 'left'];
+  const note = `${name} is far to the ${side}`;
+  return { ...around([0, near], [near]), note };
 }
 
 function within(found: Intersection, ends: readonly number[]): Window {

@@ -35,5 +35,6 @@ export function exploreExports(explore: Explore, model: () => ExploreModel): Exp
     text: null,
     blob: () => explore.scene.picture(),
   };
-  return [...texts, graph, picture];
+  // Hidden, only the picture says nothing of where the ray meets the shape.
+  return model().shown.hits ? [...texts, graph, picture] : [picture];
 }

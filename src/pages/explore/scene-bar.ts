@@ -18,7 +18,7 @@ export function sceneBar(
   const hidden = state.revealed !== null;
   return html`<div class="example">
       <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
-        <span class="words">example:</span> <strong>${example ? titleOf(example) : 'choose one'}</strong> <span aria-hidden="true">▾</span>
+        <span class="words">example:</span> <strong>${example ? titleOf(example, hidden) : 'choose one'}</strong> <span aria-hidden="true">▾</span>
       </button>
       <span class="steps-through">
         ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}

@@ -4,6 +4,7 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
+import { ASKS } from '../../../src/state/ask.ts';
 import type { Between } from '../../../src/state/heights.ts';
 import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
@@ -94,13 +95,21 @@ export const anyState: fc.Arbitrary<AppState> = fc
     bead: fc.option(double, { nil: null }),
     texts: fc.array(fc.option(text), { minLength: 3, maxLength: 3 }),
     between: fc.option(heights, { nil: null }),
+    revealed: fc.constantFrom(null, 0),
+    ask: fc.option(fc.constantFrom(...ASKS), { nil: null }),
   })
   .map(({ shape, texts, ...rest }) => {
     const state: AppState = {
       ...INITIAL,
       ...rest,
       // The look is Explore's own.
-      ...(rest.page !== 'explore' && { view: INITIAL.view, bead: null, between: null }),
+      ...(rest.page !== 'explore' && {
+        view: INITIAL.view,
+        bead: null,
+        between: null,
+        revealed: null,
+        ask: null,
+      }),
       kind: shape.kind,
       shapes: { ...INITIAL.shapes, [shape.kind]: shape },
     };

@@ -1,9 +1,15 @@
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
+import { announcement } from '../../../src/state/announce.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { titleOf } from '../../../src/state/example.ts';
+import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { lineCount } from '../../../src/state/reveal.ts';
+import { clipToStage } from '../../../src/state/scene.ts';
+import { stageAround } from '../../../src/state/stage.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
+import { rootsOf } from '../../../src/state/window.ts';
 
 const at = (link: string, lines: number | null) =>
   createDerive()(update(decode(link, INITIAL), { type: 'reveal', lines }));
@@ -42,4 +48,48 @@ test('while the hits are hidden the scene does not give them away', () => {
 test('the segments of a hidden scene are one piece before and after E', () => {
   const { scene } = at('#/explore?shape=cone', 0);
   expect(scene.ray.segments).toHaveLength(2);
+});
+
+describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('hidden, %s', (_, entry) => {
+  const derive = createDerive();
+  const state = update(decode(entry.link, INITIAL), { type: 'reveal', lines: 0 });
+  const { scene, shape, ray, example, graph } = derive(update(state, { type: 'ghost', on: true }));
+
+  test('shows the part of the world that E and the shape take, wherever the hits are', () => {
+    expect(scene.stage).toEqual(stageAround(shape, [ray.origin]));
+    expect(scene.ghost).toBeNull();
+    expect(scene.bead).toBeNull();
+    expect(graph.concealed).toBe(true);
+  });
+
+  test('draws the line to where it leaves that part, not to a root', () => {
+    const whole = clipToStage(ray, scene.stage, { from: -Infinity, to: Infinity });
+    const { segments } = scene.ray;
+    const drawn = segments.length > 0 ? [segments[0]?.from, segments.at(-1)?.to] : undefined;
+    expect(drawn).toEqual(whole ? [whole.from, whole.to] : undefined);
+  });
+
+  test('is named by its number, and announced by it', () => {
+    expect(example && titleOf(example, true)).toMatch(/^\d+ of \d+$/);
+    const before = derive(update(INITIAL, { type: 'reveal', lines: 0 }));
+    const words = announcement(before, derive(state));
+    expect(words).not.toContain(entry.title);
+    expect(words).not.toContain(entry.look);
+  });
+});
+
+test('a bead that was put on the ray is shown where that is asked, and nowhere else', () => {
+  const marked = (ask: string) => at(`#/explore?shape=cone&hide=1&ask=${ask}&t=1.5`, 0).scene.bead;
+  expect(marked('where')).toMatchObject({ t: 1.5 });
+  expect(marked('points')).toBeNull();
+});
+
+test('a line without roots is drawn through the whole stage', () => {
+  for (const { id, link } of GALLERY) {
+    const { scene, found, ray } = createDerive()(decode(link, INITIAL));
+    if (rootsOf(found).length > 0) continue;
+    const whole = clipToStage(ray, scene.stage, { from: -Infinity, to: Infinity });
+    expect(scene.ray.segments[0]?.from, id).toBe(whole?.from);
+    expect(scene.ray.segments.at(-1)?.to, id).toBe(whole?.to);
+  }
 });

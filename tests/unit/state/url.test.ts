@@ -119,6 +119,17 @@ describe('what a link looks like', () => {
     expect(encode(free)).toContain('&view=30,-12.5,2');
   });
 
+  test('hide=1 and what is asked; a link without it leaves hiding as it is', () => {
+    const state = decode('#/explore?hide=1&ask=points');
+    expect(state).toMatchObject({ revealed: 0, ask: 'points', problems: [] });
+    expect(encode(state)).toMatch(/&hide=1&ask=points$/);
+    expect(decode('#/explore?shape=plane', state)).toMatchObject({ revealed: 0, ask: null });
+    expect(decode('#/explore?hide=0', state).revealed).toBeNull();
+    expect(decode('#/explore?ask=why').problems).toEqual([
+      "opened without ask: 'why' is nothing to predict",
+    ]);
+  });
+
   test.each(SHAPES.map(({ kind }) => kind))('%s: every parameter by its symbol', (kind) => {
     const definition = SHAPES.find((shape) => shape.kind === kind);
     const given = (definition?.params ?? []).map(({ type, symbol }) =>
