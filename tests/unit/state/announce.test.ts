@@ -73,9 +73,7 @@ describe('an example', () => {
   test('keeps its title and caption to itself while the results are hidden', () => {
     const hidden = update(INITIAL, { type: 'reveal', lines: 0 });
     const next = update(hidden, { type: 'example', id: 'circle-rim' });
-    expect(announcement(derive(hidden), derive(next))).toMatch(
-      /^Example \d+ of \d+\.$/,
-    );
+    expect(announcement(derive(hidden), derive(next))).toMatch(/^Example \d+ of \d+\.$/);
   });
 });
 
