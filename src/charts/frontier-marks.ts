@@ -1,6 +1,6 @@
 import { svg, type TemplateResult } from 'lit';
 import { type Priced, steps } from '../lab/pareto.ts';
-import type { FrontierMark } from './frontier-model.ts';
+import type { FrontierMark } from '../state/accuracy/frontier.ts';
 import type { Box } from './mark-labels.ts';
 import { type Field, px } from './plot.ts';
 
@@ -51,7 +51,8 @@ export function markOf(
       @click=${() => choose(mark.id)} @keydown=${key}>
     <circle class="plot-touch" r="14"></circle>
     ${chosen ? svg`<circle class="plot-ring" r=${11 * scale}></circle>` : ''}
-    <circle class=${isBest ? 'plot-dot full' : 'plot-dot'} r=${(chosen ? 6.5 : 5) * scale}></circle>
+    ${mark.isFaint ? svg`<line class="plot-reference" y1=${-12 * scale} y2=${12 * scale}></line>` : ''}
+    <circle class=${mark.isFaint ? 'plot-dot faint' : isBest ? 'plot-dot full' : 'plot-dot'} r=${(chosen ? 6.5 : 5) * scale}></circle>
     <circle class="plot-focus" r=${(chosen ? 14 : 10) * scale}></circle>
   </g>`;
 }

@@ -2,9 +2,9 @@ import { scaleLinear, scaleLog } from 'd3-scale';
 import { html, render, svg, type TemplateResult } from 'lit';
 import { frontier } from '../lab/pareto.ts';
 import { grouped } from '../lab/sentence.ts';
+import type { FrontierMark, FrontierModel } from '../state/accuracy/frontier.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { lineBoxes, markOf, stepLine } from './frontier-marks.ts';
-import type { FrontierMark, FrontierModel } from './frontier-model.ts';
 import { watchMetrics } from './graph-metrics.ts';
 import { type Box, labelMarks } from './mark-labels.ts';
 import {
@@ -29,7 +29,7 @@ export function mountFrontier(
 
   function draw(): void {
     const metrics = watch.metrics();
-    if (model && metrics) render(plot(model, fieldOf(metrics), choose), watch.slot);
+    if (model && metrics) render(plot(model, fieldOf(metrics, 0, SCALES), choose), watch.slot);
   }
 
   return {
@@ -44,6 +44,8 @@ export function mountFrontier(
   };
 }
 
+/** Of time: multiples, and nanoseconds. */
+const SCALES = 2;
 /** Marks stay clear of the ends of the axis by this factor. */
 const MARGIN = 1.5;
 
@@ -57,11 +59,13 @@ interface Spot {
 const NOTE = 'further up and to the left is better';
 
 function plot(model: FrontierModel, field: Field, choose: (id: string) => void): TemplateResult {
-  const { marks, worthTicks, chosen } = model;
+  const { marks, worthTicks, chosen, unit, gridByUnit } = model;
   const { x, y } = scalesOf(model, field);
   const spots = marks.map((mark) => ({ mark, x: x(mark.cost.value), y: y(mark.worth) }));
   const front = frontier(
-    spots.map((spot) => ({ ...spot, cost: spot.mark.cost.value, worth: spot.mark.worth })),
+    spots
+      .filter(({ mark }) => !mark.isApart)
+      .map((spot) => ({ ...spot, cost: spot.mark.cost.value, worth: spot.mark.worth })),
   );
   const best = new Set(front.map(({ mark }) => mark.id));
   const line = front.map((spot) => ({ cost: spot.x, worth: spot.y }));
@@ -69,19 +73,18 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   const rank = ({ mark }: Spot): number => (mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2);
   const ordered = [...spots].sort((p, q) => rank(p) - rank(q) || p.x - q.x);
   const note = noteBox(model.worthTitle, field);
+  const ratios = costTicks(x, 1);
+  const times = unit === null ? [] : costTicks(x, unit);
   return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.worthTitle} against ${model.costTitle}`}>
     ${axes(
       field,
-      {
-        ticks: costTicks(x),
-        minor: x.ticks().map((value) => x(value)),
-        title: `${model.costTitle} →`,
-      },
+      { ticks: ratios, title: `${model.costTitle} →`, grid: gridByUnit ? times : ratios },
       {
         ticks: worthTicks.map(({ value, label }) => ({ at: y(value), label })),
         title: model.worthTitle,
       },
     )}
+    ${times.map(({ at, label }) => svg`<text class="plot-tick" text-anchor="middle" x=${px(at)} y=${px(field.bottom + 2.8 * field.em)}>${label}</text>`)}
     ${stepLine(line, field)}
     <text class="plot-name quiet" x=${px(note.left)} y=${px(note.top + field.em)}>${NOTE}</text>
     ${spots.map(({ mark, y: cy }) => svg`<line class="plot-whisker" x1=${px(x(mark.cost.least))} x2=${px(x(mark.cost.most))} y1=${px(cy)} y2=${px(cy)}></line>`)}
@@ -90,11 +93,18 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   </svg>`;
 }
 
+/** Ends of the axis, so that it stays where it is when prices differ a little. */
+function endsOf(costs: readonly number[]): readonly [number, number] {
+  const low = Math.log2(Math.min(...costs) / MARGIN);
+  const high = Math.log2(Math.max(...costs) * MARGIN);
+  return [2 ** Math.floor(low), 2 ** Math.ceil(high)];
+}
+
 function scalesOf({ marks, worthTicks }: FrontierModel, { left, right, top, bottom, em }: Field) {
   const costs = marks.flatMap(({ cost }) => [cost.value, cost.least, cost.most]);
   const worths = worthTicks.map(({ value }) => value);
   return {
-    x: scaleLog([Math.min(...costs) / MARGIN, Math.max(...costs) * MARGIN], [left, right]),
+    x: scaleLog(endsOf(costs), [left, right]),
     y: scaleLinear([Math.min(...worths), Math.max(...worths)], [bottom - 0.9 * em, top + 0.5 * em]),
   };
 }
@@ -110,14 +120,24 @@ function noteBox(title: string, field: Field): Box {
   return { left, top: fits ? -0.1 * field.em : 1.2 * field.em, ...size };
 }
 
-/** Powers of ten, or what there is between two of them. */
-function costTicks(x: ReturnType<typeof scalesOf>['x']): PlotTick[] {
-  const decades = x.ticks().filter((value) => Math.log10(value) % 1 === 0);
-  return (decades.length >= 2 ? decades : x.ticks(4)).map((value) => ({
-    at: x(value),
-    label: value >= 1 ? grouped(value) : String(value),
-  }));
+/** 1, 2 and 5 times each power of ten, in a unit; without 2 and 5 where they would be too dense. */
+function costTicks(x: ReturnType<typeof scalesOf>['x'], unit: number): PlotTick[] {
+  const [from = 1, to = 1] = x.domain().map((value) => value * unit);
+  const decades = Math.log10(to / from);
+  const [left = 0, right = 0] = x.range();
+  const steps = (right - left) / decades > DENSE ? [1, 2, 5] : [1];
+  const first = Math.floor(Math.log10(from));
+  return Array.from({ length: Math.ceil(decades) + 2 }, (_, k) => Number(`1e${first + k}`))
+    .flatMap((power) => steps.map((step) => Number((step * power).toPrecision(1))))
+    .filter((value) => value >= from && value <= to * (unit === 1 ? 1 : 0.9))
+    .map((value) => ({
+      at: x(value / unit),
+      label: `${value >= 1 ? grouped(value) : value}${unit === 1 ? '' : ' ns'}`,
+    }));
 }
+
+/** px a power of ten that three labels need. */
+const DENSE = 150;
 
 /** How much wider a name is in bold. */
 const BOLD = 1.06;
@@ -128,18 +148,18 @@ function names(
   field: Field,
   taken: readonly Box[],
 ): TemplateResult[] {
-  const nameOf = ({ id, name }: FrontierMark): string =>
-    id === chosen ? `${name}, selected` : name;
   const wishes = spots.map(({ mark, x, y }) => ({
     x,
     y,
     radius: (mark.id === chosen ? 11 : 6) * field.mark,
-    ...labelSize(nameOf(mark), field.em * (mark.id === chosen ? BOLD : 1)),
+    ...labelSize(`${mark.name}${mark.note}`, field.em * (mark.id === chosen ? BOLD : 1)),
   }));
   const places = labelMarks(wishes, fieldBox(field), taken);
   return spots.flatMap((spot, i) => {
     const place = places[i];
-    const cls = spot.mark.id === chosen ? 'is-chosen' : '';
-    return place ? [nameAt(nameOf(spot.mark), place, spot, field.em, cls)] : [];
+    const { id, name, note, isFaint } = spot.mark;
+    const cls = id === chosen ? 'is-chosen' : isFaint ? 'quiet' : '';
+    const text = svg`${name}<tspan class="plot-note">${note}</tspan>`;
+    return place ? [nameAt(text, place, spot, field.em, cls)] : [];
   });
 }

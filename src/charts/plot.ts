@@ -18,15 +18,15 @@ export interface PlotTick {
   readonly label: string;
 }
 
-/** `names`: room at the right for the names of lines, in em. */
-export function fieldOf(metrics: Metrics, names = 0): Field {
+/** `names`: room at the right for the names of lines, in em; `scales`: rows of ticks below. */
+export function fieldOf(metrics: Metrics, names = 0, scales = 1): Field {
   const { width, height, em } = metrics;
   return {
     ...metrics,
     left: Math.round(3.4 * em),
     right: Math.round(width - 1 * em - names * em),
     top: Math.round(2.6 * em),
-    bottom: Math.round(height - 3.6 * em),
+    bottom: Math.round(height - (2.3 + 1.3 * scales) * em),
   };
 }
 
@@ -50,14 +50,15 @@ export function axes(
   field: Field,
   x: {
     readonly ticks: readonly PlotTick[];
-    readonly minor?: readonly number[];
     readonly title: string;
+    /** Where its lines stand, if not at the ticks. */
+    readonly grid?: readonly PlotTick[];
   },
   y: { readonly ticks: readonly PlotTick[]; readonly title: string },
 ): TemplateResult {
   const { left, right, top, bottom, em } = field;
   return svg`<g class="plot-axes">
-    ${x.ticks.map(({ at }) => svg`<line class="plot-grid" x1=${px(at)} x2=${px(at)} y1=${top} y2=${bottom}></line>`)}
+    ${(x.grid ?? x.ticks).map(({ at }) => svg`<line class="plot-grid" x1=${px(at)} x2=${px(at)} y1=${top} y2=${bottom}></line>`)}
     ${y.ticks.map(
       ({
         at,
@@ -66,7 +67,6 @@ export function axes(
       <text class="plot-tick" text-anchor="end" x=${px(left - 0.7 * em)} y=${px(at + 0.35 * em)}>${label}</text>`,
     )}
     <line class="plot-axis" x1=${left} x2=${right} y1=${bottom} y2=${bottom}></line>
-    ${(x.minor ?? []).map((at) => svg`<line class="plot-nick" x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 4}></line>`)}
     ${x.ticks.map(
       ({
         at,
@@ -74,14 +74,14 @@ export function axes(
       }) => svg`<line class="plot-nick" x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 6}></line>
       <text class="plot-tick" text-anchor="middle" x=${px(at)} y=${px(bottom + 1.5 * em)}>${label}</text>`,
     )}
-    <text class="plot-title" text-anchor="end" x=${right} y=${px(bottom + 3 * em)}>${x.title}</text>
+    <text class="plot-title" text-anchor="end" x=${right} y=${px(field.height - 0.6 * em)}>${x.title}</text>
     <text class="plot-title" x="0" y=${px(0.9 * em)}>${y.title}</text>
   </g>`;
 }
 
 /** A name at its place, with a line to its mark where it stands far off. */
 export function nameAt(
-  text: string,
+  text: string | TemplateResult,
   { left, top, width, height, led }: Placed,
   mark: { readonly x: number; readonly y: number },
   em: number,

@@ -1,6 +1,7 @@
 import {
   batchOf,
   createAnswers,
+  type Kernel,
   kernelArray,
   packRays,
   type Rays,
@@ -53,11 +54,11 @@ export type Form = 'both' | 'classes';
  */
 export function tasksOf(
   methods: readonly Method[],
-  batches: readonly Batch[],
+  batches: readonly Pick<Batch, 'shape' | 'rays'>[],
   form: Form,
-  kernelOf = batchOf,
+  kernelOf: (method: Method, shape: Shape) => Kernel = batchOf,
+  out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)), kernelArray),
 ): readonly (Task & { readonly checksum: () => number })[] {
-  const out = createAnswers(Math.max(0, ...batches.map(({ rays }) => rays.count)), kernelArray);
   return methods.map((method) => {
     const kernels = batches.map(({ shape, rays }) => ({ kernel: kernelOf(method, shape), rays }));
     let seen = 0;
@@ -75,7 +76,7 @@ export function tasksOf(
 }
 
 /** Ray i of a batch as an object again. */
-export const rayAt = ({ rays }: Batch, i: number): Ray => ({
+export const rayAt = ({ rays }: Pick<Batch, 'rays'>, i: number): Ray => ({
   origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
   direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
 });

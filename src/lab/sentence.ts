@@ -12,6 +12,13 @@ export const priceText = ({ value }: Price): string =>
 /** A verdict alone, or both roots with it. */
 export type Question = 'classes' | 'roots';
 
+const isCorrect = ({ quality }: MeasuredRow): boolean =>
+  quality.wrong === 0 && quality.undecided === 0;
+/** One of the two doubles around the exact root: at most one step from the nearest. */
+const isFaithful = (row: MeasuredRow): boolean => isCorrect(row) && !(row.quality.mostUlps > 1);
+
+type TitleOf = (id: string) => string;
+
 /**
  * The cheapest method for the question among those that are good enough; null if none is measured.
  */
@@ -29,61 +36,89 @@ function cheapest(
     );
 }
 
-const isCorrect = ({ quality }: MeasuredRow): boolean =>
-  quality.wrong === 0 && quality.undecided === 0;
-/** One of the two doubles around the exact root: at most one step from the nearest. */
-const isFaithful = (row: MeasuredRow): boolean => isCorrect(row) && !(row.quality.mostUlps > 1);
+/**
+ * What right answers cost on the rays of these rows, with the table's own numbers. Empty until both
+ * questions have a time. `rows` are methods in their own arithmetic, none emulated; `lead` says whose
+ * prices they are if not this device's.
+ */
+export function headlineOf(rows: readonly MeasuredRow[], titleOf: TitleOf, lead = ''): string {
+  const words = answerOf(rows, titleOf);
+  return words && lead ? `${lead}, ${words.charAt(0).toLowerCase()}${words.slice(1)}` : words;
+}
+
+function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf): string {
+  const base = rows.find(({ id }) => id === BASE_METHOD);
+  if (!base?.classes || !base.roots) return '';
+  const verdict = cheapest(rows, 'classes', isCorrect);
+  if (!verdict) return 'No method that is measured here is right about all of these rays.';
+  const first =
+    verdict.id === BASE_METHOD
+      ? 'The textbook formula is right about all of these rays, and nothing right is cheaper'
+      : `A verdict that is right for all of these rays costs ${priceWords(verdict, 'classes', titleOf)}`;
+  // Where no ray has a root, there is none to be faithful.
+  if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;
+  const roots = cheapest(rows, 'roots', isFaithful);
+  if (!roots) return `${first}; no method gives both roots to the last digit.`;
+  if (roots.id === BASE_METHOD) return `${first}, with both roots to the last digit, too.`;
+  const same = roots.id === verdict.id;
+  return `${first}; both roots, faithful to the last digit, cost ${priceWords(roots, 'roots', same ? null : titleOf)}.`;
+}
+
+/** “about 1.2 times the textbook formula (certified)”, both asked the same. */
+function priceWords(row: MeasuredRow, question: Question, titleOf: TitleOf | null): string {
+  const times = row[question]?.times;
+  if (!times) return '';
+  const { value, figures } = times;
+  const about = figures < 3 ? 'about ' : '';
+  const price =
+    value === 1
+      ? `${about}as much as the textbook formula`
+      : value < 1
+        ? `less than the textbook formula, ${about}${priceText(times)} of its price`
+        : `${about}${priceText(times)} times the textbook formula`;
+  return titleOf ? `${price} (${titleOf(row.id)})` : price;
+}
 
 /**
- * What the plot says, in plain words and with the table's own numbers, for the question that is
- * shown. Empty until a time is measured.
+ * What the textbook formula gets wrong on these rays, what the cheapest method does, and whether the
+ * machine was busy. Empty while nothing is counted.
  */
-export function sentenceOf(
+export function detailsOf(
   rows: readonly MeasuredRow[],
   question: Question,
-  titleOf: (id: string) => string,
+  titleOf: TitleOf,
 ): string {
   const base = rows.find(({ id }) => id === BASE_METHOD);
-  if (!base?.[question]) return '';
-  const parts = [errorsOf(base), priceWords(rows, question, titleOf), busyWords(rows, question)];
-  return parts.filter(Boolean).join(' ');
+  if (!base) return '';
+  return [errorsOf(base), cheapestWords(rows, question, titleOf), busyWords(rows, question)]
+    .filter(Boolean)
+    .join(' ');
 }
 
 function errorsOf({ quality }: MeasuredRow): string {
-  const { wrong, undecided, rays, leastDigits } = quality;
-  const failures = [
-    ...(wrong > 0 ? [`misjudges ${grouped(wrong)} of ${grouped(rays)}`] : []),
-    ...(undecided > 0 ? [`cannot tell for ${grouped(undecided)}`] : []),
-  ];
-  if (failures.length > 0) return `On these rays, the textbook formula ${failures.join(' and ')}.`;
-  if (leastDigits >= MOST_DIGITS)
-    return 'On these rays, the textbook formula is right to the last digit.';
-  return 'On these rays, the textbook formula has every verdict right.';
+  const words = failuresOf(quality);
+  const these = `On these ${grouped(quality.rays)} rays`;
+  if (words) return `${these} the textbook formula ${words}.`;
+  if (quality.leastDigits >= MOST_DIGITS)
+    return `${these} the textbook formula is right to the last digit.`;
+  return `${these} the textbook formula has every verdict right.`;
 }
 
-function priceWords(
-  rows: readonly MeasuredRow[],
-  question: Question,
-  titleOf: (id: string) => string,
-): string {
-  const found = cheapest(rows, question, question === 'roots' ? isFaithful : isCorrect);
+function failuresOf({ wrong, undecided }: MeasuredRow['quality']): string {
+  return [
+    ...(wrong > 0 ? [`misjudges ${grouped(wrong)}`] : []),
+    ...(undecided > 0 ? [`cannot tell for ${grouped(undecided)}`] : []),
+  ].join(' and ');
+}
+
+function cheapestWords(rows: readonly MeasuredRow[], question: Question, titleOf: TitleOf): string {
+  const found = cheapest(rows, question, () => true);
   const times = found?.[question]?.times;
-  if (!found || !times) return '';
-  // Where no ray has a root, there is none to be faithful.
-  const anyRoot = rows.some(({ quality }) => !Number.isNaN(quality.digits));
-  const what =
-    question === 'classes'
-      ? 'right verdicts alone, without roots,'
-      : anyRoot
-        ? 'faithful roots for all of them'
-        : 'right answers for all of them, both roots asked for,';
-  if (found.id === BASE_METHOD)
-    return `It is the cheapest method, too, with ${what.replace(/,$/, '')}.`;
-  const price =
-    times.value <= 1
-      ? 'no more than'
-      : `${times.figures < 3 ? 'about ' : ''}${priceText(times)} times as much as`;
-  return `${capital(what)} cost ${price} the textbook formula’s (${titleOf(found.id)}).`;
+  if (!found || !times || found.id === BASE_METHOD) return '';
+  const words = failuresOf(found.quality);
+  const does = words || 'has every verdict right';
+  const asked = question === 'roots' ? 'both roots' : 'a verdict alone';
+  return `The cheapest for ${asked} is ${titleOf(found.id)}, ${priceText(times)} of textbook’s price: it ${does}.`;
 }
 
 /** A reader who knows that something else was running will not take the last figure at its word. */
@@ -96,5 +131,3 @@ function busyWords(rows: readonly MeasuredRow[], question: Question): string {
 /** How far the rounds of the least steady method spread; −∞ before there is a time. */
 export const spreadOfRows = (rows: readonly MeasuredRow[], question: Question): number =>
   Math.max(...rows.flatMap((row) => (row[question] ? [spreadOf(row[question].ns)] : [])));
-
-const capital = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;

@@ -1,16 +1,30 @@
-import { isFast } from '../math/batch.ts';
+import { isFast, type Target } from '../math/batch.ts';
 import { FAMILIES, type Family } from '../math/families.ts';
 import { InvalidInput, METHODS } from '../math/index.ts';
 import { quote } from '../math/shapes.ts';
-import { batchesOf, type Form, type Sample, tasksOf } from './plan.ts';
+import { batchesOf, type Form, type Sample } from './plan.ts';
 import { multipleOf, type Price, priceOf } from './price.ts';
 import { qualityOf } from './quality.ts';
 import { type Clock, clockStep, measuring, type Plan, type Times } from './run.ts';
 import { type Summary, summaryOf } from './summary.ts';
+import {
+  type Budget,
+  type Order,
+  runsIn,
+  type TimedTask,
+  timedBatches,
+  timedTasks,
+} from './timed.ts';
 
-/** What is to be measured. */
+/**
+ * What is to be measured: verdicts and digits on the rays of the sample, times on those and `timed`
+ * of each shape in all.
+ */
 export interface MeasureRequest extends Sample {
   readonly family: string;
+  readonly timed: number;
+  readonly order: Order;
+  readonly budget: Budget;
   readonly plan: Plan;
 }
 
@@ -18,17 +32,23 @@ export interface MeasureRequest extends Sample {
 export interface Timing {
   /** Nanoseconds a ray. */
   readonly ns: Price;
-  /** As a multiple of the textbook method. */
+  /** As a multiple of the textbook method in the same target. */
   readonly times: Price;
 }
 
-/** A method on the rays of a request; a time is absent until a round of it is complete. */
+/**
+ * A method on the rays of a request, in one target; a time is absent until a round of it is
+ * complete, and where the method or the textbook has no kernel in the target.
+ */
 export interface MeasuredRow {
   readonly id: string;
   readonly quality: Summary;
   readonly roots?: Timing;
   readonly classes?: Timing;
 }
+
+/** Every method in each target: the same verdicts, times of its own. */
+export type Columns = Readonly<Record<Target, readonly MeasuredRow[]>>;
 
 export interface Measured {
   readonly rays: number;
@@ -42,9 +62,13 @@ export interface Measured {
   readonly secondsLeft: number;
   /** False for what was cancelled, or is still going on. */
   readonly complete: boolean;
-  /** Whether certified's roots were found by WebAssembly. */
-  readonly accelerated: boolean;
-  readonly rows: readonly MeasuredRow[];
+  /** Whether there is a SIMD kernel of the textbook, which all others there are compared with. */
+  readonly simd: boolean;
+  /** Why not; '' if there is. */
+  readonly noSimd: string;
+  /** How many rays one pass meets at most. */
+  readonly timedRays: number;
+  readonly columns: Columns;
 }
 
 export const BASE_METHOD = 'textbook';
@@ -63,34 +87,39 @@ export function* measureSession(request: MeasureRequest, clock: Clock): Generato
   }));
   const { plan } = request;
   const step = clockStep(clock);
-  const common = { rays, clockStep: step, rounds: plan.rounds, accelerated: isFast() };
   const untimed = { round: 0, share: 0, secondsLeft: Number.NaN, complete: false };
-  yield { ...common, ...untimed, rows: qualities };
-  const tasks = FORMS.flatMap((form) =>
-    tasksOf(METHODS, batches, form).map((task) => ({ ...task, id: `${form} ${task.id}` })),
-  );
+
+  const columns = { simd: qualities, typescript: qualities };
+  const base = METHODS.filter(({ id }) => id === BASE_METHOD);
+  const simd = base.every((method) => runsIn('simd', method, batches));
+  const noSimd = simd ? '' : noSimdWords();
+  const common = { rays, clockStep: step, rounds: plan.rounds, simd, noSimd };
+  const targets: readonly Target[] = simd ? ['simd', 'typescript'] : ['typescript'];
+  yield { ...common, ...untimed, timedRays: 0, columns };
+  const timed = timedBatches(family, request, request.timed, request.order);
+  const tasks = timedTasks(METHODS, timed, targets, clock, request.budget);
+  const timedRays = Math.max(...tasks.map((task) => task.rays));
   const start = clock();
-  let last: Measured = { ...common, ...untimed, rows: qualities };
+  let last: Measured = { ...common, ...untimed, timedRays, columns };
   for (const { round, done, total, times } of measuring(tasks, clock, plan, step)) {
-    const rows =
-      Math.max(0, round) === last.round
-        ? last.rows
-        : qualities.map((row) => ({ ...row, ...timingsOf(row.id, times, rays) }));
+    const isNew = Math.max(0, round) !== last.round;
     const left = ((clock() - start) / done) * (total - done);
     last = {
-      ...common,
+      ...last,
       round: Math.max(0, round),
       share: done / total,
       secondsLeft: left / 1000,
-      complete: false,
-      rows,
+      ...(isNew && { columns: columnsOf(qualities, tasks, times) }),
     };
     yield last;
   }
   yield { ...last, share: 1, secondsLeft: 0, complete: true };
 }
 
-const FORMS: readonly Form[] = ['both', 'classes'];
+const noSimdWords = (): string =>
+  isFast()
+    ? 'not all of these shapes have a SIMD kernel of the textbook formula'
+    : 'there is no WebAssembly with SIMD here';
 
 export function familyOf(id: string): Family {
   const found = FAMILIES.find((family) => family.id === id);
@@ -98,16 +127,29 @@ export function familyOf(id: string): Family {
   return found;
 }
 
-function timingsOf(id: string, times: Times, rays: number): Pick<MeasuredRow, 'roots' | 'classes'> {
-  const roots = timingOf(times, 'both', id, rays);
-  const classes = timingOf(times, 'classes', id, rays);
-  return { ...(roots && { roots }), ...(classes && { classes }) };
-}
-
-function timingOf(times: Times, form: Form, id: string, rays: number): Timing | null {
-  const roundsOf = (method: string): readonly number[] => times.get(`${form} ${method}`) ?? [];
-  const scale = 1e6 / rays;
-  const base = priceOf(roundsOf(BASE_METHOD), scale);
-  const ns = id === BASE_METHOD ? base : priceOf(roundsOf(id), scale);
-  return Number.isNaN(ns.value / base.value) ? null : { ns, times: multipleOf(ns, base) };
+function columnsOf(
+  rows: readonly MeasuredRow[],
+  tasks: readonly TimedTask[],
+  times: Times,
+): Columns {
+  const price = (target: Target, form: Form, method: string): Price | null => {
+    const task = tasks.find(
+      (one) => one.target === target && one.form === form && one.method === method,
+    );
+    return task ? priceOf(times.get(task.id) ?? [], 1e6 / task.rays) : null;
+  };
+  const column = (target: Target): readonly MeasuredRow[] => {
+    const timing = (form: Form, id: string): Timing | null => {
+      const base = price(target, form, BASE_METHOD);
+      const ns = id === BASE_METHOD ? base : price(target, form, id);
+      if (!ns || !base || Number.isNaN(ns.value / base.value)) return null;
+      return { ns, times: multipleOf(ns, base) };
+    };
+    return rows.map(({ id, quality }) => {
+      const roots = timing('both', id);
+      const classes = timing('classes', id);
+      return { id, quality, ...(roots && { roots }), ...(classes && { classes }) };
+    });
+  };
+  return { simd: column('simd'), typescript: column('typescript') };
 }

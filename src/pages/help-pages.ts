@@ -9,12 +9,15 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       Down along z, Shift makes the steps fine, Alt lets go of the grid. On the scene itself the arrows turn it, + and −
       zoom, 0 goes back.</p>`,
   accuracy: html`<h3>This page</h3>
+    <p>Times are measured on this device, briefly as soon as the page is at rest, on rays of the chosen family, by the
+      same code that the project’s bench runs; “Measure longer” refines them. Until then faint marks show what the bench
+      measured of typical rays. SIMD kernels are compared with SIMD kernels, TypeScript with TypeScript; each price is a
+      multiple of the textbook formula’s in the same. Rays are met in random order, or hits first and misses then.</p>
+    <p>A point of a plot is a button: above it chooses its method, below it shows that method’s worst ray there, which
+      opens in Explore.</p>
     <p>The table takes the ray of Explore through every method; the row that is chosen is the method of Explore and
       Picture too. Bold digits are right, faded ones are not. Every number of the ray can be moved by one double, with the
-      buttons or, on them, with the arrow keys.</p>
-    <p>Times are measured on this device, on rays of the chosen family, by the same code that the project’s bench runs.
-      A point of a plot is a button: on the left it chooses its method, on the right it shows that method’s worst ray
-      there, which opens in Explore.</p>`,
+      buttons or, on them, with the arrow keys.</p>`,
   picture: html`<h3>This page</h3>
     <p>Only what the scene needs is simulated; the list beside the picture says what that was, what it cost, and what was
       left out and why. “Scene” opens the forms in which everything can be changed; shapes can then be dragged in the

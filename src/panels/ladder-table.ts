@@ -4,8 +4,10 @@ import { grouped, priceText } from '../lab/sentence.ts';
 import type { Timing } from '../lab/session.ts';
 import type { MethodRow, RootRow } from '../lab/this-ray.ts';
 import { JUDGEMENTS } from '../lab/verdict.ts';
+import type { Target } from '../math/batch.ts';
 import type { Verdict } from '../math/index.ts';
 import { SAYS } from '../state/accuracy/change-words.ts';
+import { isEmulated } from '../state/accuracy/column.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';
 import { symbol } from './formula.ts';
@@ -15,8 +17,8 @@ interface LadderModel {
   readonly rows: readonly MethodRow[];
   /** In a few words, by method. */
   readonly where: ReadonlyMap<string, string>;
-  /** By method; empty until something is measured. */
-  readonly timings: ReadonlyMap<string, Timing>;
+  /** By target and method; empty until something is measured. */
+  readonly timings: Readonly<Record<Target, ReadonlyMap<string, Timing>>>;
   /** Whose times these are: “far away” rays, both roots. */
   readonly timed: string;
   readonly chosen: string;
@@ -27,15 +29,15 @@ export function ladderTable(model: LadderModel, choose: (id: string) => void): T
   const head = (name: string, words: string, rows = 2): TemplateResult =>
     html`<th role="columnheader" scope="col" rowspan=${rows} class=${`head-${name}`}>${words}</th>`;
   return html`<table class="ladder" role="table" aria-label="This ray by every method">
-    <caption class="ladder-timed">ns and ×: of ${model.timed}, below</caption>
+    <caption class="ladder-timed">× textbook, in SIMD and in TypeScript: of ${model.timed}, above</caption>
     <thead role="rowgroup">
       <tr role="row">
         <th role="columnheader" scope="col" rowspan="2" class="name-head">method</th>
         ${head('verdict', 'verdict')}${head('roots', 'roots')}${head('digits', 'digits that are right')}${head('error', 'error')}
-        <th role="columnheader" scope="colgroup" colspan="2" class="head-timed">${model.timed}, below</th>
+        <th role="columnheader" scope="colgroup" colspan="2" class="head-timed">× textbook: ${model.timed}, above</th>
         ${head('where', 'where digits go')}
       </tr>
-      <tr role="row">${head('ns', 'ns', 1)}${head('time', '× textbook', 1)}</tr>
+      <tr role="row">${head('simd', 'SIMD', 1)}${head('typescript', 'TypeScript', 1)}</tr>
     </thead>
     <tbody role="rowgroup">
       ${model.rows.map((row) => ladderRow(row, model, choose))}
@@ -50,7 +52,6 @@ function ladderRow(
 ): TemplateResult {
   const { method } = row;
   const chosen = method.id === model.chosen;
-  const timing = model.timings.get(method.id);
   return html`<tr
     role="row"
     data-method=${method.id}
@@ -68,10 +69,21 @@ function ladderRow(
     <td role="cell" class="roots">${roots(row)}</td>
     <td role="cell" class="digits">${digitCell(row.digits, 'digits')}</td>
     <td role="cell" class="errors">${errors(row.roots)}</td>
-    <td role="cell" class="ns">${timing ? number('ns', timing.ns.value, priceText(timing.ns)) : '–'}</td>
-    <td role="cell" class="time">${timing ? number('ratio', timing.times.value, `${priceText(timing.times)}×`) : '–'}</td>
+    ${price('simd', method.id, model)}${price('typescript', method.id, model)}
     <td role="cell" class="where">${model.where.get(method.id) ?? ''}</td>
   </tr>`;
+}
+
+/** As a multiple of the textbook in the same column, and in ns; an emulated one is said to be. */
+function price(target: Target, id: string, { timings }: LadderModel): TemplateResult {
+  const timing = timings[target].get(id);
+  if (!timing) return html`<td role="cell" class=${`price ${target}`}>–</td>`;
+  const { ns, times } = timing;
+  const emulated = isEmulated(id, target) ? 'emulated, ' : '';
+  return html`<td role="cell" class=${`price ${target}`}>
+    ${number(`${target} ratio`, times.value, `${priceText(times)}×`)}
+    <span class="hint">${emulated}${number(`${target} ns`, ns.value, `${priceText(ns)} ns`)}</span>
+  </td>`;
 }
 
 const number = (quantity: string, x: number, text: string): TemplateResult =>

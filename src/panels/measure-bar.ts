@@ -7,12 +7,13 @@ import './measure-bar.css';
 const COARSE_MS = 0.5;
 
 interface MeasureModel {
-  /** Null: nothing was measured yet. */
+  /** Of what runs or ran last; null: nothing has come of it. */
   readonly measured: Measured | null;
   readonly running: boolean;
   /** Why it ended early; '' if it did not. */
   readonly failed: string;
-  readonly provenance: string;
+  /** Whose prices are shown while there are no own ones; '' if there are. */
+  readonly reference: string;
 }
 
 interface MeasureActions {
@@ -20,26 +21,25 @@ interface MeasureActions {
   cancel(): void;
 }
 
-/** Measure or cancel, how far it is, and where the numbers come from. */
+/** Measure or cancel, how far it is, and whose numbers are shown until then. */
 export function measureBar(model: MeasureModel, actions: MeasureActions): TemplateResult {
-  const { measured, running } = model;
+  const { measured, running, failed, reference } = model;
   return html`<div class="measure-bar">
     ${
       running
         ? html`<button type="button" class="button" @click=${actions.cancel}>Cancel</button>
             <progress class="measure-progress" max="1" .value=${measured?.share ?? 0} aria-label="Measuring"></progress>
             <span class="measure-left">${leftText(measured)}</span>`
-        : measured
-          ? html`<button type="button" class="button primary" @click=${actions.measure}>Measure again</button>`
-          : nothing
+        : html`<button type="button" class="button" @click=${actions.measure}>${measured && measured.round > 0 ? 'Measure longer' : 'Measure'}</button>`
     }
-    <p class="measure-words" role="status">${model.failed || (running ? '' : stateText(measured))}</p>
-    <p class="provenance">${model.provenance}</p>
+    <p class="measure-words" role="status">${failed || (running ? '' : stateText(measured))}</p>
+    ${reference ? html`<p class="measure-reference">${reference}</p>` : nothing}
   </div>`;
 }
 
 function leftText(measured: Measured | null): string {
-  if (!measured || measured.share === 0) return 'the first round';
+  if (!measured) return 'counting verdicts';
+  if (measured.share === 0) return 'the first round';
   const { round, rounds, secondsLeft, clockStep } = measured;
   const seconds = Math.max(1, Math.round(secondsLeft));
   // A sample takes many steps of the timer, however short its batch is.
@@ -51,7 +51,8 @@ function leftText(measured: Measured | null): string {
 }
 
 function stateText(measured: Measured | null): string {
-  if (!measured || measured.complete) return '';
+  if (!measured) return '';
+  if (measured.complete) return 'Measured on this device.';
   return measured.round > 0
     ? `Cancelled after ${measured.round} of ${measured.rounds} rounds.`
     : 'Cancelled before the first round was over: digits are counted, no time is measured.';

@@ -20,12 +20,8 @@ async function open(page: Page, settings = ''): Promise<void> {
 const value = async (page: Page, id: string, quantity: string): Promise<string | null> =>
   row(page, id).locator(`[data-quantity="${quantity}"]`).getAttribute('data-value');
 
-test('this ray, before anything is measured: verdicts, digits, and where they go', async ({
-  page,
-}) => {
+test('this ray, whatever is measured: verdicts, digits, and where they go', async ({ page }) => {
   await open(page);
-  await expect(page.getByText('Not measured yet.')).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Measure' })).toHaveCount(1);
   expect(await value(page, 'textbook', 'class')).toBe('two');
   const t1 = Number(await value(page, 'exact', 't1'));
   const own = Number(await value(page, 'textbook', 't1'));
@@ -45,32 +41,40 @@ test('this ray, before anything is measured: verdicts, digits, and where they go
   await expect(page.locator('.steps-verdict')).toContainText('D = B² − 4 A C');
 });
 
-test('a short run ends, shows every method, and the sentence has the table’s numbers', async ({
-  page,
-}) => {
-  await open(page, '&family=far-origin');
-  await page.getByRole('button', { name: 'Measure' }).click();
-  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible({
-    // Ten seconds on a machine of its own.
+/** It measures by itself. On a machine of its own that takes some seconds. */
+const measured = (page: Page) =>
+  expect(page.locator('.measure-words')).toHaveText('Measured on this device.', {
     timeout: 100_000,
   });
+
+test('shows the reference, measures by itself, and the sentence has the table’s numbers', async ({
+  page,
+}) => {
+  await open(page, '&family=far-origin&target=typescript');
+  await expect(page.locator('.acc-sentence')).toHaveText(/^By the reference prices, .+ costs? /);
+  await expect(page.locator('.plot-dot.faint')).toHaveCount(METHODS.length);
+  await expect(page.locator('.measure-reference')).toContainText('typical rays');
+  await measured(page);
+  await expect(page.locator('.plot-dot.faint')).toHaveCount(0);
+  await expect(page.locator('.measure-reference')).toHaveCount(0);
   await expect(marks(page)).toHaveCount(METHODS.length);
-  for (const { id } of METHODS) expect(Number(await value(page, id, 'ns')), id).toBeGreaterThan(0);
-  expect(Number(await value(page, 'textbook', 'ratio'))).toBe(1);
-  const words = await page.locator('.acc-sentence').textContent();
-  expect(words).toMatch(/the textbook formula misjudges \d+ of 3.072/);
-  const faithful = /Faithful roots for all of them cost (.+) the textbook formula’s \((\w+)\)/.exec(
-    words ?? '',
+  for (const { id } of METHODS) {
+    expect(Number(await value(page, id, 'typescript ns')), id).toBeGreaterThan(0);
+  }
+  expect(Number(await value(page, 'textbook', 'typescript ratio'))).toBe(1);
+  const words = (await page.locator('.acc-sentence').textContent()) ?? '';
+  const roots =
+    /both roots, faithful to the last digit, cost .+? ([\d.]+) times .+?(\((\w+)\)|\.)$/;
+  const [, times] = roots.exec(words) ?? [];
+  if (times) {
+    const prices = await page.locator('[data-quantity="typescript ratio"]').allTextContents();
+    expect(prices).toContain(`${times}×`);
+  }
+  await expect(page.locator('.acc-details')).toContainText(/the textbook formula misjudges \d+/);
+  await expect(row(page, 'textbook32')).toContainText('emulated');
+  await expect(page.locator('.head-timed')).toHaveText(
+    '× textbook: “far away” rays, both roots, above',
   );
-  const times = await row(page, faithful?.[2] ?? '')
-    .locator('[data-quantity="ratio"]')
-    .textContent();
-  if (Number(times?.replace('×', '')) <= 1) expect(faithful?.[1]).toBe('no more than');
-  else expect(faithful?.[1]).toContain(`${times?.replace('×', '')} times as much as`);
-  await expect(page.locator('.head-timed')).toHaveText('“far away” rays, both roots, below');
-  // The policy is the page's: a worker from a file of the site may use WebAssembly.
-  await expect(page.locator('.provenance')).toContainText('certified’s roots by WebAssembly');
   // Nothing certified or exact is wrong; the textbook formula is.
   await expect(
     page.getByRole('button', { name: /^certified: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
@@ -115,9 +119,10 @@ test('a short run ends, shows every method, and the sentence has the table’s n
 test('cancelling ends it at once, what was found stays, and the page moves while it measures', async ({
   page,
 }) => {
-  await open(page);
-  await page.getByRole('button', { name: 'Measure' }).click();
-  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
+  await open(page, '&target=typescript');
+  await measured(page);
+  await page.getByRole('button', { name: 'Measure longer' }).click();
+  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/, { timeout: 100_000 });
   const slider = page.locator('.acc-dial input');
   await page.getByText('What does one double more or less change?').click();
   await page.getByRole('button', { name: 'E.x one double up' }).click();
@@ -125,29 +130,36 @@ test('cancelling ends it at once, what was found stays, and the page moves while
     'data-value',
     '153.00000000000003',
   );
-  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Measure longer' })).toBeVisible();
   await expect(page.getByText(/Cancelled after \d+ of 15 rounds/)).toBeVisible();
   await expect(marks(page)).toHaveCount(METHODS.length);
-  const before = await value(page, 'exact', 'ns');
+  const before = await value(page, 'exact', 'typescript ns');
   // A round that was still on its way would come with one of the next frames.
   await frames(page, 30);
-  expect(await value(page, 'exact', 'ns')).toBe(before);
-  await slider.focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(page).toHaveURL(/dial=/);
-  // Other rays: what was measured does not belong to them.
-  await expect(page.getByText('Not measured yet.')).toBeVisible();
-  // And while it measures: the thumb goes along at once, and the measurement that was for other
-  // rays ends.
-  await page.getByRole('button', { name: 'Measure', exact: true }).click();
-  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/);
+  expect(await value(page, 'exact', 'typescript ns')).toBe(before);
+  // Other rays: what was measured does not belong to them, and they are measured in turn.
   const thumb = await slider.inputValue();
   await slider.focus();
   await page.keyboard.press('ArrowRight');
   await expect(slider).not.toHaveValue(thumb);
-  await expect(page.getByText('Not measured yet.')).toBeVisible();
+  await expect(page).toHaveURL(/dial=/);
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
+  await expect(row(page, 'exact').locator('.price.typescript')).toHaveText('–');
+});
+
+test('no price of TypeScript stands in the column of SIMD', async ({ page }) => {
+  await open(page, '&family=typical');
+  await measured(page);
+  const simd = page.getByRole('button', { name: 'SIMD', exact: true });
+  const details = page.locator('.acc-details');
+  if ((await simd.getAttribute('aria-pressed')) === 'true') {
+    await expect(details).not.toContainText('Compared in TypeScript');
+  } else {
+    await expect(details).toContainText('Compared in TypeScript: ');
+    for (const { id } of METHODS)
+      await expect(row(page, id).locator('.price.simd')).toHaveText('–');
+  }
 });
 
 test('how hard: textbook ends in lost hits, and its worst ray opens in Explore', async ({
@@ -156,7 +168,7 @@ test('how hard: textbook ends in lost hits, and its worst ray opens in Explore',
   await open(page, '&hard=far-origin');
   const line = page.locator('.plot-line[data-method="textbook"]');
   await expect(page.locator('.plot-line')).toHaveCount(METHODS.length);
-  await expect(page.locator('.acc-plot').nth(1)).toContainText('loses hits');
+  await expect(page.locator('.acc-hard')).toContainText('loses hits');
   // The lines grow point by point.
   await expect(page.locator('.plot-line[data-method="certified"] .plot-shape')).toHaveCount(13);
   await line.focus();
@@ -194,8 +206,16 @@ test('one double more flips a verdict, with the keys', async ({ page }) => {
 });
 
 test('a link restores the settings, and says what it cannot use', async ({ page }) => {
-  await page.goto('./#/accuracy?family=near-tangent&worth=wrong&cost=times&hard=near-axis&seed=9');
-  for (const name of ['near tangent', 'wrong verdicts', '× textbook', 'generator angle']) {
+  await page.goto(
+    './#/accuracy?family=near-tangent&worth=wrong&order=sorted&target=typescript&hard=near-axis&seed=9',
+  );
+  for (const name of [
+    'near tangent',
+    'wrong verdicts',
+    'hits first',
+    'TypeScript',
+    'generator angle',
+  ]) {
     await expect(page.getByRole('button', { name, exact: true })).toHaveAttribute(
       'aria-pressed',
       'true',

@@ -38,9 +38,8 @@ test('tracers that die are noticed; what was traced stays, and it can be traced 
 test('a laboratory that dies is noticed, and keeps what it has counted', async ({ page }) => {
   const kill = await mortal(page);
   await page.goto('./#/accuracy?shape=cone');
-  await page.getByRole('button', { name: 'Measure' }).click();
   await page.locator('.measure-progress:not([value="0"])').waitFor();
   await kill();
   await expect(page.locator('.measure-words')).toContainText('ended without a word');
-  await expect(page.getByRole('button', { name: 'Measure again' })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Measure/ })).toBeVisible();
 });

@@ -5,7 +5,7 @@ import { findFamily } from '../../src/math/families.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { kindsFor } from '../../src/pages/check/program-run.ts';
 import { settingsOf } from '../../src/pages/check/settings.ts';
-import { readAccuracy } from '../../src/state/accuracy/settings.ts';
+import { INITIAL_ACCURACY, readAccuracy } from '../../src/state/accuracy/settings.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { pictureSettings } from '../../src/state/picture/settings.ts';
 import { type AppState, shapeOf } from '../../src/state/state.ts';
@@ -47,7 +47,9 @@ function exploreFacts(state: AppState): Facts {
 
 /** The settings, and the first rays that they stand for with what two methods make of them. */
 function accuracyFacts({ settings }: AppState): Facts {
-  const { values } = readAccuracy(settings.accuracy);
+  // What links have told since is at its default in a link of before.
+  const { target, order, ...values } = readAccuracy(settings.accuracy).values;
+  if (target !== INITIAL_ACCURACY.target || order !== INITIAL_ACCURACY.order) return {};
   const family = findFamily(values.family);
   if (!family) return values as unknown as Facts;
   const sample = { seed: values.seed, shapes: 2, count: 25, difficulty: values.dial ?? undefined };

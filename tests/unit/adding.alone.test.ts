@@ -148,11 +148,12 @@ describe('Accuracy', () => {
 
   test('has a row for the method, and one for each other', () => {
     const plan = { rounds: 1, least: 0, steps: 0, warmUp: 0 };
-    const request = { seed: 1, shapes: 2, count: 10, family: KIND, plan };
+    const rays = { seed: 1, shapes: 2, count: 10, timed: 20, order: 'random' as const };
+    const request = { ...rays, family: KIND, budget: { least: 10, most: 1e9 }, plan };
     let now = 0;
     const last = [...measureSession(request, () => now++)].at(-1);
-    expect(last?.rows.map(({ id }) => id)).toEqual(METHODS.map(({ id }) => id));
-    const truth = last?.rows.find(({ id }) => id === 'exact');
+    expect(last?.columns.typescript.map(({ id }) => id)).toEqual(METHODS.map(({ id }) => id));
+    const truth = last?.columns.typescript.find(({ id }) => id === 'exact');
     expect(truth?.quality.judged.right).toBe(20);
   });
 });

@@ -2,14 +2,12 @@ import { html, nothing, render } from 'lit';
 import { mountFrontier } from '../../charts/frontier.ts';
 import { mountHardness } from '../../charts/hardness.ts';
 import type { Picked } from '../../charts/hardness-model.ts';
-import { sentenceOf } from '../../lab/sentence.ts';
-import type { MeasuredRow } from '../../lab/session.ts';
 import { findFamily, type Question } from '../../math/families.ts';
 import { quote } from '../../math/shapes.ts';
 import { measureBar } from '../../panels/measure-bar.ts';
-import { frontierOf, questionOf, titleOf } from '../../state/accuracy/frontier.ts';
+import { frontierOf, questionOf } from '../../state/accuracy/frontier.ts';
 import { hardnessOf } from '../../state/accuracy/hardness.ts';
-import { createRayModel, type RayModel } from '../../state/accuracy/ladder.ts';
+import { createRayModel } from '../../state/accuracy/ladder.ts';
 import {
   ACCURACY_KEYS,
   type AccuracySettings,
@@ -19,34 +17,38 @@ import {
 import type { AppState, Settings } from '../../state/state.ts';
 import { exploreLink } from '../../state/url.ts';
 import type { MountPage } from '../page.ts';
+import { answerWords, emptyWords, REFERENCE_WORDS } from './answer-words.ts';
 import { plotExports, saveButtons, tableExports } from './exports.ts';
-import { measureJob, spawnLab, sweepJob } from './lab-jobs.ts';
-import { emptyFrontier, frontierHead, hardnessHead, pickedWords } from './plot-headings.ts';
+import { spawnLab, sweepJob } from './lab-jobs.ts';
+import { layOut } from './lay-out.ts';
+import { createMeasuring } from './measuring.ts';
+import { answerHead, hardnessHead, hardnessWords, plotSaves } from './plot-headings.ts';
+import { provenanceOf } from './provenance.ts';
 import { createRayView } from './ray-view.ts';
-import { measureRequest, provenanceOf, sameRays, sweepRequest } from './requests.ts';
+import { columnOf } from './reference.ts';
+import reference from './reference-prices.json';
+import { measureRequest, sweepRequest } from './requests.ts';
 import type { Findings } from './result-files.ts';
 import '../../ui/dialog.css';
 import './accuracy-page.css';
 
 /**
- * What accuracy costs in time: this ray, a family's rays against the clock, and how hard rays can
- * get.
+ * What accuracy costs in time: methods against the clock on a family's rays, how hard rays can get,
+ * and this ray.
  */
 export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) => {
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
   const rayView = createRayView(dispatch, announce);
-  const measuring = measureJob(spawnLab, changed);
+  const measuring = createMeasuring(spawnLab, changed);
   const sweeping = sweepJob(spawnLab, changed);
   let picked: Picked | null = null;
-  let shown: { state: AppState; settings: AccuracySettings; ray: RayModel } | null = null;
+  let findings: Findings | null = null;
 
-  const { top, leftHead, leftPlot, leftEmpty, rightHead, rightPlot, rightFoot, foot } =
-    layOut(host);
-  const choose = (id: string): void => dispatch({ type: 'method', id });
-  const frontier = mountFrontier(leftPlot, choose);
-  const hardness = mountHardness(rightPlot, {
+  const places = layOut(host);
+  const frontier = mountFrontier(places.frontier, (id) => dispatch({ type: 'method', id }));
+  const hardness = mountHardness(places.hardness, {
     picked: () => picked,
     pick(next) {
       picked = next;
@@ -55,37 +57,9 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     open: openPicked,
   });
 
-  const saves = tableExports(findings);
-  const frontierSaves = plotExports('frontier', leftPlot);
-  const hardnessSaves = plotExports('difficulty', rightPlot);
-
-  /**
-   * What is measured is read from the settings when they are drawn next: they may have been changed
-   * since the last time.
-   */
-  let isAsked = false;
-  function measure(): void {
-    isAsked = true;
-    changed();
-  }
-
-  function rowsNow(): readonly MeasuredRow[] {
-    const fits = shown && sameRays(measuring.request, measureRequest(shown.settings));
-    return (fits && measuring.result?.rows) || [];
-  }
-
-  function findings(): Findings | null {
-    if (!shown) return null;
-    const { settings, ray } = shown;
-    const request = measureRequest(settings);
-    return {
-      provenance: provenanceOf(measuring.result, request, sweepRequest(settings)),
-      settings,
-      ray,
-      rows: rowsNow(),
-      sweep: sweeping.result ?? [],
-    };
-  }
+  const saves = tableExports(() => findings);
+  const frontierSaves = plotExports('frontier', places.frontier);
+  const hardnessSaves = plotExports('difficulty', places.hardness);
 
   function pickedSummary() {
     const point = sweeping.result?.find(({ difficulty }) => difficulty === picked?.difficulty);
@@ -104,73 +78,75 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     if (!worst || !picked) return;
     const { id } = picked;
     dispatch({ type: 'open', state: (now) => withRay(now, worst, id) });
-    top.scrollIntoView();
+    places.ray.scrollIntoView();
+  }
+
+  function sweep(settings: AccuracySettings): void {
+    const asked = sweepRequest(settings);
+    const { request } = sweeping;
+    if (request?.family === asked.family && request.seed === asked.seed) return;
+    picked = null;
+    sweeping.start(asked);
+  }
+
+  function renderAnswer(settings: AccuracySettings, method: string) {
+    // Two jobs at once would be in each other's way.
+    const known = measuring.update(settings, !sweeping.running);
+    const column = columnOf(settings, known.found, reference);
+    const words = answerWords(column, questionOf(settings.worth));
+    const data = frontierOf(column, settings, method);
+    render(answerHead(settings, column, words, set), places.head);
+    if (data) frontier.render(data);
+    places.frontier.classList.toggle('is-empty', !data);
+    render(data ? nothing : html`<p>${emptyWords(column, known)}</p>`, places.empty);
+    render(
+      html`${measureBar(
+        {
+          measured: known.now,
+          running: known.running,
+          failed: known.failed,
+          reference: column.isFaint ? REFERENCE_WORDS : '',
+        },
+        { measure: measuring.longer, cancel: measuring.cancel },
+      )}${plotSaves(frontierSaves)}`,
+      places.bar,
+    );
+    return { column, found: known.found };
+  }
+
+  function renderHardness(settings: AccuracySettings, method: string): void {
+    render(hardnessHead(settings, set), places.hardHead);
+    const dial = findFamily(settings.hard)?.dial;
+    if (dial && sweeping.result) {
+      const lines = hardnessOf(sweeping.result, dial, settings.worth);
+      hardness.render({ ...lines, chosen: method, picked });
+    }
+    const actions = { open: openPicked, take: takePicked };
+    render(
+      html`${hardnessWords(settings, picked, pickedSummary(), actions)}${plotSaves(hardnessSaves)}`,
+      places.hardWords,
+    );
   }
 
   return {
     render(state) {
-      const before = shown;
-      const settings = settingsOf(state);
+      const settings = readAccuracy(state.settings.accuracy).values;
       const ray = rayModel(state);
-      shown = { state, settings, ray };
-      const sweepAsked = sweepRequest(settings);
-      const asked = sweeping.request;
-      if (!asked || asked.family !== sweepAsked.family || asked.seed !== sweepAsked.seed) {
-        picked = null;
-        sweeping.start(sweepAsked);
-      }
-      if (isAsked) measuring.start(measureRequest(settings));
-      isAsked = false;
-      if (before && measuring.running) {
-        if (!sameRays(measuring.request, measureRequest(settings))) measuring.cancel();
-      }
-      const rows = rowsNow();
-      render(rayView(state, ray, rows, settings), top);
-      const data = frontierOf({ rows }, settings, state.method);
-      render(
-        frontierHead(
-          settings,
-          sentenceOf(rows, questionOf(settings.worth), titleOf),
-          frontierSaves,
-          set,
-        ),
-        leftHead,
+      sweep(settings);
+      const { column, found } = renderAnswer(settings, state.method);
+      renderHardness(settings, state.method);
+      render(rayView(state, ray, found, settings), places.ray);
+      const provenance = provenanceOf(
+        found,
+        measureRequest(settings, false),
+        sweepRequest(settings),
       );
-      leftPlot.hidden = data === null;
-      render(data ? nothing : emptyFrontier(rows, measuring.running, measure), leftEmpty);
-      if (data) frontier.render(data);
-      render(hardnessHead(settings, hardnessSaves, set), rightHead);
-      const dial = findFamily(settings.hard)?.dial;
-      if (dial && sweeping.result) {
-        hardness.render({
-          ...hardnessOf(sweeping.result, dial, settings.worth),
-          chosen: state.method,
-          picked,
-        });
-      }
+      const { columns } = found ?? {};
+      findings = { provenance, settings, ray, column, columns, sweep: sweeping.result ?? [] };
       render(
-        pickedWords(picked, pickedSummary(), { open: openPicked, take: takePicked }),
-        rightFoot,
-      );
-      const fits = sameRays(measuring.request, measureRequest(settings));
-      render(
-        html`${measureBar(
-          {
-            measured: fits ? measuring.result : null,
-            running: measuring.running,
-            failed: measuring.failed,
-            provenance: provenanceOf(
-              fits ? measuring.result : null,
-              measureRequest(settings),
-              sweepAsked,
-            ),
-          },
-          { measure, cancel: measuring.cancel },
-        )}
-        <p class="acc-take">Take home:
-          ${saveButtons(saves, ({ title }) => title)}
-        </p>`,
-        foot,
+        html`<p class="acc-take">Take home: ${saveButtons(saves, ({ title }) => title)}</p>
+          <p class="provenance">${provenance}</p>`,
+        places.foot,
       );
     },
     read(given) {
@@ -186,44 +162,12 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
       };
     },
     exports: () => [...saves, ...frontierSaves, ...hardnessSaves],
-    rest() {
-      if (measuring.running) measuring.cancel();
-    },
+    rest: measuring.rest,
   };
 };
-
-/** The settings of the link, with the defaults of what it does not say. */
-function settingsOf({ settings }: AppState): AccuracySettings {
-  return readAccuracy(settings.accuracy).values;
-}
 
 function withRay(state: AppState, { shape, ray }: Question, method: string): AppState {
   const shapes = { ...state.shapes, [shape.kind]: shape };
   const { origin: E, direction: d } = ray;
   return { ...state, kind: shape.kind, shapes, E, d, unit: false, method };
-}
-
-/** The places of the page, in the order in which the eye and the focus go. */
-function layOut(host: HTMLElement) {
-  host.classList.add('accuracy');
-  const area = (name: string, parent = host): HTMLElement => {
-    const element = document.createElement('div');
-    element.className = name;
-    parent.append(element);
-    return element;
-  };
-  const top = area('acc-ray');
-  const plots = area('acc-plots');
-  const left = area('acc-plot', plots);
-  const right = area('acc-plot', plots);
-  return {
-    top,
-    leftHead: area('acc-plot-head', left),
-    leftPlot: area('acc-plot-body', left),
-    leftEmpty: area('acc-plot-empty', left),
-    rightHead: area('acc-plot-head', right),
-    rightPlot: area('acc-plot-body', right),
-    rightFoot: area('acc-plot-foot', right),
-    foot: area('acc-foot'),
-  };
 }

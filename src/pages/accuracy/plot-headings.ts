@@ -1,13 +1,13 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Picked } from '../../charts/hardness-model.ts';
-import type { MeasuredRow } from '../../lab/session.ts';
 import type { Summary } from '../../lab/summary.ts';
 import { DIAL_FAMILIES } from '../../lab/sweep.ts';
 import { type Dial, FAMILIES, findFamily } from '../../math/families.ts';
 import { type Choice, tabs } from '../../panels/choices.ts';
+import { type Column, targetTitle } from '../../state/accuracy/column.ts';
 import { titleOf } from '../../state/accuracy/frontier.ts';
 import { dialTitle } from '../../state/accuracy/hardness.ts';
-import { type AccuracySettings, COSTS, WORTHS } from '../../state/accuracy/settings.ts';
+import { type AccuracySettings, ORDERS, TARGETS, WORTHS } from '../../state/accuracy/settings.ts';
 import { display } from '../../text/format.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import { extensionOf, saveButtons } from './exports.ts';
@@ -35,26 +35,29 @@ const SWEPT: readonly Choice[] = [
 const others = (families: readonly Choice[], shown: readonly Choice[]): readonly Choice[] =>
   families.filter(({ id }) => !shown.some((one) => one.id === id));
 
-/** What stands above the frontier: which rays, which axes, and the sentence. */
-export function frontierHead(
+/** The answer in words, what it is compared in, and which rays. */
+export function answerHead(
   settings: AccuracySettings,
-  sentence: string,
-  saves: readonly ExportItem[],
+  { target, why }: Column,
+  words: { readonly headline: string; readonly details: string },
   set: Set,
 ): TemplateResult {
-  const { family, worth, cost, dial } = settings;
+  const { family, worth, order, dial } = settings;
   const own = findFamily(family)?.dial;
-  return html`<div class="acc-title">
-      <h2>Digits against time</h2>
+  const instead = why ? `Compared in ${targetTitle(target)}: ${why}. ` : '';
+  return html`<div class="acc-answer">
+      <h2 class="acc-sentence"><span role="status">${words.headline || 'What does a right answer cost?'}</span></h2>
+      <div class="acc-compare">
+        ${tabs('Kernels', TARGETS, target, (id) => set({ target: id as AccuracySettings['target'] }))}
+        <span class="acc-order">order ${tabs('Order of the rays', ORDERS, order, (id) => set({ order: id as AccuracySettings['order'] }))}</span>
+      </div>
+    </div>
+    <p class="acc-details">${instead}${words.details}</p>
+    <div class="acc-title">
       ${tabs('Rays to measure', TIMED, family, (id) => set({ family: id, dial: null }), others(FAMILIES, TIMED))}
+      <span class="acc-worth">${tabs('Upwards', WORTHS, worth, (id) => set({ worth: id as AccuracySettings['worth'] }))}</span>
     </div>
-    <div class="acc-options">
-      ${tabs('Upwards', WORTHS, worth, (id) => set({ worth: id as AccuracySettings['worth'] }))}
-      ${tabs('Time as', COSTS, cost, (id) => set({ cost: id as AccuracySettings['cost'] }))}
-      <span class="acc-save">${saveButtons(saves, extensionOf)}</span>
-    </div>
-    ${own ? dialRow(own, dial, set) : nothing}
-    <p class="acc-sentence" role="status">${sentence}</p>`;
+    ${own ? dialRow(own, dial, set) : nothing}`;
 }
 
 const STEPS = 100;
@@ -71,49 +74,36 @@ function dialRow(dial: Dial, at: number | null, set: Set): TemplateResult {
   </label>`;
 }
 
-export function hardnessHead(
-  { hard }: AccuracySettings,
-  saves: readonly ExportItem[],
-  set: Set,
-): TemplateResult {
+/** The files of a plot. */
+export const plotSaves = (saves: readonly ExportItem[]): TemplateResult =>
+  html`<span class="acc-save">${saveButtons(saves, extensionOf)}</span>`;
+
+export function hardnessHead({ hard }: AccuracySettings, set: Set): TemplateResult {
   return html`<div class="acc-title">
       <h2>How hard can it get</h2>
       ${tabs('Difficulty', SWEPT, hard, (id) => set({ hard: id }), others(DIAL_FAMILIES, SWEPT))}
-    </div>
-    <div class="acc-options">
-      <p class="acc-idea">${findFamily(hard)?.idea ?? ''}</p>
-      <span class="acc-save">${saveButtons(saves, extensionOf)}</span>
     </div>`;
 }
 
-/** Where the frontier will stand. */
-export function emptyFrontier(
-  rows: readonly MeasuredRow[],
-  running: boolean,
-  measure: () => void,
-): TemplateResult {
-  const words = running
-    ? 'Measuring: the first round is under way.'
-    : rows.some(({ roots }) => roots)
-      ? 'No ray of this family has a root to have digits: look at the wrong verdicts instead.'
-      : 'Not measured yet.';
-  return html`<div class="plot-empty">
-    <p>${words}</p>
-    ${running || rows.length > 0 ? nothing : html`<button type="button" class="button primary" @click=${measure}>Measure</button>`}
-  </div>`;
-}
-
-/** The point that was picked, in numbers, and the ways to one of its rays, with its method. */
-export function pickedWords(
+/** What makes these rays hard; and the point that was picked, with the ways to one of its rays. */
+export function hardnessWords(
+  { hard }: AccuracySettings,
   picked: Picked | null,
   quality: Summary | null,
   { open, take }: { readonly open: () => void; readonly take: () => void },
 ): TemplateResult {
-  if (!picked || !quality)
-    return html`<p class="acc-hint">Choose a point to see one of its rays.</p>`;
-  const { wrong, undecided, rays, digits, leastDigits } = quality;
+  return html`<p class="acc-idea">${findFamily(hard)?.idea ?? ''}</p>
+    ${picked && quality ? pickedWords(picked, quality, open, take) : html`<p class="acc-hint">Choose a point to see one of its rays.</p>`}`;
+}
+
+function pickedWords(
+  { id }: Picked,
+  { wrong, undecided, rays, digits, leastDigits, worst }: Summary,
+  open: () => void,
+  take: () => void,
+): TemplateResult {
   return html`<p>
-    <b>${titleOf(picked.id)}</b>: ${wrong} of ${rays} verdicts wrong, ${undecided} undecided; digits ${display(digits, 3)} in 9 rays of 10, ${display(leastDigits, 3)} in the worst.
-    ${quality.worst ? html`Its worst ray: <button type="button" class="acc-link" @click=${open}>open in Explore</button> <button type="button" class="acc-link" @click=${take}>make it “This ray”</button>` : nothing}
+    <b>${titleOf(id)}</b>: ${wrong} of ${rays} verdicts wrong, ${undecided} undecided; digits ${display(digits, 3)} in 9 rays of 10, ${display(leastDigits, 3)} in the worst.
+    ${worst ? html`Its worst ray: <button type="button" class="acc-link" @click=${open}>open in Explore</button> <button type="button" class="acc-link" @click=${take}>make it “This ray”</button>` : nothing}
   </p>`;
 }

@@ -1,5 +1,6 @@
 import { html, type TemplateResult } from 'lit';
-import type { MeasuredRow } from '../../lab/session.ts';
+import type { Measured } from '../../lab/session.ts';
+import type { Target } from '../../math/batch.ts';
 import { digitSteps } from '../../panels/digit-steps.ts';
 import { ladderTable } from '../../panels/ladder-table.ts';
 import { nudges } from '../../panels/nudges.ts';
@@ -18,17 +19,21 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
   return (
     state: AppState,
     ray: RayModel,
-    measured: readonly MeasuredRow[],
+    found: Measured | null,
     { family, worth }: AccuracySettings,
   ): TemplateResult => {
     const answered = answer.wordsFor(ray, state.method);
     const question = questionOf(worth);
-    const timings = new Map(
-      measured.flatMap((row) => (row[question] ? [[row.id, row[question]] as const] : [])),
-    );
+    const timingsIn = (target: Target) =>
+      new Map(
+        found?.columns[target].flatMap((row) =>
+          row[question] ? [[row.id, row[question]] as const] : [],
+        ),
+      );
+    const timings = { simd: timingsIn('simd'), typescript: timingsIn('typescript') };
     const timed = `“${familyName(family)}” rays, ${QUESTION_WORDS[question]}`;
     const model = { rows: ray.rows, where: ray.where, timings, timed, chosen: state.method };
-    return html`<div class="acc-head">
+    return html`<div class="acc-title">
         <h2>This ray</h2>
         <p>${ray.words}</p>
         <button type="button" class="button" @click=${() => dispatch({ type: 'page', page: 'explore' })}>Open in Explore</button>

@@ -1,9 +1,6 @@
-import { BUSY, rounded } from '../../lab/price.ts';
-import { spreadOfRows } from '../../lab/sentence.ts';
-import type { Measured, MeasureRequest } from '../../lab/session.ts';
+import type { MeasureRequest } from '../../lab/session.ts';
 import type { SweepRequest } from '../../lab/sweep.ts';
 import type { AccuracySettings } from '../../state/accuracy/settings.ts';
-import { familyName } from './plot-headings.ts';
 
 /**
  * Enough rays for the share of 9 in 10 to mean something, and few enough for the exact method to
@@ -11,19 +8,35 @@ import { familyName } from './plot-headings.ts';
  */
 const SHAPES = 6;
 const COUNT = 512;
-/**
- * The best quarter of the rounds within 2 % of the best: later ones would hardly change a figure
- * that is shown.
- */
-const SETTLES = { rounds: 7, spread: 0.02 };
+/** No processor knows so many branches by heart. */
+const TIMED = 61_440;
 
-export const measureRequest = ({ family, dial, seed }: AccuracySettings): MeasureRequest => ({
+/** What the page does by itself: some seconds. */
+const BRIEF = {
+  budget: { least: COUNT, most: 20 },
+  plan: { rounds: 4, least: 4, steps: 20, warmUp: 1 },
+};
+/**
+ * On demand: until the best quarter of the rounds is within 2 % of the best, after which further
+ * ones would hardly change a figure that is shown.
+ */
+const LONGER = {
+  budget: { least: COUNT, most: 60 },
+  plan: { rounds: 15, least: 10, steps: 100, warmUp: 2, settles: { rounds: 7, spread: 0.02 } },
+};
+
+export const measureRequest = (
+  { family, dial, seed, order }: AccuracySettings,
+  longer: boolean,
+): MeasureRequest => ({
   family,
   seed,
+  order,
   shapes: SHAPES,
   count: COUNT,
+  timed: TIMED,
   difficulty: dial ?? undefined,
-  plan: { rounds: 15, least: 10, steps: 100, warmUp: 3, settles: SETTLES },
+  ...(longer ? LONGER : BRIEF),
 });
 
 const SWEEP_COUNT = 128;
@@ -38,34 +51,12 @@ export const sweepRequest = ({ hard, seed }: AccuracySettings): SweepRequest => 
   points: SWEEP_POINTS,
 });
 
+type Rays = Pick<MeasureRequest, 'family' | 'seed' | 'difficulty' | 'order'>;
+
 /** Whether what was measured is what is asked for now. */
-export const sameRays = (a: MeasureRequest | null, b: MeasureRequest): boolean =>
-  a !== null && a.family === b.family && a.seed === b.seed && a.difficulty === b.difficulty;
-
-/** Where the numbers come from, in a line. */
-export function provenanceOf(
-  measured: Measured | null,
-  request: MeasureRequest,
-  sweep: SweepRequest,
-): string {
-  const device = `${browserName(navigator.userAgent)}, ${navigator.hardwareConcurrency} cores, ${crossOriginIsolated ? 'isolated' : 'not isolated'}`;
-  const title = familyName(request.family);
-  const rays = `times of ${request.shapes} shapes × ${request.count} rays “${title}”, seed ${request.seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
-  if (!measured || measured.round === 0)
-    return `${device}; ${rays}. Digits are counted against exact on every ray.`;
-  const spread = spreadOfRows(measured.rows, 'roots');
-  const busy = `times of the best round; one in four took at least ${Math.round(100 * spread)} % longer${spread > BUSY ? ': the machine was busy' : ''}`;
-  const step = `timer step ${stepWords(measured.clockStep)}`;
-  const roots = `certified’s roots by ${measured.accelerated ? 'WebAssembly' : 'script alone'}`;
-  return `${device}; ${step}; ${measured.round} rounds, ${rays}; ${roots}; ${busy}. Digits are counted against exact on every ray.`;
-}
-
-/** 5 µs, 1 ms: a step of a clock has no more than two figures worth telling. */
-const stepWords = (ms: number): string =>
-  ms < 0.9995 ? `${rounded(1000 * ms, 2)} µs` : `${rounded(ms, 2)} ms`;
-
-function browserName(agent: string): string {
-  const found = /(Firefox|Edg|OPR|Chrome)\/([\d]+)/.exec(agent) ?? /(Version)\/([\d]+)/.exec(agent);
-  const names: Readonly<Record<string, string>> = { Edg: 'Edge', OPR: 'Opera', Version: 'Safari' };
-  return found ? `${names[found[1] ?? ''] ?? found[1]} ${found[2]}` : 'unknown browser';
-}
+export const sameRays = (a: Rays | null, b: Rays): boolean =>
+  a !== null &&
+  a.family === b.family &&
+  a.seed === b.seed &&
+  a.difficulty === b.difficulty &&
+  a.order === b.order;

@@ -1,7 +1,9 @@
-import type { MeasuredRow } from '../../lab/session.ts';
+import type { Columns, MeasuredRow, Timing } from '../../lab/session.ts';
 import type { SweepPoint } from '../../lab/sweep.ts';
+import type { Target } from '../../math/batch.ts';
+import type { Column } from '../../state/accuracy/column.ts';
 import type { RayModel } from '../../state/accuracy/ladder.ts';
-import type { AccuracySettings } from '../../state/accuracy/settings.ts';
+import { type AccuracySettings, TARGETS } from '../../state/accuracy/settings.ts';
 import { shortest } from '../../text/format.ts';
 
 /** Everything that was found, with where it comes from. */
@@ -9,7 +11,10 @@ export interface Findings {
   readonly provenance: string;
   readonly settings: AccuracySettings;
   readonly ray: RayModel;
-  readonly rows: readonly MeasuredRow[];
+  /** What the plot shows. */
+  readonly column: Column;
+  /** What was measured here; absent before anything is. */
+  readonly columns: Columns | undefined;
   readonly sweep: readonly SweepPoint[];
 }
 
@@ -17,49 +22,50 @@ export interface Findings {
 const OF_THIS_RAY = ['verdict', 'judgement', 't1', 't1 digits', 't2', 't2 digits'];
 const OF_THE_FAMILY = [
   ...['rays', 'wrong', 'undecided', 'digits in 9 rays of 10', 'digits in the worst ray'],
-  ...['most ulps', 'ns', 'ns of the best round', 'ns of 3 rounds in 4 at most', 'times textbook'],
-  ...['ns of a verdict alone', 'times textbook of a verdict alone'],
+  'most ulps',
 ];
+const OF_A_TARGET = ['ns', 'ns of the best round', 'ns of 3 rounds in 4 at most', 'times textbook'];
+const QUESTIONS = ['both roots', 'a verdict alone'];
 
-const headOf = (family: string): string =>
+const headOf = ({ family, order }: AccuracySettings): string =>
   [
     'method',
     ...OF_THIS_RAY.map((name) => `this ray: ${name}`),
     ...OF_THE_FAMILY.map((name) => `${family} rays: ${name}`),
+    ...TARGETS.flatMap(({ title }) =>
+      QUESTIONS.flatMap((asked) =>
+        OF_A_TARGET.map((name) => `${family} rays ${order} ${title} ${asked}: ${name}`),
+      ),
+    ),
   ].join(',');
 
 /** One line a method; empty where nothing was measured. */
-export function toCsv({ settings, ray, rows }: Findings): string {
-  const lines = ray.rows.map(({ method, found, judgement, roots }) => {
-    const row = rows.find(({ id }) => id === method.id);
-    const [first, second] = roots;
-    const { quality, roots: timing, classes } = row ?? {};
+export function toCsv({ settings, ray, columns }: Findings): string {
+  const lines = ray.rows.map(({ method: { id }, found, judgement, roots: [first, second] }) => {
+    const rowIn = (target: Target): MeasuredRow | undefined =>
+      columns?.[target].find((row) => row.id === id);
+    const quality = rowIn('typescript')?.quality;
     return [
-      method.id,
-      found.class,
-      judgement,
-      first?.t,
-      first?.digits,
-      second?.t,
-      second?.digits,
-      quality?.rays,
-      quality?.wrong,
-      quality?.undecided,
-      quality?.digits,
-      quality?.leastDigits,
-      quality?.mostUlps,
-      timing?.ns.value,
-      timing?.ns.least,
-      timing?.ns.most,
-      timing?.times.value,
-      classes?.ns.value,
-      classes?.times.value,
+      ...[id, found.class, judgement, first?.t, first?.digits, second?.t, second?.digits],
+      ...[quality?.rays, quality?.wrong, quality?.undecided],
+      ...[quality?.digits, quality?.leastDigits, quality?.mostUlps],
+      ...TARGETS.flatMap((target) => {
+        const row = rowIn(target.id);
+        return [...timeCells(row?.roots), ...timeCells(row?.classes)];
+      }),
     ]
       .map(cell)
       .join(',');
   });
-  return `${[headOf(settings.family), ...lines].join('\n')}\n`;
+  return `${[headOf(settings), ...lines].join('\n')}\n`;
 }
+
+const timeCells = (timing: Timing | undefined) => [
+  timing?.ns.value,
+  timing?.ns.least,
+  timing?.ns.most,
+  timing?.times.value,
+];
 
 function cell(x: string | number | null | undefined): string {
   if (x === undefined || x === null || Number.isNaN(x)) return '';

@@ -1,22 +1,38 @@
 import { digitCount } from '../../lab/digits.ts';
 import type { Price } from '../../lab/price.ts';
 import { grouped, priceText, type Question } from '../../lab/sentence.ts';
-import type { Measured, MeasuredRow, Timing } from '../../lab/session.ts';
+import { BASE_METHOD, type MeasuredRow, type Timing } from '../../lab/session.ts';
 import { findMethod } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
+import { type Column, isEmulated, targetTitle } from './column.ts';
 import type { Cost, Worth } from './settings.ts';
 
-interface FrontierData {
-  readonly marks: readonly {
-    readonly id: string;
-    readonly name: string;
-    readonly words: string;
-    readonly cost: Price;
-    readonly worth: number;
-  }[];
+export interface FrontierMark {
+  readonly id: string;
+  /** What stands beside the mark, and what follows it in lighter type. */
+  readonly name: string;
+  readonly note: string;
+  /** The whole truth in words, for the screen reader. */
+  readonly words: string;
+  readonly cost: Price;
+  /** Larger is better. */
+  readonly worth: number;
+  /** The price is another machine's. */
+  readonly isFaint: boolean;
+  /** The price is no matter of choice, so that it is not on the frontier. */
+  readonly isApart: boolean;
+}
+
+export interface FrontierModel {
+  readonly marks: readonly FrontierMark[];
   readonly chosen: string;
   readonly costTitle: string;
+  /** Nanoseconds that a cost of 1 is, for the second scale; null if it is not known. */
+  readonly unit: number | null;
+  /** Whether the grid is the second scale's. */
+  readonly gridByUnit: boolean;
   readonly worthTitle: string;
+  /** The worths that the axis shows, from the worst to the best, and their labels. */
   readonly worthTicks: readonly { readonly value: number; readonly label: string }[];
 }
 
@@ -26,34 +42,43 @@ export const questionOf = (worth: Worth): Question => (worth === 'wrong' ? 'clas
 export const titleOf = (id: string): string => findMethod(id)?.title ?? id;
 
 /**
- * The plot of what was measured, in the chosen units. Null before there is a time, or where no ray
- * has a root to have digits.
+ * The plot of what was measured. Null before there is a price, or where no ray has a root to have
+ * digits.
  */
 export function frontierOf(
-  { rows }: Pick<Measured, 'rows'>,
+  { rows, target, isFaint }: Omit<Column, 'why'>,
   { worth, cost }: { readonly worth: Worth; readonly cost: Cost },
   chosen: string,
-): FrontierData | null {
+): FrontierModel | null {
+  const question = questionOf(worth);
   const marks = rows.flatMap((row) => {
-    const timing = row[questionOf(worth)];
+    const timing = row[question];
     const value = worthOf(row, worth);
     if (!timing || Number.isNaN(value)) return [];
     const { id } = row;
+    const emulated = isEmulated(id, target);
     return [
       {
         id,
-        name: `${titleOf(id)}${failures(row)}`,
-        words: wordsOf(row, timing),
-        cost: cost === 'ns' ? timing.ns : timing.times,
+        name: `${titleOf(id)} ${priceText(timing.times)}`,
+        note: `${emulated ? ', emulated' : ''}${failures(row)}`,
+        words: wordsOf(row, timing, { emulated, isFaint }),
+        cost: timing.times,
         worth: value,
+        isFaint,
+        isApart: emulated,
       },
     ];
   });
   if (marks.length === 0) return null;
+  const base = rows.find(({ id }) => id === BASE_METHOD);
+  const unit = isFaint ? null : (base?.[question]?.ns.value ?? null);
   return {
     marks,
     chosen,
-    costTitle: `${cost === 'ns' ? 'ns per ray' : 'times the textbook method'}, ${QUESTION_WORDS[questionOf(worth)]}, the best round`,
+    costTitle: `price: time ÷ textbook’s, ${QUESTION_WORDS[question]}, ${targetTitle(target)}`,
+    unit,
+    gridByUnit: cost === 'ns' && unit !== null,
     worthTitle: WORTH_TITLES[worth],
     worthTicks: worth === 'wrong' ? shareTicks(marks) : DIGIT_TICKS,
   };
@@ -99,11 +124,18 @@ function failures({ quality }: MeasuredRow): string {
   return parts.length > 0 ? `: ${parts.join(', ')}` : '';
 }
 
-function wordsOf({ id, quality }: MeasuredRow, { ns, times }: Timing): string {
+function wordsOf(
+  { id, quality }: MeasuredRow,
+  { ns, times }: Timing,
+  { emulated, isFaint }: { readonly emulated: boolean; readonly isFaint: boolean },
+): string {
   const digits = Number.isNaN(quality.digits)
     ? 'no roots to compare'
     : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
   const wrong = `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ${grouped(quality.undecided)} undecided`;
-  const time = `${priceText(ns)} ns a ray, ${priceText(times)} times textbook`;
+  const price = `${priceText(times)} times textbook${emulated ? ', emulated' : ''}`;
+  const time = isFaint
+    ? `${price} for typical rays where this page was built`
+    : `${priceText(ns)} ns a ray, ${price}`;
   return `${titleOf(id)}: ${digits}; ${wrong}; ${time}`;
 }

@@ -1,3 +1,5 @@
+import type { Order } from '../../lab/timed.ts';
+import type { Target } from '../../math/batch.ts';
 import { findFamily } from '../../math/families.ts';
 import { quote } from '../../math/shapes.ts';
 import type { Settings } from '../state.ts';
@@ -9,7 +11,12 @@ export interface AccuracySettings {
   /** Where its dial stands; null: where the family itself turns it. */
   readonly dial: number | null;
   readonly worth: Worth;
+  /** Which of the two scales of time has the grid. */
   readonly cost: Cost;
+  /** Which kernels are compared with each other. */
+  readonly target: Target;
+  /** In which order the rays are met. */
+  readonly order: Order;
   /** The family whose difficulty is swept. */
   readonly hard: string;
   readonly seed: number;
@@ -28,11 +35,23 @@ export const COSTS = [
 ] as const;
 export type Cost = (typeof COSTS)[number]['id'];
 
+export const TARGETS = [
+  { id: 'simd', title: 'SIMD' },
+  { id: 'typescript', title: 'TypeScript' },
+] as const satisfies readonly { readonly id: Target; readonly title: string }[];
+
+export const ORDERS = [
+  { id: 'random', title: 'random' },
+  { id: 'sorted', title: 'hits first' },
+] as const satisfies readonly { readonly id: Order; readonly title: string }[];
+
 export const INITIAL_ACCURACY: AccuracySettings = {
   family: 'far-origin',
   dial: null,
   worth: 'digits',
   cost: 'ns',
+  target: 'simd',
+  order: 'random',
   hard: 'far-origin',
   seed: 7,
 };
@@ -50,6 +69,8 @@ const READERS: {
   dial: (text) => finite(text),
   worth: (text) => WORTHS.find(({ id }) => id === text)?.id ?? null,
   cost: (text) => COSTS.find(({ id }) => id === text)?.id ?? null,
+  target: (text) => TARGETS.find(({ id }) => id === text)?.id ?? null,
+  order: (text) => ORDERS.find(({ id }) => id === text)?.id ?? null,
   hard: (text) => (findFamily(text)?.dial ? text : null),
   seed: (text) => (/^\d{1,9}$/.test(text) ? Number(text) : null),
 };

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { BUSY, multipleOf, priceOf, rounded, spreadOf } from '../../../src/lab/price.ts';
-import { sentenceOf } from '../../../src/lab/sentence.ts';
+import { detailsOf, headlineOf } from '../../../src/lab/sentence.ts';
 import type { MeasuredRow } from '../../../src/lab/session.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
@@ -79,28 +79,28 @@ describe('the sentence about prices', () => {
   };
   const even = (ms: number): number[] => Array(8).fill(ms);
   const words = (rows: MeasuredRow[], question: 'roots' | 'classes' = 'roots') =>
-    sentenceOf(rows, question, (id) => id);
+    `${headlineOf(rows, (id) => id)} ${detailsOf(rows, question, (id) => id)}`;
 
   test('says "about" and that the machine was busy where the figures do not stand', () => {
     const shaky = [1.37, 1.37, 1.5, 1.5, 1.5, 4, 4, 4.9];
     const rows = rowsOf({ textbook: even(1), certified: shaky }, 5);
     expect(spreadOf(rows[1]?.roots?.ns ?? priceOf([]))).toBeGreaterThan(BUSY);
     expect(words(rows)).toContain(
-      'Faithful roots for all of them cost about 1.4 times as much as the textbook formula’s (certified).',
+      'both roots, faithful to the last digit, cost about 1.4 times the textbook formula (certified).',
     );
     expect(words(rows)).toContain(
       'The machine was busy; one round in four took at least 192 % longer',
     );
     const steady = rowsOf({ textbook: even(1), certified: even(1.37) }, 5);
-    expect(words(steady)).toContain('cost 1.37 times as much');
-    expect(words(steady)).not.toMatch(/about|busy/);
+    expect(words(steady)).toContain('cost 1.37 times the textbook formula');
+    expect(words(steady)).not.toMatch(/costs? about|busy/);
   });
 
   test('never says that something costs 0.6 times or 1 times, nor compares a method with itself', () => {
     const cheaper = words(rowsOf({ textbook: even(1), certified: even(0.646) }, 5));
-    expect(cheaper).toContain('cost no more than the textbook formula’s (certified)');
+    expect(cheaper).toContain('cost less than the textbook formula, 0.646 of its price');
     const same = words(rowsOf({ textbook: even(1), certified: even(2) }));
-    expect(same).toContain('It is the cheapest method, too, with faithful roots for all of them.');
+    expect(same).toContain('nothing right is cheaper, with both roots to the last digit, too.');
     for (const text of [cheaper, same]) expect(text).not.toMatch(/\btimes\b|\(textbook\)/);
   });
 
@@ -108,7 +108,7 @@ describe('the sentence about prices', () => {
     const rows = rowsOf({ textbook: even(1), certified: even(2) }, 5).map((row) =>
       row.id === 'textbook' ? { ...row, quality: { ...row.quality, wrong: 3 } } : row,
     );
-    expect(words(rows, 'classes')).toContain('Right verdicts alone, without roots, cost 2 times');
-    expect(words(rows, 'roots')).toContain('Faithful roots for all of them cost 2 times');
+    expect(words(rows)).toContain('A verdict that is right for all of these rays costs 2 times');
+    expect(words(rows)).toContain('both roots, faithful to the last digit, cost 2 times');
   });
 });

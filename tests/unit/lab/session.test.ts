@@ -2,13 +2,20 @@ import { describe, expect, test } from 'vitest';
 import { answer } from '../../../src/lab/answer.ts';
 import { digitCount } from '../../../src/lab/digits.ts';
 import type { LabReply } from '../../../src/lab/messages.ts';
-import { batchesOf } from '../../../src/lab/plan.ts';
+import { type Batch, batchesOf, rayAt } from '../../../src/lab/plan.ts';
 import { multipleOf, priceOf } from '../../../src/lab/price.ts';
 import { qualityOf } from '../../../src/lab/quality.ts';
-import { grouped, priceText, sentenceOf } from '../../../src/lab/sentence.ts';
-import { type Measured, type MeasuredRow, measureSession } from '../../../src/lab/session.ts';
+import { detailsOf, grouped, headlineOf, priceText } from '../../../src/lab/sentence.ts';
+import {
+  familyOf,
+  type Measured,
+  type MeasuredRow,
+  measureSession,
+} from '../../../src/lab/session.ts';
 import { DIAL_FAMILIES, difficulties, linesOf, sweepSession } from '../../../src/lab/sweep.ts';
+import { timedBatches, timedTasks } from '../../../src/lab/timed.ts';
 import { accelerate, decelerate } from '../../../src/math/accelerate.ts';
+import { type Rays, targetOf } from '../../../src/math/batch.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { intersect } from '../../../src/math/index.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
@@ -27,6 +34,9 @@ const request = (family: string, difficulty?: number) => ({
   seed: 7,
   shapes: 3,
   count: 64,
+  timed: 128,
+  order: 'random' as const,
+  budget: { least: 64, most: 1e9 },
   plan: PLAN,
   difficulty,
 });
@@ -46,19 +56,19 @@ const titleOf = (id: string): string => METHODS.find((one) => one.id === id)?.ti
 describe('a session', () => {
   test('tells what is right before it has a time, then times after each round, then that it is complete', () => {
     const all = allOf('typical');
-    expect(all[0]?.rows).toHaveLength(METHODS.length);
-    expect(all[0]?.rows.every(({ roots, classes }) => !roots && !classes)).toBe(true);
-    const timed = all.findIndex(({ rows }) => rows.some(({ roots }) => roots));
+    expect(all[0]?.columns.typescript).toHaveLength(METHODS.length);
+    expect(all[0]?.columns.typescript.every(({ roots, classes }) => !roots && !classes)).toBe(true);
+    const timed = all.findIndex(({ columns }) => columns.typescript.some(({ roots }) => roots));
     expect(all[timed]?.round).toBe(1);
     const last = all.at(-1);
     expect(last?.complete).toBe(true);
     expect(last?.share).toBe(1);
     expect(last?.rays).toBe(192);
-    for (const row of last?.rows ?? []) {
+    for (const row of last?.columns.typescript ?? []) {
       expect(row.roots?.times).toMatchObject({ value: 1, least: expect.closeTo(1, 1) });
-      // Every call lasts one tick of 10 ms, for 192 rays.
-      expect(row.classes?.ns.least).toBeCloseTo(1e7 / 192, 6);
-      expect(row.classes?.ns.value).toBe(52_000);
+      // Every call lasts one tick of 10 ms, for 384 rays.
+      expect(row.classes?.ns.least).toBeCloseTo(1e7 / 384, 6);
+      expect(row.classes?.ns.value).toBe(26_000);
     }
     const shares = all.map(({ share }) => share);
     expect([...shares].sort((a, b) => a - b)).toEqual(shares);
@@ -69,7 +79,7 @@ describe('a session', () => {
   )('%s, by %s: certified and exact judge every ray right', (id, how) => {
     const [first] =
       how === 'WebAssembly' ? accelerated(id) : measureSession(request(id), ticking());
-    for (const { id: method, quality } of first?.rows ?? []) {
+    for (const { id: method, quality } of first?.columns.typescript ?? []) {
       expect(quality.rays).toBe(192);
       const { judged } = quality;
       expect(judged.right + quality.wrong + quality.undecided).toBe(192);
@@ -83,7 +93,7 @@ describe('a session', () => {
 
   test('far away the textbook loses hits, and the ray that is offered shows it', () => {
     const [first] = measureSession(request('far-origin', 7.6), ticking());
-    const row = first?.rows.find(({ id }) => id === 'textbook');
+    const row = first?.columns.typescript.find(({ id }) => id === 'textbook');
     expect(row?.quality.judged.misses).toBeGreaterThan(10);
     // More than one ray in ten fails, and fewer than half: nine of ten have no digit, and half
     // would have some.
@@ -136,7 +146,7 @@ describe('the sentence', () => {
     const ns = priceOf([10, 10, 10, 10].map((ms) => ms * ratio));
     return { ns, times: multipleOf(ns, base) };
   };
-  const [quality] = allOf('typical')[0]?.rows ?? [];
+  const [quality] = allOf('typical')[0]?.columns.typescript ?? [];
   const row = (
     id: string,
     parts: Partial<MeasuredRow['quality']>,
@@ -156,34 +166,140 @@ describe('the sentence', () => {
     classes: timing(classes),
   });
 
-  test('says what exact verdicts and faithful roots cost, with the numbers of the table', () => {
+  const textbook = row('textbook', { wrong: 1234, mostUlps: 1e9 }, 1, 1);
+  const exact = row('exact', {}, 220.4, 180);
+
+  test('says what right verdicts and faithful roots cost, with the numbers of the table', () => {
     const rows = [
-      row('textbook', { wrong: 1234, mostUlps: 1e9 }, 1, 1),
-      row('moment', { mostUlps: 5 }, 1.1, 1.3),
-      row('interval', { undecided: 1 }, 0.5, 0.5),
+      textbook,
+      row('moment', { mostUlps: 5, undecided: 2 }, 1.1, 1.3),
       row('certified', { mostUlps: 1 }, 2.004, 1.0561),
-      row('exact', {}, 220.4, 180),
+      exact,
     ];
-    expect(sentenceOf(rows, 'roots', titleOf)).toBe(
-      'On these rays, the textbook formula misjudges 1\u202f234 of 3\u202f072. Faithful roots for all of them cost 2 times as much as the textbook formula’s (certified).',
+    expect(headlineOf(rows, titleOf)).toBe(
+      'A verdict that is right for all of these rays costs 1.06 times the textbook formula (certified); both roots, faithful to the last digit, cost 2 times the textbook formula.',
     );
-    expect(sentenceOf(rows, 'classes', titleOf)).toBe(
-      'On these rays, the textbook formula misjudges 1\u202f234 of 3\u202f072. Right verdicts alone, without roots, cost 1.06 times as much as the textbook formula’s (certified).',
+    expect(headlineOf(rows, titleOf, 'Elsewhere')).toMatch(/^Elsewhere, a verdict that is right/);
+    expect(detailsOf(rows, 'roots', titleOf)).toBe(
+      'On these 3\u202f072 rays the textbook formula misjudges 1\u202f234.',
     );
     expect(priceText(timing(1.0561).times)).toBe('1.06');
     expect(priceText(timing(220.4).times)).toBe('220');
     expect(grouped(1234567)).toBe('1\u202f234\u202f567');
   });
 
-  test('does not call roots faithful where no ray has one', () => {
-    const none = { digits: Number.NaN, leastDigits: Number.NaN };
-    expect(sentenceOf([row('textbook', none, 1, 1)], 'roots', titleOf)).toBe(
-      'On these rays, the textbook formula has every verdict right. It is the cheapest method, too, with right answers for all of them, both roots asked for.',
+  test('says that right answers are cheaper, or as dear, where they are', () => {
+    const cheaper = [textbook, row('certified', { mostUlps: 1 }, 1, 0.8)];
+    expect(headlineOf(cheaper, titleOf)).toBe(
+      'A verdict that is right for all of these rays costs less than the textbook formula, 0.8 of its price (certified); both roots, faithful to the last digit, cost as much as the textbook formula.',
+    );
+    expect(detailsOf(cheaper, 'classes', titleOf)).toContain(
+      'The cheapest for a verdict alone is certified, 0.8 of textbook’s price: it has every verdict right.',
     );
   });
 
-  test('says nothing before there is a time', () => {
-    expect(sentenceOf(allOf('typical')[0]?.rows ?? [], 'roots', titleOf)).toBe('');
+  test('names two methods where one has the verdict and another the roots', () => {
+    const rows = [textbook, row('moment', { mostUlps: 5 }, 1.1, 1.3), exact];
+    expect(headlineOf(rows, titleOf)).toBe(
+      'A verdict that is right for all of these rays costs 1.3 times the textbook formula (moment); both roots, faithful to the last digit, cost 220 times the textbook formula (exact).',
+    );
+  });
+
+  test('the cheapest is told with what it gets wrong', () => {
+    const rows = [textbook, row('textbook32', { wrong: 2000, undecided: 3 }, 0.4, 0.5), exact];
+    expect(detailsOf(rows, 'roots', titleOf)).toContain(
+      'The cheapest for both roots is textbook, float32, 0.4 of textbook’s price: it misjudges 2\u202f000 and cannot tell for 3.',
+    );
+  });
+
+  test('says so where the textbook is right, or nothing is', () => {
+    const right = row('textbook', { mostUlps: 9 }, 1, 1);
+    expect(headlineOf([right, exact], titleOf)).toMatch(
+      /^The textbook formula is right about all of these rays, and nothing right is cheaper; both roots/,
+    );
+    expect(headlineOf([row('textbook', { mostUlps: 1 }, 1, 1), exact], titleOf)).toBe(
+      'The textbook formula is right about all of these rays, and nothing right is cheaper, with both roots to the last digit, too.',
+    );
+    expect(headlineOf([right], titleOf)).toMatch(
+      /; no method gives both roots to the last digit\.$/,
+    );
+    expect(headlineOf([textbook], titleOf)).toBe(
+      'No method that is measured here is right about all of these rays.',
+    );
+  });
+
+  test('does not call roots faithful where no ray has one', () => {
+    const none = { digits: Number.NaN, leastDigits: Number.NaN };
+    expect(headlineOf([row('textbook', none, 1, 1)], titleOf)).toBe(
+      'The textbook formula is right about all of these rays, and nothing right is cheaper.',
+    );
+  });
+
+  test('figures that the spread does not let stand are said to be about', () => {
+    const unsteady = (ratio: number) => {
+      const ns = priceOf([10, 10.8, 10.8, 10.8].map((ms) => ms * ratio));
+      return { ns, times: multipleOf(ns, base) };
+    };
+    const certified = { ...row('certified', {}, 1, 1), roots: unsteady(2), classes: unsteady(1.5) };
+    expect(headlineOf([textbook, certified], titleOf)).toContain('costs about 1.5 times');
+  });
+
+  test('has no price before there is a time', () => {
+    const untimed = allOf('typical')[0]?.columns.typescript ?? [];
+    expect(headlineOf(untimed, titleOf)).toBe('');
+    expect(detailsOf(untimed, 'roots', titleOf)).toMatch(/^On these 192 rays the textbook formula/);
+    expect(detailsOf([], 'roots', titleOf)).toBe('');
+  });
+});
+
+describe('the rays that are timed', () => {
+  const family = familyOf('mix');
+  const sample = { seed: 5, shapes: 3, count: 40 };
+  const numbers = ({ rays }: { readonly rays: Rays }, from: number, to: number) =>
+    [rays.Ex, rays.Ey, rays.Ez, rays.dx, rays.dy, rays.dz].map((all) => [...all.slice(from, to)]);
+
+  test('begin with those whose answers are compared, on the same shapes', () => {
+    const compared = batchesOf(family, sample);
+    const timed = timedBatches(family, sample, 100, 'random');
+    expect(timed.map(({ shape }) => shape)).toEqual(compared.map(({ shape }) => shape));
+    timed.forEach((batch, k) => {
+      expect(batch.rays.count).toBe(100);
+      expect(numbers(batch, 0, 40)).toEqual(numbers(compared[k] as Batch, 0, 40));
+    });
+  });
+
+  test('sorted, are the same rays with those that meet the shape first', () => {
+    const [random, sorted] = (['random', 'sorted'] as const).map((order) =>
+      timedBatches(family, sample, 100, order),
+    );
+    sorted?.forEach((batch, k) => {
+      const before = [...(random?.[k]?.rays.Ex ?? [])].sort((a, b) => a - b);
+      expect([...batch.rays.Ex].sort((a, b) => a - b)).toEqual(before);
+      const meets = Array.from(
+        { length: 100 },
+        (_, i) => intersect(batch.shape, rayAt(batch, i), 'exact').class !== 'none',
+      );
+      expect(meets.indexOf(false) < 0 || meets.lastIndexOf(true) < meets.indexOf(false)).toBe(true);
+    });
+  });
+
+  test('are fewer for a dear method, and no fewer than the least', () => {
+    const timed = timedBatches(family, sample, 100, 'random');
+    const all = timedTasks(METHODS, timed, ['typescript'], ticking(), { least: 40, most: 1e9 });
+    expect(new Set(all.map(({ rays }) => rays))).toEqual(new Set([300]));
+    const few = timedTasks(METHODS, timed, ['typescript'], ticking(), { least: 40, most: 1 });
+    expect(new Set(few.map(({ rays }) => rays))).toEqual(new Set([120]));
+  });
+
+  test('no kernel of TypeScript is timed as SIMD', () => {
+    const timed = timedBatches(family, sample, 50, 'random');
+    for (const { method, target } of timedTasks(METHODS, timed, ['simd'], ticking(), {
+      least: 40,
+      most: 1e9,
+    })) {
+      const found = METHODS.find(({ id }) => id === method) as (typeof METHODS)[number];
+      for (const { shape } of timed) expect(targetOf(found, shape, 'simd')).toBe(target);
+    }
   });
 });
 

@@ -26,10 +26,15 @@ const ticking = () => {
     return now;
   };
 };
-const measured = (family: string) =>
-  [...measureSession({ family, seed: 7, shapes: 2, count: 64, plan: PLAN }, ticking())].at(-1) ?? {
-    rows: [],
-  };
+const RAYS = { seed: 7, shapes: 2, count: 64, timed: 64, order: 'random' as const };
+const BUDGET = { least: 64, most: 1e9 };
+const measured = (family: string) => ({
+  rows:
+    [...measureSession({ family, ...RAYS, budget: BUDGET, plan: PLAN }, ticking())].at(-1)?.columns
+      .typescript ?? [],
+  target: 'typescript' as const,
+  isFaint: false,
+});
 
 describe('the frontier', () => {
   const rows = measured('far-origin');
@@ -39,15 +44,34 @@ describe('the frontier', () => {
     expect(data?.marks.map(({ id }) => id)).toEqual(rows.rows.map(({ id }) => id));
     for (const row of rows.rows) {
       const mark = data?.marks.find(({ id }) => id === row.id);
-      expect(mark?.cost).toEqual(row.roots?.ns);
+      expect(mark?.cost).toEqual(row.roots?.times);
       expect(mark?.worth).toBe(row.quality.digits);
       expect(mark?.words).toContain(
         row.roots ? `${priceText(row.roots.times)} times textbook` : '-',
       );
     }
-    expect(frontierOf(rows, { worth: 'digits', cost: 'times' }, 'exact')?.marks[0]?.cost).toEqual(
-      rows.rows[0]?.roots?.times,
-    );
+    const textbook = rows.rows.find(({ id }) => id === 'textbook');
+    expect(data?.unit).toBe(textbook?.roots?.ns.value);
+    expect(data?.gridByUnit).toBe(true);
+    expect(frontierOf(rows, { worth: 'digits', cost: 'times' }, 'exact')?.gridByUnit).toBe(false);
+  });
+
+  test('sets apart what is emulated, in TypeScript only', () => {
+    const apart = (target: 'simd' | 'typescript') =>
+      frontierOf({ ...rows, target }, { worth: 'digits', cost: 'ns' }, 'exact')
+        ?.marks.filter(({ isApart }) => isApart)
+        .map(({ id, note }) => [id, note.startsWith(', emulated')]);
+    expect(apart('typescript')).toEqual([['textbook32', true]]);
+    expect(apart('simd')).toEqual([]);
+  });
+
+  test('knows no times where prices are another machine’s', () => {
+    const data = frontierOf({ ...rows, isFaint: true }, { worth: 'digits', cost: 'ns' }, 'exact');
+    expect([data?.unit, data?.gridByUnit]).toEqual([null, false]);
+    for (const { words } of data?.marks ?? []) {
+      expect(words).toContain('for typical rays where this page was built');
+      expect(words).not.toContain(' ns ');
+    }
   });
 
   test('puts no failure on top, and its ticks reach the worst', () => {
@@ -59,7 +83,7 @@ describe('the frontier', () => {
   });
 
   test('is not there before there is a time', () => {
-    const untimed = { rows: rows.rows.map(({ id, quality }) => ({ id, quality })) };
+    const untimed = { ...rows, rows: rows.rows.map(({ id, quality }) => ({ id, quality })) };
     expect(frontierOf(untimed, { worth: 'digits', cost: 'ns' }, 'exact')).toBeNull();
   });
 });
@@ -130,6 +154,8 @@ describe('the settings of a link', () => {
     dial: 20,
     worth: 'wrong',
     cost: 'times',
+    target: 'typescript',
+    order: 'sorted',
     hard: 'near-axis',
     seed: 99,
   };
@@ -141,6 +167,8 @@ describe('the settings of a link', () => {
       dial: null,
       worth: null,
       cost: null,
+      target: null,
+      order: null,
       hard: null,
       seed: null,
     });
@@ -154,6 +182,8 @@ describe('the settings of a link', () => {
     ['dial', 'Infinity'],
     ['worth', 'best'],
     ['cost', 'euros'],
+    ['target', 'gpu'],
+    ['order', 'up'],
     ['hard', 'typical'],
     ['seed', '-1'],
     ['seed', '1e3'],

@@ -1,0 +1,47 @@
+import { detailsOf, headlineOf, type Question } from '../../lab/sentence.ts';
+import { type Column, comparable, isEmulated, targetTitle } from '../../state/accuracy/column.ts';
+import { titleOf } from '../../state/accuracy/frontier.ts';
+import type { Measuring } from './measuring.ts';
+
+const REFERENCE_LEAD = 'By the reference prices';
+
+/** What stands beside faint marks. */
+export const REFERENCE_WORDS =
+  'Faint: reference prices, of typical rays on the bench of this build, until this device has measured.';
+
+/** The page's first sentence, and what is to be said beside it: true of the numbers shown. */
+export function answerWords(
+  column: Column,
+  question: Question,
+): { readonly headline: string; readonly details: string } {
+  const rows = comparable(column);
+  const headline = headlineOf(rows, titleOf, column.isFaint ? REFERENCE_LEAD : '');
+  // Quartiles of another machine do not say whether this one is busy.
+  const known = column.isFaint ? rows.map(({ id, quality }) => ({ id, quality })) : rows;
+  const details = detailsOf(known, question, titleOf);
+  return { headline, details: [details, ...apartWords(column)].filter(Boolean).join(' ') };
+}
+
+/** What has no price that compares. */
+function apartWords({ rows, target }: Column): string[] {
+  const named = (found: Column['rows']): string => found.map(({ id }) => titleOf(id)).join(' and ');
+  const emulated = rows.filter((row) => isEmulated(row.id, target));
+  const isPriced = rows.some(({ roots }) => roots);
+  const missing = isPriced ? rows.filter(({ roots }) => !roots) : [];
+  return [
+    ...(isPriced && emulated.length > 0
+      ? [`Emulated here, so without a price of its own: ${named(emulated)}.`]
+      : []),
+    ...(missing.length > 0
+      ? [`Without a price in ${targetTitle(target)}: ${named(missing)}.`]
+      : []),
+  ];
+}
+
+/** Why there is no plot. */
+export function emptyWords({ rows }: Column, { found, failed }: Measuring): string {
+  if (!found) return failed ? 'Nothing was counted.' : 'Verdicts are being counted …';
+  return rows.some(({ roots }) => roots)
+    ? 'No ray of this family has a root to have digits: look at the wrong verdicts instead.'
+    : 'Not measured yet.';
+}

@@ -1,0 +1,33 @@
+import { BUSY, rounded } from '../../lab/price.ts';
+import { grouped, spreadOfRows } from '../../lab/sentence.ts';
+import type { Measured, MeasureRequest } from '../../lab/session.ts';
+import type { SweepRequest } from '../../lab/sweep.ts';
+import { familyName } from './plot-headings.ts';
+
+/** Where the numbers come from, in a line. */
+export function provenanceOf(
+  measured: Measured | null,
+  request: MeasureRequest,
+  sweep: SweepRequest,
+): string {
+  const { shapes, count, seed, order } = request;
+  const device = `${browserName(navigator.userAgent)}, ${navigator.hardwareConcurrency} cores, ${crossOriginIsolated ? 'isolated' : 'not isolated'}`;
+  const rays = `verdicts and digits, against exact: ${shapes} shapes × ${count} rays “${familyName(request.family)}”, seed ${seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
+  if (!measured || measured.round === 0) return `${device}; ${rays}.`;
+  const { clockStep, round, timedRays } = measured;
+  const spread = spreadOfRows([...measured.columns.simd, ...measured.columns.typescript], 'roots');
+  const busy = `one round in four took at least ${Math.round(100 * spread)} % longer${spread > BUSY ? ': the machine was busy' : ''}`;
+  const met = order === 'sorted' ? 'hits first, then misses' : 'in random order';
+  const times = `times of the best of ${round} rounds on up to ${grouped(timedRays)} rays a pass, fewer for dear methods, ${met}; ${busy}`;
+  return `${device}; timer step ${stepWords(clockStep)}; ${times}; ${rays}.`;
+}
+
+/** 5 µs, 1 ms: a step of a clock has no more than two figures worth telling. */
+const stepWords = (ms: number): string =>
+  ms < 0.9995 ? `${rounded(1000 * ms, 2)} µs` : `${rounded(ms, 2)} ms`;
+
+function browserName(agent: string): string {
+  const found = /(Firefox|Edg|OPR|Chrome)\/([\d]+)/.exec(agent) ?? /(Version)\/([\d]+)/.exec(agent);
+  const names: Readonly<Record<string, string>> = { Edg: 'Edge', OPR: 'Opera', Version: 'Safari' };
+  return found ? `${names[found[1] ?? ''] ?? found[1]} ${found[2]}` : 'unknown browser';
+}
