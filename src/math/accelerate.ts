@@ -3,8 +3,8 @@ import { createSimdMemory } from './batch/simd-memory.ts';
 import type { Source } from './batch/straight.ts';
 import { simdSource } from './batch/straight-simd.ts';
 import { useSimd } from './batch/target.ts';
-import { createFastRoots } from './methods/certified/fast/index.ts';
 import { type FastRoots, useFastRoots } from './methods/certified/quadric-kernel.ts';
+import { createFastRoots } from './methods/certified/simd.ts';
 
 interface Fast {
   readonly roots: FastRoots;
@@ -12,7 +12,8 @@ interface Fast {
   readonly allocate: Allocate;
 }
 
-let made: Fast | null | undefined;
+/** What was made, or a sentence why it could not be; undefined before it was tried. */
+let made: Fast | string | undefined;
 
 /**
  * Lets batches find their answers by WebAssembly, two rays at a time and more: the same numbers,
@@ -26,12 +27,23 @@ let made: Fast | null | undefined;
  * decelerate();
  */
 export function accelerate(): boolean {
-  if (made === undefined) made = loaded();
-  useFastRoots(made?.roots ?? null);
-  useMemory(made?.allocate ?? null);
-  useSimd(made?.source ?? null);
-  return made !== null;
+  made ??= loaded();
+  const fast = typeof made === 'string' ? null : made;
+  useFastRoots(fast?.roots ?? null);
+  useMemory(fast?.allocate ?? null);
+  useSimd(fast?.source ?? null);
+  return fast !== null;
 }
+
+/**
+ * Why `accelerate` said false: a sentence to show. Null where it said true, or was not called yet.
+ *
+ * @example
+ * accelerate(); // → true
+ * whyNotAccelerated(); // → null
+ * decelerate();
+ */
+export const whyNotAccelerated = (): string | null => (typeof made === 'string' ? made : null);
 
 /**
  * Undoes `accelerate`; its memory stays, for arrays that were made in it.
@@ -46,8 +58,9 @@ export function decelerate(): void {
   useSimd(null);
 }
 
-function loaded(): Fast | null {
-  if (typeof WebAssembly === 'undefined') return null;
+function loaded(): Fast | string {
+  if (typeof WebAssembly === 'undefined') return 'This engine has no WebAssembly.';
+  if (!WebAssembly.validate(VECTORS)) return 'The WebAssembly of this engine has no SIMD.';
   try {
     const memory = createSimdMemory();
     return {
@@ -55,8 +68,17 @@ function loaded(): Fast | null {
       source: simdSource(memory),
       allocate: memory.allocate,
     };
-  } catch {
-    // CompileError without vectors, that or EvalError under a policy, RangeError without room.
-    return null;
+  } catch (error) {
+    const words = error instanceof Error ? error.message : `${error}`;
+    // Under a content security policy engines throw a CompileError or an EvalError.
+    return error instanceof RangeError
+      ? `There is no room for the memory of WebAssembly: ${words}`
+      : `WebAssembly is not allowed here: ${words}`;
   }
 }
+
+/** A module with one function, which drops a v128: i8x16.splat of 0. */
+const VECTORS = Uint8Array.of(
+  ...[0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0],
+  ...[10, 9, 1, 7, 0, 0x41, 0, 0xfd, 15, 0x1a, 0x0b],
+);

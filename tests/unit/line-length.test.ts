@@ -9,7 +9,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const COLUMNS = 100;
 
 /** Folders whose comments are still to be rewritten. This list only gets shorter. */
-const LONG_COMMENTS = ['src/math/methods/certified', 'src/math/wasm'];
+const LONG_COMMENTS = ['src/math/methods/certified'];
 
 /** Folders and files with longer templates, strings and tables. This list only gets shorter. */
 const LONG_CODE = [

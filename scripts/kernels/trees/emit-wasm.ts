@@ -1,5 +1,5 @@
 import { IMPORT } from '../../../src/math/batch/simd-memory.ts';
-import { leb, signedLeb } from '../../../src/math/wasm/ops.ts';
+import { leb, signedLeb } from '../wasm/ops.ts';
 import type { Node } from './graph.ts';
 import { INPUTS, type Program } from './program.ts';
 

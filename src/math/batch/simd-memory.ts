@@ -95,3 +95,7 @@ export function addressOf(
  */
 export const part = (array: Float64Array, from: number, count: number): Float64Array =>
   from === 0 && count === array.length ? array : array.subarray(from, from + count);
+
+/** The bytes of a generated module, which is kept as base64 in a source file. */
+export const bytesOf = (base64: string): Uint8Array =>
+  Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));

@@ -10,8 +10,6 @@ import {
 } from '../../../src/math/methods/certified/quadric-numbers.ts';
 import { count, ordinaryRoots } from '../../../src/math/methods/certified/units-roots.ts';
 import { BLOCK, ROUGH_BOUNDS as BOUNDS } from '../../../src/math/methods/certified/units-rough.ts';
-import inSpace from '../../../src/math/methods/certified/units-rough.ts?raw';
-import aroundAxis from '../../../src/math/methods/certified/units-rough.ts?raw';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -28,7 +26,7 @@ import {
   quarter,
   questionOf,
 } from './in-a-row.ts';
-import { namedValues } from './named-values.ts';
+import { namedValues, stageSource } from './named-values.ts';
 
 /*
  * What the comments of pass 1 say of its rough values, at those values themselves: a search looks
@@ -40,8 +38,8 @@ const U = 2 ** -53;
 const [, CERTAIN] = BOUNDS as unknown as readonly [number, number];
 
 const coarse = [
-  namedValues(aroundAxis, 'coarseAroundAxis', false),
-  namedValues(inSpace, 'coarseInSpace', true),
+  namedValues(stageSource('units-rough'), 'coarseAroundAxis', false),
+  namedValues(stageSource('units-rough'), 'coarseInSpace', true),
 ] as const;
 
 interface Rough {

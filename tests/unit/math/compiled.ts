@@ -1,6 +1,7 @@
-import { type Code, codeOf } from '../../../src/math/wasm/expression.ts';
-import { moduleOf } from '../../../src/math/wasm/module.ts';
-import * as op from '../../../src/math/wasm/ops.ts';
+import { type Code, codeOf } from '../../../scripts/kernels/certified/expression.ts';
+import { expressionOf } from '../../../scripts/kernels/certified/source.ts';
+import { moduleOf } from '../../../scripts/kernels/wasm/module.ts';
+import * as op from '../../../scripts/kernels/wasm/ops.ts';
 
 export const ONE_PAGE = { module: 'batch', name: 'memory', pages: 1 } as const;
 
@@ -16,7 +17,7 @@ export function compiled(formula: string, names: readonly string[]): Evaluate {
     if (k < 0) throw new ReferenceError(`${name} is not known`);
     return op.load(op.i32(0), 16 * (k + 1));
   };
-  const body = [...op.store(op.i32(0), 0, codeOf(formula, load)), ...op.i32(0)];
+  const body = [...op.store(op.i32(0), 0, codeOf(expressionOf(formula), load)), ...op.i32(0)];
   const bytes = moduleOf([{ name: 'run', params: 0, ints: 0, vectors: 0, body }], ONE_PAGE);
   const imported = new WebAssembly.Memory({ initial: ONE_PAGE.pages });
   const module = new WebAssembly.Module(bytes as BufferSource);

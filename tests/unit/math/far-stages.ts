@@ -6,16 +6,13 @@ import {
   certifiedQuadric,
 } from '../../../src/math/methods/certified/quadric-numbers.ts';
 import { RECENTRED_BOUNDS as RECENTRED } from '../../../src/math/methods/certified/recentred.ts';
-import recentredAxis from '../../../src/math/methods/certified/recentred.ts?raw';
-import recentredSpace from '../../../src/math/methods/certified/recentred.ts?raw';
 import { REFINED_BOUNDS as REFINED } from '../../../src/math/methods/certified/refined.ts';
-import refined from '../../../src/math/methods/certified/refined.ts?raw';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { climb } from './climb.ts';
 import { flareOf, form, solved } from './exact-quadratic.ts';
 import { about, grazing, type Kind, log, type Numbers, quarter, questionOf } from './in-a-row.ts';
-import { namedValues } from './named-values.ts';
+import { namedValues, stageSource } from './named-values.ts';
 import { runningError } from './operation-errors.ts';
 import type { Off } from './running-error.ts';
 
@@ -46,23 +43,31 @@ export const AROUND = { around: 'root * overSize - b * overA' };
 
 export const recentred: Stage = {
   bounds: RECENTRED,
-  axis: namedValues(recentredAxis, 'recentredAroundAxis', false),
-  space: namedValues(recentredSpace, 'recentredInSpace', true),
-  axisErrors: runningError(recentredAxis, 'recentredAroundAxis', false, AROUND),
-  spaceErrors: runningError(recentredSpace, 'recentredInSpace', true, AROUND),
+  axis: namedValues(stageSource('recentred'), 'recentredAroundAxis', false),
+  space: namedValues(stageSource('recentred'), 'recentredInSpace', true),
+  axisErrors: runningError(stageSource('recentred'), 'recentredAroundAxis', false, AROUND),
+  spaceErrors: runningError(stageSource('recentred'), 'recentredInSpace', true, AROUND),
 };
 /** As `recentred`, with A, b and D taken as they are. */
 export const closedForm: Stage = {
   ...recentred,
-  axisErrors: runningError(recentredAxis, 'recentredAroundAxis', false, AROUND, ['A', 'b', 'D']),
-  spaceErrors: runningError(recentredSpace, 'recentredInSpace', true, AROUND, ['A', 'b', 'D']),
+  axisErrors: runningError(stageSource('recentred'), 'recentredAroundAxis', false, AROUND, [
+    'A',
+    'b',
+    'D',
+  ]),
+  spaceErrors: runningError(stageSource('recentred'), 'recentredInSpace', true, AROUND, [
+    'A',
+    'b',
+    'D',
+  ]),
 };
 export const rootByRoot: Stage = {
   bounds: REFINED,
-  axis: namedValues(refined, 'refine', false),
-  space: namedValues(refined, 'refine', true),
-  axisErrors: runningError(refined, 'refine', false),
-  spaceErrors: runningError(refined, 'refine', true),
+  axis: namedValues(stageSource('refined'), 'refine', false),
+  space: namedValues(stageSource('refined'), 'refine', true),
+  axisErrors: runningError(stageSource('refined'), 'refine', false),
+  spaceErrors: runningError(stageSource('refined'), 'refine', true),
 };
 
 export interface Asked {

@@ -1,7 +1,12 @@
+import { codeOf, type Expr } from '../../../scripts/kernels/certified/expression.ts';
+import {
+  elementOf,
+  expressionOf,
+  loopOf,
+  type Source,
+} from '../../../scripts/kernels/certified/source.ts';
+import * as op from '../../../scripts/kernels/wasm/ops.ts';
 import { productError, sumError } from '../../../src/math/float/eft.ts';
-import { codeOf } from '../../../src/math/wasm/expression.ts';
-import * as op from '../../../src/math/wasm/ops.ts';
-import { elementOf, loopOf } from '../../../src/math/wasm/source.ts';
 import { known, negative, type Off, running } from './running-error.ts';
 
 /*
@@ -14,9 +19,15 @@ type Numbers = Readonly<Record<string, number>>;
 type Operation = (stack: Off[]) => Off;
 
 const U = 2 ** -53;
-const CUT = /\+ (grid\w*) - \1$/;
 /** |d|₁, rough roots, and the parts of sums and products that are split without an error. */
 const DEFINED = /^(speed|Sd|t[ab]|p[xyz]|v[xyz]|lost[XYZ]|(big|top)[DP])$/;
+/** `x + grid - grid`: x cut to a grid. */
+function isCut(formula: Expr): boolean {
+  if (formula.op !== '-' || formula.b.op !== 'value' || formula.a.op !== '+') return false;
+  const { name } = formula.b;
+  const { b } = formula.a;
+  return name.startsWith('grid') && b.op === 'value' && b.name === name;
+}
 const LOCAL = 0x20;
 const CONSTANT = 12;
 const unrounded = running({ sum: 0, product: 0 });
@@ -103,7 +114,7 @@ function run(code: readonly number[], names: readonly string[], values: Map<stri
  * the loop's own, by name; what is `exact` is taken to be so.
  */
 export function runningError(
-  source: string,
+  source: Source,
   name: string,
   hasY: boolean,
   more: Readonly<Record<string, string>> = {},
@@ -117,7 +128,7 @@ export function runningError(
   };
   const added = Object.entries(more).map(([target, formula]) => ({
     target,
-    formula,
+    formula: expressionOf(formula),
     writes: false,
   }));
   const steps = [...statements, ...added]
@@ -129,7 +140,7 @@ export function runningError(
     for (const [array, x] of Object.entries(elements)) values.set(elementOf(array), known(x));
     for (const { target, formula, code } of steps) {
       const found = run(code, names, values);
-      const defined = CUT.test(formula) || DEFINED.test(target) || exact.includes(target);
+      const defined = isCut(formula) || DEFINED.test(target) || exact.includes(target);
       values.set(target, defined ? known(found.x) : found);
     }
     return values;

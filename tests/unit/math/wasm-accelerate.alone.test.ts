@@ -9,11 +9,14 @@ import { seeded } from '../../../src/math/rng.ts';
 
 afterEach(() => {
   vi.unstubAllGlobals();
+  vi.restoreAllMocks();
 });
 
 async function fresh() {
   vi.resetModules();
-  const { accelerate, decelerate } = await import('../../../src/math/accelerate.ts');
+  const { accelerate, decelerate, whyNotAccelerated } = await import(
+    '../../../src/math/accelerate.ts'
+  );
   const batch = await import('../../../src/math/batch/batch.ts');
   const { batchOf } = await import('../../../src/math/batch/kernels.ts');
   const { kernelArray } = await import('../../../src/math/batch/memory.ts');
@@ -24,7 +27,7 @@ async function fresh() {
     batchOf(certified, shape).both(batch.packRays(rays, kernelArray), out);
     return { out, roots: [...out.t0, ...out.t1] };
   };
-  return { accelerate, decelerate, roots };
+  return { accelerate, decelerate, whyNotAccelerated, roots };
 }
 
 const pagesOfMemory = (array: Float64Array): number => array.buffer.byteLength / 65536;
@@ -65,28 +68,50 @@ describe('where WebAssembly is to be had', () => {
 });
 
 describe('where it is not', () => {
-  const reasons: [string, () => void][] = [
-    ['there is none', () => vi.stubGlobal('WebAssembly', undefined)],
+  const reasons: [string, () => void, RegExp][] = [
     [
-      'it is forbidden, or knows no vectors',
-      () => refuse(new WebAssembly.CompileError('forbidden')),
+      'there is none',
+      () => vi.stubGlobal('WebAssembly', undefined),
+      /^This engine has no WebAssembly\.$/,
     ],
-    ['it is forbidden in the words of another engine', () => refuse(new EvalError('forbidden'))],
-    ['there is no room for its memory', () => refuse(new RangeError('out of memory'))],
+    ['it has no vectors', withoutVectors, /^The WebAssembly of this engine has no SIMD\.$/],
+    [
+      'it is forbidden',
+      () => refuse(new WebAssembly.CompileError('a policy')),
+      /^WebAssembly is not allowed here: a policy$/,
+    ],
+    [
+      'it is forbidden in the words of another engine',
+      () => refuse(new EvalError('unsafe')),
+      /^WebAssembly is not allowed here: unsafe$/,
+    ],
+    [
+      'there is no room for its memory',
+      () => refuse(new RangeError('out of memory')),
+      /^There is no room for the memory of WebAssembly: out of memory$/,
+    ],
   ];
-  test.each(reasons)('%s: accelerate says so, and all stays as it was', async (_, forbid) => {
-    const { accelerate, decelerate, roots } = await fresh();
-    const before = roots();
-    forbid();
-    expect(accelerate()).toBe(false);
-    expect(accelerate()).toBe(false);
-    const after = roots();
-    expect(after.roots).toEqual(before.roots);
-    expect(after.out.t0.buffer.byteLength).toBe(8 * 300);
-    decelerate();
-    expect(roots().roots).toEqual(before.roots);
-  });
+  test.each(reasons)(
+    '%s: accelerate says so, and all stays as it was',
+    async (_, forbid, reason) => {
+      const { accelerate, decelerate, whyNotAccelerated, roots } = await fresh();
+      const before = roots();
+      forbid();
+      expect(accelerate()).toBe(false);
+      expect(accelerate()).toBe(false);
+      expect(whyNotAccelerated()).toMatch(reason);
+      const after = roots();
+      expect(after.roots).toEqual(before.roots);
+      expect(after.out.t0.buffer.byteLength).toBe(8 * 300);
+      decelerate();
+      expect(roots().roots).toEqual(before.roots);
+    },
+  );
 });
+
+const withoutVectors = (): void => {
+  vi.spyOn(WebAssembly, 'validate').mockReturnValue(false);
+};
 
 function refuse(error: Error): void {
   vi.stubGlobal(

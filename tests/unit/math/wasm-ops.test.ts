@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import { moduleOf } from '../../../scripts/kernels/wasm/module.ts';
+import * as op from '../../../scripts/kernels/wasm/ops.ts';
+import { leb, signedLeb } from '../../../scripts/kernels/wasm/ops.ts';
 import { integer, seeded } from '../../../src/math/rng.ts';
-import { moduleOf } from '../../../src/math/wasm/module.ts';
-import * as op from '../../../src/math/wasm/ops.ts';
-import { leb, signedLeb } from '../../../src/math/wasm/ops.ts';
 import { ONE_PAGE } from './compiled.ts';
 
 /*

@@ -1,27 +1,47 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { ARENA, BLOCK, CAPACITY } from '../../../src/math/batch/simd-memory.ts';
-import { blockKernel } from '../../../src/math/methods/certified/fast/block-kernel.ts';
-import { flowOf, partsOf, scopeOf } from '../../../src/math/methods/certified/fast/flow.ts';
+import { blockKernel } from '../../../scripts/kernels/certified/block-kernel.ts';
+import { flowOf, partsOf, scopeOf } from '../../../scripts/kernels/certified/flow.ts';
+import { fileOf, GENERATED } from '../../../scripts/kernels/certified/generated.ts';
+import { listKernel } from '../../../scripts/kernels/certified/list-kernel.ts';
+import { certifiedModule, stageSources } from '../../../scripts/kernels/certified/module.ts';
+import { type Numbers, numberOf } from '../../../scripts/kernels/certified/prologue.ts';
 import {
-  handed,
-  LATTICE_NUMBERS,
-  PLACE,
-  SCALED_NUMBERS,
-} from '../../../src/math/methods/certified/fast/layout.ts';
-import { listKernel } from '../../../src/math/methods/certified/fast/list-kernel.ts';
-import { certifiedModule } from '../../../src/math/methods/certified/fast/module.ts';
-import { type Numbers, numberOf } from '../../../src/math/methods/certified/fast/prologue.ts';
+  expressionOf,
+  loopOf,
+  type Source,
+  type Statement,
+} from '../../../scripts/kernels/certified/source.ts';
+import { createScope } from '../../../scripts/kernels/wasm/locals.ts';
+import { moduleOf } from '../../../scripts/kernels/wasm/module.ts';
+import * as op from '../../../scripts/kernels/wasm/ops.ts';
+import {
+  ARENA,
+  BLOCK,
+  bytesOf,
+  CAPACITY,
+  createSimdMemory,
+  IMPORT,
+  PAGES,
+} from '../../../src/math/batch/simd-memory.ts';
+import { CERTIFIED_SIMD } from '../../../src/math/methods/certified/generated/certified-simd.ts';
 import {
   AT_LATTICE as AT,
   AT_SCALED,
 } from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { createScope } from '../../../src/math/wasm/locals.ts';
-import * as op from '../../../src/math/wasm/ops.ts';
-import { loopOf, type Statement } from '../../../src/math/wasm/source.ts';
+import {
+  handed,
+  LATTICE_NUMBERS,
+  PARAMS,
+  PLACE,
+  SCALED_NUMBERS,
+} from '../../../src/math/methods/certified/simd-layout.ts';
+import { seeded } from '../../../src/math/rng.ts';
 
 /* What is read out of a loop's text, and what is said of a text that is none. */
 
 const SOURCE = `
+import { A } from './a.ts';
 
 const LIMIT = 3;
 
@@ -32,11 +52,12 @@ export function other(n: number): void {
 }
 
 export function pass(numbers: Float64Array): number {
-  const { x: xs } = scratch;
+  const { x: xs, out } = scratch;
   const first = numbers[AT.first] as number;
   const second = numbers[AT.second] as number;
   const bound = BOUNDS[1] as number;
   const hits = count[HITS] as number;
+  let left = 0;
   for (let i = 0; i < hits; i++) {
     // const hidden = 5;
     const x = xs[i] as number;
@@ -55,7 +76,7 @@ export function pass(numbers: Float64Array): number {
       places[left++] = i;
     }
   }
-  const later = numbers[AT.first] as number;
+  count[HITS] = left;
   return left;
 }
 
@@ -66,9 +87,10 @@ export const arrow = (numbers: Float64Array): number => {
   }
 };
 `;
+const source = (text: string): Source => ({ file: 'stage.ts', text });
 
 describe('a loop', () => {
-  const { constants, statements } = loopOf(SOURCE, 'pass', true);
+  const { constants, statements } = loopOf(source(SOURCE), 'pass', true);
   test('constants before it, without counts', () => {
     expect(constants).toEqual([
       { name: 'first', array: 'numbers', key: 'first' },
@@ -80,30 +102,140 @@ describe('a loop', () => {
     expect(statements.map(({ target, writes }) => `${target}${writes ? ' written' : ''}`)).toEqual([
       ...['x', 'y', 'sum', 'long', 'clear', 'out written'],
     ]);
-    const formulas = statements.map(({ formula }) => formula.replace(/\s+/g, ' '));
-    expect(formulas).toEqual([
-      ...['xs__', 'ys__', 'x * first + zs__ * y', 'sum - second', 'sum > bound && long < x'],
-      'Math.abs(sum)',
-    ]);
+    expect(statements.map(({ formula }) => formula)).toEqual(
+      ['x__', 'ys__', 'x * first + zs__ * y', 'sum - second', 'sum > bound && long < x']
+        .concat('Math.abs(sum)')
+        .map(expressionOf),
+    );
+  });
+  test('each says in which line it stands', () => {
+    expect(statements.map(({ at }) => at)).toEqual(
+      [21, 22, 23, 24, 27, 30].map((line) => `stage.ts:${line}`),
+    );
   });
   test('without y', () => {
-    const y = loopOf(SOURCE, 'pass', false).statements.find(({ target }) => target === 'y');
-    expect(y?.formula).toBe('0');
+    const y = loopOf(source(SOURCE), 'pass', false).statements.find(({ target }) => target === 'y');
+    expect(y?.formula).toEqual({ op: 'number', value: 0 });
   });
   test('of an arrow function', () => {
-    const { constants: known, statements: all } = loopOf(SOURCE, 'arrow', true);
+    const { constants: known, statements: all } = loopOf(source(SOURCE), 'arrow', true);
     expect([known.map(({ name }) => name), all.map(({ target }) => target)]).toEqual([
       ['one'],
       ['last'],
     ]);
   });
   test('a function that is missing is named, and so is one without a loop', () => {
-    expect(() => loopOf(SOURCE, 'pas', true)).toThrow(/^no loop in pas$/);
-    expect(() => loopOf(SOURCE, 'LIMIT', true)).toThrow(/^no loop in LIMIT$/);
-    expect(() => loopOf('export function flat() {\n  return 1;\n}', 'flat', true)).toThrow(
-      /^no loop in flat$/,
-    );
+    const missing = /^stage\.ts: no exported function \w+$/;
+    expect(() => loopOf(source(SOURCE), 'pas', true)).toThrow(missing);
+    expect(() => loopOf(source(SOURCE), 'LIMIT', true)).toThrow(missing);
+    const flat = source('export function flat() {\n}');
+    expect(() => loopOf(flat, 'flat', true)).toThrow(/^stage\.ts:1: { has no loop$/);
   });
+});
+
+/** A stage with these statements in its loop, in lines 4 and after. */
+const stage = (...inLoop: readonly string[]): Source =>
+  source(
+    [
+      'export function pass(numbers: Float64Array): number {',
+      '  const first = numbers[AT.first] as number;',
+      '  for (let j = 0; j < 3; j++) {',
+      ...inLoop,
+      '  }',
+      '  return first;',
+      '}',
+    ].join('\n'),
+  );
+
+describe('what the compiler does not understand is refused, with file and line', () => {
+  const refused: [string, Source, RegExp][] = [
+    ['a variable', stage('let x = 1;'), /^stage\.ts:4: let x = 1; is not understood$/],
+    ['a call', stage('const x = 1;', 'const y = f(x);'), /^stage\.ts:5: f\(x\) is not/],
+    ['an unknown function', stage('const x = Math.cbrt(2);'), /^stage\.ts:4: Math\.cbrt\(2\) is/],
+    ['too many operands', stage('const x = Math.abs(1, 2);'), /^stage\.ts:4: Math\.abs\(1, 2\) is/],
+    ['a power', stage('const x = 2 ** 3;'), /^stage\.ts:4: 2 \*\* 3 is not understood$/],
+    ['an equality', stage('const x = 2 === 3;'), /^stage\.ts:4: 2 === 3 is not understood$/],
+    ['an or', stage('const x = 1 < 2 || 2 < 1;'), /^stage\.ts:4: 1 < 2 \|\| 2 < 1 is/],
+    ['a choice', stage('const x = first ? 1 : 2;'), /^stage\.ts:4: first \? 1 : 2 is/],
+    ['a text', stage("const x = 'a';"), /^stage\.ts:4: 'a' is no number$/],
+    ['an element without its type', stage('const x = xs[j];'), /^stage\.ts:4: xs\[j\] is/],
+    ['another cast', stage('const x = xs[j] as 5;'), /^stage\.ts:4: xs\[j\] as 5 is/],
+    ['a loop in a loop', stage('while (first) {}'), /^stage\.ts:4: while \(first\) {} is/],
+    [
+      'a condition of no name',
+      stage('if (1 < 2) {}'),
+      /^stage\.ts:4: 1 < 2 is none of the verdicts/,
+    ],
+    ['an unknown verdict', stage('if (sure) {}'), /^stage\.ts:4: sure is none of the verdicts/],
+    ['a count by two', stage('left += 2;'), /^stage\.ts:4: left \+= 2 is not understood$/],
+    ['a change', stage('x = 2;'), /^stage\.ts:4: x = 2 is not understood$/],
+    ['two loops', stage('}', 'for (;;) {'), /^stage\.ts:5: for \(;;\) { is a second loop$/],
+    ['no TypeScript', stage('const = 3;'), /^stage\.ts:4: /],
+  ];
+  test.each(refused)('%s', (_, text, message) => {
+    expect(() => loopOf(text, 'pass', true)).toThrow(message);
+    expect(() => loopOf(text, 'pass', true)).toThrow(SyntaxError);
+  });
+});
+
+describe('the generated file', () => {
+  const sources = stageSources();
+  test('is what the stages compile to today: else `npm run kernels`', () => {
+    expect(readFileSync(GENERATED, 'utf8')).toBe(fileOf(certifiedModule()));
+    expect(bytesOf(CERTIFIED_SIMD)).toEqual(certifiedModule());
+  });
+  test('another name for a value changes no byte', () => {
+    const { file, text } = sources.recentred;
+    const other = { ...sources, recentred: { file, text: text.replaceAll('overSize', 'sized') } };
+    expect(other.recentred.text).not.toBe(text);
+    expect(certifiedModule(other)).toEqual(certifiedModule());
+  });
+  test('a value without a definition is named', () => {
+    const { file, text } = sources.refined;
+    const other = { ...sources, refined: { file, text: text.replace('const Sp =', 'const Sq =') } };
+    expect(() => certifiedModule(other)).toThrow(/^Sp is read but never written$/);
+  });
+});
+
+test('a small loop, compiled and run: the bits of the same loop in TypeScript', () => {
+  const loop = loopOf(
+    stage(
+      ...[
+        'const x = dx[j] as number;',
+        'const y = Ex[j] as number;',
+        'const clear = x > first && y < 2.5;',
+      ],
+      ...['const near = Math.sqrt(x) / (y - first) + y * y;', 'const settled = near < 9 * x;'],
+      ...['if (settled) {', 't0[j] = near;', 't1[j] = near * x;', '} else places[left++] = i;'],
+    ),
+    'pass',
+    true,
+  );
+  const first = 0.3;
+  const known = { ...loop, constants: loop.constants.map((one) => ({ ...one, key: '0' })) };
+  const verdicts = { clear: 'clear', settled: 'settled', missed: null };
+  const kernel = listKernel('run', { inMemory: {}, known: { numbers: [first] } }, known, verdicts, [
+    'clear',
+  ]);
+  const memory = createSimdMemory();
+  const { run } = memory.load(moduleOf([kernel], { ...IMPORT, pages: PAGES }));
+  const random = seeded(167);
+  const { dx, Ex, t0, t1 } = memory.block;
+  const count = 101;
+  for (let i = 0; i < count; i++) [dx[i], Ex[i]] = [2 * random(), 5 * random() - 2];
+  const list = new Int32Array(memory.buffer, PLACE.doubtful, count + 1);
+  for (let i = 0; i < count; i++) list[i] = i;
+  const places = PARAMS.map((name) => PLACE[name]);
+  const left = (run?.(...places, PLACE.doubtful, count) ?? 0) / 4;
+  const open = new Set(list.slice(0, left));
+  expect([open.size, left > 0 && left < count]).toEqual([left, true]);
+  for (let i = 0; i < count; i++) {
+    const [x, y] = [dx[i] as number, Ex[i] as number];
+    const near = Math.sqrt(x) / (y - first) + y * y;
+    const settled = x > first && y < 2.5 && near < 9 * x;
+    expect([i, open.has(i)]).toEqual([i, !settled]);
+    if (settled) expect([t0[i], t1[i]]).toEqual([near, near * x]);
+  }
 });
 
 describe('names', () => {
@@ -111,7 +243,8 @@ describe('names', () => {
   const value = (target: string, formula: string): Statement => ({
     target,
     writes: false,
-    formula,
+    formula: expressionOf(formula),
+    at: 'stage.ts:1',
   });
   const codeOf = (statements: readonly Statement[]) => {
     const flow = flowOf([{ constants: [], statements }], [nowhere]);

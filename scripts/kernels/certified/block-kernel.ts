@@ -1,11 +1,17 @@
-import type { Code } from '../../../wasm/expression.ts';
-import { numbered } from '../../../wasm/locals.ts';
-import type { Func } from '../../../wasm/module.ts';
-import * as op from '../../../wasm/ops.ts';
-import { elementOf, type Loop } from '../../../wasm/source.ts';
-import { flowOf, partsOf, scopeOf } from './flow.ts';
-import { HANDED, handed, inputOf, PARAMS, type Param, PLACE } from './layout.ts';
+import {
+  HANDED,
+  handed,
+  PARAMS,
+  type Param,
+  PLACE,
+} from '../../../src/math/methods/certified/simd-layout.ts';
+import { numbered } from '../wasm/locals.ts';
+import type { Func } from '../wasm/module.ts';
+import * as op from '../wasm/ops.ts';
+import type { Code } from './expression.ts';
+import { flowOf, inputOf, partsOf, scopeOf } from './flow.ts';
 import type { Numbers } from './prologue.ts';
+import { elementOf, type Loop } from './source.ts';
 
 /*
  * The three passes over ordinary rays, two rays at a time: rough roots of all, then residuals and steps of the pairs of which at least one is clearly hit. As

@@ -1,17 +1,18 @@
-import type { Answers, Rays } from '../../../batch/batch.ts';
-import type { Quadric } from '../../../batch/quadric.ts';
+import type { Answers, Rays } from '../../batch/batch.ts';
+import type { Quadric } from '../../batch/quadric.ts';
 import {
   addressOf,
+  bytesOf,
   CAPACITY,
   part,
   type Run,
   type SimdMemory,
-} from '../../../batch/simd-memory.ts';
-import type { FastRoots } from '../quadric-kernel.ts';
-import type { CertifiedQuadric } from '../quadric-numbers.ts';
-import type { OpenRays } from '../stage.ts';
-import { type Input, LATTICE_NUMBERS, PLACE, SCALED_NUMBERS } from './layout.ts';
-import { certifiedModule } from './module.ts';
+} from '../../batch/simd-memory.ts';
+import { CERTIFIED_SIMD } from './generated/certified-simd.ts';
+import type { FastRoots } from './quadric-kernel.ts';
+import type { CertifiedQuadric } from './quadric-numbers.ts';
+import { type Input, LATTICE_NUMBERS, PLACE, SCALED_NUMBERS } from './simd-layout.ts';
+import type { OpenRays } from './stage.ts';
 
 /**
  * Both roots by WebAssembly, two rays at a time: the stages of quadric-kernel.ts, compiled from the
@@ -19,7 +20,7 @@ import { certifiedModule } from './module.ts';
  */
 export function createFastRoots(memory: SimdMemory): FastRoots {
   const { buffer, block } = memory;
-  const exports = memory.load(certifiedModule());
+  const exports = memory.load(bytesOf(CERTIFIED_SIMD));
   const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, CAPACITY + 1);
   const latticeNumbers = new Float64Array(
     buffer,

@@ -1,4 +1,5 @@
-import type { Code } from './expression.ts';
+/** Instructions, as bytes. */
+export type Code = readonly number[];
 
 /* The instructions that the kernels need, as bytes (WebAssembly Core Specification 2.0, section 5.4; vectors of two doubles: f64x2). */
 

@@ -1,12 +1,4 @@
-import {
-  BLOCK,
-  CAPACITY,
-  GAP,
-  NUMBERS,
-  SCRATCH,
-  SCRATCH_BYTES,
-} from '../../../batch/simd-memory.ts';
-import { elementOf } from '../../../wasm/source.ts';
+import { BLOCK, CAPACITY, GAP, NUMBERS, SCRATCH, SCRATCH_BYTES } from '../../batch/simd-memory.ts';
 
 /*
  * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers, and
@@ -23,9 +15,6 @@ export const SCALED_NUMBERS = NUMBERS + 512;
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
-/** Which input an element of a loop, by elementOf's name for it, is of. */
-export const inputOf = (element: string): Input | undefined =>
-  INPUTS.find((one) => elementOf(one) === element);
 
 /** The arrays whose addresses a kernel is given. */
 export const PARAMS = [...INPUTS, 't0', 't1'] as const;

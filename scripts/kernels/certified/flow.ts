@@ -1,9 +1,9 @@
-import { type Code, codeOf } from '../../../wasm/expression.ts';
-import { createScope, type Scope } from '../../../wasm/locals.ts';
-import * as op from '../../../wasm/ops.ts';
-import { elementOf, type Loop } from '../../../wasm/source.ts';
-import { handed } from './layout.ts';
+import { handed, INPUTS, type Input } from '../../../src/math/methods/certified/simd-layout.ts';
+import { createScope, type Scope } from '../wasm/locals.ts';
+import * as op from '../wasm/ops.ts';
+import { type Code, codeOf, type Expr, namesIn, renamed } from './expression.ts';
 import { type Numbers, numberOf } from './prologue.ts';
+import { elementOf, type Loop } from './source.ts';
 
 /*
  * The statements of one or several loops as one sequence for a pair of rays, cut into parts again where that is best for the processor: a part is short enough that
@@ -14,7 +14,7 @@ const MAGNITUDE = 'magnitude';
 
 export interface Step {
   readonly target: string;
-  readonly formula: string;
+  readonly formula: Expr;
 }
 
 export interface Flow {
@@ -24,10 +24,6 @@ export interface Flow {
   /** What a name of loop k, or an array's element, is called in the steps. */
   readonly name: (name: string, k?: number) => string;
 }
-
-const NAME = /\bMath\.\w+|[A-Za-z_]\w*/g;
-const namesIn = (formula: string): string[] =>
-  (formula.match(NAME) ?? []).filter((name) => !name.startsWith('Math.'));
 
 /** Each loop's names get its number; what only renames another value is left out; a constant that two loops share is one. */
 export function flowOf(loops: readonly Loop[], numbers: readonly Numbers[]): Flow {
@@ -43,19 +39,21 @@ export function flowOf(loops: readonly Loop[], numbers: readonly Numbers[]): Flo
       called.set(`${plain}_${k}`, id);
     }
     for (const { target, writes, formula } of statements) {
-      const renamed = formula.replace(NAME, (found) =>
-        found.startsWith('Math.') ? found : name(found, k),
-      );
+      const found = renamed(formula, (old) => name(old, k));
       const own = writes ? elementOf(target) : `${target}_${k}`;
-      if (/^[A-Za-z_]\w*$/.test(renamed)) called.set(own, renamed);
+      if (found.op === 'value') called.set(own, found.name);
       else {
         called.set(own, own);
-        steps.push({ target: own, formula: renamed });
+        steps.push({ target: own, formula: found });
       }
     }
   });
   return { steps, constants, name };
 }
+
+/** Which input an element of a loop, by elementOf's name for it, is of. */
+export const inputOf = (element: string): Input | undefined =>
+  INPUTS.find((one) => elementOf(one) === element);
 
 /** How a part is put into a function. */
 export interface Parts {

@@ -1,5 +1,4 @@
-import type { Code } from './expression.ts';
-import { get } from './ops.ts';
+import { type Code, get } from './ops.ts';
 
 /** The locals of a function, first come, first numbered; a name has one in its scope and is sought in the scopes around it. */
 export interface Scope {

@@ -1,5 +1,4 @@
-import type { Code } from './expression.ts';
-import { leb } from './ops.ts';
+import { type Code, leb } from './ops.ts';
 
 /** A function from i32 parameters to an i32; its locals are i32 first and v128 after. */
 export interface Func {

@@ -1,5 +1,5 @@
-import type { Code } from '../../../wasm/expression.ts';
-import { constant, loadSplat } from '../../../wasm/ops.ts';
+import { constant, loadSplat } from '../wasm/ops.ts';
+import type { Code } from './expression.ts';
 
 /** Where a loop's constants are found: the shape's in memory, at an offset by key; the bounds as they are. */
 export interface Numbers {

@@ -1,0 +1,88 @@
+import { readFileSync } from 'node:fs';
+import { IMPORT, PAGES } from '../../../src/math/batch/simd-memory.ts';
+import { AT_LATTICE, AT_SCALED } from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { RECENTRED_BOUNDS } from '../../../src/math/methods/certified/recentred.ts';
+import { REFINED_BOUNDS } from '../../../src/math/methods/certified/refined.ts';
+import {
+  LATTICE_NUMBERS,
+  SCALED_NUMBERS,
+} from '../../../src/math/methods/certified/simd-layout.ts';
+import { SOLVE_BOUNDS } from '../../../src/math/methods/certified/units-roots.ts';
+import { ROUGH_BOUNDS } from '../../../src/math/methods/certified/units-rough.ts';
+import { type Func, moduleOf } from '../wasm/module.ts';
+import { blockKernel } from './block-kernel.ts';
+import { listKernel } from './list-kernel.ts';
+import type { Numbers } from './prologue.ts';
+import { elementOf, loopOf, type Source } from './source.ts';
+
+const FOLDER = 'src/math/methods/certified';
+
+/** The stages that have kernels, by file; read from the project's root. */
+export function stageSources(): Readonly<Record<Stage, Source>> {
+  return Object.fromEntries(
+    STAGES.map((stage) => {
+      const file = `${FOLDER}/${stage}.ts`;
+      return [stage, { file, text: readFileSync(file, 'utf8') }];
+    }),
+  ) as Record<Stage, Source>;
+}
+const STAGES = ['units-rough', 'units-roots', 'recentred', 'refined'] as const;
+type Stage = (typeof STAGES)[number];
+
+const lattice = (key: string): number =>
+  LATTICE_NUMBERS + 8 * AT_LATTICE[key as keyof typeof AT_LATTICE];
+const scaled = (key: string): number =>
+  SCALED_NUMBERS + 8 * AT_SCALED[key as keyof typeof AT_SCALED];
+
+const numbersOf = (known: Numbers['known']): Numbers => ({
+  inMemory: { lattice, numbers: scaled },
+  known,
+});
+
+/** What the three passes over ordinary rays take their bounds from. */
+const PASSES = [{ ROUGH_BOUNDS }, {}, { SOLVE_BOUNDS }].map(numbersOf);
+
+/** Where the parts end, found by measuring. */
+const CUTS = [
+  ['missed', 0],
+  [elementOf('slack'), 0],
+  [elementOf('spreadFar'), 1],
+  ['downB', 2],
+] as const;
+const RECENTRED_CUTS = ['t', 'gridQ', 'b', 'clear'];
+const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
+
+/**
+ * The kernels, compiled from the loops in TypeScript: without y and with it. Throws SyntaxError with
+ * file and line for what the compiler does not understand.
+ */
+export const certifiedModule = (sources = stageSources()): Uint8Array =>
+  moduleOf([...kernelsOf(sources, false), ...kernelsOf(sources, true)], {
+    ...IMPORT,
+    pages: PAGES,
+  });
+
+function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Func[] {
+  const read = (stage: Stage, name: string) => loopOf(sources[stage], name, hasY);
+  const rough = read('units-rough', hasY ? 'coarseInSpace' : 'coarseAroundAxis');
+  const values = read('units-roots', hasY ? 'residualsInSpace' : 'residualsAroundAxis');
+  const solve = read('units-roots', 'solvePass');
+  const far = read('recentred', hasY ? 'recentredInSpace' : 'recentredAroundAxis');
+  return [
+    blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),
+    listKernel(
+      `recentred${hasY}`,
+      numbersOf({ RECENTRED_BOUNDS }),
+      far,
+      { clear: 'clear', settled: 'settled', missed: 'missed' },
+      RECENTRED_CUTS,
+    ),
+    listKernel(
+      `refined${hasY}`,
+      numbersOf({ REFINED_BOUNDS }),
+      read('refined', 'refine'),
+      { clear: 'clear', settled: 'settled', missed: null },
+      REFINED_CUTS,
+    ),
+  ];
+}
