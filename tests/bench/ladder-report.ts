@@ -168,7 +168,9 @@ export function quartilesTable({ typical, onSurface, methods }: Ladder): string[
   ];
   return table(HEAD, [
     ...methods.map(({ id }) => line(id, typical, id, 'both')),
-    ...methods.map(({ id }) => line(`${id}, class only`, typical, id, 'classes')),
+    ...methods
+      .filter(({ id }) => typical.times.random.has(nameOf(id, 'typescript', 'classes')))
+      .map(({ id }) => line(`${id}, class only`, typical, id, 'classes')),
     line('certified, rays that start on a surface', onSurface, 'certified', 'both'),
   ]);
 }

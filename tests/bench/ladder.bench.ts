@@ -63,7 +63,10 @@ const BIG = { seed: SEED, shapes: SHAPES, count: many };
 const typical = pricesOf(
   find('typical'),
   BIG,
-  [...ask(METHODS, 'both'), ...ask(METHODS, 'classes')],
+  [
+    ...ask(METHODS, 'both'),
+    ...ask(named('textbook32', 'textbook', 'stable', 'moment', 'certified'), 'classes'),
+  ],
   PLAN,
 );
 const onSurface = pricesOf(
@@ -78,11 +81,11 @@ const others = besideOthers(SEED, many, PLAN);
 function measured(family: Family): Measured {
   const sample = { seed: SEED, shapes: SHAPES, count: COUNT };
   const batches = batchesOf(family, sample);
-  const few = { ...PLAN, rounds: Math.min(rounds, 7) };
+  const few = { rounds: Math.min(rounds, 5), least: 1, steps: 100, warmUp: 1 };
   return {
     family,
     quality: new Map(METHODS.map((method) => [method.id, qualityOf(method, batches)])),
-    prices: pricesOf(family, sample, ask(METHODS, 'both'), few),
+    prices: pricesOf(family, sample, ask(METHODS, 'both'), few, ['random']),
     rays: SHAPES * COUNT,
   };
 }

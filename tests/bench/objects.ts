@@ -54,15 +54,26 @@ function typicalQuestions(random: Random): Question[] {
 
 const MANY = 4000;
 
-/** 4,000 shapes of one kind, one ray each, in turn; and the same rays at the first of them. */
+/** How far apart neighbours of many shapes are. */
+const STEP = 2 ** -10;
+
+/**
+ * A cone and 4,000 rays; and the same again, each ray with a cone of its own, both moved along x by
+ * so many steps: the same work but for the shapes.
+ */
 function manyShapes(random: Random): { readonly many: Question[]; readonly one: Question[] } {
-  const many: Question[] = [];
-  while (many.length < MANY) {
-    const question = typical.make(random);
-    if (question.shape.kind === 'cone') many.push(question);
+  for (;;) {
+    const { shape, rays } = typical.batch(random, MANY);
+    if (shape.kind !== 'cone') continue;
+    const moved = ([x, y, z]: Vec3, k: number): Vec3 => [x + k * STEP, y, z];
+    return {
+      one: rays.map((ray) => ({ shape, ray })),
+      many: rays.map((ray, k) => ({
+        shape: { ...shape, vertex: moved(shape.vertex, k) },
+        ray: { ...ray, origin: moved(ray.origin, k) },
+      })),
+    };
   }
-  const { shape } = many[0] as Question;
-  return { many, one: many.map(({ ray }) => ({ shape, ray })) };
 }
 
 let sum = 0;

@@ -48,6 +48,7 @@ export function pricesOf(
   { seed, shapes, count }: Sample,
   asked: readonly Asked[],
   plan: Plan,
+  orders: readonly Order[] = ORDERS,
 ): Prices {
   const random = seeded(seed);
   const rays = room(count);
@@ -55,7 +56,7 @@ export function pricesOf(
   const sums: Record<Order, Map<string, number[]>> = { random: new Map(), sorted: new Map() };
   for (let k = 0; k < shapes; k++) {
     const drawn = draw(family, random, count);
-    for (const order of ORDERS) {
+    for (const order of orders) {
       put(rays, drawn.rays[order]);
       const times = measure(tasksFor(drawn, rays, asked, out), clock, plan);
       for (const [id, rounds] of times) addTo(sums[order], id, rounds);

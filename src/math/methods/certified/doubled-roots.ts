@@ -20,6 +20,7 @@ import {
   type Roots,
 } from './doubled.ts';
 import { sharpenC } from './near-surface.ts';
+import { putShort, putSingle, shortVerdict } from './short-numbers.ts';
 import { type CertifiedSlot, FAITHFUL, UU } from './stage.ts';
 
 /*
@@ -48,6 +49,22 @@ const SHARP = FAITHFUL / 2;
 const formed = createAlgebra();
 const solved = createRoots();
 
+/** Where nothing rounds: any verdict and its roots; UNKNOWN elsewhere. */
+function shortRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  if (!putShort(q, ray, formed)) return UNKNOWN;
+  const verdict = shortVerdict(formed);
+  putSingle(formed, verdict, slot);
+  return verdict === TWO ? putBoth(slot) : verdict;
+}
+
+function putBoth(slot: RootSlot): number {
+  if (!putRoots(formed, solved)) return UNKNOWN;
+  // No root is −0.
+  slot.t0 = (solved[0] as number) + 0;
+  slot.t1 = (solved[3] as number) + 0;
+  return TWO;
+}
+
 /** The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. */
 export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   putAlgebra(q, ray, formed);
@@ -57,11 +74,7 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   if (D1 < 0) return NONE;
   const near = !((formed[AT_OFF + 2] as number) <= SHARP * Math.abs(formed[AT_C] as number));
   if (near) sharpenC(formed, q.r);
-  if (!putRoots(formed, solved)) return UNKNOWN;
-  // No root is −0.
-  slot.t0 = (solved[0] as number) + 0;
-  slot.t1 = (solved[3] as number) + 0;
-  return TWO;
+  return putBoth(slot);
 }
 
 /** Not where a root has vanished below the doubles, and its bound with it. */
@@ -135,8 +148,10 @@ const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
 
 /** One ray that the filters left open; returns its verdict and fills the slot: twice the digits, the same in other units, whole numbers. */
 export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
-  slot.exact = false;
-  let verdict = plainRoots(q, ray, slot);
+  let verdict = shortRoots(q, ray, slot);
+  slot.exact = verdict !== UNKNOWN && (formed[AT_A] === 0 || formed[AT_D] === 0);
+  if (verdict !== UNKNOWN) return verdict;
+  verdict = plainRoots(q, ray, slot);
   if (verdict === UNKNOWN) verdict = inUnits(q, ray, slot);
   if (verdict !== UNKNOWN) return verdict;
   slot.exact = true;

@@ -22,7 +22,8 @@ import {
 } from './one-ray.ts';
 import { plainQuadric } from './plain-quadric.ts';
 import { planarRoots, solvePlanarSlowly } from './planar.ts';
-import { readQuadric } from './quadric-numbers.ts';
+import { type CertifiedQuadric, readQuadric } from './quadric-numbers.ts';
+import { shortQuadric } from './short-quadric.ts';
 import { certifiedSlot } from './stage.ts';
 
 /* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
@@ -31,12 +32,15 @@ export function intersectCertified(shape: Shape, ray: Ray): Intersection {
   const read = readQuadric(shape);
   if (read) {
     const { q, c } = read;
-    return gridQuadric(q, c, ray) ?? plainQuadric(q, ray) ?? curved(q, ray);
+    return gridQuadric(q, c, ray) ?? rare(q, c, ray);
   }
   const s = planarOf(shape);
   // A shape without a kernel is answered by the exact rung under this one's name: its promise is the stronger one.
   return s ? flat(s, copyOf(ray)) : { ...exact.intersect(shape, ray), method: 'certified' };
 }
+
+const rare = (q: Quadric, c: CertifiedQuadric, ray: Ray): Intersection =>
+  shortQuadric(q, c, ray) ?? plainQuadric(q, ray, c) ?? curved(q, c, ray);
 
 const copyOf = ({ origin, direction }: Ray): Ray => ({
   origin: copied(origin),
@@ -46,9 +50,9 @@ const copied = (v: Vec3): Vec3 => [v[0], v[1], v[2]];
 
 const found = createFound();
 
-function curved(q: Quadric, asked: Ray): Intersection {
+function curved(q: Quadric, c: CertifiedQuadric, asked: Ray): Intersection {
   const ray = copyOf(asked);
-  findRoots(q, ray, found);
+  findRoots(q, ray, found, c);
   const verdict = found[VERDICT] as number;
   return new CertifiedAnswer(verdict, stageFound(found), hitsOf(q, ray, found), q, ray);
 }

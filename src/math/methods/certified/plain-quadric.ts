@@ -17,6 +17,7 @@ import {
 import { putRoots } from './doubled-roots.ts';
 import { hitAt } from './hits.ts';
 import { createFound, findRoots, T0, T1, VERDICT } from './one-ray.ts';
+import type { CertifiedQuadric } from './quadric-numbers.ts';
 import { FAITHFUL } from './stage.ts';
 
 /*
@@ -34,8 +35,8 @@ const found = createFound();
 const at = (k: number): number => algebra[k] as number;
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 
-/** The whole answer, or null where one of its numbers stays open. */
-export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
+/** The whole answer, or null where one of its numbers stays open; `c` as for findRoots. */
+export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Intersection | null {
   putAlgebra(q, ray, algebra);
   const D1 = at(AT_D);
   const faithful =
@@ -60,7 +61,7 @@ export function plainQuadric(q: Quadric, ray: Ray): Intersection | null {
   const decidedBy = Math.abs(D1) > DIRECT_ERROR * at(AT_SIZE) ? 'filter' : 'double-double';
   if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
   if (!putRoots(algebra, roots)) return null;
-  findRoots(q, ray, found);
+  findRoots(q, ray, found, c);
   if (found[VERDICT] !== TWO) return null;
   const near = hitAt(q, ray, algebra, roots, 0, found[T0] as number);
   const far = near && hitAt(q, ray, algebra, roots, 3, found[T1] as number);

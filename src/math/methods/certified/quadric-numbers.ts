@@ -69,13 +69,23 @@ export interface ReadQuadric {
 }
 
 let latest: ReadQuadric | null = null;
+const readBefore = new WeakMap<Shape, ReadQuadric>();
 
-/** The shape, read as a quadric; null where it is none. The last one is recognized by its numbers: a shape is its caller's and may change. */
+/**
+ * The shape, read as a quadric; null where it is none. One that was read before is known by itself,
+ * the last one by its numbers: both only while these hold, as a shape is its caller's and may change.
+ */
 export function readQuadric(shape: Shape): ReadQuadric | null {
   if (latest !== null && stillHolds(latest.q, latest.kind, shape)) return latest;
+  const known = readBefore.get(shape);
+  if (known && stillHolds(known.q, known.kind, shape)) {
+    latest = known;
+    return known;
+  }
   const q = quadricOf(shape);
   if (!q) return null;
   latest = { kind: shape.kind, q, c: certifiedQuadric(q) };
+  readBefore.set(shape, latest);
   return latest;
 }
 

@@ -1,0 +1,137 @@
+import { CONTAINED, NONE, ONE, TANGENT, TWO, VERDICTS } from '../../batch/batch.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import { productError, sumError } from '../../float/eft.ts';
+import type { CurvedDetails, Hit, Intersection, Sign } from '../../intersection.ts';
+import type { Ray } from '../../ray.ts';
+import { DIRECT_ERROR } from './class.ts';
+import {
+  type Algebra,
+  AT_A,
+  AT_B,
+  AT_C,
+  AT_D,
+  AT_FLARE,
+  AT_P,
+  AT_SIZE,
+  createAlgebra,
+  createRoots,
+} from './doubled.ts';
+import { putRoots } from './doubled-roots.ts';
+import { hitAt } from './hits.ts';
+import { createFound, findRoots, T0, T1, VERDICT } from './one-ray.ts';
+import type { CertifiedQuadric } from './quadric-numbers.ts';
+import { bottomOf, putShort, putSingle, shortVerdict, topOf, wholeRoot } from './short-numbers.ts';
+
+/*
+ * One ray against a curved shape where nothing rounds (short-numbers.ts), all that is asked in one
+ * go. A root n/m with whole n and m ≤ 2^53 has the point (E m + d n)/m: two products with their
+ * errors, ≤ 2^69 units, their sum exact as two doubles; the quotient by its remainder is off by
+ * 3u², so that rounding it once is faithful, and it is 0 where the sum is. Other roots go by
+ * hit-quadric.ts: no coordinate along which the line moves is 0 there.
+ */
+const algebra = createAlgebra();
+const roots = createRoots();
+const found = createFound();
+const slot = { t0: Number.NaN, t1: Number.NaN };
+const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
+
+/** The whole answer, or null where a number is not short, or one of the answer's stays open. */
+export function shortQuadric(q: Quadric, c: CertifiedQuadric, ray: Ray): Intersection | null {
+  if (!putShort(q, ray, algebra)) return null;
+  const verdict = shortVerdict(algebra);
+  const hits = hitsOf(q, c, ray, verdict);
+  return (
+    hits && {
+      class: VERDICTS[verdict] ?? 'undecided',
+      hits,
+      method: 'certified',
+      decidedBy: stageOf(verdict),
+      details: detailsOf(algebra),
+    }
+  );
+}
+
+/** As plain-quadric.ts tells it; what no filter decides for any ray is exact. */
+function stageOf(verdict: number): Intersection['decidedBy'] {
+  const single = verdict === ONE || verdict === TANGENT || verdict === CONTAINED;
+  if (single || algebra[AT_A] === 0) return 'exact';
+  const sure = Math.abs(algebra[AT_D] as number) > DIRECT_ERROR * (algebra[AT_SIZE] as number);
+  return sure ? 'filter' : 'double-double';
+}
+
+function detailsOf(algebra: Algebra): CurvedDetails {
+  const at = (k: number): number => algebra[k] as number;
+  return {
+    family: 'curved',
+    A: at(AT_A),
+    B: 2 * at(AT_B),
+    C: at(AT_C),
+    D: 4 * at(AT_D),
+    signs: { A: signOf(at(AT_A)), B: signOf(at(AT_B)), C: signOf(at(AT_C)), D: signOf(at(AT_D)) },
+  };
+}
+
+function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit[] | null {
+  if (verdict === NONE || verdict === CONTAINED) return [];
+  if (verdict !== TWO) {
+    putSingle(algebra, verdict, slot);
+    const n = topOf(algebra, verdict);
+    return [hitAtQuotient(q, ray, n, bottomOf(algebra, verdict), slot.t0)];
+  }
+  findRoots(q, ray, found, c);
+  if (found[VERDICT] !== TWO) return null;
+  const t0 = found[T0] as number;
+  const t1 = found[T1] as number;
+  const m = algebra[AT_A] as number;
+  const s = m > 0 ? wholeRoot(algebra) : -wholeRoot(algebra);
+  if (!Number.isNaN(s)) {
+    const b = algebra[AT_B] as number;
+    return [hitAtQuotient(q, ray, -b - s, m, t0), hitAtQuotient(q, ray, -b + s, m, t1)];
+  }
+  if (!putRoots(algebra, roots)) return null;
+  const near = hitAt(q, ray, algebra, roots, 0, t0);
+  const far = near && hitAt(q, ray, algebra, roots, 3, t1);
+  return far && [near, far];
+}
+
+/** A quotient as hi and lo. */
+const PLACE = new Float64Array(2);
+
+/** Puts (e m + x n)/m. */
+function put(e: number, x: number, n: number, m: number): void {
+  const em = e * m;
+  const xn = x * n;
+  const sum = em + xn;
+  const lost = sumError(em, xn, sum) + (productError(e, m, em) + productError(x, n, xn));
+  const hi = sum + lost;
+  const lo = sumError(sum, lost, hi);
+  const first = hi / m;
+  const p = first * m;
+  const rest = (hi - p - productError(first, m, p) + lo) / m;
+  const place = first + rest;
+  PLACE[0] = place + 0;
+  PLACE[1] = rest - (place - first);
+}
+
+function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quotient): Hit {
+  const [n, m, t] = at;
+  const coordinate = (e: number, x: number): number => {
+    put(e, x, n, m);
+    return PLACE[0] as number;
+  };
+  const a = algebra[AT_FLARE] as number;
+  const normalX = coordinate(algebra[AT_P] as number, d[0]);
+  const normalZ = coordinate(algebra[AT_P + 4] as number, d[2]);
+  const above = q.hasY ? coordinate(algebra[AT_P + 2] as number, d[1]) : 0;
+  const down = a * above;
+  const low = q.hasY ? productError(a, above, down) + a * (PLACE[1] as number) : 0;
+  const normalY = 0 - (down + low);
+  return {
+    t,
+    point: [coordinate(E[0], d[0]), coordinate(E[1], d[1]), coordinate(E[2], d[2])],
+    normal: [normalX, normalY, normalZ],
+    singular: normalX === 0 && normalY === 0 && normalZ === 0,
+  };
+}
+
+type Quotient = readonly [n: number, m: number, t: number];
