@@ -1,4 +1,4 @@
-import type { Node } from './graph.ts';
+import type { Format, Node } from './graph.ts';
 import { INPUTS, type Program } from './program.ts';
 
 /*
@@ -18,7 +18,8 @@ const SIGNS: Readonly<Partial<Record<Node['op'], string>>> = {
   div: '/',
 };
 
-const isMask = ({ op }: Node): boolean => ['less', 'atMost', 'and', 'or', 'not'].includes(op);
+const isMask = ({ op }: Node): boolean =>
+  ['less', 'atMost', 'equal', 'and', 'or', 'not'].includes(op);
 
 /** How many values read each one. */
 function usesOf(roots: readonly Node[]): Map<Node, number> {
@@ -38,7 +39,7 @@ interface Scratch {
 }
 
 /** Writes statements into `lines` and gives the text of each value. */
-function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratch) {
+function writer({ width, strict }: Format, uses: ReadonlyMap<Node, number>, scratch: Scratch) {
   const names = new Map<Node, string>();
   let count = 0;
 
@@ -52,7 +53,7 @@ function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratc
   function literal(x: number): string {
     if (Number.isNaN(x)) return 'Number.NaN';
     const power = Math.log2(Math.abs(x));
-    const isFar = Math.abs(power) > 30 && 2 ** power === Math.abs(x);
+    const isFar = x !== 0 && Math.abs(power) > 30 && 2 ** power === Math.abs(x);
     return isFar ? `${x < 0 ? '-' : ''}2 ** ${power}` : String(x);
   }
 
@@ -81,11 +82,21 @@ function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratc
         return literal(n.value);
       case 'keep':
         return `${wrapped(of(1))} * ${bit(n.args[0] as Node, lines)}`;
-      case 'signed':
-        return `${wrapped(of(1))} * (1 - 2 * ${bit(n.args[0] as Node, lines)})`;
+      case 'signed': {
+        const [m, y] = n.args as [Node, Node];
+        if (m.op === 'not') {
+          return `${wrapped(value(y, lines))} * (2 * ${bit(m.args[0] as Node, lines)} - 1)`;
+        }
+        return `${wrapped(of(1))} * (1 - 2 * ${bit(m, lines)})`;
+      }
       case 'unless':
         return `${wrapped(of(1))} * (ONE_OR_NAN[${bit(n.args[0] as Node, lines)}] as number)`;
       case 'select': {
+        if (!strict) {
+          const m = bit(n.args[0] as Node, lines);
+          const b = /^v\d+$/.test(m) ? m : name(m, lines);
+          return `${wrapped(of(1))} * ${b} + ${wrapped(of(2))} * (1 - ${b})`;
+        }
         const at = pairOf(of(2), of(1), lines);
         return `S[${at} + ${bit(n.args[0] as Node, lines)}] as number`;
       }
@@ -142,6 +153,7 @@ function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratc
     const [a, b] = n.args as [Node, Node];
     if (n.op === 'less') return `+(${value(a, lines)} < ${value(b, lines)})`;
     if (n.op === 'atMost') return `+(${value(a, lines)} <= ${value(b, lines)})`;
+    if (n.op === 'equal') return `+(${value(a, lines)} === ${value(b, lines)})`;
     if (n.op === 'not') return `(1 - ${bit(a, lines)})`;
     return `(${bit(a, lines)} ${n.op === 'and' ? '&' : '|'} ${bit(b, lines)})`;
   }
@@ -153,6 +165,7 @@ function writer(width: 32 | 64, uses: ReadonlyMap<Node, number>, scratch: Scratc
     const [a, b] = n.args as [Node, Node];
     if (n.op === 'less') return `${value(a, lines)} < ${value(b, lines)}`;
     if (n.op === 'atMost') return `${value(a, lines)} <= ${value(b, lines)}`;
+    if (n.op === 'equal') return `${value(a, lines)} === ${value(b, lines)}`;
     if (n.op === 'not') return `!(${test(a, lines)})`;
     return `(${test(a, lines)} ${n.op === 'and' ? '&&' : '||'} ${test(b, lines)})`;
   }
@@ -199,7 +212,7 @@ export function loopOf(
   if (rareRoots) roots.push(rareRoots);
   const uses = usesOf(roots);
   const places = { count: 0 };
-  const w = writer(width, uses, places);
+  const w = writer(format, uses, places);
   const round = (text: string): string => (width === 32 ? `fround(${text})` : text);
 
   const before: string[] = [];

@@ -21,6 +21,7 @@ const OPCODES: Readonly<Partial<Record<Node['op'], Readonly<Record<Width, number
   max: { 32: 235, 64: 247 },
   less: { 32: 67, 64: 73 },
   atMost: { 32: 69, 64: 75 },
+  equal: { 32: 65, 64: 71 },
 };
 const AND = simd(78);
 const OR = simd(80);

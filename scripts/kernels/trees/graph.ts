@@ -27,6 +27,7 @@ export type Op =
   | 'max'
   | 'less'
   | 'atMost'
+  | 'equal'
   | 'and'
   | 'or'
   | 'not'
@@ -109,7 +110,9 @@ export class Graph implements Floats<Node, Node> {
   /** NaN where the condition holds, else a. */
   unless = (where: Node, a: Node): Node => this.make('unless', [where, a]);
 
-  isZero = (a: Node): Node => this.and(this.atMost(a, this.of(0)), this.atMost(this.of(0), a));
+  /** Two zeros are equal, whatever their signs. */
+  equal = (a: Node, b: Node): Node => this.make('equal', [a, b]);
+  isZero = (a: Node): Node => this.equal(a, this.of(0));
   /** |a| < bound: false for NaN. */
   isWithin = (a: Node, bound: number): Node => this.less(this.abs(a), this.of(bound));
 

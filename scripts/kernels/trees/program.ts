@@ -164,7 +164,8 @@ function curved(
   }
   const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
   const [t0, t1] = r.sorted(t, s);
-  const size = g.add(g.abs(t0), g.abs(t1));
+  const ends = t0.op === 'min' ? t0.args : [t0, t1];
+  const size = ends.map(g.abs).reduce((x, y) => g.add(x, y));
   return {
     format,
     outputs: { t0, t1 },

@@ -57,7 +57,8 @@ function plain(g: Graph, id: string): Recorder<Node> {
       sqr: (a) => g.mul(a, a),
       sqrt: g.sqrt,
       sign: noSign,
-      whereNegative: (a, then, otherwise) => g.select(g.less(a, zero), then, otherwise),
+      whereNegative: (a, then, otherwise) =>
+        signedSum(g, a, then, otherwise) ?? g.select(g.less(a, zero), then, otherwise),
       toNumber: noSign,
     },
     lift: (x) => x,
@@ -82,6 +83,17 @@ function sortedByDenominator(g: Graph, a: Node, b: Node): readonly [Node, Node] 
   const w = a.args[1] as Node;
   const turned = g.signed(g.less(w, g.of(0)), s);
   return [g.div(g.sub(x, turned), w), g.div(g.add(x, turned), w)];
+}
+
+/**
+ * (s − b)k where b < 0 and −(b + s)k elsewhere: (|b| + s)k with the other sign than b, to the bit.
+ */
+function signedSum(g: Graph, b: Node, then: Node, otherwise: Node): Node | null {
+  const [difference, k] = then.args as [Node, Node];
+  const s = difference?.args[0];
+  if (then.op !== 'mul' || difference?.op !== 'sub' || !s) return null;
+  if (difference !== g.sub(s, b) || otherwise !== g.mul(g.neg(g.add(b, s)), k)) return null;
+  return g.signed(g.not(g.less(b, g.of(0))), g.mul(g.add(g.abs(b), s), k));
 }
 
 /** k, if the number is this power of two, by which scaling is exact in the box. */
@@ -204,7 +216,7 @@ function interval(g: Graph): Recorder<Ends<Node>> {
   const shown = ({ lo, hi }: Ends<Node>): Node => {
     const half = g.of(0.5);
     const middle = g.add(g.mul(lo, half), g.mul(hi, half));
-    return g.select(g.and(g.atMost(lo, hi), g.atMost(hi, lo)), lo, middle);
+    return g.select(g.equal(lo, hi), lo, middle);
   };
   return {
     arithmetic,

@@ -6,7 +6,7 @@
 import type { Loop } from '../straight-loop.ts';
 
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
-const S = new Float64Array(6);
+const S = new Float64Array(2);
 
 export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
 const { t0, t1 } = out;
@@ -154,8 +154,7 @@ const v126 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 t0[i] = v125;
 t1[i] = Number.NaN;
 if ((((!((v126 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v125) < 2 ** 250)) ||
-!((v110 < 2 ** -Infinity || 2 ** -Infinity < v110))) || (v125 <= 2 ** -Infinity && 2 **
--Infinity <= v125))) open[left++] = i;
+!((v110 < 0 || 0 < v110))) || v125 === 0)) open[left++] = i;
 }
 return left;
 };
@@ -305,8 +304,7 @@ const v125 = (v72 - v124) + ((-(v70 - (v71 - v68))) - (v123 - (v124 - v115)));
 const v126 = v112 + (v125 / v111);
 margin[i] = 1;
 if ((((!((v12 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v126) < 2 ** 250)) ||
-!((v111 < 2 ** -Infinity || 2 ** -Infinity < v111))) || (v126 <= 2 ** -Infinity && 2 **
--Infinity <= v126))) open[left++] = i;
+!((v111 < 0 || 0 < v111))) || v126 === 0)) open[left++] = i;
 }
 return left;
 };
@@ -462,44 +460,41 @@ const v134 = v128 + v133;
 const v135 = v132 - v130;
 const v136 = ((v130 - (v132 - v135)) + (v131 - v135)) + (v133 - (v134 - v128));
 const v137 = v134 + v136;
-if (((!((v10 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v32 < 2 ** -Infinity || 2 **
--Infinity < v32))) || !((v137 < 2 ** -Infinity || (2 ** -Infinity < v137 && !(Math.abs(v137) <
-2 ** -150)))))) open[left++] = i;
-else if (v137 < 2 ** -Infinity) {
+if (((!((v10 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v32 < 0 || 0 < v32))) || !((v137 <
+0 || (0 < v137 && !(Math.abs(v137) < 2 ** -150)))))) open[left++] = i;
+else if (v137 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 } else {
-const v138 = Math.sqrt(v137);
-const v139 = v138 * v138;
-const v140 = 134217729 * v138;
-const v141 = v140 - (v140 - v138);
-const v142 = v138 - v141;
-const v143 = (v142 * v142) - ((v139 - (v141 * v141)) - (2 * (v141 * v142)));
-const v144 = (((v137 - v139) - v143) + (v136 - (v137 - v134))) / (2 * v138);
-const v145 = v138 + v144;
-const v146 = v78 + v145;
-const v147 = v146 - v78;
-const v148 = v144 - (v145 - v138);
-const v149 = v84 + v148;
-const v150 = ((v78 - (v146 - v147)) + (v145 - v147)) + v149;
-const v151 = v146 + v150;
-const v152 = v149 - v84;
-const v153 = ((v84 - (v149 - v152)) + (v148 - v152)) + (v150 - (v151 - v146));
-const v154 = v151 + v153;
-const v155 = -v78;
-const v156 = v145 + v155;
-const v157 = v156 - v145;
-const v158 = -v84;
-const v159 = v148 + v158;
-const v160 = ((v145 - (v156 - v157)) + (v155 - v157)) + v159;
-const v161 = v156 + v160;
-const v162 = v159 - v148;
-const v163 = ((v148 - (v159 - v162)) + (v158 - v162)) + (v160 - (v161 - v156));
-const v164 = v161 + v163;
-S[0] = (-v154) * 0.5;
-S[1] = v164 * 0.5;
-const v165 = +(v78 < 2 ** -Infinity);
-const v166 = S[0 + v165] as number;
+const v138 = +(v78 < 0);
+const v139 = Math.sqrt(v137);
+const v140 = v139 * v139;
+const v141 = 134217729 * v139;
+const v142 = v141 - (v141 - v139);
+const v143 = v139 - v142;
+const v144 = (v143 * v143) - ((v140 - (v142 * v142)) - (2 * (v142 * v143)));
+const v145 = (((v137 - v140) - v144) + (v136 - (v137 - v134))) / (2 * v139);
+const v146 = v139 + v145;
+const v147 = -v78;
+const v148 = v146 + v147;
+const v149 = v148 - v146;
+const v150 = v145 - (v146 - v139);
+const v151 = -v84;
+const v152 = v150 + v151;
+const v153 = ((v146 - (v148 - v149)) + (v147 - v149)) + v152;
+const v154 = v148 + v153;
+const v155 = v152 - v150;
+const v156 = ((v150 - (v152 - v155)) + (v151 - v155)) + (v153 - (v154 - v148));
+const v157 = v154 + v156;
+const v158 = v78 + v146;
+const v159 = v158 - v78;
+const v160 = v84 + v150;
+const v161 = ((v78 - (v158 - v159)) + (v146 - v159)) + v160;
+const v162 = v158 + v161;
+const v163 = v160 - v84;
+const v164 = ((v84 - (v160 - v163)) + (v150 - v163)) + (v161 - (v162 - v158));
+const v165 = v162 + v164;
+const v166 = (v157 * 0.5) * v138 + ((-v165) * 0.5) * (1 - v138);
 const v167 = v166 / v32;
 const v168 = v167 * v32;
 const v169 = v167 * v124;
@@ -513,9 +508,8 @@ const v176 = v32 - v175;
 const v177 = ((v168 - (v172 * v175)) - (v173 * v175)) - (v172 * v176);
 const v178 = (v169 - (v170 - v168)) + ((v173 * v176) - v177);
 const v179 = v170 + v178;
-S[2] = (-(v153 - (v154 - v151))) * 0.5;
-S[3] = (v163 - (v164 - v161)) * 0.5;
-const v180 = S[2 + v165] as number;
+const v180 = ((v156 - (v157 - v154)) * 0.5) * v138 + ((-(v164 - (v165 - v162))) * 0.5) * (1 -
+v138);
 const v181 = ((v166 - v179) + (v180 - (v178 - (v179 - v170)))) / v32;
 const v182 = v167 + v181;
 const v183 = v114 / v166;
@@ -533,17 +527,17 @@ const v194 = (v185 - (v186 - v184)) + ((v189 * v192) - v193);
 const v195 = v186 + v194;
 const v196 = ((v114 - v195) + (v123 - (v194 - (v195 - v186)))) / v166;
 const v197 = v183 + v196;
-S[4] = v182;
-S[5] = v197;
+S[0] = v182;
+S[1] = v197;
 const v198 = +(v197 < v182);
-const v199 = S[4 + v198] as number;
-const v200 = S[5 - v198] as number;
+const v199 = S[0 + v198] as number;
+const v200 = S[1 - v198] as number;
 t0[i] = v199;
 t1[i] = v200;
 const v201 = Math.abs(v199);
 const v202 = Math.abs(v200);
-if (((v137 <= 2 ** -Infinity && 2 ** -Infinity <= v137) || !(((v201 < 2 ** 500 && 2 **
--Infinity < v201) && (v202 < 2 ** 500 && 2 ** -Infinity < v202))))) open[left++] = i;
+if (((v137 <= 0 && 0 <= v137) || !(((v201 < 2 ** 500 && 0 < v201) && (v202 < 2 ** 500 && 0 <
+v202))))) open[left++] = i;
 }
 }
 return left;
@@ -697,14 +691,13 @@ const v131 = v125 + v130;
 const v132 = v129 - v127;
 const v133 = ((v127 - (v129 - v132)) + (v128 - v132)) + (v130 - (v131 - v125));
 const v134 = v131 + v133;
-const v135 = +(v134 < 2 ** -Infinity);
+const v135 = +(v134 < 0);
 const v136 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 const v137 = Math.abs(v84);
 margin[i] = 1 * (1 - 2 * v135);
-if ((((!((v136 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v84 < 2 ** -Infinity || 2 **
--Infinity < v84))) || !((v135 !== 0 || (2 ** -Infinity < v134 && !(Math.abs(v134) < 2 **
--150))))) || !(((!(v137 < 2 ** -150) && v137 < 2 ** 900) && (v55 < 2 ** -Infinity || (2 **
--Infinity < v55 || (v55 <= 2 ** -Infinity && 2 ** -Infinity <= v55))))))) open[left++] = i;
+if ((((!((v136 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v84 < 0 || 0 < v84))) ||
+!((v135 !== 0 || (0 < v134 && !(Math.abs(v134) < 2 ** -150))))) || !(((!(v137 < 2 ** -150) &&
+v137 < 2 ** 900) && (v55 < 0 || (0 < v55 || v55 === 0)))))) open[left++] = i;
 }
 return left;
 };
@@ -938,44 +931,41 @@ const v211 = v205 + v210;
 const v212 = v209 - v207;
 const v213 = ((v207 - (v209 - v212)) + (v208 - v212)) + (v210 - (v211 - v205));
 const v214 = v211 + v213;
-if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 2 ** -Infinity || 2 **
--Infinity < v64))) || !((v214 < 2 ** -Infinity || (2 ** -Infinity < v214 && !(Math.abs(v214) <
-2 ** -150)))))) open[left++] = i;
-else if (v214 < 2 ** -Infinity) {
+if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 0 || 0 < v64))) || !((v214 <
+0 || (0 < v214 && !(Math.abs(v214) < 2 ** -150)))))) open[left++] = i;
+else if (v214 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 } else {
-const v215 = Math.sqrt(v214);
-const v216 = v215 * v215;
-const v217 = 134217729 * v215;
-const v218 = v217 - (v217 - v215);
-const v219 = v215 - v218;
-const v220 = (v219 * v219) - ((v216 - (v218 * v218)) - (2 * (v218 * v219)));
-const v221 = (((v214 - v216) - v220) + (v213 - (v214 - v211))) / (2 * v215);
-const v222 = v215 + v221;
-const v223 = v142 + v222;
-const v224 = v223 - v142;
-const v225 = v221 - (v222 - v215);
-const v226 = v148 + v225;
-const v227 = ((v142 - (v223 - v224)) + (v222 - v224)) + v226;
-const v228 = v223 + v227;
-const v229 = v226 - v148;
-const v230 = ((v148 - (v226 - v229)) + (v225 - v229)) + (v227 - (v228 - v223));
-const v231 = v228 + v230;
-const v232 = -v142;
-const v233 = v222 + v232;
-const v234 = v233 - v222;
-const v235 = -v148;
-const v236 = v225 + v235;
-const v237 = ((v222 - (v233 - v234)) + (v232 - v234)) + v236;
-const v238 = v233 + v237;
-const v239 = v236 - v225;
-const v240 = ((v225 - (v236 - v239)) + (v235 - v239)) + (v237 - (v238 - v233));
-const v241 = v238 + v240;
-S[0] = (-v231) * 0.5;
-S[1] = v241 * 0.5;
-const v242 = +(v142 < 2 ** -Infinity);
-const v243 = S[0 + v242] as number;
+const v215 = +(v142 < 0);
+const v216 = Math.sqrt(v214);
+const v217 = v216 * v216;
+const v218 = 134217729 * v216;
+const v219 = v218 - (v218 - v216);
+const v220 = v216 - v219;
+const v221 = (v220 * v220) - ((v217 - (v219 * v219)) - (2 * (v219 * v220)));
+const v222 = (((v214 - v217) - v221) + (v213 - (v214 - v211))) / (2 * v216);
+const v223 = v216 + v222;
+const v224 = -v142;
+const v225 = v223 + v224;
+const v226 = v225 - v223;
+const v227 = v222 - (v223 - v216);
+const v228 = -v148;
+const v229 = v227 + v228;
+const v230 = ((v223 - (v225 - v226)) + (v224 - v226)) + v229;
+const v231 = v225 + v230;
+const v232 = v229 - v227;
+const v233 = ((v227 - (v229 - v232)) + (v228 - v232)) + (v230 - (v231 - v225));
+const v234 = v231 + v233;
+const v235 = v142 + v223;
+const v236 = v235 - v142;
+const v237 = v148 + v227;
+const v238 = ((v142 - (v235 - v236)) + (v223 - v236)) + v237;
+const v239 = v235 + v238;
+const v240 = v237 - v148;
+const v241 = ((v148 - (v237 - v240)) + (v227 - v240)) + (v238 - (v239 - v235));
+const v242 = v239 + v241;
+const v243 = (v234 * 0.5) * v215 + ((-v242) * 0.5) * (1 - v215);
 const v244 = v243 / v64;
 const v245 = v244 * v64;
 const v246 = v244 * v201;
@@ -989,9 +979,8 @@ const v253 = v64 - v252;
 const v254 = ((v245 - (v249 * v252)) - (v250 * v252)) - (v249 * v253);
 const v255 = (v246 - (v247 - v245)) + ((v250 * v253) - v254);
 const v256 = v247 + v255;
-S[2] = (-(v230 - (v231 - v228))) * 0.5;
-S[3] = (v240 - (v241 - v238)) * 0.5;
-const v257 = S[2 + v242] as number;
+const v257 = ((v233 - (v234 - v231)) * 0.5) * v215 + ((-(v241 - (v242 - v239))) * 0.5) * (1 -
+v215);
 const v258 = ((v243 - v256) + (v257 - (v255 - (v256 - v247)))) / v64;
 const v259 = v244 + v258;
 const v260 = v191 / v243;
@@ -1009,17 +998,17 @@ const v271 = (v262 - (v263 - v261)) + ((v266 * v269) - v270);
 const v272 = v263 + v271;
 const v273 = ((v191 - v272) + (v200 - (v271 - (v272 - v263)))) / v243;
 const v274 = v260 + v273;
-S[4] = v259;
-S[5] = v274;
+S[0] = v259;
+S[1] = v274;
 const v275 = +(v274 < v259);
-const v276 = S[4 + v275] as number;
-const v277 = S[5 - v275] as number;
+const v276 = S[0 + v275] as number;
+const v277 = S[1 - v275] as number;
 t0[i] = v276;
 t1[i] = v277;
 const v278 = Math.abs(v276);
 const v279 = Math.abs(v277);
-if (((v214 <= 2 ** -Infinity && 2 ** -Infinity <= v214) || !(((v278 < 2 ** 500 && 2 **
--Infinity < v278) && (v279 < 2 ** 500 && 2 ** -Infinity < v279))))) open[left++] = i;
+if (((v214 <= 0 && 0 <= v214) || !(((v278 < 2 ** 500 && 0 < v278) && (v279 < 2 ** 500 && 0 <
+v279))))) open[left++] = i;
 }
 }
 return left;
@@ -1251,14 +1240,13 @@ const v208 = v202 + v207;
 const v209 = v206 - v204;
 const v210 = ((v204 - (v206 - v209)) + (v205 - v209)) + (v207 - (v208 - v202));
 const v211 = v208 + v210;
-const v212 = +(v211 < 2 ** -Infinity);
+const v212 = +(v211 < 0);
 const v213 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 const v214 = Math.abs(v148);
 margin[i] = 1 * (1 - 2 * v212);
-if ((((!((v213 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v148 < 2 ** -Infinity || 2 **
--Infinity < v148))) || !((v212 !== 0 || (2 ** -Infinity < v211 && !(Math.abs(v211) < 2 **
--150))))) || !(((!(v214 < 2 ** -150) && v214 < 2 ** 900) && (v98 < 2 ** -Infinity || (2 **
--Infinity < v98 || (v98 <= 2 ** -Infinity && 2 ** -Infinity <= v98))))))) open[left++] = i;
+if ((((!((v213 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v148 < 0 || 0 < v148))) ||
+!((v212 !== 0 || (0 < v211 && !(Math.abs(v211) < 2 ** -150))))) || !(((!(v214 < 2 ** -150) &&
+v214 < 2 ** 900) && (v98 < 0 || (0 < v98 || v98 === 0)))))) open[left++] = i;
 }
 return left;
 };
@@ -1501,44 +1489,41 @@ const v219 = v213 + v218;
 const v220 = v217 - v215;
 const v221 = ((v215 - (v217 - v220)) + (v216 - v220)) + (v218 - (v219 - v213));
 const v222 = v219 + v221;
-if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 2 ** -Infinity || 2 **
--Infinity < v64))) || !((v222 < 2 ** -Infinity || (2 ** -Infinity < v222 && !(Math.abs(v222) <
-2 ** -150)))))) open[left++] = i;
-else if (v222 < 2 ** -Infinity) {
+if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 0 || 0 < v64))) || !((v222 <
+0 || (0 < v222 && !(Math.abs(v222) < 2 ** -150)))))) open[left++] = i;
+else if (v222 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 } else {
-const v223 = Math.sqrt(v222);
-const v224 = v223 * v223;
-const v225 = 134217729 * v223;
-const v226 = v225 - (v225 - v223);
-const v227 = v223 - v226;
-const v228 = (v227 * v227) - ((v224 - (v226 * v226)) - (2 * (v226 * v227)));
-const v229 = (((v222 - v224) - v228) + (v221 - (v222 - v219))) / (2 * v223);
-const v230 = v223 + v229;
-const v231 = v141 + v230;
-const v232 = v231 - v141;
-const v233 = v229 - (v230 - v223);
-const v234 = v147 + v233;
-const v235 = ((v141 - (v231 - v232)) + (v230 - v232)) + v234;
-const v236 = v231 + v235;
-const v237 = v234 - v147;
-const v238 = ((v147 - (v234 - v237)) + (v233 - v237)) + (v235 - (v236 - v231));
-const v239 = v236 + v238;
-const v240 = -v141;
-const v241 = v230 + v240;
-const v242 = v241 - v230;
-const v243 = -v147;
-const v244 = v233 + v243;
-const v245 = ((v230 - (v241 - v242)) + (v240 - v242)) + v244;
-const v246 = v241 + v245;
-const v247 = v244 - v233;
-const v248 = ((v233 - (v244 - v247)) + (v243 - v247)) + (v245 - (v246 - v241));
-const v249 = v246 + v248;
-S[0] = (-v239) * 0.5;
-S[1] = v249 * 0.5;
-const v250 = +(v141 < 2 ** -Infinity);
-const v251 = S[0 + v250] as number;
+const v223 = +(v141 < 0);
+const v224 = Math.sqrt(v222);
+const v225 = v224 * v224;
+const v226 = 134217729 * v224;
+const v227 = v226 - (v226 - v224);
+const v228 = v224 - v227;
+const v229 = (v228 * v228) - ((v225 - (v227 * v227)) - (2 * (v227 * v228)));
+const v230 = (((v222 - v225) - v229) + (v221 - (v222 - v219))) / (2 * v224);
+const v231 = v224 + v230;
+const v232 = -v141;
+const v233 = v231 + v232;
+const v234 = v233 - v231;
+const v235 = v230 - (v231 - v224);
+const v236 = -v147;
+const v237 = v235 + v236;
+const v238 = ((v231 - (v233 - v234)) + (v232 - v234)) + v237;
+const v239 = v233 + v238;
+const v240 = v237 - v235;
+const v241 = ((v235 - (v237 - v240)) + (v236 - v240)) + (v238 - (v239 - v233));
+const v242 = v239 + v241;
+const v243 = v141 + v231;
+const v244 = v243 - v141;
+const v245 = v147 + v235;
+const v246 = ((v141 - (v243 - v244)) + (v231 - v244)) + v245;
+const v247 = v243 + v246;
+const v248 = v245 - v147;
+const v249 = ((v147 - (v245 - v248)) + (v235 - v248)) + (v246 - (v247 - v243));
+const v250 = v247 + v249;
+const v251 = (v242 * 0.5) * v223 + ((-v250) * 0.5) * (1 - v223);
 const v252 = v251 / v64;
 const v253 = v252 * v64;
 const v254 = v252 * v209;
@@ -1552,9 +1537,8 @@ const v261 = v64 - v260;
 const v262 = ((v253 - (v257 * v260)) - (v258 * v260)) - (v257 * v261);
 const v263 = (v254 - (v255 - v253)) + ((v258 * v261) - v262);
 const v264 = v255 + v263;
-S[2] = (-(v238 - (v239 - v236))) * 0.5;
-S[3] = (v248 - (v249 - v246)) * 0.5;
-const v265 = S[2 + v250] as number;
+const v265 = ((v241 - (v242 - v239)) * 0.5) * v223 + ((-(v249 - (v250 - v247))) * 0.5) * (1 -
+v223);
 const v266 = ((v251 - v264) + (v265 - (v263 - (v264 - v255)))) / v64;
 const v267 = v252 + v266;
 const v268 = v199 / v251;
@@ -1572,17 +1556,17 @@ const v279 = (v270 - (v271 - v269)) + ((v274 * v277) - v278);
 const v280 = v271 + v279;
 const v281 = ((v199 - v280) + (v208 - (v279 - (v280 - v271)))) / v251;
 const v282 = v268 + v281;
-S[4] = v267;
-S[5] = v282;
+S[0] = v267;
+S[1] = v282;
 const v283 = +(v282 < v267);
-const v284 = S[4 + v283] as number;
-const v285 = S[5 - v283] as number;
+const v284 = S[0 + v283] as number;
+const v285 = S[1 - v283] as number;
 t0[i] = v284;
 t1[i] = v285;
 const v286 = Math.abs(v284);
 const v287 = Math.abs(v285);
-if (((v222 <= 2 ** -Infinity && 2 ** -Infinity <= v222) || !(((v286 < 2 ** 500 && 2 **
--Infinity < v286) && (v287 < 2 ** 500 && 2 ** -Infinity < v287))))) open[left++] = i;
+if (((v222 <= 0 && 0 <= v222) || !(((v286 < 2 ** 500 && 0 < v286) && (v287 < 2 ** 500 && 0 <
+v287))))) open[left++] = i;
 }
 }
 return left;
@@ -1823,14 +1807,13 @@ const v216 = v210 + v215;
 const v217 = v214 - v212;
 const v218 = ((v212 - (v214 - v217)) + (v213 - v217)) + (v215 - (v216 - v210));
 const v219 = v216 + v218;
-const v220 = +(v219 < 2 ** -Infinity);
+const v220 = +(v219 < 0);
 const v221 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 const v222 = Math.abs(v147);
 margin[i] = 1 * (1 - 2 * v220);
-if ((((!((v221 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v147 < 2 ** -Infinity || 2 **
--Infinity < v147))) || !((v220 !== 0 || (2 ** -Infinity < v219 && !(Math.abs(v219) < 2 **
--150))))) || !(((!(v222 < 2 ** -150) && v222 < 2 ** 900) && (v97 < 2 ** -Infinity || (2 **
--Infinity < v97 || (v97 <= 2 ** -Infinity && 2 ** -Infinity <= v97))))))) open[left++] = i;
+if ((((!((v221 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v147 < 0 || 0 < v147))) ||
+!((v220 !== 0 || (0 < v219 && !(Math.abs(v219) < 2 ** -150))))) || !(((!(v222 < 2 ** -150) &&
+v222 < 2 ** 900) && (v97 < 0 || (0 < v97 || v97 === 0)))))) open[left++] = i;
 }
 return left;
 };
@@ -2101,15 +2084,13 @@ const v245 = v241 + v244;
 const v246 = v243 - v243;
 const v247 = ((v243 - (v243 - v246)) + (-v246)) + (v244 - (v245 - v241));
 const v248 = v245 + v247;
-const v249 = +(2 ** -Infinity < v248);
+const v249 = +(0 < v248);
 const v250 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 t0[i] = v127 * (ONE_OR_NAN[v249] as number);
 t1[i] = Number.NaN;
-if (((((((v232 <= 2 ** -Infinity && 2 ** -Infinity <= v232) || !((v250 + Math.abs(y)) +
-Math.abs(z) < 2 ** 100)) || !(Math.abs(v127) < 2 ** 250)) || !((v111 < 2 ** -Infinity || 2 **
--Infinity < v111))) || (v127 <= 2 ** -Infinity && 2 ** -Infinity <= v127)) || !((v249 !== 0 ||
-(v248 < 2 ** -Infinity || (v248 <= 2 ** -Infinity && 2 ** -Infinity <=
-v248)))))) open[left++] = i;
+if (((((((v232 <= 0 && 0 <= v232) || !((v250 + Math.abs(y)) + Math.abs(z) < 2 ** 100)) ||
+!(Math.abs(v127) < 2 ** 250)) || !((v111 < 0 || 0 < v111))) || v127 === 0) || !((v249 !== 0 ||
+(v248 < 0 || v248 === 0))))) open[left++] = i;
 }
 return left;
 };
@@ -2380,14 +2361,12 @@ const v245 = v241 + v244;
 const v246 = v243 - v243;
 const v247 = ((v243 - (v243 - v246)) + (-v246)) + (v244 - (v245 - v241));
 const v248 = v245 + v247;
-const v249 = +(2 ** -Infinity < v248);
+const v249 = +(0 < v248);
 const v250 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 margin[i] = 1 * (1 - 2 * v249);
-if (((((((v232 <= 2 ** -Infinity && 2 ** -Infinity <= v232) || !((v250 + Math.abs(y)) +
-Math.abs(z) < 2 ** 100)) || !(Math.abs(v127) < 2 ** 250)) || !((v111 < 2 ** -Infinity || 2 **
--Infinity < v111))) || (v127 <= 2 ** -Infinity && 2 ** -Infinity <= v127)) || !((v249 !== 0 ||
-(v248 < 2 ** -Infinity || (v248 <= 2 ** -Infinity && 2 ** -Infinity <=
-v248)))))) open[left++] = i;
+if (((((((v232 <= 0 && 0 <= v232) || !((v250 + Math.abs(y)) + Math.abs(z) < 2 ** 100)) ||
+!(Math.abs(v127) < 2 ** 250)) || !((v111 < 0 || 0 < v111))) || v127 === 0) || !((v249 !== 0 ||
+(v248 < 0 || v248 === 0))))) open[left++] = i;
 }
 return left;
 };
@@ -2577,7 +2556,7 @@ const v164 = ((k5 - (v160 - v161)) + (v159 - v161)) + v163;
 const v165 = v160 + v164;
 const v166 = v163 - v163;
 const v167 = v165 + (((-v166) + v166) + (v164 - (v165 - v160)));
-const v168 = +(2 ** -Infinity < v167);
+const v168 = +(0 < v167);
 const v169 = v158 + v18;
 const v170 = v169 - v158;
 const v171 = v162 + v19;
@@ -2586,7 +2565,7 @@ const v173 = v169 + v172;
 const v174 = v171 - v162;
 const v175 = ((v162 - (v171 - v174)) + (v19 - v174)) + (v172 - (v173 - v169));
 const v176 = v173 + v175;
-const v177 = +(2 ** -Infinity < v176);
+const v177 = +(0 < v176);
 const v178 = v142 * z;
 const v179 = ((v178 - (v145 * v112)) - (v146 * v112)) - (v145 * v113);
 const v180 = ((v146 * v113) - v179) + (v148 * z);
@@ -2608,7 +2587,7 @@ const v195 = ((k6 - (v191 - v192)) + (v190 - v192)) + v194;
 const v196 = v191 + v195;
 const v197 = v194 - v194;
 const v198 = v196 + (((-v197) + v197) + (v195 - (v196 - v191)));
-const v199 = +(2 ** -Infinity < v198);
+const v199 = +(0 < v198);
 const v200 = v189 + v26;
 const v201 = v200 - v189;
 const v202 = v193 + v27;
@@ -2617,18 +2596,15 @@ const v204 = v200 + v203;
 const v205 = v202 - v193;
 const v206 = ((v193 - (v202 - v205)) + (v27 - v205)) + (v203 - (v204 - v200));
 const v207 = v204 + v206;
-const v208 = +(2 ** -Infinity < v207);
+const v208 = +(0 < v207);
 const v209 = v142 * (ONE_OR_NAN[(((v168 | v177) | v199) | v208)] as number);
 const v210 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 t0[i] = v209;
 t1[i] = Number.NaN;
 if ((((((((!((v210 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v142) < 2 ** 250)) ||
-!((v126 < 2 ** -Infinity || 2 ** -Infinity < v126))) || (v142 <= 2 ** -Infinity && 2 **
--Infinity <= v142)) || !((v168 !== 0 || (v167 < 2 ** -Infinity || (v167 <= 2 ** -Infinity &&
-2 ** -Infinity <= v167))))) || !((v177 !== 0 || (v176 < 2 ** -Infinity || (v176 <= 2 **
--Infinity && 2 ** -Infinity <= v176))))) || !((v199 !== 0 || (v198 < 2 ** -Infinity || (v198 <=
-2 ** -Infinity && 2 ** -Infinity <= v198))))) || !((v208 !== 0 || (v207 < 2 ** -Infinity ||
-(v207 <= 2 ** -Infinity && 2 ** -Infinity <= v207)))))) open[left++] = i;
+!((v126 < 0 || 0 < v126))) || v142 === 0) || !((v168 !== 0 || (v167 < 0 || v167 === 0)))) ||
+!((v177 !== 0 || (v176 < 0 || v176 === 0)))) || !((v199 !== 0 || (v198 < 0 || v198 === 0)))) ||
+!((v208 !== 0 || (v207 < 0 || v207 === 0))))) open[left++] = i;
 }
 return left;
 };
@@ -2818,7 +2794,7 @@ const v164 = ((k5 - (v160 - v161)) + (v159 - v161)) + v163;
 const v165 = v160 + v164;
 const v166 = v163 - v163;
 const v167 = v165 + (((-v166) + v166) + (v164 - (v165 - v160)));
-const v168 = +(2 ** -Infinity < v167);
+const v168 = +(0 < v167);
 const v169 = v158 + v18;
 const v170 = v169 - v158;
 const v171 = v162 + v19;
@@ -2827,7 +2803,7 @@ const v173 = v169 + v172;
 const v174 = v171 - v162;
 const v175 = ((v162 - (v171 - v174)) + (v19 - v174)) + (v172 - (v173 - v169));
 const v176 = v173 + v175;
-const v177 = +(2 ** -Infinity < v176);
+const v177 = +(0 < v176);
 const v178 = v142 * z;
 const v179 = ((v178 - (v145 * v112)) - (v146 * v112)) - (v145 * v113);
 const v180 = ((v146 * v113) - v179) + (v148 * z);
@@ -2849,7 +2825,7 @@ const v195 = ((k6 - (v191 - v192)) + (v190 - v192)) + v194;
 const v196 = v191 + v195;
 const v197 = v194 - v194;
 const v198 = v196 + (((-v197) + v197) + (v195 - (v196 - v191)));
-const v199 = +(2 ** -Infinity < v198);
+const v199 = +(0 < v198);
 const v200 = v189 + v26;
 const v201 = v200 - v189;
 const v202 = v193 + v27;
@@ -2858,16 +2834,13 @@ const v204 = v200 + v203;
 const v205 = v202 - v193;
 const v206 = ((v193 - (v202 - v205)) + (v27 - v205)) + (v203 - (v204 - v200));
 const v207 = v204 + v206;
-const v208 = +(2 ** -Infinity < v207);
+const v208 = +(0 < v207);
 const v209 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 margin[i] = 1 * (1 - 2 * (((v168 | v177) | v199) | v208));
 if ((((((((!((v209 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v142) < 2 ** 250)) ||
-!((v126 < 2 ** -Infinity || 2 ** -Infinity < v126))) || (v142 <= 2 ** -Infinity && 2 **
--Infinity <= v142)) || !((v168 !== 0 || (v167 < 2 ** -Infinity || (v167 <= 2 ** -Infinity &&
-2 ** -Infinity <= v167))))) || !((v177 !== 0 || (v176 < 2 ** -Infinity || (v176 <= 2 **
--Infinity && 2 ** -Infinity <= v176))))) || !((v199 !== 0 || (v198 < 2 ** -Infinity || (v198 <=
-2 ** -Infinity && 2 ** -Infinity <= v198))))) || !((v208 !== 0 || (v207 < 2 ** -Infinity ||
-(v207 <= 2 ** -Infinity && 2 ** -Infinity <= v207)))))) open[left++] = i;
+!((v126 < 0 || 0 < v126))) || v142 === 0) || !((v168 !== 0 || (v167 < 0 || v167 === 0)))) ||
+!((v177 !== 0 || (v176 < 0 || v176 === 0)))) || !((v199 !== 0 || (v198 < 0 || v198 === 0)))) ||
+!((v208 !== 0 || (v207 < 0 || v207 === 0))))) open[left++] = i;
 }
 return left;
 };
@@ -3083,44 +3056,41 @@ const v193 = v187 + v192;
 const v194 = v191 - v189;
 const v195 = ((v189 - (v191 - v194)) + (v190 - v194)) + (v192 - (v193 - v187));
 const v196 = v193 + v195;
-if (((!((v11 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v49 < 2 ** -Infinity || 2 **
--Infinity < v49))) || !((v196 < 2 ** -Infinity || (2 ** -Infinity < v196 && !(Math.abs(v196) <
-2 ** -150)))))) open[left++] = i;
-else if (v196 < 2 ** -Infinity) {
+if (((!((v11 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v49 < 0 || 0 < v49))) || !((v196 <
+0 || (0 < v196 && !(Math.abs(v196) < 2 ** -150)))))) open[left++] = i;
+else if (v196 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 } else {
-const v197 = Math.sqrt(v196);
-const v198 = v197 * v197;
-const v199 = 134217729 * v197;
-const v200 = v199 - (v199 - v197);
-const v201 = v197 - v200;
-const v202 = (v201 * v201) - ((v198 - (v200 * v200)) - (2 * (v200 * v201)));
-const v203 = (((v196 - v198) - v202) + (v195 - (v196 - v193))) / (2 * v197);
-const v204 = v197 + v203;
-const v205 = v123 + v204;
-const v206 = v205 - v123;
-const v207 = v203 - (v204 - v197);
-const v208 = v129 + v207;
-const v209 = ((v123 - (v205 - v206)) + (v204 - v206)) + v208;
-const v210 = v205 + v209;
-const v211 = v208 - v129;
-const v212 = ((v129 - (v208 - v211)) + (v207 - v211)) + (v209 - (v210 - v205));
-const v213 = v210 + v212;
-const v214 = -v123;
-const v215 = v204 + v214;
-const v216 = v215 - v204;
-const v217 = -v129;
-const v218 = v207 + v217;
-const v219 = ((v204 - (v215 - v216)) + (v214 - v216)) + v218;
-const v220 = v215 + v219;
-const v221 = v218 - v207;
-const v222 = ((v207 - (v218 - v221)) + (v217 - v221)) + (v219 - (v220 - v215));
-const v223 = v220 + v222;
-S[0] = (-v213) * 0.5;
-S[1] = v223 * 0.5;
-const v224 = +(v123 < 2 ** -Infinity);
-const v225 = S[0 + v224] as number;
+const v197 = +(v123 < 0);
+const v198 = Math.sqrt(v196);
+const v199 = v198 * v198;
+const v200 = 134217729 * v198;
+const v201 = v200 - (v200 - v198);
+const v202 = v198 - v201;
+const v203 = (v202 * v202) - ((v199 - (v201 * v201)) - (2 * (v201 * v202)));
+const v204 = (((v196 - v199) - v203) + (v195 - (v196 - v193))) / (2 * v198);
+const v205 = v198 + v204;
+const v206 = -v123;
+const v207 = v205 + v206;
+const v208 = v207 - v205;
+const v209 = v204 - (v205 - v198);
+const v210 = -v129;
+const v211 = v209 + v210;
+const v212 = ((v205 - (v207 - v208)) + (v206 - v208)) + v211;
+const v213 = v207 + v212;
+const v214 = v211 - v209;
+const v215 = ((v209 - (v211 - v214)) + (v210 - v214)) + (v212 - (v213 - v207));
+const v216 = v213 + v215;
+const v217 = v123 + v205;
+const v218 = v217 - v123;
+const v219 = v129 + v209;
+const v220 = ((v123 - (v217 - v218)) + (v205 - v218)) + v219;
+const v221 = v217 + v220;
+const v222 = v219 - v129;
+const v223 = ((v129 - (v219 - v222)) + (v209 - v222)) + (v220 - (v221 - v217));
+const v224 = v221 + v223;
+const v225 = (v216 * 0.5) * v197 + ((-v224) * 0.5) * (1 - v197);
 const v226 = v225 / v49;
 const v227 = v226 * v49;
 const v228 = v226 * v183;
@@ -3134,9 +3104,8 @@ const v235 = v49 - v234;
 const v236 = ((v227 - (v231 * v234)) - (v232 * v234)) - (v231 * v235);
 const v237 = (v228 - (v229 - v227)) + ((v232 * v235) - v236);
 const v238 = v229 + v237;
-S[2] = (-(v212 - (v213 - v210))) * 0.5;
-S[3] = (v222 - (v223 - v220)) * 0.5;
-const v239 = S[2 + v224] as number;
+const v239 = ((v215 - (v216 - v213)) * 0.5) * v197 + ((-(v223 - (v224 - v221))) * 0.5) * (1 -
+v197);
 const v240 = ((v225 - v238) + (v239 - (v237 - (v238 - v229)))) / v49;
 const v241 = v226 + v240;
 const v242 = v173 / v225;
@@ -3154,17 +3123,17 @@ const v253 = (v244 - (v245 - v243)) + ((v248 * v251) - v252);
 const v254 = v245 + v253;
 const v255 = ((v173 - v254) + (v182 - (v253 - (v254 - v245)))) / v225;
 const v256 = v242 + v255;
-S[4] = v241;
-S[5] = v256;
+S[0] = v241;
+S[1] = v256;
 const v257 = +(v256 < v241);
-const v258 = S[4 + v257] as number;
-const v259 = S[5 - v257] as number;
+const v258 = S[0 + v257] as number;
+const v259 = S[1 - v257] as number;
 t0[i] = v258;
 t1[i] = v259;
 const v260 = Math.abs(v258);
 const v261 = Math.abs(v259);
-if (((v196 <= 2 ** -Infinity && 2 ** -Infinity <= v196) || !(((v260 < 2 ** 500 && 2 **
--Infinity < v260) && (v261 < 2 ** 500 && 2 ** -Infinity < v261))))) open[left++] = i;
+if (((v196 <= 0 && 0 <= v196) || !(((v260 < 2 ** 500 && 0 < v260) && (v261 < 2 ** 500 && 0 <
+v261))))) open[left++] = i;
 }
 }
 return left;
@@ -3378,14 +3347,13 @@ const v190 = v184 + v189;
 const v191 = v188 - v186;
 const v192 = ((v186 - (v188 - v191)) + (v187 - v191)) + (v189 - (v190 - v184));
 const v193 = v190 + v192;
-const v194 = +(v193 < 2 ** -Infinity);
+const v194 = +(v193 < 0);
 const v195 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 const v196 = Math.abs(v129);
 margin[i] = 1 * (1 - 2 * v194);
-if ((((!((v195 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v129 < 2 ** -Infinity || 2 **
--Infinity < v129))) || !((v194 !== 0 || (2 ** -Infinity < v193 && !(Math.abs(v193) < 2 **
--150))))) || !(((!(v196 < 2 ** -150) && v196 < 2 ** 900) && (v84 < 2 ** -Infinity || (2 **
--Infinity < v84 || (v84 <= 2 ** -Infinity && 2 ** -Infinity <= v84))))))) open[left++] = i;
+if ((((!((v195 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v129 < 0 || 0 < v129))) ||
+!((v194 !== 0 || (0 < v193 && !(Math.abs(v193) < 2 ** -150))))) || !(((!(v196 < 2 ** -150) &&
+v196 < 2 ** 900) && (v84 < 0 || (0 < v84 || v84 === 0)))))) open[left++] = i;
 }
 return left;
 };
@@ -3570,44 +3538,41 @@ const v162 = v156 + v161;
 const v163 = v160 - v158;
 const v164 = ((v158 - (v160 - v163)) + (v159 - v163)) + (v161 - (v162 - v156));
 const v165 = v162 + v164;
-if (((!((v6 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v28 < 2 ** -Infinity || 2 **
--Infinity < v28))) || !((v165 < 2 ** -Infinity || (2 ** -Infinity < v165 && !(Math.abs(v165) <
-2 ** -150)))))) open[left++] = i;
-else if (v165 < 2 ** -Infinity) {
+if (((!((v6 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v28 < 0 || 0 < v28))) || !((v165 <
+0 || (0 < v165 && !(Math.abs(v165) < 2 ** -150)))))) open[left++] = i;
+else if (v165 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 } else {
-const v166 = Math.sqrt(v165);
-const v167 = v166 * v166;
-const v168 = 134217729 * v166;
-const v169 = v168 - (v168 - v166);
-const v170 = v166 - v169;
-const v171 = (v170 * v170) - ((v167 - (v169 * v169)) - (2 * (v169 * v170)));
-const v172 = (((v165 - v167) - v171) + (v164 - (v165 - v162))) / (2 * v166);
-const v173 = v166 + v172;
-const v174 = v91 + v173;
-const v175 = v174 - v91;
-const v176 = v172 - (v173 - v166);
-const v177 = v97 + v176;
-const v178 = ((v91 - (v174 - v175)) + (v173 - v175)) + v177;
-const v179 = v174 + v178;
-const v180 = v177 - v97;
-const v181 = ((v97 - (v177 - v180)) + (v176 - v180)) + (v178 - (v179 - v174));
-const v182 = v179 + v181;
-const v183 = -v91;
-const v184 = v173 + v183;
-const v185 = v184 - v173;
-const v186 = -v97;
-const v187 = v176 + v186;
-const v188 = ((v173 - (v184 - v185)) + (v183 - v185)) + v187;
-const v189 = v184 + v188;
-const v190 = v187 - v176;
-const v191 = ((v176 - (v187 - v190)) + (v186 - v190)) + (v188 - (v189 - v184));
-const v192 = v189 + v191;
-S[0] = (-v182) * 0.5;
-S[1] = v192 * 0.5;
-const v193 = +(v91 < 2 ** -Infinity);
-const v194 = S[0 + v193] as number;
+const v166 = +(v91 < 0);
+const v167 = Math.sqrt(v165);
+const v168 = v167 * v167;
+const v169 = 134217729 * v167;
+const v170 = v169 - (v169 - v167);
+const v171 = v167 - v170;
+const v172 = (v171 * v171) - ((v168 - (v170 * v170)) - (2 * (v170 * v171)));
+const v173 = (((v165 - v168) - v172) + (v164 - (v165 - v162))) / (2 * v167);
+const v174 = v167 + v173;
+const v175 = -v91;
+const v176 = v174 + v175;
+const v177 = v176 - v174;
+const v178 = v173 - (v174 - v167);
+const v179 = -v97;
+const v180 = v178 + v179;
+const v181 = ((v174 - (v176 - v177)) + (v175 - v177)) + v180;
+const v182 = v176 + v181;
+const v183 = v180 - v178;
+const v184 = ((v178 - (v180 - v183)) + (v179 - v183)) + (v181 - (v182 - v176));
+const v185 = v182 + v184;
+const v186 = v91 + v174;
+const v187 = v186 - v91;
+const v188 = v97 + v178;
+const v189 = ((v91 - (v186 - v187)) + (v174 - v187)) + v188;
+const v190 = v186 + v189;
+const v191 = v188 - v97;
+const v192 = ((v97 - (v188 - v191)) + (v178 - v191)) + (v189 - (v190 - v186));
+const v193 = v190 + v192;
+const v194 = (v185 * 0.5) * v166 + ((-v193) * 0.5) * (1 - v166);
 const v195 = v194 / v28;
 const v196 = v195 * v28;
 const v197 = v195 * v152;
@@ -3621,9 +3586,8 @@ const v204 = v28 - v203;
 const v205 = ((v196 - (v200 * v203)) - (v201 * v203)) - (v200 * v204);
 const v206 = (v197 - (v198 - v196)) + ((v201 * v204) - v205);
 const v207 = v198 + v206;
-S[2] = (-(v181 - (v182 - v179))) * 0.5;
-S[3] = (v191 - (v192 - v189)) * 0.5;
-const v208 = S[2 + v193] as number;
+const v208 = ((v184 - (v185 - v182)) * 0.5) * v166 + ((-(v192 - (v193 - v190))) * 0.5) * (1 -
+v166);
 const v209 = ((v194 - v207) + (v208 - (v206 - (v207 - v198)))) / v28;
 const v210 = v195 + v209;
 const v211 = v142 / v194;
@@ -3641,17 +3605,17 @@ const v222 = (v213 - (v214 - v212)) + ((v217 * v220) - v221);
 const v223 = v214 + v222;
 const v224 = ((v142 - v223) + (v151 - (v222 - (v223 - v214)))) / v194;
 const v225 = v211 + v224;
-S[4] = v210;
-S[5] = v225;
+S[0] = v210;
+S[1] = v225;
 const v226 = +(v225 < v210);
-const v227 = S[4 + v226] as number;
-const v228 = S[5 - v226] as number;
+const v227 = S[0 + v226] as number;
+const v228 = S[1 - v226] as number;
 t0[i] = v227;
 t1[i] = v228;
 const v229 = Math.abs(v227);
 const v230 = Math.abs(v228);
-if (((v165 <= 2 ** -Infinity && 2 ** -Infinity <= v165) || !(((v229 < 2 ** 500 && 2 **
--Infinity < v229) && (v230 < 2 ** 500 && 2 ** -Infinity < v230))))) open[left++] = i;
+if (((v165 <= 0 && 0 <= v165) || !(((v229 < 2 ** 500 && 0 < v229) && (v230 < 2 ** 500 && 0 <
+v230))))) open[left++] = i;
 }
 }
 return left;
@@ -3834,14 +3798,13 @@ const v159 = v153 + v158;
 const v160 = v157 - v155;
 const v161 = ((v155 - (v157 - v160)) + (v156 - v160)) + (v158 - (v159 - v153));
 const v162 = v159 + v161;
-const v163 = +(v162 < 2 ** -Infinity);
+const v163 = +(v162 < 0);
 const v164 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
 const v165 = Math.abs(v97);
 margin[i] = 1 * (1 - 2 * v163);
-if ((((!((v164 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v97 < 2 ** -Infinity || 2 **
--Infinity < v97))) || !((v163 !== 0 || (2 ** -Infinity < v162 && !(Math.abs(v162) < 2 **
--150))))) || !(((!(v165 < 2 ** -150) && v165 < 2 ** 900) && (v68 < 2 ** -Infinity || (2 **
--Infinity < v68 || (v68 <= 2 ** -Infinity && 2 ** -Infinity <= v68))))))) open[left++] = i;
+if ((((!((v164 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v97 < 0 || 0 < v97))) ||
+!((v163 !== 0 || (0 < v162 && !(Math.abs(v162) < 2 ** -150))))) || !(((!(v165 < 2 ** -150) &&
+v165 < 2 ** 900) && (v68 < 0 || (0 < v68 || v68 === 0)))))) open[left++] = i;
 }
 return left;
 };

@@ -6,7 +6,7 @@
 import type { Loop } from '../straight-loop.ts';
 
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
-const S = new Float64Array(4);
+const S = new Float64Array(2);
 
 export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
 const { t0, t1 } = out;
@@ -76,22 +76,18 @@ const v3 = ((2 * x) * v1) + ((2 * z) * v2);
 const v4 = (x * x) + (z * z);
 const v5 = ((v1 * v1) + (v2 * v2)) - v0;
 const v6 = (v3 * v3) - ((4 * v4) * v5);
-const v7 = Math.sqrt(v6);
-S[0] = (-(v3 + v7)) * 0.5;
-S[1] = (v7 - v3) * 0.5;
-const v8 = S[0 + +(v3 < 2 ** -Infinity)] as number;
-const v9 = v8 / v4;
-const v10 = v5 / v8;
-S[2] = v9;
-S[3] = v10;
-const v11 = +(v10 < v9);
-const v12 = S[2 + v11] as number;
-const v13 = S[3 - v11] as number;
-const v14 = Math.abs(v12) + Math.abs(v13);
-t0[i] = v12;
-t1[i] = v13;
-if (((((2 ** 1022 <= v14 || v14 <= 2 ** -Infinity) || (v6 <= 2 ** -Infinity && 2 **
--Infinity <= v6)) || (v4 <= 2 ** -Infinity && 2 ** -Infinity <= v4)) || !(Math.abs(v6) <=
+const v7 = ((Math.abs(v3) + Math.sqrt(v6)) * 0.5) * (2 * +(v3 < 0) - 1);
+const v8 = v7 / v4;
+const v9 = v5 / v7;
+S[0] = v8;
+S[1] = v9;
+const v10 = +(v9 < v8);
+const v11 = S[0 + v10] as number;
+const v12 = S[1 - v10] as number;
+const v13 = Math.abs(v8) + Math.abs(v9);
+t0[i] = v11;
+t1[i] = v12;
+if (((((2 ** 1022 <= v13 || v13 <= 0) || v6 === 0) || v4 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -115,8 +111,8 @@ const v3 = ((2 * x) * v1) + ((2 * z) * v2);
 const v4 = (x * x) + (z * z);
 const v5 = (v3 * v3) - ((4 * v4) * (((v1 * v1) + (v2 * v2)) - v0));
 margin[i] = v5;
-if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
-Math.abs(v3) < 2 ** 500) && 2 ** -500 < Math.abs(v4))))) open[left++] = i;
+if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v3) < 2 ** 500) && 2 ** -500 <
+Math.abs(v4))))) open[left++] = i;
 }
 return left;
 };
@@ -144,22 +140,18 @@ const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v1 * y) * v4);
 const v6 = ((x * x) + (z * z)) - (v0 * (y * y));
 const v7 = ((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4));
 const v8 = (v5 * v5) - ((4 * v6) * v7);
-const v9 = Math.sqrt(v8);
-S[0] = (-(v5 + v9)) * 0.5;
-S[1] = (v9 - v5) * 0.5;
-const v10 = S[0 + +(v5 < 2 ** -Infinity)] as number;
-const v11 = v10 / v6;
-const v12 = v7 / v10;
-S[2] = v11;
-S[3] = v12;
-const v13 = +(v12 < v11);
-const v14 = S[2 + v13] as number;
-const v15 = S[3 - v13] as number;
-const v16 = Math.abs(v14) + Math.abs(v15);
-t0[i] = v14;
-t1[i] = v15;
-if (((((2 ** 1022 <= v16 || v16 <= 2 ** -Infinity) || (v8 <= 2 ** -Infinity && 2 **
--Infinity <= v8)) || (v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6)) || !(Math.abs(v8) <=
+const v9 = ((Math.abs(v5) + Math.sqrt(v8)) * 0.5) * (2 * +(v5 < 0) - 1);
+const v10 = v9 / v6;
+const v11 = v7 / v9;
+S[0] = v10;
+S[1] = v11;
+const v12 = +(v11 < v10);
+const v13 = S[0 + v12] as number;
+const v14 = S[1 - v12] as number;
+const v15 = Math.abs(v10) + Math.abs(v11);
+t0[i] = v13;
+t1[i] = v14;
+if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -189,8 +181,8 @@ const v6 = ((x * x) + (z * z)) - (v0 * (y * y));
 const v7 = (4 * v6) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
 const v8 = (v5 * v5) - v7;
 margin[i] = v8;
-if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
-Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
+Math.abs(v6))))) open[left++] = i;
 }
 return left;
 };
@@ -219,22 +211,18 @@ const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v0 * y) * v4);
 const v6 = ((x * x) + (z * z)) - (k0 * (y * y));
 const v7 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
 const v8 = (v5 * v5) - ((4 * v6) * v7);
-const v9 = Math.sqrt(v8);
-S[0] = (-(v5 + v9)) * 0.5;
-S[1] = (v9 - v5) * 0.5;
-const v10 = S[0 + +(v5 < 2 ** -Infinity)] as number;
-const v11 = v10 / v6;
-const v12 = v7 / v10;
-S[2] = v11;
-S[3] = v12;
-const v13 = +(v12 < v11);
-const v14 = S[2 + v13] as number;
-const v15 = S[3 - v13] as number;
-const v16 = Math.abs(v14) + Math.abs(v15);
-t0[i] = v14;
-t1[i] = v15;
-if (((((2 ** 1022 <= v16 || v16 <= 2 ** -Infinity) || (v8 <= 2 ** -Infinity && 2 **
--Infinity <= v8)) || (v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6)) || !(Math.abs(v8) <=
+const v9 = ((Math.abs(v5) + Math.sqrt(v8)) * 0.5) * (2 * +(v5 < 0) - 1);
+const v10 = v9 / v6;
+const v11 = v7 / v9;
+S[0] = v10;
+S[1] = v11;
+const v12 = +(v11 < v10);
+const v13 = S[0 + v12] as number;
+const v14 = S[1 - v12] as number;
+const v15 = Math.abs(v10) + Math.abs(v11);
+t0[i] = v13;
+t1[i] = v14;
+if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -265,8 +253,8 @@ const v6 = ((x * x) + (z * z)) - (k0 * (y * y));
 const v7 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
 const v8 = (v5 * v5) - ((4 * v6) * v7);
 margin[i] = v8;
-if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
-Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
+Math.abs(v6))))) open[left++] = i;
 }
 return left;
 };
@@ -295,8 +283,7 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-const v7 = v2 * (ONE_OR_NAN[+(2 ** -Infinity < v6)] as number);
-t0[i] = v7;
+t0[i] = v2 * (ONE_OR_NAN[+(0 < v6)] as number);
 t1[i] = Number.NaN;
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
 511))) open[left++] = i;
@@ -328,7 +315,7 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-margin[i] = 1 * (1 - 2 * +(2 ** -Infinity < v6));
+margin[i] = 1 * (1 - 2 * +(0 < v6));
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
 511))) open[left++] = i;
 }
@@ -360,15 +347,14 @@ const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
 const v7 = v5 - v0;
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = ez + (v4 * z);
-const v10 = k6 - v9;
-const v11 = v9 - v1;
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-t0[i] = v4 * (ONE_OR_NAN[v12] as number);
+const v8 = ez + (v4 * z);
+const v9 = k6 - v8;
+const v10 = v8 - v1;
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+t0[i] = v4 * (ONE_OR_NAN[v11] as number);
 t1[i] = Number.NaN;
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
 511))) open[left++] = i;
 }
 return left;
@@ -399,14 +385,13 @@ const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
 const v7 = v5 - v0;
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = ez + (v4 * z);
-const v10 = k6 - v9;
-const v11 = v9 - v1;
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-margin[i] = 1 * (1 - 2 * v12);
+const v8 = ez + (v4 * z);
+const v9 = k6 - v8;
+const v10 = v8 - v1;
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+margin[i] = 1 * (1 - 2 * v11);
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
 511))) open[left++] = i;
 }
 return left;
@@ -434,22 +419,18 @@ const v4 = (((2 * x) * v1) + ((2 * y) * v2)) + ((2 * z) * v3);
 const v5 = ((x * x) + (y * y)) + (z * z);
 const v6 = (((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0;
 const v7 = (v4 * v4) - ((4 * v5) * v6);
-const v8 = Math.sqrt(v7);
-S[0] = (-(v4 + v8)) * 0.5;
-S[1] = (v8 - v4) * 0.5;
-const v9 = S[0 + +(v4 < 2 ** -Infinity)] as number;
-const v10 = v9 / v5;
-const v11 = v6 / v9;
-S[2] = v10;
-S[3] = v11;
-const v12 = +(v11 < v10);
-const v13 = S[2 + v12] as number;
-const v14 = S[3 - v12] as number;
-const v15 = Math.abs(v13) + Math.abs(v14);
-t0[i] = v13;
-t1[i] = v14;
-if (((((2 ** 1022 <= v15 || v15 <= 2 ** -Infinity) || (v7 <= 2 ** -Infinity && 2 **
--Infinity <= v7)) || (v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5)) || !(Math.abs(v7) <=
+const v8 = ((Math.abs(v4) + Math.sqrt(v7)) * 0.5) * (2 * +(v4 < 0) - 1);
+const v9 = v8 / v5;
+const v10 = v6 / v8;
+S[0] = v9;
+S[1] = v10;
+const v11 = +(v10 < v9);
+const v12 = S[0 + v11] as number;
+const v13 = S[1 - v11] as number;
+const v14 = Math.abs(v9) + Math.abs(v10);
+t0[i] = v12;
+t1[i] = v13;
+if (((((2 ** 1022 <= v14 || v14 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -478,8 +459,8 @@ const v5 = ((x * x) + (y * y)) + (z * z);
 const v6 = (4 * v5) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
 const v7 = (v4 * v4) - v6;
 margin[i] = v7;
-if (((v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7) || !(((Math.abs(v7) < 2 ** 500 &&
-Math.abs(v4) < 2 ** 500) && 2 ** -500 < Math.abs(v5))))) open[left++] = i;
+if ((v7 === 0 || !(((Math.abs(v7) < 2 ** 500 && Math.abs(v4) < 2 ** 500) && 2 ** -500 <
+Math.abs(v5))))) open[left++] = i;
 }
 return left;
 };
@@ -504,22 +485,18 @@ const v2 = (((2 * x) * v0) + ((2 * z) * v1)) - (k0 * y);
 const v3 = (x * x) + (z * z);
 const v4 = ((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2));
 const v5 = (v2 * v2) - ((4 * v3) * v4);
-const v6 = Math.sqrt(v5);
-S[0] = (-(v2 + v6)) * 0.5;
-S[1] = (v6 - v2) * 0.5;
-const v7 = S[0 + +(v2 < 2 ** -Infinity)] as number;
-const v8 = v7 / v3;
-const v9 = v4 / v7;
-S[2] = v8;
-S[3] = v9;
-const v10 = +(v9 < v8);
-const v11 = S[2 + v10] as number;
-const v12 = S[3 - v10] as number;
-const v13 = Math.abs(v11) + Math.abs(v12);
-t0[i] = v11;
-t1[i] = v12;
-if (((((2 ** 1022 <= v13 || v13 <= 2 ** -Infinity) || (v5 <= 2 ** -Infinity && 2 **
--Infinity <= v5)) || (v3 <= 2 ** -Infinity && 2 ** -Infinity <= v3)) || !(Math.abs(v5) <=
+const v6 = ((Math.abs(v2) + Math.sqrt(v5)) * 0.5) * (2 * +(v2 < 0) - 1);
+const v7 = v6 / v3;
+const v8 = v4 / v6;
+S[0] = v7;
+S[1] = v8;
+const v9 = +(v8 < v7);
+const v10 = S[0 + v9] as number;
+const v11 = S[1 - v9] as number;
+const v12 = Math.abs(v7) + Math.abs(v8);
+t0[i] = v10;
+t1[i] = v11;
+if (((((2 ** 1022 <= v12 || v12 <= 0) || v5 === 0) || v3 === 0) || !(Math.abs(v5) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -546,8 +523,8 @@ const v3 = (x * x) + (z * z);
 const v4 = (4 * v3) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
 const v5 = (v2 * v2) - v4;
 margin[i] = v5;
-if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
-Math.abs(v2) < 2 ** 500) && 2 ** -500 < Math.abs(v3))))) open[left++] = i;
+if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v2) < 2 ** 500) && 2 ** -500 <
+Math.abs(v3))))) open[left++] = i;
 }
 return left;
 };

@@ -76,14 +76,13 @@ const v4 = -v3;
 const v5 = (x * x) + (z * z);
 const v6 = (v3 * v3) - ((4 * v5) * (((v1 * v1) + (v2 * v2)) - v0));
 const v7 = 2 * v5;
-const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 2 ** -Infinity));
+const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 0));
 const v9 = (v4 - v8) / v7;
 const v10 = (v4 + v8) / v7;
 const v11 = Math.abs(v9) + Math.abs(v10);
 t0[i] = v9;
 t1[i] = v10;
-if (((((2 ** 1022 <= v11 || v11 <= 2 ** -Infinity) || (v6 <= 2 ** -Infinity && 2 **
--Infinity <= v6)) || (v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5)) || !(Math.abs(v6) <=
+if (((((2 ** 1022 <= v11 || v11 <= 0) || v6 === 0) || v5 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -107,8 +106,8 @@ const v3 = ((2 * x) * v1) + ((2 * z) * v2);
 const v4 = (x * x) + (z * z);
 const v5 = (v3 * v3) - ((4 * v4) * (((v1 * v1) + (v2 * v2)) - v0));
 margin[i] = v5;
-if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
-Math.abs(v3) < 2 ** 500) && 2 ** -500 < Math.abs(v4))))) open[left++] = i;
+if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v3) < 2 ** 500) && 2 ** -500 <
+Math.abs(v4))))) open[left++] = i;
 }
 return left;
 };
@@ -138,14 +137,13 @@ const v7 = ((x * x) + (z * z)) - (v0 * (y * y));
 const v8 = (4 * v7) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
 const v9 = (v5 * v5) - v8;
 const v10 = 2 * v7;
-const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 2 ** -Infinity));
+const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 0));
 const v12 = (v6 - v11) / v10;
 const v13 = (v6 + v11) / v10;
 const v14 = Math.abs(v12) + Math.abs(v13);
 t0[i] = v12;
 t1[i] = v13;
-if (((((2 ** 1022 <= v14 || v14 <= 2 ** -Infinity) || (v9 <= 2 ** -Infinity && 2 **
--Infinity <= v9)) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7)) || !(Math.abs(v9) <=
+if (((((2 ** 1022 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -175,8 +173,8 @@ const v6 = ((x * x) + (z * z)) - (v0 * (y * y));
 const v7 = (4 * v6) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
 const v8 = (v5 * v5) - v7;
 margin[i] = v8;
-if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
-Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
+Math.abs(v6))))) open[left++] = i;
 }
 return left;
 };
@@ -207,14 +205,13 @@ const v7 = ((x * x) + (z * z)) - (k0 * (y * y));
 const v8 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
 const v9 = (v5 * v5) - ((4 * v7) * v8);
 const v10 = 2 * v7;
-const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 2 ** -Infinity));
+const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 0));
 const v12 = (v6 - v11) / v10;
 const v13 = (v6 + v11) / v10;
 const v14 = Math.abs(v12) + Math.abs(v13);
 t0[i] = v12;
 t1[i] = v13;
-if (((((2 ** 1022 <= v14 || v14 <= 2 ** -Infinity) || (v9 <= 2 ** -Infinity && 2 **
--Infinity <= v9)) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7)) || !(Math.abs(v9) <=
+if (((((2 ** 1022 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -245,8 +242,8 @@ const v6 = ((x * x) + (z * z)) - (k0 * (y * y));
 const v7 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
 const v8 = (v5 * v5) - ((4 * v6) * v7);
 margin[i] = v8;
-if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 500 &&
-Math.abs(v5) < 2 ** 500) && 2 ** -500 < Math.abs(v6))))) open[left++] = i;
+if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
+Math.abs(v6))))) open[left++] = i;
 }
 return left;
 };
@@ -275,8 +272,7 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-const v7 = v2 * (ONE_OR_NAN[+(2 ** -Infinity < v6)] as number);
-t0[i] = v7;
+t0[i] = v2 * (ONE_OR_NAN[+(0 < v6)] as number);
 t1[i] = Number.NaN;
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
 511))) open[left++] = i;
@@ -308,7 +304,7 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-margin[i] = 1 * (1 - 2 * +(2 ** -Infinity < v6));
+margin[i] = 1 * (1 - 2 * +(0 < v6));
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
 511))) open[left++] = i;
 }
@@ -340,15 +336,14 @@ const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
 const v7 = v5 - v0;
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = ez + (v4 * z);
-const v10 = k6 - v9;
-const v11 = v9 - v1;
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-t0[i] = v4 * (ONE_OR_NAN[v12] as number);
+const v8 = ez + (v4 * z);
+const v9 = k6 - v8;
+const v10 = v8 - v1;
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+t0[i] = v4 * (ONE_OR_NAN[v11] as number);
 t1[i] = Number.NaN;
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
 511))) open[left++] = i;
 }
 return left;
@@ -379,14 +374,13 @@ const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
 const v7 = v5 - v0;
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = ez + (v4 * z);
-const v10 = k6 - v9;
-const v11 = v9 - v1;
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-margin[i] = 1 * (1 - 2 * v12);
+const v8 = ez + (v4 * z);
+const v9 = k6 - v8;
+const v10 = v8 - v1;
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+margin[i] = 1 * (1 - 2 * v11);
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v10) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
 511))) open[left++] = i;
 }
 return left;
@@ -416,14 +410,13 @@ const v6 = ((x * x) + (y * y)) + (z * z);
 const v7 = (4 * v6) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
 const v8 = (v4 * v4) - v7;
 const v9 = 2 * v6;
-const v10 = Math.sqrt(v8) * (1 - 2 * +(v9 < 2 ** -Infinity));
+const v10 = Math.sqrt(v8) * (1 - 2 * +(v9 < 0));
 const v11 = (v5 - v10) / v9;
 const v12 = (v5 + v10) / v9;
 const v13 = Math.abs(v11) + Math.abs(v12);
 t0[i] = v11;
 t1[i] = v12;
-if (((((2 ** 1022 <= v13 || v13 <= 2 ** -Infinity) || (v8 <= 2 ** -Infinity && 2 **
--Infinity <= v8)) || (v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6)) || !(Math.abs(v8) <=
+if (((((2 ** 1022 <= v13 || v13 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -452,8 +445,8 @@ const v5 = ((x * x) + (y * y)) + (z * z);
 const v6 = (4 * v5) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
 const v7 = (v4 * v4) - v6;
 margin[i] = v7;
-if (((v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7) || !(((Math.abs(v7) < 2 ** 500 &&
-Math.abs(v4) < 2 ** 500) && 2 ** -500 < Math.abs(v5))))) open[left++] = i;
+if ((v7 === 0 || !(((Math.abs(v7) < 2 ** 500 && Math.abs(v4) < 2 ** 500) && 2 ** -500 <
+Math.abs(v5))))) open[left++] = i;
 }
 return left;
 };
@@ -480,14 +473,13 @@ const v4 = (x * x) + (z * z);
 const v5 = (4 * v4) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
 const v6 = (v2 * v2) - v5;
 const v7 = 2 * v4;
-const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 2 ** -Infinity));
+const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 0));
 const v9 = (v3 - v8) / v7;
 const v10 = (v3 + v8) / v7;
 const v11 = Math.abs(v9) + Math.abs(v10);
 t0[i] = v9;
 t1[i] = v10;
-if (((((2 ** 1022 <= v11 || v11 <= 2 ** -Infinity) || (v6 <= 2 ** -Infinity && 2 **
--Infinity <= v6)) || (v4 <= 2 ** -Infinity && 2 ** -Infinity <= v4)) || !(Math.abs(v6) <=
+if (((((2 ** 1022 <= v11 || v11 <= 0) || v6 === 0) || v4 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
 return left;
@@ -514,8 +506,8 @@ const v3 = (x * x) + (z * z);
 const v4 = (4 * v3) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
 const v5 = (v2 * v2) - v4;
 margin[i] = v5;
-if (((v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5) || !(((Math.abs(v5) < 2 ** 500 &&
-Math.abs(v2) < 2 ** 500) && 2 ** -500 < Math.abs(v3))))) open[left++] = i;
+if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v2) < 2 ** 500) && 2 ** -500 <
+Math.abs(v3))))) open[left++] = i;
 }
 return left;
 };

@@ -81,14 +81,13 @@ const v5 = fround(fround(x * x) + fround(z * z));
 const v6 = fround((fround(fround(v1 * v1) + fround(v2 * v2))) - v0);
 const v7 = fround(fround(v3 * v3) - (fround(fround(4 * v5) * v6)));
 const v8 = fround(2 * v5);
-const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 2 ** -Infinity));
+const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 0));
 const v10 = fround(fround(v4 - v9) / v8);
 const v11 = fround(fround(v4 + v9) / v8);
 const v12 = fround(Math.abs(v10) + Math.abs(v11));
 t0[i] = v10;
 t1[i] = v11;
-if (((((((2 ** 126 <= v12 || v12 <= 2 ** -Infinity) || (v7 <= 2 ** -Infinity && 2 **
--Infinity <= v7)) || (v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5)) || !(Math.abs(v7) <=
+if (((((((2 ** 126 <= v12 || v12 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 3.4028234663852886e+38)) || !(Math.abs(ey) <= 3.4028234663852886e+38)) || !(Math.abs(y) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
@@ -116,9 +115,9 @@ const v4 = fround(fround(x * x) + fround(z * z));
 const v5 = fround((fround(fround(v1 * v1) + fround(v2 * v2))) - v0);
 const v6 = fround(fround(v3 * v3) - (fround(fround(4 * v4) * v5)));
 margin[i] = v6;
-if (((((v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6) || !(Math.abs(ey) <=
-3.4028234663852886e+38)) || !(Math.abs(y) <= 3.4028234663852886e+38)) || !(((Math.abs(v6) <
-2 ** 60 && Math.abs(v3) < 2 ** 60) && 2 ** -60 < Math.abs(v4))))) open[left++] = i;
+if ((((v6 === 0 || !(Math.abs(ey) <= 3.4028234663852886e+38)) || !(Math.abs(y) <=
+3.4028234663852886e+38)) || !(((Math.abs(v6) < 2 ** 60 && Math.abs(v3) < 2 ** 60) && 2 ** -60 <
+Math.abs(v4))))) open[left++] = i;
 }
 return left;
 };
@@ -149,14 +148,13 @@ const v8 = fround((fround(fround(x * x) + fround(z * z))) - (fround(v0 * fround(
 const v9 = fround((fround(fround(v2 * v2) + fround(v3 * v3))) - (fround(v0 * fround(v5 * v5))));
 const v10 = fround(fround(v6 * v6) - (fround(fround(4 * v8) * v9)));
 const v11 = fround(2 * v8);
-const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 2 ** -Infinity));
+const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 0));
 const v13 = fround(fround(v7 - v12) / v11);
 const v14 = fround(fround(v7 + v12) / v11);
 const v15 = fround(Math.abs(v13) + Math.abs(v14));
 t0[i] = v13;
 t1[i] = v14;
-if (((((2 ** 126 <= v15 || v15 <= 2 ** -Infinity) || (v10 <= 2 ** -Infinity && 2 **
--Infinity <= v10)) || (v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8)) || !(Math.abs(v10) <=
+if (((((2 ** 126 <= v15 || v15 <= 0) || v10 === 0) || v8 === 0) || !(Math.abs(v10) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
 return left;
@@ -187,8 +185,8 @@ const v7 = fround((fround(fround(x * x) + fround(z * z))) - (fround(v0 * fround(
 const v8 = fround((fround(fround(v2 * v2) + fround(v3 * v3))) - (fround(v0 * fround(v5 * v5))));
 const v9 = fround(fround(v6 * v6) - (fround(fround(4 * v7) * v8)));
 margin[i] = v9;
-if (((v9 <= 2 ** -Infinity && 2 ** -Infinity <= v9) || !(((Math.abs(v9) < 2 ** 60 &&
-Math.abs(v6) < 2 ** 60) && 2 ** -60 < Math.abs(v7))))) open[left++] = i;
+if ((v9 === 0 || !(((Math.abs(v9) < 2 ** 60 && Math.abs(v6) < 2 ** 60) && 2 ** -60 <
+Math.abs(v7))))) open[left++] = i;
 }
 return left;
 };
@@ -220,14 +218,13 @@ const v8 = fround((fround(fround(x * x) + fround(z * z))) - (fround(k0 * fround(
 const v9 = fround((fround(fround(v2 * v2) + fround(v3 * v3))) - (fround(k0 * fround(v5 * v5))));
 const v10 = fround(fround(v6 * v6) - (fround(fround(4 * v8) * fround(v9 - v1))));
 const v11 = fround(2 * v8);
-const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 2 ** -Infinity));
+const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 0));
 const v13 = fround(fround(v7 - v12) / v11);
 const v14 = fround(fround(v7 + v12) / v11);
 const v15 = fround(Math.abs(v13) + Math.abs(v14));
 t0[i] = v13;
 t1[i] = v14;
-if (((((2 ** 126 <= v15 || v15 <= 2 ** -Infinity) || (v10 <= 2 ** -Infinity && 2 **
--Infinity <= v10)) || (v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8)) || !(Math.abs(v10) <=
+if (((((2 ** 126 <= v15 || v15 <= 0) || v10 === 0) || v8 === 0) || !(Math.abs(v10) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
 return left;
@@ -259,8 +256,8 @@ const v7 = fround((fround(fround(x * x) + fround(z * z))) - (fround(k0 * fround(
 const v8 = fround((fround(fround(v2 * v2) + fround(v3 * v3))) - (fround(k0 * fround(v5 * v5))));
 const v9 = fround(fround(v6 * v6) - (fround(fround(4 * v7) * fround(v8 - v1))));
 margin[i] = v9;
-if (((v9 <= 2 ** -Infinity && 2 ** -Infinity <= v9) || !(((Math.abs(v9) < 2 ** 60 &&
-Math.abs(v6) < 2 ** 60) && 2 ** -60 < Math.abs(v7))))) open[left++] = i;
+if ((v9 === 0 || !(((Math.abs(v9) < 2 ** 60 && Math.abs(v6) < 2 ** 60) && 2 ** -60 <
+Math.abs(v7))))) open[left++] = i;
 }
 return left;
 };
@@ -290,8 +287,7 @@ const v4 = fround((fround(ey + fround(v2 * y))) - k5);
 const v5 = fround((fround(ez + fround(v2 * z))) - k6);
 const v6 = fround((fround(fround(v3 * v3) + fround(v4 * v4))) + fround(v5 * v5));
 const v7 = fround((fround(Math.sqrt(v6))) - k0);
-const v8 = v2 * (ONE_OR_NAN[+(2 ** -Infinity < v7)] as number);
-t0[i] = v8;
+t0[i] = v2 * (ONE_OR_NAN[+(0 < v7)] as number);
 t1[i] = Number.NaN;
 if (((!(Math.abs(v2) < 2 ** 63) || !(Math.abs(v1) < 2 ** 63)) || !(Math.abs(v7) < 2 **
 63))) open[left++] = i;
@@ -324,7 +320,7 @@ const v4 = fround((fround(ey + fround(v2 * y))) - k5);
 const v5 = fround((fround(ez + fround(v2 * z))) - k6);
 const v6 = fround((fround(fround(v3 * v3) + fround(v4 * v4))) + fround(v5 * v5));
 const v7 = fround((fround(Math.sqrt(v6))) - k0);
-margin[i] = 1 * (1 - 2 * +(2 ** -Infinity < v7));
+margin[i] = 1 * (1 - 2 * +(0 < v7));
 if (((!(Math.abs(v2) < 2 ** 63) || !(Math.abs(v1) < 2 ** 63)) || !(Math.abs(v7) < 2 **
 63))) open[left++] = i;
 }
@@ -356,15 +352,14 @@ const v4 = fround((-(fround(v2 + (fround(k3 * fround(ez - k6)))))) / v3);
 const v5 = fround(ey + fround(v4 * y));
 const v6 = fround(k5 - v5);
 const v7 = fround(v5 - v0);
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = fround(ez + fround(v4 * z));
-const v10 = fround(k6 - v9);
-const v11 = fround(v9 - v1);
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-t0[i] = v4 * (ONE_OR_NAN[v12] as number);
+const v8 = fround(ez + fround(v4 * z));
+const v9 = fround(k6 - v8);
+const v10 = fround(v8 - v1);
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+t0[i] = v4 * (ONE_OR_NAN[v11] as number);
 t1[i] = Number.NaN;
 if ((((((!(Math.abs(v4) < 2 ** 63) || !(Math.abs(v3) < 2 ** 63)) || !(Math.abs(v6) < 2 **
-63)) || !(Math.abs(v7) < 2 ** 63)) || !(Math.abs(v10) < 2 ** 63)) || !(Math.abs(v11) < 2 **
+63)) || !(Math.abs(v7) < 2 ** 63)) || !(Math.abs(v9) < 2 ** 63)) || !(Math.abs(v10) < 2 **
 63))) open[left++] = i;
 }
 return left;
@@ -395,14 +390,13 @@ const v4 = fround((-(fround(v2 + (fround(k3 * fround(ez - k6)))))) / v3);
 const v5 = fround(ey + fround(v4 * y));
 const v6 = fround(k5 - v5);
 const v7 = fround(v5 - v0);
-const v8 = (+(2 ** -Infinity < v6) | +(2 ** -Infinity < v7));
-const v9 = fround(ez + fround(v4 * z));
-const v10 = fround(k6 - v9);
-const v11 = fround(v9 - v1);
-const v12 = ((v8 | +(2 ** -Infinity < v10)) | +(2 ** -Infinity < v11));
-margin[i] = 1 * (1 - 2 * v12);
+const v8 = fround(ez + fround(v4 * z));
+const v9 = fround(k6 - v8);
+const v10 = fround(v8 - v1);
+const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
+margin[i] = 1 * (1 - 2 * v11);
 if ((((((!(Math.abs(v4) < 2 ** 63) || !(Math.abs(v3) < 2 ** 63)) || !(Math.abs(v6) < 2 **
-63)) || !(Math.abs(v7) < 2 ** 63)) || !(Math.abs(v10) < 2 ** 63)) || !(Math.abs(v11) < 2 **
+63)) || !(Math.abs(v7) < 2 ** 63)) || !(Math.abs(v9) < 2 ** 63)) || !(Math.abs(v10) < 2 **
 63))) open[left++] = i;
 }
 return left;
@@ -433,14 +427,13 @@ const v7 = fround((fround(fround(x * x) + fround(y * y))) + fround(z * z));
 const v8 = fround((fround(fround(v1 * v1) + fround(v2 * v2))) + fround(v4 * v4));
 const v9 = fround(fround(v5 * v5) - (fround(fround(4 * v7) * fround(v8 - v0))));
 const v10 = fround(2 * v7);
-const v11 = (fround(Math.sqrt(v9))) * (1 - 2 * +(v10 < 2 ** -Infinity));
+const v11 = (fround(Math.sqrt(v9))) * (1 - 2 * +(v10 < 0));
 const v12 = fround(fround(v6 - v11) / v10);
 const v13 = fround(fround(v6 + v11) / v10);
 const v14 = fround(Math.abs(v12) + Math.abs(v13));
 t0[i] = v12;
 t1[i] = v13;
-if (((((2 ** 126 <= v14 || v14 <= 2 ** -Infinity) || (v9 <= 2 ** -Infinity && 2 ** -Infinity <=
-v9)) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <= v7)) || !(Math.abs(v9) <=
+if (((((2 ** 126 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
 return left;
@@ -470,8 +463,8 @@ const v6 = fround((fround(fround(x * x) + fround(y * y))) + fround(z * z));
 const v7 = fround((fround(fround(v1 * v1) + fround(v2 * v2))) + fround(v4 * v4));
 const v8 = fround(fround(v5 * v5) - (fround(fround(4 * v6) * fround(v7 - v0))));
 margin[i] = v8;
-if (((v8 <= 2 ** -Infinity && 2 ** -Infinity <= v8) || !(((Math.abs(v8) < 2 ** 60 &&
-Math.abs(v5) < 2 ** 60) && 2 ** -60 < Math.abs(v6))))) open[left++] = i;
+if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 60 && Math.abs(v5) < 2 ** 60) && 2 ** -60 <
+Math.abs(v6))))) open[left++] = i;
 }
 return left;
 };
@@ -499,14 +492,13 @@ const v5 = fround(fround(x * x) + fround(z * z));
 const v6 = fround((fround(fround(v0 * v0) + fround(v1 * v1))) - (fround(k0 * fround(ey - k2))));
 const v7 = fround(fround(v3 * v3) - (fround(fround(4 * v5) * v6)));
 const v8 = fround(2 * v5);
-const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 2 ** -Infinity));
+const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 0));
 const v10 = fround(fround(v4 - v9) / v8);
 const v11 = fround(fround(v4 + v9) / v8);
 const v12 = fround(Math.abs(v10) + Math.abs(v11));
 t0[i] = v10;
 t1[i] = v11;
-if (((((2 ** 126 <= v12 || v12 <= 2 ** -Infinity) || (v7 <= 2 ** -Infinity && 2 ** -Infinity <=
-v7)) || (v5 <= 2 ** -Infinity && 2 ** -Infinity <= v5)) || !(Math.abs(v7) <=
+if (((((2 ** 126 <= v12 || v12 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
 return left;
@@ -534,8 +526,8 @@ const v4 = fround(fround(x * x) + fround(z * z));
 const v5 = fround((fround(fround(v0 * v0) + fround(v1 * v1))) - (fround(k0 * fround(ey - k2))));
 const v6 = fround(fround(v3 * v3) - (fround(fround(4 * v4) * v5)));
 margin[i] = v6;
-if (((v6 <= 2 ** -Infinity && 2 ** -Infinity <= v6) || !(((Math.abs(v6) < 2 ** 60 &&
-Math.abs(v3) < 2 ** 60) && 2 ** -60 < Math.abs(v4))))) open[left++] = i;
+if ((v6 === 0 || !(((Math.abs(v6) < 2 ** 60 && Math.abs(v3) < 2 ** 60) && 2 ** -60 <
+Math.abs(v4))))) open[left++] = i;
 }
 return left;
 };
