@@ -1,3 +1,4 @@
+import { GALLERY } from '../../src/state/gallery/index.ts';
 import { NO_SCENE, open, quantities, readable, settle, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
@@ -43,6 +44,40 @@ test.describe('without the picture', () => {
     await page.keyboard.press('h');
     await settle(page);
     expect((await quantities(page)).class).toBe('one');
+  });
+});
+
+test.describe('asked', () => {
+  test.use({ provoked: NO_SCENE });
+  test.beforeEach(({ page }) => withoutScene(page));
+
+  test('what is hidden and asked survives a reload; the answer and its gap come after', async ({
+    page,
+  }) => {
+    await page.goto(`./${LINK}&hide=1&ask=points`);
+    await page.locator('.predict-asks').waitFor();
+    await page.reload();
+    await expect(page.locator('.predict-asks')).toContainText('How many points');
+    await page.locator('[data-guess="1"]').click();
+    await expect(page.locator('.predict')).toContainText('There are 2 points: you said 1 too few.');
+    expect((await quantities(page)).class).toBe('two');
+    expect(await readable(page)).toContain('two points');
+  });
+
+  test('no example tells its answer while it is hidden', async ({ page }) => {
+    await page.goto(`./${LINK}&hide=1&ask=where`);
+    await page.locator('.predict-asks').waitFor();
+    for (const { id, link, title, look } of GALLERY) {
+      await open(page, `${link}&hide=1&ask=where`);
+      const words = await readable(page);
+      expect(words, id).not.toContain(look);
+      expect(await page.locator('.example-name strong').innerText(), id).not.toContain(title);
+      const shown = await quantities(page);
+      expect(
+        RESULTS.filter((name) => name in shown),
+        id,
+      ).toEqual([]);
+    }
   });
 });
 

@@ -6,8 +6,10 @@ import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
+import { late } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
+import type { PredictCard } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import './explore-page.css';
 import './projector.css';
@@ -44,6 +46,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     dispatch,
   );
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
+  const predict = latePredict(dispatch, changed);
   const narrow = matchMedia('(max-width: 559px)');
   const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
@@ -54,13 +57,16 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     const compact = narrow.matches || (large && wide.matches);
     const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);
     const body = compact ? html`${equations(model, dispatch)}${card}` : card;
-    return wide.matches ? html`${params}${body}` : html`${body}${params}`;
+    return wide.matches
+      ? html`${params}${predict.host}${body}`
+      : html`${predict.host}${body}${params}`;
   };
   return {
     scene,
     graph: () => graphArea.querySelector('svg'),
     render(model, tools) {
       const begun = performance.now();
+      predict.render(model);
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch);
       render(panelContent(model, card, tools.large), panel);
@@ -76,6 +82,36 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       wide.removeEventListener('change', changed);
       graph.dispose();
       scene.dispose();
+    },
+  };
+}
+
+/** What asks for a prediction is loaded when results are hidden for the first time. */
+function latePredict(
+  dispatch: Dispatch,
+  changed: () => void,
+): { readonly host: HTMLElement; render(model: ExploreModel): void } {
+  const host = document.createElement('div');
+  let card: PredictCard | null = null;
+  let asked = false;
+  const load = (): void => {
+    asked = true;
+    late(() => import('./predict-card.ts')).then(
+      ({ createPredictCard }) => {
+        card = createPredictCard(dispatch);
+        changed();
+      },
+      // Asked again with the next change.
+      () => {
+        asked = false;
+      },
+    );
+  };
+  return {
+    host,
+    render(model) {
+      if (card) card(host, model);
+      else if (model.state.revealed !== null && !asked) load();
     },
   };
 }

@@ -1,0 +1,181 @@
+import { courseOf } from '../../check/course.ts';
+import { MISCONCEPTIONS } from '../../check/misconceptions/index.ts';
+import type { Answers, Input } from '../../check/types.ts';
+import { work } from '../../check/work.ts';
+import type { Ask } from '../../state/ask.ts';
+import type { ExploreModel } from '../../state/derive.ts';
+import { display } from '../../text/format.ts';
+import { subscript } from '../../text/scripts.ts';
+
+/** An answer: the id of an option, or t of the mark that was put on the ray. */
+export type Guess = string | number;
+
+interface Option {
+  readonly id: string;
+  readonly title: string;
+}
+
+/** One thing that can be asked of a ray and a shape before the results are shown. */
+interface Question {
+  readonly id: Ask;
+  /** In the list of questions. */
+  readonly title: string;
+  readonly asks: string;
+  /** Whether the answer is a mark on the ray; the options are then for "nowhere". */
+  readonly marked: boolean;
+  readonly options: readonly Option[];
+  /** Whether it can be asked here: only a curved shape has a D. */
+  fits(curved: boolean): boolean;
+  /** The right answer, from what the course's formulas give, or a known mistake of them. */
+  answer(found: Answers): Guess | null;
+  /** How far off the guess is, in numbers. */
+  gap(guess: Guess, truth: Guess, found: Answers, length: number): string;
+}
+
+const ALL = 'all';
+/** Points that the line has in common with the shape, by the case. */
+const COUNTS: Readonly<Record<string, string>> = {
+  two: '2',
+  tangent: '1',
+  one: '1',
+  none: '0',
+  contained: ALL,
+};
+const option = (id: string, title = id): Option => ({ id, title });
+const always = (): boolean => true;
+const numberIn = (found: Answers, id: string): number | null => {
+  const value = found[id];
+  return typeof value === 'number' && !Number.isNaN(value) ? value : null;
+};
+const plural = (n: number, thing: string): string => `${n} ${thing}${n === 1 ? '' : 's'}`;
+
+const points: Question = {
+  id: 'points',
+  title: 'how many points',
+  asks: 'How many points does the whole line have in common with the shape?',
+  marked: false,
+  options: [option('0'), option('1'), option('2'), option(ALL, 'it lies in it')],
+  fits: always,
+  answer: (found) => COUNTS[String(found.case)] ?? null,
+  gap(guess, truth) {
+    if (truth === ALL) return 'The whole line lies in the surface or in the plane.';
+    const told = `There ${truth === '1' ? 'is' : 'are'} ${plural(Number(truth), 'point')}`;
+    if (guess === ALL) return `${told}, not a whole line.`;
+    const off = Number(guess) - Number(truth);
+    return `${told}: you said ${Math.abs(off)} too ${off > 0 ? 'many' : 'few'}.`;
+  },
+};
+
+const where: Question = {
+  id: 'where',
+  title: 'where',
+  asks: 'Where is the first visible hit? Put the mark there.',
+  marked: true,
+  options: [option('none', 'nowhere')],
+  fits: always,
+  answer: (found) => (found.first === 'none' ? 'none' : numberIn(found, 't')),
+  gap(guess, truth, _found, length) {
+    if (truth === 'none') return `Nothing is hit at t ≥ 0; your mark is at t = ${display(+guess)}.`;
+    if (guess === 'none') return `It is hit at t = ${display(Number(truth))}.`;
+    const off = Number(guess) - Number(truth);
+    const way = off > 0 ? 'beyond' : 'before';
+    const far = Math.abs(off) * length;
+    return `The hit is at t = ${display(Number(truth))}; your mark, at t = ${display(+guess)}, is ${display(Math.abs(off), 3)} ${way} it: ${display(far, 3)} units of length.`;
+  },
+};
+
+const first: Question = {
+  id: 'first',
+  title: 'which is first',
+  asks: 'Which root is the first visible hit?',
+  marked: false,
+  options: [option('t1', 't₁'), option('t2', 't₂'), option('none', 'none')],
+  fits: always,
+  answer: (found) => (typeof found.first === 'string' ? found.first : null),
+  gap(guess, truth, found) {
+    const name = (id: Guess): string => `t${subscript(Number(String(id).charAt(1)))}`;
+    const roots = ['t1', 't2'].flatMap((id) => {
+      const t = numberIn(found, id);
+      return t === null ? [] : [`${name(id)} = ${display(t)}`];
+    });
+    const told = roots.length > 0 ? `${roots.join(', ')}: ` : 'There is no root: ';
+    const right = truth === 'none' ? 'no hit is visible' : `${name(truth)} is the first with t ≥ 0`;
+    const own = guess !== 'none' && numberIn(found, String(guess)) === null;
+    return `${told}${right}${own ? `; there is no ${name(guess)}` : ''}.`;
+  },
+};
+
+const SIGNS = ['-', '0', '+'];
+
+const sign: Question = {
+  id: 'sign',
+  title: 'the sign of D',
+  asks: 'Which sign has D?',
+  marked: false,
+  options: [option('-', 'D < 0'), option('0', 'D = 0'), option('+', 'D > 0')],
+  fits: (curved) => curved,
+  answer(found) {
+    const D = numberIn(found, 'D');
+    return D === null ? null : (SIGNS[Math.sign(D) + 1] ?? null);
+  },
+  gap: (_guess, _truth, found) => `D = ${display(numberIn(found, 'D') ?? Number.NaN)}.`,
+};
+
+export const QUESTIONS: readonly Question[] = [points, where, first, sign];
+
+/** The question that is asked: the one of the link where it can be asked of this shape. */
+export function questionOf(ask: Ask | null, curved: boolean): Question {
+  return QUESTIONS.find(({ id, fits }) => id === ask && fits(curved)) ?? points;
+}
+
+/** How near a mark has to be to count as right, in parts of t. */
+const NEAR = 0.02;
+
+function same(guess: Guess, truth: Guess | null): boolean {
+  if (typeof guess !== 'number' || typeof truth !== 'number') return guess === truth;
+  return Math.abs(guess - truth) <= NEAR * Math.abs(truth);
+}
+
+export interface Judgement {
+  readonly right: boolean;
+  /** The gap in numbers. */
+  readonly gap: string;
+  /** A known mistake that gives the same answer, and what to look at again. */
+  readonly mistake: string | null;
+}
+
+/** What is to be said of a guess: exact, whatever method the page shows. */
+export function judgementOf(question: Question, guess: Guess, model: ExploreModel): Judgement {
+  const input: Input = { shape: model.shape, ray: model.ray };
+  const course = courseOf(input.shape);
+  const found = work(course, input);
+  const truth = question.answer(found);
+  if (truth === null)
+    return { right: false, gap: 'A number overflowed on the way.', mistake: null };
+  const right = same(guess, truth);
+  const length = Math.hypot(...input.ray.direction);
+  return {
+    right,
+    gap: question.gap(guess, truth, found, length),
+    mistake: right ? null : mistakeBehind(question, guess, input),
+  };
+}
+
+/** The lines in which a mistake counts as one about the question: almost any gives some answer. */
+const LINES: Readonly<Record<Ask, readonly string[]>> = {
+  points: ['case', 'D'],
+  where: ['first'],
+  first: ['first'],
+  sign: ['D'],
+};
+
+/** The first known mistake about the question whose formulas give this answer. */
+function mistakeBehind({ id, answer }: Question, guess: Guess, input: Input): string | null {
+  const course = courseOf(input.shape);
+  for (const { edit, line, says, remedy } of MISCONCEPTIONS) {
+    const edited = LINES[id].includes(line) ? edit(course) : null;
+    const given = edited && answer(work(edited, input));
+    if (given !== null && same(guess, given)) return `So it comes out with ${says}. ${remedy}`;
+  }
+  return null;
+}
