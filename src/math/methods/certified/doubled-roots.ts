@@ -77,6 +77,24 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   return putBoth(slot);
 }
 
+/**
+ * The verdict and the correctly rounded roots of a ray, where the bounds say which double is nearest:
+ * hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
+ */
+export function roundedRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  const verdict = plainRoots(q, ray, slot);
+  if (verdict === NONE) slot.t0 = slot.t1 = Number.NaN;
+  if (verdict !== TWO) return verdict;
+  return isRounded(solved, 0) && isRounded(solved, 3) ? TWO : UNKNOWN;
+}
+
+function isRounded(solved: Roots, k: number): boolean {
+  const hi = solved[k] as number;
+  const lo = solved[k + 1] as number;
+  const off = (1 + UU) * (solved[k + 2] as number);
+  return hi !== 0 && hi + (lo + off) === hi && hi + (lo - off) === hi;
+}
+
 /** Not where a root has vanished below the doubles, and its bound with it. */
 const isFaithful = (solved: Roots, k: number): boolean =>
   (solved[k + 2] as number) < FAITHFUL * Math.abs(solved[k] as number);
