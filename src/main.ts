@@ -34,7 +34,8 @@ const SAID_MS = 2500;
 const SINGLE_KEYS = 'graze.single-keys';
 const TITLE = document.title;
 const NOT_KEPT =
-  'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts until the page is closed. Programs and summaries can be saved by File and export';
+  'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +
+  'until the page is closed. Programs and summaries can be saved by File and export';
 
 const app = document.getElementById('app') as HTMLElement;
 const header = document.createElement('div');

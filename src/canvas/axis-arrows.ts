@@ -70,7 +70,8 @@ export function drawAxisArrows(
     if (!arrow || !axis) continue;
     const { from: spot, dx, dy, length } = arrow;
     const turn = (Math.atan2(dy, dx) * 180) / Math.PI;
-    const transform = `translate(${coordinate(spot.x)} ${coordinate(spot.y)}) rotate(${turn.toFixed(2)})`;
+    const transform =
+      `translate(${coordinate(spot.x)} ${coordinate(spot.y)}) ` + `rotate(${turn.toFixed(2)})`;
     const [from, to] = [coordinate(Math.min(START * scale, length / 2)), coordinate(length)];
     const shaft = `M${from} 0H${to}`;
     const names = { 'data-handle': handle.symbol, 'data-symbol': handle.symbol, 'data-axis': i };

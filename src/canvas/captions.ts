@@ -68,7 +68,9 @@ export function drawPointers(
     layer.show(`${pointer.key} arrow`, 'path', {
       class: `scene-pointer scene-tone-${pointer.tone}`,
       d: 'M0 0H14M9 -4.5L14 0L9 4.5',
-      transform: `translate(${coordinate(box.x + from * dx)} ${coordinate(box.y + from * dy)}) rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
+      transform:
+        `translate(${coordinate(box.x + from * dx)} ${coordinate(box.y + from * dy)}) ` +
+        `rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
     });
   }
   return boxes;
@@ -83,7 +85,9 @@ function write(
 ): void {
   const isLit = symbol === lit;
   const element = layer.show(`${key} ${tone} ${letter}`, 'text', {
-    class: `${letter.length > 1 ? 'scene-label scene-word' : 'scene-label'} scene-tone-${tone}${isLit ? ' lit' : ''}`,
+    class:
+      `${letter.length > 1 ? 'scene-label scene-word' : 'scene-label'} ` +
+      `scene-tone-${tone}${isLit ? ' lit' : ''}`,
     'data-symbol': symbol,
     x: box.x,
     y: box.y + theme.label * (sub ? 0.2 : 0.27),

@@ -60,7 +60,8 @@ export class DragHandles {
     const { handle, spot } = found;
     const isActive = held.active === handle.symbol;
     const { x, y } = middle(found, projection, scale);
-    const state = `${spot && isInside(spot, projection) ? '' : ' away'}${isActive && held.dragged ? ' dragged' : ''}`;
+    const place = spot && isInside(spot, projection) ? '' : ' away';
+    const state = `${place}${isActive && held.dragged ? ' dragged' : ''}`;
     this.#handles.show(
       handle.symbol,
       'g',

@@ -128,7 +128,8 @@ export function drawArrows(
       'data-symbol': symbols[0] ?? key,
       d,
       'stroke-width': 2.6 * size,
-      transform: `translate(${coordinate(from.x)} ${coordinate(from.y)}) rotate(${angle.toFixed(2)})`,
+      transform:
+        `translate(${coordinate(from.x)} ${coordinate(from.y)}) ` + `rotate(${angle.toFixed(2)})`,
     });
   }
   layer.end();

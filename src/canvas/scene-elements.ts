@@ -5,7 +5,8 @@ import { viewSwitcher } from './view-switcher.ts';
 const SVG = 'http://www.w3.org/2000/svg';
 const KEYS = 'Arrow keys turn it, plus and minus zoom, 0 goes back.';
 const HANDLE_KEYS =
-  'Left and right move it along x, up and down along y, Page Up and Page Down along z; with Shift in small steps.';
+  'Left and right move it along x, up and down along y, Page Up and Page Down along z; with ' +
+  'Shift in small steps.';
 
 let count = 0;
 

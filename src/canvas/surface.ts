@@ -31,7 +31,8 @@ void main() {
   float facing = abs(dot(normalize(up), normalize(eye - place)));
   float a = mix(opacity.x, opacity.y, pow(1.0 - min(facing, 1.0), 2.2)) * rest;
   // Half a step of noise hides the steps of eight bits in the fading.
-  a += (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 160.0;
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  a += (noise - 0.5) / 160.0;
   result = vec4(ink * a, a);
 }`;
 

@@ -48,7 +48,8 @@ export function drawTicks(
     const half = HALF * scale;
     // The one at t = 1 is the tip of d.
     if (t !== 1) {
-      strokes += `M${pair(spot.x - half * nx, spot.y - half * ny)}L${pair(spot.x + half * nx, spot.y + half * ny)}`;
+      const [x, y] = [half * nx, half * ny];
+      strokes += `M${pair(spot.x - x, spot.y - y)}L${pair(spot.x + x, spot.y + y)}`;
     }
     const isNear = (s: number, steps: number) => Math.abs(t - s) < steps * step;
     if (roots.some((root) => isNear(root, NEAR_ROOT))) continue;

@@ -25,9 +25,11 @@ export function bead(
   const isOff = t < model.from || t > model.to;
   return svg`
     <line class="graph-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>
-    <g class="graph-bead ${isOff ? 'graph-off' : ''}" data-symbol="t" transform="translate(${x},${y})"
+    <g class="graph-bead ${isOff ? 'graph-off' : ''}" data-symbol="t"
+      transform="translate(${x},${y})"
       role="slider" tabindex="0" aria-label="t on the ray" aria-valuemin=${Math.min(model.from, t)}
-      aria-valuemax=${Math.max(model.to, t)} aria-valuenow=${t} aria-valuetext=${inWords(model)} @keydown=${onKey}>
+      aria-valuemax=${Math.max(model.to, t)} aria-valuenow=${t} aria-valuetext=${inWords(model)}
+        @keydown=${onKey}>
       <circle class="graph-touch" r="22"></circle>
       <circle class="graph-focus" r=${10.5 * frame.mark}></circle>
       ${halo(5.6, frame.mark)}<circle class="graph-handle" r=${5.6 * frame.mark}></circle>
@@ -54,14 +56,21 @@ export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): Te
   const digits = frame.narrow ? 4 : 6;
   const part = (name: string, value: number, precision = 6) =>
     Number.isFinite(value)
-      ? html`<span data-quantity="bead.${name}" data-value=${shortest(value)}>${display(value, precision)}</span>`
+      ? html`<span data-quantity="bead.${name}"
+        data-value=${shortest(value)}>${display(value, precision)}</span>`
       : html`–`;
   if (!Number.isFinite(t)) return html``;
   const at = frame.narrow ? '' : `(${display(t)})`;
   const [x, y, z] = point;
-  return html`<p class="graph-readout ${frame.narrow ? 'graph-narrow' : ''}" .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`} title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
+  return html`<p class="graph-readout ${frame.narrow ? 'graph-narrow' : ''}"
+    .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`}
+      title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
     <span class="graph-key"></span>
     <span class="graph-value"><i>𝑓</i>(${part('t', t)}) = ${part('f', f)}</span>
-    <span><i>𝑅</i>${at} = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part('z', z, digits)})</span>
+    <span><i>𝑅</i>${at} = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part(
+      'z',
+      z,
+      digits,
+    )})</span>
   </p>`;
 }

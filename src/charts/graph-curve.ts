@@ -70,7 +70,8 @@ export function areaPath(parabola: Parabola, frame: Frame): string {
         piece.where === 'drawn'
           ? start(parabola, piece, frame) + arc(parabola, piece, frame)
           : `${point(frame, piece.from, LOWEST)}L${point(frame, piece.to, LOWEST)}`;
-      return `M${coordinate(place(frame, piece.from, 0).x)},${coordinate(zero)}L${edge}V${coordinate(zero)}Z`;
+      const [x, y] = [coordinate(place(frame, piece.from, 0).x), coordinate(zero)];
+      return `M${x},${y}L${edge}V${y}Z`;
     })
     .join('');
 }

@@ -33,9 +33,8 @@ export function roots(model: GraphModel, scales: Scales): TemplateResult {
     (p, q) => Number(p.role === 'first') - Number(q.role === 'first'),
   );
   return svg`${ordered.map(
-    (
-      root,
-    ) => svg`<g class="graph-root graph-${root.role}" data-symbol="t${root.index}" transform="translate(${coordinate(x(root.t))},${y})">
+    (root) => svg`<g class="graph-root graph-${root.role}" data-symbol="t${root.index}"
+      transform="translate(${coordinate(x(root.t))},${y})">
       ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em)}
     </g>`,
   )}`;
@@ -48,7 +47,8 @@ function mark({ role }: Root, scale: number): TemplateResult {
     return svg`${halo(7.2, scale)}<circle class="graph-ring" r=${6 * scale}></circle>`;
   const r = 4.6 * scale;
   const cross = `M${-r},${-r}L${r},${r}M${-r},${r}L${r},${-r}`;
-  return svg`<path class="graph-cross-halo" d=${cross}></path><path class="graph-cross" d=${cross}></path>`;
+  return svg`<path class="graph-cross-halo" d=${cross}></path><path class="graph-cross"
+    d=${cross}></path>`;
 }
 
 /** Two px of background around a mark keep it apart from the lines that it lies on. */
@@ -59,9 +59,10 @@ export function halo(radius: number, scale: number): TemplateResult {
 function label({ index, double }: Root, { side, dx, below }: Place, em: number): TemplateResult {
   const up = side === 'middle' ? 1.05 * em : 0.65 * em;
   const dy = below ? up + 0.85 * em : -up;
-  return svg`<text class="graph-name" text-anchor=${side} x=${coordinate(dx)} y=${coordinate(dy)}>𝑡<tspan class="graph-index" dy="0.22em">${index}</tspan>${
-    double ? svg`<tspan class="graph-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
-  }</text>`;
+  return svg`<text class="graph-name" text-anchor=${side} x=${coordinate(dx)}
+    y=${coordinate(dy)}>𝑡<tspan class="graph-index" dy="0.22em">${index}</tspan>${
+      double ? svg`<tspan class="graph-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
+    }</text>`;
 }
 
 /** Where the graph is not: above the axis it leaves the side free to which it falls. */

@@ -34,10 +34,22 @@ export function page(
   const note = noteOf(model, parabola);
   // The picture is a group, not an image: the bead within it must stay reachable.
   return html`<p class="graph-text" id="${id}-text">${model.description}</p>
-    <svg class="graph-svg" role="group" aria-label="graph of f on the ray" aria-describedby="${id}-text"
-      width=${frame.width} height=${frame.height} @pointerdown=${handlers.down} @pointermove=${handlers.move}
+    <svg class="graph-svg" role="group" aria-label="graph of f on the ray"
+      aria-describedby="${id}-text"
+      width=${frame.width} height=${frame.height} @pointerdown=${handlers.down}
+        @pointermove=${handlers.move}
       @pointerup=${handlers.up} @pointercancel=${handlers.cancel}>
-      ${scales ? svg`<g aria-hidden="true">${layers(model, scales, parabola, id)}</g>${bead(model, scales, parabola, handlers.key)}` : ''}
+      ${
+        scales
+          ? svg`<g
+        aria-hidden="true">${layers(model, scales, parabola, id)}</g>${bead(
+          model,
+          scales,
+          parabola,
+          handlers.key,
+        )}`
+          : ''
+      }
     </svg>
     ${readout(model, frame)}
     ${note === null ? '' : html`<p class="graph-note" .style=${`top:${frame.top}px`}>${note}</p>`}`;

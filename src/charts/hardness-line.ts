@@ -29,18 +29,44 @@ export function lineOf(
     line.first && line.points.find(({ difficulty }) => difficulty === line.first?.difficulty);
   return svg`<g class="plot-line" data-method=${line.id}
       role="slider" tabindex="0" aria-label=${line.name} aria-orientation="horizontal"
-      aria-valuemin=${model.range[0]} aria-valuemax=${model.range[1]} aria-valuenow=${picked ?? model.range[0]}
+      aria-valuemin=${model.range[0]} aria-valuemax=${model.range[1]}
+        aria-valuenow=${picked ?? model.range[0]}
       aria-valuetext=${wordsAt(line, picked ?? model.range[0])}
       @keydown=${(event: KeyboardEvent) => key(event, line, actions)}
       @click=${(event: MouseEvent) => click(event, line, x, actions)}>
     <path class=${`plot-path ${cls}`} stroke-dasharray=${style.dash} d=${path}></path>
-    ${end && last ? svg`<path class=${`plot-fall ${cls}`} d=${`M${px(last[0])},${px(last[1])}L${px(end[0])},${px(end[1])}`}></path>` : ''}
-    ${at.map(([cx, cy]) => svg`<path class=${style.full ? 'plot-shape full' : 'plot-shape'} transform=${`translate(${px(cx)},${px(cy)}) scale(${field.mark})`} d=${style.shape}></path>`)}
-    ${end ? svg`<path class="plot-cross" transform=${`translate(${px(end[0])},${px(end[1])})`} d="M-4.5,-4.5L4.5,4.5M-4.5,4.5L4.5,-4.5"></path>` : ''}
-    ${first ? svg`<path class="plot-first" transform=${`translate(${px(x(first.difficulty))},${px(y(first.digits))})`} d="M-3.5,-13L3.5,-6M-3.5,-6L3.5,-13"></path>` : ''}
+    ${
+      end && last
+        ? svg`<path class=${`plot-fall ${cls}`}
+      d=${`M${px(last[0])},${px(last[1])}L${px(end[0])},${px(end[1])}`}></path>`
+        : ''
+    }
+    ${at.map(
+      ([cx, cy]) => svg`<path class=${style.full ? 'plot-shape full' : 'plot-shape'}
+      transform=${`translate(${px(cx)},${px(cy)}) scale(${field.mark})`} d=${style.shape}></path>`,
+    )}
+    ${
+      end
+        ? svg`<path class="plot-cross" transform=${`translate(${px(end[0])},${px(end[1])})`}
+      d="M-4.5,-4.5L4.5,4.5M-4.5,4.5L4.5,-4.5"></path>`
+        : ''
+    }
+    ${
+      first
+        ? svg`<path class="plot-first"
+      transform=${`translate(${px(x(first.difficulty))},${px(y(first.digits))})`}
+        d="M-3.5,-13L3.5,-6M-3.5,-6L3.5,-13"></path>`
+        : ''
+    }
     ${picked === null ? '' : pickedRing(line, picked, x, y, field)}
-    <path class="plot-hit" d=${path + (end ? `${path ? 'L' : 'M'}${px(end[0])},${px(end[1])}` : '')}></path>
-    ${focus ? svg`<circle class="plot-focus" cx=${px(focus[0])} cy=${px(focus[1])} r=${14 * field.mark}></circle>` : ''}
+    <path class="plot-hit"
+      d=${path + (end ? `${path ? 'L' : 'M'}${px(end[0])},${px(end[1])}` : '')}></path>
+    ${
+      focus
+        ? svg`<circle class="plot-focus" cx=${px(focus[0])} cy=${px(focus[1])}
+      r=${14 * field.mark}></circle>`
+        : ''
+    }
   </g>`;
 }
 
@@ -52,7 +78,8 @@ function pickedRing(
   field: Field,
 ): TemplateResult {
   const point = line.points.find(({ difficulty }) => difficulty === picked);
-  return svg`<circle class="plot-ring" cx=${px(x(picked))} cy=${px(y(point?.digits ?? 0))} r=${10 * field.mark}></circle>`;
+  return svg`<circle class="plot-ring" cx=${px(x(picked))} cy=${px(y(point?.digits ?? 0))}
+    r=${10 * field.mark}></circle>`;
 }
 
 /** Where a line can be asked, from left to right. */

@@ -50,7 +50,8 @@ function endNames(model: HardnessModel, { y }: HardnessScales, field: Field): En
 
 function endName({ line, own, at }: EndName, chosen: string, field: Field): TemplateResult {
   const cls = line.id === chosen ? 'plot-name is-chosen' : 'plot-name quiet';
-  return svg`<line class="plot-leader" x1=${px(field.right + 5)} x2=${px(field.right + 1.1 * field.em)} y1=${px(own)} y2=${px(at)}></line>
+  return svg`<line class="plot-leader" x1=${px(field.right + 5)}
+    x2=${px(field.right + 1.1 * field.em)} y1=${px(own)} y2=${px(at)}></line>
     <text class=${cls} x=${px(nameLeft(field))} y=${px(at + 0.35 * field.em)}>${line.name}</text>`;
 }
 

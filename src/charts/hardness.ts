@@ -46,8 +46,13 @@ function plot(model: HardnessModel, field: Field, actions: HardnessActions): Tem
     .map((k) => ({ at: x(k), label: model.tick(k) }));
   const yTicks = [0, 4, 8, 12, 16].map((digits) => ({ at: y(digits), label: String(digits) }));
   const drawn = model.lines.map((line, i) => ({ line, style: styleOf(i) }));
-  return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.digitsTitle} against difficulty: ${model.dialTitle}`}>
-    ${axes(field, { ticks: xTicks, title: `${model.dialTitle} →` }, { ticks: yTicks, title: model.digitsTitle })}
+  return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group"
+    aria-label=${`${model.digitsTitle} against difficulty: ${model.dialTitle}`}>
+    ${axes(
+      field,
+      { ticks: xTicks, title: `${model.dialTitle} →` },
+      { ticks: yTicks, title: model.digitsTitle },
+    )}
     ${drawn.map(({ line, style }) => lineOf(line, style, model, scales, field, actions))}
     ${lineNames(model, scales, field)}
   </svg>`;

@@ -165,7 +165,8 @@ function sentence(lines: readonly OwnLine[], { follow }: Judged, firstWrong: Fie
   const aside = [
     ...(rounded.length > 0
       ? [
-          `${listed(rounded)} ${be(rounded)} right as far as ${rounded.length > 1 ? 'they go' : 'it goes'}: give more digits.`,
+          `${listed(rounded)} ${be(rounded)} right as far as ` +
+            `${rounded.length > 1 ? 'they go' : 'it goes'}: give more digits.`,
         ]
       : []),
     ...(unread.length > 0 ? [`${listed(unread)} could not be read.`] : []),

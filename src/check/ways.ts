@@ -37,7 +37,9 @@ const [A, B, C, D] = [scalar('A'), scalar('B'), scalar('C'), scalar('D')];
 
 const halfB: Way = {
   id: 'half-b',
-  says: 'b = B/2 in place of B: then the discriminant is b² − AC and the roots are (−b ± √(b² − AC))/A',
+  says:
+    'b = B/2 in place of B: then the discriminant is b² − AC and the roots are (−b ± √(b² − ' +
+    'AC))/A',
   evidence: 2,
   isOwn: false,
   edit: (course) =>

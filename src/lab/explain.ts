@@ -37,13 +37,19 @@ export function whyLost(step: Step): string {
     case 'zero':
       return `${name} is exactly 0: what comes out is what was rounded off before.`;
     case 'total':
-      return `${name}: ${leading(terms)}, ${shown(exact)}, is no larger than what was rounded off before: ${rest}.`;
+      return (
+        `${name}: ${leading(terms)}, ${shown(exact)}, is no larger than what was rounded ` +
+        `off before: ${rest}.`
+      );
     case 'cancellation': {
       const [share, cancel] =
         cause.digits === 1
           ? ['first digit', 'cancels']
           : [`first ${cause.digits} digits`, 'cancel'];
-      return `${name}: the ${share} of ${listed(terms)} ${cancel}, and what was rounded behind them moves to the front; ${rest}.`;
+      return (
+        `${name}: the ${share} of ${listed(terms)} ${cancel}, and what was rounded behind ` +
+        `them moves to the front; ${rest}.`
+      );
     }
     default:
       return `${name}: ${rest}, ${display(step.lost, 2)} fewer than went in.`;

@@ -158,6 +158,8 @@ export function commandFor(
   if (!control && !singleKeys && event.key.length === 1) return undefined;
   const needsKeys = target?.closest('input[type=range], [role=slider], [role=application], .scene');
   if (needsKeys && /^(Arrow|Page|Home|End)/.test(event.key)) return undefined;
-  const name = `${control ? 'Ctrl+' : ''}${event.shiftKey && /^[a-z]$/i.test(event.key) ? 'Shift+' : ''}${event.key.length === 1 ? event.key.toLowerCase() : event.key}`;
+  const shift = event.shiftKey && /^[a-z]$/i.test(event.key) ? 'Shift+' : '';
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const name = `${control ? 'Ctrl+' : ''}${shift}${key}`;
   return commands.find(({ keys, pages }) => keys.includes(name) && (pages?.includes(page) ?? true));
 }

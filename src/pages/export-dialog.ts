@@ -37,8 +37,15 @@ export function exportContent(
         ${items.map(
           (item) => html`<tr data-export=${item.id}>
             <th scope="row">${item.title}</th>
-            <td>${item.text ? html`<button type="button" class="button" aria-label=${`Copy ${item.title}`} @click=${() => actions.copy(item)}>Copy</button>` : ''}</td>
-            <td><button type="button" class="button" aria-label=${`Save ${item.title}`} @click=${() => actions.saveItem(item)}>Save</button></td>
+            <td>${
+              item.text
+                ? html`<button type="button" class="button"
+              aria-label=${`Copy ${item.title}`}
+                @click=${() => actions.copy(item)}>Copy</button>`
+                : ''
+            }</td>
+            <td><button type="button" class="button" aria-label=${`Save ${item.title}`}
+              @click=${() => actions.saveItem(item)}>Save</button></td>
           </tr>`,
         )}
       </tbody>

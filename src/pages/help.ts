@@ -25,7 +25,9 @@ export function helpContent(
         .filter(({ pages }) => pages?.includes(page) ?? true)
         .map(
           ({ title, keys }) =>
-            html`<div><dt>${keys.map((key, i) => html`${i > 0 ? ' or ' : ''}<kbd>${shown(key)}</kbd>`)}</dt><dd>${title}</dd></div>`,
+            html`<div><dt>${keys.map(
+              (key, i) => html`${i > 0 ? ' or ' : ''}<kbd>${shown(key)}</kbd>`,
+            )}</dt><dd>${title}</dd></div>`,
         )}
     </dl>
     <label class="choice-line"><input
@@ -35,11 +37,13 @@ export function helpContent(
     /> single letters and digits work as keys</label>
     <h3>Numbers</h3>
     <p>A box takes any number: <code>1/3</code>, <code>sqrt(2)</code>, <code>1e7</code>,
-      <code>-2^-40</code>, <code>0,5</code>. Three numbers pasted into a box of E, d, N, P, C or V fill
-      all three. Up and Down change it by a step, with Shift by a tenth. A click on a result shows all of its digits.</p>
+      <code>-2^-40</code>, <code>0,5</code >. Three numbers pasted into a box of E, d, N, P, C or
+      V fill all three. Up and Down change it by a step, with Shift by a tenth. A click on a
+      result shows all of its digits.</p>
     ${HELP[page]}
     <h3>Links and files</h3>
-    <p>The address holds the whole state and can be written by hand. A saved state can be dropped on the page.</p>
+    <p>The address holds the whole state and can be written by hand. A saved state can be dropped
+      on the page.</p>
     ${licences()}
   </div>`;
 }
@@ -48,10 +52,12 @@ export function helpContent(
 function licences(): TemplateResult {
   const kept = document.getElementById('third-party');
   if (kept instanceof HTMLTemplateElement) {
-    return html`<details class="licences"><summary>Licences of the packages and the font in this file</summary>
+    return html`<details
+      class="licences"><summary>Licences of the packages and the font in this file</summary>
       <pre tabindex="0">${kept.content.textContent}</pre></details>`;
   }
-  return html`<p class="licences"><a href="./THIRD-PARTY.txt" target="_blank" rel="noopener">Licences of the packages and the font in Graze</a></p>`;
+  return html`<p class="licences"><a href="./THIRD-PARTY.txt" target="_blank"
+    rel="noopener">Licences of the packages and the font in Graze</a></p>`;
 }
 
 const NAMES: Readonly<Record<string, string>> = {

@@ -32,12 +32,18 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
       <nav aria-label="Pages">
         ${PAGES.map(
           ({ id, title }) =>
-            html`<a class="tab" href=${encode({ ...state, page: id })} @click=${turnTo(id)} aria-current=${id === state.page ? 'page' : nothing}>${title}</a>`,
+            html`<a class="tab" href=${encode({ ...state, page: id })} @click=${turnTo(id)}
+              aria-current=${id === state.page ? 'page' : nothing}>${title}</a>`,
         )}
       </nav>
       <div class="tools">
         <span class="said" role="status">${tools.said}</span>
-        ${tool(tools, 'undo', 'Undo', !tools.canUndo)} ${tool(tools, 'redo', 'Redo', !tools.canRedo)}
+        ${tool(tools, 'undo', 'Undo', !tools.canUndo)} ${tool(
+          tools,
+          'redo',
+          'Redo',
+          !tools.canRedo,
+        )}
         <span class="divider"></span>
         ${tool(tools, 'link', 'Copy link')} ${tool(tools, 'export', 'File and export')}
         <span class="divider"></span>
@@ -51,7 +57,8 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
 function problems(state: AppState, dispatch: Dispatch): TemplateResult {
   return html`<div class="problems" role="alert">
     <p>${state.problems.join(' · ')}</p>
-    <button type="button" class="dismiss" @click=${() => dispatch({ type: 'dismiss' })}>Dismiss</button>
+    <button type="button" class="dismiss"
+      @click=${() => dispatch({ type: 'dismiss' })}>Dismiss</button>
   </div>`;
 }
 

@@ -22,7 +22,9 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
   const { posed, index, count, progress } = view;
   const asked = askedAt(progress, index);
   if (judged.verdict === 'invalid') {
-    return html`<div class="feedback" data-verdict="invalid"><p class="verdict"><span class="glyph" aria-hidden="true">?</span> Not all of it could be read; this was no try.</p>${mayBeHelped(asked) ? helpButtons(asked, view, tools) : nothing}</div>`;
+    return html`<div class="feedback" data-verdict="invalid"><p class="verdict"><span class="glyph"
+      aria-hidden="true">?</span> Not all of it could be read; this was no try.</p
+      >${mayBeHelped(asked) ? helpButtons(asked, view, tools) : nothing}</div>`;
   }
   const read = readAll(posed.fields, asked.texts);
   const { input } = drawnInput(posed, read);
@@ -38,7 +40,8 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
     : nothing;
   if (judged.verdict === 'rounded') {
     return html`<div class="feedback" data-verdict="rounded">
-      <p class="verdict"><span class="glyph" aria-hidden="true">≈</span> ${roundedVerdict(judged)} This was no try.</p>
+      <p class="verdict"><span class="glyph"
+        aria-hidden="true">≈</span> ${roundedVerdict(judged)} This was no try.</p>
       ${way}
       ${mayBeHelped(asked) ? helpButtons(asked, view, tools) : nothing}
     </div>`;
@@ -49,7 +52,12 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
       ${way}
       ${meaning ? html`<p>${meaning}</p>` : nothing}
       <div class="buttons">
-        ${index + 1 < count ? html`<button type="button" class="button primary" @click=${() => tools.go(index + 1)}>Next question</button>` : nothing}
+        ${
+          index + 1 < count
+            ? html`<button type="button" class="button primary"
+          @click=${() => tools.go(index + 1)}>Next question</button>`
+            : nothing
+        }
         ${solutionButton(asked, tools)}
       </div>
     </div>`;
@@ -59,9 +67,17 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
     posed.exercise.lines.includes(id) || causes.some(({ line }) => line === id);
   const edited = editedLines(causes, input).filter(({ id }) => isAbout(id));
   return html`<div class="feedback" data-verdict="wrong" data-cause=${ids(causes) || nothing}>
-    <p class="verdict"><span class="glyph" aria-hidden="true">≠</span> Not right.${causes.length > 0 ? ` ${namedCauses(causes)}` : ''}</p>
+    <p class="verdict"><span class="glyph"
+      aria-hidden="true">≠</span> Not right.${
+        causes.length > 0 ? ` ${namedCauses(causes)}` : ''
+      }</p>
     ${causes.map((cause) => html`<p>${whereAndWhat(cause, causes.length > 1)}</p>`)}
-    ${edited.length > 0 ? html`<p class="then">Then, as in your answer:</p>${derivationLines(edited, 'numbers')}` : nothing}
+    ${
+      edited.length > 0
+        ? html`<p
+      class="then">Then, as in your answer:</p>${derivationLines(edited, 'numbers')}`
+        : nothing
+    }
     ${way}
     ${meaning ? html`<p>${meaning}</p>` : nothing}
     ${helpButtons(asked, view, tools)}
@@ -122,8 +138,16 @@ export function helpButtons(
     form?.querySelector<HTMLElement>('input, select')?.focus();
   };
   return html`<div class="buttons">
-    ${tried ? html`<button type="button" class="button" @click=${again}>Try again</button>` : nothing}
-    <button type="button" class="button" ?disabled=${!left} @click=${tools.hint}>${left ? `Hint ${asked.hints + 1} of ${HINTS}` : 'No more hints'}</button>
+    ${
+      tried
+        ? html`<button type="button" class="button"
+      @click=${again}>Try again</button>`
+        : nothing
+    }
+    <button type="button" class="button" ?disabled=${!left}
+      @click=${tools.hint}>${
+        left ? `Hint ${asked.hints + 1} of ${HINTS}` : 'No more hints'
+      }</button>
     ${solutionButton(asked, tools)}
   </div>`;
 }
@@ -131,7 +155,8 @@ export function helpButtons(
 const solutionButton = (asked: Asked, tools: QuestionTools): TemplateResult | typeof nothing =>
   asked.solutionShown
     ? nothing
-    : html`<button type="button" class="button" @click=${tools.solution}>Show the solution</button>`;
+    : html`<button type="button" class="button"
+      @click=${tools.solution}>Show the solution</button>`;
 
 export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | typeof nothing {
   if (asked.hints === 0 && !asked.solutionShown) return nothing;
@@ -141,7 +166,12 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
     ${given.map(({ words, lines, layer }, i) => {
       // Each set of lines takes the place of the one before; the words stay.
       const shown = i === last && !asked.solutionShown && lines.length > 0;
-      return html`${words ? html`<p class="hint">Hint: ${words}</p>` : nothing}${shown ? derivationLines(lines, layer) : nothing}`;
+      return html`${
+        words
+          ? html`<p
+        class="hint">Hint: ${words}</p>`
+          : nothing
+      }${shown ? derivationLines(lines, layer) : nothing}`;
     })}
     ${asked.solutionShown ? solution(posed) : nothing}
   </div>`;
@@ -152,7 +182,9 @@ function solution(posed: Posed): TemplateResult {
   const { lines, decision } = solutionOf(posed);
   const answers = posed.fields.map(
     (field, i) =>
-      html`${i > 0 ? ', ' : nothing}${field.label} ${field.kind === 'choice' ? '' : '= '}${solved(field, posed.truth[field.id])}`,
+      html`${i > 0 ? ', ' : nothing}${field.label} ${
+        field.kind === 'choice' ? '' : '= '
+      }${solved(field, posed.truth[field.id])}`,
   );
   return html`<section class="solution" aria-label="Solution">
     <h3>Solution</h3>

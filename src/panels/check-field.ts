@@ -57,6 +57,9 @@ function choice({ field, id, text, mark, onText }: FieldView): TemplateResult {
     @change=${(event: Event) => onText((event.target as HTMLSelectElement).value)}
   >
     <option value="" ?selected=${text === ''}>choose…</option>
-    ${field.options.map(({ id: value, title }) => html`<option value=${value} ?selected=${text === value}>${title}</option>`)}
+    ${field.options.map(
+      ({ id: value, title }) => html`<option value=${value}
+      ?selected=${text === value}>${title}</option>`,
+    )}
   </select>`;
 }

@@ -38,7 +38,8 @@ function item(letter: string, sort: 'vector' | 'scalar', words: string): Templat
   const name = /^[a-zA-Z]$/.test(letter)
     ? symbol(letter, null, cls, letter)
     : html`<span>normal along</span>`;
-  return html`<li>${name}${/^[a-zA-Z]$/.test(letter) ? ' = ' : ' '}<span class=${cls}>${words}</span></li>`;
+  return html`<li>${name}${/^[a-zA-Z]$/.test(letter) ? ' = ' : ' '}<span
+    class=${cls}>${words}</span></li>`;
 }
 
 /** An answer that is told: all the digits that paper needs. */

@@ -18,7 +18,11 @@ type Layer = 'symbols' | 'numbers';
 
 /** Lines of a derivation, one under the other; each may break between its layers. */
 export function derivationLines(lines: readonly Line[], layer: Layer): TemplateResult {
-  return html`<ul class="lines" tabindex="0" aria-label="Lines of the derivation">${lines.map((line) => html`<li data-line=${line.id}>${written(line, layer)}</li>`)}</ul>`;
+  return html`<ul class="lines" tabindex="0"
+    aria-label="Lines of the derivation">${lines.map(
+      (line) => html`<li
+      data-line=${line.id}>${written(line, layer)}</li>`,
+    )}</ul>`;
 }
 
 function written(line: Line, layer: Layer): TemplateResult {
@@ -32,7 +36,14 @@ function written(line: Line, layer: Layer): TemplateResult {
     return html`${formula(typesetRelation(relation))}${
       layer === 'symbols'
         ? nothing
-        : html` <span class="put-in">${rounded}${formula(mathml`${side(relation.left)}<mo>${relation.relation}</mo>${side(relation.right)}`)}</span>${values.length === 2 && holds !== null ? html` <span class="result">${sides(relation, values, holds)}</span>` : nothing}`
+        : html` <span
+          class="put-in">${rounded}${formula(mathml`${side(relation.left)}<mo
+          >${relation.relation}</mo>${side(relation.right)}`)}</span>${
+            values.length === 2 && holds !== null
+              ? html` <span
+              class="result">${sides(relation, values, holds)}</span>`
+              : nothing
+          }`
     }`;
   }
   const name = letter ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : nothing;
@@ -43,7 +54,10 @@ function written(line: Line, layer: Layer): TemplateResult {
   const [only, ...others] = exprs;
   if (only && others.length === 0 && !worked) {
     const pieces = typesetNumbersInPieces(only, numbers, digits);
-    return html`${symbols} <span class="put-in">${pieces.map((piece, i) => html`${formula(i === 0 ? mathml`${equals}${piece}` : piece)} `)}</span>
+    return html`${symbols} <span
+      class="put-in">${pieces.map(
+        (piece, i) => html`${formula(i === 0 ? mathml`${equals}${piece}` : piece)} `,
+      )}</span>
       <span class="result">${result(line, sign)}</span>`;
   }
   const all = row(exprs.map((expr) => typesetNumbers(expr, numbers, { worked, digits })));
@@ -84,14 +98,19 @@ function worths(trees: readonly Expr[], numbers: Line['numbers']): number[] {
 function sides({ relation }: Relation, values: readonly number[], holds: boolean): TemplateResult {
   const [left = 0, right = 0] = values;
   const digits = comparableDigits(left, right, holds) ?? 6;
-  return html`that is ${formula(mathml`${typesetNumber(left, digits)}<mo>${relation}</mo>${typesetNumber(right, digits)}`)}: ${holds ? 'true' : 'false'}`;
+  return html`that is ${formula(
+    mathml`${typesetNumber(left, digits)}<mo>${relation}</mo>${typesetNumber(right, digits)}`,
+  )}: ${holds ? 'true' : 'false'}`;
 }
 
 /** One tree as it is, three as a triple. */
 function row(parts: readonly TemplateResult[]): TemplateResult {
   const [only, ...others] = parts;
   if (only && others.length === 0) return only;
-  return mathml`<mo stretchy="false">(</mo>${parts.map((part, i) => mathml`${i > 0 ? mathml`<mo>,</mo>` : nothing}${part}`)}<mo stretchy="false">)</mo>`;
+  return mathml`<mo
+    stretchy="false">(</mo>${parts.map(
+      (part, i) => mathml`${i > 0 ? mathml`<mo>,</mo>` : nothing}${part}`,
+    )}<mo stretchy="false">)</mo>`;
 }
 
 function result({ id, values, exprs }: Line, sign: '=' | '≈'): TemplateResult | string {

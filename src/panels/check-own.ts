@@ -43,7 +43,9 @@ export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): 
     event.preventDefault();
     tools.check();
   }}>
-    <p class="ask">Type what you have for this ${definitionOf(input.shape).title} and ray, as far as you got. A dash says that a quantity does not exist.</p>
+    <p class="ask"
+    >Type what you have for this ${definitionOf(input.shape).title} and ray, as far as you got. A
+    dash says that a quantity does not exist.</p>
     ${inputRow(input)}
     <div class="own-fields">${ownFields(input).map((field) => {
       const line = lineOf(field.id);
@@ -70,8 +72,10 @@ export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): 
 function verdict(report: OwnReport, input: Input): TemplateResult {
   const { says, firstWrong, causes, way } = report;
   const edited = editedLines(causes, input);
-  return html`<div class="feedback" data-verdict=${firstWrong ? 'wrong' : 'correct'} data-cause=${ids(causes) || nothing}>
-    <p class="verdict"><span class="glyph" aria-hidden="true">${firstWrong ? '≠' : '='}</span> ${says}</p>
+  return html`<div class="feedback" data-verdict=${firstWrong ? 'wrong' : 'correct'}
+    data-cause=${ids(causes) || nothing}>
+    <p class="verdict"><span class="glyph"
+      aria-hidden="true">${firstWrong ? '≠' : '='}</span> ${says}</p>
     ${way ? html`<p>What is marked right is right with ${way.says}.</p>` : nothing}
     ${causes.length > 0 ? html`<p>${namedCauses(causes)}</p>` : nothing}
     ${causes.map((cause) => html`<p>${whereAndWhat(cause, causes.length > 1)}</p>`)}

@@ -10,7 +10,10 @@ export function programHead(view: ProgramView, tools: ProgramTools): TemplateRes
     <h2>Your program</h2>
     <label class="kind"><span class="visually-hidden">for which shape</span>
       <select @change=${(event: Event) => tools.pick((event.target as HTMLSelectElement).value)}>
-        ${SHAPES.map(({ kind, title }) => html`<option value=${kind} ?selected=${view.kind === kind}>${title}</option>`)}
+        ${SHAPES.map(
+          ({ kind, title }) => html`<option value=${kind}
+          ?selected=${view.kind === kind}>${title}</option>`,
+        )}
         <option value="all" ?selected=${view.kind === 'all'}>${view.all}</option>
       </select>
     </label>
@@ -44,7 +47,8 @@ export function editor(view: ProgramView, tools: ProgramTools): TemplateResult {
     </div>
     <p class="refusal" id="program-refusal" role="alert">${refusal || nothing}${
       view.unshown
-        ? html` <button type="button" class="link" @click=${tools.saveUnshown}>Save it as a file</button>`
+        ? html` <button type="button" class="link"
+          @click=${tools.saveUnshown}>Save it as a file</button>`
         : nothing
     }</p>
     <div class="buttons">
@@ -78,10 +82,13 @@ function follow(event: Event): void {
 export function exchange(tools: ProgramTools): TemplateResult {
   return html`<details class="exchange">
     <summary>A program in C++, Python, Java, …</summary>
-    <p>Save the cases, let your program answer them, and open its results here (or drop the file on the page).</p>
+    <p>Save the cases, let your program answer them, and open its results here (or drop the file on
+    the page).</p>
     <div class="buttons">
-      <button type="button" class="button small" @click=${() => tools.saveCases('json')}>Cases as JSON</button>
-      <button type="button" class="button small" @click=${() => tools.saveCases('csv')}>Cases as CSV</button>
+      <button type="button" class="button small"
+        @click=${() => tools.saveCases('json')}>Cases as JSON</button>
+      <button type="button" class="button small"
+        @click=${() => tools.saveCases('csv')}>Cases as CSV</button>
       <button type="button" class="button small" @click=${tools.openResults}>Open results</button>
     </div>
     ${FORMAT_WORDS.map((words) => html`<p class="tolerance">${words}</p>`)}

@@ -19,7 +19,9 @@ export function questionHead(view: QuestionView, tools: QuestionTools): Template
       (line, i) => html`<li><button
         type="button"
         class="dash"
-        data-done=${line.solvedAt !== null ? 'right' : line.tries > 0 || line.solutionShown ? 'tried' : 'open'}
+        data-done=${
+          line.solvedAt !== null ? 'right' : line.tries > 0 || line.solutionShown ? 'tried' : 'open'
+        }
         aria-current=${i === index ? 'step' : nothing}
         aria-label=${`Question ${i + 1}, ${line.topic}, ${line.shape}: ${line.says}`}
         title=${`${i + 1}: ${line.topic}, ${line.says}`}
@@ -36,7 +38,10 @@ export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
     const text = new FormData(event.target as HTMLFormElement).get('seed');
     const wanted = Number(text);
     if (Number.isSafeInteger(wanted)) tools.seed(wanted);
-  }}><label>seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}" title="a whole number of up to nine digits" .value=${String(seed)} @change=${(event: Event) => (event.target as HTMLInputElement).form?.requestSubmit()} /></label></form>`;
+  }}><label>seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}"
+    title="a whole number of up to nine digits" .value=${String(seed)}
+      @change=${(event: Event) => (event.target as HTMLInputElement).form?.requestSubmit()}
+        /></label></form>`;
 }
 
 export function questionText({ posed }: QuestionView): TemplateResult {

@@ -14,7 +14,9 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
   return html`<div class="program-report" data-finished=${view.finished}>
     ${
       running
-        ? html`<div class="progress"><progress max=${running.total} value=${running.done} aria-label="cases that came back"></progress> <span>case ${running.done} of ${running.total}</span></div>`
+        ? html`<div class="progress"><progress max=${running.total} value=${running.done}
+          aria-label="cases that came back"></progress> <span
+          >case ${running.done} of ${running.total}</span></div>`
         : nothing
     }
     <div role="status" aria-live="polite">
@@ -45,11 +47,18 @@ function summary(report: Report, view: ProgramView): TemplateResult {
 
 function score({ id, title, passed, total, others }: GroupScore): TemplateResult {
   return html`<li><span class="group-name">${title}</span>
-    <strong data-quantity=${`passed.${id}`} data-value=${passed} data-total=${total}>${passed} of ${total}</strong>${
-      others.length > 0
-        ? html` <span class="tolerance">${others.map(({ method, passed: right }, i) => html`${i > 0 ? ', ' : nothing}${method}: <span data-quantity=${`passed.${id}.${method}`} data-value=${right}>${right}</span>`)}</span>`
-        : nothing
-    }</li>`;
+    <strong data-quantity=${`passed.${id}`} data-value=${passed}
+      data-total=${total}>${passed} of ${total}</strong>${
+        others.length > 0
+          ? html` <span
+          class="tolerance">${others.map(
+            ({ method, passed: right }, i) => html`${
+              i > 0 ? ', ' : nothing
+            }${method}: <span data-quantity=${`passed.${id}.${method}`}
+              data-value=${right}>${right}</span>`,
+          )}</span>`
+          : nothing
+      }</li>`;
 }
 
 /** Quartiles farther apart than this say more of the machine than of the program. */
@@ -63,8 +72,14 @@ function time({ timing, untimed }: ProgramView): TemplateResult | typeof nothing
   const quantity = (words: string): TemplateResult =>
     html`<span data-quantity="multiple" data-value=${median}>${words}</span>`;
   return high / low > STEADY
-    ? html`<p class="tolerance">Its time is too unsteady to tell: ${quantity(range)} times the textbook method’s, in the middle half of the rounds.</p>`
-    : html`<p class="tolerance">It takes ${quantity(display(median, 2))} times the textbook method’s time (${range} in the middle half of the rounds).</p>`;
+    ? html`<p
+      class="tolerance"
+      >Its time is too unsteady to tell: ${quantity(range)} times the textbook method’s, in the
+      middle half of the rounds.</p>`
+    : html`<p
+      class="tolerance">It takes ${quantity(
+        display(median, 2),
+      )} times the textbook method’s time (${range} in the middle half of the rounds).</p>`;
 }
 
 function finding(one: Finding, i: number, view: ProgramView): TemplateResult {
@@ -73,8 +88,17 @@ function finding(one: Finding, i: number, view: ProgramView): TemplateResult {
   const where = `${view.kind === 'all' ? `${shapes}, ` : ''}${BRANCHES[branch]}`;
   const agree = branch === 'hard' ? 'nearly all that it changes' : `all ${cases}`;
   return html`<div class="feedback">
-    <p class="verdict"><span class="glyph" aria-hidden="true">≠</span> <span>${i === 0 ? 'It looks like' : 'And like'} <span data-cause=${flaw.id}>${flaw.says}</span>${or ? html`, or like <span data-cause=${or.id}>${or.says}</span>` : nothing}.</span></p>
-    <p>Of the cases ${where}, ${agree} come out just as they do with ${or ? 'either' : 'it'}; it changes ${changed} of ${cases}. It happens on ${lineName(flaw.line)}. ${flaw.remedy}</p>
+    <p class="verdict"><span class="glyph"
+      aria-hidden="true">≠</span> <span>${i === 0 ? 'It looks like' : 'And like'} <span
+        data-cause=${flaw.id}>${flaw.says}</span>${
+          or
+            ? html`, or like <span
+          data-cause=${or.id}>${or.says}</span>`
+            : nothing
+        }.</span></p>
+    <p>Of the cases ${where}, ${agree} come out just as they do with ${
+      or ? 'either' : 'it'
+    }; it changes ${changed} of ${cases}. It happens on ${lineName(flaw.line)}. ${flaw.remedy}</p>
   </div>`;
 }
 
@@ -87,18 +111,24 @@ function consoleLines(lines: readonly ConsoleLine[]): TemplateResult {
   });
   return html`<details class="console" open>
     <summary>Console</summary>
-    <pre tabindex="0" role="region" aria-label="What your program wrote on its console">${written.join('\n')}</pre>
+    <pre tabindex="0" role="region"
+      aria-label="What your program wrote on its console">${written.join('\n')}</pre>
   </details>`;
 }
 
 function families(report: Report, view: ProgramView, tools: ProgramTools): TemplateResult {
   const { families: rows, groups, common } = report;
-  return html`<div class="table-area" tabindex="0" role="region" aria-label="Results by family"><table class="families">
-    <thead><tr><th scope="col">family</th><th scope="col">right</th><th scope="col"><span class="visually-hidden">share</span></th><th scope="col">digits</th><th scope="col">what happened</th></tr></thead>
+  return html`<div class="table-area" tabindex="0" role="region"
+    aria-label="Results by family"><table class="families">
+    <thead><tr><th scope="col">family</th><th scope="col">right</th><th scope="col"><span
+      class="visually-hidden">share</span></th><th scope="col">digits</th><th
+        scope="col">what happened</th></tr></thead>
     ${groups.map(
       ({ id, title }) => html`<tbody>
         <tr class="family-group"><th scope="rowgroup" colspan="5">${title}</th></tr>
-        ${rows.filter(({ group }) => group === id).map((row) => familyRow(row, common, view, tools))}
+        ${rows
+          .filter(({ group }) => group === id)
+          .map((row) => familyRow(row, common, view, tools))}
       </tbody>`,
     )}
   </table></div>`;
@@ -112,12 +142,20 @@ function familyRow(
 ): TemplateResult {
   const { group, family, passed, total, digits, says } = row;
   const good = passed === total;
-  return html`<tr data-group=${group} data-family=${family} data-passed=${passed} data-total=${total} data-selected=${row.first !== null && row.first === view.selected ? 'true' : nothing}>
+  return html`<tr data-group=${group} data-family=${family} data-passed=${passed}
+    data-total=${total}
+      data-selected=${row.first !== null && row.first === view.selected ? 'true' : nothing}>
     <th scope="row"><span class="glyph" aria-hidden="true">${good ? '✓' : '✕'}</span> ${family}</th>
     <td><strong>${passed}</strong> of ${total}</td>
-    <td><meter min="0" max=${total} value=${passed} aria-label=${`${passed} of ${total}`}></meter></td>
+    <td><meter min="0" max=${total} value=${passed}
+      aria-label=${`${passed} of ${total}`}></meter></td>
     <td>${digits === null ? '–' : Math.floor(digits)}</td>
-    <td>${says === common ? nothing : says}${row.first ? html` <button type="button" class="link" @click=${() => row.first && tools.select(row.first)}>show</button>` : nothing}</td>
+    <td>${says === common ? nothing : says}${
+      row.first
+        ? html` <button type="button" class="link"
+      @click=${() => row.first && tools.select(row.first)}>show</button>`
+        : nothing
+    }</td>
   </tr>`;
 }
 
@@ -127,7 +165,9 @@ function failure({ case: one, output, verdict }: Failure, { link }: ProgramView)
     <h3>A failing case <span class="family">${definitionOf(one.shape).title}, ${one.family}</span>
       ${link ? html`<a class="link" href=${link}>See it in Explore</a>` : nothing}</h3>
     ${inputRow(one)}
-    <p>expected: <strong>${expected ? listed(expected.t, expected.class) : 'an error, or no t'}</strong></p>
+    <p>expected: <strong>${
+      expected ? listed(expected.t, expected.class) : 'an error, or no t'
+    }</strong></p>
     <p>returned: <strong>${returned(output)}</strong></p>
     <p>${verdict.says}</p>
   </section>`;

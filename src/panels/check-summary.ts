@@ -17,7 +17,9 @@ export function summaryTable(
     <summary>Summary: ${right} of ${total} right, set ${set}, seed ${seed}</summary>
     <div class="table-area" tabindex="0" role="region" aria-label="Summary of the session">
     <table>
-      <thead><tr><th scope="col">#</th><th scope="col">topic</th><th scope="col">shape</th><th scope="col">result</th><th scope="col">hints</th><th scope="col">named on the way</th></tr></thead>
+      <thead><tr><th scope="col">#</th><th scope="col">topic</th><th scope="col">shape</th><th
+        scope="col">result</th><th scope="col">hints</th><th
+          scope="col">named on the way</th></tr></thead>
       <tbody>${lines.map(
         (line) => html`<tr>
           <td>${line.question}</td>

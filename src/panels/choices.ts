@@ -19,14 +19,19 @@ export function tabs(
   return html`<div class="tabs" role="group" aria-label=${label}>
     ${all.map(
       ({ id, title }) =>
-        html`<button type="button" class="tab-choice" aria-pressed=${id === chosen} @click=${() => choose(id)}>${title}</button>`,
+        html`<button type="button" class="tab-choice" aria-pressed=${id === chosen}
+          @click=${() => choose(id)}>${title}</button>`,
     )}
     ${
       more.length > 0
-        ? html`<select class=${other ? 'tab-more chosen' : 'tab-more'} aria-label=${`${label}: more`}
+        ? html`<select class=${other ? 'tab-more chosen' : 'tab-more'}
+          aria-label=${`${label}: more`}
             @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
             ${other ? '' : html`<option value="" .selected=${live(true)} disabled>more …</option>`}
-            ${more.map(({ id, title }) => html`<option value=${id} .selected=${live(id === chosen)}>${title}</option>`)}
+            ${more.map(
+              ({ id, title }) => html`<option value=${id}
+              .selected=${live(id === chosen)}>${title}</option>`,
+            )}
           </select>`
         : ''
     }

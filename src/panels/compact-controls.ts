@@ -42,7 +42,8 @@ export function compactControls(
 /** The ray, the surface's equation and what its numbers mean, which the dock has no room for. */
 export function equations(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { derivation, meaning } = model;
-  return html`${rayHeader(model, dispatch)}<p class="surface-line">${formula(typesetRelation(derivation.surface))}
+  return html`${rayHeader(model, dispatch)}<p
+    class="surface-line">${formula(typesetRelation(derivation.surface))}
     <span class="meaning">${meaning}</span></p>`;
 }
 
@@ -57,7 +58,8 @@ function tab(
     type === 'axis'
       ? html`<span class="axis-name">normal</span>`
       : symbol(letter, null, cls, letter);
-  return html`<button type="button" class="tab-param ${cls}" aria-pressed=${pressed} data-symbol=${letter} @click=${pick}>
+  return html`<button type="button" class="tab-param ${cls}" aria-pressed=${pressed}
+    data-symbol=${letter} @click=${pick}>
     ${name} <span class="tab-value">${shown(value, letter, quantities)}</span>
   </button>`;
 }
@@ -72,5 +74,7 @@ function shown(value: Handle['value'], letter: string, quantities: boolean): Tem
   };
   if (typeof value !== 'object') return one(letter, value);
   const v: Vec3 = value;
-  return html`(${AXES.map((axis, i) => html`${i > 0 ? ', ' : nothing}${one(`${letter}.${axis}`, v[i] ?? 0)}`)})`;
+  return html`(${AXES.map(
+    (axis, i) => html`${i > 0 ? ', ' : nothing}${one(`${letter}.${axis}`, v[i] ?? 0)}`,
+  )})`;
 }

@@ -11,7 +11,12 @@ import './digit-bar.css';
 export function markedNumber({ right, wrong, exponent }: Marked): TemplateResult {
   return html`<span class="marked">${right ? html`<b>${right}</b>` : ''}${
     wrong ? html`<span class="wrong-digits">${wrong}</span>` : ''
-  }${exponent === null ? '' : html`<span class="power"> · 10${superscript(exponent)}</span>`}</span>`;
+  }${
+    exponent === null
+      ? ''
+      : html`<span
+    class="power"> · 10${superscript(exponent)}</span>`
+  }</span>`;
 }
 
 /** Sixteen cells, as many of them filled as digits are right. */
@@ -19,7 +24,8 @@ function digitBar(count: number): TemplateResult {
   const cells = Array.from(
     { length: PLACES },
     (_, i) =>
-      svg`<rect class=${i < count ? 'one-digit full' : 'one-digit'} x=${9 * i} width="7" height="14"></rect>`,
+      svg`<rect class=${i < count ? 'one-digit full' : 'one-digit'} x=${9 * i} width="7"
+        height="14"></rect>`,
   );
   return html`<svg class="digit-bar" viewBox="0 0 142 14" aria-hidden="true">${cells}</svg>`;
 }
@@ -34,7 +40,8 @@ export function digitCell(digits: number | null, quantity: string | null): Templ
   }
   const count = digitCount(digits);
   return html`<span class="digit-cell">
-    <b class="count" data-quantity=${quantity ?? nothing} data-value=${shortest(Math.min(digits, MOST_DIGITS))}>${count}</b>
+    <b class="count" data-quantity=${quantity ?? nothing}
+      data-value=${shortest(Math.min(digits, MOST_DIGITS))}>${count}</b>
     ${digitBar(count)}
   </span>`;
 }

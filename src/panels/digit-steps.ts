@@ -17,12 +17,18 @@ import './digit-steps.css';
 export function digitSteps(title: string, { steps, worst }: Losses): TemplateResult {
   return html`<div class="steps">
     <p class="steps-verdict" role="status">
-      ${worst ? html`<b>${title}</b>: ${whyLost(worst)}` : html`<b>${title}</b>: no step loses digits worth telling.`}
+      ${
+        worst
+          ? html`<b>${title}</b>: ${whyLost(worst)}`
+          : html`<b>${title}</b>: no step loses digits worth telling.`
+      }
     </p>
     <div class="steps-scroll" role="region" tabindex="0" aria-label="Steps">
       <table aria-label=${`Intermediate values of ${title}`}>
         <thead>
-          <tr><th scope="col">step</th><th scope="col">value</th><th scope="col">digits that are right</th><th scope="col">exactly</th><th scope="col">lost here</th></tr>
+          <tr><th scope="col">step</th><th scope="col">value</th><th
+            scope="col">digits that are right</th><th scope="col">exactly</th><th
+              scope="col">lost here</th></tr>
         </thead>
         <tbody>${steps.map((step) => stepRow(step, step === worst))}</tbody>
       </table>
@@ -36,12 +42,20 @@ function stepRow(step: Step, isWorst: boolean): TemplateResult {
   const count = digits === null ? 0 : digitCount(digits);
   return html`<tr class=${isWorst ? 'worst' : ''} data-step=${step.text}>
     <th scope="row">
-      <span class="visually-hidden">${letter && letter !== expr ? `${plainText(letter)} = ` : ''}${step.text}</span>
+      <span class="visually-hidden">${
+        letter && letter !== expr ? `${plainText(letter)} = ` : ''
+      }${step.text}</span>
       <span aria-hidden="true">${formula(mathml`${name}${typesetSymbols(expr)}`)}</span></th>
-    <td data-value=${Number.isNaN(own) ? nothing : shortest(own)}>${Number.isNaN(own) ? 'not a number' : markedNumber(markDigits(own, count))}</td>
+    <td data-value=${Number.isNaN(own) ? nothing : shortest(own)}>${
+      Number.isNaN(own) ? 'not a number' : markedNumber(markDigits(own, count))
+    }</td>
     <td>${digitCell(digits, null)}</td>
     <td class="exactly">${exactly(exact)}</td>
-    <td class="lost">${lost >= 0.5 ? html`${isWorst ? html`<b>◀ ${display(lost, 2)} digits</b>` : `${display(lost, 2)}`}` : nothing}</td>
+    <td class="lost">${
+      lost >= 0.5
+        ? html`${isWorst ? html`<b>◀ ${display(lost, 2)} digits</b>` : `${display(lost, 2)}`}`
+        : nothing
+    }</td>
   </tr>`;
 }
 

@@ -2,7 +2,8 @@ import { html, mathml, type TemplateResult } from 'lit';
 
 /** A formula in the line of text. */
 export function formula(content: TemplateResult, display = false): TemplateResult {
-  return html`<math class="formula" display=${display ? 'block' : 'inline'}>${mathml`<mrow>${content}</mrow>`}</math>`;
+  return html`<math class="formula"
+    display=${display ? 'block' : 'inline'}>${mathml`<mrow>${content}</mrow>`}</math>`;
 }
 
 /** A symbol with an optional subscript, coloured and lit by its class and name. */
@@ -13,7 +14,10 @@ export function symbol(
   lights: string,
 ): TemplateResult {
   const inner = sub
-    ? mathml`<msub class=${cls} data-symbol=${lights}><mi>${base}</mi>${/\d/.test(sub) ? mathml`<mn>${sub}</mn>` : mathml`<mi>${sub}</mi>`}</msub>`
+    ? mathml`<msub class=${cls}
+      data-symbol=${lights}><mi>${base}</mi>${
+        /\d/.test(sub) ? mathml`<mn>${sub}</mn>` : mathml`<mi>${sub}</mi>`
+      }</msub>`
     : mathml`<mi class=${cls} data-symbol=${lights}>${base}</mi>`;
   return formula(inner);
 }

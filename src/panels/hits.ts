@@ -56,8 +56,10 @@ function column(
   const text = cut ? `${own}; cut off in the scene` : own;
   const rejected = role === 'outside';
   const exactT = exact && exactBeside(t, exact.t);
-  return html`<section class="hit hit-${role}" data-fate=${cut ? 'cut' : nothing} aria-label=${`Root ${index}: ${text}`}>
-    <p class="chip" data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
+  return html`<section class="hit hit-${role}" data-fate=${cut ? 'cut' : nothing}
+    aria-label=${`Root ${index}: ${text}`}>
+    <p class="chip"
+      data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
     <p class="row t" data-symbol=${`t${n}`}>
       <span class="name">${symbol('t', n, 'sym', `t${n}`)}</span>
       ${value(rejected ? 't' : `t${n}`, t, { text: shown.text, keeps: true })}
@@ -85,7 +87,8 @@ function row(
     return text ? [`${axis} ${text}`] : [];
   });
   const length = v.reduce((sum, x) => sum + display(x).length, 0);
-  return html`<p class="row ${letter} ${length > LENGTH ? 'fine' : ''}" data-symbol=${`${letter}${n}`}>
+  return html`<p class="row ${letter} ${length > LENGTH ? 'fine' : ''}"
+    data-symbol=${`${letter}${n}`}>
     <span class="name">${symbol(letter, n, cls, `${letter}${n}`)}</span>
     ${AXES.map((axis, i) => value(`${quantity}.${axis}`, v[i] ?? 0))}
     ${beside.length > 0 ? html`<span class="beside">exact: ${beside.join(', ')}</span>` : nothing}
@@ -106,5 +109,6 @@ function mark(role: HitRole): TemplateResult {
     role === 'first' || role === 'other'
       ? svg`<circle r="5.4" class=${role} />`
       : svg`<path d="M-5-5L5 5M-5 5L5-5" class="cross" />`;
-  return html`<svg class="mark" viewBox="-8 -8 16 16" width="15" height="15" aria-hidden="true">${drawn}</svg>`;
+  return html`<svg class="mark" viewBox="-8 -8 16 16" width="15" height="15"
+    aria-hidden="true">${drawn}</svg>`;
 }

@@ -73,10 +73,15 @@ function nudge(
     move(step);
   };
   return html`<span class="nudge" @keydown=${key}>
-    <button type="button" aria-label=${`${name} one double down`} @click=${() => move(nextDown)}>−</button>
-    <span class="nudge-name ${classOf(symbol, axis ? 'vector' : 'scalar')}">${symbol}${axis ? html`<sub>${axis}</sub>` : ''}</span>
-    <span class="nudge-value" data-quantity=${name} data-value=${shortest(value)}>${displayAll(value)}</span>
-    <button type="button" aria-label=${`${name} one double up`} @click=${() => move(nextUp)}>+</button>
+    <button type="button" aria-label=${`${name} one double down`}
+      @click=${() => move(nextDown)}>−</button>
+    <span class="nudge-name ${classOf(symbol, axis ? 'vector' : 'scalar')}">${symbol}${
+      axis ? html`<sub>${axis}</sub>` : ''
+    }</span>
+    <span class="nudge-value" data-quantity=${name}
+      data-value=${shortest(value)}>${displayAll(value)}</span>
+    <button type="button" aria-label=${`${name} one double up`}
+      @click=${() => move(nextUp)}>+</button>
   </span>`;
 }
 

@@ -28,9 +28,18 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
   const sizes: readonly string[] = SIZES.includes(size as never) ? SIZES : [...SIZES, size];
   return html`<div class="bar-choices">
       <label class="choice-scene">scene:
-        <select @change=${(e: Event) => tools.set({ scene: chosenIn(e), pixel: '', on: '', off: '' })}>
-          ${isPacked(sceneText) ? html`<option value=${sceneText} selected>${scene.title}, edited</option>` : nothing}
-          ${PRESETS.map(({ id, scene: preset }) => html`<option value=${id} ?selected=${id === sceneText}>${preset.title}</option>`)}
+        <select
+          @change=${(e: Event) => tools.set({ scene: chosenIn(e), pixel: '', on: '', off: '' })}>
+          ${
+            isPacked(sceneText)
+              ? html`<option value=${sceneText}
+            selected>${scene.title}, edited</option>`
+              : nothing
+          }
+          ${PRESETS.map(
+            ({ id, scene: preset }) => html`<option value=${id}
+            ?selected=${id === sceneText}>${preset.title}</option>`,
+          )}
         </select></label>
       ${picker(
         'size',
@@ -56,12 +65,17 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
       }
     </div>
     <div class="bar-acts">
-      <button type="button" class="plain-button" aria-pressed=${against !== null} @click=${tools.compare}>Compare</button>
-      <button type="button" class="plain-button" title="The picture as PNG; the scene and the ledger: 'File and export' in the header" @click=${tools.save}>Save</button>
+      <button type="button" class="plain-button" aria-pressed=${against !== null}
+        @click=${tools.compare}>Compare</button>
+      <button type="button" class="plain-button"
+        title="The picture as PNG; the scene and the ledger: 'File and export' in the header"
+          @click=${tools.save}>Save</button>
       ${
         tools.isTracing
-          ? html`<button type="button" class="plain-button primary" @click=${tools.cancel}>Cancel</button>`
-          : html`<button type="button" class="plain-button primary" @click=${tools.again}>Trace again</button>`
+          ? html`<button type="button" class="plain-button primary"
+            @click=${tools.cancel}>Cancel</button>`
+          : html`<button type="button" class="plain-button primary"
+            @click=${tools.again}>Trace again</button>`
       }
     </div>`;
 }
@@ -73,7 +87,10 @@ function picker(
   pick: (value: string) => void,
 ): TemplateResult {
   return html`<select aria-label=${label} @change=${(e: Event) => pick(chosenIn(e))}>
-    ${options.map(([value, words]) => html`<option value=${value} ?selected=${value === current}>${words}</option>`)}
+    ${options.map(
+      ([value, words]) => html`<option value=${value}
+      ?selected=${value === current}>${words}</option>`,
+    )}
   </select>`;
 }
 

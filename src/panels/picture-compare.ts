@@ -60,7 +60,8 @@ function side(
     const { value } = event.target as HTMLSelectElement;
     if (value !== '=') pick(value);
   };
-  return html`<select class="side side-${name}" aria-label=${`${name} side`} title=${words} @change=${changed}>
+  return html`<select class="side side-${name}" aria-label=${`${name} side`} title=${words}
+    @change=${changed}>
     ${[...more, ...options].map(
       ({ value, words: text }) =>
         html`<option value=${value} ?selected=${value === current}>${text}</option>`,
@@ -85,16 +86,34 @@ export function comparisonWords(
   const cause = causeWords(settings, against);
   return html`<p class="compare-sentence">${
     found
-      ? html`<strong data-quantity="differing" data-value=${found.differing} title=${`${grouped(found.differing)} of ${grouped(found.pixels)} pixels`}>${found.differing === 0 ? 'None' : percent(found.differing, found.pixels)}</strong> of the pixels differ${found.differing > 0 ? html` (${grouped(found.differing)})` : nothing}. `
+      ? html`<strong data-quantity="differing" data-value=${found.differing}
+        title=${`${grouped(found.differing)} of ${grouped(found.pixels)} pixels`}
+        >${
+          found.differing === 0 ? 'None' : percent(found.differing, found.pixels)
+        }</strong> of the pixels differ${
+          found.differing > 0 ? html` (${grouped(found.differing)})` : nothing
+        }. `
       : nothing
   }${cause}</p>
   <p class="compare-counts">${found ? counts(found, trustsLeft ? 'right' : 'left') : nothing}
-    <span class="show-switch" role="group" aria-label="what is shown">${switchTo('both', 'side by side')}${switchTo('errors', 'error map')}</span>
+    <span class="show-switch" role="group"
+      aria-label="what is shown">${switchTo('both', 'side by side')}${switchTo(
+        'errors',
+        'error map',
+      )}</span>
   </p>
-  ${show === 'errors' ? html`<p class="compare-key">Black: another surface, or none. Dark grey: another colour. Paler: only digits of t differ. Empty: the same bits.</p>` : nothing}`;
+  ${
+    show === 'errors'
+      ? html`<p
+    class="compare-key"
+    >Black: another surface, or none. Dark grey: another colour. Paler: only digits of t differ.
+    Empty: the same bits.</p>`
+      : nothing
+  }`;
 
   function switchTo(what: 'both' | 'errors', words: string): TemplateResult {
-    return html`<button type="button" aria-pressed=${show === what} @click=${() => tools.show(what)}>${words}</button>`;
+    return html`<button type="button" aria-pressed=${show === what}
+      @click=${() => tools.show(what)}>${words}</button>`;
   }
 }
 
@@ -105,12 +124,22 @@ function counts(
 ): TemplateResult {
   const lost = Number.isNaN(mostDigits)
     ? nothing
-    : html`; where both hit the same, <span data-quantity="digits" data-value=${shortest(mostDigits)}>${mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`}</span> of t lost`;
+    : html`; where both hit the same, <span data-quantity="digits"
+      data-value=${shortest(mostDigits)}>${
+        mostDigits === 0 ? 'no digit' : `at most ${display(mostDigits, 3)} digits`
+      }</span> of t lost`;
   const count = (name: string, n: number): TemplateResult =>
     html`<span data-quantity=${name} data-value=${n}>${grouped(n)}</span>`;
   const kinds =
     verdicts > 0
-      ? html`: on the ${side} ${count('holes', holes)} lose their hit, ${count('ghosts', ghosts)} hit where nothing is, ${count('others', others)} hit another surface`
+      ? html`: on the ${side} ${count('holes', holes)} lose their hit, ${count(
+          'ghosts',
+          ghosts,
+        )} hit where nothing is, ${count('others', others)} hit another surface`
       : nothing;
-  return html`<span class="counts">${count('verdicts', verdicts)} other verdicts of camera rays${kinds}${lost}</span>`;
+  return html`<span
+    class="counts">${count(
+      'verdicts',
+      verdicts,
+    )} other verdicts of camera rays${kinds}${lost}</span>`;
 }

@@ -47,7 +47,8 @@ export function editor(
       ${scene.things.map((thing) =>
         part(
           thing.id,
-          html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d=${findShape(thing.shape.kind)?.icon ?? ''} /></svg>`,
+          html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path
+            d=${findShape(thing.shape.kind)?.icon ?? ''} /></svg>`,
           thingWords(thing),
           edit === thing.id ? thingForm(scene, thing, tools.change) : null,
           tools,
@@ -68,20 +69,41 @@ export function editor(
           () => tools.remove(light.id),
         ),
       )}
-      ${part(CAMERA, EYE, `${scene.camera.angle}°`, edit === CAMERA ? cameraForm(scene, tools.change) : null, tools, null)}
-      ${part(WORLD, nothing, 'what a ray sees that meets nothing', edit === WORLD ? worldForm(scene, tools.change) : null, tools, null)}
+      ${part(
+        CAMERA,
+        EYE,
+        `${scene.camera.angle}°`,
+        edit === CAMERA ? cameraForm(scene, tools.change) : null,
+        tools,
+        null,
+      )}
+      ${part(
+        WORLD,
+        nothing,
+        'what a ray sees that meets nothing',
+        edit === WORLD ? worldForm(scene, tools.change) : null,
+        tools,
+        null,
+      )}
     </ul>
     <div class="adding" role="group" aria-label="Add a shape">
       <span>Add</span>
       ${SHAPES.map(
         ({ kind, title, icon }) =>
-          html`<button type="button" class="add" title=${`add a ${title}`} aria-label=${`add a ${title}`} @click=${() =>
-            tools.add((now) => {
-              const thing = newThing(now, kind);
-              return [addThing(now, thing), thing.id];
-            })}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon} /></svg></button>`,
+          html`<button type="button" class="add" title=${`add a ${title}`}
+            aria-label=${`add a ${title}`} @click=${() =>
+              tools.add((now) => {
+                const thing = newThing(now, kind);
+                return [addThing(now, thing), thing.id];
+              })}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon}
+              /></svg></button>`,
       )}
-      <button type="button" class="textual" @click=${() => tools.add((now) => [addShape(now, explored), freeId(now, explored.kind)])}>the ${definitionOf(explored).named(explored).name} of Explore</button>
+      <button type="button" class="textual"
+        @click=${() =>
+          tools.add((now) => [
+            addShape(now, explored),
+            freeId(now, explored.kind),
+          ])}>the ${definitionOf(explored).named(explored).name} of Explore</button>
     </div>
     <div class="adding" role="group" aria-label="Add a light">
       <span>Add</span>
@@ -107,14 +129,26 @@ function part(
   const name = id === CAMERA ? 'camera' : id === WORLD ? 'background' : id;
   return html`<li class="part" data-part=${id}>
     <div class="part-line">
-      <button type="button" class="part-name" aria-expanded=${form !== null} @click=${() => tools.edit(form ? null : id)}>
-        <span class="part-icon">${icon}</span><strong>${name}</strong><span class="part-words">${words}</span>
+      <button type="button" class="part-name" aria-expanded=${form !== null}
+        @click=${() => tools.edit(form ? null : id)}>
+        <span class="part-icon">${icon}</span><strong>${name}</strong><span
+          class="part-words">${words}</span>
       </button>
-      ${take ? html`<button type="button" class="textual" aria-label=${`remove ${name}`} @click=${take}>remove</button>` : nothing}
+      ${
+        take
+          ? html`<button type="button" class="textual" aria-label=${`remove ${name}`}
+        @click=${take}>remove</button>`
+          : nothing
+      }
     </div>
     ${form ? html`<div class="part-form">${form}</div>` : nothing}
   </li>`;
 }
 
-const LAMP = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d="M12 3v3M12 18v3M3 12h3M18 12h3M5.6 5.6l2.2 2.2M16.200 16.200l2.200 2.200M5.600 18.400l2.200-2.200M16.200 7.800l2.200-2.200M15.500 12a3.500 3.500 0 1 1-7 0a3.500 3.500 0 1 1 7 0" /></svg>`;
-const EYE = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d="M3 12C6 7 9 5.500 12 5.500S18 7 21 12C18 17 15 18.500 12 18.500S6 17 3 12M15 12a3 3 0 1 1-6 0a3 3 0 1 1 6 0" /></svg>`;
+const LAMP = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path
+  d="M12 3v3M12 18v3M3 12h3M18 12h3M5.6 5.6l2.2 2.2M16.200 16.200l2.200 2.200
+    M5.600 18.400l2.200-2.200M16.200 7.800l2.200-2.200
+    M15.500 12a3.500 3.500 0 1 1-7 0a3.500 3.500 0 1 1 7 0" /></svg>`;
+const EYE = html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path
+  d="M3 12C6 7 9 5.500 12 5.500S18 7 21 12C18 17 15 18.500 12 18.500S6 17 3 12
+    M15 12a3 3 0 1 1-6 0a3 3 0 1 1 6 0" /></svg>`;

@@ -33,8 +33,10 @@ export function numberField({
   };
   return html`<div class="field" @graze-value=${take}>
     <span class="field-label" aria-hidden="true">${label}</span>
-    <graze-number id=${`field-${slug(label)}`} .value=${value} .step=${step} .label=${label} .check=${check}></graze-number>
-    <graze-slider .value=${value} .least=${range[0]} .most=${range[1]} .step=${step} .label=${`${label}, slider`}></graze-slider>
+    <graze-number id=${`field-${slug(label)}`} .value=${value} .step=${step} .label=${label}
+      .check=${check}></graze-number>
+    <graze-slider .value=${value} .least=${range[0]} .most=${range[1]} .step=${step}
+      .label=${`${label}, slider`}></graze-slider>
   </div>`;
 }
 
@@ -63,13 +65,16 @@ export function tripleField({
   const take = (edit: (now: Vec3) => Vec3): void => {
     if (check(edit) === null) send(edit);
   };
-  return html`<div class="field triple" role="group" aria-label=${label} @graze-triple=${(e: CustomEvent<Vec3>) => take(() => e.detail)}>
+  return html`<div class="field triple" role="group" aria-label=${label}
+    @graze-triple=${(e: CustomEvent<Vec3>) => take(() => e.detail)}>
     <span class="field-label">${label}</span>
     ${AXES.map((axis, i) => {
       const name = `${label}, ${names?.[i] ?? axis}`;
-      return html`<span class="field-part" @graze-value=${(e: CustomEvent<number>) => take(put(i, e.detail))}>
+      return html`<span class="field-part"
+        @graze-value=${(e: CustomEvent<number>) => take(put(i, e.detail))}>
         <span class="axis" aria-hidden="true">${names?.[i] ?? axis}</span>
-        <graze-number id=${`field-${slug(name)}`} .value=${value[i] ?? 0} .step=${step} .label=${name} .check=${(x: number) => check(put(i, x))}></graze-number>
+        <graze-number id=${`field-${slug(name)}`} .value=${value[i] ?? 0} .step=${step}
+          .label=${name} .check=${(x: number) => check(put(i, x))}></graze-number>
       </span>`;
     })}
   </div>`;
@@ -80,7 +85,8 @@ export function colourField(
   value: string,
   send: (value: string) => void,
 ): TemplateResult {
-  return html`<label class="field-colour"><input type="color" .value=${value} @input=${(e: Event) => send((e.target as HTMLInputElement).value)} /> ${label}</label>`;
+  return html`<label class="field-colour"><input type="color" .value=${value}
+    @input=${(e: Event) => send((e.target as HTMLInputElement).value)} /> ${label}</label>`;
 }
 
 export function checkField(
@@ -88,7 +94,8 @@ export function checkField(
   value: boolean,
   send: (value: boolean) => void,
 ): TemplateResult {
-  return html`<label class="field-check"><input type="checkbox" .checked=${live(value)} @change=${(e: Event) => send((e.target as HTMLInputElement).checked)} /> ${label}</label>`;
+  return html`<label class="field-check"><input type="checkbox" .checked=${live(value)}
+    @change=${(e: Event) => send((e.target as HTMLInputElement).checked)} /> ${label}</label>`;
 }
 
 export function choiceField<W extends string>(
@@ -99,7 +106,10 @@ export function choiceField<W extends string>(
 ): TemplateResult {
   return html`<label class="field-choice">${label}
     <select @change=${(e: Event) => send((e.target as HTMLSelectElement).value as W)}>
-      ${options.map(([id, words]) => html`<option value=${id} ?selected=${id === value}>${words}</option>`)}
+      ${options.map(
+        ([id, words]) => html`<option value=${id}
+        ?selected=${id === value}>${words}</option>`,
+      )}
     </select></label>`;
 }
 

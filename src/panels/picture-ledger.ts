@@ -42,7 +42,9 @@ export function ledger(
   const { camera, simulated, idle, total, pixels } = model;
   return html`<table class="ledger">
       <thead>
-        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th scope="col">rays</th><th scope="col">solves</th><th scope="col">ms</th><th scope="col">pixels it changes</th></tr>
+        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th
+          scope="col">rays</th><th scope="col">solves</th><th scope="col">ms</th><th
+            scope="col">pixels it changes</th></tr>
       </thead>
       <tbody class="entry" data-effect="camera">
         <tr>
@@ -110,7 +112,10 @@ function under(
   const words = cost ? `${percent(share, 1)} of the time` : '';
   return html`<tr class="why"><td colspan="5">
       <span class="reason-line"><span>${reason}</span>${toggle}</span>
-      <svg class="bar" viewBox="0 0 1000 8" preserveAspectRatio="none" role="img" aria-label=${words || 'not traced yet'} data-quantity="share" data-value=${shortest(share)}><title>${words}</title><rect class="part" x=${1000 * from} y="0" width=${1000 * share} height="8" /></svg>
+      <svg class="bar" viewBox="0 0 1000 8" preserveAspectRatio="none" role="img"
+        aria-label=${words || 'not traced yet'} data-quantity="share"
+          data-value=${shortest(share)}><title>${words}</title><rect class="part" x=${1000 * from}
+            y="0" width=${1000 * share} height="8" /></svg>
     </td></tr>`;
 }
 
@@ -125,7 +130,8 @@ const needWords = ({ needed, leftOut }: LedgerRow): string =>
   needed ? 'needed' : leftOut ? 'left out' : 'not needed';
 
 function needed(row: LedgerRow): TemplateResult {
-  return html`<span class="visually-hidden" data-quantity="needed" data-value=${String(row.needed)}>, ${needWords(row)}</span>`;
+  return html`<span class="visually-hidden" data-quantity="needed"
+    data-value=${String(row.needed)}>, ${needWords(row)}</span>`;
 }
 
 /** What the columns count, and why the times add up to more than what the clock showed. */
@@ -134,9 +140,16 @@ function countWords(
   took: Pick<Progress, 'msSpent' | 'workers'> | null,
 ): TemplateResult {
   const clock = took
-    ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`}`
+    ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${
+        took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`
+      }`
     : nothing;
-  return html`<p class="ledger-kinds">A surface was asked about a ray <span data-quantity="questions" data-value=${questions}>${grouped(questions)}</span> times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}): often none is needed to say that a line misses a shape, and finite heights need the second one.
+  return html`<p class="ledger-kinds">A surface was asked about a ray <span
+    data-quantity="questions"
+      data-value=${questions}>${grouped(questions)}</span
+      > times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}):
+      often none is needed to say that a line misses a shape, and finite heights need the second
+      one.
     ms: the work of all workers added up (${msWords(ms)})${clock}.</p>`;
 }
 
@@ -155,8 +168,15 @@ function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateRe
   const off = row.forced === 'off';
   const lost = row.pixels === null ? nothing : html`; ${changed(row, pixels)} of the pixels differ`;
   return html`<li class="idle-row" data-effect=${row.id}>
-    ${DASH}<span class="idle-name">${row.title}${needed(row)}<span class="visually-hidden" data-quantity="rays" data-value="0">, 0 rays</span></span>
-    <span class="idle-reason">${off ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}` : row.leftOut ? html`<strong>left out</strong>: ${row.reason}` : row.reason}</span>
+    ${DASH}<span class="idle-name">${row.title}${needed(row)}<span class="visually-hidden"
+      data-quantity="rays" data-value="0">, 0 rays</span></span>
+    <span class="idle-reason">${
+      off
+        ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}`
+        : row.leftOut
+          ? html`<strong>left out</strong>: ${row.reason}`
+          : row.reason
+    }</span>
     ${off ? button(row, 'no', RELEASE, tools) : button(row, 'on', 'force on', tools)}
   </li>`;
 }
@@ -167,27 +187,32 @@ function button(
   words: string,
   tools: LedgerTools,
 ): TemplateResult {
-  return html`<button type="button" class="textual" aria-label=${`${title}: ${words}`} @click=${() => tools.force(id, how)}>${words}</button>`;
+  return html`<button type="button" class="textual" aria-label=${`${title}: ${words}`}
+    @click=${() => tools.force(id, how)}>${words}</button>`;
 }
 
 function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | typeof nothing {
   if (total.rays === 0) return nothing;
   return html`Rays: ${of.map((row, i) => html`${i > 0 ? ' · ' : ''}${kindWords(row)}`)};
-    <span data-quantity="rays.saved" data-value=${saved}>${grouped(saved)} not fired, since they could bring less than half a level of 255</span>${
-      cut > 0 ? html`, ${grouped(cut)} not fired after the last bounce` : nothing
-    }`;
+    <span data-quantity="rays.saved"
+      data-value=${saved}
+      >${grouped(saved)} not fired, since they could bring less than half a level of 255</span>${
+        cut > 0 ? html`, ${grouped(cut)} not fired after the last bounce` : nothing
+      }`;
 }
 
 /** Where two effects fire rays of one kind, each says how many. */
 function kindWords({ kind, rays, parts }: KindRow): TemplateResult {
   const several = parts.every((part) => part.rays > 0) && parts.length > 1;
   const words = parts.map((part) => `${grouped(part.rays)} ${part.words}`).join(', ');
-  return html`<span data-quantity="rays.${kind}" data-value=${rays}>${grouped(rays)} ${kind}</span>${several ? ` (${words})` : ''}`;
+  return html`<span data-quantity="rays.${kind}"
+    data-value=${rays}>${grouped(rays)} ${kind}</span>${several ? ` (${words})` : ''}`;
 }
 
 function measureLine({ measure, unmeasured, isMeasuring }: LedgerTools): TemplateResult {
   if (isMeasuring)
     return html`<p class="measure" role="status">counting the pixels that each effect changes…</p>`;
   if (unmeasured === 0) return html`<p class="measure"></p>`;
-  return html`<p class="measure"><button type="button" class="textual" @click=${measure}>count the pixels that each changes</button>, by tracing once without it</p>`;
+  return html`<p class="measure"><button type="button" class="textual"
+    @click=${measure}>count the pixels that each changes</button>, by tracing once without it</p>`;
 }

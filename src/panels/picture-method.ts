@@ -37,7 +37,10 @@ function startRow(current: string, dispatch: Dispatch): TemplateResult {
     <select @change=${pick} .value=${current}>
       ${texts.map(
         (text) =>
-          html`<option value=${text} ?selected=${text === current}>${START_WORDS[text] ?? startWords(readStart(text))}</option>`,
+          html`<option value=${text}
+            ?selected=${text === current}>${
+              START_WORDS[text] ?? startWords(readStart(text))
+            }</option>`,
       )}
     </select>
   </label>`;

@@ -52,16 +52,25 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
   const other = chosen === null ? undefined : find(left, chosen);
   const open = row ?? rows[0];
   return html`<div class="pixel-head">
-      <h2><svg class="pixel-sign" viewBox="0 0 14 14" width="13" height="13" aria-hidden="true"><rect x="2" y="2" width="10" height="10" /></svg> Pixel ${x}, ${y}</h2>
+      <h2><svg class="pixel-sign" viewBox="0 0 14 14" width="13" height="13"
+        aria-hidden="true"><rect x="2" y="2" width="10" height="10" /></svg> Pixel ${x}, ${y}</h2>
       ${samplePicker(model, tools)}
-      <span class="pixel-links">${open ? openLink(open, model.method, 'Open this ray in Explore') : nothing}
+      <span class="pixel-links">${
+        open ? openLink(open, model.method, 'Open this ray in Explore') : nothing
+      }
       <button type="button" class="textual" @click=${tools.close}>close</button></span>
     </div>
-    <div class="rays-room" tabindex="0" role="region" aria-label="rays of the pixel"><table class="rays">
+    <div class="rays-room" tabindex="0" role="region" aria-label="rays of the pixel"><table
+      class="rays">
       <thead class=${left ? '' : 'visually-hidden'}><tr>
         <th scope="col"><span class="visually-hidden">ray</span></th>
         ${left ? html`<th scope="col">${model.leftWords}</th>` : nothing}
-        <th scope="col">${left ? model.rightWords : html`<span class="visually-hidden">what became of it</span>`}</th>
+        <th scope="col">${
+          left
+            ? model.rightWords
+            : html`<span
+          class="visually-hidden">what became of it</span>`
+        }</th>
         <th scope="col" class="weight">weight</th>
       </tr></thead>
       <tbody>
@@ -83,14 +92,25 @@ function line(
   if (!row) return nothing;
   const same = left && right && text(left) === text(right);
   const words = RAY_WORDS[row.kind];
-  return html`<tr data-ray=${path} data-kind=${row.kind} class=${model.chosen === path ? 'chosen' : ''}>
+  return html`<tr data-ray=${path} data-kind=${row.kind}
+    class=${model.chosen === path ? 'chosen' : ''}>
     <th scope="row" class="depth-${Math.min(row.depth, 6)}">
-      <button type="button" class="ray-name" aria-pressed=${model.chosen === path} @click=${() => tools.choose(path)}>${swatch(row.kind)} ${row.group ? html`${row.group.count} shadow rays` : words}</button>
-      ${row.group ? html`<button type="button" class="textual" aria-expanded=${model.opened.has(path)} @click=${() => tools.toggle(path)}>${model.opened.has(path) ? 'fold' : 'each'}</button>` : nothing}
+      <button type="button" class="ray-name" aria-pressed=${model.chosen === path}
+        @click=${() => tools.choose(path)}>${swatch(row.kind)} ${
+          row.group ? html`${row.group.count} shadow rays` : words
+        }</button>
+      ${
+        row.group
+          ? html`<button type="button" class="textual"
+        aria-expanded=${model.opened.has(path)}
+          @click=${() => tools.toggle(path)}>${model.opened.has(path) ? 'fold' : 'each'}</button>`
+          : nothing
+      }
     </th>
     ${model.left ? html`<td>${left ? outcome(left) : none()}</td>` : nothing}
     <td>${same ? 'the same' : right ? outcome(right, row.t) : none()}</td>
-    <td class="weight" data-quantity="weight" data-value=${shortest(row.weight)}>${weightWords(row.weight)}</td>
+    <td class="weight" data-quantity="weight"
+      data-value=${shortest(row.weight)}>${weightWords(row.weight)}</td>
   </tr>`;
 }
 
@@ -101,14 +121,17 @@ function isAcne(a: TreeRow | undefined, b: TreeRow | undefined): boolean {
   return a?.kind === 'shadow' && b?.kind === 'shadow' && own(a) !== own(b);
 }
 
-const LESSON = html`<p class="pixel-lesson">More digits do not cure this: the stored point is rounded, and lies a little inside.</p>`;
+const LESSON = html`<p
+  class="pixel-lesson"
+  >More digits do not cure this: the stored point is rounded, and lies a little inside.</p>`;
 
 const text = (row: TreeRow): string => row.verdict + row.rest;
 const none = (): TemplateResult => html`<span class="none">no such ray</span>`;
 
 function outcome({ verdict, rest }: TreeRow, t: number | null = null): TemplateResult {
   const value = t !== null && Number.isFinite(t) ? shortest(t) : nothing;
-  return html`<span data-quantity=${value === nothing ? nothing : 't'} data-value=${value}><strong>${verdict}</strong>${rest}</span>`;
+  return html`<span data-quantity=${value === nothing ? nothing : 't'}
+    data-value=${value}><strong>${verdict}</strong>${rest}</span>`;
 }
 
 function weightWords(weight: number): string {
@@ -120,18 +143,23 @@ function samplePicker({ sample, samples }: PixelModel, tools: PixelTools): Templ
   const options = Array.from({ length: samples }, (_, i) => i);
   return html`<label class="pixel-note">ray
     <select @change=${(e: Event) => tools.sample(Number((e.target as HTMLSelectElement).value))}>
-      ${options.map((i) => html`<option value=${i} ?selected=${i === sample}>${i + 1} of ${samples}</option>`)}
+      ${options.map(
+        (i) => html`<option value=${i}
+        ?selected=${i === sample}>${i + 1} of ${samples}</option>`,
+      )}
     </select></label>`;
 }
 
 /** The same dashes as in the space view. */
 function swatch(kind: RayKind): TemplateResult {
-  return html`<svg class="swatch ray-${kind}" viewBox="0 0 34 6" width="34" height="6" aria-hidden="true">${svg`<path d="M0 3H34" />`}</svg>`;
+  return html`<svg class="swatch ray-${kind}" viewBox="0 0 34 6" width="34" height="6"
+    aria-hidden="true">${svg`<path d="M0 3H34" />`}</svg>`;
 }
 
 function openLink(row: TreeRow, method: string, words: string): TemplateResult | typeof nothing {
   if (!row.shape) return nothing;
-  return html`<a class="textual" href=${exploreLink(row.shape, row.ray, method, row.meeting.between)}>${words}</a>`;
+  return html`<a class="textual"
+    href=${exploreLink(row.shape, row.ray, method, row.meeting.between)}>${words}</a>`;
 }
 
 /** The algebra of where the chosen ray ends, by the method that traced it. */
@@ -139,15 +167,32 @@ function algebraOf(row: TreeRow, left: TreeRow | undefined, model: PixelModel): 
   const { node } = row;
   const steps = row.shape ? surfaceSteps(row.shape, row.meeting, model.method) : null;
   return html`<section class="hit-algebra" aria-label="Algebra of the chosen ray">
-    ${steps ? html`<p class="hit-equation">${RAY_WORDS[row.kind]}, put into the ${steps.title}: ${formula(typesetSymbols(steps.f))} = 0</p>${steps.lines.map(stepLine)}<p class="hit-verdict">${steps.verdict}</p>${steps.roots.map(rootLine)}` : nothing}
-    ${node.end.end === 'hit' ? html`<p>point ${triple(node.end.point)}, normal ${triple(node.end.normal)}</p>` : nothing}
-    ${left && left.t !== null && row.t !== null && !Object.is(left.t, row.t) ? html`<p>left t = ${shortest(left.t)}, right t = ${shortest(row.t)}</p>` : nothing}
+    ${
+      steps
+        ? html`<p class="hit-equation">${RAY_WORDS[row.kind]}, put into the
+            ${steps.title}: ${formula(typesetSymbols(steps.f))} = 0</p>
+          ${steps.lines.map(stepLine)}
+          <p class="hit-verdict">${steps.verdict}</p>
+          ${steps.roots.map(rootLine)}`
+        : nothing
+    }
+    ${
+      node.end.end === 'hit'
+        ? html`<p>point ${triple(node.end.point)}, normal ${triple(node.end.normal)}</p>`
+        : nothing
+    }
+    ${
+      left && left.t !== null && row.t !== null && !Object.is(left.t, row.t)
+        ? html`<p>left t = ${shortest(left.t)}, right t = ${shortest(row.t)}</p>`
+        : nothing
+    }
     <p>${openLink(row, model.method, `Open this ${RAY_WORDS[row.kind]} in Explore`)}</p>
   </section>`;
 }
 
 function rootLine({ index, t, fate, words }: RootFate): TemplateResult {
-  return html`<p class="hit-root" data-fate=${fate} data-quantity=${`t${index}`} data-value=${shortest(t)}>${words}</p>`;
+  return html`<p class="hit-root" data-fate=${fate} data-quantity=${`t${index}`}
+    data-value=${shortest(t)}>${words}</p>`;
 }
 
 function stepLine({ step, numbers, put }: SurfaceStep): TemplateResult {
@@ -157,11 +202,13 @@ function stepLine({ step, numbers, put }: SurfaceStep): TemplateResult {
   const line = put
     ? formula(typesetNumbers(expr, numbers, { worked, digits: put.digits }))
     : 'a number of it is beyond the doubles';
-  return html`<p class="hit-step" data-step=${id}>${name}${formula(typesetSymbols(expr))} ${sign} ${line}${
-    value === null
-      ? nothing
-      : html` ${sign} <span class="result" data-quantity=${id} data-value=${shortest(value)} title=${shortest(value)}>${display(value)}</span>`
-  }</p>`;
+  return html`<p class="hit-step"
+    data-step=${id}>${name}${formula(typesetSymbols(expr))} ${sign} ${line}${
+      value === null
+        ? nothing
+        : html` ${sign} <span class="result" data-quantity=${id} data-value=${shortest(value)}
+        title=${shortest(value)}>${display(value)}</span>`
+    }</p>`;
 }
 
 const triple = (v: readonly [number, number, number]): string =>

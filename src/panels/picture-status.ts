@@ -13,7 +13,9 @@ export function pictureStatus(
   const runs = progress?.state === 'loading' || progress?.state === 'tracing';
   return html`${runs ? progressBar(progress, what) : html`<div class="progress-rest"></div>`}
     <div class="status-line">
-      <span class="status-side">${left?.state === 'finished' ? html`${msWords(left.msSpent)} ms` : nothing}</span>
+      <span class="status-side">${
+        left?.state === 'finished' ? html`${msWords(left.msSpent)} ms` : nothing
+      }</span>
       <div class="status-middle">${middle}</div>
       <span class="status-side">${runs ? nothing : outcome(progress, left !== null)}</span>
     </div>`;
@@ -28,7 +30,9 @@ function progressBar({ done, total, step, msLeft, state }: Progress, what: strin
       ? 'loading what this scene needs…'
       : `${blocks}, ${percent(done, total)}${left}`;
   return html`<div class="progress">
-    <svg class="progress-bar" viewBox="0 0 1000 6" preserveAspectRatio="none" role="progressbar" aria-label=${what} aria-valuemin="0" aria-valuemax="100" aria-valuenow=${Math.round(100 * share)}><rect width=${1000 * share} height="6" /></svg>
+    <svg class="progress-bar" viewBox="0 0 1000 6" preserveAspectRatio="none" role="progressbar"
+      aria-label=${what} aria-valuemin="0" aria-valuemax="100"
+        aria-valuenow=${Math.round(100 * share)}><rect width=${1000 * share} height="6" /></svg>
     <span class="progress-words">${what}: ${words}</span>
   </div>`;
 }

@@ -80,8 +80,16 @@ const numberOf = (
 function heights({ shape, between, capped }: Placed, tools: Tools): TemplateResult {
   const { send } = tools;
   return html`<div class="field-line">
-    ${checkField('only between two heights', between !== undefined, (on) => send((now) => withHeights(now, on)))}
-    ${between && canBeCapped(shape) ? checkField('closed by circles', capped ?? false, (on) => send((now) => ({ ...now, capped: on }))) : nothing}
+    ${checkField('only between two heights', between !== undefined, (on) =>
+      send((now) => withHeights(now, on)),
+    )}
+    ${
+      between && canBeCapped(shape)
+        ? checkField('closed by circles', capped ?? false, (on) =>
+            send((now) => ({ ...now, capped: on })),
+          )
+        : nothing
+    }
   </div>
   ${
     between
@@ -114,9 +122,15 @@ function materialForm(material: Material, tools: Tools): TemplateResult {
   const { send, check } = tools;
   const SHARE = { range: [0, 1], step: 0.05 } as const;
   return html`<div class="field-line">
-      ${choiceField('paint', PATTERNS, paint.pattern, (pattern) => send(of((now) => withPattern(now, pattern))))}
+      ${choiceField('paint', PATTERNS, paint.pattern, (pattern) =>
+        send(of((now) => withPattern(now, pattern))),
+      )}
       ${colourField('colour', paint.colour, (colour) => send(painted({ colour })))}
-      ${paint.pattern === 'plain' ? nothing : colourField('and', paint.other, (other) => send(painted({ other })))}
+      ${
+        paint.pattern === 'plain'
+          ? nothing
+          : colourField('and', paint.other, (other) => send(painted({ other })))
+      }
       ${
         paint.pattern === 'stripes'
           ? choiceField(
@@ -137,7 +151,9 @@ function materialForm(material: Material, tools: Tools): TemplateResult {
             (size) => painted({ size }),
           )
     }
-    ${numberOf(tools, { label: 'mirror', value: mirror, ...SHARE }, (x) => of((now) => ({ ...now, mirror: x })))}
+    ${numberOf(tools, { label: 'mirror', value: mirror, ...SHARE }, (x) =>
+      of((now) => ({ ...now, mirror: x })),
+    )}
     ${numberOf(tools, { label: 'highlight', value: shine.strength, ...SHARE }, (strength) =>
       of((now) => ({ ...now, shine: { ...now.shine, strength } })),
     )}
@@ -150,7 +166,9 @@ function materialForm(material: Material, tools: Tools): TemplateResult {
           )
         : nothing
     }
-    <div class="field-line">${checkField('glass', glass !== undefined, (on) => send(of((now) => withGlass(now, on))))}</div>
+    <div class="field-line">${checkField('glass', glass !== undefined, (on) =>
+      send(of((now) => withGlass(now, on))),
+    )}</div>
     ${
       glass
         ? html`${numberOf(

@@ -19,11 +19,14 @@ const MARKS: Marks<TemplateResult> = {
   symbol: (id, sort) =>
     mathml`<mi class=${classOf(id, sort)} data-symbol=${highlightOf(id, sort)}>${id}</mi>`,
   component: (id, axis) =>
-    mathml`<msub class=${classOf(id, 'vector')} data-symbol=${highlightOf(id, 'vector')}><mi>${id}</mi><mi>${axis}</mi></msub>`,
+    mathml`<msub class=${classOf(id, 'vector')}
+      data-symbol=${highlightOf(id, 'vector')}><mi>${id}</mi><mi>${axis}</mi></msub>`,
   componentSquared: (id, axis) =>
-    mathml`<msubsup class=${classOf(id, 'vector')} data-symbol=${highlightOf(id, 'vector')}><mi>${id}</mi><mi>${axis}</mi><mn>2</mn></msubsup>`,
+    mathml`<msubsup class=${classOf(id, 'vector')}
+      data-symbol=${highlightOf(id, 'vector')}><mi>${id}</mi><mi>${axis}</mi><mn>2</mn></msubsup>`,
   indexed: (id, index) =>
-    mathml`<msub class=${classOf(id, 'scalar')} data-symbol=${highlightOf(id, 'scalar')}><mi>${id}</mi><mn>${index}</mn></msub>`,
+    mathml`<msub class=${classOf(id, 'scalar')}
+      data-symbol=${highlightOf(id, 'scalar')}><mi>${id}</mi><mn>${index}</mn></msub>`,
   numeral: (figures) => mathml`<mn>${figures}</mn>`,
   // It may stand first in a line, where a browser would take it for a prefix.
   operator: (sign) => mathml`<mo form="infix">${sign}</mo>`,

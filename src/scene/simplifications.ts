@@ -71,7 +71,8 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
     title: 'weak rays',
     how: 'left out',
     reason:
-      'one that can bring no more than half a level of 255 is not fired: a bound for one ray, not for their sum',
+      'one that can bring no more than half a level of 255 is not fired: a bound for one ray, ' +
+      'not for their sum',
     file: 'src/tracer/weight.ts',
   },
   {

@@ -38,5 +38,8 @@ export function heightsLine(
     const why = whyCut(ray, t, between);
     return why === null ? [] : [` t${subscript(i + 1)} is cut off there: ${why}.`];
   });
-  return `In the scene this ${name} is kept between y = ${low} and ${high}; here it is whole.${cuts.join('')}`;
+  return (
+    `In the scene this ${name} is kept between y = ${low} and ${high}; here it is ` +
+    `whole.${cuts.join('')}`
+  );
 }

@@ -52,7 +52,8 @@ export function nearTangent(
   const apart = hits.length === 2 && exactly.quantities.A ? rootsApart(exactly) : null;
   const how =
     gap === null ? '' : `; exactly, it ${DEEDS[`${signs.D} ${signs.A}`]} ${display(gap, 2)}`;
-  const text = `touches as nearly as doubles can: D = ${shortly(exactD)}${how}${apart ? `, t₂ − t₁ = ${apart}` : ''}`;
+  const between = apart ? `, t₂ − t₁ = ${apart}` : '';
+  const text = `touches as nearly as doubles can: D = ${shortly(exactD)}${how}${between}`;
   return {
     text,
     reason: `At a neighbouring double of ${by.symbol}, D is 0 or has the other sign.`,

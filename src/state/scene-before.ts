@@ -34,7 +34,9 @@ export function sceneBefore(
     handles: [],
     view,
     notes: originDrawn ? [] : [`E ${displayTriple(origin, 3)} lies outside the drawn part`],
-    description: `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)} and a ${definition.title}.`,
+    description:
+      `A ray from E ${displayTriple(origin)} in direction d ` +
+      `${displayTriple(direction)} and a ${definition.title}.`,
   };
 }
 

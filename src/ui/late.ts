@@ -43,6 +43,8 @@ function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
 export function notLoaded(what: string, again: () => void): TemplateResult {
   return html`<div class="not-loaded" role="alert"><p>${what}</p>
     <button type="button" @click=${again}>Try again</button>
-    <button type="button" title="After a new version was put online, only this helps; the link keeps what is shown" @click=${() => location.reload()}>Reload Graze</button>
+    <button type="button"
+      title="After a new version was put online, only this helps; the link keeps what is shown"
+        @click=${() => location.reload()}>Reload Graze</button>
   </div>`;
 }

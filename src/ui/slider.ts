@@ -58,8 +58,9 @@ class GrazeSlider extends LitElement {
 
   protected override updated(): void {
     const input = this.querySelector('input');
+    const { least, most } = this;
     const share = (x: number): string =>
-      `${(100 * (Math.min(Math.max(x, this.least), this.most) - this.least)) / (this.most - this.least)}%`;
+      `${(100 * (Math.min(Math.max(x, least), most) - least)) / (most - least)}%`;
     const zero = share(0);
     const here = share(this.value);
     // By the style object, not an attribute: a strict content security policy forbids the latter.

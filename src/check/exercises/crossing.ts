@@ -41,7 +41,8 @@ export const crossing: Exercise = {
     return near.before === near.at && near.at === near.after ? null : draft;
   },
   ask: ({ param }) =>
-    `Now ${param?.symbol} crosses ${display(param?.value ?? 0)}, and all else stays. In how many points does the line meet the surface?`,
+    `Now ${param?.symbol} crosses ${display(param?.value ?? 0)}, and all else stays. In how many ` +
+    `points does the line meet the surface?`,
   given: [],
   fields: ({ param }) => [
     choiceField('before', `${param?.symbol} a little below`, CASES),
@@ -62,7 +63,9 @@ export const crossing: Exercise = {
     const D = `D = ${quadraticWords(by.D, symbol)}`;
     return {
       rule: 'The sign of D decides where A ≠ 0; where A = 0, B t + C = 0 is left.',
-      put: `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} = ${display(value)}?`,
+      put:
+        `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} ` +
+        `= ${display(value)}?`,
       decision: [`${A} and ${D}.`, at(-LITTLE, ' − 1/64'), at(0, ''), at(LITTLE, ' + 1/64')],
     };
   },

@@ -63,6 +63,10 @@ const DRAWS: readonly [Draw, ...Draw[]] = [
   alongGenerator,
 ];
 
+/** "A 16, B 12": how many digits each has kept. */
+const listed = (each: readonly (readonly [string, number])[]): string =>
+  each.map(([name, kept]) => `${name} ${Math.floor(kept)}`).join(', ');
+
 /** Clearly lost, and clearly kept; what lies between is not asked. */
 const LOST = 9;
 const KEPT = 13;
@@ -83,7 +87,8 @@ export const digits: Exercise = {
     return { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
   },
   ask: () =>
-    'In doubles, on which line does the textbook method first lose digits here (fewer than nine left)? And what is the cheapest cure?',
+    'In doubles, on which line does the textbook method first lose digits here (fewer than nine ' +
+    'left)? And what is the cheapest cure?',
   given: ['A', 'B', 'C', 'D'],
   fields: () => [
     choiceField('line', 'first lost on', LINES),
@@ -95,13 +100,17 @@ export const digits: Exercise = {
     const [B, D] = [numberOf(found, 'B'), numberOf(found, 'D')];
     const product = 4 * numberOf(found, 'A') * numberOf(found, 'C');
     const { lines, cures } = keptDigits(draft) ?? { lines: [], cures: [] };
-    const digits = (kept: number): number => Math.floor(kept);
     return {
-      rule: 'A line loses the digits in which its terms agree, and later lines cannot get them back.',
-      put: `B² = ${display(B * B)} and 4AC = ${display(product)}; −B = ${display(-B)} and √D = ${display(Math.sqrt(D))}: which of them nearly cancel? Or do the terms of A, B or C already?`,
+      rule:
+        'A line loses the digits in which its terms agree, and later lines cannot get them ' +
+        'back.',
+      put:
+        `B² = ${display(B * B)} and 4AC = ${display(product)}; −B = ${display(-B)} and √D = ` +
+        `${display(Math.sqrt(D))}: which of them nearly cancel? Or do the terms of A, B or C ` +
+        `already?`,
       decision: [
-        `Right digits, line by line: ${lines.map(([id, kept]) => `${id} ${digits(kept)}`).join(', ')}.`,
-        `Right digits of the roots: ${cures.map(({ id, kept }) => `${id} ${digits(kept)}`).join(', ')}.`,
+        `Right digits, line by line: ${listed(lines)}.`,
+        `Right digits of the roots: ${listed(cures.map(({ id, kept }) => [id, kept]))}.`,
       ],
     };
   },

@@ -58,7 +58,8 @@ export const flat: Exercise = {
   },
   ask: (draft) =>
     hasBound(draft)
-      ? 'Find N·d, the t at which the line of the ray meets the plane, and whether that point is inside.'
+      ? 'Find N·d, the t at which the line of the ray meets the plane, and whether that point is ' +
+        'inside.'
       : 'Find N·d, and the t at which the line of the ray meets the plane.',
   given: [],
   fields: (draft) => [

@@ -34,7 +34,9 @@ export const nappes: Exercise = {
   fields: () => [choiceField('case', 'the line has', CASES), numberField('t', 't')],
   answers: (course, draft, own) => chosen(work(course, draft, own), ['case', 't']),
   argue: (_, found) => ({
-    rule: 'Both nappes belong to the cone; of the roots that are not negative the smallest comes first.',
+    rule:
+      'Both nappes belong to the cone; of the roots that are not negative the smallest comes ' +
+      'first.',
     put: '',
     decision: [
       caseWords(found),

@@ -19,7 +19,8 @@ export const normal: Exercise = {
     };
   },
   ask: () =>
-    'Find the course’s normal N at the hit point P. Its length does not matter, its direction does.',
+    'Find the course’s normal N at the hit point P. Its length does not matter, its direction ' +
+    'does.',
   given: ['P'],
   fields: () => [directionField('N')],
   answers: (course, draft, own) => chosen(work(course, draft, own), ['N']),

@@ -34,7 +34,8 @@ export const linear: Exercise = {
     return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
   ask: () =>
-    'In how many points does the line of the ray meet the surface? If it crosses in one, at which t? (Otherwise leave t₁ empty.)',
+    'In how many points does the line of the ray meet the surface? If it crosses in one, at ' +
+    'which t? (Otherwise leave t₁ empty.)',
   given: ['A', 'B', 'C'],
   // The box stands there in any case: whether it is needed is part of the question.
   fields: () => [choiceField('case', 'the line has', CASES), mayBeAbsent(numberField('t1', 't₁'))],
@@ -89,7 +90,8 @@ export const parallel: Exercise = {
       put: '',
       decision: [
         rate === 0
-          ? `N·d = 0: parallel. N·(E − P) = ${display(offset)}: E is ${offset === 0 ? 'in' : 'not in'} the plane, ${so}.`
+          ? `N·d = 0: parallel. N·(E − P) = ${display(offset)}: E is ` +
+            `${offset === 0 ? 'in' : 'not in'} the plane, ${so}.`
           : `N·d = ${display(rate)} is not 0: the line meets the plane in one point.`,
       ],
     };

@@ -33,7 +33,8 @@ export const tangent: Exercise = {
     return { ...draft, watch: WATCH };
   },
   ask: ({ param }) =>
-    `Which positive ${param?.symbol} makes the ray’s line tangent to the surface? (The value is to be found; all else stays.)`,
+    `Which positive ${param?.symbol} makes the ray’s line tangent to the surface? (The value is ` +
+    `to be found; all else stays.)`,
   asksForParam: true,
   given: [],
   fields: ({ param }) => [numberField('value', param?.symbol)],

@@ -53,7 +53,8 @@ export const normalFactor = ofCurved(
     says: 'c in place of c², or a² in place of a, in the normal',
     line: 'N',
     remedy:
-      'The factor of y − Cy is the one of the surface’s equation: c² for a cone, a for a hyperboloid.',
+      'The factor of y − Cy is the one of the surface’s equation: c² for a cone, a for a ' +
+      'hyperboloid.',
   },
   ({ N: [x, y, z] }) => ({
     N: [

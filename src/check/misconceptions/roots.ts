@@ -135,7 +135,8 @@ export const dEpsilon = ofRules(
     says: 'D compared with an epsilon in place of 0',
     line: 'case',
     remedy:
-      'No fixed epsilon fits every scale: near a tangent it makes one point of two, or a hit of a miss.',
+      'No fixed epsilon fits every scale: near a tangent it makes one point of two, or a hit of ' +
+      'a miss.',
   },
   { tangent: 'epsilon' },
 );

@@ -16,14 +16,26 @@ import { LONGEST_RESULTS } from './results.ts';
  */
 
 export const FORMAT_WORDS: readonly string[] = [
-  'JSON: cases is an array of { id, shape, ray }, as an intersect of JavaScript gets them; NaN and infinities are strings. Send back an array, or lines, of { id, t: [ … ], normal: [[x, y, z], … ] } (normal may be left out) or { id, error: "words" } where the program refuses, or one object with the ids as keys.',
-  'CSV: one case a line: id, kind, Ex, Ey, Ez, dx, dy, dz, and one column for each number of the shapes, empty where a shape has none. Send back lines of id, t1, t2 (empty or none where there is none), if you like N1x, N1y, N1z, N2x, N2y, N2z after them, or id, error. Tabs or semicolons may stand for the commas, and then decimal commas for points; cells may be quoted.',
-  `All t of the whole line, ascending, a tangent once. NaN and infinities as your language writes them. A case without a result counts as not right. A file may have up to ${LONGEST_RESULTS} characters.`,
+  'JSON: cases is an array of { id, shape, ray }, as an intersect of JavaScript gets them; NaN ' +
+    'and infinities are strings. Send back an array, or lines, of { id, t: [ … ], normal: [[x, ' +
+    'y, z], … ] } (normal may be left out) or { id, error: "words" } where the program ' +
+    'refuses, or one object with the ids as keys.',
+  'CSV: one case a line: id, kind, Ex, Ey, Ez, dx, dy, dz, and one column for each number of the ' +
+    'shapes, empty where a shape has none. Send back lines of id, t1, t2 (empty or none where ' +
+    'there is none), if you like N1x, N1y, N1z, N2x, N2y, N2z after them, or id, error. Tabs ' +
+    'or semicolons may stand for the commas, and then decimal commas for points; cells may ' +
+    'be quoted.',
+  `All t of the whole line, ascending, a tangent once. NaN and infinities as your language ` +
+    `writes them. A case without a result counts as not right. A file may have up to ` +
+    `${LONGEST_RESULTS} characters.`,
 ];
 
 export function casesJson(cases: readonly Case[], seed: number): string {
   const lines = cases.map(({ id, shape, ray }) => JSON.stringify({ id, shape, ray }, replaced));
-  return `{ "graze": "check-cases", "version": 1, "seed": ${seed}, "cases": [\n${lines.join(',\n')}\n] }\n`;
+  return (
+    `{ "graze": "check-cases", "version": 1, "seed": ${seed}, ` +
+    `"cases": [\n${lines.join(',\n')}\n] }\n`
+  );
 }
 
 const replaced = (_: string, value: unknown): unknown =>

@@ -27,7 +27,10 @@ function nullForMiss(cases: readonly Case[], outputs: readonly Output[]): string
   };
   const misses = cases.filter(nothing);
   if (misses.length < LEAST) return '';
-  return `On ${misses.length} misses it returns no { t: [] }: a miss is an empty array, not null or nothing.`;
+  return (
+    `On ${misses.length} misses it returns no { t: [] }: a miss is an empty array, not null ` +
+    `or nothing.`
+  );
 }
 
 /** Roots elsewhere, and none where there are two: whatever it is, D decides it. */
@@ -98,7 +101,10 @@ function fewDigits(cases: readonly Case[], outputs: readonly Output[]): string {
   );
   const alike = ordinary.length > LEAST && Math.abs(own - single) <= 1.5 && own < NEEDED_DIGITS;
   if (!alike) return '';
-  return `On ordinary cases about ${Math.round(own)} digits of t are right, as of the textbook method in single precision (float32); doubles give 15.`;
+  return (
+    `On ordinary cases about ${Math.round(own)} digits of t are right, as of the textbook ` +
+    `method in single precision (float32); doubles give 15.`
+  );
 }
 
 function median(values: readonly number[]): number {

@@ -40,7 +40,8 @@ class Unreadable extends Error {}
 /** Never throws. */
 export function readResults(text: string, cases: readonly Case[]): Results {
   if (text.length > LONGEST_RESULTS) {
-    const reason = `the file has ${text.length} characters, and results may have up to ${LONGEST_RESULTS}`;
+    const reason =
+      `the file has ${text.length} characters, and results may have up to ` + `${LONGEST_RESULTS}`;
     return { ok: false, reason };
   }
   try {

@@ -66,7 +66,8 @@ function symbolsOf(shape: Shape): string[] {
   const params = definitionOf(shape).params.map((param) =>
     param.type === 'axis'
       ? `const N = ['x', 'y', 'z'].map((axis) => (axis === shape.${param.key} ? 1 : 0));`
-      : `const ${param.type === 'vector' ? NAMES.vector(param.symbol) : param.symbol} = shape.${param.key};`,
+      : `const ${param.type === 'vector' ? NAMES.vector(param.symbol) : param.symbol} = ` +
+        `shape.${param.key};`,
   );
   return ['const E = ray.origin;', 'const d = ray.direction;', ...params];
 }
@@ -97,7 +98,8 @@ function curved(course: CurvedCourse): string[] {
       : []),
     ...(double ? [`if (${double}) ${one(course.double)}`] : []),
     `if (${miss}) return { t: [] };`,
-    `return answer([${code(course.roots, -1)}, ${code(course.roots, 1)}].sort((a, b) => ${order}));`,
+    `return answer([${code(course.roots, -1)}, ${code(course.roots, 1)}].sort((a, b) => ` +
+      `${order}));`,
   ];
 }
 

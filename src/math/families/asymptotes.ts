@@ -34,7 +34,9 @@ export const nearAxis = family({
 export const linearCancellation = family({
   id: 'linear-cancellation',
   title: 'B cancels',
-  idea: 'Nearly along a cylinder’s axis and nearly at right angles to E − C: A is tiny, and the two products in B cancel.',
+  idea:
+    'Nearly along a cylinder’s axis and nearly at right angles to E − C: A is tiny, and the ' +
+    'two products in B cancel.',
   dial: { title: 'the angle to the axis is 10^-k', range: [0, 12], usual: [5, 9] },
   setting: ordinaryCylinder,
   ray(random, { center, r }, k) {

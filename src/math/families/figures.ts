@@ -66,7 +66,9 @@ const RIM_POINTS: NonEmpty<Vec3> = [
 export const circleRim = family({
   id: 'circle-rim',
   title: 'rim of a circle',
-  idea: 'The ray meets the plane on the circle’s rim exactly, or E is moved off that by a few doubles.',
+  idea:
+    'The ray meets the plane on the circle’s rim exactly, or E is moved off that by a few ' +
+    'doubles.',
   dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
   setting(random) {
     const frame = pick(random, FRAMES);
@@ -122,7 +124,9 @@ export const square = family({
 export const squareEdge = family({
   id: 'square-edge',
   title: 'edge of a square',
-  idea: 'The ray meets the plane on an edge or a corner exactly, or E is moved off that by a few doubles.',
+  idea:
+    'The ray meets the plane on an edge or a corner exactly, or E is moved off that by a few ' +
+    'doubles.',
   dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
   setting(random) {
     const axis = pick(random, ['x', 'y', 'z'] as const);

@@ -50,7 +50,9 @@ function exactAsymptote(random: Random, { slope }: Ruled): Vec3 {
 export const linear = family({
   id: 'linear',
   title: 'A = 0',
-  idea: 'd is exactly parallel to the axis or to a generator: the quadratic is a line, with one root or none.',
+  idea:
+    'd is exactly parallel to the axis or to a generator: the quadratic is a line, with one ' +
+    'root or none.',
   dial: null,
   setting: ruled,
   ray: (random, shape) => ({

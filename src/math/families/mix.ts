@@ -23,7 +23,9 @@ const HARD: NonEmpty<DrawRay> = [
 export const mix = family({
   id: 'mix',
   title: 'typical with 1 % hard',
-  idea: 'Each ray is typical, or with the given chance one of the hard kinds that any curved shape has, in random order.',
+  idea:
+    'Each ray is typical, or with the given chance one of the hard kinds that any curved ' +
+    'shape has, in random order.',
   dial: { title: 'hard rays, in percent', range: [0, 100], usual: [1, 1] },
   setting: ordinaryAxial,
   ray: (random, axial, percent) =>

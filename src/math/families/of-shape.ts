@@ -191,7 +191,9 @@ export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily
       family: family({
         id: `${kind}-near-tangent`,
         title: `${title}, near tangent`,
-        idea: 'Between a direction that meets the shape and its neighbour that does not, moved by a few doubles.',
+        idea:
+          'Between a direction that meets the shape and its neighbour that does not, moved ' +
+          'by a few doubles.',
         dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
         setting: of,
         ray: nearTangentRay,

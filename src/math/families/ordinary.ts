@@ -35,7 +35,9 @@ export function farOriginRay(random: Random, axial: Axial, k: number): Ray {
 export const farOrigin = family({
   id: 'far-origin',
   title: 'far origin',
-  idea: 'E is many radii away and aimed at the shape’s inside: B² and 4AC agree in almost every digit.',
+  idea:
+    'E is many radii away and aimed at the shape’s inside: B² and 4AC agree in almost every ' +
+    'digit.',
   dial: { title: 'E is 10^k radii away', range: [0, 12], usual: [3, 9] },
   setting: ordinaryAxial,
   ray: farOriginRay,

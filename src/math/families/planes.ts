@@ -44,7 +44,9 @@ function levelDirection(random: Random, normal: Vec3): Vec3 {
 export const planeGrazing = family({
   id: 'plane-grazing',
   title: 'grazing a plane',
-  idea: 'A ray parallel to the plane, in it or beside it, exactly or with one coordinate of d moved by a few doubles.',
+  idea:
+    'A ray parallel to the plane, in it or beside it, exactly or with one coordinate of d ' +
+    'moved by a few doubles.',
   dial: { title: 'by up to 2^k doubles', range: [0, 12], usual: [0, 3] },
   setting: (random) =>
     planeOf(

@@ -22,7 +22,9 @@ function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
 export const scaleRay = family({
   id: 'scale-ray',
   title: 'long or short d',
-  idea: 'An ordinary ray whose d is extremely long or short; t shrinks or grows by the same power of two.',
+  idea:
+    'An ordinary ray whose d is extremely long or short; t shrinks or grows by the same ' +
+    'power of two.',
   dial: { title: '|d| is about 10^k', range: [-150, 150], usual: [-150, 150] },
   setting: ordinaryAxial,
   ray: scaleRayRay,
@@ -43,7 +45,9 @@ function enlarged(ordinary: Axial, bits: number): Enlarged {
 export const scaleWorld = family({
   id: 'scale-world',
   title: 'large or small world',
-  idea: 'An ordinary scene with every length times one power of two: t does not change, but D grows with its fourth power.',
+  idea:
+    'An ordinary scene with every length times one power of two: t does not change, but D ' +
+    'grows with its fourth power.',
   dial: { title: 'lengths are about 10^k', range: [-150, 150], usual: [-140, 140] },
   setting: (random, k) => enlarged(ordinaryAxial(random), bitsOf(k)),
   ray(random, { ordinary, bits }) {
@@ -68,7 +72,9 @@ function rayOutOfRange(random: Random, { ordinary, bits }: Enlarged): Ray {
 export const outOfRange = family({
   id: 'out-of-range',
   title: 'roots out of range',
-  idea: 'Lengths near 1e±150 and d near 1e∓175: the roots are beyond the largest double, or below the normal ones.',
+  idea:
+    'Lengths near 1e±150 and d near 1e∓175: the roots are beyond the largest double, or ' +
+    'below the normal ones.',
   dial: null,
   setting: (random) =>
     enlarged(ordinaryAxial(random), randomSign(random) * integer(random, 490, 510)),

@@ -67,7 +67,9 @@ export const nearSurfaceRay = (random: Random, axial: Axial): Ray => ({
 export const nearSurface = family({
   id: 'near-surface',
   title: 'near the surface',
-  idea: 'E is a point of the surface, rounded to doubles, as a reflected ray’s is: C is nothing but rounding.',
+  idea:
+    'E is a point of the surface, rounded to doubles, as a reflected ray’s is: C is nothing ' +
+    'but rounding.',
   dial: null,
   setting: ordinaryAxial,
   ray: nearSurfaceRay,
@@ -82,7 +84,9 @@ export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
 export const cancellation = family({
   id: 'cancellation',
   title: 'small root',
-  idea: 'E is a hair off the surface: 4AC is tiny against B², and in −B ± √D the smaller root cancels.',
+  idea:
+    'E is a hair off the surface: 4AC is tiny against B², and in −B ± √D the smaller root ' +
+    'cancels.',
   dial: { title: 'E is 10^-k radii off the surface', range: [0, 15], usual: [7, 13] },
   setting: ordinaryAxial,
   ray: cancellationRay,

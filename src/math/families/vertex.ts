@@ -15,7 +15,9 @@ const SINGULAR: NonEmpty<Draw<Axial>> = [
 export const vertex = family({
   id: 'vertex',
   title: 'vertex',
-  idea: 'Through a cone’s vertex, or another singular point, exactly or past it by up to 128 doubles.',
+  idea:
+    'Through a cone’s vertex, or another singular point, exactly or past it by up to 128 ' +
+    'doubles.',
   dial: null,
   setting: (random) => pick(random, SINGULAR)(random),
   ray(random, { center, a }) {

@@ -14,7 +14,9 @@ const SMALL_CURVED: NonEmpty<Draw<Axial>> = [
 export const degenerate = family({
   id: 'degenerate',
   title: 'small whole numbers',
-  idea: 'Coordinates from −2 to 2, with c, r and a that may be 0: every special case happens, and nothing rounds.',
+  idea:
+    'Coordinates from −2 to 2, with c, r and a that may be 0: every special case happens, ' +
+    'and nothing rounds.',
   dial: null,
   setting: (random) => pick(random, SMALL_CURVED)(random),
   ray: (random) => ({
@@ -53,7 +55,9 @@ const SMALL_FLAT: NonEmpty<Draw<SmallFlat>> = [
 export const flatDegenerate = family({
   id: 'flat-degenerate',
   title: 'parallel or in the plane',
-  idea: 'Flat shapes in small whole numbers: half of the rays are parallel to the plane, and half of these lie in it.',
+  idea:
+    'Flat shapes in small whole numbers: half of the rays are parallel to the plane, and ' +
+    'half of these lie in it.',
   dial: null,
   setting: (random) => pick(random, SMALL_FLAT)(random),
   ray(random, { normal, point }) {

@@ -5,11 +5,17 @@ import { exact } from './exact.ts';
 export const certified: Method = {
   id: 'certified',
   title: 'certified',
-  idea: 'Floating point with a proven error bound decides nearly every ray; what it leaves open goes to twice the digits, and the rest to whole numbers.',
+  idea:
+    'Floating point with a proven error bound decides nearly every ray; what it leaves open ' +
+    'goes to twice the digits, and the rest to whole numbers.',
   promise:
-    'For every finite input: the class of exact arithmetic, and each root one of the two doubles around the exact one, itself where that is a double. The coordinates of a point likewise, from the exact root; the direction of its normal within 2^-50, unless it leaves the doubles.',
+    'For every finite input: the class of exact arithmetic, and each root one of the two doubles ' +
+    'around the exact one, itself where that is a double. The coordinates of a point likewise, ' +
+    'from the exact root; the direction of its normal within 2^-50, unless it leaves the ' +
+    'doubles.',
   source:
-    'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
+    'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric ' +
+    'predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
   // Coefficients and triples are asked for one at a time: both are the exact method's own, whose
   // promise (correctly rounded) is the stronger one.
   coefficients: exact.coefficients,

@@ -6,11 +6,17 @@ export const compensated = treeMethod(
   {
     id: 'compensated',
     title: 'compensated',
-    idea: 'A, B, C, D and the roots in double-double: each number is a sum of two doubles, the second one the error of the first.',
+    idea:
+      'A, B, C, D and the roots in double-double: each number is a sum of two doubles, the ' +
+      'second one the error of the first.',
     promise:
-      'What loses up to half of its digits in float64 keeps all of them here; an exact tangent or generator with long fractions is still a matter of luck. Every product must lie between 2^-968 and 2^1020: above, the answer is undecided; below, digits are lost in silence.',
+      'What loses up to half of its digits in float64 keeps all of them here; an exact tangent ' +
+      'or generator with long fractions is still a matter of luck. Every product must lie ' +
+      'between 2^-968 and 2^1020: above, the answer is undecided; below, digits are lost in ' +
+      'silence.',
     source:
-      'Dekker 1971; Knuth, TAOCP 2, 4.2.2; error bounds by Joldes, Muller, Popescu 2017, Tight and rigorous error bounds for basic building blocks of double-word arithmetic.',
+      'Dekker 1971; Knuth, TAOCP 2, 4.2.2; error bounds by Joldes, Muller, Popescu 2017, Tight ' +
+      'and rigorous error bounds for basic building blocks of double-word arithmetic.',
   },
   doubleDouble,
   stableSolver,

@@ -7,11 +7,16 @@ export const interval = treeMethod(
   {
     id: 'interval',
     title: 'interval',
-    idea: 'The moment form with a lower and an upper bound for every number, rounded outwards: it knows what it does not know.',
+    idea:
+      'The moment form with a lower and an upper bound for every number, rounded outwards: ' +
+      'it knows what it does not know.',
     promise:
-      'For every finite input: a class that it gives is the right one; where its bounds leave room for another, it answers undecided. Every number it shows is the middle of an interval that holds the exact one.',
+      'For every finite input: a class that it gives is the right one; where its bounds leave ' +
+      'room for another, it answers undecided. Every number it shows is the middle of an ' +
+      'interval that holds the exact one.',
     source:
-      'Moore 1966, Interval analysis; Pharr, Jakob, Humphreys, Physically based rendering 4, section 6.8 (pbrt rejects an uncertain hit, here it is named).',
+      'Moore 1966, Interval analysis; Pharr, Jakob, Humphreys, Physically based rendering 4, ' +
+      'section 6.8 (pbrt rejects an uncertain hit, here it is named).',
   },
   intervalArithmetic,
   stableSolver,

@@ -18,11 +18,17 @@ export const moment = treeMethod(
   {
     id: 'moment',
     title: 'moment',
-    idea: 'D/4 = ρA + a(mx² + mz²) − my² from the ray’s moment m = d × (E − C), which does not grow when E slides back along the ray.',
+    idea:
+      'D/4 = ρA + a(mx² + mz²) − my² from the ray’s moment m = d × (E − C), which does not ' +
+      'grow when E slides back along the ray.',
     promise:
-      'No hit is lost to distance: the error of D/4 is at most 12 u (ρ·Am + |a|(Sx² + Sz²) + Sy²), where Am and S are A and m with every term taken positive. Roots by the stable formula; C still loses digits near the surface. Circle and square are decided by |m × N|² ≤ r²(N·d)² and its like.',
+      'No hit is lost to distance: the error of D/4 is at most 12 u (ρ·Am + |a|(Sx² + Sz²) + ' +
+      'Sy²), where Am and S are A and m with every term taken positive. Roots by the stable ' +
+      'formula; C still loses digits near the surface. Circle and square are decided by |m × ' +
+      'N|² ≤ r²(N·d)² and its like.',
     source:
-      'Lagrange’s identity; Haines, Günther, Akenine-Möller 2019, Precision improvements for ray/sphere intersection, in Ray Tracing Gems, for the idea of moving E.',
+      'Lagrange’s identity; Haines, Günther, Akenine-Möller 2019, Precision improvements for ' +
+      'ray/sphere intersection, in Ray Tracing Gems, for the idea of moving E.',
   },
   float64,
   stableSolver,

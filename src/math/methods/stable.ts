@@ -10,9 +10,12 @@ export const stableByTrees = treeMethod(
     title: 'stable root',
     idea: 'q = −(B ± √D)/2 with the sign that adds, then t = q/A and t = C/q.',
     promise:
-      'From the same A, B, C and D as textbook, no digit is lost in the root formula. What A, B, C and D have lost stays lost. For B = 0 both signs add, and −d, which turns the roots around, may change their last bit.',
+      'From the same A, B, C and D as textbook, no digit is lost in the root formula. What A, B, ' +
+      'C and D have lost stays lost. For B = 0 both signs add, and −d, which turns the roots ' +
+      'around, may change their last bit.',
     source:
-      'Forsythe 1970, Pitfalls in computation, or why a math book is not enough; Press et al., Numerical Recipes, section 5.6.',
+      'Forsythe 1970, Pitfalls in computation, or why a math book is not enough; Press et al., ' +
+      'Numerical Recipes, section 5.6.',
   },
   float64,
   stableSolver,

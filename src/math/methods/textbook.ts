@@ -10,7 +10,8 @@ export const textbookByTrees = treeMethod(
     title: 'textbook',
     idea: 't = (−B ± √D) / 2A, just as the course writes it, every operation rounded to a double.',
     promise:
-      'None: the class and the digits are what float64 makes of the formula. It loses hits far away and digits where B and √D or B² and 4AC nearly cancel.',
+      'None: the class and the digits are what float64 makes of the formula. It loses hits far ' +
+      'away and digits where B and √D or B² and 4AC nearly cancel.',
     source: 'The course; Hearn & Baker, Computer Graphics, section on ray tracing.',
   },
   float64,

@@ -6,9 +6,13 @@ export const textbook32 = treeMethod(
   {
     id: 'textbook32',
     title: 'textbook, float32',
-    idea: 'The course’s formula with every number and every operation rounded to 24 bits, as on a graphics card.',
+    idea:
+      'The course’s formula with every number and every operation rounded to 24 bits, as on ' +
+      'a graphics card.',
     promise:
-      'None: the class and about seven digits at best, and only within 1e-38 … 3e38 for every intermediate result; overflow is undecided. The ray and the shape are rounded first, so it may answer for a neighbouring ray.',
+      'None: the class and about seven digits at best, and only within 1e-38 … 3e38 for every ' +
+      'intermediate result; overflow is undecided. The ray and the shape are rounded first, so ' +
+      'it may answer for a neighbouring ray.',
     source: 'The course; Math.fround, ECMA-262; Figueroa 1995 on double rounding.',
   },
   float32,

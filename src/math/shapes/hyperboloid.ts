@@ -45,7 +45,9 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   title: 'hyperboloid',
   alsoCalled: { ellipsoid: 'a < 0' },
   named: ({ flare, radius }) => nameOf(flare, radius),
-  icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 -5 -3.6 -10.2 0 -15.2',
+  icon:
+    'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 ' +
+    '-5 -3.6 -10.2 0 -15.2',
   params: [
     pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
     {

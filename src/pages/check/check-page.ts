@@ -51,7 +51,8 @@ export const mountCheck: MountPage = (host, context) => {
       html`<h1 class="visually-hidden">Check yourself: where does the ray meet the surface?</h1>
       <nav class="parts" aria-label="Parts of this page">${offered.map(
         ({ id, title }) =>
-          html`<button type="button" class="part" aria-current=${id === shown ? 'true' : nothing} @click=${() => part.set({ part: id })}>${title}</button>`,
+          html`<button type="button" class="part" aria-current=${id === shown ? 'true' : nothing}
+            @click=${() => part.set({ part: id })}>${title}</button>`,
       )}</nav>${shown === 'questions' ? seedForm(seed, questions.tools) : nothing}`,
       tabs,
     );

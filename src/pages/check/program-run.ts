@@ -124,14 +124,17 @@ export function createRuns(host: Element, changed: () => void): Runs {
         note: (message) => put({ notes: [...state.notes, message].slice(-MOST_NOTES) }),
         console: (line) => put({ lines: [...state.lines, line].slice(0, MOST_LINES) }),
         unsteady(index) {
-          const words = `${cases[index]?.id}, run twice, gave two results: nothing here may depend on chance or on earlier calls`;
+          const words =
+            `${cases[index]?.id}, run twice, gave two results: nothing here may ` +
+            `depend on chance or on earlier calls`;
           put({ notes: [...state.notes, words] });
         },
         timing: (timing) => put({ timing }),
         untimed: (untimed) => put({ untimed }),
         end(ending) {
           if (ending.how === 'unopened') {
-            const words = `The sandbox could not be opened: ${ending.message}. Your program was not run.`;
+            const why = `The sandbox could not be opened: ${ending.message}.`;
+            const words = `${why} Your program was not run.`;
             finish(cases, [], words);
           } else if (ending.how === 'refused') {
             const { line, message } = ending;
@@ -140,7 +143,8 @@ export function createRuns(host: Element, changed: () => void): Runs {
             const advice = adviceFor(source, message);
             finish(cases, outputs, `${where}${message}${advice && `. ${advice}`}`);
           } else if (ending.how === 'stopped' && outputs.length < cases.length) {
-            const at = `Stopped at case ${outputs.length + 1} of ${cases.length}: ${ending.message}.`;
+            const at =
+              `Stopped at case ${outputs.length + 1} of ${cases.length}: ` + `${ending.message}.`;
             finish(cases, [...outputs, { type: 'stopped' }], at);
           } else finish(cases, outputs, '');
         },

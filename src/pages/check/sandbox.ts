@@ -143,7 +143,10 @@ async function likelyCause(): Promise<string> {
     if (!(await response.text()).includes('id="harness"')) {
       return 'the server sends another page in place of sandbox.html';
     }
-    return `${browser}: a header of the server may forbid it (X-Frame-Options, Content-Security-Policy, Cross-Origin-Resource-Policy)`;
+    return (
+      `${browser}: a header of the server may forbid it (X-Frame-Options, ` +
+      `Content-Security-Policy, Cross-Origin-Resource-Policy)`
+    );
   } catch {
     return 'sandbox.html cannot be fetched: no connection, or the server does not answer';
   }

@@ -159,7 +159,8 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
       host.style.setProperty('--split', `${split}%`);
       frame.setAttribute(
         'aria-label',
-        `Picture, ${width} by ${height} pixels. Arrow keys move a pixel cursor, with Control by ten; Enter follows the rays of that pixel.`,
+        `Picture, ${width} by ${height} pixels. Arrow keys move a pixel cursor, with Control by ` +
+          `ten; Enter follows the rays of that pixel.`,
       );
       host.classList.toggle('coarse', frame.clientWidth > 1.6 * width);
       const two = comparing && next.errors === null;

@@ -117,9 +117,11 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       const { main, other } = model.requests;
       const known = treeOf(main, pixel);
       if (known === 'asked')
-        return html`<p class="pixel-problem" role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
+        return html`<p class="pixel-problem"
+          role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
-        return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;
+        return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button
+          type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;
       const rows = rowsOf(known, model, main) ?? [];
       const first = rows[0];
       if (isNew && first)

@@ -70,13 +70,24 @@ export function createSidePanel(
       unmeasured: main?.state === 'finished' ? uncounted.length : 0,
       isMeasuring: isCounting() && uncounted.length > 0,
     };
-    return html`<div role="tabpanel" aria-label="What this picture needed">${ledger(model.ledger, main?.state === 'finished' ? main : null, tool)}
+    return html`<div role="tabpanel"
+      aria-label="What this picture needed">${ledger(
+        model.ledger,
+        main?.state === 'finished' ? main : null,
+        tool,
+      )}
       ${methodPanel(method, picture, dispatch)}
       ${simplifications()}</div>`;
   };
 
   const form = (state: AppState, { picture }: PictureModel): TemplateResult =>
-    html`<div role="tabpanel" aria-label="Scene">${editor(picture.scene, edited, shapeOf(state), editorTools(picture))}</div>`;
+    html`<div role="tabpanel"
+      aria-label="Scene">${editor(
+        picture.scene,
+        edited,
+        shapeOf(state),
+        editorTools(picture),
+      )}</div>`;
 
   return {
     isEditing: () => tab === 'scene',
@@ -108,7 +119,8 @@ const TITLES = { ledger: 'What this picture needed', scene: 'Scene' } as const;
 
 function tabs(current: Tab, turn: (next: Tab) => void): TemplateResult {
   const tab = (id: Tab): TemplateResult =>
-    html`<button type="button" role="tab" aria-selected=${id === current} tabindex=${id === current ? 0 : -1} @click=${() => turn(id)}>${TITLES[id]}</button>`;
+    html`<button type="button" role="tab" aria-selected=${id === current}
+      tabindex=${id === current ? 0 : -1} @click=${() => turn(id)}>${TITLES[id]}</button>`;
   const key = (event: KeyboardEvent): void => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     event.preventDefault();
@@ -117,5 +129,6 @@ function tabs(current: Tab, turn: (next: Tab) => void): TemplateResult {
     list.querySelector<HTMLElement>('[aria-selected="false"]')?.focus();
   };
   return html`<h2 class="visually-hidden">${TITLES[current]}</h2>
-    <div class="side-tabs" role="tablist" aria-label="beside the picture" @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
+    <div class="side-tabs" role="tablist" aria-label="beside the picture"
+      @keydown=${key}>${tab('ledger')}${tab('scene')}</div>`;
 }

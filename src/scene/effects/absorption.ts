@@ -4,7 +4,9 @@ import { counted, defineEffect, needed, notNeeded } from './define.ts';
 export const absorption = defineEffect({
   id: 'absorption',
   title: 'absorption',
-  idea: 'Along its chord through coloured glass light fades as e^(−σ · chord), each colour with its own σ.',
+  idea:
+    'Along its chord through coloured glass light fades as e^(−σ · chord), each colour with ' +
+    'its own σ.',
   neededBy(scene) {
     const glass = scene.things.filter(isGlass);
     const coloured = glass.filter(({ material }) => material.glass?.absorption.some((x) => x > 0));

@@ -4,7 +4,9 @@ import { counted, defineEffect, leftOut, needed, notNeeded } from './define.ts';
 export const softShadow = defineEffect({
   id: 'soft-shadow',
   title: 'soft shadows',
-  idea: 'Rays to many points of a light that has a size: the share of them that arrives is the light.',
+  idea:
+    'Rays to many points of a light that has a size: the share of them that arrives is the ' +
+    'light.',
   neededBy(scene) {
     const lights = scene.lights.filter(({ light }) => light === 'sphere').length;
     if (scene.lights.length === 0) return notNeeded('there is no light');

@@ -3,7 +3,8 @@ import { BLUE, ball, material, SAND, type ScenePreset, VIOLET } from './define.t
 export const far: ScenePreset = {
   id: 'far',
   reason:
-    'A camera a hundred million lengths away, and light that grazes: what the digits are for. float32 sees what is not there, the textbook loses the silhouettes.',
+    'A camera a hundred million lengths away, and light that grazes: what the digits are for. ' +
+    'float32 sees what is not there, the textbook loses the silhouettes.',
   compare: 'method:textbook32',
   scene: {
     title: 'seen from very far',

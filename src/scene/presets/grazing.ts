@@ -3,7 +3,8 @@ import { BLUE, material, SAND, type ScenePreset, VIOLET } from './define.ts';
 export const grazing: ScenePreset = {
   id: 'grazing',
   reason:
-    'Camera rays and light run along the surfaces: D is nearly 0, and a few wrong digits decide hit or miss.',
+    'Camera rays and light run along the surfaces: D is nearly 0, and a few wrong digits decide ' +
+    'hit or miss.',
   compare: 'method:textbook',
   scene: {
     title: 'grazing rays',

@@ -3,7 +3,8 @@ import { BLUE, material, PAPER, SAND, type ScenePreset, STONE, VIOLET } from './
 export const selfIntersection: ScenePreset = {
   id: 'self-intersection',
   reason:
-    'Three quadrics and a lamp: without a start rule a third of the pixels shade themselves, by the exact method too.',
+    'Three quadrics and a lamp: without a start rule a third of the pixels shade themselves, by ' +
+    'the exact method too.',
   compare: 'start:none',
   scene: {
     title: 'three quadrics, one lamp',

@@ -6,7 +6,8 @@ const U = 1e-5;
 export const twoScales: ScenePreset = {
   id: 'two-scales',
   reason:
-    'Things of a hundred-thousandth before hills of thousands of millions: an epsilon that cures the hills swallows the little shadows.',
+    'Things of a hundred-thousandth before hills of thousands of millions: an epsilon that cures ' +
+    'the hills swallows the little shadows.',
   compare: 'start:0.001',
   scene: {
     title: 'two scales',

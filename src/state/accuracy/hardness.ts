@@ -66,7 +66,8 @@ function wordsOf(id: string, quality: Summary, at: string): string {
   const { judged, undecided, rays } = quality;
   const digits = Number.isNaN(quality.digits)
     ? 'no ray has a root'
-    : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
+    : `${digitCount(quality.digits)} digits right in 9 rays of 10, ` +
+      `${digitCount(quality.leastDigits)} in the worst`;
   const failures = [
     ...(judged.misses > 0 ? [`${grouped(judged.misses)} lose a hit`] : []),
     ...(judged.invents > 0 ? [`${grouped(judged.invents)} see one that is not there`] : []),

@@ -68,7 +68,8 @@ export function rayGlsl(model: ExploreModel): string {
 }
 
 const HEAD =
-  `// A shader has floats of 32 bits: far from the origin, or close to a tangent, it may see another case.
+  `// A shader has floats of 32 bits: far from the origin, or close to a tangent, it may see
+// another case.
 precision highp float;
 
 ${GLSL_CASES.map((name, i) => `const int ${name.toUpperCase()} = ${i};`).join('\n')}

@@ -15,7 +15,8 @@ export const mathml: Export = {
 
 export function derivationMathml(model: ExploreModel): string {
   const rows = derivationLines(model, MATHML).map(row);
-  return `${mathmlDocument(`\n<mtable columnalign="right center left left" displaystyle="true">\n${rows.join('\n')}\n</mtable>\n`)}\n`;
+  const table = '<mtable columnalign="right center left left" displaystyle="true">';
+  return `${mathmlDocument(`\n${table}\n${rows.join('\n')}\n</mtable>\n`)}\n`;
 }
 
 function row({ left, relation, right, words }: Line<string>): string {

@@ -44,7 +44,8 @@ export function partsOf(model: ExploreModel): Parts {
     E,
     d,
     about: [
-      `Where does the ray R(t) = E + t d meet the ${model.title}? By the course's formula, as it is written.`,
+      `Where does the ray R(t) = E + t d meet the ${model.title}? By the course's formula, as it ` +
+        `is written.`,
       ...expected(model),
     ],
     names: (component) => ({

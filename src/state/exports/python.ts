@@ -43,7 +43,8 @@ export function rayPython(model: ExploreModel): string {
     '',
     '',
     'def hit_at(E, d, t):',
-    '    """The point at t, and the course\'s normal there: not normalised, zero at a singular point."""',
+    '    """The point at t, and the course\'s normal there: not normalised, zero at a singular ' +
+      'point."""',
     `    X = ${vectorCode(POINT, LANGUAGE, own)}`,
     `    normal = ${vectorCode(program.normal, LANGUAGE, own)}`,
     '    singular = all(n == 0 for n in normal)',

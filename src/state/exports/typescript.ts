@@ -44,7 +44,8 @@ export function rayTypeScript(model: ExploreModel): string {
     ...body(program, LANGUAGE, own),
     '}',
     '',
-    "/** The point at t, and the course's normal there: not normalised, zero at a singular point. */",
+    "/** The point at t, and the course's normal there: not normalised, zero at a singular " +
+      'point. */',
     'function hitAt(E: Vec3, d: Vec3, t: number) {',
     `  const X: Vec3 = ${vectorCode(POINT, LANGUAGE, own)};`,
     `  const normal: Vec3 = ${vectorCode(program.normal, LANGUAGE, own)};`,

@@ -64,7 +64,8 @@ export function causeWords(settings: TraceSettings, against: Against): string {
   if (against.change === 'method') return 'The start rule is the same; only the method is not.';
   const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const method = findMethod(settings.method)?.title ?? settings.method;
-  return `Both by ${method}; only ${title} ${against.force === 'off' ? 'is missing' : 'is forced on'} on the left.`;
+  const what = against.force === 'off' ? 'is missing' : 'is forced on';
+  return `Both by ${method}; only ${title} ${what} on the left.`;
 }
 
 /** What a side would have to be to be no change. */
