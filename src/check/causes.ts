@@ -2,7 +2,7 @@ import type { Course } from './course.ts';
 import { type Derivation, fits, type Line, mistakesIn } from './derivation.ts';
 import type { Misconception } from './misconceptions/define.ts';
 
-/** More than two at once could be found in anything. */
+/** Most mistakes in one explanation: three together could explain nearly any answer. */
 const MOST = 2;
 
 type Mistakes = readonly Misconception[];

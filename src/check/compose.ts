@@ -9,7 +9,7 @@ import { findMisconception } from './misconceptions/index.ts';
 import type { Answers, Field } from './types.ts';
 import { work } from './work.ts';
 
-/** A known mistake with what it gives on this very input. */
+/** A known mistake with its answers on this input. */
 interface Suspect {
   readonly misconception: Misconception;
   readonly answers: Answers;
@@ -24,7 +24,7 @@ export interface Posed {
   readonly draft: Draft;
   readonly fields: readonly Field[];
   readonly truth: Answers;
-  /** What is told beside ray and shape. */
+  /** Quantities that are given beside ray and shape. */
   readonly given: Answers;
   readonly suspects: readonly Suspect[];
 }

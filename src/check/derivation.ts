@@ -24,7 +24,7 @@ export interface Derivation {
   next(course: Course, own: Answers): Answers;
 }
 
-/** A derivation that works nothing out twice. */
+/** A derivation that caches what it computes. */
 export function derivationOf(
   fields: readonly Field[],
   course: Course,
@@ -91,12 +91,12 @@ export function fits(
   const { field, given } = line;
   const fromStart = truth(course);
   if (agrees(field, given, fromStart[field.id])) return true;
-  // Lines that are just those from the start lead nowhere else.
+  // Only where an earlier line differs can its own values lead to another result.
   const leadsElsewhere = lines.slice(0, i).some((one) => !isSame(one, fromStart));
   return leadsElsewhere && agrees(field, given, next(course, before(lines, i))[field.id]);
 }
 
-/** Far below any digit that somebody types, far above the rounding of doubles. */
+/** Relative tolerance: below any digit that is typed, above the rounding of doubles. */
 const EXACT = 1e-12;
 
 function isSame({ field, given: { value } }: Line, answers: Answers): boolean {

@@ -17,12 +17,12 @@ export class Ahead<T = number> {
     );
   }
 
-  /** What was sent is not to be gone on from. */
+  /** Forgets the value that was sent, so that the next key starts from what the page shows. */
   forget(): void {
     this.value = null;
   }
 
-  /** Where the control is, given what the page last told it. */
+  /** The value to go on from: the one that was sent last, else the one that the page shows. */
   of(told: T): T {
     return this.value ?? told;
   }

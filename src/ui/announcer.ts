@@ -1,7 +1,7 @@
-/** Long enough that a slider under way is not read out at every step. */
+/** Pause before a text is announced, in ms: longer than the time between two steps of a slider. */
 const QUIET_MS = 500;
 
-/** The one voice of the page: what is said last, after a pause, is what is read. */
+/** The live region of the page: the last text is announced once no new one has come for a while. */
 export function createAnnouncer(host: HTMLElement): (text: string) => void {
   const region = document.createElement('div');
   region.className = 'visually-hidden announcer';
@@ -12,7 +12,7 @@ export function createAnnouncer(host: HTMLElement): (text: string) => void {
   return (text) => {
     clearTimeout(timer);
     timer = window.setTimeout(() => {
-      // The same words again are not read unless the text was another one in between.
+      // A screen reader is silent on an unchanged text: a no-break space makes a repeated one new.
       region.textContent = region.textContent === text ? `${text}\u00a0` : text;
     }, QUIET_MS);
   };

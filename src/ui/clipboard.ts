@@ -1,4 +1,4 @@
-/** Puts text on the clipboard; false where the browser does not let it. */
+/** Copies a text to the clipboard. False where the browser denies it. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);

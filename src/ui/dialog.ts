@@ -5,11 +5,11 @@ interface Dialog {
   open(): void;
   close(): void;
   readonly isOpen: boolean;
-  /** Draws the content anew if it is open. */
+  /** Renders the content again if the dialog is open. */
   refresh(): void;
 }
 
-/** A modal dialog; its content is made when it is opened, so that a closed one costs nothing. */
+/** A modal dialog. Its content is created when it opens, so a closed dialog costs nothing. */
 export function createDialog(title: string, content: () => TemplateResult): Dialog {
   const element = document.createElement('dialog');
   element.className = 'dialog';

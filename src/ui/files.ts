@@ -1,4 +1,4 @@
-/** Gives a person a file with this content. */
+/** Starts the download of a file with this content. */
 export function download(name: string, content: string | Blob, type = 'text/plain'): void {
   const blob = typeof content === 'string' ? new Blob([content], { type }) : content;
   const url = URL.createObjectURL(blob);
@@ -10,7 +10,7 @@ export function download(name: string, content: string | Blob, type = 'text/plai
   setTimeout(() => URL.revokeObjectURL(url));
 }
 
-/** Larger than any state or scene; keeps a film that was dropped by accident from being read. */
+/** Largest file that is read, in bytes: more than any state or scene, less than a video. */
 const LARGEST_BYTES = 2_000_000;
 
 /** Asks for a file and gives its text, or null. */
@@ -49,7 +49,7 @@ export function watchDrops(root: HTMLElement, opened: (text: string) => void): v
 
 let tooLarge = (_: string): void => {};
 
-/** Whom to tell, in words, that a file is too large to be opened. */
+/** Sets who is told, in words, that a file is too large to be opened. */
 export function onTooLarge(tell: (words: string) => void): void {
   tooLarge = tell;
 }

@@ -10,7 +10,7 @@ function widthOf(text: string, font: string): number {
   return context.measureText(text).width;
 }
 
-/** A number for a narrow box: whole where it has room, else rounded, with a sign that says so. */
+/** A number as text for a box of `room` px: all digits, or fewer with ≈ before. */
 export function fitting(x: number, room: number, font: string): string {
   if (room <= 0) return display(x);
   return shortened(x, (text) => widthOf(text, font) <= room);
@@ -30,7 +30,7 @@ export function shortened(x: number, fits: (text: string) => boolean): string {
     const text = marked(display(x, n).replaceAll(' ', ''), n);
     if (fits(text)) return text;
   }
-  // Narrower than a raised power.
+  // The exponent as e7, which is narrower than 10⁷.
   for (const n of [3, 2, 1]) {
     const text = marked(x.toExponential(n - 1).replaceAll('-', MINUS), n);
     if (fits(text)) return text;

@@ -7,12 +7,12 @@ import { html, type TemplateResult } from 'lit';
 
 const failedStyles = new Set<HTMLLinkElement>();
 
-/** Remembers style sheets that do not come; called once. */
+/** Records style sheets that fail to load. To be called once. */
 export function watchStyles(root: Document): void {
   const failed = ({ target }: Event): void => {
     if (target instanceof HTMLLinkElement && target.rel === 'stylesheet') failedStyles.add(target);
   };
-  // Errors of elements do not bubble.
+  // Error events of elements do not bubble: they are caught on the way down.
   root.addEventListener('error', failed, true);
 }
 

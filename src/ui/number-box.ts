@@ -47,7 +47,7 @@ class GrazeNumberBox extends LitElement {
   declare private text: string | null;
   declare private reason: string | null;
   declare private focused: boolean;
-  /** In px; 0 until it is known. */
+  /** Width for digits in px; 0 until it is measured. */
   declare private room: number;
   declare private font: string;
   private ahead = new Ahead();
@@ -80,7 +80,7 @@ class GrazeNumberBox extends LitElement {
       const input = this.querySelector('input');
       if (input) this.observer.observe(input);
     });
-    // Another theme has another size of type in a box of the same size.
+    // Another theme may have another font size in a box of the same size.
     this.themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
   }
 
@@ -195,7 +195,7 @@ class GrazeNumberBox extends LitElement {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
     if (event.key === 'Enter') this.commit();
     if (event.key === 'Escape') this.forget();
-    // Left and right belong to the caret.
+    // Left and right move the caret, not the value.
     const change = /Left|Right/.test(event.key) ? null : keyStep(event, this.step);
     if (change === null) return;
     event.preventDefault();

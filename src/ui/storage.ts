@@ -6,12 +6,12 @@
 let untold = (): void => {};
 const failed = new Set<string>();
 
-/** Whom to tell that something was not kept: once for each key. */
+/** Sets who is told that a value could not be stored; told once for each key. */
 export function onNotKept(tell: () => void): void {
   untold = tell;
 }
 
-/** What the device remembers, or null. */
+/** The stored text of this key, or null. */
 export function recall(key: string): string | null {
   try {
     return localStorage.getItem(key);
@@ -25,7 +25,7 @@ export function remember(key: string, value: string): void {
     localStorage.setItem(key, value);
     failed.delete(key);
   } catch {
-    // Then it lasts as long as the page.
+    // The value is then kept in memory, until the page is closed.
     if (!failed.has(key)) untold();
     failed.add(key);
   }

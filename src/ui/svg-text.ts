@@ -54,7 +54,7 @@ function inline(from: Element, to: Element): void {
   }
 }
 
-/** Twice the size on the page, so that it prints well. */
+/** Pixels of the PNG per CSS pixel: 2, for print. */
 const PNG_SCALE = 2;
 
 /** The same as pixels; null where the browser refuses to draw it. */

@@ -7,7 +7,7 @@ const KEY = 'graze.theme';
 
 interface ThemeSwitch {
   current(): Theme;
-  /** What is on the page: never 'system'. */
+  /** The theme in use; 'system' is resolved to light or dark. */
   applied(): Exclude<Theme, 'system'>;
   set(theme: Theme): void;
 }

@@ -9,7 +9,7 @@ import { drawInput, drawUntil, kindsOf, mayBeStraight, numberOf } from './draw.t
 import { numberParams, withParam } from './params.ts';
 import { caseWords } from './words.ts';
 
-/** "A little": both must agree, so that nothing else happens in between. */
+/** Two distances for "a little": the case must be the same at both. */
 const LITTLE = 1 / 64;
 const MORE = 1 / 8;
 

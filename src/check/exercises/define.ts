@@ -33,12 +33,12 @@ export interface Argument {
  */
 export interface Exercise {
   readonly id: string;
-  /** In the summary. */
+  /** Name of the exercise in the summary. */
   readonly topic: string;
   /** Meant for paper: numbers come out as small fractions. */
   readonly paper: boolean;
   readonly kinds: readonly ShapeKind[];
-  /** Null if what was drawn will not do; then it is drawn again. */
+  /** Null if the drawn numbers do not suit the exercise; the caller draws again. */
   draw(random: Random, kind: ShapeKind, level: Level): Draft | null;
   /** One or two sentences; ray, shape and what is given stand beside it. */
   ask(draft: Draft): string;
@@ -47,12 +47,12 @@ export interface Exercise {
    * solved.
    */
   readonly asksForParam?: true;
-  /** Quantities that are told. */
+  /** Quantities that the question gives. */
   readonly given: readonly string[];
   fields(draft: Draft, truth: Answers): readonly Field[];
   /** From the start, or from what is given and what a student already has. */
   answers(course: Course, draft: Draft, own?: Answers): Answers;
-  /** What the lines alone do not say. */
+  /** Words for the hints and the solution beside the lines of the derivation. */
   argue?(draft: Draft, found: Answers): Argument;
   /** The first hint, in words. */
   readonly clue: string;

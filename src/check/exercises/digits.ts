@@ -16,7 +16,7 @@ const LINES = [
   { id: 'nowhere', title: 'nowhere: all lines keep their digits' },
 ];
 
-/** From the cheapest to the dearest. */
+/** Methods that may be the cure, from the cheapest to the most expensive. */
 const CURES = [
   { id: 'textbook', title: 'nothing: the textbook formula will do' },
   { id: 'stable', title: 'another formula for the smaller root (stable)' },
@@ -67,7 +67,7 @@ const DRAWS: readonly [Draw, ...Draw[]] = [
 const listed = (each: readonly (readonly [string, number])[]): string =>
   each.map(([name, kept]) => `${name} ${Math.floor(kept)}`).join(', ');
 
-/** Clearly lost, and clearly kept; what lies between is not asked. */
+/** Digits that count as lost (fewer) and as kept (at least); between them nothing is asked. */
 const LOST = 9;
 const KEPT = 13;
 
@@ -158,7 +158,7 @@ interface Kept {
   readonly cures: readonly { readonly id: string; readonly kept: number }[];
 }
 
-/** Null where it is not clear-cut. */
+/** The answers; null where a line lies between lost and kept. */
 function measured(input: Input): Answers | null {
   const found = keptDigits(input);
   if (!found) return null;
@@ -169,7 +169,7 @@ function measured(input: Input): Answers | null {
   const best = cures.findIndex(({ kept }) => kept >= KEPT);
   const cure = cures[best];
   if (!cure || cures.slice(0, best).some(({ kept }) => kept > LOST)) return null;
-  // A line may lose digits that the roots do not need: that is no question to learn from.
+  // Not asked: a line that loses digits which the roots do not need.
   if ((line === undefined) !== (cure.id === 'textbook')) return null;
   return { line: line?.[0] ?? 'nowhere', cure: cure.id };
 }

@@ -16,7 +16,7 @@ const WHY = [
   { id: 'behind', title: 'what is left out is behind E' },
 ];
 
-/** Of two clean roots; null for others. */
+/** Where two clean roots lie; null for other inputs. */
 function whereRootsAre(input: Input): 'in front' | 'around' | 'behind' | null {
   const found = withTwoCleanRoots(input);
   if (!found) return null;

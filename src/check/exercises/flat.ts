@@ -47,7 +47,7 @@ export const flat: Exercise = {
   paper: true,
   kinds: kindsOf('flat'),
   draw(random, kind, level) {
-    // Now and then just a point outside, so that the answer is not always the surprising one.
+    // One in four has the usual answer, so that the surprising one cannot be guessed.
     const plain = random() < 0.25;
     const input = drawUntil(
       () => drawInput(random, kind, level),

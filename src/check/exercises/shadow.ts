@@ -10,7 +10,7 @@ const SHADOW = [
   { id: 'dark', title: 'E is in the shadow' },
 ];
 
-/** The mistake that this input invites, if the numbers are clean. */
+/** Id of the mistake that this input tells apart; null if the numbers are not clean. */
 function tempting(input: Input): string | null {
   const found = withTwoCleanRoots(input);
   if (!found) return null;

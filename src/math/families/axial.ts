@@ -49,11 +49,11 @@ const ordinaryHyperboloid = (random: Random): Axial =>
 export const ordinaryAxial = (random: Random): Axial =>
   pick(random, [ordinaryCylinder, ordinaryCone, ordinaryHyperboloid])(random);
 
-/** A radius to compare other lengths with. */
+/** A length to compare others with: r, or for a cone its radius at height 1. */
 export const sizeOf = ({ a, r }: Axial): number => r || Math.sqrt(Math.abs(a)) || 1;
 
 /**
- * A height at which the shape has a circle to speak of: 1…2 from a cone's vertex, up to 1 from
+ * A height at which the circle is not tiny: 1…2 from a cone's vertex, up to 1 from
  * another centre.
  */
 const ordinaryHeight = (random: Random, { r }: Axial): number =>

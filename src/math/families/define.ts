@@ -9,12 +9,12 @@ export interface Question {
   readonly ray: Ray;
 }
 
-/** How hard a family's rays are, as one number that can be swept. */
+/** How hard a family's rays are, as one number. */
 export interface Dial {
   /** What the number is: `the distance of E is 10^k radii`. */
   readonly title: string;
   readonly range: readonly [number, number];
-  /** Where it is drawn from, uniformly, when nobody says. */
+  /** The interval that the number is drawn from, uniformly, when it is not given. */
   readonly usual: readonly [number, number];
 }
 
@@ -22,9 +22,9 @@ export interface Dial {
 export interface Family {
   readonly id: string;
   readonly title: string;
-  /** What is in it, in one sentence. */
+  /** One sentence for the page: which rays the family has, and why they are hard. */
   readonly idea: string;
-  /** Null where there is nothing to turn. */
+  /** How hard the rays are; null for a family without such a number. */
   readonly dial: Dial | null;
   /**
    * One ray and its shape.

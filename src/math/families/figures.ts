@@ -92,7 +92,7 @@ function throughPoint(random: Random, point: Vec3, normal: Vec3, k: number): Ray
   };
 }
 
-/** In quarters, and not parallel to the plane. */
+/** A direction in quarters that is not parallel to the plane. */
 function crossing(random: Random, normal: Vec3): Vec3 {
   for (;;) {
     const d = inQuarters(random, 2);

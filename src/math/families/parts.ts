@@ -103,7 +103,7 @@ export function nonZero(draw: () => Vec3): Vec3 {
   }
 }
 
-/** A dial's 2^k, as a number of doubles. */
+/** 2^k for a dial's k: a distance counted in doubles. */
 export const stepsOf = (k: number): number => scale(1, Math.round(k));
 
 /** x moved by up to `most` doubles either way, 0 included. */

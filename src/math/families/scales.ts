@@ -81,7 +81,7 @@ export const outOfRange = family({
   ray: rayOutOfRange,
 });
 
-/** From 1e-12 to 1e9, every power of ten as likely. */
+/** A length from 1e-12 to 1e9, uniform in its logarithm. */
 const anySize = (random: Random): number => tenTo(uniform(random, -12, 9));
 
 const EXTREMES: NonEmpty<Draw<Axial>> = [

@@ -29,7 +29,7 @@ export const vertex = family({
   },
 });
 
-/** In quarters, not along a generator, which would be another family. */
+/** A direction in quarters, not along a generator: that would be another family. */
 function slanted(random: Random, a: number): Vec3 {
   for (;;) {
     const [x, y, z] = inQuarters(random, 3);

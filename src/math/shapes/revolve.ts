@@ -38,7 +38,7 @@ export function aboutAxis(
   };
 }
 
-/** The axis shows a little beyond the surface. */
+/** Where the drawn axis ends: above the stage by 4 % of its height. */
 const overshoot = ({ low, high }: Stage): number => high + (high - low) * 0.04;
 
 /**
@@ -73,7 +73,7 @@ function profile({ center, a, r }: Revolution, stage: Stage): Piece[] {
   return nappes(y, from, to);
 }
 
-/** √(c² − b²), 0 for b > c: the other leg of a right triangle. */
+/** √(c² − b²), the other leg of a right triangle; 0 for b > c. */
 function leg(c: number, b: number): number {
   return c > b ? Math.sqrt(c - b) * Math.sqrt(c + b) : 0;
 }

@@ -22,7 +22,7 @@ interface Program {
   cancel(): void;
 }
 
-/** Where the link's set is older than some shape, "all" would not be true. */
+/** Words for "all shapes": those of the set, which may be older than some of SHAPES. */
 const allWords = (set: string): string => {
   const { length } = setOf(set).shapes;
   return length === SHAPES.length ? 'all shapes' : `the ${length} shapes of set ${set}`;
@@ -58,7 +58,7 @@ export function mountProgram(
     refusal = words;
     changed();
   };
-  /** What stands in the box stays there if the new text is not taken. */
+  /** Whether the text may replace the program; if it is refused, the editor keeps its text. */
   const takes = (text: string, what = 'This text'): boolean => {
     const reason = tooLong(text);
     if (reason) refuse(`${what} was not taken: ${reason}.`);
@@ -77,7 +77,7 @@ export function mountProgram(
     const choices = [kinds(), ...SHAPES.map(({ kind }) => [kind])];
     return text.trim() === '' || choices.some((k) => text === template(k) || text === example(k));
   };
-  /** What somebody wrote is not thrown away for a template: it goes below it. */
+  /** Puts a template into the editor; a program of the student is kept, below it. */
   const offer = (text: string, what: string): void => {
     const before = source();
     const below = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;

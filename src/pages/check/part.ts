@@ -7,7 +7,7 @@ import type { Wanted } from './question-scene.ts';
 import { createPicture } from './question-scene.ts';
 import type { CheckSettings } from './settings.ts';
 
-/** What every part of the page gets. */
+/** What every part of the page is created with. */
 export interface PartContext extends PageContext {
   readonly memory: Memory;
   /** Writes settings into the link. */

@@ -29,11 +29,11 @@ export const kindsFor = (cases: string, set: string): readonly ShapeKind[] =>
     ? setOf(set).shapes
     : SHAPES.map(({ kind }) => kind).filter((kind) => cases === kind);
 
-/** Of what the program says outside of its results, so much is shown. */
+/** Number of notes shown: messages of the program outside of its results. */
 const MOST_NOTES = 3;
 const MOST_LINES = 101;
 
-/** What a run of a program has led to so far. */
+/** The state of a run: its results so far. */
 interface RunState {
   readonly running: { readonly done: number; readonly total: number } | null;
   readonly trouble: string;
@@ -45,7 +45,7 @@ interface RunState {
   /** Why there is no timing; '' where that needs no words. */
   readonly untimed: string;
   readonly selected: Failure | null;
-  /** How many runs have come to their end. */
+  /** Number of runs that have ended, for tests and for the report. */
   readonly finished: number;
 }
 

@@ -40,9 +40,9 @@ export interface Wanted {
   readonly results: boolean;
   /** A student's own values, drawn as a ghost, alone or beside the truth. */
   readonly answers: Answers | null;
-  /** What a question tells. */
+  /** Quantities that the question gives. */
   readonly given: Answers;
-  /** In words, what of the picture is not given. */
+  /** Beside the picture and in its description: what of it is not given; '' for nothing. */
   readonly note: string;
   readonly view: View;
 }

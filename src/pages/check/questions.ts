@@ -24,7 +24,7 @@ import type { CheckSettings } from './settings.ts';
 
 interface Questions extends LeftPart {
   readonly tools: QuestionTools;
-  /** The session as it stands, to be taken away. */
+  /** The session so far as JSON, for a download. */
   json(): string;
 }
 
@@ -85,7 +85,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     solution: () => keep(solutionShown(progress, index)),
     go(next) {
       set({ question: next });
-      // The next question is drawn in the next frame; its first box is where the hands go.
+      // The next question is rendered in the next frame; then its first box gets the focus.
       requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
     },
     // A session that begins here has the newest questions; one of an older link keeps its own.

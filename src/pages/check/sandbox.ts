@@ -30,9 +30,9 @@ interface Heard {
  */
 const OPEN_LIMIT_MS = 12_000;
 const AFTER_LOAD_MS = 5000;
-/** The frame's own watchdog takes a second; a frame that says nothing for longer is dead itself. */
+/** Silence in ms after which the frame counts as dead. Its own watchdog ends a worker after 1 s. */
 const FRAME_LIMIT_MS = 6000;
-/** The harness sends less than a thousand; more than this comes from something else. */
+/** Most messages of a run. The harness sends less than 1,000; more come from the program itself. */
 const MOST_MESSAGES = 5000;
 
 let lastId = 0;
@@ -75,7 +75,7 @@ export function runInSandbox(
     timer = window.setTimeout(otherwise, ms);
   };
   const unopened = async (): Promise<void> => {
-    // Whatever comes from the frame now comes too late.
+    // The run has ended: later messages of the frame are ignored.
     window.removeEventListener('message', hear);
     const message = await likelyCause();
     end({ how: 'unopened', message });

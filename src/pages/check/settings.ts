@@ -65,7 +65,7 @@ export function readSettings(settings: Settings): Readable {
   const problems: string[] = [];
   const set = isSet(settings.set ?? '') ? (settings.set ?? '') : DEFAULTS.set;
   for (const [key, text] of Object.entries(settings)) {
-    // A link may name anything, also what every object has.
+    // A link may hold any key, also the name of a property that every object has ('toString').
     const [ok, wanted] = Object.hasOwn(CHECKS, key) ? (CHECKS[key] ?? UNKNOWN) : UNKNOWN;
     const words = wanted(set);
     if (ok(text, set)) usable[key] = text;

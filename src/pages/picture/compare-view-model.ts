@@ -4,7 +4,7 @@ import type { PictureModel } from './picture-model.ts';
 import { themeColours } from './theme-colours.ts';
 
 /**
- * What the compareView shows: one picture, two, or the map of their differences in the theme's ink.
+ * What the compare view shows: one picture, two, or a map of their differences in ink.
  */
 export function compareViewModel(
   { picture, requests, main, other, comparison }: PictureModel,

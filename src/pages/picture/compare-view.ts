@@ -3,10 +3,10 @@ import type { Picture } from '../../tracer/compare.ts';
 export interface CompareViewModel {
   readonly width: number;
   readonly height: number;
-  /** What is traced so far; null shows what was there before. */
+  /** The picture as far as it is traced; null keeps the one before on the screen. */
   readonly right: Picture | null;
   readonly left: Picture | null;
-  /** Drawn over both, if it is to be seen. */
+  /** The error map, drawn over both pictures; null if it is not shown. */
   readonly errors: (() => ImageData) | null;
   readonly comparing: boolean;
   /** Percent of the width that the left picture takes. */
@@ -17,10 +17,10 @@ export interface CompareViewModel {
 }
 
 interface CompareViewActions {
-  /** Where the divider is to stand, from where it stands. */
+  /** Moves the divider: `edit` maps its position in percent to the new one. */
   split(edit: (percent: number) => number): void;
   pixel(x: number, y: number): void;
-  /** The pixel cursor is here, not chosen yet. */
+  /** The pixel cursor was moved here; the pixel is not chosen yet. */
   cursor(x: number, y: number): void;
   /**
    * A press on the picture, in pixels and parts of them: true if something was taken hold of, which
@@ -31,7 +31,7 @@ interface CompareViewActions {
 }
 
 interface CompareView {
-  /** For what lies over the pictures. */
+  /** The element for overlays, above the pictures. */
   readonly over: HTMLElement;
   render(model: CompareViewModel): void;
 }

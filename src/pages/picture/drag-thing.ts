@@ -14,7 +14,7 @@ export interface DraggedThing {
   readonly width: number;
   readonly height: number;
   readonly from: readonly [x: number, y: number];
-  /** How far ahead of the eye that point is: it moves across the line of model. */
+  /** Distance of that point from the eye along the line of sight; a drag keeps it. */
   readonly depth: number;
 }
 
@@ -43,7 +43,7 @@ export function dragTo(held: DraggedThing, x: number, y: number): (now: Scene) =
   const du = (2 * (x - from[0]) * depth) / width;
   const dv = (-2 * (y - from[1]) * depth) / height;
   const pixel = (2 * depth * Math.hypot(...up)) / height;
-  // Finer digits than a pixel would only make the numbers long.
+  // Coordinates are rounded to a power of ten below one pixel, so that they stay short.
   const grid = 10 ** Math.floor(Math.log10(pixel));
   const by = right.map((r, i) => Math.round((du * r + dv * (up[i] ?? 0)) / grid) * grid);
   const taken = scene.things.find((thing) => thing.id === id);
@@ -61,7 +61,7 @@ function movedBy(thing: Placed, taken: Placed, by: readonly number[], grid: numb
     const step = by[i] ?? 0;
     if (step === 0) return place[i];
     const x = place[i] + step;
-    // 0.1 + 0.2 is no number that anybody wants to read.
+    // Removes the rounding noise of sums such as 0.1 + 0.2.
     return digits <= 15 && Math.abs(x) < 1e6 ? Number(x.toFixed(digits + 2)) : x;
   };
   return withParam(thing, param, [next(0), next(1), next(2)]);

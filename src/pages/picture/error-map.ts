@@ -2,7 +2,7 @@ import { type Comparison, OTHER_COLOUR, OTHER_VERDICT } from '../../tracer/compa
 
 type Rgb = readonly [number, number, number];
 
-/** How dark a pixel is: digits of t, then another colour, then another surface. */
+/** Darkness of a pixel, 0 to 1: least for digits of t, more for a colour, 1 for a surface. */
 const MOST_FOR_DIGITS = 0.4;
 const FOR_COLOUR = 0.62;
 const ALL_DIGITS = 16;

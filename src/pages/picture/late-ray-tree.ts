@@ -8,7 +8,7 @@ import type { Mounted } from '../../ui/mounted.ts';
  * without it.
  */
 interface LateRayTree {
-  /** Null takes the view away. */
+  /** Null removes the view. */
   render(model: TreeModel | null): void;
 }
 

@@ -21,7 +21,7 @@ export interface PictureActions {
   /** A scene that is refused changes nothing: the form that it comes from has said why. */
   scene(edit: (now: Scene) => Scene): void;
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
-  /** The right side: 'method:…' or 'start:…'. */
+  /** Chooses the right side of the comparison: 'method:…' or 'start:…'. */
   right(value: string): void;
 }
 

@@ -16,7 +16,7 @@ export interface PictureModel {
   readonly other: TraceProgress | null;
   /** Of one side against the one that is rather to be trusted, once both are finished. */
   readonly comparison: Comparison | null;
-  /** Whether that is the left one. */
+  /** Whether the picture that is trusted is the left one. */
   readonly trustsLeft: boolean;
   readonly ledger: LedgerModel;
   /** Pictures that the ledger's last column would still need. */
@@ -58,13 +58,13 @@ export function pictureModel(state: AppState, traceQueue: TraceQueue): PictureMo
 const trustOf = ({ settings }: TraceRequest): number =>
   METHODS.findIndex(({ id }) => id === settings.method);
 
-/** Switched off in the other picture, so it runs in this one. */
+/** An effect that the other picture lacks runs in this one. */
 const runsIn = ({ toggled }: TraceRequests, id: EffectId): boolean =>
   toggled[id]?.settings.forced[id] === 'off';
 
 const known = new WeakMap<Frame, WeakMap<Frame, Comparison>>();
 
-/** Compared once, since every progress of another picture asks again. */
+/** The result is cached: every progress message of another picture asks for it again. */
 function compared(a: TraceProgress | null, b: TraceProgress | null): Comparison | null {
   if (a?.state !== 'finished' || b?.state !== 'finished') return null;
   const mine = known.get(a.frame) ?? new WeakMap<Frame, Comparison>();

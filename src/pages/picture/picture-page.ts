@@ -57,7 +57,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     announce,
     close: () => tools.set({ pixel: '' }),
   });
-  /** The picture for which the ledger's last column was asked. */
+  /** Key of the picture for which the ledger's last column was requested; '' for none. */
   let counting = '';
   let held: DraggedThing | null = null;
   let told = '';
@@ -118,7 +118,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     space.render(pixels.space(now));
   };
 
-  /** Said once, when the picture that is asked for is done. */
+  /** Announces once that the picture is finished, and what was simulated. */
   const tell = ({ requests, main, ledger: { total, simulated } }: PictureModel): void => {
     if (main?.state !== 'finished' || told === requests.main.key) return;
     told = requests.main.key;

@@ -1,6 +1,6 @@
 import type { Picture } from '../../tracer/compare.ts';
 
-/** Pixels to each side of the one that is chosen. */
+/** Pixels to the left and right, and above and below, of the chosen one. */
 const ACROSS = 17;
 const DOWN = 4;
 
@@ -12,7 +12,7 @@ interface MagnifierModel {
 }
 
 interface PixelMagnifier {
-  /** Null takes it away. */
+  /** Null hides the magnifier. */
   render(model: MagnifierModel | null): void;
 }
 

@@ -22,7 +22,7 @@ interface PixelActions {
   readonly close: () => void;
 }
 
-/** Trees of the pixels that were looked at lately. */
+/** Number of ray trees that are cached, the most recent pixels. */
 const MOST_TREES = 24;
 
 const HINT = html`<p class="pixel-problem">Click a pixel to follow its rays.</p>`;
@@ -31,7 +31,7 @@ type Known = { readonly tree: RayTree } | { readonly problem: string } | 'asked'
 
 export function createPixelView(recorder: RayRecorder, actions: PixelActions): PixelView {
   const trees = new Map<string, Known>();
-  /** Kept, so that the view in space is not made anew while nothing changes. */
+  /** Cache of the scenes, so that the view in space is not rebuilt while nothing changes. */
   const inSpace = new WeakMap<RayNode, TreeScene>();
   let sample: number | null = null;
   let chosen: string | null = null;
@@ -74,7 +74,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
     return root ? treeRows(model.picture.scene, root, opened, settings) : null;
   };
 
-  /** The middle one, unless another was chosen: it is the one that comparisons count. */
+  /** Index of the sample: the chosen one, else the middle one, which comparisons use. */
   const sampleOf = ({ rays }: RayTree): number =>
     sample !== null && sample < rays.length ? sample : rays.length >> 1;
 

@@ -27,7 +27,7 @@ export function createRayRecorder(spawn: () => WorkerLike): RayRecorder {
       if (data.job === job) answer?.(data);
     });
     worker.addEventListener('error', ({ message = 'the worker failed' }) => {
-      // The next question gets a new one.
+      // The next request starts a new worker.
       worker?.terminate();
       worker = null;
       ready = null;
@@ -60,7 +60,7 @@ export function createRayRecorder(spawn: () => WorkerLike): RayRecorder {
 
   return {
     record(request, x, y) {
-      // One question at a time: answers carry no number of their own.
+      // Requests run one after the other, since replies carry no request number.
       const next = last.then(() => recordNow(request, x, y));
       last = next.catch(() => null);
       return next;

@@ -19,26 +19,26 @@ export interface TraceQueue {
    * The pictures that are needed now, the most urgent first. What runs and is not among them ends.
    */
   want(requests: readonly TraceRequest[]): void;
-  /** As far as a picture has come; null if nobody has begun it. */
+  /** Progress of a picture; null if it was not started. */
   seen(request: TraceRequest): TraceProgress | null;
   /** What is traced at this moment. */
   current(): TraceRequest | null;
-  /** Stops, until something else is wanted or `again`. */
+  /** Cancels the running trace; it restarts by `again`, or when another picture is wanted. */
   cancel(): void;
-  /** Traces these anew. */
+  /** Traces these pictures again from the start. */
   again(requests: readonly TraceRequest[]): void;
-  /** Stops, until the next `want`. */
+  /** Stops all tracing until the next call of `want`. */
   rest(): void;
 }
 
 interface TraceQueueTools {
   readonly spawn: () => WorkerLike;
   readonly workers: number;
-  /** Something is to be seen that was not there before. */
+  /** Called when there are new pixels or a new state. */
   readonly changed: () => void;
 }
 
-/** The device's cores, as far as there are workers for them. */
+/** Number of workers: the device's cores, within the limits of the pool. */
 export const coresOf = ({
   hardwareConcurrency,
 }: {
@@ -93,7 +93,7 @@ export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): 
     if (isOpen(request)) running = { request, job };
   };
 
-  /** The oldest that nobody wants. */
+  /** Drops the oldest pictures that are no longer wanted. */
   const forget = (): void => {
     const idle = [...seen.keys()].filter((key) => !wanted.some((request) => request.key === key));
     for (const key of idle.slice(0, Math.max(0, seen.size - MOST_KEPT))) seen.delete(key);

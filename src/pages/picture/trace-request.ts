@@ -5,7 +5,7 @@ import { otherSide } from '../../state/picture/against.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
 
-/** A picture that can be traced. Two of one key are the same, bit by bit. */
+/** A picture to trace. Equal keys mean equal pictures, bit for bit. */
 export interface TraceRequest {
   readonly key: string;
   readonly scene: Scene;
@@ -14,7 +14,7 @@ export interface TraceRequest {
 
 export interface TraceRequests {
   readonly main: TraceRequest;
-  /** The other side of the comparison. */
+  /** The other picture of the comparison; null without one. */
   readonly other: TraceRequest | null;
   /** By effect, the picture in which that effect is as it is not in the main one. */
   readonly toggled: Readonly<Partial<Record<EffectId, TraceRequest>>>;
