@@ -38,7 +38,8 @@ function cheapest(
 
 /**
  * What right answers cost on the rays of these rows, with the table's own numbers. Empty until both
- * questions have a time. `rows` are methods in their own arithmetic, none emulated; `lead` says whose
+ * questions have a time. `rows` are methods in their own arithmetic, none emulated; `lead` says
+ * whose
  * prices they are if not this device's.
  */
 export function headlineOf(rows: readonly MeasuredRow[], titleOf: TitleOf, lead = ''): string {
@@ -54,14 +55,18 @@ function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf): string {
   const first =
     verdict.id === BASE_METHOD
       ? 'The textbook formula is right about all of these rays, and nothing right is cheaper'
-      : `A verdict that is right for all of these rays costs ${priceWords(verdict, 'classes', titleOf)}`;
+      : `A verdict that is right for all of these rays costs ` +
+        `${priceWords(verdict, 'classes', titleOf)}`;
   // Where no ray has a root, there is none to be faithful.
   if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;
   const roots = cheapest(rows, 'roots', isFaithful);
   if (!roots) return `${first}; no method gives both roots to the last digit.`;
   if (roots.id === BASE_METHOD) return `${first}, with both roots to the last digit, too.`;
   const same = roots.id === verdict.id;
-  return `${first}; both roots, faithful to the last digit, cost ${priceWords(roots, 'roots', same ? null : titleOf)}.`;
+  return (
+    `${first}; both roots, faithful to the last digit, cost ` +
+    `${priceWords(roots, 'roots', same ? null : titleOf)}.`
+  );
 }
 
 /** “about 1.2 times the textbook formula (certified)”, both asked the same. */
@@ -80,7 +85,8 @@ function priceWords(row: MeasuredRow, question: Question, titleOf: TitleOf | nul
 }
 
 /**
- * What the textbook formula gets wrong on these rays, what the cheapest method does, and whether the
+ * What the textbook formula gets wrong on these rays, what the cheapest method does, and whether
+ * the
  * machine was busy. Empty while nothing is counted.
  */
 export function detailsOf(
@@ -118,14 +124,20 @@ function cheapestWords(rows: readonly MeasuredRow[], question: Question, titleOf
   const words = failuresOf(found.quality);
   const does = words || 'has every verdict right';
   const asked = question === 'roots' ? 'both roots' : 'a verdict alone';
-  return `The cheapest for ${asked} is ${titleOf(found.id)}, ${priceText(times)} of textbook’s price: it ${does}.`;
+  return (
+    `The cheapest for ${asked} is ${titleOf(found.id)}, ${priceText(times)} of textbook’s ` +
+    `price: it ${does}.`
+  );
 }
 
 /** A reader who knows that something else was running will not take the last figure at its word. */
 function busyWords(rows: readonly MeasuredRow[], question: Question): string {
   const spread = spreadOfRows(rows, question);
   if (!(spread > BUSY)) return '';
-  return `The machine was busy; one round in four took at least ${Math.round(100 * spread)} % longer than the best.`;
+  return (
+    `The machine was busy; one round in four took at least ${Math.round(100 * spread)} % ` +
+    `longer than the best.`
+  );
 }
 
 /** How far the rounds of the least steady method spread; −∞ before there is a time. */

@@ -15,7 +15,9 @@ import { DEFAULT_METHOD, findMethod, type Method } from '../math/shapes.ts';
 import { type Batch, type Form, type Sample, tasksOf } from './plan.ts';
 import type { Clock, Task } from './run.ts';
 
-/** As they are drawn, or those that meet the shape first: then a processor foresees its branches. */
+/**
+ * As they are drawn, or those that meet the shape first: then a processor foresees its branches.
+ */
 export type Order = 'random' | 'sorted';
 
 const FORMS: readonly Form[] = ['both', 'classes'];

@@ -24,7 +24,9 @@ export function galleryContent(
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>
         <h3>${title}</h3>
-        <div class="gallery-cards">${own.map((example) => card(example, current?.entry === example ? current : null, pick, thumbnail, hidden))}</div>
+        <div class="gallery-cards">${own.map((example) =>
+          card(example, current?.entry === example ? current : null, pick, thumbnail, hidden),
+        )}</div>
       </section>`;
     })}
   </div>`;
@@ -54,7 +56,12 @@ function card(
   >
     <span class="thumbnail" aria-hidden="true" ${ref(draw)}></span>
     <strong>${hidden ? `example ${GALLERY.indexOf(example) + 1}` : example.title}</strong>
-    ${current?.changed ? html`<span class="gallery-look">Changed since: choosing it brings it back.</span>` : nothing}
+    ${
+      current?.changed
+        ? html`<span
+      class="gallery-look">Changed since: choosing it brings it back.</span>`
+        : nothing
+    }
     <span class="gallery-look">${hidden ? '' : example.look}</span>
   </button>`;
 }

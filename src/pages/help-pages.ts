@@ -4,41 +4,49 @@ import type { PageId } from '../state/state.ts';
 /** How each page is worked: what it is for, and what no label on it says. */
 export const HELP: Readonly<Record<PageId, TemplateResult>> = {
   explore: html`<h3>In the scene</h3>
-    <p>Drag E, the tip of d, the shape’s own point or its radius; drag the background to look from elsewhere, turn the
-      wheel or pinch to come closer. With the keyboard: Tab to a handle, arrows move it along x and y, Page Up and Page
-      Down along z, Shift makes the steps fine, Alt lets go of the grid. On the scene itself the arrows turn it, + and −
-      zoom, 0 goes back.</p>`,
+    <p>Drag E, the tip of d, the shape’s own point or its radius; drag the background to look from
+      elsewhere, turn the wheel or pinch to come closer. With the keyboard: Tab to a handle,
+      arrows move it along x and y, Page Up and Page Down along z, Shift makes the steps fine, Alt
+      lets go of the grid. On the scene itself the arrows turn it, + and − zoom, 0 goes back.</p>`,
   accuracy: html`<h3>This page</h3>
-    <p>Times are measured on this device, briefly as soon as the page is at rest, on rays of the chosen family, by the
-      same code that the project’s bench runs; “Measure longer” refines them. Until then faint marks show what the bench
-      measured of typical rays. SIMD kernels are compared with SIMD kernels, TypeScript with TypeScript; each price is a
-      multiple of the textbook formula’s in the same. Rays are met in random order, or hits first and misses then.</p>
-    <p>A point of a plot is a button: above it chooses its method, below it shows that method’s worst ray there, which
-      opens in Explore.</p>
-    <p>The table takes the ray of Explore through every method; the row that is chosen is the method of Explore and
-      Picture too. Bold digits are right, faded ones are not. Every number of the ray can be moved by one double, with the
-      buttons or, on them, with the arrow keys.</p>`,
+    <p>Times are measured on this device, briefly as soon as the page is at rest, on rays of the
+      chosen family, by the same code that the project’s bench runs; “Measure longer” refines
+      them. Until then faint marks show what the bench measured of typical rays. SIMD kernels are
+      compared with SIMD kernels, TypeScript with TypeScript; each price is a multiple of the
+      textbook formula’s in the same. Rays are met in random order, or hits first and misses
+      then.</p>
+    <p>A point of a plot is a button: above it chooses its method, below it shows that method’s
+      worst ray there, which opens in Explore.</p>
+    <p>The table takes the ray of Explore through every method; the row that is chosen is the
+      method of Explore and Picture too. Bold digits are right, faded ones are not. Every number
+      of the ray can be moved by one double, with the buttons or, on them, with the arrow
+      keys.</p>`,
   picture: html`<h3>This page</h3>
-    <p>Only what the scene needs is simulated; the list beside the picture says what that was, what it cost, and what was
-      left out and why. “Scene” opens the forms in which everything can be changed; shapes can then be dragged in the
-      picture too.</p>
-    <p>On the picture the arrows move a cursor from pixel to pixel, Page Up, Page Down and Ctrl with an arrow farther, and
-      Enter follows the rays of that pixel. On the divider of a comparison the arrows move it, with Shift a tenth as far, Home
-      and End to the sides.</p>`,
+    <p>Only what the scene needs is simulated; the list beside the picture says what that was,
+      what it cost, and what was left out and why. “Scene” opens the forms in which everything can
+      be changed; shapes can then be dragged in the picture too.</p>
+    <p>On the picture the arrows move a cursor from pixel to pixel, Page Up, Page Down and Ctrl
+      with an arrow farther, and Enter follows the rays of that pixel. On the divider of a
+      comparison the arrows move it, with Shift a tenth as far, Home and End to the sides.</p>`,
   check: html`<h3>This page</h3>
-    <p>Enter hands in an answer. Set and seed are in the link: the same two pose the same questions everywhere. What was
-      answered and typed stays on this device, and survives a reload.</p>
-    <p>An own program runs in a frame without network, storage or page, in a worker of its own that is ended when it
-      falls silent for a second.</p>`,
+    <p>Enter hands in an answer. Set and seed are in the link: the same two pose the same
+      questions everywhere. What was answered and typed stays on this device, and survives a
+      reload.</p>
+    <p>An own program runs in a frame without network, storage or page, in a worker of its own
+      that is ended when it falls silent for a second.</p>`,
 };
 
 export const ABOUT: Readonly<Record<PageId, string>> = {
   explore:
-    'Choose a shape and move the ray R(t) = E + t d. Everything else follows: the coefficients, the roots, the points and the normals. t counts in lengths of d.',
+    'Choose a shape and move the ray R(t) = E + t d. Everything else follows: the coefficients, ' +
+    'the roots, the points and the normals. t counts in lengths of d.',
   accuracy:
-    'How many digits each of eight methods gets right, what each digit costs, and where the lost ones go.',
+    'How many digits each of eight methods gets right, what each digit costs, and where the lost ' +
+    'ones go.',
   picture:
-    'A ray-traced picture of a scene, and the account of what it took. Every ray in it is answered by the method that is chosen.',
+    'A ray-traced picture of a scene, and the account of what it took. Every ray in it is ' +
+    'answered by the method that is chosen.',
   check:
-    'Questions whose wrong answers are explained, own numbers marked line by line, and own programs run against exact cases.',
+    'Questions whose wrong answers are explained, own numbers marked line by line, and own ' +
+    'programs run against exact cases.',
 };

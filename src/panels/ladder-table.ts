@@ -29,12 +29,17 @@ export function ladderTable(model: LadderModel, choose: (id: string) => void): T
   const head = (name: string, words: string, rows = 2): TemplateResult =>
     html`<th role="columnheader" scope="col" rowspan=${rows} class=${`head-${name}`}>${words}</th>`;
   return html`<table class="ladder" role="table" aria-label="This ray by every method">
-    <caption class="ladder-timed">× textbook, in SIMD and in TypeScript: of ${model.timed}, above</caption>
+    <caption
+      class="ladder-timed">× textbook, in SIMD and in TypeScript: of ${model.timed}, above</caption>
     <thead role="rowgroup">
       <tr role="row">
         <th role="columnheader" scope="col" rowspan="2" class="name-head">method</th>
-        ${head('verdict', 'verdict')}${head('roots', 'roots')}${head('digits', 'digits that are right')}${head('error', 'error')}
-        <th role="columnheader" scope="colgroup" colspan="2" class="head-timed">× textbook: ${model.timed}, above</th>
+        ${head('verdict', 'verdict')}${head('roots', 'roots')}${head(
+          'digits',
+          'digits that are right',
+        )}${head('error', 'error')}
+        <th role="columnheader" scope="colgroup" colspan="2"
+          class="head-timed">× textbook: ${model.timed}, above</th>
         ${head('where', 'where digits go')}
       </tr>
       <tr role="row">${head('simd', 'SIMD', 1)}${head('typescript', 'TypeScript', 1)}</tr>
@@ -60,7 +65,8 @@ function ladderRow(
   >
     <th role="rowheader" scope="row" class="ladder-method">
       <label class="ladder-name">
-        <input type="radio" name="ladder-method" .checked=${chosen} @change=${() => choose(method.id)} />
+        <input type="radio" name="ladder-method" .checked=${chosen}
+          @change=${() => choose(method.id)} />
         <span class="title">${method.title}</span>
         <span class="hint">${HINTS[method.id] ?? method.idea}</span>
       </label>
@@ -95,7 +101,8 @@ function verdict({ found, judgement }: MethodRow): TemplateResult {
       ${mark(found.class, judgement === 'undecided')}
       <span data-quantity="class" data-value=${found.class}>${SAYS[found.class]}</span>
     </span>
-    <span class="hint" data-quantity="judgement" data-value=${judgement}>${JUDGEMENTS[judgement]}</span>`;
+    <span class="hint" data-quantity="judgement"
+      data-value=${judgement}>${JUDGEMENTS[judgement]}</span>`;
 }
 
 /** The disc of a hit, the cross of a miss, the dashed ring of what cannot be told. */
@@ -105,7 +112,8 @@ function mark(verdict: Verdict, open: boolean): TemplateResult {
     : verdict === 'none'
       ? svg`<path d="M-5-5L5 5M-5 5L5-5" class="is-cross" />`
       : svg`<circle r="6" class="is-hit" />`;
-  return html`<svg class="ladder-mark" viewBox="-8 -8 16 16" width="15" height="15" aria-hidden="true">${drawn}</svg>`;
+  return html`<svg class="ladder-mark" viewBox="-8 -8 16 16" width="15" height="15"
+    aria-hidden="true">${drawn}</svg>`;
 }
 
 function roots({ roots, judgement }: MethodRow): TemplateResult {
@@ -114,7 +122,12 @@ function roots({ roots, judgement }: MethodRow): TemplateResult {
   }
   return html`${roots.map(
     ({ t, marked }, i) => html`<span class="root">
-      <span class="root-letter">${symbol('t', roots.length > 1 ? String(i + 1) : null, 'sym', `t${i + 1}`)}</span>
+      <span class="root-letter">${symbol(
+        't',
+        roots.length > 1 ? String(i + 1) : null,
+        'sym',
+        `t${i + 1}`,
+      )}</span>
       <span data-quantity=${`t${i + 1}`} data-value=${shortest(t)}>${markedNumber(marked)}</span>
     </span>`,
   )}`;

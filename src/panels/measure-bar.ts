@@ -28,9 +28,13 @@ export function measureBar(model: MeasureModel, actions: MeasureActions): Templa
     ${
       running
         ? html`<button type="button" class="button" @click=${actions.cancel}>Cancel</button>
-            <progress class="measure-progress" max="1" .value=${measured?.share ?? 0} aria-label="Measuring"></progress>
+            <progress class="measure-progress" max="1" .value=${measured?.share ?? 0}
+              aria-label="Measuring"></progress>
             <span class="measure-left">${leftText(measured)}</span>`
-        : html`<button type="button" class="button" @click=${actions.measure}>${measured && measured.round > 0 ? 'Measure longer' : 'Measure'}</button>`
+        : html`<button type="button" class="button"
+          @click=${actions.measure}>${
+            measured && measured.round > 0 ? 'Measure longer' : 'Measure'
+          }</button>`
     }
     <p class="measure-words" role="status">${failed || (running ? '' : stateText(measured))}</p>
     ${reference ? html`<p class="measure-reference">${reference}</p>` : nothing}

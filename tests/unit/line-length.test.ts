@@ -17,12 +17,7 @@ const LONG_CODE = [
     (name) => `src/charts/${name}.ts`,
   ),
   ...['algebra', 'controls', 'param-rows', 'shape-picker'].map((name) => `src/panels/${name}.ts`),
-  ...[
-    'src/lab/sentence.ts',
-    'src/math/formula/print',
-    'src/state/accuracy',
-    'src/ui/number-box.ts',
-  ],
+  ...['src/math/formula/print', 'src/state/accuracy', 'src/ui/number-box.ts'],
   ...['src/pages/accuracy', 'src/pages/explore', 'tests'],
 ];
 
