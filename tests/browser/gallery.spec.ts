@@ -45,6 +45,18 @@ test.describe('without the picture', () => {
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY.at(-1)?.title ?? '');
   });
 
+  test('who has done nothing yet is told what to do, until E has moved', async ({ page }) => {
+    const invitation = page.locator('.invitation');
+    await open(page, '');
+    await expect(invitation).toHaveText(/Drag E\. Watch D change its sign\./);
+    await typeInto(page, 'E.x', '2');
+    await expect(invitation).toHaveCount(0);
+    await page.locator('.example-name').focus();
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    await expect(invitation).toHaveCount(0);
+  });
+
   test('the far one says that the textbook formula is contradicted', async ({ page }) => {
     await open(page, GALLERY.find(({ id }) => id === 'cylinder-far')?.link ?? '');
     await expect(page.locator('.verdict')).toContainText('the ray misses');

@@ -6,6 +6,7 @@ import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
+import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
@@ -46,6 +47,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     dispatch,
   );
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
+  let untouched = true;
   const predict = latePredict(dispatch, changed);
   const narrow = matchMedia('(max-width: 559px)');
   const wide = matchMedia('(min-width: 900px)');
@@ -70,7 +72,8 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch);
       render(panelContent(model, card, tools.large), panel);
-      render(sceneBar(model, tools), bar);
+      untouched &&= model.state.E === INITIAL.E && model.example === null;
+      render(sceneBar(model, tools, untouched), bar);
       graph.render(model.graph);
       const drawn = performance.now();
       scene.render(model.scene);

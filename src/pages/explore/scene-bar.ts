@@ -9,10 +9,14 @@ export interface SceneBarTools {
   readonly playing: boolean;
 }
 
+/** What this is and what to do, for who has done nothing yet; true of a shape that has a D. */
+const INVITATION = 'Where does a ray meet a surface? Drag E. Watch D change its sign.';
+
 /** Over the scene: which example this is, and what can be done with the ray that is shown. */
 export function sceneBar(
-  { state, example }: ExploreModel,
+  { state, example, found }: ExploreModel,
   { command, playing }: SceneBarTools,
+  untouched: boolean,
 ): TemplateResult {
   const run = (id: string) => () => command(id)?.run();
   const hidden = state.revealed !== null;
@@ -25,6 +29,7 @@ export function sceneBar(
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
       ${example && !example.changed && !hidden ? html`<p class="look">${example.entry.look}</p>` : nothing}
+      ${untouched && !hidden && found.details.family === 'curved' ? html`<p class="look invitation">${INVITATION}</p>` : nothing}
     </div>
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
