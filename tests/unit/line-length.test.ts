@@ -8,9 +8,6 @@ import { describe, expect, test } from 'vitest';
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const COLUMNS = 100;
 
-/** Folders whose comments are still to be rewritten. This list only gets shorter. */
-const LONG_COMMENTS = ['src/math/methods/certified'];
-
 /** Folders and files with longer templates, strings and tables. This list only gets shorter. */
 const LONG_CODE = [
   ...['frontier', 'frontier-marks', 'graph-grid', 'graph-layers', 'plot'].map(
@@ -52,17 +49,12 @@ const code = all.filter((line) => !isComment(line));
 
 describe(`no line has more than ${COLUMNS} columns`, () => {
   test('no comment', () => {
-    const found = comments.filter((line) => !isUnder(LONG_COMMENTS)(line));
-    expect(found.map(placeOf)).toEqual([]);
+    expect(comments.map(placeOf)).toEqual([]);
   });
 
   test('no code', () => {
     const found = code.filter((line) => !isUnder(LONG_CODE)(line));
     expect(found.map(placeOf)).toEqual([]);
-  });
-
-  test.each(LONG_COMMENTS)('%s is still an exception for its comments', (folder) => {
-    expect(comments.some(isUnder([folder])), 'take it off the list').toBe(true);
   });
 
   test.each(LONG_CODE)('%s is still an exception for its code', (folder) => {

@@ -140,8 +140,8 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
    * much as they may be.
    */
   function step(F: number, offF: number, eta: number): number {
-    places.PLACE[places.PLACE_F] = F;
-    places.PLACE[places.PLACE_F + 1] = F * U;
+    places.STEP_PLACE[places.PLACE_F] = F;
+    places.STEP_PLACE[places.PLACE_F + 1] = F * U;
     expect(places.putStep(0, 1, offF, 1, eta)).toBe(eta <= 0.25);
     const [, delta = 0, off = 0] = places.PLACE_STEP;
     return Math.max(
@@ -180,7 +180,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       const bend = 2 * U * 3;
       const offSlope = places.ERROR_SLOPE * abs(x);
       const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
-      const bent = abs(2 * x - (places.PLACE[places.PLACE_F] ?? 0) / (2 * x));
+      const bent = abs(2 * x - (places.STEP_PLACE[places.PLACE_F] ?? 0) / (2 * x));
       return (
         (places.PLACE_STEP[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
       );

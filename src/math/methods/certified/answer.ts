@@ -8,9 +8,10 @@ import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 
 /**
- * Class, roots, points and normals are plain data. Only the details of the algebra are worked out, exactly, when somebody reads them, from
- * copies of the numbers, so that what is read later does not depend on what became of the caller's arrays. They are an own and enumerable
- * property all the same: a spread, JSON, structuredClone or a comparison reads them like any other.
+ * Class, roots, points and normals are plain data. Only the details of the algebra are worked out,
+ * exactly, when somebody reads them, from copies of the numbers, so that what is read later does
+ * not depend on what became of the caller's arrays. They are an own and enumerable property all the
+ * same: a spread, JSON, structuredClone or a comparison reads them like any other.
  */
 export class CertifiedAnswer implements Intersection {
   readonly class: Verdict;
@@ -37,7 +38,10 @@ export class CertifiedAnswer implements Intersection {
     Object.defineProperty(this, 'details', CertifiedAnswer.#DETAILS);
   }
 
-  /** One getter for all answers: with a new function for each, V8 gives up on a common layout, at six times the price. */
+  /**
+   * One getter for all answers: with a new function for each, V8 gives up on a common layout, at
+   * six times the price.
+   */
   static readonly #DETAILS: PropertyDescriptor & ThisType<CertifiedAnswer> = {
     get() {
       return exactly(this.#shape, this.#ray).details;
@@ -47,10 +51,16 @@ export class CertifiedAnswer implements Intersection {
   };
 }
 
-/** The last questions that needed whole numbers: hits and details of one answer are worked out together. A memo only. */
+/**
+ * The last questions that needed whole numbers: hits and details of one answer are worked out
+ * together. A memo only.
+ */
 const known = new WeakMap<Ray, Intersection>();
 
-/** What the exact rung says. The ray must not change any more: it is what the answer is remembered by. */
+/**
+ * What the exact rung says. The ray must not change any more: it is what the answer is remembered
+ * by.
+ */
 export function exactly(shape: Quadric | Planar, ray: Ray): Intersection {
   const before = known.get(ray);
   if (before) return before;
@@ -59,7 +69,9 @@ export function exactly(shape: Quadric | Planar, ray: Ray): Intersection {
   return found;
 }
 
-/** The shape that these numbers stand for: what is missing in its formula makes it the special case. */
+/**
+ * The shape that these numbers stand for: what is missing in its formula makes it the special case.
+ */
 function curvedShape({ Cx, Cy, Cz, hasY, hasR, flare, r }: Quadric): Shape {
   const center: Vec3 = [Cx, Cy, Cz];
   if (!hasY) return { kind: 'cylinder', center, radius: r };

@@ -4,29 +4,36 @@ import { BOX, type CertifiedQuadric } from './quadric-numbers.ts';
 import type { OpenRays } from './stage.ts';
 
 /*
- * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY = k·(Ey − Cy), so all three
- * are alike. p = fl(E − C) is off by u; k by u, so Y by 2u and PY by 3u.
+ * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =
+ * k·(Ey − Cy), so all three are alike. p = fl(E − C) is off by u; k by u, so Y by 2u and PY by 3u.
  *
- *   m = d × p: each of its two products is off by ≤ 4u, the difference by u|m|:           |δmi| ≤ 4u Si + u|mi|
- *   mi²:       2|mi|(4u Si + u|mi|) + (4u Si + u|mi|)² + u mi²:                           ≤ 8u |mi| Si + 3u mi² + 16u² Si² + 9u² |mi| Si
+ *   m = d × p: each of its two products is off by ≤ 4u, the difference by u|m|:
+ *                                                                             |δmi| ≤ 4u Si + u|mi|
+ *   mi²:       2|mi|(4u Si + u|mi|) + (4u Si + u|mi|)² + u mi²:
+ *                                                    ≤ 8u |mi| Si + 3u mi² + 16u² Si² + 9u² |mi| Si
  *   ρA:        A: dx² 3u, Y² (4 + 2)u; ρ u; the product u:                                ≤ 8u ρ Am
  *   D/4 = ρA ± (mx² + mz²) − my²: three more sums, each of which adds u of what it adds:
- *              |δ(D/4)| ≤ Σ ((8u + 9u²)|mi|Si + 6u mi²) + 10u ρAm + 16u² Σ Si²  ≤ u·(14.1 M S + 10 ρAm + 4u S²)
+ *              |δ(D/4)| ≤ Σ ((8u + 9u²)|mi|Si + 6u mi²) + 10u ρAm + 16u² Σ Si²  ≤ u·(14.1 M S + 10
+ *                ρAm + 4u S²)
  *
- * with Si = |dj pk| + |dk pj|, S = |d|₁|p|₁ ≥ ΣSi, M = Σ|mi|, mi² ≤ |mi| Si, all as they are computed. In the last term Si² ≤ mi² + 4 wj wk for wj = |dj pj|, and
- * Σj<k wj wk ≤ (Σ√wj)⁴/16 ≤ S²/16 (most for two of them alike and no third), so Σ Si² ≤ Σ mi² + S²/4. MOMENT_ERROR, SQUARE_ERROR and RHO_ERROR are these
- * constants with room for terms in u² and for evaluating the bound in doubles (a relative 20u). Unlike 13u·S² it stays sharp
- * however far away E is, where M ≪ S.
+ * with Si = |dj pk| + |dk pj|, S = |d|₁|p|₁ ≥ ΣSi, M = Σ|mi|, mi² ≤ |mi| Si, all as they are
+ * computed. In the last term Si² ≤ mi² + 4 wj wk for wj = |dj pj|, and Σj<k wj wk ≤ (Σ√wj)⁴/16 ≤
+ * S²/16 (most for two of them alike and no third), so Σ Si² ≤ Σ mi² + S²/4. MOMENT_ERROR,
+ * SQUARE_ERROR and RHO_ERROR are these constants with room for terms in u² and for evaluating the
+ * bound in doubles (a relative 20u). Unlike 13u·S² it stays sharp however far away E is, where M ≪
+ * S.
  *
- * Underflow: inside the box (|d|₁ from 2^-100 to 2^100, |p|₁ and r and k up to 2^100) a lost product is ≤ 2^-1074, and at
- * most 2^600 multiplies it; SMALLEST_D is far above.
+ * Underflow: inside the box (|d|₁ from 2^-100 to 2^100, |p|₁ and r and k up to 2^100) a lost
+ * product is ≤ 2^-1074, and at most 2^600 multiplies it; SMALLEST_D is far above.
  */
 export const MOMENT_ERROR = 16 * 2 ** -53;
 export const SQUARE_ERROR = 5 * 2 ** -106;
 export const RHO_ERROR = 12 * 2 ** -53;
 export const SMALLEST_D = 2 ** -200;
 
-/** Below |A| = LEAST_A·Am nothing is said about A: above, A ≠ 0, and it is known to 6u·2^20 < 2^-30. */
+/**
+ * Below |A| = LEAST_A·Am nothing is said about A: above, A ≠ 0, and it is known to 6u·2^20 < 2^-30.
+ */
 export const LEAST_A = 2 ** -20;
 
 /** The bound on |δ(D/4)| that is derived above. */
@@ -37,17 +44,23 @@ export const momentError = (S: number, M: number, rhoAm: number): number =>
 export const DIRECT_ERROR = 27 * 2 ** -53;
 
 /*
- * "Is it hit?" by D/4 = b² − AC with half-b, and a bound on its error. u = 2^-53; p = fl(E − C) is off by u, a = fl(c²) by u.
+ * "Is it hit?" by D/4 = b² − AC with half-b, and a bound on its error. u = 2^-53; p = fl(E − C) is
+ * off by u, a = fl(c²) by u.
  *
- *   A = dx² + dz² − a dy²       squares u, a·dy² 3u, two sums:           |δA| ≤ 4u Am
- *   C = px² + pz² − a py² − ρ   px² 3u, a·py² 5u, ρ u, sums (2 more):    |δC| ≤ 7u Cm
- *   b = dx px + dz pz − a dy py products 2u, the last 4u, two sums:      |δb| ≤ 5u bm, bm ≤ √(Am Cm) by Cauchy–Schwarz
- *   b²: 2·5u + u;  AC: 4u + 7u + u;  their difference u:                 |δ(D/4)| ≤ 24u Am Cm
+ *   quantity                         bound                 reason
+ *   A = dx² + dz² − a dy²            |δA| ≤ 4u Am          squares u, a·dy² 3u, two sums
+ *   C = px² + pz² − a py² − ρ        |δC| ≤ 7u Cm          px² 3u, a·py² 5u, ρ u, sums (2 more)
+ *   b = dx px + dz pz − a dy py      |δb| ≤ 5u bm          products 2u, the last 4u, two sums;
+ *                                                          bm ≤ √(Am Cm) by Cauchy–Schwarz
+ *   D/4 = b² − AC                    |δ(D/4)| ≤ 24u Am Cm  b² 2·5u + u, AC 4u + 7u + u,
+ *                                                          their difference u
  *
- * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ. DIRECT_ERROR has room for the terms in u² and for Am and Cm being
- * rounded themselves (at most 10u together). SMALLEST_DIRECT covers underflow: with k in the box and Am, Cm < LARGEST a lost product (2^-1074) is multiplied by a < 2^200 and
- * LARGEST at most, which is less than 2^-470; and where D is above SMALLEST_DIRECT, Am is above SMALLEST_DIRECT / 2 LARGEST = 2^-823, so that what A lost, 2^-874, is within
- * the 4u that its own DIRECT_ERROR is too large by (and more).
+ * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ. DIRECT_ERROR has room for the terms in
+ * u² and for Am and Cm being rounded themselves (at most 10u together). SMALLEST_DIRECT covers
+ * underflow: with k in the box and Am, Cm < LARGEST a lost product (2^-1074) is multiplied by a <
+ * 2^200 and LARGEST at most, which is less than 2^-470; and where D is above SMALLEST_DIRECT, Am is
+ * above SMALLEST_DIRECT / 2 LARGEST = 2^-823, so that what A lost, 2^-874, is within the 4u that
+ * its own DIRECT_ERROR is too large by (and more).
  */
 export const SMALLEST_DIRECT = 2 ** -422;
 /** Am and Cm below this: squares of the box's numbers, six of them and a. */
@@ -68,8 +81,9 @@ export function openClasses(
 }
 
 /**
- * What the direct form leaves open, with the sharper bound of the moment form: far away D/4 is a small difference of b² and AC,
- * but not of ρA and m². Formula and bound are those of pass 1 in quadric-kernel.ts.
+ * What the direct form leaves open, with the sharper bound of the moment form: far away D/4 is a
+ * small difference of b² and AC, but not of ρA and m². Formula and bound are those of pass 1 in
+ * quadric-kernel.ts.
  */
 function classesByMoment(
   { Cx, Cy, Cz, hasY }: Quadric,

@@ -24,17 +24,24 @@ import { putShort, putSingle, shortVerdict } from './short-numbers.ts';
 import { type CertifiedSlot, FAITHFUL, UU } from './stage.ts';
 
 /*
- * Both roots from A, b, C and D/4 = b² − AC of two doubles each (doubled.ts), as sums of two doubles. The errors, in u² = 2^-106, for any |δD| < D:
+ * Both roots from A, b, C and D/4 = b² − AC of two doubles each (doubled.ts), as sums of two
+ * doubles. The errors, in u² = 2^-106, for any |δD| < D:
  *
- *   s = √D/4     hi − s² exact, 2u of D, and D's lower half: 3u²; the quotient 1.5u², what Newton's step leaves 1.1u²: 4.1u²; D's own error: |δD|/s
- *   q = −(b ± s) with b's sign: lower halves 1.5u and u, their sums 4u², and what b and s are off.         together (δb + δD/s)/|q| + 9u²
- *   t = q/A, C/q  the rest is 2u and two lower halves, 4u in all: 9u²; by a quotient that is off by 2u, and without the lower half: 12u²
- *                hitAt's sums add 5u²:                                                                    26u²
+ *   quantity         error                     reason
+ *   s = √D/4         4.1u², and |δD|/s         hi − s² exact, 2u of D, and D's lower half 3u²; the
+ *                                              quotient 1.5u²; what Newton's step leaves 1.1u²
+ *   q = −(b ± s)     9u², and (δb + δD/s)/|q|  with b's sign: lower halves 1.5u and u, their sums
+ *                                              4u²
+ *   t = q/A, C/q     9u²                       the rest is 2u and two lower halves, 4u in all
+ *                    12u²                      the quotient off by 2u, without the lower half
+ *                    26u² in all               with the sums of hitAt, 5u²
  *
- * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. t = q/A is the lesser root if A and q differ in sign. The doubles keep that order: with
- * q² ≤ 2(b² + D) ≤ 6AmCm the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t = |q/A|.
- * None is so small that its lower half is lost: D > SMALLEST_D makes |q/A| > 2^-535; |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and
- * |C/q| > 2^-432 √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
+ * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. t = q/A is the
+ * lesser root if A and q differ in sign. The doubles keep that order: with q² ≤ 2(b² + D) ≤ 6AmCm
+ * the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t =
+ * |q/A|. None is so small that its lower half is lost: D > SMALLEST_ALGEBRA_D makes |q/A| > 2^-535;
+ * |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and |C/q| > 2^-432
+ * √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
  */
 
 /** No verdict. */
@@ -43,7 +50,10 @@ export const UNKNOWN = -1;
 export const ROUNDED_Q = 10 * UU;
 export const QUOTIENT = 30 * UU;
 
-/** Where C's bound is a larger share of it, E is so near to the surface that C cancels beyond twice the digits. */
+/**
+ * Where C's bound is a larger share of it, E is so near to the surface that C cancels beyond twice
+ * the digits.
+ */
 const SHARP = FAITHFUL / 2;
 
 const formed = createAlgebra();
@@ -78,8 +88,8 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
 }
 
 /**
- * The verdict and the correctly rounded roots of a ray, where the bounds say which double is nearest:
- * hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
+ * The verdict and the correctly rounded roots of a ray, where the bounds say which double is
+ * nearest: hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
  */
 export function roundedRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
   const verdict = plainRoots(q, ray, slot);
@@ -164,7 +174,10 @@ function quotient(
 export const ORDINARY = 2 ** 40;
 const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
 
-/** One ray that the filters left open; returns its verdict and fills the slot: twice the digits, the same in other units, whole numbers. */
+/**
+ * One ray that the filters left open; returns its verdict and fills the slot: twice the digits, the
+ * same in other units, whole numbers.
+ */
 export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
   let verdict = shortRoots(q, ray, slot);
   slot.exact = verdict !== UNKNOWN && (formed[AT_A] === 0 || formed[AT_D] === 0);
@@ -180,7 +193,10 @@ export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
 const longest = (v: Vec3, hasY: boolean): number =>
   Math.max(Math.abs(v[0]), hasY ? Math.abs(v[1]) : 0, Math.abs(v[2]));
 
-/** In powers of two as units, by which d and the lengths are about 1. UNKNOWN where a number would lose bits by that: E could seem to be on the surface then. */
+/**
+ * In powers of two as units, by which d and the lengths are about 1. UNKNOWN where a number would
+ * lose bits by that: E could seem to be on the surface then.
+ */
 function inUnits(q: Quadric, { origin: E, direction: d }: Ray, slot: RootSlot): number {
   const { hasY } = q;
   const speed = longest(d, hasY);
@@ -206,7 +222,8 @@ function inUnits(q: Quadric, { origin: E, direction: d }: Ray, slot: RootSlot): 
   if (!lossless) return UNKNOWN;
   const verdict = plainRoots(shape, { origin, direction }, slot);
   if (verdict === TWO) {
-    // Rounding twice, to 53 bits and then into the subnormals, stays faithful: a neighbour in the coarser grid is one in the finer.
+    // Rounding twice, to 53 bits and then into the subnormals, stays faithful: a neighbour in the
+    // coarser grid is one in the finer.
     slot.t0 = scale(slot.t0, l - k);
     slot.t1 = scale(slot.t1, l - k);
   }

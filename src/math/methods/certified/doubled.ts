@@ -4,18 +4,23 @@ import type { Ray } from '../../ray.ts';
 import { UU } from './stage.ts';
 
 /*
- * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles are split without loss (eft.ts); p = E − C is
- * two doubles exactly, so are c² and r². Only the lower halves are rounded when they are added up, and their own small products left out:
+ * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles
+ * are split without loss (eft.ts); p = E − C is two doubles exactly, so are c² and r². Only the
+ * lower halves are rounded when they are added up, and their own small products left out:
  *
- *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most of these; 1u² left out              14u² Am
- *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out                                                   23u² bm
- *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out                                    36u² Cm
- *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b, A, C: 14u² of b² + |AC|             124u² AmCm
+ *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most
+ *     of these; 1u² left out                                                                14u² Am
+ *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out         23u² bm
+ *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out
+ *                                                                                           36u² Cm
+ *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b,
+ *     A, C: 14u² of b² + |AC|                                                            124u² AmCm
  *
- * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤ √(Am Cm). A product that leaves the doubles is off by
- * ≤ 2^-1072, with what multiplies its lower half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST_ALGEBRA in A, b and C, and these 2^202
- * times in D (dy was let grow beyond any bound: tests/repro). What is then
- * divided is above 2^-968, where products are split without loss.
+ * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤
+ * √(Am Cm). A product that leaves the doubles is off by ≤ 2^-1072, with what multiplies its lower
+ * half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST_ALGEBRA
+ * in A, b and C, and these 2^202 times in D (dy was let grow beyond any bound: tests/repro). What
+ * is then divided is above 2^-968, where products are split without loss.
  */
 export const ERROR_A = 15 * UU;
 export const ERROR_B = 24 * UU;
@@ -25,7 +30,10 @@ export const SMALLEST_ALGEBRA = 2 ** -872;
 export const SMALLEST_ALGEBRA_D = 2 ** -670;
 export const LARGE = 2 ** 200;
 
-/** A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN where the bounds mean nothing. */
+/**
+ * A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN
+ * where the bounds mean nothing.
+ */
 export type Algebra = Float64Array;
 
 /**

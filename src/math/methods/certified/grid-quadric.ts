@@ -20,13 +20,17 @@ import { BOX, type CertifiedQuadric } from './quadric-numbers.ts';
 import { FAITHFUL_ONCE } from './stage.ts';
 
 /*
- * One ray against a curved shape in one go, by parts on grids: class, A, B, C, D, points and normals to some 75 bits, which settles 99 of 100 rays of a
- * picture in half the time of plain-quadric.ts with its 106 bits. The roots are the batch's own. Null for the rest, and beyond the box.
+ * One ray against a curved shape in one go, by parts on grids: class, A, B, C, D, points and
+ * normals to some 75 bits, which settles 99 of 100 rays of a picture in half the time of
+ * plain-quadric.ts with its 106 bits. The roots are the batch's own. Null for the rest, and beyond
+ * the box.
  *
- * D > 0 within its bound makes two hits, if A ≠ 0 is certain; a coordinate is not, where A is not, so that A's test only saves the roots. D and P are
- * above 1/BOX, |A| ≥ 2^-20 D², and so on, where they pass, and D/4 ≥ 2^-38 D²P²: the filter of the batch kernels would have been sure of that. What
- * underflows (2^-1074, times factors of the box) is far below η of any of the scales. What overflows makes D/4's bound infinite, or D/4 NaN by its
- * splitting, and both fail a comparison; so does the NaN of a root that is not there.
+ * D > 0 within its bound makes two hits, if A ≠ 0 is certain; a coordinate is not, where A is not,
+ * so that A's test only saves the roots. D and P are above 1/BOX, |A| ≥ 2^-20 D², and so on, where
+ * they pass, and D/4 ≥ 2^-38 D²P²: the filter of the batch kernels would have been sure of that.
+ * What underflows (2^-1074, times factors of the box) is far below η of any of the scales. What
+ * overflows makes D/4's bound infinite, or D/4 NaN by its splitting, and both fail a comparison; so
+ * does the NaN of a root that is not there.
  */
 const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 

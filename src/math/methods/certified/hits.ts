@@ -19,9 +19,10 @@ import {
 import { FAITHFUL, U, UU } from './stage.ts';
 
 /*
- * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and sum are split without loss, and what is left, ≤ u|X| and
- * a few u|t d|, is rounded: u² |X|, which is here, and 8u² |t d|, for which `off` must have room. A coordinate whose error is below u/4 of it is faithful
- * when it is rounded; one along which the line does not move is E's own.
+ * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and
+ * sum are split without loss, and what is left, ≤ u|X| and a few u|t d|, is rounded: u² |X|, which
+ * is here, and 8u² |t d|, for which `off` must have room. A coordinate whose error is below u/4 of
+ * it is faithful when it is rounded; one along which the line does not move is E's own.
  */
 /** Of the normal's longest component: its direction is promised within 2^-50. */
 const STRAIGHT = 2 ** -52;
@@ -109,20 +110,29 @@ export function hitAt(
 }
 
 /*
- * Points and normals where a faithful root t is known and the exact one, t*, is wanted: δ = t* − t is one Newton step on a residual in double-double
- * (float/double-double.ts has the bounds: a sum 3u², a product 5u²). u = 2^-53; |δ| ≤ τ = 2u|t| + 2^-1074; i runs over x, y, z.
+ * Points and normals where a faithful root t is known and the exact one, t*, is wanted: δ = t* − t
+ * is one Newton step on a residual in double-double (float/double-double.ts has the bounds: a sum
+ * 3u², a product 5u²). u = 2^-53; |δ| ≤ τ = 2u|t| + 2^-1074; i runs over x, y, z.
  *
- *   g = E − C + t d, a sum of two double-doubles that are exact:                                    |δgi| ≤ 3u²|gi|
- *   curved, F = gx² + gz² − a gy² − ρ: a square 6 + 5, times a 5 more, two sums:                    |δF| ≤ 22u² (gx² + gz² + |a|gy² + ρ)
- *     F' = 2h = 2(gx dx + gz dz − a gy dy) in doubles: 5u of each, and u of F' at the end:          |δ2h| ≤ 13u Σ ai|gi di|, ai = 1, |a|, 1
- *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ below, which is off by η'τ + |δF|/|2h|, η' = (|δ2h| + τ Am)/|2h|,
- *     and A·F/2h in doubles by 8u τ Am:  |δF'| ≤ 13u Σ ai|gi di| + τ Am (η' + 8u) + Am |δF|/|2h|. From far away that matters: τ is long there.
- *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:                             |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
+ *   g = E − C + t d, a sum of two double-doubles that are exact:                    |δgi| ≤ 3u²|gi|
+ *   curved, F = gx² + gz² − a gy² − ρ: a square 6 + 5, times a 5 more, two sums:
+ *                                                              |δF| ≤ 22u² (gx² + gz² + |a|gy² + ρ)
+ *     F' = 2h = 2(gx dx + gz dz − a gy dy) in doubles: 5u of each, and u of F' at the end:
+ *                                                           |δ2h| ≤ 13u Σ ai|gi di|, ai = 1, |a|, 1
+ *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ
+ *       below, which is off by η'τ + |δF|/|2h|, η' = (|δ2h| + τ Am)/|2h|,
+ *     and A·F/2h in doubles by 8u τ Am:  |δF'| ≤ 13u Σ ai|gi di| + τ Am (η' + 8u) + Am |δF|/|2h|.
+ *       From far away that matters: τ is long there.
+ *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:
+ *                                                         |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
  *
- * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the
- * quotient and F's lower half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d lost, times 2g and a, is below SMALLEST_PLACE in F; and in F' too, for t·d is
- * only below 2^-968 for |d| < 2^106. But d may be of any length, since A·(F/2h) is no larger than F' (A·F overflowed, and a slope of ∞ made δ and Δ 0) and is made
- * of dx·(F/2h·dx) … (A underflowed, and Aδ with it: both in tests/repro).
+ * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of
+ * itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the quotient and F's lower
+ * half. hitAt adds 8u²|t|: ROUNDED is both. Underflow: with g, r, √|a| and |N|₁ below WIDE what t·d
+ * lost, times 2g and a, is below SMALLEST_PLACE in F; and in F' too, for t·d is only below 2^-968
+ * for |d| < 2^106. But d may be of any length, since A·(F/2h) is no larger than F' (A·F overflowed,
+ * and a slope of ∞ made δ and Δ 0) and is made of dx·(F/2h·dx) … (A underflowed, and Aδ with it:
+ * both in tests/repro).
  */
 export const ERROR_CURVED = 24 * UU;
 export const ERROR_SLOPE = 14 * U;
@@ -137,12 +147,12 @@ export const LOST_PLACE = 2 ** -1072;
 export const TINY = 2 ** -1072;
 
 /** g as three double-doubles, F, and what they are made from. */
-export const PLACE = new Float64Array(14);
+export const STEP_PLACE = new Float64Array(14);
 export const PLACE_F = 6;
 const PLACE_S = 8;
 const PLACE_V = 10;
 const PLACE_FLARE = 12;
-const placeAt = (k: number): number => PLACE[k] as number;
+const placeAt = (k: number): number => STEP_PLACE[k] as number;
 const PLACE_G = [0, 2, 4] as const;
 
 /** What hitAt reads, in the ray's own units: the stage that found t may have had it in others. */
@@ -155,19 +165,19 @@ function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
     const e = origin[i] as number;
     const c = center[i] as number;
     const x = direction[i] as number;
-    PLACE[PLACE_S] = e - c;
-    PLACE[PLACE_S + 1] = sumError(e, -c, placeAt(PLACE_S));
+    STEP_PLACE[PLACE_S] = e - c;
+    STEP_PLACE[PLACE_S + 1] = sumError(e, -c, placeAt(PLACE_S));
     placeAlgebra[ALGEBRA_P + 2 * i] = placeAt(PLACE_S);
     placeAlgebra[ALGEBRA_P + 2 * i + 1] = placeAt(PLACE_S + 1);
-    PLACE[PLACE_V] = t * x;
-    PLACE[PLACE_V + 1] = productError(t, x, placeAt(PLACE_V));
-    dd.add(PLACE, PLACE_G[i] as number, PLACE_S, PLACE_V);
+    STEP_PLACE[PLACE_V] = t * x;
+    STEP_PLACE[PLACE_V + 1] = productError(t, x, placeAt(PLACE_V));
+    dd.add(STEP_PLACE, PLACE_G[i] as number, PLACE_S, PLACE_V);
   }
 }
 
 function putSquare(out: number, x: number): void {
-  PLACE[out] = x * x;
-  PLACE[out + 1] = squareError(x, placeAt(out));
+  STEP_PLACE[out] = x * x;
+  STEP_PLACE[out + 1] = squareError(x, placeAt(out));
 }
 
 /**
@@ -193,7 +203,10 @@ export function putStep(
   return eta <= 0.25 && steep < Number.POSITIVE_INFINITY;
 }
 
-/** (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish while s is long. */
+/**
+ * (dx² + dz² − a·dy²)·s, each square begun with s: of a short d the squares alone would vanish
+ * while s is long.
+ */
 const times = (a: number, [x, y, z]: Vec3, s: number): number =>
   x * (s * x) + z * (s * z) - a * (y * (s * y));
 
@@ -207,19 +220,19 @@ export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit |
   putPlace(ray, [q.Cx, q.hasY ? q.Cy : E[1], q.Cz], t);
   const [x, y, z] = [placeAt(0), placeAt(2), placeAt(4)];
   if (q.squared) putSquare(PLACE_FLARE, q.flare);
-  else dd.set(PLACE, PLACE_FLARE, q.flare);
+  else dd.set(STEP_PLACE, PLACE_FLARE, q.flare);
   const a = placeAt(PLACE_FLARE);
   placeAlgebra[ALGEBRA_FLARE] = a;
   placeAlgebra[ALGEBRA_FLARE + 1] = placeAt(PLACE_FLARE + 1);
   const size = Math.abs(a);
-  dd.sqr(PLACE, PLACE_F, 0);
-  dd.sqr(PLACE, PLACE_S, 4);
-  dd.add(PLACE, PLACE_F, PLACE_F, PLACE_S);
-  dd.sqr(PLACE, PLACE_S, 2);
-  dd.mul(PLACE, PLACE_S, PLACE_S, PLACE_FLARE);
-  dd.sub(PLACE, PLACE_F, PLACE_F, PLACE_S);
+  dd.sqr(STEP_PLACE, PLACE_F, 0);
+  dd.sqr(STEP_PLACE, PLACE_S, 4);
+  dd.add(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
+  dd.sqr(STEP_PLACE, PLACE_S, 2);
+  dd.mul(STEP_PLACE, PLACE_S, PLACE_S, PLACE_FLARE);
+  dd.sub(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
   putSquare(PLACE_S, q.r);
-  dd.sub(PLACE, PLACE_F, PLACE_F, PLACE_S);
+  dd.sub(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
   const offF = ERROR_CURVED * (x * x + z * z + size * y * y + q.r * q.r);
   const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
   const offSlope =
@@ -247,13 +260,13 @@ export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null 
   let steep = 0;
   let sharp = 0;
   let size = 0;
-  dd.set(PLACE, PLACE_F, 0);
+  dd.set(STEP_PLACE, PLACE_F, 0);
   for (let i = 0; i < 3; i++) {
     const n = N[i] as number;
     const x = d[i] as number;
     const g = PLACE_G[i] as number;
-    dd.mulDouble(PLACE, PLACE_S, g, n);
-    dd.add(PLACE, PLACE_F, PLACE_F, PLACE_S);
+    dd.mulDouble(STEP_PLACE, PLACE_S, g, n);
+    dd.add(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
     rate += n * x;
     steep += Math.abs(n * x);
     sharp += Math.abs(n * placeAt(g));

@@ -11,10 +11,12 @@ import { type Algebra, AT_C, AT_FLARE, AT_OFF, AT_P, ERROR_C } from './doubled.t
 import { UU } from './stage.ts';
 
 /*
- * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the surface: added up from the exact terms of its expansion. There are 38:
- * three squares for each coordinate of p, twice as many products with a for the one along y, each of which is two doubles, and r². The sum of their sizes is < 2Cm, and
- * `accumulate` is off by (2n u)^4 of it; adding up its levels by 3u² in each of three sums.
- * A product that leaves the doubles is off by ≤ 2^-1073; those of the squares along y are multiplied by a, that of a = c² by py², both < 2^200.
+ * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the
+ * surface: added up from the exact terms of its expansion. There are 38: three squares for each
+ * coordinate of p, twice as many products with a for the one along y, each of which is two doubles,
+ * and r². The sum of their sizes is < 2Cm, and `accumulate` is off by (2n u)^4 of it; adding up its
+ * levels by 3u² in each of three sums. A product that leaves the doubles is off by ≤ 2^-1073; those
+ * of the squares along y are multiplied by a, that of a = c² by py², both < 2^200.
  */
 const TERMS = 38;
 export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;
@@ -29,7 +31,8 @@ const LEVEL = 2;
 
 /**
  * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one:
- * SMALLEST_C is wider than the SMALLEST of doubled.ts. A C that is 0 exactly is off by nothing.
+ * SMALLEST_C is wider than the SMALLEST_ALGEBRA of doubled.ts. A C that is 0 exactly is off by
+ * nothing.
  */
 export function sharpenC(algebra: Algebra, r: number): void {
   const a = algebra[AT_FLARE] as number;
@@ -58,7 +61,10 @@ export function sharpenC(algebra: Algebra, r: number): void {
   algebra[AT_OFF + 2] = off;
 }
 
-/** Whether the product p of something that is not 0 is so small that bits of it, or all, are lost, and a zero would prove nothing. */
+/**
+ * Whether the product p of something that is not 0 is so small that bits of it, or all, are lost,
+ * and a zero would prove nothing.
+ */
 const lostBits = (x: number, p: number): boolean =>
   x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
 

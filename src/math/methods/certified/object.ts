@@ -26,7 +26,10 @@ import { type CertifiedQuadric, readQuadric } from './quadric-numbers.ts';
 import { shortQuadric } from './short-quadric.ts';
 import { certifiedSlot } from './stage.ts';
 
-/* The answer for one ray as an object: the kernels' stages on a batch of one, then points and normals. */
+/*
+ * The answer for one ray as an object: the kernels' stages on a batch of one, then points and
+ * normals.
+ */
 
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {
   const read = readQuadric(shape);
@@ -35,7 +38,8 @@ export function intersectCertified(shape: Shape, ray: Ray): Intersection {
     return gridQuadric(q, c, ray) ?? rare(q, c, ray);
   }
   const s = planarOf(shape);
-  // A shape without a kernel is answered by the exact rung under this one's name: its promise is the stronger one.
+  // A shape without a kernel is answered by the exact rung under this one's name: its promise is
+  // the stronger one.
   return s ? flat(s, copyOf(ray)) : { ...exact.intersect(shape, ray), method: 'certified' };
 }
 

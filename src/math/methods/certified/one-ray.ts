@@ -15,7 +15,8 @@ import { type CertifiedQuadric, certifiedQuadric } from './quadric-numbers.ts';
 import { type CertifiedSlot, certifiedSlot, type OpenRays } from './stage.ts';
 
 /*
- * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either of two doubles.
+ * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either
+ * of two doubles.
  */
 
 /** A batch of one ray with its answers, and the function that puts a ray into it. */

@@ -21,11 +21,15 @@ import type { CertifiedQuadric } from './quadric-numbers.ts';
 import { FAITHFUL } from './stage.ts';
 
 /*
- * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and normals as plain numbers. For what grid-quadric.ts
- * leaves open and twice the digits settle: grazing, far and odd rays; null for the rest, which object.ts passes on. The errors: doubled.ts, doubled.ts.
+ * One ray against a curved shape, all that is asked in one go: A, B, C, D, class, roots, points and
+ * normals as plain numbers. For what grid-quadric.ts leaves open and twice the digits settle:
+ * grazing, far and odd rays; null for the rest, which object.ts passes on. The errors: doubled.ts,
+ * doubled.ts.
  *
- * A and C are asked about by their roots. Where there are none, D = b² − AC < 0 says |AC| ≥ |D|: if D is faithful, with 136u² AmCm and SMALLEST_D, then A and C are, with
- * less of Am and Cm and with SMALLEST, as both are below LARGE. And roots of a faithful D are so far apart that they keep their order.
+ * A and C are asked about by their roots. Where there are none, D = b² − AC < 0 says |AC| ≥ |D|: if
+ * D is faithful, with 136u² AmCm and SMALLEST_D, then A and C are, with less of Am and Cm and with
+ * SMALLEST_ALGEBRA, as both are below LARGE. And roots of a faithful D are so far apart that they
+ * keep their order.
  */
 
 /* In the ray's own units: findRoots may go on to others, with arrays of its own. */
@@ -57,7 +61,8 @@ export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Inters
       D: signOf(D1),
     },
   };
-  // Where the filter of the batch kernels would have been sure, the lower halves were not needed for the class.
+  // Where the filter of the batch kernels would have been sure, the lower halves were not needed
+  // for the class.
   const decidedBy = Math.abs(D1) > DIRECT_ERROR * at(AT_SIZE) ? 'filter' : 'double-double';
   if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
   if (!putRoots(algebra, roots)) return null;

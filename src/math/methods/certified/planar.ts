@@ -24,13 +24,16 @@ import {
 } from './stage.ts';
 
 /*
- * Flat shapes. With p = E − P and m = d × p, where N·d ≠ 0:  t = −N·p / N·d and X − P = (m × N) / (N·d).
+ * Flat shapes. With p = E − P and m = d × p, where N·d ≠ 0:  t = −N·p / N·d and X − P = (m × N) /
+ * (N·d).
  *
- * First stage, on grids as in quadric-kernel.ts: N, d and p are cut into 25 or 26 leading bits and a rest, so that the leading products of
- * N·d and N·p and their sums are exact, and what is left over (≤ 2^-23 of |N|₁|d|₁, |N|₁|p|₁) is off by < 2^-73 of these. Where
- * neither cancels to less than LEAST_SHARE = 2^-16 of its terms both are known to 2^-57. One division gives t0, off by 3u; its leading 25 bits
- * th are the root that is corrected: the remainder o + th·r is exact in its leading part, ≤ 2^-23|o|, and its rest off by what o and r are, so
- * t = th − remainder / r is off by < 2^-55 |t| before it is rounded once: faithful, which needs 2^-54.
+ * First stage, on grids as in quadric-kernel.ts: N, d and p are cut into 25 or 26 leading bits and
+ * a rest, so that the leading products of N·d and N·p and their sums are exact, and what is left
+ * over (≤ 2^-23 of |N|₁|d|₁, |N|₁|p|₁) is off by < 2^-73 of these. Where neither cancels to less
+ * than LEAST_SHARE = 2^-16 of its terms both are known to 2^-57. One division gives t0, off by 3u;
+ * its leading 25 bits th are the root that is corrected: the remainder o + th·r is exact in its
+ * leading part, ≤ 2^-23|o|, and its rest off by what o and r are, so t = th − remainder / r is off
+ * by < 2^-55 |t| before it is rounded once: faithful, which needs 2^-54.
  *
  * The figure: planar.ts.
  */
@@ -140,20 +143,27 @@ export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays)
 }
 
 /*
- * How far inside its figure a line meets the plane, times |N·d|, and a bound on the error. u = 2^-53; p = fl(E − P) is off by u of itself, and N·d by 2u of
- * itself: both stages of the kernel know it to more than 53 bits before they round it.
+ * How far inside its figure a line meets the plane, times |N·d|, and a bound on the error. u =
+ * 2^-53; p = fl(E − P) is off by u of itself, and N·d by 2u of itself: both stages of the kernel
+ * know it to more than 53 bits before they round it.
  *
  * Circle, |w|² against (r N·d)²:
- *   m = d × p:     δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤ |mi| + 2√(|dj pj|·|dk pk|) ≤ |mi| + S/2, S = |d|₁|p|₁:   ≤ uS + 3u|mi|
- *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (uS + 5u max|mi|)                            =: e
- *   |w|² − (r·N·d)²:  2|w|₁e + 3e²;  3u of |w|² and 2·(2 + 1)u + u of (r·N·d)² for themselves, u of both for the difference
+ *   m = d × p:     δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤ |mi| + 2√(|dj pj|·|dk pk|) ≤ |mi|
+ *     + S/2, S = |d|₁|p|₁:                                                            ≤ uS + 3u|mi|
+ *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (uS + 5u max|mi|)              =: e
+ *   |w|² − (r·N·d)²:  2|w|₁e + 3e²;  3u of |w|² and 2·(2 + 1)u + u of (r·N·d)² for themselves, u of
+ *     both for the difference
  * Square, wu and wv against 0 and L|dn|, where n is its normal's axis:
  *   wu = dn pu − du pn:   2u Su + u|wu|, Su = |dn pu| + |du pn|
- *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less than wu, so L|dn| ≤ 2|wu|:     6u Su
+ *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less
+ *     than wu, so L|dn| ≤ 2|wu|:                                                              6u Su
  *
- * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are
- * above 2^-100, so e > 2^-352, and a lost product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has SMALLEST_FIGURE for its three products.
- * r and L may be any: r·N·d lost is nothing to e either, and where its square overflows the bound is infinite as well; L|dn| overflows to what it is beside wu.
+ * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for
+ * underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are above 2^-100, so e > 2^-352, and a lost
+ * product (2^-1074, multiplied by 2^200 at most) is nothing to that. The square's has
+ * SMALLEST_FIGURE for its three products. r and L may be any: r·N·d lost is nothing to e either,
+ * and where its square overflows the bound is infinite as well; L|dn| overflows to what it is
+ * beside wu.
  */
 export const CIRCLE_S = 1.1 * U;
 export const CIRCLE_M = 5.1 * U;
@@ -162,8 +172,9 @@ export const SQUARE_S = 7 * U;
 export const SMALLEST_FIGURE = 2 ** -1072;
 
 /**
- * Rays from … to − 1. N·d goes in by `margin`, NaN if it is not known; out come the margin (≥ 0 inside) and its bound. Loops of their own: doubles that are
- * handed to a call are boxed, at half the kernel's price.
+ * Rays from … to − 1. N·d goes in by `margin`, NaN if it is not known; out come the margin (≥ 0
+ * inside) and its bound. Loops of their own: doubles that are handed to a call are boxed, at half
+ * the kernel's price.
  */
 type Margins = (
   s: Planar,
@@ -243,10 +254,12 @@ const MARGINS: Readonly<Record<Planar['bound'], Margins>> = { none: plane, circl
 export const marginsOf = ({ bound }: Planar): Margins => MARGINS[bound];
 
 /*
- * Second stage: N·d and N·p in double-double (float/double-double.ts has the sources). Products of doubles are exact; a sum is off by 3u² of itself. Of three products
- * the first two add up to (Σ|Ni di| + |N·d|)/2 at most, as the third one makes up for the rest: 1.5u² Σ|Ni di|, and 4.5u² of N·d. p is a double-double, and its
- * products are off by 5u² more: 6.5u² Σ|Ni pi|, and 4.5u² of N·p. The quotient is off by that and the division's own 9.8u²: 18.8u².
- * The figure's rim and edge, where the filter cannot tell, go to the exact stage: they are few.
+ * Second stage: N·d and N·p in double-double (float/double-double.ts has the sources). Products of
+ * doubles are exact; a sum is off by 3u² of itself. Of three products the first two add up to (Σ|Ni
+ * di| + |N·d|)/2 at most, as the third one makes up for the rest: 1.5u² Σ|Ni di|, and 4.5u² of N·d.
+ * p is a double-double, and its products are off by 5u² more: 6.5u² Σ|Ni pi|, and 4.5u² of N·p. The
+ * quotient is off by that and the division's own 9.8u²: 18.8u². The figure's rim and edge, where
+ * the filter cannot tell, go to the exact stage: they are few.
  */
 export const TWICE = new Float64Array(16);
 const TWICE_N = 0;
@@ -258,7 +271,10 @@ export const TWICE_T = 10;
 const ERROR_RATE = 1.6 * 2 ** -106;
 const ERROR_OFFSET = 6.7 * 2 ** -106;
 const ERROR_QUOTIENT = 19 * 2 ** -106;
-/** Of N·d and N·p. Both are below 2^200, and with FAITHFUL above SMALLEST_PLANAR·2^55 = 2^-768, so t is between 2^-968 and 2^968, as the division wants it. */
+/**
+ * Of N·d and N·p. Both are below 2^200, and with FAITHFUL above SMALLEST_PLANAR·2^55 = 2^-768, so t
+ * is between 2^-968 and 2^968, as the division wants it.
+ */
 export const SMALLEST_PLANAR = 2 ** -823;
 const isBoxed = (x: number): boolean => x < BOX && x > 1 / BOX;
 
@@ -270,7 +286,10 @@ function addProduct(out: number, n: number, hi: number, lo: number): void {
   dd.add(TWICE, out, out, TWICE_PRODUCT);
 }
 
-/** The double-double root at R[T], for ordinary numbers; returns the bound on its relative error, or Infinity where there is none. */
+/**
+ * The double-double root at R[T], for ordinary numbers; returns the bound on its relative error, or
+ * Infinity where there is none.
+ */
 export function rootInTwice(s: Planar, rays: Rays, i: number): number {
   const Ex = rays.Ex[i] as number;
   const Ey = rays.Ey[i] as number;

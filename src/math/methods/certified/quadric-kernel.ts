@@ -46,8 +46,9 @@ export function useFastRoots(roots: FastRoots | null): FastRoots | null {
 export const isFast = (): boolean => fast !== null;
 
 /**
- * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary rays in units, far and grazing ones about a
- * point near both roots, and what these leave root by root. Each stage certifies what it answers.
+ * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary
+ * rays in units, far and grazing ones about a point near both roots, and what these leave root by
+ * root. Each stage certifies what it answers.
  */
 export function bothRoots(
   q: Quadric,

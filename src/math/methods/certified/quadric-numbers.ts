@@ -4,9 +4,9 @@ import { productError, SPLITTER, squareError } from '../../float/eft.ts';
 import type { Shape } from '../../shapes/index.ts';
 
 /**
- * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k = √|a|, so that all three
- * coordinates are alike. k = k1 + k2, k1 with at most 26 bits, off by less than 2^-78 k; for a cone k = |c| exactly.
- * ρ = rho + rhoLow exactly.
+ * A curved shape as the certified kernels take it: (x−Cx)² + (z−Cz)² = ±(k(y−Cy))² + ρ with k =
+ * √|a|, so that all three coordinates are alike. k = k1 + k2, k1 with at most 26 bits, off by less
+ * than 2^-78 k; for a cone k = |c| exactly. ρ = rho + rhoLow exactly.
  */
 export interface CertifiedQuadric {
   readonly k: number;
@@ -27,12 +27,16 @@ export interface CertifiedQuadric {
 }
 
 /**
- * The fast stages work on rays and shapes whose numbers lie between 2^-100 and 2^100 (zero where that makes sense): no
- * product of theirs can overflow, and what underflows is far below their absolute terms. The rest is scaled first.
+ * The fast stages work on rays and shapes whose numbers lie between 2^-100 and 2^100 (zero where
+ * that makes sense): no product of theirs can overflow, and what underflows is far below their
+ * absolute terms. The rest is scaled first.
  */
 export const BOX = 2 ** 100;
 
-/** Where in `numbers` each is; `flare` is a rounded, `flareLow` the rest of it, and `wide` is max(1, k). */
+/**
+ * Where in `numbers` each is; `flare` is a rounded, `flareLow` the rest of it, and `wide` is max(1,
+ * k).
+ */
 export const AT_SCALED = {
   Cx: 0,
   Cy: 1,
@@ -52,7 +56,9 @@ const KEPT = 8;
 const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];
 let oldest = 0;
 
-/** One ray at a time, the same few shapes are asked about again and again: the latest ones are kept. */
+/**
+ * One ray at a time, the same few shapes are asked about again and again: the latest ones are kept.
+ */
 export function certifiedQuadric(q: Quadric): CertifiedQuadric {
   for (const { q: known, c } of kept) if (same(known, q)) return c;
   const c = prepared(q);
@@ -73,7 +79,8 @@ const readBefore = new WeakMap<Shape, ReadQuadric>();
 
 /**
  * The shape, read as a quadric; null where it is none. One that was read before is known by itself,
- * the last one by its numbers: both only while these hold, as a shape is its caller's and may change.
+ * the last one by its numbers: both only while these hold, as a shape is its caller's and may
+ * change.
  */
 export function readQuadric(shape: Shape): ReadQuadric | null {
   if (latest !== null && stillHolds(latest.q, latest.kind, shape)) return latest;
@@ -102,7 +109,8 @@ function prepared(q: Quadric): CertifiedQuadric {
   const rho = q.r * q.r;
   const size = Math.abs(q.flare);
   const s = q.squared ? size : Math.sqrt(size);
-  // √a to twice the digits: the remainder a − s² is a double, and so is its half over s but for one rounding.
+  // √a to twice the digits: the remainder a − s² is a double, and so is its half over s but for one
+  // rounding.
   const p = s * s;
   const rest = q.squared || s === 0 ? 0 : (size - p - squareError(s, p)) / (2 * s);
   const big = SPLITTER * s;
@@ -131,23 +139,31 @@ function prepared(q: Quadric): CertifiedQuadric {
 }
 
 /*
- * Ordinary rays are cut so that their leading parts are whole multiples of a unit: x = whole + rest with |rest| ≤ 1/2 unit, and sums, products and squares
- * of the whole parts are exact as long as they stay below 2^53 units. The units are powers of two that depend on the shape alone, so a ray's answer does not
- * depend on its neighbours in the batch. That of y is smaller by the power of two, `up`, that brings a into [1/4, 1): so all three coordinates are alike, and
- * bounds speak of y times `up`. (x + σ) − σ with σ = 1.5·2^52 units is x cut to units.
+ * Ordinary rays are cut so that their leading parts are whole multiples of a unit: x = whole + rest
+ * with |rest| ≤ 1/2 unit, and sums, products and squares of the whole parts are exact as long as
+ * they stay below 2^53 units. The units are powers of two that depend on the shape alone, so a
+ * ray's answer does not depend on its neighbours in the batch. That of y is smaller by the power of
+ * two, `up`, that brings a into [1/4, 1): so all three coordinates are alike, and bounds speak of y
+ * times `up`. (x + σ) − σ with σ = 1.5·2^52 units is x cut to units.
  */
 
 /** |d| = 1 has 2^8 units, and a t that leads over the shape's size 2^9 or so. */
 const DIRECTION_BITS = 8;
 export const UNIT_OF_DIRECTION = 2 ** -DIRECTION_BITS;
-/** The shape's size has 2^17 units or up to twice as many: points up to 30 sizes from the centre have fewer than 2^23. */
+/**
+ * The shape's size has 2^17 units or up to twice as many: points up to 30 sizes from the centre
+ * have fewer than 2^23.
+ */
 const SIZE_BITS = 17;
 /** Shapes beyond these powers of two are not ordinary. */
 const LARGEST_EXPONENT = 60;
 const LARGEST_STRETCH = 30;
 /** In units: beyond, E and C could not be cut exactly any more. */
 const LARGEST_LENGTH = 2 ** 45;
-/** In units: some component of d has then at least 2^3 units, so that t·d shows it when t is too large to be cut. */
+/**
+ * In units: some component of d has then at least 2^3 units, so that t·d shows it when t is too
+ * large to be cut.
+ */
 const SMALLEST_DIRECTION = 2 ** 4;
 /** In units: beyond, the sums of a point's whole parts might not be exact (units-roots.ts). */
 const LARGEST_SIZE = 2 ** 24;
@@ -157,14 +173,16 @@ const LEAST_GAP = 20;
 const SMALLEST_IN_UNITS = 2 ** -100;
 
 /**
- * A shape with its units, as one array of doubles: of an object's fields V8 would not know inside a loop whether they are small integers.
- * Where each number is, is told by AT.
+ * A shape with its units, as one array of doubles: of an object's fields V8 would not know inside a
+ * loop whether they are small integers. Where each number is, is told by AT.
  */
 export type Lattice = Float64Array;
 
 /**
- * Where in a Lattice each number is. `cut`… cut d, dy, E, Ey and t to their units. C and ρ are cut into `whole` and `rest`; a = a1 + a2 + a3, in stretched y
- * a1 in 32nds and a2 in 2^11ths, |a2| ≤ 2^-6, |a3| ≤ 2^-12. `two` are two units of t; the others are the limits above, as lengths or their squares.
+ * Where in a Lattice each number is. `cut`… cut d, dy, E, Ey and t to their units. C and ρ are cut
+ * into `whole` and `rest`; a = a1 + a2 + a3, in stretched y a1 in 32nds and a2 in 2^11ths, |a2| ≤
+ * 2^-6, |a3| ≤ 2^-12. `two` are two units of t; the others are the limits above, as lengths or
+ * their squares.
  */
 export const AT_LATTICE = {
   cutD: 0,
@@ -199,7 +217,10 @@ export const AT_LATTICE = {
 
 const LATTICE_COUNT = 28;
 
-/** x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction. Math.round would make V8 convert to int32 and back. */
+/**
+ * x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction.
+ * Math.round would make V8 convert to int32 and back.
+ */
 const ROUND = 1.5 * 2 ** 52;
 const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
 

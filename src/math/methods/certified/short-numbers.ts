@@ -22,7 +22,9 @@ const LONGEST = 2 ** 8;
 const isShort = (x: number): boolean =>
   x + ON_GRID - ON_GRID === x && x <= LONGEST && x >= -LONGEST;
 
-/** Puts A, b, C and D/4 of a ray into `algebra`, with no error; false where a number is not short. */
+/**
+ * Puts A, b, C and D/4 of a ray into `algebra`, with no error; false where a number is not short.
+ */
 export function putShort(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): boolean {
   const x = d[0];
   const z = d[2];

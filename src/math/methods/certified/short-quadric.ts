@@ -95,7 +95,7 @@ function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit
 }
 
 /** A quotient as hi and lo. */
-const PLACE = new Float64Array(2);
+const PLACE_SPLIT = new Float64Array(2);
 
 /** Puts (e m + x n)/m. */
 function put(e: number, x: number, n: number, m: number): void {
@@ -109,22 +109,22 @@ function put(e: number, x: number, n: number, m: number): void {
   const p = first * m;
   const rest = (hi - p - productError(first, m, p) + lo) / m;
   const place = first + rest;
-  PLACE[0] = place + 0;
-  PLACE[1] = rest - (place - first);
+  PLACE_SPLIT[0] = place + 0;
+  PLACE_SPLIT[1] = rest - (place - first);
 }
 
 function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quotient): Hit {
   const [n, m, t] = at;
   const coordinate = (e: number, x: number): number => {
     put(e, x, n, m);
-    return PLACE[0] as number;
+    return PLACE_SPLIT[0] as number;
   };
   const a = algebra[AT_FLARE] as number;
   const normalX = coordinate(algebra[AT_P] as number, d[0]);
   const normalZ = coordinate(algebra[AT_P + 4] as number, d[2]);
   const above = q.hasY ? coordinate(algebra[AT_P + 2] as number, d[1]) : 0;
   const down = a * above;
-  const low = q.hasY ? productError(a, above, down) + a * (PLACE[1] as number) : 0;
+  const low = q.hasY ? productError(a, above, down) + a * (PLACE_SPLIT[1] as number) : 0;
   const normalY = 0 - (down + low);
   return {
     t,

@@ -1,12 +1,14 @@
 import { BLOCK, CAPACITY, GAP, NUMBERS, SCRATCH, SCRATCH_BYTES } from '../../batch/simd-memory.ts';
 
 /*
- * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers, and
- * in the scratch lists of rays that a stage leaves to the next one and what parts of a kernel hand
- * on. All in bytes.
+ * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers,
+ * and in the scratch lists of rays that a stage leaves to the next one and what parts of a kernel
+ * hand on. All in bytes.
  */
 
-/** Rays that the passes over ordinary ones hand on, so that these numbers stay in the first cache. */
+/**
+ * Rays that the passes over ordinary ones hand on, so that these numbers stay in the first cache.
+ */
 export const HANDED = 128;
 
 /** Where the constants of the ordinary rays' passes and of the stages after them begin. */

@@ -50,7 +50,8 @@ export function createFastRoots(memory: SimdMemory): FastRoots {
     if (c.lattice) latticeNumbers.set(c.lattice);
     for (let from = 0, count = 0; from < rays.count; from += count) {
       const rest = Math.min(CAPACITY, rays.count - from);
-      // The kernels write two answers at a time: the last of an odd number goes alone, through the block, since what comes after it is not theirs.
+      // The kernels write two answers at a time: the last of an odd number goes alone, through the
+      // block, since what comes after it is not theirs.
       const here = inPlace && rest > 1;
       count = here ? rest & ~1 : rest;
       const ex = place('Ex', Ex, from, count);

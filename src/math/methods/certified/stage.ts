@@ -3,9 +3,10 @@ import type { RootSlot } from '../../batch/exact-quadric.ts';
 /* What all stages share. u = 2^-53. */
 
 /**
- * hi + lo, off by η of itself, may be rounded to hi as long as η < u/2, u = 2^-53: hi is off by half a place at most, and a place is at least u of
- * the number (just below a power of two), so that the other half, u/2, is left for the truth to stay between hi's neighbours. Half of that is room for η
- * being worked out in doubles. A root of 0 must be 0 exactly.
+ * hi + lo, off by η of itself, may be rounded to hi as long as η < u/2, u = 2^-53: hi is off by
+ * half a place at most, and a place is at least u of the number (just below a power of two), so
+ * that the other half, u/2, is left for the truth to stay between hi's neighbours. Half of that is
+ * room for η being worked out in doubles. A root of 0 must be 0 exactly.
  *
  * Comparisons are written so that NaN fails them. But a quotient that serves as a test, as η does,
  * needs a finite denominator: x/∞ is 0 and passes any. So each of them asks for one, or has it by
@@ -21,8 +22,8 @@ export const U = 2 ** -53;
 export const UU = 2 ** -106;
 
 /**
- * A root that is rounded once is faithful if it was off by less than u|t|/2 before: neighbours are at
- * least u|t| apart. A tenth is left for evaluating the bound.
+ * A root that is rounded once is faithful if it was off by less than u|t|/2 before: neighbours are
+ * at least u|t| apart. A tenth is left for evaluating the bound.
  */
 export const FAITHFUL_ONCE = 0.9 * 2 ** -54;
 

@@ -11,23 +11,31 @@ import {
 } from './units-rough.ts';
 
 /*
- * Pass 2: f = q·q − ρ, q = p + t d, at the whole numbers t next to the rough roots, and g = q·d at the nearer one. In units (y times `up`), for
- * lift = |t| + 2, l = lift/2 and s = Σ|qh|:
+ * Pass 2: f = q·q − ρ, q = p + t d, at the whole numbers t next to the rough roots, and g = q·d at
+ * the nearer one. In units (y times `up`), for lift = |t| + 2, l = lift/2 and s = Σ|qh|:
  *
- *   d = dh + dl, E = eh + el, |dl|, |el| ≤ 1/2, exactly; ph = eh − Ch and qh = ph + t·dh are exact;
- *   ql = (el − Cl) + t·dl: |ql| ≤ |t|/2 + 1 = l; roundings u, u|t|/2 and u·l:                |δql| ≤ 2u·l
- *   S = Σ|qh + ql| ≤ s + 1.5 lift = size, and so is Σ|2qh + ql|/2
- *   H = Σqh² − ρh − …: size ≤ 2^24 keeps its terms below 2^48. x² + z² − a1·y² − ρh counts in 32nds, and a2·y² is a multiple of
- *   2^-11, at most 2^5 · 2^48 of them: exact but for the last subtraction,                   u|H| ≤ u(|f| + |L|)
- *   L = Σ ql(2qh + ql), |L| ≤ 2l·S: from δql 2, the bracket 1, the product 1, for y a's rounding 1 and its product 1, and four sums:
- *   10u·2l·S = 10u·lift·size with the share of H;
- *   a3: |a3| ≤ 2^-12, its rounding, the product and a sum:                                    3u·2^-12 s² < u·2^-10.4 s²
- *   the rest of ρ (≤ 1/2) and the sum of both:                                                3u|f| in all.
+ *   quantity              bound                  reason
+ *   d = dh + dl, E = eh+el |dl|, |el| ≤ 1/2      cut to whole units, exactly
+ *   ph = eh − Ch, qh      exact                  qh = ph + t·dh in whole units
+ *   ql = (el−Cl) + t·dl   |ql| ≤ |t|/2 + 1 = l   halves of units
+ *                         |δql| ≤ 2u·l           three roundings: u, u|t|/2, u·l
+ *   S = Σ|qh + ql|        ≤ s + 1.5 lift = size  so is Σ|2qh + ql|/2
+ *   H = Σqh² − ρh − …     u|H| ≤ u(|f| + |L|)    exact but for the last subtraction: size ≤ 2^24
+ *                                                keeps terms below 2^48; x² + z² − a1·y² − ρh
+ *                                                counts in 32nds, a2·y² in 2^-11, ≤ 2^53 of them
+ *   L = Σ ql(2qh + ql)    |L| ≤ 2l·S
+ *                         10u·2l·S               δql 2, bracket 1, product 1, for y a's rounding
+ *                         = 10u·lift·size        and its product 1 each, four sums; H's share
+ *   a3·y²                 3u·2^-12 s²            |a3| ≤ 2^-12: its rounding, product and a sum,
+ *                         < u·2^-10.4 s²
+ *   rest of ρ, all added  3u|f|                  the rest is ≤ 1/2
  *
- * So |δf| ≤ ε + 3u|f|, ε = u·size(10·lift + 2^-10.4 size). And g: q is rounded, u, and off by 2u·l; the products u, a twice more; two sums:
- * |δg| ≤ 6u·reach, where reach is the sum of the products' sizes, and what ql adds is far less.
+ * So |δf| ≤ ε + 3u|f|, ε = u·size(10·lift + 2^-10.4 size). And g: q is rounded, u, and off by 2u·l;
+ * the products u, a twice more; two sums: |δg| ≤ 6u·reach, where reach is the sum of the products'
+ * sizes, and what ql adds is far less.
  *
- * Math.abs is taken of numbers with a fraction where there is a choice: of whole ones V8 expects int32.
+ * Math.abs is taken of numbers with a fraction where there is a choice: of whole ones V8 expects
+ * int32.
  */
 
 export type ResidualPass = (lattice: Lattice) => void;
@@ -185,23 +193,30 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
 }
 
 /*
- * Pass 3. At a whole number a the quadratic has the value f and half the slope g = A·a + b, and D = g² − A f whatever a is. So with S = ±√D, of A's sign,
+ * Pass 3. At a whole number a the quadratic has the value f and half the slope g = A·a + b, and D =
+ * g² − A f whatever a is. So with S = ±√D, of A's sign,
  *
  *   the smaller root is a + fa/(S − g),     the larger one b − fb/(S + g + A(b − a)),
  *
- * and S is had from the rough √D by Newton's step, which squares its error of 2^-29 (pass 1). With w = Am/|A|, R = reach/|S|, the steps δ ≤ 0.51 units and a gap
- * b − a of at least LEAST_GAP units: |A f|/D ≤ 4·0.51·1.03/20 < 0.11, and |g| is between 0.94|S| and 1.06|S|.
+ * and S is had from the rough √D by Newton's step, which squares its error of 2^-29 (pass 1). With
+ * w = Am/|A|, R = reach/|S|, the steps δ ≤ 0.51 units and a gap b − a of at least LEAST_GAP units:
+ * |A f|/D ≤ 4·0.51·1.03/20 < 0.11, and |g| is between 0.94|S| and 1.06|S|.
  *
- *   S: g² 12.7uR and 1.1u; A f 3u + (3w + 2)u, times 0.11; the difference u; half of all that; the step's roundings 1.5u:   6.4uR + (0.2w + 2.9)u
- *   S − g ≥ 1.94|S|: 6.4uR + 6uR + (0.2w + 2.9)u of |S|, and u:                                                       6.4uR + (0.1w + 2.5)u
- *   S + g + A·gap: the same, and A·gap ≤ 2.12|S| with (3w + 2)u, two roundings:                                       6.4uR + (3.5w + 6)u
- *   each step: f 3u, and four roundings (of one quotient for both, 1/(product of the divisors), in which each divisor cancels):  7u
- *   together                                                                           (6.5R + 4w + 14)u|δ|: SLACK_G, SLACK_A, SLACK
- *   From its own ε: ε/1.94|S|, and through S a fortieth of that:                                                      1.06 ε/(2|S|)
- *   From εa through S into the larger root's step: |A|εa/(2|S|)/(1.94|S|)·|δb|, |A δb| ≤ 0.055|S|:                    0.03 εa/(2|S|): SHARE
+ *   S: g² 12.7uR and 1.1u; A f 3u + (3w + 2)u, times 0.11; the difference u; half of all that; the
+ *     step's roundings 1.5u:                                                  6.4uR + (0.2w + 2.9)u
+ *   S − g ≥ 1.94|S|: 6.4uR + 6uR + (0.2w + 2.9)u of |S|, and u:               6.4uR + (0.1w + 2.5)u
+ *   S + g + A·gap: the same, and A·gap ≤ 2.12|S| with (3w + 2)u, two roundings:
+ *                                                                               6.4uR + (3.5w + 6)u
+ *   each step: f 3u, and four roundings (of one quotient for both, 1/(product of the divisors), in
+ *     which each divisor cancels):  7u
+ *   together                                          (6.5R + 4w + 14)u|δ|: SLACK_G, SLACK_A, SLACK
+ *   From its own ε: ε/1.94|S|, and through S a fortieth of that:                      1.06 ε/(2|S|)
+ *   From εa through S into the larger root's step: |A|εa/(2|S|)/(1.94|S|)·|δb|, |A δb| ≤ 0.055|S|:
+ *                                                                             0.03 εa/(2|S|): SHARE
  *
- * A root is rounded once: it is faithful, and the root itself where that is a double, if it was off by less than u|t|/2 before, since neighbours of t are
- * at least u|t| apart. FAITHFUL_ONCE leaves a tenth for evaluating the bound. NaN and what overflows fail the comparisons.
+ * A root is rounded once: it is faithful, and the root itself where that is a double, if it was off
+ * by less than u|t|/2 before, since neighbours of t are at least u|t| apart. FAITHFUL_ONCE leaves a
+ * tenth for evaluating the bound. NaN and what overflows fail the comparisons.
  */
 export const ROUNDING = 11 * 2 ** -53 * UNIT_OF_DIRECTION;
 export const SMALL = 2 ** -11 * 2 ** -53;
@@ -286,7 +301,10 @@ const solve = solvePass(scratch);
 
 export const { doubtful, unsettled, count } = scratch;
 
-/** Both roots of rays `from` to `to`, but for count[DOUBTS] `doubtful` and count[UNSETTLED] `unsettled` ones. */
+/**
+ * Both roots of rays `from` to `to`, but for count[DOUBTS] `doubtful` and count[UNSETTLED]
+ * `unsettled` ones.
+ */
 export function ordinaryRoots(
   lattice: Lattice,
   hasY: boolean,

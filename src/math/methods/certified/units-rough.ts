@@ -5,9 +5,10 @@ import { AT_LATTICE, type Lattice } from './quadric-numbers.ts';
 export const BLOCK = 256;
 
 /**
- * What the passes over a block hand to each other, one value for each ray that is hit. The passes are closures over these arrays, made once: so
- * V8 knows the arrays when it compiles them and reads and writes without looking up map, length and base each time, which costs
- * more than the arithmetic.
+ * What the passes over a block hand to each other, one value for each ray that is hit. The passes
+ * are closures over these arrays, made once: so V8 knows the arrays when it compiles them and reads
+ * and writes without looking up map, length and base each time, which costs more than the
+ * arithmetic.
  */
 export interface Scratch {
   /** The ray's place in the batch. */
@@ -19,14 +20,20 @@ export interface Scratch {
   readonly ex: Float64Array;
   readonly ey: Float64Array;
   readonly ez: Float64Array;
-  /** A, √D with A's sign roughly, 1/(2√D), the roots roughly, and how far the relative error of a step may go. */
+  /**
+   * A, √D with A's sign roughly, 1/(2√D), the roots roughly, and how far the relative error of a
+   * step may go.
+   */
   readonly A: Float64Array;
   readonly slope: Float64Array;
   readonly half: Float64Array;
   readonly near: Float64Array;
   readonly far: Float64Array;
   readonly slack: Float64Array;
-  /** The roots' whole parts, f there, g at the nearer one, what bounds g's error, and how far those points are from the centre. */
+  /**
+   * The roots' whole parts, f there, g at the nearer one, what bounds g's error, and how far those
+   * points are from the centre.
+   */
   readonly wholeNear: Float64Array;
   readonly wholeFar: Float64Array;
   readonly fNear: Float64Array;
@@ -77,15 +84,18 @@ export function createScratch(): Scratch {
 }
 
 /*
- * Pass 1: is it hit, and roughly where. u = 2^-53. D = b² − AC, in halves, is off by 27u·Q at most, Q = Am·Cm (class.ts). Where Am is neither
- * tiny nor huge, what underflows is far below `smallest`; what overflows fails the comparisons.
+ * Pass 1: is it hit, and roughly where. u = 2^-53. D = b² − AC, in halves, is off by 27u·Q at most,
+ * Q = Am·Cm (class.ts). Where Am is neither tiny nor huge, what underflows is far below `smallest`;
+ * what overflows fails the comparisons.
  *
- * D > CLEAR_ROUGH·Q: √D is known to 27u·2^19 < 2^-29 of itself, and |b|/√D ≤ 2^10.
- * |A| > LEAST·Am: |δA| ≤ 3u·Am + u|A| (squares u, their sum u; a·y² 3u; the difference), so A is known to 200u, and not 0.
+ * D > CLEAR_ROUGH·Q: √D is known to 27u·2^19 < 2^-29 of itself, and |b|/√D ≤ 2^10. |A| > LEAST·Am:
+ * |δA| ≤ 3u·Am + u|A| (squares u, their sum u; a·y² 3u; the difference), so A is known to 200u, and
+ * not 0.
  *
- * So the middle of the rough roots, off by 5u√Q/|A| and by what 1/A is off, is known to 2^-36 of their distance and each of them to 2^-28.9. That is less than
- * 2^-7 units of t, since pass 3 asks of both points to be within 2^24 units of the centre and |d| has at least 2^4, so their distance is below
- * 2^21: the whole number next to a rough root is at most 0.51 units from the root.
+ * So the middle of the rough roots, off by 5u√Q/|A| and by what 1/A is off, is known to 2^-36 of
+ * their distance and each of them to 2^-28.9. That is less than 2^-7 units of t, since pass 3 asks
+ * of both points to be within 2^24 units of the centre and |d| has at least 2^4, so their distance
+ * is below 2^21: the whole number next to a rough root is at most 0.51 units from the root.
  *
  * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks
  * for a gap between them, and leaves such a ray open.
@@ -94,14 +104,23 @@ const CLEAR_ROUGH = 2 ** -20;
 const CERTAIN = -28 * 2 ** -53;
 const LEAST = 2 ** -6;
 
-/** The relative error of a step in units-roots.ts is (4 Am/|A| + 14)u at most, and more by what g is off; pass 1 has Am/|A| at hand. */
+/**
+ * The relative error of a step in units-roots.ts is (4 Am/|A| + 14)u at most, and more by what g is
+ * off; pass 1 has Am/|A| at hand.
+ */
 const SLACK_A = 4 * 2 ** -53;
 const SLACK = 14 * 2 ** -53;
 
-/** What pass 1 leaves open goes to recentred.ts if b² is that many times D, its roots much nearer to each other than to E; else to refined.ts at once. A matter of speed only. */
+/**
+ * What pass 1 leaves open goes to recentred.ts if b² is that many times D, its roots much nearer to
+ * each other than to E; else to refined.ts at once. A matter of speed only.
+ */
 const FARTHER = 2 ** 10;
 
-/** The loops take their bounds from here: of a module's constants a bundler makes variables, which V8 looks up at each use. */
+/**
+ * The loops take their bounds from here: of a module's constants a bundler makes variables, which
+ * V8 looks up at each use.
+ */
 export const ROUGH_BOUNDS = Float64Array.of(CLEAR_ROUGH, CERTAIN, LEAST, SLACK_A, SLACK, FARTHER);
 
 export type CoarsePass = (
