@@ -73,8 +73,8 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   const rank = ({ mark }: Spot): number => (mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2);
   const ordered = [...spots].sort((p, q) => rank(p) - rank(q) || p.x - q.x);
   const note = noteBox(model.worthTitle, field);
-  const ratios = costTicks(x, 1);
-  const times = unit === null ? [] : costTicks(x, unit);
+  const ratios = costTicks(x, 1, field);
+  const times = unit === null ? [] : costTicks(x, unit, field);
   return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.worthTitle} against ${model.costTitle}`}>
     ${axes(
       field,
@@ -121,7 +121,11 @@ function noteBox(title: string, field: Field): Box {
 }
 
 /** 1, 2 and 5 times each power of ten, in a unit; without 2 and 5 where they would be too dense. */
-function costTicks(x: ReturnType<typeof scalesOf>['x'], unit: number): PlotTick[] {
+function costTicks(
+  x: ReturnType<typeof scalesOf>['x'],
+  unit: number,
+  { width, em }: Field,
+): PlotTick[] {
   const [from = 1, to = 1] = x.domain().map((value) => value * unit);
   const decades = Math.log10(to / from);
   const [left = 0, right = 0] = x.range();
@@ -129,11 +133,12 @@ function costTicks(x: ReturnType<typeof scalesOf>['x'], unit: number): PlotTick[
   const first = Math.floor(Math.log10(from));
   return Array.from({ length: Math.ceil(decades) + 2 }, (_, k) => Number(`1e${first + k}`))
     .flatMap((power) => steps.map((step) => Number((step * power).toPrecision(1))))
-    .filter((value) => value >= from && value <= to * (unit === 1 ? 1 : 0.9))
+    .filter((value) => value >= from && value <= to)
     .map((value) => ({
       at: x(value / unit),
       label: `${value >= 1 ? grouped(value) : value}${unit === 1 ? '' : ' ns'}`,
-    }));
+    }))
+    .filter(({ at, label }) => at + labelSize(label, em).width / 2 <= width);
 }
 
 /** px a power of ten that three labels need. */
