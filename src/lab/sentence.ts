@@ -28,12 +28,15 @@ function cheapest(
   good: (row: MeasuredRow) => boolean,
 ): MeasuredRow | null {
   const least = (row: MeasuredRow): number => row[question]?.ns.least ?? Number.NaN;
-  return rows
-    .filter((row) => good(row) && row[question])
-    .reduce<MeasuredRow | null>(
-      (best, row) => (best && least(best) <= least(row) ? best : row),
-      null,
-    );
+  const known = rows.filter((row) => good(row) && row[question]);
+  const found = known.reduce<MeasuredRow | null>(
+    (best, row) => (best && least(best) <= least(row) ? best : row),
+    null,
+  );
+  // Rounds that spread as far as to the textbook's price do not tell that it is lower.
+  const base = known.find(({ id }) => id === BASE_METHOD);
+  const most = found?.[question]?.times.most ?? Number.NaN;
+  return base && !(most < 1) ? base : found;
 }
 
 /**
@@ -54,9 +57,8 @@ function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf): string {
   if (!verdict) return 'No method that is measured here is right about all of these rays.';
   const first =
     verdict.id === BASE_METHOD
-      ? 'The textbook formula is right about all of these rays, and nothing right is cheaper'
-      : `A verdict that is right for all of these rays costs ` +
-        `${priceWords(verdict, 'classes', titleOf)}`;
+      ? 'The textbook formula is right about all of these rays, and nothing right is clearly cheaper'
+      : `A verdict that is right for all of these rays costs ${priceWords(verdict, 'classes', titleOf)}`;
   // Where no ray has a root, there is none to be faithful.
   if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;
   const roots = cheapest(rows, 'roots', isFaithful);
@@ -120,7 +122,7 @@ function failuresOf({ wrong, undecided }: MeasuredRow['quality']): string {
 function cheapestWords(rows: readonly MeasuredRow[], question: Question, titleOf: TitleOf): string {
   const found = cheapest(rows, question, () => true);
   const times = found?.[question]?.times;
-  if (!found || !times || found.id === BASE_METHOD) return '';
+  if (!found || !times || !(times.value < 1)) return '';
   const words = failuresOf(found.quality);
   const does = words || 'has every verdict right';
   const asked = question === 'roots' ? 'both roots' : 'a verdict alone';

@@ -198,6 +198,15 @@ describe('the sentence', () => {
     );
   });
 
+  test('does not call cheaper what spreads to the textbook’s price', () => {
+    const right = row('textbook', { mostUlps: 1 }, 1, 1);
+    const ns = priceOf([8, 8, 11, 12]);
+    const unsure = { ns, times: multipleOf(ns, base) };
+    const rows = [right, { ...row('certified', {}, 1, 1), roots: unsure, classes: unsure }];
+    expect(headlineOf(rows, titleOf)).toMatch(/^The textbook formula is right .* clearly cheaper/);
+    expect(detailsOf(rows, 'roots', titleOf)).not.toContain('cheapest');
+  });
+
   test('names two methods where one has the verdict and another the roots', () => {
     const rows = [textbook, row('moment', { mostUlps: 5 }, 1.1, 1.3), exact];
     expect(headlineOf(rows, titleOf)).toBe(
@@ -215,10 +224,10 @@ describe('the sentence', () => {
   test('says so where the textbook is right, or nothing is', () => {
     const right = row('textbook', { mostUlps: 9 }, 1, 1);
     expect(headlineOf([right, exact], titleOf)).toMatch(
-      /^The textbook formula is right about all of these rays, and nothing right is cheaper; both roots/,
+      /^The textbook formula is right about all of these rays, and nothing right is clearly cheaper; both roots/,
     );
     expect(headlineOf([row('textbook', { mostUlps: 1 }, 1, 1), exact], titleOf)).toBe(
-      'The textbook formula is right about all of these rays, and nothing right is cheaper, with both roots to the last digit, too.',
+      'The textbook formula is right about all of these rays, and nothing right is clearly cheaper, with both roots to the last digit, too.',
     );
     expect(headlineOf([right], titleOf)).toMatch(
       /; no method gives both roots to the last digit\.$/,
@@ -231,7 +240,7 @@ describe('the sentence', () => {
   test('does not call roots faithful where no ray has one', () => {
     const none = { digits: Number.NaN, leastDigits: Number.NaN };
     expect(headlineOf([row('textbook', none, 1, 1)], titleOf)).toBe(
-      'The textbook formula is right about all of these rays, and nothing right is cheaper.',
+      'The textbook formula is right about all of these rays, and nothing right is clearly cheaper.',
     );
   });
 
