@@ -57,8 +57,10 @@ function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf): string {
   if (!verdict) return 'No method that is measured here is right about all of these rays.';
   const first =
     verdict.id === BASE_METHOD
-      ? 'The textbook formula is right about all of these rays, and nothing right is clearly cheaper'
-      : `A verdict that is right for all of these rays costs ${priceWords(verdict, 'classes', titleOf)}`;
+      ? 'The textbook formula is right about all of these rays, ' +
+        'and nothing right is clearly cheaper'
+      : 'A verdict that is right for all of these rays costs ' +
+        priceWords(verdict, 'classes', titleOf);
   // Where no ray has a root, there is none to be faithful.
   if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;
   const roots = cheapest(rows, 'roots', isFaithful);
