@@ -63,10 +63,7 @@ const BIG = { seed: SEED, shapes: SHAPES, count: many };
 const typical = pricesOf(
   find('typical'),
   BIG,
-  [
-    ...ask(METHODS, 'both'),
-    ...ask(named('textbook32', 'textbook', 'stable', 'moment', 'certified'), 'classes'),
-  ],
+  [...ask(METHODS, 'both'), ...ask(METHODS, 'classes')],
   PLAN,
 );
 const onSurface = pricesOf(
