@@ -10,7 +10,7 @@ import { shell } from './pages/shell.ts';
 import { announcement } from './state/announce.ts';
 import type { CloserLook } from './state/closer-look.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
-import { exampleOf } from './state/example.ts';
+import { exampleOf, provideExamples } from './state/example.ts';
 import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
 import { createStore } from './state/store.ts';
@@ -111,23 +111,41 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   return exploreExports(shown, modelNow);
 }
 
-let looking = false;
-/** Asked again with every frame until it is there: what did not arrive may arrive now. */
-function loadCloserLook(): void {
-  if (closerLook || looking) return;
-  looking = true;
-  late(() => import('./state/closer-look.ts'))
-    .then(
-      (loaded) => {
-        closerLook = loaded.closerLook;
+/**
+ * Loads what the first frame does not wait for. The function that is returned is called with every
+ * frame: what did not arrive is asked for again.
+ */
+function lateOnce<Code>(load: () => Promise<Code>, use: (code: Code) => void): () => void {
+  let isAsked = false;
+  return () => {
+    if (isAsked) return;
+    isAsked = true;
+    late(load).then(
+      (code) => {
+        use(code);
         requestRender();
       },
-      () => {},
-    )
-    .finally(() => {
-      looking = false;
-    });
+      () => {
+        isAsked = false;
+      },
+    );
+  };
 }
+
+const loadCloserLook = lateOnce(
+  () => import('./state/closer-look.ts'),
+  (loaded) => {
+    closerLook = loaded.closerLook;
+  },
+);
+const loadGallery = lateOnce(
+  () => import('./state/gallery/index.ts'),
+  ({ GALLERY }) => {
+    provideExamples(GALLERY);
+    // That a link's example is known now is nothing to announce.
+    model = null;
+  },
+);
 
 const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
 
@@ -164,6 +182,7 @@ function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
   loadCloserLook();
+  loadGallery();
   if (before !== null && before !== model && !player.playing) {
     const words = announcement(before, model);
     if (words) announce(words);

@@ -1,5 +1,4 @@
 import type { Example } from './gallery/define.ts';
-import { GALLERY } from './gallery/index.ts';
 import { type AppState, INITIAL } from './state.ts';
 import { decode, encode } from './url.ts';
 
@@ -16,21 +15,34 @@ export interface ShownExample {
   readonly changed: boolean;
 }
 
+let examples: readonly Example[] = [];
 let numbers: ReadonlyMap<string, number> | null = null;
+
+/**
+ * The gallery is loaded after the first frame. Until it is there, no state is known as an example,
+ * and there is no next one.
+ */
+export function provideExamples(loaded: readonly Example[]): void {
+  examples = loaded;
+  numbers = null;
+}
+
+/** In the gallery's order; empty until they are loaded. */
+export const allExamples = (): readonly Example[] => examples;
 
 /**
  * Whoever opens an example's link has the example, and so has whoever undoes what he changed in it.
  */
 export function exampleOf(state: AppState): ShownExample | null {
-  numbers ??= new Map(GALLERY.map(({ link }, i) => [valuesOf(decode(link)), i]));
+  numbers ??= new Map(examples.map(({ link }, i) => [valuesOf(decode(link)), i]));
   const same = numbers.get(valuesOf(state));
-  const at = same ?? GALLERY.findIndex(({ id }) => id === state.example);
-  const entry = GALLERY[at];
+  const at = same ?? examples.findIndex(({ id }) => id === state.example);
+  const entry = examples[at];
   if (!entry) return null;
   const changed = same === undefined;
   // With another shape nothing of the example is left.
   if (changed && decode(entry.link).kind !== state.kind) return null;
-  return { entry, number: at + 1, of: GALLERY.length, changed };
+  return { entry, number: at + 1, of: examples.length, changed };
 }
 
 /** What a caption speaks of: ray, shape and method, however one looks at them. */

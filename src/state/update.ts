@@ -1,8 +1,7 @@
 import type { Shape, Vec3 } from '../math/index.ts';
 import { checkParam, findMethod, findShape, type Param, type ShapeKind } from '../math/shapes.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
-import { exampleOf } from './example.ts';
-import { GALLERY } from './gallery/index.ts';
+import { allExamples, exampleOf } from './example.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import {
   type AppState,
@@ -181,13 +180,14 @@ function reset(state: AppState, what: What): AppState {
 }
 
 function openExample(state: AppState, id: string): AppState {
-  const found = GALLERY.find((entry) => entry.id === id);
+  const found = allExamples().find((entry) => entry.id === id);
   return found ? { ...decode(found.link, state), example: id } : state;
 }
 
 /** Round the gallery; from nowhere, its first or last entry. */
 function neighbour(id: string | null, by: 1 | -1): string {
-  const at = GALLERY.findIndex((entry) => entry.id === id);
+  const all = allExamples();
+  const at = all.findIndex((entry) => entry.id === id);
   const next = at === -1 && by === -1 ? -1 : at + by;
-  return GALLERY.at(next % GALLERY.length)?.id ?? '';
+  return all.at(next % all.length)?.id ?? '';
 }

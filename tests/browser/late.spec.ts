@@ -1,5 +1,5 @@
-import type { Page } from '@playwright/test';
-import { open, withoutScene } from './support/page.ts';
+import type { Locator, Page } from '@playwright/test';
+import { open, quantities, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 /* What failed to load is fetched again when it is asked for again. */
@@ -15,12 +15,18 @@ async function away(page: Page, files: RegExp): Promise<{ is: boolean }> {
 
 const tab = (page: Page, name: string) => page.getByRole('link', { name, exact: true });
 
-test('a page, its style sheet and its picture', async ({ page }) => {
+test('a page, its style sheet, its picture and its graph', async ({ page }) => {
   const code = await away(page, /\/check-[^/]*\.js$/);
   const style = await away(page, /\/check-[^/]*\.css$/);
   const scene = await away(page, /\/scene-[^/]*\.js$/);
-  await open(page, '#/explore');
-  await expect(page.locator('.scene-waiting')).toContainText('could not be loaded');
+  const graph = await away(page, /\/graph-[^/]*\.js$/);
+  await page.goto('./#/explore');
+  const [ofScene, ofGraph] = ['.scene-host', '.graph-host'].map((host) =>
+    page.locator(`${host} .view-waiting`),
+  ) as [Locator, Locator];
+  await expect(ofScene).toContainText('The picture could not be loaded');
+  await expect(ofGraph).toContainText('The plot could not be loaded');
+  expect(await quantities(page)).toMatchObject({ class: /./ });
   await tab(page, 'Check').click();
   const notice = page.locator('.page-waiting');
   await expect(notice).toContainText('could not be loaded');
@@ -35,8 +41,11 @@ test('a page, its style sheet and its picture', async ({ page }) => {
   await expect(page.locator('.check')).toHaveCSS('display', 'grid');
   await tab(page, 'Explore').click();
   scene.is = false;
-  await page.locator('.scene-waiting').getByRole('button', { name: 'Try again' }).click();
+  await ofScene.getByRole('button', { name: 'Try again' }).click();
   await expect(page.locator('canvas')).toBeVisible();
+  graph.is = false;
+  await ofGraph.getByRole('button', { name: 'Try again' }).click();
+  await expect(page.locator('.graph-bead')).toBeVisible();
 });
 
 test('what can be taken away', async ({ page }) => {

@@ -47,7 +47,7 @@ test.describe('without the picture', () => {
   test('numbers and formulas work, and a sentence says what is missing', async ({ page }) => {
     await withoutScene(page);
     await open(page, START);
-    await expect(page.locator('.scene-waiting')).toContainText('not be loaded');
+    await expect(page.locator('.view-waiting')).toContainText('not be loaded');
     await typeInto(page, 'E.x', '4');
     expect(await quantities(page)).toMatchObject({ 'E.x': '4', 'bead.t': /./ });
     await press(page, page.locator('.graph-bead'), 'ArrowRight');

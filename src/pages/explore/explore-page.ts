@@ -1,5 +1,4 @@
 import { html, render, type TemplateResult } from 'lit';
-import { mountGraph } from '../../charts/graph.ts';
 import { algebra } from '../../panels/algebra.ts';
 import { compactControls, equations } from '../../panels/compact-controls.ts';
 import { controls } from '../../panels/controls.ts';
@@ -8,8 +7,8 @@ import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
-import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
+import { lateGraph } from './late-graph.ts';
 import type { PredictCard } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import './explore-page.css';
@@ -42,10 +41,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const bar = section(stage, 'scene-bar');
-  const graph: Mounted<ExploreModel['graph']> = mountGraph(
-    section(graphArea, 'graph-host'),
-    dispatch,
-  );
+  const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
   let untouched = true;
   const predict = latePredict(dispatch, changed);

@@ -37,6 +37,8 @@ export async function open(page: Page, hash: string): Promise<void> {
     await page.goto(`./${hash}`);
     await page.locator('[data-quantity="class"]').waitFor();
     await page.evaluate(() => document.fonts.ready.then(() => null));
+    // The graph's code comes after the page's own.
+    await page.locator('.graph').waitFor({ state: 'attached' });
   } else {
     await page.evaluate((next) => {
       location.hash = next;

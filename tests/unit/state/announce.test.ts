@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import './gallery-loaded.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { announcement } from '../../../src/state/announce.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';

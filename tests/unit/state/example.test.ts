@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import './gallery-loaded.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { exampleOf, type ShownExample, titleOf } from '../../../src/state/example.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import './gallery-loaded.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { advance, type History, historyOf } from '../../../src/state/history.ts';
 import { INITIAL } from '../../../src/state/state.ts';

@@ -1,0 +1,18 @@
+import type { Dispatch } from '../../state/actions.ts';
+import type { GraphModel } from '../../state/graph-model.ts';
+import type { Mounted } from '../../ui/mounted.ts';
+import { lateView } from '../late-view.ts';
+
+const WORDS = {
+  waiting: 'plotting…',
+  failed: 'The plot could not be loaded. All numbers and formulas work.',
+};
+
+/** The graph of f: formulas and numbers stand on the page before it. */
+export const lateGraph = (host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> =>
+  lateView(
+    host,
+    () => import('../../charts/graph.ts'),
+    ({ mountGraph }) => mountGraph(host, dispatch),
+    WORDS,
+  );

@@ -1,0 +1,64 @@
+import { html, nothing, render } from 'lit';
+import { late, notLoaded } from '../ui/late.ts';
+import type { Mounted } from '../ui/mounted.ts';
+
+/** Loading that takes longer than this is said. */
+const PATIENCE_MS = 300;
+
+export interface LateView<Model, Code> extends Mounted<Model> {
+  /** Null until it has been loaded. */
+  code(): Code | null;
+}
+
+/**
+ * A view whose code is a chunk of its own: the rest of the page stands before it arrives, and
+ * without it if it does not. `waiting` is said while it loads, `failed` where it does not come.
+ */
+export function lateView<Model, Code, View extends Mounted<Model>>(
+  host: HTMLElement,
+  load: () => Promise<Code>,
+  mount: (code: Code) => View,
+  { waiting, failed }: { readonly waiting: string; readonly failed: string },
+): LateView<Model, Code> & { view(): View | null } {
+  let model: Model | null = null;
+  let code: Code | null = null;
+  let view: View | null = null;
+  let disposed = false;
+  const notice = document.createElement('div');
+  notice.className = 'view-waiting';
+  const begin = (): void => {
+    host.append(notice);
+    render(nothing, notice);
+    const timer = setTimeout(
+      () => render(html`<p role="status">${waiting}</p>`, notice),
+      PATIENCE_MS,
+    );
+    late(load).then(
+      (loaded) => {
+        clearTimeout(timer);
+        notice.remove();
+        if (disposed) return;
+        code = loaded;
+        view = mount(loaded);
+        if (model) view.render(model);
+      },
+      () => {
+        clearTimeout(timer);
+        render(notLoaded(failed, begin), notice);
+      },
+    );
+  };
+  begin();
+  return {
+    render(next) {
+      model = next;
+      view?.render(next);
+    },
+    code: () => code,
+    view: () => view,
+    dispose() {
+      disposed = true;
+      view?.dispose();
+    },
+  };
+}
