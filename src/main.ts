@@ -63,7 +63,7 @@ const tools: PageActions = {
   },
   save: () =>
     withFiles(({ toFile }) => download('graze.json', toFile(store.get()), 'application/json')),
-  openFile: async () => openText(await pickFile('.json,application/json')),
+  openFile: async () => openText(await pickFile('.json,application/json,.md,text/markdown')),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
   help: () => openDialog('help'),
@@ -82,6 +82,13 @@ const tools: PageActions = {
   play: () => {
     if (modelNow().shown.hits) player.toggle(modelNow().graph);
   },
+  turn: (by) => pages.current()?.turn?.(by),
+  collect: () =>
+    withLessons(({ withCollected }) => {
+      const { state, step } = withCollected(store.get(), encode(store.get()));
+      store.dispatch({ type: 'open', state });
+      say(`added as step ${step} of your lesson`);
+    }),
   lines: () => {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };
@@ -288,6 +295,17 @@ function say(words: string): void {
 function openText(text: string | null): void {
   if (text === null) return;
   if (pages.current()?.open?.(text)) return;
+  // A lesson begins with a line of three dashes, which no other file does.
+  if (/^\s*---/.test(text)) {
+    withLessons(({ openedLesson }) => {
+      const state = openedLesson(store.get(), text);
+      if (state) {
+        store.dispatch({ type: 'open', state });
+        readShown();
+      } else store.dispatch({ type: 'say', problems: ['this file is no lesson'] });
+    });
+    return;
+  }
   withFiles(({ fromFile }) => {
     const opened = fromFile(text);
     if (opened.ok) {
@@ -300,6 +318,11 @@ function openText(text: string | null): void {
 /** What reads and writes files is loaded when the first one is saved or opened. */
 function withFiles(use: (files: typeof import('./state/file.ts')) => void): void {
   late(() => import('./state/file.ts')).then(use, sayNotLoaded);
+}
+
+/** What reads and packs lessons. */
+function withLessons(use: (own: typeof import('./pages/lesson/own.ts')) => void): void {
+  late(() => import('./pages/lesson/own.ts')).then(use, sayNotLoaded);
 }
 
 store.subscribe(() => {

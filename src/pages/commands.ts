@@ -12,6 +12,10 @@ export interface PageActions {
   fullScreen(): void;
   theme(): void;
   play(): void;
+  /** One step of a lesson on or back. */
+  turn(by: 1 | -1): void;
+  /** Adds what is shown to the own lesson, as its next step. */
+  collect(): void;
   /** How many lines the result on the page has, and whether all are shown. */
   lines(): { total: number; shown: number };
 }
@@ -28,7 +32,11 @@ export interface Command {
 }
 
 export function commandsOf(store: Store, tools: PageActions): readonly Command[] {
-  return [...exploreCommands(store, tools), ...commonCommands(store, tools)];
+  return [
+    ...exploreCommands(store, tools),
+    ...lessonCommands(tools),
+    ...commonCommands(store, tools),
+  ];
 }
 
 /** What is done with the one ray that Explore shows. */
@@ -86,6 +94,32 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
     },
   ];
   return commands.map((command) => ({ ...command, pages: ['explore'] }));
+}
+
+function lessonCommands(tools: PageActions): Command[] {
+  return [
+    {
+      id: 'lesson-next',
+      title: 'next: show what is hidden or asked, or the next step',
+      keys: ['PageDown', 'ArrowRight'],
+      pages: ['lesson'],
+      run: () => tools.turn(1),
+    },
+    {
+      id: 'lesson-back',
+      title: 'back: hide what was shown, or the step before',
+      keys: ['PageUp', 'ArrowLeft'],
+      pages: ['lesson'],
+      run: () => tools.turn(-1),
+    },
+    {
+      id: 'collect',
+      title: 'add what is shown to your own lesson, as its next step',
+      keys: ['c'],
+      pages: ['explore', 'accuracy', 'picture', 'check'],
+      run: tools.collect,
+    },
+  ];
 }
 
 function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {

@@ -8,6 +8,11 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       elsewhere, turn the wheel or pinch to come closer. With the keyboard: Tab to a handle,
       arrows move it along x and y, Page Up and Page Down along z, Shift makes the steps fine, Alt
       lets go of the grid. On the scene itself the arrows turn it, + and − zoom, 0 goes back.</p>`,
+  lesson: html`<h3>This page</h3>
+    <p>A lesson goes step by step: Page Down and Page Up turn, wherever the focus is, and first show
+      what is hidden. What a step leaves free is moved by the slider in its text, or in the scene.
+      Edit changes a step where it stands; a lesson of one’s own is a text file that can be opened,
+      dropped on the page, saved, and sent as a link.</p>`,
   accuracy: html`<h3>This page</h3>
     <p>Times are measured on this device, briefly as soon as the page is at rest, on rays of the
       chosen family, by the same code that the project’s bench runs; “Measure longer” refines
@@ -40,6 +45,9 @@ export const ABOUT: Readonly<Record<PageId, string>> = {
   explore:
     'Choose a shape and move the ray R(t) = E + t d. Everything else follows: the coefficients, ' +
     'the roots, the points and the normals. t counts in lengths of d.',
+  lesson:
+    'A few steps, each with something to see and something to find out. The numbers in the text ' +
+    'are those of the scene beside it.',
   accuracy:
     'How many digits each of eight methods gets right, what each digit costs, and where the lost ' +
     'ones go.',

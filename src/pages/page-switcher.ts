@@ -1,6 +1,7 @@
 import { html, render, type TemplateResult } from 'lit';
 import type { AppState, PageId } from '../state/state.ts';
 import { late, notLoaded } from '../ui/late.ts';
+import { SINGLE_PAGES } from './late-pages.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
 
 /** Loading that takes longer than this is said. */
@@ -10,11 +11,9 @@ const LONG_MS = 15_000;
 
 /** The code of each page but Explore, loaded when the page is first shown. */
 const LATE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
-  accuracy: () =>
-    late(() => import('./accuracy/accuracy-page.ts')).then(({ mountAccuracy }) => mountAccuracy),
-  check: () => late(() => import('./check/check-page.ts')).then(({ mountCheck }) => mountCheck),
-  picture: () =>
-    late(() => import('./picture/picture-page.ts')).then(({ loadPicture }) => loadPicture()),
+  ...SINGLE_PAGES,
+  lesson: () =>
+    late(() => import('./lesson/lesson-page.ts')).then(({ mountLesson }) => mountLesson),
 };
 
 interface PageSwitcher {

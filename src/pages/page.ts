@@ -4,7 +4,7 @@ import type { ExportItem } from './export-dialog.ts';
 
 /**
  * Makes a page other than Explore. A page is an entry in PAGES (state/state.ts) and one in
- * LATE_PAGES (page-switcher.ts); its code is a chunk of its own. Its link carries its settings:
+ * SINGLE_PAGES (late-pages.ts); its code is a chunk of its own. Its link carries its settings:
  * texts under keys, which the page reads and checks itself. It changes them by the action
  * 'settings'; null sets a key to its default, which is left out of the link. What is lost with the
  * page (hover, results of a measurement, a picture) it keeps in closures; it calls `changed` to be
@@ -33,6 +33,8 @@ export interface PageView {
   exports(): readonly ExportItem[];
   /** A file that was opened or dropped and is no saved state: true if the page took it. */
   open?(text: string): boolean;
+  /** One step on or back, for the keys of a clicker. */
+  turn?(by: 1 | -1): void;
   /**
    * Another page is shown; the element stays as it is, out of the document, until this one is shown
    * again.

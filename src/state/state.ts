@@ -4,15 +4,18 @@ import type { Ask } from './ask.ts';
 import type { Between } from './heights.ts';
 import type { View } from './view.ts';
 
-interface PageEntry {
+export interface PageEntry {
   readonly id: string;
   readonly title: string;
   /** Whether the page is about the ray and shape of Explore, so that its link carries them. */
   readonly ray: boolean;
+  /** The setting that stands in the path of its link, after the page. */
+  readonly part?: string;
 }
 
 export const PAGES = [
   { id: 'explore', title: 'Explore', ray: true },
+  { id: 'lesson', title: 'Lessons', ray: false, part: 'id' },
   { id: 'accuracy', title: 'Accuracy', ray: true },
   { id: 'picture', title: 'Picture', ray: false },
   { id: 'check', title: 'Check', ray: true },

@@ -17,6 +17,7 @@ import {
   INITIAL,
   initialShape,
   PAGES,
+  type PageEntry,
   type PageId,
   paramValue,
   RAY_PARAMS,
@@ -97,12 +98,14 @@ function codecOf(param: Param): Codec<Vec3 | number | string> {
 export function encode(state: AppState): string {
   const { page } = state;
   const pairs: [string, string][] = aboutRay(page) ? rayPairs(state) : [];
-  pairs.push(['method', state.method]);
+  const part = partOf(page);
+  const { [part ?? '']: place, ...settings }: Settings = state.settings[page];
+  if (part === undefined) pairs.push(['method', state.method]);
   if (page === 'explore') pairs.push(...lookPairs(state));
-  for (const [key, value] of Object.entries(state.settings[page])) {
-    pairs.push([escaped(key), escaped(value)]);
-  }
-  return `#/${page}?${pairs.map(([k, v]) => `${k}=${v}`).join('&')}`;
+  for (const [key, value] of Object.entries(settings)) pairs.push([escaped(key), escaped(value)]);
+  const path = place ? `#/${page}/${escaped(place)}` : `#/${page}`;
+  const query = pairs.map(([k, v]) => `${k}=${v}`).join('&');
+  return query ? `${path}?${query}` : path;
 }
 
 /**
@@ -120,7 +123,9 @@ export function exploreLink(
   return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method, between });
 }
 
-const aboutRay = (page: PageId): boolean => PAGES.some(({ id, ray }) => id === page && ray);
+const entryOf = (page: PageId): PageEntry | undefined => PAGES.find(({ id }) => id === page);
+const partOf = (page: PageId): string | undefined => entryOf(page)?.part;
+const aboutRay = (page: PageId): boolean => entryOf(page)?.ray === true;
 
 /** What would end the pair, or not come back the same. */
 function escaped(text: string): string {
@@ -187,9 +192,12 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     }
   };
   const ray = aboutRay(page) ? readRay(read, before) : before;
-  const method = read('method', word, DEFAULT_METHOD, (v) => {
-    if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
-  });
+  // A page with a place of its own in the path shows states of their own, method included.
+  const method = partOf(page)
+    ? before.method
+    : read('method', word, DEFAULT_METHOD, (v) => {
+        if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
+      });
   const look =
     page === 'explore' ? readLook(read, before) : { ...before, hidden: before.revealed !== null };
   const rest = [...given].filter(([key]) => !known.has(key));
@@ -267,9 +275,13 @@ function split(
 ): { page: PageId; given: ReadonlyMap<string, string> } {
   const body = hash.replace(/^#?\/?/, '');
   const [path = '', ...rest] = body.split('?');
-  const page = PAGES.find(({ id }) => id === path)?.id;
+  const [name = '', ...places] = path.split('/');
+  const known = PAGES.find(({ id }) => id === name)?.id;
+  const part = known && partOf(known);
+  const page = places.length === 0 || part ? known : undefined;
   if (!page && path !== '') problems.push(`there is no page ${quote(plain(path))}`);
   const given = new Map<string, string>();
+  if (part && places.join('/') !== '') given.set(part, plain(places.join('/')));
   const pairs = rest.join('?').split('&').filter(Boolean);
   for (const pair of pairs.slice(0, MAX_KEYS)) {
     const [key = '', ...value] = pair.split('=').map(plain);

@@ -22,12 +22,13 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
   check: ['math', 'lab', 'text'],
   // Of the tracer only types: see below.
   state: PURE,
+  lesson: [...PURE, 'state'],
   workers: PURE,
   ui: ['text'],
   canvas: [...PURE, 'state', 'ui'],
   panels: [...PURE, 'state', 'ui'],
   charts: [...PURE, 'state', 'ui'],
-  pages: [...PURE, ...VIEWS, 'state', 'ui', 'workers'],
+  pages: [...PURE, ...VIEWS, 'state', 'lesson', 'ui', 'workers'],
   // ui for what belongs to the whole window and to no page: theme, gestures, files, the announcer,
   // the styles.
   main: ['pages', 'state', 'workers', 'ui'],
@@ -46,6 +47,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   lit: ['ui', 'panels', 'charts', 'pages', 'main'],
   'd3-scale': ['charts'],
   fflate: ['state'],
+  marked: ['lesson'],
 };
 
 /** What the pure rooms and the state may not touch: a page, a clock, chance. */

@@ -1,0 +1,44 @@
+import type { Prose } from './prose.ts';
+
+/** What a student is to say before it is shown. */
+export type Guess =
+  /** A value of the number that is free: at `truth` something happens, as the text asks. */
+  | { readonly type: 'free'; readonly truth: number }
+  /** A number that Explore shows. */
+  | { readonly type: 'quantity'; readonly quantity: string }
+  | { readonly type: 'class' };
+
+export interface Step {
+  readonly title: string;
+  /** A link of any page of Graze. */
+  readonly link: string;
+  /** The only number that can be moved, 'r' or 'E.x', or a whole vector; null for none. */
+  readonly free: string | null;
+  readonly guess: Guess | null;
+  /** The results are hidden until they are asked for. */
+  readonly hide: boolean;
+  readonly text: Prose;
+  readonly question: Prose;
+  readonly answer: Prose;
+  readonly notes: Prose;
+  /** The step as it is written, with its heading. */
+  readonly source: string;
+}
+
+/** A text with steps: each shows a state of Graze and says what to see in it. */
+export interface Lesson {
+  readonly id: string;
+  readonly title: string;
+  /** One sentence for the list of lessons. */
+  readonly about: string;
+  readonly steps: readonly Step[];
+}
+
+/** The id of a lesson that is a person's own and not one of Graze's. */
+export const OWN = 'own';
+
+/** From 1, whatever a link says. */
+export function stepAt({ steps }: Lesson, text: string | undefined): number {
+  const number = Math.trunc(Number(text ?? '1'));
+  return Number.isFinite(number) ? Math.min(Math.max(number, 1), Math.max(steps.length, 1)) : 1;
+}

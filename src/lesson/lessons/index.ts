@@ -1,0 +1,22 @@
+import { type ReadLesson, readLesson } from '../read.ts';
+import ray from './ray.md?raw';
+
+/** The lessons that come with Graze, in the order of the list: each a file, by its id. */
+const TEXTS: Readonly<Record<string, string>> = { ray };
+
+const known = new Map<string, ReadLesson>();
+
+export const LESSON_IDS: readonly string[] = Object.keys(TEXTS);
+
+/** The text of a lesson that comes with Graze; null where there is none of that id. */
+export const lessonText = (id: string): string | null =>
+  Object.hasOwn(TEXTS, id) ? (TEXTS[id] ?? null) : null;
+
+/** A lesson that comes with Graze. */
+export function lessonOf(id: string): ReadLesson | null {
+  const text = lessonText(id);
+  if (text === null) return null;
+  const found = known.get(id) ?? readLesson(text, id);
+  known.set(id, found);
+  return found;
+}

@@ -1,0 +1,64 @@
+import type { Condition } from './condition.ts';
+
+/** A piece of a formula in prose. */
+export type FormulaPart =
+  /** A letter with an optional index: r, E with x, t with 1. */
+  | { readonly type: 'symbol'; readonly base: string; readonly index: string }
+  /** A number that is written out. */
+  | { readonly type: 'number'; readonly text: string }
+  /** A sign, a bracket, a power. */
+  | { readonly type: 'sign'; readonly text: string }
+  | { readonly type: 'power'; readonly text: string }
+  /** The value that the page shows. */
+  | { readonly type: 'live'; readonly quantity: string };
+
+export type Inline =
+  | { readonly type: 'text'; readonly text: string }
+  | { readonly type: 'strong' | 'em'; readonly inside: readonly Inline[] }
+  | { readonly type: 'link'; readonly href: string; readonly inside: readonly Inline[] }
+  | { readonly type: 'formula'; readonly parts: readonly FormulaPart[] }
+  | { readonly type: 'live'; readonly quantity: string }
+  | { readonly type: 'break' }
+  /** What makes the words before it true: not shown, for tests. */
+  | { readonly type: 'claims'; readonly claims: readonly string[] };
+
+/** Something is shown while all its conditions hold; without any, always. */
+export interface Shown {
+  readonly when: readonly Condition[];
+}
+
+export type Block = Shown &
+  (
+    | { readonly type: 'paragraph'; readonly inside: readonly Inline[] }
+    | { readonly type: 'display'; readonly parts: readonly FormulaPart[] }
+    | {
+        readonly type: 'list';
+        readonly ordered: boolean;
+        readonly items: readonly (readonly Inline[])[];
+      }
+    | { readonly type: 'code'; readonly text: string }
+    /** Where the slider of the step stands. */
+    | { readonly type: 'slider' }
+  );
+
+export type Prose = readonly Block[];
+
+/** Every inline part of a text, those inside of others too. */
+export function inlinesOf(prose: Prose): Inline[] {
+  const within = (parts: readonly Inline[]): Inline[] =>
+    parts.flatMap((part) => ('inside' in part ? [part, ...within(part.inside)] : [part]));
+  return prose.flatMap((block) => {
+    if (block.type === 'paragraph') return within(block.inside);
+    if (block.type === 'list') return block.items.flatMap(within);
+    return block.type === 'display' ? [{ type: 'formula' as const, parts: block.parts }] : [];
+  });
+}
+
+/** The names of all live numbers of a text. */
+export function quantitiesIn(prose: Prose): string[] {
+  return inlinesOf(prose).flatMap((part) => {
+    if (part.type === 'live') return [part.quantity];
+    if (part.type !== 'formula') return [];
+    return part.parts.flatMap((one) => (one.type === 'live' ? [one.quantity] : []));
+  });
+}

@@ -1,0 +1,142 @@
+import { quote } from '../math/shapes.ts';
+import { decode } from '../state/url.ts';
+import { parseNumber } from '../text/parse.ts';
+import { freedomOf } from './freedom.ts';
+import type { Guess, Lesson, Step } from './lesson.ts';
+import { proseOf, type Section, sectionsOf, sourceOf, tokensOf } from './markdown.ts';
+import type { Prose } from './prose.ts';
+import { isQuantity } from './quantities.ts';
+
+/*
+ * A lesson is Markdown with front matter (docs/ADDING.md, "A lesson"): `title` and `about` between
+ * two lines of three dashes, then one heading of level 2 a step. Under it stand lines "key: value"
+ * (link, free, guess, hide), then text, then sections of level 3: Question, Answer, Notes.
+ */
+
+export interface ReadLesson {
+  readonly lesson: Lesson;
+  /** What was not understood, each with its step. */
+  readonly problems: readonly string[];
+}
+
+/** No lesson is this long; a file that is, is none. */
+export const LONGEST_LESSON = 100_000;
+const MOST_STEPS = 200;
+const FRONT = /^\s*---[ \t]*\r?\n([\s\S]*?)\r?\n---[ \t]*(?:\r?\n|$)/;
+const KEYS = ['link', 'free', 'guess', 'hide'];
+
+/** Whether a file that was opened looks like a lesson: it begins with front matter. */
+export const isLesson = (text: string): boolean => FRONT.test(text);
+
+/** Reads any text: what is not understood is left out and said. */
+export function readLesson(text: string, id: string): ReadLesson {
+  const problems: string[] = [];
+  const all = text.slice(0, LONGEST_LESSON).replace(/\r\n?/g, '\n');
+  if (text.length > LONGEST_LESSON) {
+    problems.push(`only the first ${LONGEST_LESSON} characters of the lesson are read`);
+  }
+  const [whole = '', front = ''] = all.match(FRONT) ?? [];
+  const keys = pairsOf(front);
+  const title = keys.get('title');
+  if (!title) problems.push('the lesson has no title');
+  for (const key of keys.keys()) {
+    if (!['title', 'about'].includes(key))
+      problems.push(`${quote(key)} means nothing for a lesson`);
+  }
+  const sections = sectionsOf(tokensOf(all.slice(whole.length)), 2).slice(1);
+  if (sections.length === 0) problems.push('the lesson has no step: "## a title" begins one');
+  if (sections.length > MOST_STEPS) problems.push(`only the first ${MOST_STEPS} steps are read`);
+  const steps = sections.slice(0, MOST_STEPS).map((section, i) =>
+    stepOf(section, (words) => {
+      problems.push(`step ${i + 1}: ${words}`);
+    }),
+  );
+  const lesson = { id, title: title || 'a lesson', about: keys.get('about') ?? '', steps };
+  return { lesson, problems };
+}
+
+type Fault = (words: string) => void;
+
+function stepOf(section: Section, fault: Fault): Step {
+  const [body, ...parts] = sectionsOf(section.tokens, 3);
+  const [head, ...rest] = (body?.tokens ?? []).filter(({ type }) => type !== 'space');
+  const given = head?.type === 'paragraph' && isPairs(head.raw) ? pairsOf(head.raw) : null;
+  const keys = given ?? new Map<string, string>();
+  for (const key of keys.keys()) {
+    if (!KEYS.includes(key)) fault(`${quote(key)} means nothing`);
+  }
+  const part = (name: string): Prose =>
+    proseOf(parts.find(({ title }) => title.toLowerCase() === name)?.tokens ?? [], fault);
+  for (const { title } of parts) {
+    if (!/^(question|answer|notes)$/i.test(title)) fault(`there is no section ${quote(title)}`);
+  }
+  const link = linkOf(keys.get('link'), fault);
+  const free = freeOf(keys.get('free'), link, fault);
+  const hide = keys.get('hide') ?? 'no';
+  if (!/^(yes|no)$/.test(hide)) fault(`hide is yes or no, got ${quote(hide)}`);
+  return {
+    title: section.title,
+    link,
+    free,
+    guess: guessOf(keys.get('guess'), free, fault),
+    // A link with hidden results brings them hidden.
+    hide: hide === 'yes' || decode(link).revealed !== null,
+    text: proseOf(given ? rest : (body?.tokens ?? []), fault),
+    question: part('question'),
+    answer: part('answer'),
+    notes: part('notes'),
+    source: `## ${section.title}\n\n${sourceOf(section.tokens)}`,
+  };
+}
+
+/** "key: value", one a line. */
+const PAIR = /^([a-z]+):[ \t]*(.*)$/;
+const isPairs = (text: string): boolean =>
+  text
+    .trim()
+    .split('\n')
+    .every((line) => PAIR.test(line));
+
+function pairsOf(text: string): Map<string, string> {
+  const pairs = text.split('\n').flatMap((line): [string, string][] => {
+    const [, key, value = ''] = line.match(PAIR) ?? [];
+    return key ? [[key, value.trim()]] : [];
+  });
+  return new Map(pairs);
+}
+
+/** From the hash on: a whole address may be pasted. */
+function linkOf(text: string | undefined, fault: Fault): string {
+  const hash = text?.match(/#\/.*$/)?.[0];
+  if (!hash) {
+    fault(text ? `${quote(text)} is no link of Graze` : 'it has no link');
+    return '#/explore';
+  }
+  const { page, problems } = decode(hash);
+  for (const words of problems) fault(words);
+  if (page !== 'lesson') return hash;
+  fault('a step cannot be a lesson');
+  return '#/explore';
+}
+
+function freeOf(text: string | undefined, link: string, fault: Fault): string | null {
+  if (!text) return null;
+  const state = decode(link);
+  if (state.page === 'explore' && freedomOf(text, state)) return text;
+  fault(`${quote(text)} cannot be free there`);
+  return null;
+}
+
+/** "t1", "class", or the value of what is free: "r = 1". */
+function guessOf(text: string | undefined, free: string | null, fault: Fault): Guess | null {
+  if (!text) return null;
+  if (text === 'class') return { type: 'class' };
+  const [, letter, value = ''] = text.match(/^(\S+) = (.+)$/) ?? [];
+  if (letter === undefined && isQuantity(text)) return { type: 'quantity', quantity: text };
+  const parsed = parseNumber(value);
+  if (letter !== undefined && letter === free && parsed.ok) {
+    return { type: 'free', truth: parsed.value };
+  }
+  fault(`${quote(text)} cannot be guessed: "class", "t1", or "r = 1" where r is free`);
+  return null;
+}

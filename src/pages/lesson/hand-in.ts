@@ -1,0 +1,80 @@
+import { freedomOf } from '../../lesson/freedom.ts';
+import { changesOf, innerState } from '../../lesson/inner.ts';
+import type { Step } from '../../lesson/lesson.ts';
+import type { Action, Changes, Dispatch } from '../../state/actions.ts';
+import type { Settings } from '../../state/state.ts';
+import { update } from '../../state/update.ts';
+import { decode } from '../../state/url.ts';
+import type { GuessTools } from './guess-view.ts';
+import { placeOf } from './source.ts';
+
+export interface HandIn {
+  /** What is done to what the step shows. */
+  readonly inner: Dispatch;
+  /** The guess as it is now, before it is handed in. */
+  readonly draft: () => string;
+  readonly change: (text: string) => void;
+  tools(step: Step): GuessTools;
+  /** Shows what is hidden or asked for. */
+  readonly reveal: () => void;
+  /** Takes an answer or what was shown back. */
+  readonly hide: () => void;
+  /** Another step begins. */
+  readonly clear: () => void;
+}
+
+/** How a step's state and its question are changed: as settings of the lesson, in one action. */
+export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
+  let draft = '';
+  const change = (text: string): void => {
+    draft = text;
+    changed();
+  };
+  const inner: Dispatch = (action) => {
+    if (leads(action)) dispatch(action);
+    else dispatch({ type: 'settings', values: (now) => moved(now, action) });
+  };
+  /** With the number that was asked for, where there is one, the truth is shown. */
+  const answer = (more: Changes) => (now: Settings) => {
+    const step = placeOf(now)?.step;
+    const free = step?.free;
+    if (step?.guess?.type !== 'free' || !free) return more;
+    const [freedom] = freedomOf(free, decode(step.link)) ?? [];
+    return { ...(freedom ? moved(now, freedom.action(step.guess.truth)) : {}), ...more };
+  };
+  const settle = (more: Changes): void => {
+    dispatch({ type: 'settings', values: answer(more) });
+  };
+  return {
+    inner,
+    draft: () => draft,
+    change,
+    tools: () => ({
+      draft,
+      change,
+      hand: (text) => settle({ guess: text }),
+      show: () => settle({ shown: '1' }),
+    }),
+    reveal: () => settle({ shown: '1' }),
+    hide: () =>
+      dispatch({
+        type: 'settings',
+        values: (now) => {
+          const kept = ['id', 'file', 'step'];
+          const rest = Object.keys(now).filter((key) => !kept.includes(key));
+          return Object.fromEntries(rest.map((key) => [key, null]));
+        },
+      }),
+    clear() {
+      draft = '';
+    },
+  };
+}
+
+/** An action that leads to another page: it leaves the lesson. */
+const leads = (action: Action): boolean => action.type === 'link' || action.type === 'page';
+
+function moved(now: Settings, action: Action): Changes {
+  const step = placeOf(now)?.step;
+  return step ? changesOf(step, update(innerState(step, now), action), now) : {};
+}

@@ -1,0 +1,185 @@
+import { nothing, render } from 'lit';
+import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/inner.ts';
+import { writeLesson } from '../../lesson/write.ts';
+import { announcement } from '../../state/announce.ts';
+import { createDerive, type ExploreModel } from '../../state/derive.ts';
+import type { AppState } from '../../state/state.ts';
+import { encode } from '../../state/url.ts';
+import { download, pickFile } from '../../ui/files.ts';
+import { recall } from '../../ui/storage.ts';
+import type { MountPage } from '../page.ts';
+import { createEditing } from './editing.ts';
+import { mountExploreStage } from './explore-stage.ts';
+import { answerView, questionView } from './guess-view.ts';
+import { createHandIn } from './hand-in.ts';
+import { listView } from './list-view.ts';
+import { createOtherPages } from './other-pages.ts';
+import { openedLesson, withCollected } from './own.ts';
+import { proseTools } from './prose-tools.ts';
+import { slidersOf } from './sliders.ts';
+import { type Place, placeOf, readSettings } from './source.ts';
+import { type StepParts, stepView } from './step-view.ts';
+import { createTravel } from './travel.ts';
+import './lesson-page.css';
+import './lesson-text.css';
+
+/** A text beside what it speaks of, step by step; without an id in the link, the list of all. */
+export const mountLesson: MountPage = (host, context) => {
+  const { dispatch, changed, announce } = context;
+  host.classList.add('lesson');
+  const area = (name: string): HTMLElement => {
+    const element = document.createElement('div');
+    element.className = `lesson-${name}`;
+    host.append(element);
+    return element;
+  };
+  const [list, stage, other, text] = [area('list'), area('stage'), area('other'), area('column')];
+  const handIn = createHandIn(dispatch, changed);
+  const editing = createEditing(dispatch, changed);
+  const derive = createDerive();
+  const travel = createTravel(changed);
+  const others = createOtherPages(other, context, handIn.inner);
+  let explore: ReturnType<typeof mountExploreStage> | null = null;
+  let shown: { place: Place; inner: AppState; model: ExploreModel | null } | null = null;
+  let outer: AppState | null = null;
+
+  const go = (number: number): void => {
+    const count = shown?.place.lesson.steps.length ?? 0;
+    if (number < 1 || number > count) return;
+    editing.cancel();
+    dispatch({ type: 'settings', values: toStep(number) });
+  };
+  const collect = (link: string): void => {
+    dispatch({ type: 'open', state: (now) => withCollected(now, link).state });
+    announce('added as a step of your own lesson');
+  };
+  const openText = (given: string): boolean => {
+    const opened = outer && openedLesson(outer, given);
+    if (!opened) return false;
+    dispatch({ type: 'open', state: opened });
+    const { problems } = readSettings(opened.settings.lesson);
+    if (problems.length > 0) dispatch({ type: 'say', problems });
+    return true;
+  };
+  const save = (): void => {
+    if (!shown) return;
+    const { lesson } = shown.place;
+    download(`${lesson.id}.md`, writeLesson(lesson), 'text/markdown');
+  };
+
+  const showList = (state: AppState): void => {
+    shown = null;
+    others.leave();
+    host.dataset.look = 'list';
+    render(nothing, text);
+    const own = listView({
+      hasOwn: recall('graze.lesson') !== null,
+      goOn: () => dispatch({ type: 'settings', values: { id: 'own' } }),
+      collect: () => collect(encode({ ...state, page: 'explore' })),
+      openFile: async () => {
+        const given = await pickFile('.md,.txt,text/markdown,text/plain');
+        if (given !== null && !openText(given)) context.say('this file is no lesson');
+      },
+    });
+    render(own, list);
+  };
+
+  /** What is said of a change within a step, or of a new step. */
+  const tell = (before: typeof shown, now: NonNullable<typeof shown>): void => {
+    const { lesson, number, step } = now.place;
+    if (before?.place.lesson !== lesson || before.place.number !== number) {
+      announce(`${lesson.title}, step ${number} of ${lesson.steps.length}: ${step.title}.`);
+    } else if (before.model && now.model && before.model !== now.model && !travel.underWay) {
+      const words = announcement(before.model, now.model);
+      if (words) announce(words);
+    }
+  };
+
+  const showStep = (state: AppState, place: Place): void => {
+    const settings = state.settings.lesson;
+    const before = shown;
+    const { lesson, number, step } = place;
+    const target = innerState(step, settings);
+    const isNew = before?.place.lesson.id !== lesson.id || before.place.number !== number;
+    if (isNew) {
+      travel.start(before?.inner ?? null, target);
+      handIn.clear();
+      text.scrollTop = 0;
+      if (before) window.scrollTo({ top: 0 });
+    }
+    const inner = travel.now(target);
+    const onExplore = inner.page === 'explore';
+    const model = onExplore ? derive(inner) : null;
+    shown = { place, inner, model };
+    host.dataset.look = onExplore ? 'explore' : 'other';
+    render(nothing, list);
+    const asked = isAsked(step, settings);
+    const sliders = slidersOf(step, target, settings, asked, handIn);
+    if (model) {
+      others.leave();
+      explore ??= mountExploreStage(stage, handIn.inner);
+      explore.render({ model, movable: sliders.movable });
+    } else others.render(inner);
+    const prose = proseTools(place, model, other, sliders.view);
+    const { guess } = step;
+    const answered = guess ? answerView(step, guess, settings.guess, model, prose) : nothing;
+    const parts: StepParts = {
+      ...{ lesson, number, step, prose },
+      asked: guess && asked ? questionView(step, guess, prose, handIn.tools(step)) : answered,
+      slider: sliders.view(),
+      isHidden: guess === null && areHidden(step, settings),
+      editor: editing.view(place),
+    };
+    const tools = { go, reveal: handIn.reveal, edit: () => editing.begin(place), save };
+    render(stepView(parts, { ...tools, add: () => collect(encode(target)) }), text);
+    tell(before, shown);
+  };
+
+  const turn = (by: 1 | -1): void => {
+    if (!shown || !outer) return;
+    const { place } = shown;
+    const settings = outer.settings.lesson;
+    const isOpen = isAsked(place.step, settings) || areHidden(place.step, settings);
+    if (by === 1 && isOpen) handIn.reveal();
+    else if (by === -1 && (settings.shown ?? settings.guess) !== undefined) handIn.hide();
+    else go(place.number + by);
+  };
+
+  // A clicker's two keys mean next and back wherever the focus is left.
+  host.addEventListener(
+    'keydown',
+    (event) => {
+      const by = event.key === 'PageDown' ? 1 : event.key === 'PageUp' ? -1 : null;
+      if (by === null || (event.target as Element).closest('textarea')) return;
+      event.preventDefault();
+      event.stopPropagation();
+      turn(by);
+    },
+    true,
+  );
+
+  // What other pages measure arrives without a new state: numbers in the text follow them.
+  new MutationObserver(() => {
+    if (shown && !shown.model) changed();
+  }).observe(other, { subtree: true, attributeFilter: ['data-value'] });
+
+  return {
+    render(state) {
+      outer = state;
+      const place = placeOf(state.settings.lesson);
+      if (place) showStep(state, place);
+      else showList(state);
+    },
+    read: readSettings,
+    open: openText,
+    turn,
+    exports() {
+      if (!shown) return [];
+      const { lesson } = shown.place;
+      const item = { id: 'lesson', title: 'the lesson as a text', file: `${lesson.id}.md` };
+      const text = () => writeLesson(lesson);
+      return [{ ...item, type: 'text/markdown', text, blob: null }, ...others.exports()];
+    },
+    rest: () => others.leave(),
+  };
+};

@@ -1,0 +1,63 @@
+import { html, render } from 'lit';
+import type { Dispatch } from '../../state/actions.ts';
+import type { AppState, PageId } from '../../state/state.ts';
+import { notLoaded } from '../../ui/late.ts';
+import { SINGLE_PAGES } from '../late-pages.ts';
+import type { PageContext, PageView } from '../page.ts';
+
+/**
+ * The other pages as steps of a lesson: each is mounted once, with the lesson's own dispatch, and
+ * one at a time is in the document.
+ */
+export function createOtherPages(host: HTMLElement, context: PageContext, dispatch: Dispatch) {
+  const hosts = new Map<PageId, HTMLElement>();
+  const views = new Map<PageId, PageView>();
+  let shown: PageId | null = null;
+
+  const load = (page: PageId, place: HTMLElement): void => {
+    const code = SINGLE_PAGES[page];
+    render(html`<p role="status">loading…</p>`, place);
+    code?.().then(
+      (mountPage) => {
+        render(html``, place);
+        const own = document.createElement('div');
+        place.replaceChildren(own);
+        views.set(page, mountPage(own, { ...context, dispatch }));
+        context.changed();
+      },
+      () =>
+        render(
+          notLoaded('This page could not be loaded.', () => load(page, place)),
+          place,
+        ),
+    );
+  };
+
+  const rest = (): void => {
+    if (shown !== null) views.get(shown)?.rest?.();
+  };
+
+  return {
+    render(state: AppState): void {
+      if (shown !== state.page) {
+        rest();
+        shown = state.page;
+        let place = hosts.get(state.page);
+        if (!place) {
+          place = document.createElement('div');
+          hosts.set(state.page, place);
+          load(state.page, place);
+        }
+        host.replaceChildren(place);
+      }
+      views.get(state.page)?.render(state);
+    },
+    /** No step of another page is shown. */
+    leave(): void {
+      rest();
+      shown = null;
+      host.replaceChildren();
+    },
+    exports: () => (shown === null ? [] : (views.get(shown)?.exports() ?? [])),
+  };
+}

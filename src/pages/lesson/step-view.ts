@@ -1,0 +1,92 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Lesson, Step } from '../../lesson/lesson.ts';
+import { type ProseTools, proseView } from './prose-view.ts';
+
+export interface StepParts {
+  readonly lesson: Lesson;
+  /** From 1. */
+  readonly number: number;
+  readonly step: Step;
+  readonly prose: ProseTools;
+  /** The question while it is open, or its answer. */
+  readonly asked: TemplateResult | typeof nothing;
+  /** In the place of the text while it is written. */
+  readonly editor: TemplateResult | null;
+  readonly slider: TemplateResult | typeof nothing;
+  readonly isHidden: boolean;
+}
+
+export interface StepTools {
+  readonly go: (number: number) => void;
+  readonly reveal: () => void;
+  readonly edit: () => void;
+  readonly add: () => void;
+  readonly save: () => void;
+}
+
+/** The text column of a step. */
+export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
+  const { lesson, number, step, prose, asked, editor, slider, isHidden } = parts;
+  const hasSlider = step.text.some(({ type }) => type === 'slider');
+  return html`<header class="lesson-head">
+      <p class="lesson-of"><a href="#/lesson">Lessons</a> · ${lesson.title}</p>
+      ${dots(lesson, number, tools.go)}
+      <h2>${step.title}</h2>
+    </header>
+    <div class="lesson-body" data-lesson-step=${number}>
+      ${
+        editor ??
+        html`<div class="lesson-text">
+            ${proseView(step.text, prose)}${hasSlider ? nothing : slider}</div>
+          ${
+            isHidden
+              ? html`<button type="button" class="bordered reveal"
+            @click=${tools.reveal}>Show the results</button>`
+              : nothing
+          }
+          ${asked}
+          <p class="lesson-tools">
+            <button type="button" class="quiet" @click=${tools.edit}>Edit</button>
+            <button type="button" class="quiet" @click=${tools.add}>Add a step from here</button>
+            <button type="button" class="quiet" @click=${tools.save}>Save the lesson</button>
+          </p>`
+      }
+    </div>
+    ${foot(lesson, number, step, tools.go)}`;
+}
+
+function dots({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {
+  return html`<nav class="lesson-dots" aria-label="Steps">${steps.map((step, i) => {
+    const at = i + 1;
+    const look = at < number ? 'done' : at === number ? 'present' : 'to-come';
+    return html`<button
+      type="button"
+      class="dot ${look}"
+      aria-label=${`step ${at}: ${step.title}`}
+      title=${step.title}
+      aria-current=${at === number ? 'step' : nothing}
+      @click=${() => go(at)}
+    ></button>`;
+  })}</nav>`;
+}
+
+function foot(
+  { steps }: Lesson,
+  number: number,
+  { title }: Step,
+  go: (number: number) => void,
+): TemplateResult {
+  const isLast = number === steps.length;
+  return html`<footer class="lesson-foot">
+    <button type="button" class="bordered"
+      aria-disabled=${number === 1}
+      @click=${() => go(number - 1)}>Back</button>
+    <p>${number} of ${steps.length}<span class="step-title">: ${title}</span></p>
+    ${
+      isLast
+        ? html`<a class="bordered" href="#/lesson">All lessons</a>`
+        : html`<button type="button" class="bordered next"
+          @click=${() => go(number + 1)}>Next</button>`
+    }
+  </footer>`;
+}

@@ -1,0 +1,62 @@
+import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
+import { InvalidInput } from '../math/index.ts';
+import { quote } from '../math/shapes.ts';
+
+/* A text in a link: deflated, in the letters that a link may hold (base64url, RFC 4648). */
+
+const LONGEST = 30_000;
+/**
+ * Bytes that are inflated at once: a link that makes too many of them is given up after one more
+ * portion.
+ */
+const PORTION = 1024;
+
+export function packed(text: string): string {
+  const bytes = deflateSync(strToU8(text), { level: 9 });
+  return btoa(strFromU8(bytes, true)).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
+}
+
+/**
+ * The text again, of at most so many bytes. Throws InvalidInput with what is wrong; `what` is what
+ * is packed: 'scene'.
+ */
+export function unpacked(text: string, what: string, longest: number): string {
+  if (text.length > LONGEST) {
+    throw new InvalidInput(
+      `a ${what} in a link has at most ${LONGEST} letters, got ${text.length}`,
+    );
+  }
+  try {
+    const bytes = strToU8(atob(text.replace(/-/g, '+').replace(/_/g, '/')), true);
+    return inflated(bytes, what, longest);
+  } catch (error) {
+    if (error instanceof InvalidInput) throw error;
+    throw new InvalidInput(`${quote(`~${text.slice(0, 20)}`)} is not a packed ${what}`);
+  }
+}
+
+/** Deflate makes up to 1032 bytes of one: no more than `longest` are kept. */
+function inflated(bytes: Uint8Array, what: string, longest: number): string {
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  let ended = false;
+  const stream = new Inflate((part, isLast) => {
+    parts.push(part);
+    length += part.length;
+    ended = isLast;
+  });
+  for (let at = 0; at < bytes.length; at += PORTION) {
+    stream.push(bytes.subarray(at, at + PORTION), at + PORTION >= bytes.length);
+    if (length > longest) {
+      throw new InvalidInput(`a packed ${what} has at most ${longest} characters`);
+    }
+  }
+  if (!ended) throw new RangeError('it ends too early');
+  const whole = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return strFromU8(whole);
+}
