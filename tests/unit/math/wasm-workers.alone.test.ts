@@ -89,7 +89,13 @@ describe('what a worker says has arrays of its own', () => {
     const sample = { family: 'near-tangent', seed: 191, shapes: 2, count: 40 };
     send({
       type: 'measure',
-      request: { ...sample, plan: { rounds: 1, least: 1, steps: 1, warmUp: 1 } },
+      request: {
+        ...sample,
+        timed: 40,
+        order: 'random',
+        budget: { least: 64, most: 1e9 },
+        plan: { rounds: 1, least: 1, steps: 1, warmUp: 1 },
+      },
     });
     send({ type: 'sweep', request: { ...sample, points: 2 } });
     await vi.waitFor(() => {
