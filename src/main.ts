@@ -7,7 +7,6 @@ import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
 import { shell } from './pages/shell.ts';
-import { announcement } from './state/announce.ts';
 import type { CloserLook } from './state/closer-look.ts';
 import { createDerive, type ExploreModel } from './state/derive.ts';
 import { exampleOf, provideExamples } from './state/example.ts';
@@ -66,6 +65,7 @@ const tools: PageActions = {
   openFile: async () => openText(await pickFile('.json,application/json,.md,text/markdown')),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
+  derivation: () => openDialog('derivation'),
   help: () => openDialog('help'),
   fullScreen: () => {
     const done = document.fullscreenElement
@@ -103,6 +103,7 @@ const dialogParts: DialogParts = {
   example: () => exampleOf(store.get()),
   hidden: () => store.get().revealed !== null,
   page: () => store.get().page,
+  explored: modelNow,
   dispatch: store.dispatch,
   tools,
   say,
@@ -191,7 +192,7 @@ function renderExplore(state: AppState): void {
   loadCloserLook();
   loadGallery();
   if (before !== null && before !== model && !player.playing) {
-    const words = announcement(before, model);
+    const words = closerLook?.announcement(before, model);
     if (words) announce(words);
   }
   explore?.render(model, {

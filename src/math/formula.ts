@@ -72,3 +72,4 @@ export { type Solver, STABLE_Q, STABLE_ROOTS, textbookSolver } from './methods/s
 export { valuesOf } from './methods/tree-method.ts';
 export type { CurvedFormula } from './shapes/axial-quadric.ts';
 export { all, type FlatFormula, whichHold, withPoint } from './shapes/planar.ts';
+export { type WalkLine, type WalkStep, walkOf } from './walk.ts';

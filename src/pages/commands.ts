@@ -8,6 +8,8 @@ export interface PageActions {
   openFile(): void;
   exportDialog(): void;
   gallery(): void;
+  /** The walk from the surface's equation to the roots. */
+  derivation(): void;
   help(): void;
   fullScreen(): void;
   theme(): void;
@@ -66,6 +68,12 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
       title: 'examples',
       keys: ['x'],
       run: tools.gallery,
+    },
+    {
+      id: 'derive',
+      title: 'derive A, B, C, the roots and N step by step',
+      keys: ['d'],
+      run: tools.derivation,
     },
     {
       id: 'hide',

@@ -39,12 +39,17 @@ import './algebra.css';
  * From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the
  * hits.
  */
-export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
+export function algebra(
+  model: ExploreModel,
+  dispatch: Dispatch,
+  derive: () => void,
+): TemplateResult {
   const { derivation, title, shown, found, exactly } = model;
   const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
       <p class="lead"><span class="words">Put the ray into the ${title}:</span> ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
+      <button type="button" class="derive" aria-haspopup="dialog" title="Where these lines come from, step by step (d)" @click=${derive}>derive</button>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">

@@ -9,6 +9,7 @@ test('axe finds nothing in the dialogs and the states of the page', async ({ pag
   await page.locator('canvas').waitFor();
   for (const [key, name] of [
     ['x', 'Examples'],
+    ['d', 'The derivation, step by step'],
     ['e', 'File and export'],
     ['?', 'Help'],
   ] as const) {

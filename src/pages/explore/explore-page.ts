@@ -66,7 +66,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       const begun = performance.now();
       predict.render(model);
       render(shapePicker(model, dispatch), picker);
-      const card = algebra(model, dispatch);
+      const card = algebra(model, dispatch, () => tools.command('derive')?.run());
       render(panelContent(model, card, tools.large), panel);
       untouched &&= model.state.E === INITIAL.E && model.example === null;
       render(sceneBar(model, tools, untouched), bar);

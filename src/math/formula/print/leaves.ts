@@ -87,7 +87,11 @@ function numbers<M>(
   };
   const leaves: Leaves<M> = {
     number: (value) => numberPiece(value, marks, digits),
-    scalar: (id) => put(values.scalars[id], id, 'scalar'),
+    // What has no number yet stays a symbol: t, x.
+    scalar: (id) =>
+      values.scalars[id] === undefined
+        ? { m: marks.symbol(id, 'scalar'), rank: RANK.single, starts: 'other' }
+        : put(values.scalars[id], id, 'scalar'),
     component: (id, axis) => put(values.vectors[id]?.[axisIndex(axis)], id, 'vector'),
     /** (3 − 0, 1 − 1, 1 − 0) */
     vector: (expr) => {
