@@ -69,6 +69,9 @@ async function expectOwn(posts: readonly Post[]): Promise<number> {
   return buffers;
 }
 
+/** Of the wait for a worker's replies: a machine may be busy. The default is a second. */
+const PATIENCE = { timeout: 50_000 };
+
 describe('what a worker says has arrays of its own', () => {
   test('pictures and trees of rays', async () => {
     const { posts, send } = await worker<ToTraceWorker>(
@@ -78,7 +81,7 @@ describe('what a worker says has arrays of its own', () => {
     send({ type: 'scene', job: 1, scene: twoScales.scene, settings });
     send({ type: 'tile', job: 1, tile: { y0: 0, y1: 32, step: 1, refines: false } });
     send({ type: 'record', job: 1, x: 20, y: 16 });
-    await vi.waitFor(() => expect(posts).toHaveLength(3));
+    await vi.waitFor(() => expect(posts).toHaveLength(3), PATIENCE);
     const said = posts.map(({ message }) => message as FromTraceWorker);
     expect(said.map(({ type }) => type).sort()).toEqual(['ready', 'tile', 'tree']);
     expect(await expectOwn(posts)).toBeGreaterThanOrEqual(6);
@@ -102,7 +105,7 @@ describe('what a worker says has arrays of its own', () => {
       const said = posts.map(({ message }) => (message as LabReply).type);
       expect(said.filter((type) => type === 'done')).toHaveLength(2);
       expect(new Set(said)).toEqual(new Set(['measured', 'swept', 'done']));
-    });
+    }, PATIENCE);
     await expectOwn(posts);
   });
 });
