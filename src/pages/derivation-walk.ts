@@ -52,7 +52,8 @@ export function derivationWalk(model: ExploreModel, { steps, at, go }: Walk): Te
           ({ name }, i) =>
             html`<li><button type="button"
               class=${i <= at ? 'walk-stop done' : 'walk-stop'}
-              aria-current=${i === at ? 'step' : nothing} @click=${() => go(i)}>${name}</button></li>`,
+              aria-current=${i === at ? 'step' : nothing} @click=${() => go(i)}>${name}</button
+            ></li>`,
         )}
       </ol>
       <button type="button" class="button primary" aria-disabled=${at === last}
