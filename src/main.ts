@@ -44,6 +44,7 @@ app.replaceChildren(header, main);
 let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
 let closerLook: CloserLook | null = null;
+let announcement: typeof import('./state/announce.ts').announcement | null = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 const player = createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
@@ -119,41 +120,24 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   return exploreExports(shown, modelNow);
 }
 
-/**
- * Loads what the first frame does not wait for. The function that is returned is called with every
- * frame: what did not arrive is asked for again.
- */
-function lateOnce<Code>(load: () => Promise<Code>, use: (code: Code) => void): () => void {
-  let isAsked = false;
-  return () => {
-    if (isAsked) return;
-    isAsked = true;
-    late(load).then(
-      (code) => {
-        use(code);
-        requestRender();
-      },
-      () => {
-        isAsked = false;
-      },
-    );
-  };
+let isLater = false;
+/** Called with every frame until the code is there: what did not arrive may arrive now. */
+function loadTheRest(): void {
+  if (isLater) return;
+  isLater = true;
+  late(() => import('./state/after-first-frame.ts')).then(
+    (code) => {
+      ({ closerLook, announcement } = code);
+      provideExamples(code.GALLERY);
+      // That a link's example is known now is nothing to announce.
+      model = null;
+      requestRender();
+    },
+    () => {
+      isLater = false;
+    },
+  );
 }
-
-const loadCloserLook = lateOnce(
-  () => import('./state/closer-look.ts'),
-  (loaded) => {
-    closerLook = loaded.closerLook;
-  },
-);
-const loadGallery = lateOnce(
-  () => import('./state/gallery/index.ts'),
-  ({ GALLERY }) => {
-    provideExamples(GALLERY);
-    // That a link's example is known now is nothing to announce.
-    model = null;
-  },
-);
 
 const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
 
@@ -189,10 +173,9 @@ const pages = createPageSwitcher(main, {
 function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
-  loadCloserLook();
-  loadGallery();
+  loadTheRest();
   if (before !== null && before !== model && !player.playing) {
-    const words = closerLook?.announcement(before, model);
+    const words = announcement?.(before, model);
     if (words) announce(words);
   }
   explore?.render(model, {

@@ -1,5 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
+import { late } from '../ui/late.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import type { Thumbnail } from './gallery.ts';
 import { lateView } from './late-view.ts';
@@ -24,7 +25,7 @@ export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
     ReturnType<typeof import('../canvas/scene.ts').mountScene>
   >(
     host,
-    () => import('../canvas/scene.ts'),
+    () => late(() => import('../canvas/scene.ts')),
     ({ mountScene }) => mountScene(host, dispatch),
     WORDS,
   );

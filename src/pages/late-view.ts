@@ -1,5 +1,5 @@
 import { html, nothing, render } from 'lit';
-import { late, notLoaded } from '../ui/late.ts';
+import { notLoaded } from '../ui/late.ts';
 import type { Mounted } from '../ui/mounted.ts';
 
 /** Loading that takes longer than this is said. */
@@ -12,7 +12,8 @@ export interface LateView<Model, Code> extends Mounted<Model> {
 
 /**
  * A view whose code is a chunk of its own: the rest of the page stands before it arrives, and
- * without it if it does not. `waiting` is said while it loads, `failed` where it does not come.
+ * without it if it does not. `load` asks by `late`; `waiting` is said while it loads, `failed`
+ * where it does not come.
  */
 export function lateView<Model, Code, View extends Mounted<Model>>(
   host: HTMLElement,
@@ -33,7 +34,7 @@ export function lateView<Model, Code, View extends Mounted<Model>>(
       () => render(html`<p role="status">${waiting}</p>`, notice),
       PATIENCE_MS,
     );
-    late(load).then(
+    load().then(
       (loaded) => {
         clearTimeout(timer);
         notice.remove();

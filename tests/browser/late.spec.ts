@@ -19,7 +19,7 @@ test('a page, its style sheet, its picture and its graph', async ({ page }) => {
   const code = await away(page, /\/check-[^/]*\.js$/);
   const style = await away(page, /\/check-[^/]*\.css$/);
   const scene = await away(page, /\/scene-[^/]*\.js$/);
-  const graph = await away(page, /\/graph-[^/]*\.js$/);
+  const graph = await away(page, /\/charts-[^/]*\.js$/);
   await page.goto('./#/explore');
   const [ofScene, ofGraph] = ['.scene-host', '.graph-host'].map((host) =>
     page.locator(`${host} .view-waiting`),
@@ -61,7 +61,7 @@ test('what can be taken away', async ({ page }) => {
 });
 
 test('without its program the page has words', async ({ page }) => {
-  await away(page, /\/index-[^/]*\.js$/);
+  await away(page, /\/first-[^/]*\.js$/);
   await page.goto('./');
   await expect(page.locator('#app')).toHaveText(/reload the page/);
   await expect(page.locator('.starting')).toBeVisible();

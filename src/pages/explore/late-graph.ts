@@ -1,5 +1,6 @@
 import type { Dispatch } from '../../state/actions.ts';
 import type { GraphModel } from '../../state/graph-model.ts';
+import { late } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { lateView } from '../late-view.ts';
 
@@ -12,7 +13,7 @@ const WORDS = {
 export const lateGraph = (host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> =>
   lateView(
     host,
-    () => import('../../charts/graph.ts'),
+    () => late(() => import('../../charts/graph.ts')),
     ({ mountGraph }) => mountGraph(host, dispatch),
     WORDS,
   );
