@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import './gallery-loaded.ts';
 import { announcement } from '../../../src/state/announce.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { titleOf } from '../../../src/state/example.ts';
