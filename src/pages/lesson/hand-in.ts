@@ -1,5 +1,11 @@
 import { freedomOf } from '../../lesson/freedom.ts';
-import { changesOf, innerState } from '../../lesson/inner.ts';
+import {
+  isHidden as areHidden,
+  changesOf,
+  innerState,
+  isAsked,
+  toStep,
+} from '../../lesson/inner.ts';
 import type { Step } from '../../lesson/lesson.ts';
 import type { Action, Changes, Dispatch } from '../../state/actions.ts';
 import type { Settings } from '../../state/state.ts';
@@ -17,8 +23,11 @@ export interface HandIn {
   tools(step: Step): GuessTools;
   /** Shows what is hidden or asked for. */
   readonly reveal: () => void;
-  /** Takes an answer or what was shown back. */
-  readonly hide: () => void;
+  /**
+   * A clicker's key: forward shows first what is asked or hidden, and back takes it away; then
+   * comes the next step.
+   */
+  readonly turn: (by: 1 | -1) => void;
   /** Another step begins. */
   readonly clear: () => void;
 }
@@ -45,9 +54,28 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   const settle = (more: Changes): void => {
     dispatch({ type: 'settings', values: answer(more) });
   };
+  const restart = (now: Settings): Changes => {
+    const kept = ['id', 'file', 'step'];
+    const rest = Object.keys(now).filter((key) => !kept.includes(key));
+    return Object.fromEntries(rest.map((key) => [key, null]));
+  };
+  const turned =
+    (by: 1 | -1) =>
+    (now: Settings): Changes => {
+      const place = placeOf(now);
+      if (!place) return {};
+      const { lesson, number, step } = place;
+      if (by === 1 && (isAsked(step, now) || areHidden(step, now))) {
+        return answer({ shown: '1' })(now);
+      }
+      if (by === -1 && (now.shown ?? now.guess) !== undefined) return restart(now);
+      const to = number + by;
+      return to < 1 || to > lesson.steps.length ? {} : toStep(to)(now);
+    };
   return {
     inner,
     draft: () => draft,
+    turn: (by) => dispatch({ type: 'settings', values: turned(by) }),
     change,
     tools: () => ({
       draft,
@@ -56,15 +84,6 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
       show: () => settle({ shown: '1' }),
     }),
     reveal: () => settle({ shown: '1' }),
-    hide: () =>
-      dispatch({
-        type: 'settings',
-        values: (now) => {
-          const kept = ['id', 'file', 'step'];
-          const rest = Object.keys(now).filter((key) => !kept.includes(key));
-          return Object.fromEntries(rest.map((key) => [key, null]));
-        },
-      }),
     clear() {
       draft = '';
     },

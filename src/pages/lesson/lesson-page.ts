@@ -136,13 +136,9 @@ export const mountLesson: MountPage = (host, context) => {
   };
 
   const turn = (by: 1 | -1): void => {
-    if (!shown || !outer) return;
-    const { place } = shown;
-    const settings = outer.settings.lesson;
-    const isOpen = isAsked(place.step, settings) || areHidden(place.step, settings);
-    if (by === 1 && isOpen) handIn.reveal();
-    else if (by === -1 && (settings.shown ?? settings.guess) !== undefined) handIn.hide();
-    else go(place.number + by);
+    if (!shown) return;
+    editing.cancel();
+    handIn.turn(by);
   };
 
   // A clicker's two keys mean next and back wherever the focus is left.
