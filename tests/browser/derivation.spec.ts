@@ -1,0 +1,67 @@
+import type { Page } from '@playwright/test';
+import { NO_SCENE, open, settle, withoutScene } from './support/page.ts';
+import { expect, test } from './support/test.ts';
+
+const CONE = '#/explore?shape=cone&V=0,1,0&c=0.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
+const CIRCLE = '#/explore?shape=circle&N=1,1,0&C=0,1,0&r=1.5&E=3,2,0.5&d=-1,-0.25,0&method=exact';
+
+test.use({ provoked: NO_SCENE });
+
+const texOf = (page: Page, step: number): Promise<string[]> =>
+  page
+    .locator(`[data-derivation-step="${step}"] [data-tex]`)
+    .evaluateAll((lines) => lines.map((line) => line.getAttribute('data-tex') ?? ''));
+
+/** How many steps there are, by the bar. */
+const stops = (page: Page): Promise<number> => page.locator('.walk-stop').count();
+
+/** Goes to the end by one key and back by the other; the lines of each step on the way. */
+async function thereAndBack(page: Page, on: string, back: string): Promise<string[]> {
+  const last = await stops(page);
+  const steps = page.locator('[data-derivation-step]');
+  const seen: string[] = [];
+  for (let step = 1; step <= last; step++) {
+    await expect(steps).toHaveCount(step);
+    const tex = await texOf(page, step);
+    expect(tex.length, `lines of step ${step}`).toBeGreaterThan(0);
+    for (const line of tex) expect(line).toMatch(/\S (=|\\le) \S/);
+    seen.push(tex.join('\n'));
+    await page.keyboard.press(on);
+  }
+  await expect(steps).toHaveCount(last);
+  for (let step = last - 1; step >= 1; step--) {
+    await page.keyboard.press(back);
+    await expect(steps).toHaveCount(step);
+  }
+  return seen;
+}
+
+test('the walk by keys and by a clicker: each step says something new', async ({ page }) => {
+  await withoutScene(page);
+  for (const link of [CONE, CIRCLE]) {
+    await open(page, link);
+    await page.locator('button.derive').click();
+    await page.locator('.walk').waitFor();
+    await page.keyboard.press('Home');
+    const byKeys = await thereAndBack(page, 'ArrowRight', 'ArrowLeft');
+    const byClicker = await thereAndBack(page, 'PageDown', 'PageUp');
+    expect(byClicker).toEqual(byKeys);
+    for (const [i, lines] of byKeys.entries()) expect(lines).not.toBe(byKeys[i - 1]);
+    await page.keyboard.press('Escape');
+    await expect(page.locator('.walk')).toBeHidden();
+    await expect(page.locator('button.derive')).toBeFocused();
+  }
+
+  await open(page, `${CONE}&hide=1`);
+  await page.keyboard.press('d');
+  await page.locator('.walk').waitFor();
+  await page.keyboard.press('Home');
+  const last = await stops(page);
+  for (let step = 1; step <= last; step++) {
+    await expect(page.locator('[data-derivation-step]')).toHaveCount(step);
+    await expect(page.locator('.walk-numbers, .walk-results')).toHaveCount(0);
+    await page.keyboard.press('PageDown');
+  }
+  await page.keyboard.press('Escape');
+  await settle(page);
+});
