@@ -15,6 +15,7 @@ import { typesetNumbersInPieces, typesetSymbols } from '../panels/typeset.ts';
 import { value } from '../panels/value.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { putInSideBySide } from '../state/put-in.ts';
+import { signWords } from '../state/walk-words.ts';
 import { displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import './derivation-walk.css';
@@ -150,8 +151,13 @@ const known = ({ scalars }: Values<number>): Record<string, number> =>
 const isBare = (left: Expr, right: Expr): boolean =>
   left.op === 'component' || right.op === 'plus-minus';
 
-/** t, and N at each hit, as the page has them. */
-function resultsOf(name: string, { hits, found }: ExploreModel): TemplateResult | typeof nothing {
+/** t, and N at each hit, as the page has them; what the signs of the coefficients say. */
+function resultsOf(name: string, model: ExploreModel): TemplateResult | typeof nothing {
+  const { hits, found, shape, ray } = model;
+  if (name === 'A, B, C' || name === 'N·d and N·(E − P)') {
+    const words = signWords(shape, ray);
+    return html`${words.map((text) => html`<p class="walk-results walk-sign">${text}.</p>`)}`;
+  }
   if (name === 'roots' || name === 't') {
     if (hits.length === 0) return html`<p class="walk-results">There is no root.</p>`;
     return html`<p class="walk-results">${hits.map(

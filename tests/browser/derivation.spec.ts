@@ -5,6 +5,10 @@ import { expect, test } from './support/test.ts';
 const CONE = '#/explore?shape=cone&V=0,1,0&c=0.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
 const CIRCLE = '#/explore?shape=circle&N=1,1,0&C=0,1,0&r=1.5&E=3,2,0.5&d=-1,-0.25,0&method=exact';
 
+/** By hand: C = 16 + 1 − 1²/4 and B = 2(−4 − 1/4 + 1/16); N·(E − C) = 3 + 1, N·d = −5/4. */
+const ABC = [/^A > 0: .*outside/, /^B < 0: f falls at E/, /^C > 0: E is outside the cone/];
+const FLAT = [/^N·d < 0: f falls at E/, /^N·\(E − P\) > 0: E is on the side that N points to/];
+
 test.use({ provoked: NO_SCENE });
 
 const texOf = (page: Page, step: number): Promise<string[]> =>
@@ -46,6 +50,8 @@ test('the walk by keys and by a clicker: each step says something new', async ({
     const byKeys = await thereAndBack(page, 'ArrowRight', 'ArrowLeft');
     const byClicker = await thereAndBack(page, 'PageDown', 'PageUp');
     expect(byClicker).toEqual(byKeys);
+    await page.locator('.walk-stop', { hasText: /^(A, B, C|N·d and)/ }).click();
+    await expect(page.locator('.walk-sign')).toContainText(link === CONE ? ABC : FLAT);
     for (const [i, lines] of byKeys.entries()) expect(lines).not.toBe(byKeys[i - 1]);
     await page.keyboard.press('Escape');
     await expect(page.locator('.walk')).toBeHidden();
