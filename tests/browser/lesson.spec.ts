@@ -19,7 +19,7 @@ test('a whole lesson by keyboard alone', async ({ page }) => {
   await expect(first).toHaveCount(0);
   // First what is asked is shown, then the next step comes.
   await page.keyboard.press('PageDown');
-  await expect(first).toHaveAttribute('data-value', '2.25');
+  await expect(first).toHaveAttribute('data-value', '1.8');
   await page.keyboard.press('PageUp');
   await expect(first).toHaveCount(0);
   await page.keyboard.press('PageDown');
@@ -45,7 +45,7 @@ test.describe('by touch alone', () => {
       if (number === 4) {
         await page.getByLabel('t₁ =').fill('2');
         await page.getByRole('button', { name: 'That is my guess' }).tap();
-        await expect(page.getByText('Your guess 2: too small by 0.25')).toBeVisible();
+        await expect(page.getByText('Your guess 2: too large by 0.2')).toBeVisible();
       }
       await page.getByRole('button', { name: 'Next' }).tap();
     }
@@ -58,8 +58,8 @@ test.describe('by touch alone', () => {
 test('what is moved and answered is in the link, and comes back by it', async ({ page }) => {
   await page.goto('./#/lesson/ray?step=5&r=0.5');
   await expect(page.getByText('there is no root')).toBeVisible();
-  await page.goto('./#/lesson/ray?step=4&guess=2.25');
-  await expect(page.getByText('Your guess 2.25: right')).toBeVisible();
+  await page.goto('./#/lesson/ray?step=4&guess=1.8');
+  await expect(page.getByText('Your guess 1.8: right')).toBeVisible();
   await page.goto('./#/lesson/nothing');
   await expect(page.getByRole('alert')).toContainText("there is no lesson 'nothing'");
 });

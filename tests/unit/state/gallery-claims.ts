@@ -12,7 +12,7 @@ import { curvedDetails, flatDetails, planeHit } from '../math/shorthand.ts';
 import { at, dot, f, figurePlace, flatOf, less, quadricOf } from './ray-oracle.ts';
 
 /** What a claim is about: a shape, a ray, and what a method finds. */
-interface Subject {
+export interface Subject {
   readonly shape: Shape;
   readonly ray: Ray;
   readonly found: Intersection;
