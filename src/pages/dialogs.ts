@@ -35,7 +35,7 @@ export type Dialogs = Readonly<Record<'gallery' | 'derivation' | 'help' | 'expor
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
-    galleryContent(parts.example(), pick, parts.thumbnail(), parts.hidden()),
+    galleryContent(parts.example(), pick, parts.thumbnail(), parts.hidden(), () => gallery.close()),
   );
   const pick = (id: string): void => {
     parts.dispatch({ type: 'example', id });

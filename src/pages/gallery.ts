@@ -18,8 +18,10 @@ export function galleryContent(
   pick: (id: string) => void,
   thumbnail: Thumbnail | null,
   hidden: boolean,
+  leave: () => void,
 ): TemplateResult {
   return html`<div class="gallery">
+    <p>New to this? <a href="#/lesson/ray" @click=${leave}>Begin with the first lesson.</a></p>
     ${SHAPES.map(({ kind, title }) => {
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>

@@ -55,6 +55,22 @@ test.describe('by touch alone', () => {
   });
 });
 
+test('the gallery leads to the first lesson, and each other one opens', async ({ page }) => {
+  await page.goto('./#/explore');
+  await page.locator('.example-name').click();
+  await page.getByRole('link', { name: 'Begin with the first lesson' }).click();
+  await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '1');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  for (const [id, step, words] of [
+    ['discriminant', 4, 'At which r does the ray just touch?'],
+    ['normal', 5, 'the normal is the zero vector'],
+    ['no-square', 2, 'A is 0: no root.'],
+  ] as const) {
+    await page.goto(`./#/lesson/${id}?step=${step}`);
+    await expect(page.locator('.lesson-body')).toContainText(words);
+  }
+});
+
 test('what is moved and answered is in the link, and comes back by it', async ({ page }) => {
   await page.goto('./#/lesson/ray?step=5&r=0.5');
   await expect(page.getByText('there is no root')).toBeVisible();

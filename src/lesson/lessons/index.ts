@@ -1,8 +1,16 @@
 import { type ReadLesson, readLesson } from '../read.ts';
+import discriminant from './discriminant.md?raw';
+import noSquare from './no-square.md?raw';
+import normal from './normal.md?raw';
 import ray from './ray.md?raw';
 
 /** The lessons that come with Graze, in the order of the list: each a file, by its id. */
-const TEXTS: Readonly<Record<string, string>> = { ray };
+const TEXTS: Readonly<Record<string, string>> = {
+  ray,
+  discriminant,
+  normal,
+  'no-square': noSquare,
+};
 
 const known = new Map<string, ReadLesson>();
 
