@@ -1,9 +1,10 @@
 import { quantile, sorted } from './stats.ts';
 
 /*
- * One estimator for every time that is shown, in table, plot, sentence and bench: the least of many
- * interleaved rounds. Whatever else the machine does only adds to a time, so that the least is
- * nearest to what the work itself takes, and a stalled round changes nothing.
+ * One estimator for every time that the page measures, in table, plot and sentence: the least of
+ * many interleaved rounds. Whatever else the machine does only adds to a time, so that the least is
+ * nearest to what the work itself takes, and a stalled round changes nothing. The bench's prices
+ * are medians with quartiles.
  */
 
 /** What something costs. */

@@ -42,24 +42,28 @@ function cheapest(
 /**
  * What right answers cost on the rays of these rows, with the table's own numbers. Empty until both
  * questions have a time. `rows` are methods in their own arithmetic, none emulated; `lead` says
- * whose
- * prices they are if not this device's.
+ * what the prices are of, `rays` on which rays the verdicts are counted.
  */
-export function headlineOf(rows: readonly MeasuredRow[], titleOf: TitleOf, lead = ''): string {
-  const words = answerOf(rows, titleOf);
+export function headlineOf(
+  rows: readonly MeasuredRow[],
+  titleOf: TitleOf,
+  lead = '',
+  rays = 'rays',
+): string {
+  const words = answerOf(rows, titleOf, rays);
   return words && lead ? `${lead}, ${words.charAt(0).toLowerCase()}${words.slice(1)}` : words;
 }
 
-function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf): string {
+function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf, rays: string): string {
   const base = rows.find(({ id }) => id === BASE_METHOD);
   if (!base?.classes || !base.roots) return '';
   const verdict = cheapest(rows, 'classes', isCorrect);
-  if (!verdict) return 'No method that is measured here is right about all of these rays.';
+  if (!verdict) return `No method that is measured here is right about all of these ${rays}.`;
   const first =
     verdict.id === BASE_METHOD
-      ? 'The textbook formula is right about all of these rays, ' +
+      ? `The textbook formula is right about all of these ${rays}, ` +
         'and nothing right is clearly cheaper'
-      : 'A verdict that is right for all of these rays costs ' +
+      : `A verdict that is right for all of these ${rays} costs ` +
         priceWords(verdict, 'classes', titleOf);
   // Where no ray has a root, there is none to be faithful.
   if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;

@@ -51,7 +51,9 @@ test('shows the reference, measures by itself, and the sentence has the table’
   page,
 }) => {
   await open(page, '&family=far-origin&target=typescript');
-  await expect(page.locator('.acc-sentence')).toHaveText(/^By the reference prices, .+ costs? /);
+  await expect(page.locator('.acc-sentence')).toHaveText(
+    /^By the reference prices of typical rays in random order, .+ costs? /,
+  );
   await expect(page.locator('.plot-dot.faint')).toHaveCount(METHODS.length);
   await expect(page.locator('.measure-reference')).toContainText('typical rays');
   await measured(page);

@@ -93,7 +93,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     // Two jobs at once would be in each other's way.
     const known = measuring.update(settings, !sweeping.running);
     const column = columnOf(settings, known.found, reference);
-    const words = answerWords(column, questionOf(settings.worth));
+    const words = answerWords(column, questionOf(settings.worth), settings);
     const data = frontierOf(column, settings, method);
     render(answerHead(settings, column, words, set), places.head);
     if (data) frontier.render(data);

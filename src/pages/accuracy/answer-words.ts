@@ -1,21 +1,35 @@
 import { detailsOf, headlineOf, type Question } from '../../lab/sentence.ts';
+import type { Order } from '../../lab/timed.ts';
 import { type Column, comparable, isEmulated, targetTitle } from '../../state/accuracy/column.ts';
 import { titleOf } from '../../state/accuracy/frontier.ts';
+import type { AccuracySettings } from '../../state/accuracy/settings.ts';
 import type { Measuring } from './measuring.ts';
+import { familyName } from './plot-headings.ts';
 
-const REFERENCE_LEAD = 'By the reference prices';
+/** Which rays are counted and timed here. */
+type Asked = Pick<AccuracySettings, 'family' | 'order'>;
+
+/** What the prices of the sentence are of. */
+function leadOf(isFaint: boolean, order: Order): string {
+  const met = order === 'sorted' ? 'with hits first' : 'in random order';
+  if (isFaint) return `By the reference prices of typical rays ${met}`;
+  return met.charAt(0).toUpperCase() + met.slice(1);
+}
 
 /** What stands beside faint marks. */
 export const REFERENCE_WORDS =
-  'Faint: reference prices, of typical rays on the bench of this build, until this device has measured.';
+  'Faint: reference prices, medians of typical rays on the bench of this build, ' +
+  'until this device has measured: then the best of its rounds.';
 
 /** The page's first sentence, and what is to be said beside it: true of the numbers shown. */
 export function answerWords(
   column: Column,
   question: Question,
+  { family, order }: Asked,
 ): { readonly headline: string; readonly details: string } {
   const rows = comparable(column);
-  const headline = headlineOf(rows, titleOf, column.isFaint ? REFERENCE_LEAD : '');
+  const rays = `“${familyName(family)}” rays`;
+  const headline = headlineOf(rows, titleOf, leadOf(column.isFaint, order), rays);
   // Quartiles of another machine do not say whether this one is busy.
   const known = column.isFaint ? rows.map(({ id, quality }) => ({ id, quality })) : rows;
   const details = detailsOf(known, question, titleOf);

@@ -67,14 +67,26 @@ describe('a column', () => {
 });
 
 describe('the words', () => {
-  const words = (column: ReturnType<typeof columnOf>) => answerWords(column, 'roots');
+  const words = (column: ReturnType<typeof columnOf>) =>
+    answerWords(column, 'roots', INITIAL_ACCURACY);
 
   test('say whose prices they are, and of the reference nothing about this machine', () => {
     const before = words(columnOf(inTypeScript, counted, reference));
-    expect(before.headline).toMatch(/^By the reference prices, /);
+    expect(before.headline).toMatch(
+      /^By the reference prices of typical rays in random order, .+ these “far away” rays/,
+    );
     expect(before.details).not.toMatch(/busy|cheapest/);
     const after = words(columnOf(inTypeScript, last, reference));
-    expect(after.headline).toMatch(/^(A verdict|The textbook)/);
+    expect(after.headline).toMatch(
+      /^In random order, (a verdict|the textbook).+ these “far away” rays/,
+    );
+    const sorted = { family: 'typical', order: 'sorted' } as const;
+    const ofSorted = (found: Measured) =>
+      answerWords(columnOf({ ...inTypeScript, ...sorted }, found, reference), 'roots', sorted);
+    expect(ofSorted(counted).headline).toMatch(
+      /^By the reference prices of typical rays with hits first, .+ these “typical” rays/,
+    );
+    expect(ofSorted(last).headline).toMatch(/^With hits first, .+ these “typical” rays/);
   });
 
   test('name what is emulated in TypeScript, and what has no price in SIMD', () => {
