@@ -62,6 +62,8 @@ function walkDialog({ explored }: DialogParts): () => void {
   const go = (to: number): void => {
     at = Math.max(0, Math.min(to, last));
     dialog.refresh();
+    // On a narrow screen the walk is longer than its dialog.
+    document.querySelector('.walk-step.present')?.scrollIntoView({ block: 'nearest' });
   };
   const content = (): TemplateResult => {
     const model = explored();

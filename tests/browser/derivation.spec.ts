@@ -71,3 +71,20 @@ test('the walk by keys and by a clicker: each step says something new', async ({
   await page.keyboard.press('Escape');
   await settle(page);
 });
+
+test('on a narrow screen the present step comes clear of the bar', async ({ page }) => {
+  await withoutScene(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, CONE);
+  await page.keyboard.press('d');
+  await page.locator('.walk').waitFor();
+  await page.keyboard.press('Home');
+  for (let step = 1; step <= 5; step++) {
+    await expect(page.locator('[data-derivation-step]')).toHaveCount(step);
+    const bottom = await page.locator('.walk-step.present > :last-child').boundingBox();
+    const bar = await page.locator('.walk-bar').boundingBox();
+    const lowest = (bottom?.y ?? 0) + (bottom?.height ?? 0);
+    expect(lowest, `step ${step}`).toBeLessThanOrEqual(bar?.y ?? 0);
+    await page.keyboard.press('PageDown');
+  }
+});
