@@ -8,13 +8,18 @@ const EVERY_MS = 100;
 
 /**
  * Does what was asked and posts what is found as it comes. An error becomes a reply: a worker that
- * dies says nothing.
+ * dies says nothing. `whyNot` is for `measureSession`.
  */
-export function answer(asked: LabRequest, clock: Clock, post: (reply: LabReply) => void): void {
+export function answer(
+  asked: LabRequest,
+  clock: Clock,
+  post: (reply: LabReply) => void,
+  whyNot: string | null = null,
+): void {
   try {
     if (asked.type === 'measure') {
       let last = Number.NEGATIVE_INFINITY;
-      for (const measured of measureSession(asked.request, clock)) {
+      for (const measured of measureSession(asked.request, clock, whyNot)) {
         const now = clock();
         if (now - last < EVERY_MS && !measured.complete) continue;
         last = now;

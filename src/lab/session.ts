@@ -64,7 +64,7 @@ export interface Measured {
   readonly complete: boolean;
   /** Whether there is a SIMD kernel of the textbook, which all others there are compared with. */
   readonly simd: boolean;
-  /** Why not; '' if there is. */
+  /** Why not, as a sentence; '' if there is. */
   readonly noSimd: string;
   /** How many rays one pass meets at most. */
   readonly timedRays: number;
@@ -75,9 +75,13 @@ export const BASE_METHOD = 'textbook';
 
 /**
  * Measures what was asked for and tells how far it is, sample by sample. Throws InvalidInput for an
- * unknown family.
+ * unknown family. `whyNot` is the reason why there is no WebAssembly with SIMD, if there is none.
  */
-export function* measureSession(request: MeasureRequest, clock: Clock): Generator<Measured, void> {
+export function* measureSession(
+  request: MeasureRequest,
+  clock: Clock,
+  whyNot: string | null = null,
+): Generator<Measured, void> {
   const family = familyOf(request.family);
   const batches = batchesOf(family, request);
   const rays = batches.reduce((sum, batch) => sum + batch.rays.count, 0);
@@ -92,7 +96,7 @@ export function* measureSession(request: MeasureRequest, clock: Clock): Generato
   const columns = { simd: qualities, typescript: qualities };
   const base = METHODS.filter(({ id }) => id === BASE_METHOD);
   const simd = base.every((method) => runsIn('simd', method, batches));
-  const noSimd = simd ? '' : noSimdWords();
+  const noSimd = simd ? '' : noSimdWords(whyNot);
   const common = { rays, clockStep: step, rounds: plan.rounds, simd, noSimd };
   const targets: readonly Target[] = simd ? ['simd', 'typescript'] : ['typescript'];
   yield { ...common, ...untimed, timedRays: 0, columns };
@@ -116,10 +120,10 @@ export function* measureSession(request: MeasureRequest, clock: Clock): Generato
   yield { ...last, share: 1, secondsLeft: 0, complete: true };
 }
 
-const noSimdWords = (): string =>
+const noSimdWords = (whyNot: string | null): string =>
   isFast()
-    ? 'not all of these shapes have a SIMD kernel of the textbook formula'
-    : 'there is no WebAssembly with SIMD here';
+    ? 'Not all of these shapes have a SIMD kernel of the textbook formula.'
+    : (whyNot ?? 'WebAssembly with SIMD is not in use here.');
 
 export function familyOf(id: string): Family {
   const found = FAMILIES.find((family) => family.id === id);

@@ -1,6 +1,6 @@
 import { answer } from '../lab/answer.ts';
 import type { LabRequest } from '../lab/messages.ts';
-import { accelerate } from '../math/accelerate.ts';
+import { accelerate, whyNotAccelerated } from '../math/accelerate.ts';
 import { liveAs } from './life.ts';
 
 /*
@@ -16,5 +16,6 @@ addEventListener('message', async ({ data }: MessageEvent<LabRequest>) => {
     data,
     () => performance.now(),
     (reply) => postMessage(reply),
+    whyNotAccelerated(),
   );
 });

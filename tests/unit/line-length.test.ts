@@ -14,8 +14,8 @@ const LONG_CODE = [
     (name) => `src/charts/${name}.ts`,
   ),
   ...['algebra', 'controls', 'param-rows', 'shape-picker'].map((name) => `src/panels/${name}.ts`),
-  ...['src/math/formula/print', 'src/state/accuracy', 'src/ui/number-box.ts'],
-  ...['src/pages/accuracy', 'src/pages/explore', 'tests'],
+  ...['src/math/formula/print', 'src/ui/number-box.ts'],
+  ...['src/pages/explore', 'tests'],
 ];
 
 interface Line {

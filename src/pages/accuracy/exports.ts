@@ -67,7 +67,8 @@ export function saveButtons(
 ): TemplateResult {
   return html`${all.map(
     (item) =>
-      html`<button type="button" class="acc-link" aria-label=${`Save ${item.title}`} @click=${() => save(item)}>${name(item)}</button>`,
+      html`<button type="button" class="acc-link" aria-label=${`Save ${item.title}`}
+        @click=${() => save(item)}>${name(item)}</button>`,
   )}`;
 }
 

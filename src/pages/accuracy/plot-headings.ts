@@ -44,18 +44,35 @@ export function answerHead(
 ): TemplateResult {
   const { family, worth, order, dial } = settings;
   const own = findFamily(family)?.dial;
-  const instead = why ? `Compared in ${targetTitle(target)}: ${why}. ` : '';
+  const instead = why ? `Compared in ${targetTitle(target)}: ${why} ` : '';
+  const headline = words.headline || 'What does a right answer cost?';
+  const targets = tabs('Kernels', TARGETS, target, (id) =>
+    set({ target: id as AccuracySettings['target'] }),
+  );
+  const orders = tabs('Order of the rays', ORDERS, order, (id) =>
+    set({ order: id as AccuracySettings['order'] }),
+  );
+  const rays = tabs(
+    'Rays to measure',
+    TIMED,
+    family,
+    (id) => set({ family: id, dial: null }),
+    others(FAMILIES, TIMED),
+  );
+  const upwards = tabs('Upwards', WORTHS, worth, (id) =>
+    set({ worth: id as AccuracySettings['worth'] }),
+  );
   return html`<div class="acc-answer">
-      <h2 class="acc-sentence"><span role="status">${words.headline || 'What does a right answer cost?'}</span></h2>
+      <h2 class="acc-sentence"><span role="status">${headline}</span></h2>
       <div class="acc-compare">
-        ${tabs('Kernels', TARGETS, target, (id) => set({ target: id as AccuracySettings['target'] }))}
-        <span class="acc-order">order ${tabs('Order of the rays', ORDERS, order, (id) => set({ order: id as AccuracySettings['order'] }))}</span>
+        ${targets}
+        <span class="acc-order">order ${orders}</span>
       </div>
     </div>
     <p class="acc-details">${instead}${words.details}</p>
     <div class="acc-title">
-      ${tabs('Rays to measure', TIMED, family, (id) => set({ family: id, dial: null }), others(FAMILIES, TIMED))}
-      <span class="acc-worth">${tabs('Upwards', WORTHS, worth, (id) => set({ worth: id as AccuracySettings['worth'] }))}</span>
+      ${rays}
+      <span class="acc-worth">${upwards}</span>
     </div>
     ${own ? dialRow(own, dial, set) : nothing}`;
 }
@@ -68,9 +85,11 @@ function dialRow(dial: Dial, at: number | null, set: Set): TemplateResult {
   const now = at === null ? usually : display(at, 3);
   return html`<label class="acc-dial">
     <span>${dialTitle(dial)}${/k/.test(title) ? ', k' : ''} = ${now}</span>
-    <graze-slider .value=${at ?? (usual[0] + usual[1]) / 2} .least=${range[0]} .most=${range[1]} .step=${(range[1] - range[0]) / STEPS} .label=${title}
+    <graze-slider .value=${at ?? (usual[0] + usual[1]) / 2}
+      .least=${range[0]} .most=${range[1]} .step=${(range[1] - range[0]) / STEPS} .label=${title}
       @graze-value=${({ detail }: CustomEvent<number>) => set({ dial: detail })}></graze-slider>
-    <button type="button" class="acc-link" ?hidden=${at === null} @click=${() => set({ dial: null })}>as usual</button>
+    <button type="button" class="acc-link" ?hidden=${at === null}
+      @click=${() => set({ dial: null })}>as usual</button>
   </label>`;
 }
 
@@ -92,8 +111,9 @@ export function hardnessWords(
   quality: Summary | null,
   { open, take }: { readonly open: () => void; readonly take: () => void },
 ): TemplateResult {
+  const hint = html`<p class="acc-hint">Choose a point to see one of its rays.</p>`;
   return html`<p class="acc-idea">${findFamily(hard)?.idea ?? ''}</p>
-    ${picked && quality ? pickedWords(picked, quality, open, take) : html`<p class="acc-hint">Choose a point to see one of its rays.</p>`}`;
+    ${picked && quality ? pickedWords(picked, quality, open, take) : hint}`;
 }
 
 function pickedWords(
@@ -102,8 +122,12 @@ function pickedWords(
   open: () => void,
   take: () => void,
 ): TemplateResult {
+  const ways = html`Its worst ray:
+    <button type="button" class="acc-link" @click=${open}>open in Explore</button>
+    <button type="button" class="acc-link" @click=${take}>make it “This ray”</button>`;
   return html`<p>
-    <b>${titleOf(id)}</b>: ${wrong} of ${rays} verdicts wrong, ${undecided} undecided; digits ${display(digits, 3)} in 9 rays of 10, ${display(leastDigits, 3)} in the worst.
-    ${worst ? html`Its worst ray: <button type="button" class="acc-link" @click=${open}>open in Explore</button> <button type="button" class="acc-link" @click=${take}>make it “This ray”</button>` : nothing}
+    <b>${titleOf(id)}</b>: ${wrong} of ${rays} verdicts wrong, ${undecided} undecided;
+    digits ${display(digits, 3)} in 9 rays of 10, ${display(leastDigits, 3)} in the worst.
+    ${worst ? ways : nothing}
   </p>`;
 }

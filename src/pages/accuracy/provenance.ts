@@ -11,14 +11,20 @@ export function provenanceOf(
   sweep: SweepRequest,
 ): string {
   const { shapes, count, seed, order } = request;
-  const device = `${browserName(navigator.userAgent)}, ${navigator.hardwareConcurrency} cores, ${crossOriginIsolated ? 'isolated' : 'not isolated'}`;
-  const rays = `verdicts and digits, against exact: ${shapes} shapes × ${count} rays “${familyName(request.family)}”, seed ${seed}; how hard: ${sweep.shapes} × ${sweep.count} a point`;
+  const isolated = crossOriginIsolated ? 'isolated' : 'not isolated';
+  const browser = browserName(navigator.userAgent);
+  const device = `${browser}, ${navigator.hardwareConcurrency} cores, ${isolated}`;
+  const counted = `${shapes} shapes × ${count} rays “${familyName(request.family)}”, seed ${seed}`;
+  const swept = `how hard: ${sweep.shapes} × ${sweep.count} a point`;
+  const rays = `verdicts and digits, against exact: ${counted}; ${swept}`;
   if (!measured || measured.round === 0) return `${device}; ${rays}.`;
   const { clockStep, round, timedRays } = measured;
   const spread = spreadOfRows([...measured.columns.simd, ...measured.columns.typescript], 'roots');
-  const busy = `one round in four took at least ${Math.round(100 * spread)} % longer${spread > BUSY ? ': the machine was busy' : ''}`;
+  const longer = `one round in four took at least ${Math.round(100 * spread)} % longer`;
+  const busy = spread > BUSY ? `${longer}: the machine was busy` : longer;
   const met = order === 'sorted' ? 'hits first, then misses' : 'in random order';
-  const times = `times of the best of ${round} rounds on up to ${grouped(timedRays)} rays a pass, fewer for dear methods, ${met}; ${busy}`;
+  const passes = `up to ${grouped(timedRays)} rays a pass, fewer for dear methods`;
+  const times = `times of the best of ${round} rounds on ${passes}, ${met}; ${busy}`;
   return `${device}; timer step ${stepWords(clockStep)}; ${times}; ${rays}.`;
 }
 

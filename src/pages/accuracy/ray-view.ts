@@ -36,7 +36,8 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
     return html`<div class="acc-title">
         <h2>This ray</h2>
         <p>${ray.words}</p>
-        <button type="button" class="button" @click=${() => dispatch({ type: 'page', page: 'explore' })}>Open in Explore</button>
+        <button type="button" class="button"
+          @click=${() => dispatch({ type: 'page', page: 'explore' })}>Open in Explore</button>
       </div>
       ${ladderTable(model, (id) => dispatch({ type: 'method', id }))}
       <div class="acc-more">
@@ -47,11 +48,13 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
         <details>
           <summary>What does one double more or less change?</summary>
           ${nudges(state, dispatch, answer.moved)}
-          <p class="nudge-answer">${answered || 'Move an input by one double: what that changes is said here.'}</p>
+          <p class="nudge-answer">${answered || NOT_MOVED}</p>
         </details>
       </div>`;
   };
 }
+
+const NOT_MOVED = 'Move an input by one double: what that changes is said here.';
 
 /**
  * Remembers which inputs moved until the page is drawn, and what that changed until the ray is

@@ -10,7 +10,7 @@ export interface Column {
   readonly rows: readonly MeasuredRow[];
   /** Whether the prices are those of typical rays where the page was built. */
   readonly isFaint: boolean;
-  /** Why it is not the target that was asked for; '' if it is. */
+  /** Why it is not the target that was asked for, as a sentence; '' if it is. */
   readonly why: string;
 }
 

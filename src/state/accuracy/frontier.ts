@@ -131,8 +131,11 @@ function wordsOf(
 ): string {
   const digits = Number.isNaN(quality.digits)
     ? 'no roots to compare'
-    : `${digitCount(quality.digits)} digits right in 9 rays of 10, ${digitCount(quality.leastDigits)} in the worst`;
-  const wrong = `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ${grouped(quality.undecided)} undecided`;
+    : `${digitCount(quality.digits)} digits right in 9 rays of 10, ` +
+      `${digitCount(quality.leastDigits)} in the worst`;
+  const wrong =
+    `${grouped(quality.wrong)} of ${grouped(quality.rays)} verdicts wrong, ` +
+    `${grouped(quality.undecided)} undecided`;
   const price = `${priceText(times)} times textbook${emulated ? ', emulated' : ''}`;
   const time = isFaint
     ? `${price} for typical rays where this page was built`

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { LabReply } from '../../../../src/lab/messages.ts';
-import { type Measured, measureSession } from '../../../../src/lab/session.ts';
+import { type Measured, type MeasureRequest, measureSession } from '../../../../src/lab/session.ts';
 import { METHODS } from '../../../../src/math/index.ts';
 import { answerWords } from '../../../../src/pages/accuracy/answer-words.ts';
 import type { LabWorker } from '../../../../src/pages/accuracy/lab-jobs.ts';
@@ -18,16 +18,12 @@ const ticking = () => {
     return now;
   };
 };
-const all = [
-  ...measureSession(
-    {
-      ...{ family: 'far-origin', seed: 7, shapes: 2, count: 32, timed: 32, order: 'random' },
-      budget: { least: 32, most: 1e9 },
-      plan: { rounds: 2, least: 10, steps: 1, warmUp: 0 },
-    },
-    ticking(),
-  ),
-];
+const asked: MeasureRequest = {
+  ...{ family: 'far-origin', seed: 7, shapes: 2, count: 32, timed: 32, order: 'random' },
+  budget: { least: 32, most: 1e9 },
+  plan: { rounds: 2, least: 10, steps: 1, warmUp: 0 },
+};
+const all = [...measureSession(asked, ticking())];
 const [counted, last] = [all[0], all.at(-1)] as readonly [Measured, Measured];
 const inTypeScript = { ...INITIAL_ACCURACY, target: 'typescript' } as const;
 /** As if every method had a kernel of its own in SIMD. */
@@ -58,6 +54,9 @@ describe('a column', () => {
     const instead = columnOf(INITIAL_ACCURACY, counted, reference);
     expect(instead).toMatchObject({ target: 'typescript', why: counted.noSimd });
     expect(counted.noSimd).not.toBe('');
+    const reason = 'The WebAssembly of this engine has no SIMD.';
+    const [refused] = measureSession(asked, ticking(), reason);
+    expect(columnOf(INITIAL_ACCURACY, refused as Measured, reference).why).toBe(reason);
     expect(columnOf(inTypeScript, counted, reference).why).toBe('');
     expect(columnOf(INITIAL_ACCURACY, withSimd, reference)).toMatchObject({
       target: 'simd',
