@@ -71,6 +71,12 @@ test('the gallery leads to the first lesson, and each other one opens', async ({
   }
 });
 
+test('a step shows Accuracy beside its text', async ({ page }) => {
+  await page.goto('./#/lesson/digits?step=2');
+  await expect(page.locator('.lesson-body')).toContainText('of the same ray that it misses');
+  await expect(page.getByRole('heading', { name: 'This ray' })).toBeVisible();
+});
+
 test('what is moved and answered is in the link, and comes back by it', async ({ page }) => {
   await page.goto('./#/lesson/ray?step=5&r=0.5');
   await expect(page.getByText('there is no root')).toBeVisible();

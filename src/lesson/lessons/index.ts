@@ -1,4 +1,5 @@
 import { type ReadLesson, readLesson } from '../read.ts';
+import digits from './digits.md?raw';
 import discriminant from './discriminant.md?raw';
 import noSquare from './no-square.md?raw';
 import normal from './normal.md?raw';
@@ -10,6 +11,7 @@ const TEXTS: Readonly<Record<string, string>> = {
   discriminant,
   normal,
   'no-square': noSquare,
+  digits,
 };
 
 const known = new Map<string, ReadLesson>();

@@ -63,6 +63,13 @@ const CHECKS: readonly (readonly [RegExp, Check])[] = [
       return near(curvedDetails(s.found).A, d[0] ** 2 + d[2] ** 2);
     },
   ],
+  [
+    /^√D near \|B\|$/,
+    (s) => {
+      const { B, D } = curvedDetails(s.found);
+      return Math.abs(Math.sqrt(D) / Math.abs(B) - 1) < 1e-9;
+    },
+  ],
   [/^A = d·d$/, (s) => near(curvedDetails(s.found).A, dot(s.ray.direction, s.ray.direction))],
   [
     /^nearest to the axis: (\S+)$/,
