@@ -19,12 +19,23 @@ import {
 } from './batch.ts';
 import { NUMBERS, STRAIGHT } from './generated/index.ts';
 import { mayLackNormal } from './normals.ts';
+import { quadricInTreeOrder } from './quadric.ts';
 import type { Ask, Loops } from './straight-loop.ts';
+import { curvedSlot, solveCurved } from './textbook-scalar.ts';
 
 /** Where a method's loops for a kind of shape come from; null where there are none. */
 export type Source = (method: string, kind: string) => Loops | null;
 
 export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
+
+/**
+ * Whose formula is there for one ray without objects, and whether it is the stable one. Far away
+ * every eighth ray has D = 0 in textbook: as objects these would be most of its price.
+ */
+const SCALAR: ReadonlyMap<string, boolean> = new Map([
+  ['textbook', false],
+  ['stable', true],
+]);
 
 /** The loops of `source`, and the method itself for what they leave open; null without loops. */
 export function straightKernel(method: Method, shape: Shape, source: Source): Kernel | null {
@@ -35,6 +46,25 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
   const turn = turnOf(shape);
   const numbers = numbersOf(shape, turn);
   let open = new Int32Array(0);
+  const isStable = SCALAR.get(method.id);
+  const quadric = isStable === undefined ? null : quadricInTreeOrder(shape);
+  const slot = curvedSlot();
+
+  /** Ray i by the method itself: its class as a place in VERDICTS, its roots in `out`. */
+  function askAlone({ Ex, Ey, Ez, dx, dy, dz }: Rays, i: number, out: Answers): number {
+    const [ex, ey, ez] = [Ex[i] as number, Ey[i] as number, Ez[i] as number];
+    const [x, y, z] = [dx[i] as number, dy[i] as number, dz[i] as number];
+    if (quadric) {
+      const place = solveCurved(quadric, ex, ey, ez, x, y, z, slot, isStable === true);
+      out.t0[i] = slot.t0;
+      out.t1[i] = slot.t1;
+      return place;
+    }
+    const found = method.intersect(shape, { origin: [ex, ey, ez], direction: [x, y, z] });
+    out.t0[i] = found.hits[0]?.t ?? Number.NaN;
+    out.t1[i] = found.hits[1]?.t ?? Number.NaN;
+    return VERDICTS.indexOf(found.class);
+  }
 
   function ask(form: Ask, rays: Rays, out: Answers): void {
     out.rareCount = 0;
@@ -42,13 +72,7 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
     const left = (loops as Loops)[form](numbers, turned(rays, turn), out, open);
     for (let k = 0; k < left; k++) {
       const i = open[k] as number;
-      const { class: verdict, hits } = method.intersect(shape, {
-        origin: [rays.Ex[i] as number, rays.Ey[i] as number, rays.Ez[i] as number],
-        direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
-      });
-      const place = VERDICTS.indexOf(verdict);
-      out.t0[i] = hits[0]?.t ?? Number.NaN;
-      out.t1[i] = hits[1]?.t ?? Number.NaN;
+      const place = askAlone(rays, i, out);
       out.margin[i] = place === NONE ? -1 : 1;
       if (place !== NONE && place !== usual) list(out, i, place);
     }
