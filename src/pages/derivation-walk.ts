@@ -31,8 +31,10 @@ export interface Walk {
 }
 
 /** f is a straight line: A is exactly 0, or it is a flat shape. */
-export const stepsOf = ({ shape, found: { details } }: ExploreModel): readonly WalkStep[] =>
-  walkOf(shape, details.family === 'curved' && details.signs.A === 0);
+export const stepsOf = ({ shape, exactly }: ExploreModel): readonly WalkStep[] => {
+  const { details } = exactly.found;
+  return walkOf(shape, details.family === 'curved' && details.signs.A === 0);
+};
 
 /** The lines up to the present step, and the bar to go to any other. */
 export function derivationWalk(model: ExploreModel, { steps, at, go }: Walk): TemplateResult {
