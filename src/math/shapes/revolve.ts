@@ -65,7 +65,7 @@ function profile({ center, a, r }: Revolution, stage: Stage): Piece[] {
   const y = center[1];
   const widest = stage.radius * 1.15;
   if (a === 0) return r > 0 ? [{ from: low, to: high, start: 'rim', end: 'goes-on' }] : [];
-  if (a < 0) return r > 0 ? ellipsoid(y, r / Math.sqrt(-a), low, high) : [];
+  if (a < 0) return r > 0 ? ellipsoid(y, r / Math.sqrt(-a), stage) : [];
   const reach = leg(widest, r) / Math.sqrt(a);
   const from = Math.max(low, y - reach);
   const to = Math.min(high, y + reach);
@@ -78,9 +78,16 @@ function leg(c: number, b: number): number {
   return c > b ? Math.sqrt(c - b) * Math.sqrt(c + b) : 0;
 }
 
-function ellipsoid(y: number, half: number, low: number, high: number): Piece[] {
-  const from = Math.max(low, y - half);
-  const to = Math.min(high, y + half);
+/**
+ * Whole where it is no larger than the stage: cut at the ground it would seem to have a hole. From
+ * there to twice that size the cuts come in gradually, as `a` goes to 0 and it becomes a cylinder.
+ */
+function ellipsoid(y: number, half: number, { center, radius, low, high }: Stage): Piece[] {
+  const away = Math.abs(y - center[1]) + half;
+  const whole = Math.min(Math.max(2 - away / radius, 0), 1);
+  const cut = (height: number, pole: number): number => height + whole * (pole - height);
+  const from = Math.max(Math.min(low, cut(low, y - half)), y - half);
+  const to = Math.min(Math.max(high, cut(high, y + half)), y + half);
   if (!(from < to)) return [];
   return [
     {

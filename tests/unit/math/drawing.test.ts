@@ -108,15 +108,36 @@ describe('a surface of revolution', () => {
     expect(patch?.at(0, 1)[1]).toBeCloseTo(Math.sqrt((5.75 ** 2 - 1) / 100), 12);
   });
 
-  test('ellipsoid: closed at both poles, cut where the stage ends', () => {
+  test('ellipsoid: closed at both poles within the stage, cut where it is larger', () => {
     expect(ends(-4, 2, [0, 1, 0])).toEqual(['point…point']);
     const [patch] = patches(-4, 2, [0, 1, 0]);
     expectNear(patch?.at(0.1, 0) ?? O, [0, 0, 0]);
     expectNear(patch?.at(0.1, 1) ?? O, [0, 2, 0]);
     expectNear(patch?.at(0.25, 0.5) ?? O, [2, 1, 0]);
-    expect(ends(-1, 2, [0, 4, 0])).toEqual(['point…goes-on']);
-    expect(ends(-1, 2, [0, -2, 0])).toEqual(['rim…point']);
+    // Whole below the ground too, where a ring would look like a hole.
+    expect(ends(-1, 2, [0, -2, 0])).toEqual(['point…point']);
+    expect(ends(-1, 2, [0, 6, 0])).toEqual(['point…goes-on']);
+    expect(ends(-1, 2, [0, -4, 0])).toEqual(['rim…point']);
     expect(ends(-1, 2, [0, 9, 0])).toEqual([]);
+    expect(ends(-1e-3, 2)).toEqual(['rim…goes-on']);
+  });
+
+  test('ellipsoid: its ends move with its size and place without a jump', () => {
+    const STEP = 0.01;
+    for (const [y, least] of [
+      [1, 1],
+      [-1, 3],
+      [4, 0.5],
+    ] as const) {
+      const reach = (half: number) => {
+        const [patch] = patches(-1, half, [0, y, 0]);
+        return [patch?.at(0, 0)[1] ?? y, patch?.at(0, 1)[1] ?? y] as const;
+      };
+      for (let half = least; half < 12; half += STEP) {
+        const [a, b] = [reach(half), reach(half + STEP)];
+        for (const i of [0, 1] as const) expect(Math.abs(a[i] - b[i])).toBeLessThan(5 * STEP);
+      }
+    }
   });
 
   test('what is only a line or a point has no patch', () => {
