@@ -81,7 +81,12 @@ const DEEDS: readonly [Deed, ...Deed[]] = [
     const buttons = page.locator('button:visible');
     const n = await buttons.count();
     const button = buttons.nth(integer(random, 0, Math.max(n - 1, 0)));
-    const name = await button.evaluate((b) => b.getAttribute('aria-label') ?? b.textContent);
+    // A button that went meanwhile is missed: without a limit this would wait for it for ever.
+    const name = await button.evaluate(
+      (b) => b.getAttribute('aria-label') ?? b.textContent,
+      undefined,
+      PATIENCE,
+    );
     await button.click(PATIENCE);
     return `button ${name?.trim().slice(0, 40)}`;
   },
