@@ -21,7 +21,7 @@ import { Viewpoint } from './viewpoint.ts';
 
 export { drawThumbnail } from './thumbnail.ts';
 
-export interface MountedScene extends Mounted<SceneModel> {
+interface MountedScene extends Mounted<SceneModel> {
   /** What is seen, as a PNG; null before there is anything. */
   picture(): Promise<Blob | null>;
 }

@@ -48,7 +48,7 @@ function readCondition(text: string): Condition {
 }
 
 /** Against 0 the exact sign counts, not that of a rounding. */
-export function holdsNow(condition: Condition, model: ExploreModel): boolean {
+function holdsNow(condition: Condition, model: ExploreModel): boolean {
   if (condition.type === 'class') return model.found.class === condition.name;
   const { quantity, relation, than } = condition;
   const sign = than === 0 ? signOf(model, quantity) : null;

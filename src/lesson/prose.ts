@@ -23,7 +23,7 @@ export type Inline =
   | { readonly type: 'claims'; readonly claims: readonly string[] };
 
 /** Something is shown while all its conditions hold; without any, always. */
-export interface Shown {
+interface Shown {
   readonly when: readonly Condition[];
 }
 

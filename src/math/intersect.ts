@@ -24,7 +24,7 @@ import { plainVector } from './vec3.ts';
  */
 export const DEFAULT_METHOD = 'certified';
 
-export interface IntersectOptions {
+interface IntersectOptions {
   /**
    * The shape whose surface the ray is declared to start on, because E was computed as a hit on it.
    * If it is `shape` itself (the same object, or one with equal numbers), the root nearest to t = 0

@@ -24,7 +24,7 @@ import './derivation-walk.css';
 const MOST = 15;
 
 /** The walk with the step that is shown, from 0, and what goes to another one. */
-export interface Walk {
+interface Walk {
   readonly steps: readonly WalkStep[];
   readonly at: number;
   go(to: number): void;

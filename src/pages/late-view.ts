@@ -5,7 +5,7 @@ import type { Mounted } from '../ui/mounted.ts';
 /** Loading that takes longer than this is said. */
 const PATIENCE_MS = 300;
 
-export interface LateView<Model, Code> extends Mounted<Model> {
+interface LateView<Model, Code> extends Mounted<Model> {
   /** Null until it has been loaded. */
   code(): Code | null;
 }

@@ -24,7 +24,7 @@ export function toFile(state: AppState): string {
   return `${JSON.stringify(saved, (_, x) => (Object.is(x, -0) ? '-0' : x), 2)}\n`;
 }
 
-export type Opened =
+type Opened =
   | { readonly ok: true; readonly state: AppState }
   | { readonly ok: false; readonly reason: string };
 

@@ -8,7 +8,7 @@ import type { Tile, TraceSettings } from './types.ts';
  * The camera's three directions, the sideways ones as long as half the picture's width and height
  * at distance 1.
  */
-export interface CameraAxes {
+interface CameraAxes {
   readonly eye: Vec3;
   readonly ahead: Vec3;
   readonly right: Vec3;

@@ -1,6 +1,3 @@
-import { METHODS } from '../math/index.ts';
-import { EFFECTS } from '../scene/effects/index.ts';
-import type { StartRule, TraceSettings } from './types.ts';
 import { NOTHING } from './types.ts';
 
 /** A finished picture with what its camera rays met; a Frame of the driver is one. */
@@ -100,32 +97,4 @@ export function digitsLost(t: number, right: number): number {
   const relative = Math.abs(t - right) / Math.abs(right);
   const lost = ALL_DIGITS + Math.log10(relative);
   return Number.isNaN(lost) ? Number.NaN : Math.min(Math.max(lost, 0), ALL_DIGITS);
-}
-
-/** Everything in which two settings differ, in words: a fair comparison names one thing. */
-export function namedDifferences(a: TraceSettings, b: TraceSettings): readonly string[] {
-  const found: string[] = [];
-  const differ = (what: string, left: string, right: string): void => {
-    if (left !== right) found.push(`${what}: ${left} | ${right}`);
-  };
-  differ('method', titleOf(a.method), titleOf(b.method));
-  differ('start rule', startInWords(a.start), startInWords(b.start));
-  for (const { id, title } of EFFECTS) {
-    const forced = (settings: TraceSettings): string => wordFor(settings.forced[id]);
-    differ(title, forced(a), forced(b));
-  }
-  differ('size', `${a.width} × ${a.height}`, `${b.width} × ${b.height}`);
-  differ('camera rays a pixel', `${a.samples}`, `${b.samples}`);
-  differ('rays to a light with a size', `${a.lightSamples}`, `${b.lightSamples}`);
-  return found;
-}
-
-const titleOf = (id: string): string => METHODS.find((method) => method.id === id)?.title ?? id;
-
-const wordFor = (forced: 'on' | 'off' | undefined): string =>
-  forced === undefined ? 'as the scene calls for it' : `forced ${forced}`;
-
-function startInWords(start: StartRule): string {
-  if (start.rule === 'from') return 'the root where a ray starts is dropped';
-  return start.rule === 'none' ? 'none' : `t ≥ ${start.epsilon}`;
 }

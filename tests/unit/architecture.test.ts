@@ -294,6 +294,73 @@ function circles(sources: Sources): string[] {
   return [...new Set(found)];
 }
 
+/** The names that a file exports. */
+function exportsOf(path: string, source: string): string[] {
+  return bodyOf(path, source).flatMap((node) => {
+    if (node.type !== 'ExportNamedDeclaration') return [];
+    const { declaration, specifiers } = node as { [key: string]: unknown };
+    const listed = (specifiers as AnyNode[]).map(({ exported }) => textOf(exported));
+    if (!isNode(declaration)) return listed;
+    const { declarations, id } = declaration as { [key: string]: unknown };
+    const made = (declarations as AnyNode[] | undefined)?.map((one) => one.id) ?? [id];
+    return made.flatMap((one) => {
+      const names = within(one as AnyNode).filter(({ type }) => type === 'Identifier');
+      return isNode(one) && one.type === 'Identifier' ? [textOf(one)] : names.map(textOf);
+    });
+  });
+}
+
+const textOf = (node: unknown): string => {
+  const { name, value } = node as { name?: string; value?: string };
+  return name ?? value ?? '';
+};
+
+/**
+ * What a file takes from others, as `path name`. Of a module that is imported as a whole, or late,
+ * it takes what it names anywhere.
+ */
+function takenBy(path: string, source: string): string[] {
+  const target = (from: string): string =>
+    posix.join(posix.dirname(path), from.replace(/\?.*$/, ''));
+  const all = [...new Set(nodesOf(path, source).map(textOf))];
+  return nodesOf(path, source).flatMap((node) => {
+    const { specifiers, source: from, argument } = node as { [key: string]: unknown };
+    const at = textOf(from ?? argument ?? '');
+    if (typeof at !== 'string' || !at.startsWith('.')) return [];
+    const wholly = all.map((name) => `${target(at)} ${name}`);
+    if (node.type === 'ImportExpression' || node.type === 'TSImportType') return wholly;
+    if (node.type !== 'ImportDeclaration' && node.type !== 'ExportNamedDeclaration') return [];
+    return (specifiers as AnyNode[]).flatMap(({ type, imported, local }) =>
+      type === 'ImportNamespaceSpecifier' ? wholly : [`${target(at)} ${textOf(imported ?? local)}`],
+    );
+  });
+}
+
+/** Exports that no other file imports. */
+function unusedExports(sources: Sources, importers: Sources): string[] {
+  const taken = new Set(Object.entries(importers).flatMap(([path, text]) => takenBy(path, text)));
+  return Object.entries(sources).flatMap(([path, source]) =>
+    exportsOf(path, source)
+      .map((name) => `${path} ${name}`)
+      .filter((one) => !taken.has(one)),
+  );
+}
+
+/** Files that nothing leads to: from `main.ts`, the doors of the math module and the workers. */
+function unreached(sources: Sources): string[] {
+  const starts = Object.keys(sources).filter(
+    (path) => path === 'src/main.ts' || DOORS.has(path) || roomOf(path) === 'workers',
+  );
+  const reached = new Set(starts);
+  for (const path of reached) {
+    for (const { from } of importsOf(path, sources[path] ?? '')) {
+      const target = posix.join(posix.dirname(path), from.replace(/\?.*$/, ''));
+      if (target in sources) reached.add(target);
+    }
+  }
+  return Object.keys(sources).filter((path) => !reached.has(path));
+}
+
 function sourcesUnder(folder: string): Sources {
   const files = readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' });
   const paths = files.filter((name) => /\.ts$/.test(name)).map((name) => `${folder}/${name}`);
@@ -303,6 +370,7 @@ function sourcesUnder(folder: string): Sources {
 }
 
 const SRC = sourcesUnder('src');
+const BESIDE = { ...sourcesUnder('tests'), ...sourcesUnder('scripts') };
 
 describe('src', () => {
   test('is all there, and every room has a name in the table', () => {
@@ -352,6 +420,16 @@ describe('src', () => {
 
   test('has no files that import each other in a circle, types included', () => {
     expect(circles(SRC)).toEqual([]);
+  });
+
+  test('exports only what another file imports; the face of the math module is for programs', () => {
+    const unused = unusedExports(SRC, { ...SRC, ...BESIDE });
+    const free = /^src\/math\/(?:index\.ts|methods\/certified\/)/;
+    expect(unused.filter((one) => !free.test(one))).toEqual([]);
+  });
+
+  test('has no file that only tests import', () => {
+    expect(unreached(SRC)).toEqual([]);
   });
 
   test('has no page, no clock and no chance in its pure rooms', () => {
@@ -442,6 +520,24 @@ describe('these rules would notice', () => {
     };
     expect(circles(round)).toEqual(['src/text/a.ts ↔ src/text/b.ts ↔ src/text/c.ts']);
     expect(circles({ ...round, 'src/text/c.ts': '' })).toEqual([]);
+  });
+
+  test('an export that nobody imports, however modules are imported', () => {
+    const text = 'export const a = 1; export type B = 1; export { c } from "./y.ts";';
+    const sources = one('src/text/x.ts', text);
+    const by = (importer: string) => unusedExports(sources, one('src/text/z.ts', importer));
+    const all = ['a', 'B', 'c'].map((name) => `src/text/x.ts ${name}`);
+    expect(by('import "./x.ts"; const a = 1;')).toEqual(all);
+    expect(by('import { a as c, type B } from "./x.ts";')).toEqual([all[2]]);
+    expect(by('import * as x from "./x.ts"; x.a + x.c;')).toEqual([all[1]]);
+    expect(by('const f = async () => (await import("./x.ts")).c;')).toEqual([all[0], all[1]]);
+    expect(by('export { c } from "./x.ts"; type T = typeof import("./x.ts");')).toEqual([
+      ...all.slice(0, 2),
+    ]);
+    const late = one('src/main.ts', 'const f = () => import("./text/a.ts");');
+    expect(unreached({ ...late, 'src/text/a.ts': '', 'src/text/b.ts': '' })).toEqual([
+      'src/text/b.ts',
+    ]);
   });
 
   test('and a formula’s square is no shape', () => {

@@ -19,7 +19,7 @@ const known = new Map<string, ReadLesson>();
 export const LESSON_IDS: readonly string[] = Object.keys(TEXTS);
 
 /** The text of a lesson that comes with Graze; null where there is none of that id. */
-export const lessonText = (id: string): string | null =>
+const lessonText = (id: string): string | null =>
   Object.hasOwn(TEXTS, id) ? (TEXTS[id] ?? null) : null;
 
 /** A lesson that comes with Graze. */

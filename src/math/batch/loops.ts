@@ -14,7 +14,7 @@ import {
  * are asked for, and returns the class. It takes an index and no doubles: a call that is not
  * inlined would box them.
  */
-export type SolveRay = (rays: Rays, i: number, out: Answers) => number;
+type SolveRay = (rays: Rays, i: number, out: Answers) => number;
 
 /**
  * A kernel that asks `solve` ray by ray, or `classify` where the roots are not wanted: for methods

@@ -25,7 +25,7 @@ export const BLOCK_ARRAYS = [
   ...(['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const),
   ...(['t0', 't1', 'margin'] as const),
 ] as const;
-export type BlockArray = (typeof BLOCK_ARRAYS)[number];
+type BlockArray = (typeof BLOCK_ARRAYS)[number];
 
 const STRIDE = 8 * CAPACITY + GAP;
 /** Where each array of the block begins. */

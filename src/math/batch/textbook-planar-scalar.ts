@@ -7,7 +7,7 @@ const finite = (x: number): boolean => x - x === 0;
  * What the course's formula makes of one ray and one plane: its numbers, and where the plane is
  * met.
  */
-export interface PlanarSlot {
+interface PlanarSlot {
   offset: number;
   rate: number;
   /** Not a number where the line is parallel or the method cannot tell. */

@@ -5,7 +5,7 @@ import type { Quadric } from './quadric.ts';
  * What the course's formula makes of one ray, written out operation by operation in the order of
  * its trees.
  */
-export interface CurvedSlot {
+interface CurvedSlot {
   A: number;
   B: number;
   C: number;
@@ -19,7 +19,7 @@ export const curvedSlot = (): CurvedSlot => ({ A: 0, B: 0, C: 0, D: 0, t0: 0, t1
 const finite = (x: number): boolean => x - x === 0;
 
 /** A, B, C in float64. */
-export function textbookCoefficients(
+function textbookCoefficients(
   q: Quadric,
   Ex: number,
   Ey: number,
@@ -52,7 +52,7 @@ export function textbookCoefficients(
  * The case distinction of methods/solvers.ts on the slot's A, B, C, D; roots ascending, NaN where
  * there is none.
  */
-export function solveSlot(slot: CurvedSlot, stable: boolean): number {
+function solveSlot(slot: CurvedSlot, stable: boolean): number {
   const { A, B, C, D } = slot;
   slot.t0 = Number.NaN;
   slot.t1 = Number.NaN;
@@ -92,13 +92,13 @@ function keep(slot: CurvedSlot, verdict: number, t0: number, t1: number): number
  * Whether a hit at t has a normal: a·(y − Cy) is NaN if the point is so far away that y overflows
  * and a is 0. Then the tree-walked method answers 'undecided', and so must the fast forms.
  */
-export function hasNormal(q: Quadric, Ey: number, dy: number, t: number): boolean {
+function hasNormal(q: Quadric, Ey: number, dy: number, t: number): boolean {
   if (!vanishingFlare(q)) return true;
   return Number.isNaN(t) || finite(Ey + t * dy - q.Cy);
 }
 
 /** A formula with a term in y whose a is 0 in float64. */
-export const vanishingFlare = (q: Quadric): boolean =>
+const vanishingFlare = (q: Quadric): boolean =>
   q.hasY && (q.flare === 0 || (q.squared && q.flare * q.flare === 0));
 
 /** The whole answer for one ray. */

@@ -6,7 +6,7 @@ import { neg, type Surd, sign, toNumber } from './surd.ts';
  * ± 0.d₁d₂… · 10^(exponent + 1): `digits` has its decimal point behind the first digit. Zero has
  * one digit, 0.
  */
-export interface Decimal {
+interface Decimal {
   readonly negative: boolean;
   readonly digits: string;
   readonly exponent: number;

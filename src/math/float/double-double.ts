@@ -16,7 +16,7 @@ import { fastSumError, productError, squareError, sumError } from './eft.ts';
  * below it each product is off by up to 2^-1073 more, and nothing tells: a sign found near 2^-968
  * means nothing.
  */
-export type Registers = Float64Array;
+type Registers = Float64Array;
 
 const get = (R: Registers, i: number): number => R[i] as number;
 
@@ -30,22 +30,6 @@ function put(R: Registers, out: number, hi: number, lo: number): void {
 export function set(R: Registers, out: number, x: number): void {
   R[out] = x;
   R[out + 1] = 0;
-}
-
-/** As `set` with xs[i]: a double that is handed to a call may be boxed. */
-export function load(R: Registers, out: number, xs: Float64Array, i: number): void {
-  R[out] = xs[i] as number;
-  R[out + 1] = 0;
-}
-
-/** Puts the nearest double into xs[i]. */
-export function store(R: Registers, a: number, xs: Float64Array, i: number): void {
-  xs[i] = get(R, a);
-}
-
-export function copy(R: Registers, out: number, a: number): void {
-  R[out] = get(R, a);
-  R[out + 1] = get(R, a + 1);
 }
 
 export function neg(R: Registers, out: number, a: number): void {
@@ -149,29 +133,6 @@ export function sign(R: Registers, a: number): number {
   return Number.isFinite(x) ? Math.sign(x) + 0 : Number.NaN;
 }
 
-/** The nearest double. */
-export function toNumber(R: Registers, a: number): number {
-  return get(R, a);
-}
-
 export function size(R: Registers, a: number): number {
   return Math.abs(get(R, a));
-}
-
-/** The same: hi is within a rounding error of the number. */
-export const least = size;
-
-/**
- * Puts the lesser one first. Both are normalised, so the first parts decide, and where these are
- * equal the second ones.
- */
-export function sort(R: Registers, a: number, b: number): void {
-  const x = get(R, a);
-  const y = get(R, b);
-  if (x < y || (x === y && get(R, a + 1) <= get(R, b + 1))) return;
-  const xLo = get(R, a + 1);
-  R[a] = y;
-  R[a + 1] = get(R, b + 1);
-  R[b] = x;
-  R[b + 1] = xLo;
 }

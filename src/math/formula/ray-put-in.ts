@@ -177,7 +177,7 @@ export function collected(all: readonly Product[], power: number): Expr {
 }
 
 /** The product without its sign and its power of t. */
-export function withoutT({ count, factors }: Product): Expr {
+function withoutT({ count, factors }: Product): Expr {
   const all = count === 1 && factors.length > 0 ? factors : [num(count), ...factors];
   return all.length === 1 ? (all[0] as Expr) : times(...all);
 }

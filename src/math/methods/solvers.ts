@@ -13,7 +13,7 @@ interface Solved<T> {
 }
 
 /** Finds both roots of A t² + B t + C, for A ≠ 0 and D > 0, in any order. */
-export type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
+type RootPair = <T>(values: Values<T>, ar: Arithmetic<T>) => readonly [T, T];
 
 /** D is given: a method may know a better one than B² − 4AC. */
 export interface Solver {

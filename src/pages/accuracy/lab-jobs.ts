@@ -15,7 +15,7 @@ export interface LabWorker {
 export type Spawn = () => Promise<LabWorker>;
 
 /** A job in a worker of its own. Its results stay when it is cancelled. */
-export interface Job<Request, Result> {
+interface Job<Request, Result> {
   readonly request: Request | null;
   readonly result: Result | null;
   readonly running: boolean;

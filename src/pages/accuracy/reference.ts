@@ -11,7 +11,7 @@ type Ratios = Readonly<Record<string, Quartiles>>;
 type Ladder = Readonly<Record<Target, Readonly<Record<Order, Ratios>>>>;
 
 /** What `npm run bench -- ladder` measured of typical rays where this page was built. */
-export interface ReferencePrices {
+interface ReferencePrices {
   readonly both: Ladder;
   readonly classes: Ladder;
 }

@@ -17,7 +17,7 @@ import './projector.css';
 /** For the bench and the browser's own profiler; only the latest are kept. */
 const KEPT_MEASURES = 200;
 
-export interface ExploreTools extends SceneBarTools {
+interface ExploreTools extends SceneBarTools {
   /** The projector shows one parameter at a time, as a phone does. */
   readonly large: boolean;
 }

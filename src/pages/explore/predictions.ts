@@ -136,7 +136,7 @@ function same(guess: Guess, truth: Guess | null): boolean {
   return Math.abs(guess - truth) <= NEAR * Math.abs(truth);
 }
 
-export interface Judgement {
+interface Judgement {
   readonly right: boolean;
   /** The gap in numbers. */
   readonly gap: string;

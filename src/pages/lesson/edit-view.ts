@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from 'lit';
 
-export interface EditTools {
+interface EditTools {
   /** The text as it is being written. */
   readonly text: string;
   readonly title: string;

@@ -5,7 +5,7 @@ import { late } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene } from '../late-scene.ts';
 
-export interface StageModel {
+interface StageModel {
   readonly model: ExploreModel;
   /** Whether what has this symbol can be taken in the scene. */
   readonly movable: (symbol: string) => boolean;

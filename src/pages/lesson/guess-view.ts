@@ -81,13 +81,13 @@ const guessName = ({ free }: Step, guess: Guess): string =>
   guess.type === 'free' ? (free ?? '') : guess.type === 'quantity' ? guess.quantity : 'class';
 
 /** The truth of a question; null where it has none, as t2 of a tangent. */
-export function truthOf(guess: Guess, model: ExploreModel): number | string | null {
+function truthOf(guess: Guess, model: ExploreModel): number | string | null {
   if (guess.type === 'free') return guess.truth;
   return guess.type === 'class' ? model.found.class : quantityOf(model, guess.quantity);
 }
 
 /** How far a guess was off and which way, in words. */
-export function guessWords(given: string, truth: number | string | null): string {
+function guessWords(given: string, truth: number | string | null): string {
   if (typeof truth === 'string') {
     const said = CLASS_WORDS[given as Verdict] ?? given;
     return given === truth

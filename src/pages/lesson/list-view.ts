@@ -1,7 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import { LESSON_IDS, lessonOf } from '../../lesson/lessons/index.ts';
 
-export interface ListTools {
+interface ListTools {
   readonly hasOwn: boolean;
   readonly goOn: () => void;
   /** Takes what Explore shows as the next step of the own lesson. */

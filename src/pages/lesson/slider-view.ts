@@ -11,7 +11,7 @@ export interface SliderMark {
   readonly truth: number | null;
 }
 
-export interface SliderParts {
+interface SliderParts {
   readonly freedom: Freedom;
   readonly value: number;
   readonly mark: SliderMark | null;

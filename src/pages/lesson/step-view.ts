@@ -16,7 +16,7 @@ export interface StepParts {
   readonly isHidden: boolean;
 }
 
-export interface StepTools {
+interface StepTools {
   readonly go: (number: number) => void;
   readonly reveal: () => void;
   readonly edit: () => void;

@@ -2,8 +2,8 @@ import type { Quadric } from '../../../src/math/batch/quadric.ts';
 import type { Dyadic } from '../../../src/math/exact/dyadic.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { bracket } from '../../../src/math/exact/faithful.ts';
-import { type ExactSolution, solveExact } from '../../../src/math/exact/quadratic.ts';
 import type { Ray } from '../../../src/math/ray.ts';
+import { type ExactSolution, solveExact } from './exact/solve-exact.ts';
 
 const n = dy.fromNumber;
 

@@ -1,16 +1,14 @@
-import { describe, expect, test } from 'vitest';
+import { expect, test } from 'vitest';
 import { decoded, encoded, level, linear } from '../../../src/tracer/colour.ts';
 import {
   ALL_DIGITS,
   comparePictures,
   digitsLost,
-  namedDifferences,
   OTHER_COLOUR,
   OTHER_VERDICT,
   type Picture,
   SAME,
 } from '../../../src/tracer/compare.ts';
-import { DEFAULT_SETTINGS } from '../../../src/tracer/types.ts';
 
 const of = (pixels: readonly (readonly [grey: number, surface: number, t: number])[]): Picture => ({
   width: pixels.length,
@@ -64,32 +62,6 @@ test('digits lost: none for neighbours, all for nonsense', () => {
   expect(digitsLost(2, 1)).toBeCloseTo(ALL_DIGITS, 10);
   expect(digitsLost(-1e30, 1)).toBe(ALL_DIGITS);
   expect(digitsLost(Number.NaN, Number.NaN)).toBeNaN();
-});
-
-describe('two settings', () => {
-  test('that agree have nothing to name; one cause is one word', () => {
-    expect(namedDifferences(DEFAULT_SETTINGS, { ...DEFAULT_SETTINGS })).toEqual([]);
-    expect(namedDifferences(DEFAULT_SETTINGS, { ...DEFAULT_SETTINGS, method: 'exact' })).toEqual([
-      'method: certified | exact',
-    ]);
-    const none = { ...DEFAULT_SETTINGS, start: { rule: 'none' } as const };
-    expect(namedDifferences(none, DEFAULT_SETTINGS)).toEqual([
-      'start rule: none | the root where a ray starts is dropped',
-    ]);
-  });
-
-  test('that differ in all have all of it named', () => {
-    const other = {
-      width: 10,
-      height: 20,
-      samples: 4,
-      lightSamples: 9,
-      method: 'textbook32',
-      start: { rule: 'epsilon', epsilon: 1e-6 } as const,
-      forced: { shadow: 'off', pattern: 'on' } as const,
-    };
-    expect(namedDifferences(DEFAULT_SETTINGS, other)).toHaveLength(Object.keys(other).length);
-  });
 });
 
 test('sRGB: there and back, its ends, and every level', () => {

@@ -12,7 +12,7 @@ export interface CodeSyntax {
   readonly vectors: VectorSyntax | null;
 }
 
-export interface VectorSyntax {
+interface VectorSyntax {
   dot(left: string, right: string): string;
   norm(of: string): string;
 }
@@ -26,7 +26,7 @@ export interface Names {
   vector(id: string): string;
 }
 
-export interface CodeOptions {
+interface CodeOptions {
   /** The sign taken at ±. */
   readonly branch?: 1 | -1;
   /** Subtrees that have a name in the program already. */

@@ -2,7 +2,7 @@ import type { Axis } from '../../vec3.ts';
 import type { Expr, VectorExpr } from '../expr.ts';
 import type { Notation, WrittenTerm } from './printer.ts';
 
-export type Sort = 'scalar' | 'vector';
+type Sort = 'scalar' | 'vector';
 export type Sign = '+' | '−' | '±' | '·' | ',' | '=' | '≈' | '≠' | '<' | '>' | '≤';
 
 /**
@@ -47,7 +47,7 @@ export interface Piece<M> {
   readonly squared?: M;
 }
 
-export type Rank = (typeof RANK)[keyof typeof RANK];
+type Rank = (typeof RANK)[keyof typeof RANK];
 export const RANK = { sum: 1, dot: 2, product: 3, power: 4, single: 5 } as const;
 
 /** How the leaves are written: as symbols, or as the numbers they stand for. */

@@ -124,7 +124,7 @@ describe('where the range ends', () => {
   });
 });
 
-test('the registers’ own sign, copy and mulDouble', () => {
+test('the registers’ own sign and mulDouble', () => {
   const R = new Float64Array(6);
   registers.set(R, 0, 0.1);
   registers.sqr(R, 2, 0);
@@ -132,6 +132,4 @@ test('the registers’ own sign, copy and mulDouble', () => {
   const eight = doubleDouble.mul(doubleDouble.sqr(doubleDouble.of(0.1)), doubleDouble.of(-8));
   expect([R[4], R[5]]).toEqual([eight.hi, eight.lo]);
   expect(registers.sign(R, 4)).toBe(-1);
-  registers.copy(R, 0, 4);
-  expect([R[0], R[1]]).toEqual([R[4], R[5]]);
 });

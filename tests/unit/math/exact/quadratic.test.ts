@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { fromNumber } from '../../../../src/math/exact/dyadic.ts';
-import { roundedRoots, solveExact } from '../../../../src/math/exact/quadratic.ts';
 import * as surd from '../../../../src/math/exact/surd.ts';
 import { nextDown, nextUp } from '../../../../src/math/float/ulp.ts';
 import { seeded, wide } from '../../../../src/math/rng.ts';
+import { roundedRoots, solveExact } from './solve-exact.ts';
 
 const solve = (A: number, B: number, C: number) =>
   solveExact(fromNumber(A), fromNumber(B), fromNumber(C));

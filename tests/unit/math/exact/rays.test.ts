@@ -3,9 +3,9 @@ import { expect, test } from 'vitest';
 import { exact } from '../../../../src/math/arithmetic/exact.ts';
 import type { Dyadic } from '../../../../src/math/exact/dyadic.ts';
 import { bracket } from '../../../../src/math/exact/faithful.ts';
-import { roundedRoots, solveExact } from '../../../../src/math/exact/quadratic.ts';
 import type { Surd } from '../../../../src/math/exact/surd.ts';
 import * as surd from '../../../../src/math/exact/surd.ts';
+import { roundedRoots, solveExact } from './solve-exact.ts';
 
 /*
  * The curved cases, with the course's formulas written out once more: this tests the arithmetic (a

@@ -1,9 +1,9 @@
-import type { Dyadic, Sign } from './dyadic.ts';
-import * as dy from './dyadic.ts';
-import type { Surd } from './surd.ts';
-import { ratio, toNumber } from './surd.ts';
+import type { Dyadic, Sign } from '../../../../src/math/exact/dyadic.ts';
+import * as dy from '../../../../src/math/exact/dyadic.ts';
+import type { Surd } from '../../../../src/math/exact/surd.ts';
+import { ratio, toNumber } from '../../../../src/math/exact/surd.ts';
 
-export type QuadraticClass = 'two' | 'tangent' | 'one' | 'none' | 'contained';
+type QuadraticClass = 'two' | 'tangent' | 'one' | 'none' | 'contained';
 
 export interface ExactSolution {
   readonly class: QuadraticClass;
