@@ -1,8 +1,9 @@
 import { type Allocate, useMemory } from './batch/memory.ts';
-import { createSimdMemory } from './batch/simd-memory.ts';
+import { bytesOf, createSimdMemory } from './batch/simd-memory.ts';
 import type { Source } from './batch/straight.ts';
 import { simdSource } from './batch/straight-simd.ts';
 import { useSimd } from './batch/target.ts';
+import { CERTIFIED_SIMD } from './methods/certified/generated/certified-simd.ts';
 import { type FastRoots, useFastRoots } from './methods/certified/quadric-kernel.ts';
 import { createFastRoots } from './methods/certified/simd.ts';
 
@@ -64,7 +65,7 @@ function loaded(): Fast | string {
   try {
     const memory = createSimdMemory();
     return {
-      roots: createFastRoots(memory),
+      roots: createFastRoots(memory, bytesOf(CERTIFIED_SIMD)),
       source: simdSource(memory),
       allocate: memory.allocate,
     };

@@ -4,7 +4,7 @@ import {
   PARAMS,
   type Param,
   PLACE,
-} from '../../../src/math/methods/certified/simd-layout.ts';
+} from '../../../src/math/methods/certified/simd.ts';
 import { numbered } from '../wasm/locals.ts';
 import type { Func } from '../wasm/module.ts';
 import * as op from '../wasm/ops.ts';

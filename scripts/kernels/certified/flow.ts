@@ -1,4 +1,4 @@
-import { handed, INPUTS, type Input } from '../../../src/math/methods/certified/simd-layout.ts';
+import { handed, INPUTS, type Input } from '../../../src/math/methods/certified/simd.ts';
 import { createScope, type Scope } from '../wasm/locals.ts';
 import * as op from '../wasm/ops.ts';
 import { type Code, codeOf, type Expr, namesIn, renamed } from './expression.ts';

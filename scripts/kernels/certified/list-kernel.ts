@@ -1,9 +1,4 @@
-import {
-  HANDED,
-  handed,
-  PARAMS,
-  type Param,
-} from '../../../src/math/methods/certified/simd-layout.ts';
+import { HANDED, handed, PARAMS, type Param } from '../../../src/math/methods/certified/simd.ts';
 import { numbered } from '../wasm/locals.ts';
 import type { Func } from '../wasm/module.ts';
 import * as op from '../wasm/ops.ts';

@@ -1,14 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { IMPORT, PAGES } from '../../../src/math/batch/simd-memory.ts';
-import { AT_LATTICE, AT_SCALED } from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { AT_LATTICE, AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
 import { RECENTRED_BOUNDS } from '../../../src/math/methods/certified/recentred.ts';
 import { REFINED_BOUNDS } from '../../../src/math/methods/certified/refined.ts';
-import {
-  LATTICE_NUMBERS,
-  SCALED_NUMBERS,
-} from '../../../src/math/methods/certified/simd-layout.ts';
-import { SOLVE_BOUNDS } from '../../../src/math/methods/certified/units-roots.ts';
-import { ROUGH_BOUNDS } from '../../../src/math/methods/certified/units-rough.ts';
+import { LATTICE_NUMBERS, SCALED_NUMBERS } from '../../../src/math/methods/certified/simd.ts';
+import { ROUGH_BOUNDS, SOLVE_BOUNDS } from '../../../src/math/methods/certified/units.ts';
 import { type Func, moduleOf } from '../wasm/module.ts';
 import { blockKernel } from './block-kernel.ts';
 import { listKernel } from './list-kernel.ts';
@@ -26,7 +22,7 @@ export function stageSources(): Readonly<Record<Stage, Source>> {
     }),
   ) as Record<Stage, Source>;
 }
-const STAGES = ['units-rough', 'units-roots', 'recentred', 'refined'] as const;
+const STAGES = ['units', 'recentred', 'refined'] as const;
 type Stage = (typeof STAGES)[number];
 
 const lattice = (key: string): number =>
@@ -64,9 +60,9 @@ export const certifiedModule = (sources = stageSources()): Uint8Array =>
 
 function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Func[] {
   const read = (stage: Stage, name: string) => loopOf(sources[stage], name, hasY);
-  const rough = read('units-rough', hasY ? 'coarseInSpace' : 'coarseAroundAxis');
-  const values = read('units-roots', hasY ? 'residualsInSpace' : 'residualsAroundAxis');
-  const solve = read('units-roots', 'solvePass');
+  const rough = read('units', hasY ? 'coarseInSpace' : 'coarseAroundAxis');
+  const values = read('units', hasY ? 'residualsInSpace' : 'residualsAroundAxis');
+  const solve = read('units', 'solvePass');
   const far = read('recentred', hasY ? 'recentredInSpace' : 'recentredAroundAxis');
   return [
     blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),

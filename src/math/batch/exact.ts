@@ -1,4 +1,4 @@
-import { roundedRoots, UNKNOWN } from '../methods/certified/doubled-roots.ts';
+import { roundedRoots, UNKNOWN } from '../methods/certified/doubled.ts';
 import type { Shape } from '../shapes/index.ts';
 import {
   type Answers,

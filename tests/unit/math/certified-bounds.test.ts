@@ -14,7 +14,7 @@ import {
   AT_D as D,
   AT_OFF as OFF,
   putAlgebra,
-} from '../../../src/math/methods/certified/doubled.ts';
+} from '../../../src/math/methods/certified/algebra.ts';
 import {
   marginsOf,
   TWICE as R,

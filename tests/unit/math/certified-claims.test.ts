@@ -7,9 +7,13 @@ import {
   AT_LATTICE as AT,
   type Lattice,
   latticeOf,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { count, ordinaryRoots } from '../../../src/math/methods/certified/units-roots.ts';
-import { BLOCK, ROUGH_BOUNDS as BOUNDS } from '../../../src/math/methods/certified/units-rough.ts';
+} from '../../../src/math/methods/certified/numbers.ts';
+import {
+  BLOCK,
+  ROUGH_BOUNDS as BOUNDS,
+  count,
+  ordinaryRoots,
+} from '../../../src/math/methods/certified/units.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -38,8 +42,8 @@ const U = 2 ** -53;
 const [, CERTAIN] = BOUNDS as unknown as readonly [number, number];
 
 const coarse = [
-  namedValues(stageSource('units-rough'), 'coarseAroundAxis', false),
-  namedValues(stageSource('units-rough'), 'coarseInSpace', true),
+  namedValues(stageSource('units'), 'coarseAroundAxis', false),
+  namedValues(stageSource('units'), 'coarseInSpace', true),
 ] as const;
 
 interface Rough {

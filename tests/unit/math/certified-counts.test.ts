@@ -5,10 +5,10 @@ import {
   AT_LATTICE as AT,
   latticeOf,
   UNIT_OF_DIRECTION,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
+} from '../../../src/math/methods/certified/numbers.ts';
 import { RECENTRED_BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
 import { REFINED_BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
-import { ROUGH_BOUNDS as ROUGH } from '../../../src/math/methods/certified/units-rough.ts';
+import { ROUGH_BOUNDS as ROUGH } from '../../../src/math/methods/certified/units.ts';
 
 /*
  * Constants that are far more cautious than any ray shows: each against the count of its own

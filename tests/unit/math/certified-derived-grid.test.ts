@@ -22,8 +22,8 @@ import {
   POINT,
   rootsPass,
 } from '../../../src/math/methods/certified/grids.ts';
-import { createFound, T0, T1 } from '../../../src/math/methods/certified/one-ray.ts';
-import { AT_SCALED } from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
+import { createFound, T0, T1 } from '../../../src/math/methods/certified/quadric-kernel.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { climbFromUnits } from './climb.ts';

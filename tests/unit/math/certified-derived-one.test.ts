@@ -1,12 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
-import * as algebra from '../../../src/math/methods/certified/doubled.ts';
-import { createRoots } from '../../../src/math/methods/certified/doubled.ts';
-import {
-  putRoots,
-  QUOTIENT,
-  ROUNDED_Q,
-} from '../../../src/math/methods/certified/doubled-roots.ts';
+import * as algebra from '../../../src/math/methods/certified/algebra.ts';
+import { createRoots } from '../../../src/math/methods/certified/algebra.ts';
+import { putRoots, QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/doubled.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';

@@ -7,15 +7,15 @@ import { type Family, findFamily, type Question } from '../../../src/math/famili
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { CurvedDetails } from '../../../src/math/intersection.ts';
-import { openClasses } from '../../../src/math/methods/certified/class.ts';
 import {
   createAlgebra,
   createRoots,
   putAlgebra,
-} from '../../../src/math/methods/certified/doubled.ts';
-import { putRoots } from '../../../src/math/methods/certified/doubled-roots.ts';
-import { plainQuadric } from '../../../src/math/methods/certified/plain-quadric.ts';
-import { certifiedQuadric } from '../../../src/math/methods/certified/quadric-numbers.ts';
+} from '../../../src/math/methods/certified/algebra.ts';
+import { openClasses } from '../../../src/math/methods/certified/class.ts';
+import { plainQuadric } from '../../../src/math/methods/certified/curved.ts';
+import { putRoots } from '../../../src/math/methods/certified/doubled.ts';
+import { certifiedQuadric } from '../../../src/math/methods/certified/numbers.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';

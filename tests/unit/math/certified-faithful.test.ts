@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
-import { FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
+import { FAITHFUL } from '../../../src/math/methods/certified/numbers.ts';
 
 /*
  * What is off by FAITHFUL of itself and a little more (as the bound is worked out in doubles), is

@@ -7,7 +7,6 @@ import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
 import { DIRECT_ERROR } from '../../../src/math/methods/certified/class.ts';
-import { gridQuadric } from '../../../src/math/methods/certified/grid-quadric.ts';
 import {
   coefficientsPass,
   createGrid,
@@ -26,21 +25,22 @@ import {
   GRID_OFF_Z,
   GRID_REACH_D,
   GRID_REACH_P,
+  gridQuadric,
   placePass,
   rootsPass,
 } from '../../../src/math/methods/certified/grids.ts';
+import {
+  certifiedQuadric,
+  FAITHFUL_ONCE as FAITHFUL,
+  readQuadric,
+} from '../../../src/math/methods/certified/numbers.ts';
 import {
   createFound,
   findRoots,
   T0,
   T1,
   VERDICT,
-} from '../../../src/math/methods/certified/one-ray.ts';
-import {
-  certifiedQuadric,
-  readQuadric,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { FAITHFUL_ONCE as FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
+} from '../../../src/math/methods/certified/quadric-kernel.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';

@@ -2,14 +2,14 @@ import { describe, expect, test } from 'vitest';
 import { TWO } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { intersect } from '../../../src/math/intersect.ts';
-import * as algebra from '../../../src/math/methods/certified/doubled.ts';
-import { solveSlowly } from '../../../src/math/methods/certified/doubled-roots.ts';
+import * as algebra from '../../../src/math/methods/certified/algebra.ts';
+import { solveSlowly } from '../../../src/math/methods/certified/doubled.ts';
 import {
   ACCUMULATED_ERROR,
   ERROR_LEVELS,
   sharpenC,
 } from '../../../src/math/methods/certified/near-surface.ts';
-import { certifiedSlot } from '../../../src/math/methods/certified/stage.ts';
+import { certifiedSlot } from '../../../src/math/methods/certified/numbers.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';

@@ -1,11 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import type { Question } from '../../../src/math/families.ts';
-import {
-  certifiedQuadric,
-  readQuadric,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { shortQuadric } from '../../../src/math/methods/certified/short-quadric.ts';
+import { shortQuadric } from '../../../src/math/methods/certified/curved.ts';
+import { certifiedQuadric, readQuadric } from '../../../src/math/methods/certified/numbers.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { integer, pick, type Random, seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';

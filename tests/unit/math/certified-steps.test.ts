@@ -2,18 +2,17 @@ import { describe, expect, test } from 'vitest';
 import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
-import {
-  AT_LATTICE as AT,
-  latticeOf,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { SHARE, SLACK_G, solvePass } from '../../../src/math/methods/certified/units-roots.ts';
+import { AT_LATTICE as AT, latticeOf } from '../../../src/math/methods/certified/numbers.ts';
 import {
   ROUGH_BOUNDS as BOUNDS,
   coarseInSpace,
   createScratch,
   HITS,
+  SHARE,
+  SLACK_G,
+  solvePass,
   UNSETTLED,
-} from '../../../src/math/methods/certified/units-rough.ts';
+} from '../../../src/math/methods/certified/units.ts';
 import { type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import { climb } from './climb.ts';
 import { form } from './exact-quadratic.ts';

@@ -9,27 +9,25 @@ import {
   type Lattice,
   latticeOf,
   UNIT_OF_DIRECTION,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
+} from '../../../src/math/methods/certified/numbers.ts';
 import {
   recentredAroundAxis,
   recentredInSpace,
 } from '../../../src/math/methods/certified/recentred.ts';
 import { refine } from '../../../src/math/methods/certified/refined.ts';
 import {
-  ROUNDING,
-  residualsAroundAxis,
-  residualsInSpace,
-  SMALL,
-  solvePass,
-} from '../../../src/math/methods/certified/units-roots.ts';
-import {
   coarseAroundAxis,
   coarseInSpace,
   createScratch,
   DOUBTS,
   HITS,
+  ROUNDING,
+  residualsAroundAxis,
+  residualsInSpace,
+  SMALL,
+  solvePass,
   UNSETTLED,
-} from '../../../src/math/methods/certified/units-rough.ts';
+} from '../../../src/math/methods/certified/units.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';

@@ -1,14 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { LEAST_EXACT_PRODUCT } from '../../../src/math/float/eft.ts';
+import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import * as byClass from '../../../src/math/methods/certified/class.ts';
 import { DIRECT_ERROR, LEAST_A, momentError } from '../../../src/math/methods/certified/class.ts';
-import * as algebra from '../../../src/math/methods/certified/doubled.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
 import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
+import { BOX, FAITHFUL } from '../../../src/math/methods/certified/numbers.ts';
 import * as figure from '../../../src/math/methods/certified/planar.ts';
 import { SMALLEST_PLANAR } from '../../../src/math/methods/certified/planar.ts';
-import { BOX } from '../../../src/math/methods/certified/quadric-numbers.ts';
-import { FAITHFUL } from '../../../src/math/methods/certified/stage.ts';
 import { SMALLEST as SMALLEST_DEPARTS } from '../../../src/tracer/departs.ts';
 import { DOUBLES, known, type Off, running } from './running-error.ts';
 

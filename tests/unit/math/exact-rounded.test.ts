@@ -4,7 +4,7 @@ import { exactKernel } from '../../../src/math/batch/exact.ts';
 import { type RootSlot, solveExactly } from '../../../src/math/batch/exact-quadric.ts';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
-import { roundedRoots, UNKNOWN } from '../../../src/math/methods/certified/doubled-roots.ts';
+import { roundedRoots, UNKNOWN } from '../../../src/math/methods/certified/doubled.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
 test.each(FAMILIES.map(({ id }) => id))(

@@ -1,10 +1,7 @@
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import * as surd from '../../../src/math/exact/surd.ts';
-import {
-  AT_SCALED,
-  certifiedQuadric,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { AT_SCALED, certifiedQuadric } from '../../../src/math/methods/certified/numbers.ts';
 import { RECENTRED_BOUNDS as RECENTRED } from '../../../src/math/methods/certified/recentred.ts';
 import { REFINED_BOUNDS as REFINED } from '../../../src/math/methods/certified/refined.ts';
 import type { Ray } from '../../../src/math/ray.ts';

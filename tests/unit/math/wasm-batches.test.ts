@@ -3,10 +3,7 @@ import { accelerate, decelerate } from '../../../src/math/accelerate.ts';
 import { batchOf } from '../../../src/math/batch/kernels.ts';
 import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { FAMILIES, type Family } from '../../../src/math/families.ts';
-import {
-  certifiedQuadric,
-  latticeOf,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { certifiedQuadric, latticeOf } from '../../../src/math/methods/certified/numbers.ts';
 import { certified } from '../../../src/math/methods/certified.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded } from '../../../src/math/rng.ts';

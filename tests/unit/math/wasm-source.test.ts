@@ -25,17 +25,14 @@ import {
   PAGES,
 } from '../../../src/math/batch/simd-memory.ts';
 import { CERTIFIED_SIMD } from '../../../src/math/methods/certified/generated/certified-simd.ts';
-import {
-  AT_LATTICE as AT,
-  AT_SCALED,
-} from '../../../src/math/methods/certified/quadric-numbers.ts';
+import { AT_LATTICE as AT, AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
 import {
   handed,
   LATTICE_NUMBERS,
   PARAMS,
   PLACE,
   SCALED_NUMBERS,
-} from '../../../src/math/methods/certified/simd-layout.ts';
+} from '../../../src/math/methods/certified/simd.ts';
 import { seeded } from '../../../src/math/rng.ts';
 
 /* What is read out of a loop's text, and what is said of a text that is none. */

@@ -1,7 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { BOX, type CertifiedQuadric } from './quadric-numbers.ts';
-import type { OpenRays } from './stage.ts';
+import { BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
 
 /*
  * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =

@@ -1,200 +1,233 @@
+import { NONE, TWO } from '../../batch/batch.ts';
+import { type RootSlot, solveExactly } from '../../batch/exact-quadric.ts';
 import type { Quadric } from '../../batch/quadric.ts';
+import { exponentOf, scale } from '../../float/bits.ts';
 import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Ray } from '../../ray.ts';
-import { UU } from './stage.ts';
+import type { Vec3 } from '../../vec3.ts';
+import {
+  type Algebra,
+  AT_A,
+  AT_B,
+  AT_C,
+  AT_D,
+  AT_OFF,
+  AT_SIZE,
+  createAlgebra,
+  createRoots,
+  lost,
+  putAlgebra,
+  putShort,
+  putSingle,
+  type Roots,
+  shortVerdict,
+} from './algebra.ts';
+import { sharpenC } from './near-surface.ts';
+import { type CertifiedSlot, FAITHFUL, UU } from './numbers.ts';
 
 /*
- * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles
- * are split without loss (eft.ts); p = E − C is two doubles exactly, so are c² and r². Only the
- * lower halves are rounded when they are added up, and their own small products left out:
+ * Both roots from A, b, C and D/4 = b² − AC of two doubles each (doubled.ts), as sums of two
+ * doubles. The errors, in u² = 2^-106, for any |δD| < D:
  *
- *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most
- *     of these; 1u² left out                                                                14u² Am
- *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out         23u² bm
- *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out
- *                                                                                           36u² Cm
- *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b,
- *     A, C: 14u² of b² + |AC|                                                            124u² AmCm
+ *   quantity         error                     reason
+ *   s = √D/4         4.1u², and |δD|/s         hi − s² exact, 2u of D, and D's lower half 3u²; the
+ *                                              quotient 1.5u²; what Newton's step leaves 1.1u²
+ *   q = −(b ± s)     9u², and (δb + δD/s)/|q|  with b's sign: lower halves 1.5u and u, their sums
+ *                                              4u²
+ *   t = q/A, C/q     9u²                       the rest is 2u and two lower halves, 4u in all
+ *                    12u²                      the quotient off by 2u, without the lower half
+ *                    26u² in all               with the sums of hitAt, 5u²
  *
- * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤
- * √(Am Cm). A product that leaves the doubles is off by ≤ 2^-1072, with what multiplies its lower
- * half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST_ALGEBRA
- * in A, b and C, and these 2^202 times in D (dy was let grow beyond any bound: tests/repro). What
- * is then divided is above 2^-968, where products are split without loss.
+ * A number hi + lo whose error is below u/4 of it is faithful as hi: FAITHFUL. t = q/A is the
+ * lesser root if A and q differ in sign. The doubles keep that order: with q² ≤ 2(b² + D) ≤ 6AmCm
+ * the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t =
+ * |q/A|. None is so small that its lower half is lost: D > SMALLEST_ALGEBRA_D makes |q/A| > 2^-535;
+ * |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and |C/q| > 2^-432
+ * √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
  */
-export const ERROR_A = 15 * UU;
-export const ERROR_B = 24 * UU;
-export const ERROR_C = 38 * UU;
-export const ERROR_D = 136 * UU;
-export const SMALLEST_ALGEBRA = 2 ** -872;
-export const SMALLEST_ALGEBRA_D = 2 ** -670;
-export const LARGE = 2 ** 200;
+
+/** No verdict. */
+export const UNKNOWN = -1;
+
+export const ROUNDED_Q = 10 * UU;
+export const QUOTIENT = 30 * UU;
 
 /**
- * A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN
- * where the bounds mean nothing.
+ * Where C's bound is a larger share of it, E is so near to the surface that C cancels beyond twice
+ * the digits.
  */
-export type Algebra = Float64Array;
+const SHARP = FAITHFUL / 2;
 
-/**
- * Each stage has one of its own, as each may have the ray in units of its own: one that they shared
- * was refilled in other units by a call between writing and reading (tests/repro).
- */
-export const createAlgebra = (): Algebra => new Float64Array(21);
+const formed = createAlgebra();
+const solved = createRoots();
 
-export const AT_A = 0;
-export const AT_B = 2;
-export const AT_C = 4;
-export const AT_D = 6;
-export const AT_OFF = 8;
-export const AT_P = 12;
-export const AT_FLARE = 18;
-export const AT_SIZE = 20;
+/** Where nothing rounds: any verdict and its roots; UNKNOWN elsewhere. */
+function shortRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  if (!putShort(q, ray, formed)) return UNKNOWN;
+  const verdict = shortVerdict(formed);
+  putSingle(formed, verdict, slot);
+  return verdict === TWO ? putBoth(slot) : verdict;
+}
 
-/** a·b − p for a = ah + al, b = bh + bl cut in halves (Dekker). */
-export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
-  al * bl - (p - ah * bh - al * bh - ah * bl);
+function putBoth(slot: RootSlot): number {
+  if (!putRoots(formed, solved)) return UNKNOWN;
+  // No root is −0.
+  slot.t0 = (solved[0] as number) + 0;
+  slot.t1 = (solved[3] as number) + 0;
+  return TWO;
+}
 
-/**
- * Puts A, b, C and D/4 of a ray into `algebra`. In one piece: a call that is not inlined boxes its
- * doubles.
- */
-export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): void {
-  const x = d[0];
-  const y = q.hasY ? d[1] : 0;
-  const z = d[2];
-  const ex = E[0];
-  const ey = q.hasY ? E[1] : 0;
-  const ez = E[2];
-  const cy = q.hasY ? q.Cy : 0;
-  const px = ex - q.Cx;
-  const py = ey - cy;
-  const pz = ez - q.Cz;
-  const pxl = sumError(ex, -q.Cx, px);
-  const pyl = sumError(ey, -cy, py);
-  const pzl = sumError(ez, -q.Cz, pz);
-  const a = q.squared ? q.flare * q.flare : q.flare;
-  const aLow = q.squared ? squareError(q.flare, a) : 0;
-  const rho = q.r * q.r;
-  const rhoLow = squareError(q.r, rho);
-  let big = SPLITTER * x;
-  const xh = big - (big - x);
-  const xl = x - xh;
-  big = SPLITTER * y;
-  const yh = big - (big - y);
-  const yl = y - yh;
-  big = SPLITTER * z;
-  const zh = big - (big - z);
-  const zl = z - zh;
-  big = SPLITTER * px;
-  const pxh = big - (big - px);
-  const pxm = px - pxh;
-  big = SPLITTER * py;
-  const pyh = big - (big - py);
-  const pym = py - pyh;
-  big = SPLITTER * pz;
-  const pzh = big - (big - pz);
-  const pzm = pz - pzh;
-  big = SPLITTER * a;
-  const ah = big - (big - a);
-  const al = a - ah;
-
-  const xx = x * x;
-  const yy = y * y;
-  const zz = z * z;
-  const ayy = a * yy;
-  big = SPLITTER * yy;
-  const yyh = big - (big - yy);
-  const round = xx + zz;
-  const A0 = round - ayy;
-  const A1 =
-    sumError(xx, zz, round) +
-    sumError(round, -ayy, A0) +
-    (lost(xh, xl, xh, xl, xx) + lost(zh, zl, zh, zl, zz)) -
-    (lost(ah, al, yyh, yy - yyh, ayy) + (a * lost(yh, yl, yh, yl, yy) + aLow * yy));
-  const Ah = A0 + A1;
-  const Al = sumError(A0, A1, Ah);
-
-  const xp = x * px;
-  const yp = y * py;
-  const zp = z * pz;
-  const ayp = a * yp;
-  big = SPLITTER * yp;
-  const yph = big - (big - yp);
-  const sum = xp + zp;
-  const b0 = sum - ayp;
-  const b1 =
-    sumError(xp, zp, sum) +
-    sumError(sum, -ayp, b0) +
-    (lost(xh, xl, pxh, pxm, xp) + x * pxl + (lost(zh, zl, pzh, pzm, zp) + z * pzl)) -
-    (lost(ah, al, yph, yp - yph, ayp) + (a * (lost(yh, yl, pyh, pym, yp) + y * pyl) + aLow * yp));
-  const bh = b0 + b1;
-  const bl = sumError(b0, b1, bh);
-
-  const pp = px * px;
-  const qq = py * py;
-  const rr = pz * pz;
-  const aqq = a * qq;
-  big = SPLITTER * qq;
-  const qqh = big - (big - qq);
-  const wide = pp + rr;
-  const less = wide - aqq;
-  const C0 = less - rho;
-  const C1 =
-    sumError(pp, rr, wide) +
-    sumError(wide, -aqq, less) +
-    sumError(less, -rho, C0) -
-    rhoLow +
-    (lost(pxh, pxm, pxh, pxm, pp) + 2 * px * pxl + (lost(pzh, pzm, pzh, pzm, rr) + 2 * pz * pzl)) -
-    (lost(ah, al, qqh, qq - qqh, aqq) +
-      (a * (lost(pyh, pym, pyh, pym, qq) + 2 * py * pyl) + aLow * qq));
-  const Ch = C0 + C1;
-  const Cl = sumError(C0, C1, Ch);
-
-  const bb = bh * bh;
-  const AC = Ah * Ch;
-  big = SPLITTER * Ah;
-  const Ahh = big - (big - Ah);
-  big = SPLITTER * Ch;
-  const Chh = big - (big - Ch);
-  big = SPLITTER * bh;
-  const bhh = big - (big - bh);
-  const D0 = bb - AC;
-  const D1 =
-    sumError(bb, -AC, D0) +
-    (lost(bhh, bh - bhh, bhh, bh - bhh, bb) + 2 * bh * bl) -
-    (lost(Ahh, Ah - Ahh, Chh, Ch - Chh, AC) + (Ah * Cl + Al * Ch));
-  const Dh = D0 + D1;
-  const size = Math.abs(a);
-  const Am = round + size * yy;
-  const Cm = wide + size * qq + rho;
-  algebra[AT_A] = Ah;
-  algebra[AT_A + 1] = Al;
-  algebra[AT_B] = bh;
-  algebra[AT_B + 1] = bl;
-  algebra[AT_C] = Ch;
-  algebra[AT_C + 1] = Cl;
-  algebra[AT_D] = Dh;
-  algebra[AT_D + 1] = sumError(D0, D1, Dh);
-  algebra[AT_OFF] = ERROR_A * Am + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 2] = ERROR_C * Cm + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_ALGEBRA_D;
-  algebra[AT_P] = px;
-  algebra[AT_P + 1] = pxl;
-  algebra[AT_P + 2] = py;
-  algebra[AT_P + 3] = pyl;
-  algebra[AT_P + 4] = pz;
-  algebra[AT_P + 5] = pzl;
-  algebra[AT_FLARE] = a;
-  algebra[AT_FLARE + 1] = aLow;
-  const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
-  const exactA = !q.squared || (yy < LARGE && qq < LARGE);
-  algebra[AT_SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
+/** The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. */
+export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  putAlgebra(q, ray, formed);
+  const D1 = formed[AT_D] as number;
+  const sure = (formed[AT_SIZE] as number) > 0 && Math.abs(D1) > (formed[AT_OFF + 3] as number);
+  if (!sure) return UNKNOWN;
+  if (D1 < 0) return NONE;
+  const near = !((formed[AT_OFF + 2] as number) <= SHARP * Math.abs(formed[AT_C] as number));
+  if (near) sharpenC(formed, q.r);
+  return putBoth(slot);
 }
 
 /**
- * t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra.
+ * The verdict and the correctly rounded roots of a ray, where the bounds say which double is
+ * nearest: hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
  */
-export type Roots = Float64Array;
-export const createRoots = (): Roots => new Float64Array(6);
+export function roundedRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+  const verdict = plainRoots(q, ray, slot);
+  if (verdict === NONE) slot.t0 = slot.t1 = Number.NaN;
+  if (verdict !== TWO) return verdict;
+  return isRounded(solved, 0) && isRounded(solved, 3) ? TWO : UNKNOWN;
+}
+
+function isRounded(solved: Roots, k: number): boolean {
+  const hi = solved[k] as number;
+  const lo = solved[k + 1] as number;
+  const off = (1 + UU) * (solved[k + 2] as number);
+  return hi !== 0 && hi + (lo + off) === hi && hi + (lo - off) === hi;
+}
+
+/** Not where a root has vanished below the doubles, and its bound with it. */
+const isFaithful = (solved: Roots, k: number): boolean =>
+  (solved[k + 2] as number) < FAITHFUL * Math.abs(solved[k] as number);
+
+/**
+ * Puts both roots of `algebra`, whose AT_SIZE says that its numbers are finite; false where one of
+ * them is not known to be faithful.
+ */
+export function putRoots(formed: Algebra, solved: Roots): boolean {
+  const D1 = formed[AT_D] as number;
+  const s = Math.sqrt(D1);
+  const ss = s * s;
+  const sl = (D1 - ss - squareError(s, ss) + (formed[AT_D + 1] as number)) / (2 * s);
+  const b = formed[AT_B] as number;
+  const turn = b < 0 ? 1 : -1;
+  // q = −(b ± √D) with b's sign.
+  const q0 = -b + turn * s;
+  const q1 = sumError(-b, turn * s, q0) + (turn * sl - (formed[AT_B + 1] as number));
+  const qh = q0 + q1;
+  const ql = q1 - (qh - q0);
+  const offQ =
+    ((formed[AT_OFF + 1] as number) + (formed[AT_OFF + 3] as number) / s) / Math.abs(qh) +
+    ROUNDED_Q;
+  const A1 = formed[AT_A] as number;
+  const lower = A1 > 0 === qh < 0 ? 0 : 3;
+  quotient(
+    solved,
+    lower,
+    qh,
+    ql,
+    A1,
+    formed[AT_A + 1] as number,
+    offQ + (formed[AT_OFF] as number) / Math.abs(A1) + QUOTIENT,
+  );
+  const C1 = formed[AT_C] as number;
+  const zero = (formed[AT_OFF + 2] as number) === 0;
+  const offC = zero ? 0 : (formed[AT_OFF + 2] as number) / Math.abs(C1);
+  quotient(solved, 3 - lower, C1, formed[AT_C + 1] as number, qh, ql, offQ + offC + QUOTIENT);
+  return isFaithful(solved, lower) && (zero || isFaithful(solved, 3 - lower));
+}
+
+function quotient(
+  solved: Roots,
+  k: number,
+  n: number,
+  nl: number,
+  m: number,
+  ml: number,
+  off: number,
+): void {
+  const inverse = 1 / m;
+  const t = n * inverse;
+  const p = t * m;
+  let big = SPLITTER * t;
+  const th = big - (big - t);
+  big = SPLITTER * m;
+  const mh = big - (big - m);
+  const rest = n - p - lost(th, t - th, mh, m - mh, p) + (nl - t * ml);
+  const lo = rest * inverse;
+  const hi = t + lo;
+  solved[k] = hi;
+  solved[k + 1] = lo - (hi - t);
+  solved[k + 2] = off * Math.abs(hi);
+}
+
+/** max |d| and the largest length between 2^-40 and 2^40: a scale would change nothing. */
+export const ORDINARY = 2 ** 40;
+const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
+
+/**
+ * One ray that the filters left open; returns its verdict and fills the slot: twice the digits, the
+ * same in other units, whole numbers.
+ */
+export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
+  let verdict = shortRoots(q, ray, slot);
+  slot.exact = verdict !== UNKNOWN && (formed[AT_A] === 0 || formed[AT_D] === 0);
+  if (verdict !== UNKNOWN) return verdict;
+  verdict = plainRoots(q, ray, slot);
+  if (verdict === UNKNOWN) verdict = inUnits(q, ray, slot);
+  if (verdict !== UNKNOWN) return verdict;
+  slot.exact = true;
+  const { origin: E, direction: d } = ray;
+  return solveExactly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot);
+}
+
+const longest = (v: Vec3, hasY: boolean): number =>
+  Math.max(Math.abs(v[0]), hasY ? Math.abs(v[1]) : 0, Math.abs(v[2]));
+
+/**
+ * In powers of two as units, by which d and the lengths are about 1. UNKNOWN where a number would
+ * lose bits by that: E could seem to be on the surface then.
+ */
+function inUnits(q: Quadric, { origin: E, direction: d }: Ray, slot: RootSlot): number {
+  const { hasY } = q;
+  const speed = longest(d, hasY);
+  const length = Math.max(longest(E, hasY), longest([q.Cx, q.Cy, q.Cz], hasY), q.r);
+  if (speed === 0 || length === 0 || (ordinary(speed) && ordinary(length))) return UNKNOWN;
+  const k = exponentOf(speed);
+  const l = exponentOf(length);
+  let lossless = true;
+  const inUnit = (x: number, unit: number): number => {
+    const y = scale(x, -unit);
+    if (scale(y, unit) !== x) lossless = false;
+    return y;
+  };
+  const shape: Quadric = {
+    ...q,
+    Cx: inUnit(q.Cx, l),
+    Cy: hasY ? inUnit(q.Cy, l) : 0,
+    Cz: inUnit(q.Cz, l),
+    r: inUnit(q.r, l),
+  };
+  const origin: Vec3 = [inUnit(E[0], l), hasY ? inUnit(E[1], l) : 0, inUnit(E[2], l)];
+  const direction: Vec3 = [inUnit(d[0], k), hasY ? inUnit(d[1], k) : 0, inUnit(d[2], k)];
+  if (!lossless) return UNKNOWN;
+  const verdict = plainRoots(shape, { origin, direction }, slot);
+  if (verdict === TWO) {
+    // Rounding twice, to 53 bits and then into the subnormals, stays faithful: a neighbour in the
+    // coarser grid is one in the finer.
+    slot.t0 = scale(slot.t0, l - k);
+    slot.t1 = scale(slot.t1, l - k);
+  }
+  return verdict;
+}

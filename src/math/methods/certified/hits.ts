@@ -15,8 +15,8 @@ import {
   createRoots,
   lost,
   type Roots,
-} from './doubled.ts';
-import { FAITHFUL, U, UU } from './stage.ts';
+} from './algebra.ts';
+import { FAITHFUL, U, UU } from './numbers.ts';
 
 /*
  * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and
@@ -182,7 +182,7 @@ function putSquare(out: number, x: number): void {
 
 /**
  * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has
- * overflowed (stage.ts): η, δ and Δ would be 0, and E + t d would pass for the point. |F'| < ∞
+ * overflowed (FAITHFUL): η, δ and Δ would be 0, and E + t d would pass for the point. |F'| < ∞
  * also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN,
  * except that F/2h is 0 where 2h is ∞, and then F' is ∞ or NaN by 2h itself.
  */

@@ -7,8 +7,8 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { type Algebra, AT_C, AT_FLARE, AT_OFF, AT_P, ERROR_C } from './doubled.ts';
-import { UU } from './stage.ts';
+import { type Algebra, AT_C, AT_FLARE, AT_OFF, AT_P, ERROR_C } from './algebra.ts';
+import { UU } from './numbers.ts';
 
 /*
  * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the

@@ -12,8 +12,8 @@ import { solvePlanarExactly } from '../../batch/exact-planar.ts';
 import type { Planar } from '../../batch/planar.ts';
 import * as dd from '../../float/double-double.ts';
 import { sumError } from '../../float/eft.ts';
-import { BOX } from './quadric-numbers.ts';
 import {
+  BOX,
   type CertifiedSlot,
   certifiedSlot,
   FAITHFUL,
@@ -21,7 +21,7 @@ import {
   GRID_26,
   type OpenRays,
   U,
-} from './stage.ts';
+} from './numbers.ts';
 
 /*
  * Flat shapes. With p = E − P and m = d × p, where N·d ≠ 0:  t = −N·p / N·d and X − P = (m × N) /

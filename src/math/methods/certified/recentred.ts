@@ -1,8 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, SMALLEST_D } from './class.ts';
-import { AT_SCALED, BOX } from './quadric-numbers.ts';
-import { FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './stage.ts';
+import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './numbers.ts';
 
 /*
  * Rays that come from far away or graze the shape: both roots lie close together, so the origin is

@@ -1,8 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './class.ts';
-import { AT_SCALED, BOX } from './quadric-numbers.ts';
-import { FAITHFUL, GRID_25, GRID_26, GRID_P } from './stage.ts';
+import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P } from './numbers.ts';
 
 /*
  * The bounds of refined.ts: each root by a step from a rough one with all its 53 bits. That is

@@ -2,25 +2,79 @@ import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import {
   addressOf,
-  bytesOf,
+  BLOCK,
   CAPACITY,
+  GAP,
+  NUMBERS,
   part,
   type Run,
+  SCRATCH,
+  SCRATCH_BYTES,
   type SimdMemory,
 } from '../../batch/simd-memory.ts';
-import { CERTIFIED_SIMD } from './generated/certified-simd.ts';
+import type { CertifiedQuadric, OpenRays } from './numbers.ts';
 import type { FastRoots } from './quadric-kernel.ts';
-import type { CertifiedQuadric } from './quadric-numbers.ts';
-import { type Input, LATTICE_NUMBERS, PLACE, SCALED_NUMBERS } from './simd-layout.ts';
-import type { OpenRays } from './stage.ts';
+
+/*
+ * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers,
+ * and in the scratch lists of rays that a stage leaves to the next one and what parts of a kernel
+ * hand on. All in bytes.
+ */
 
 /**
- * Both roots by WebAssembly, two rays at a time: the stages of quadric-kernel.ts, compiled from the
- * same text, and so to the same bits. Throws what the engine throws where it does not run them.
+ * Rays that the passes over ordinary ones hand on, so that these numbers stay in the first cache.
  */
-export function createFastRoots(memory: SimdMemory): FastRoots {
+export const HANDED = 128;
+
+/** Where the constants of the ordinary rays' passes and of the stages after them begin. */
+export const LATTICE_NUMBERS = NUMBERS;
+export const SCALED_NUMBERS = NUMBERS + 512;
+
+export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
+export type Input = (typeof INPUTS)[number];
+
+/** The arrays whose addresses a kernel is given. */
+export const PARAMS = [...INPUTS, 't0', 't1'] as const;
+export type Param = (typeof PARAMS)[number];
+
+const LIST_BYTES = 4 * CAPACITY + GAP;
+
+/** Where each array begins. The lists hold the rays' indices, and have room for one more. */
+export const PLACE = {
+  Ex: BLOCK.Ex,
+  Ey: BLOCK.Ey,
+  Ez: BLOCK.Ez,
+  dx: BLOCK.dx,
+  dy: BLOCK.dy,
+  dz: BLOCK.dz,
+  t0: BLOCK.t0,
+  t1: BLOCK.t1,
+  doubtful: SCRATCH,
+  unsettled: SCRATCH + LIST_BYTES,
+  doubtfulBytes: SCRATCH + 2 * LIST_BYTES,
+} as const;
+
+const HANDED_START = PLACE.doubtfulBytes + 64;
+const HANDED_BYTES = 8 * HANDED + 64;
+const MOST_HANDED = Math.floor((SCRATCH + SCRATCH_BYTES - HANDED_START) / HANDED_BYTES);
+
+/**
+ * Where the value number n that a part hands on is kept, for each ray of a lot. Throws RangeError
+ * where there is no room for so many.
+ */
+export function handed(n: number): number {
+  if (!(n < MOST_HANDED)) throw new RangeError(`no room to hand on ${n + 1} values`);
+  return HANDED_START + n * HANDED_BYTES;
+}
+
+/**
+ * Both roots by WebAssembly, two rays at a time: `bytes` is the module that scripts/kernels
+ * compiles from the stages' own text, and so to the same bits (generated/certified-simd.ts).
+ * Throws what the engine throws where it does not run them.
+ */
+export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoots {
   const { buffer, block } = memory;
-  const exports = memory.load(bytesOf(CERTIFIED_SIMD));
+  const exports = memory.load(bytes);
   const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, CAPACITY + 1);
   const latticeNumbers = new Float64Array(
     buffer,

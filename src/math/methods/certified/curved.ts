@@ -3,7 +3,6 @@ import type { Quadric } from '../../batch/quadric.ts';
 import { productError, sumError } from '../../float/eft.ts';
 import type { CurvedDetails, Hit, Intersection, Sign } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { DIRECT_ERROR } from './class.ts';
 import {
   type Algebra,
   AT_A,
@@ -11,29 +10,54 @@ import {
   AT_C,
   AT_D,
   AT_FLARE,
+  AT_OFF,
   AT_P,
   AT_SIZE,
+  bottomOf,
   createAlgebra,
   createRoots,
-} from './doubled.ts';
-import { putRoots } from './doubled-roots.ts';
+  putAlgebra,
+  putShort,
+  putSingle,
+  shortVerdict,
+  topOf,
+  wholeRoot,
+} from './algebra.ts';
+import { DIRECT_ERROR } from './class.ts';
+import { putRoots } from './doubled.ts';
 import { hitAt } from './hits.ts';
-import { createFound, findRoots, T0, T1, VERDICT } from './one-ray.ts';
-import type { CertifiedQuadric } from './quadric-numbers.ts';
-import { bottomOf, putShort, putSingle, shortVerdict, topOf, wholeRoot } from './short-numbers.ts';
+import { type CertifiedQuadric, FAITHFUL } from './numbers.ts';
+import { createFound, findRoots, T0, T1, VERDICT } from './quadric-kernel.ts';
 
 /*
- * One ray against a curved shape where nothing rounds (short-numbers.ts), all that is asked in one
- * go. A root n/m with whole n and m ≤ 2^53 has the point (E m + d n)/m: two products with their
- * errors, ≤ 2^69 units, their sum exact as two doubles; the quotient by its remainder is off by
- * 3u², so that rounding it once is faithful, and it is 0 where the sum is. Other roots go by
- * hit-quadric.ts: no coordinate along which the line moves is 0 there.
+ * One ray against a curved shape, all that is asked in one go: class, A, B, C, D, roots, points and
+ * normals. First where nothing rounds, then by twice the digits. Both have the ray in its own
+ * units, in arrays of theirs: findRoots may go on to other units, with arrays of its own.
  */
 const algebra = createAlgebra();
 const roots = createRoots();
 const found = createFound();
 const slot = { t0: Number.NaN, t1: Number.NaN };
 const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
+
+function detailsOf(algebra: Algebra): CurvedDetails {
+  const at = (k: number): number => algebra[k] as number;
+  return {
+    family: 'curved',
+    A: at(AT_A),
+    B: 2 * at(AT_B),
+    C: at(AT_C),
+    D: 4 * at(AT_D),
+    signs: { A: signOf(at(AT_A)), B: signOf(at(AT_B)), C: signOf(at(AT_C)), D: signOf(at(AT_D)) },
+  };
+}
+
+/*
+ * Where nothing rounds (putShort). A root n/m with whole n and m ≤ 2^53 has the point
+ * (E m + d n)/m: two products with their errors, ≤ 2^69 units, their sum exact as two doubles; the
+ * quotient by its remainder is off by 3u², so that rounding it once is faithful, and it is 0 where
+ * the sum is. Other roots go by hitAt: no coordinate along which the line moves is 0 there.
+ */
 
 /** The whole answer, or null where a number is not short, or one of the answer's stays open. */
 export function shortQuadric(q: Quadric, c: CertifiedQuadric, ray: Ray): Intersection | null {
@@ -51,24 +75,12 @@ export function shortQuadric(q: Quadric, c: CertifiedQuadric, ray: Ray): Interse
   );
 }
 
-/** As plain-quadric.ts tells it; what no filter decides for any ray is exact. */
+/** As plainQuadric tells it; what no filter decides for any ray is exact. */
 function stageOf(verdict: number): Intersection['decidedBy'] {
   const single = verdict === ONE || verdict === TANGENT || verdict === CONTAINED;
   if (single || algebra[AT_A] === 0) return 'exact';
   const sure = Math.abs(algebra[AT_D] as number) > DIRECT_ERROR * (algebra[AT_SIZE] as number);
   return sure ? 'filter' : 'double-double';
-}
-
-function detailsOf(algebra: Algebra): CurvedDetails {
-  const at = (k: number): number => algebra[k] as number;
-  return {
-    family: 'curved',
-    A: at(AT_A),
-    B: 2 * at(AT_B),
-    C: at(AT_C),
-    D: 4 * at(AT_D),
-    signs: { A: signOf(at(AT_A)), B: signOf(at(AT_B)), C: signOf(at(AT_C)), D: signOf(at(AT_D)) },
-  };
 }
 
 function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit[] | null {
@@ -135,3 +147,35 @@ function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quot
 }
 
 type Quotient = readonly [n: number, m: number, t: number];
+
+/*
+ * By twice the digits: what grids.ts leaves open and these settle, grazing, far and odd rays. Null
+ * for the rest, which object.ts passes on. The errors: algebra.ts, doubled.ts.
+ *
+ * A and C are asked about by their roots. Where there are none, D = b² − AC < 0 says |AC| ≥ |D|: if
+ * D is faithful, with 136u² AmCm and SMALLEST_ALGEBRA_D, then A and C are, with less of Am and Cm
+ * and with SMALLEST_ALGEBRA, as both are below LARGE. And roots of a faithful D are so far apart
+ * that they keep their order.
+ */
+/** The whole answer, or null where one of its numbers stays open; `c` as for findRoots. */
+export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Intersection | null {
+  putAlgebra(q, ray, algebra);
+  const at = (k: number): number => algebra[k] as number;
+  const D1 = at(AT_D);
+  const faithful =
+    at(AT_OFF + 1) <= FAITHFUL * Math.abs(at(AT_B)) &&
+    at(AT_OFF + 3) <= FAITHFUL * Math.abs(D1) &&
+    at(AT_SIZE) > 0;
+  if (!faithful) return null;
+  const details = detailsOf(algebra);
+  // Where the filter of the batch kernels would have been sure, the lower halves were not needed
+  // for the class.
+  const decidedBy = Math.abs(D1) > DIRECT_ERROR * at(AT_SIZE) ? 'filter' : 'double-double';
+  if (D1 < 0) return { class: 'none', hits: [], method: 'certified', decidedBy, details };
+  if (!putRoots(algebra, roots)) return null;
+  findRoots(q, ray, found, c);
+  if (found[VERDICT] !== TWO) return null;
+  const near = hitAt(q, ray, algebra, roots, 0, found[T0] as number);
+  const far = near && hitAt(q, ray, algebra, roots, 3, found[T1] as number);
+  return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
+}

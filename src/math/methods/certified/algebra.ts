@@ -1,0 +1,290 @@
+import { CONTAINED, NONE, ONE, TANGENT, TWO } from '../../batch/batch.ts';
+import type { RootSlot } from '../../batch/exact-quadric.ts';
+import type { Quadric } from '../../batch/quadric.ts';
+import { productError, SPLITTER, squareError, sumError } from '../../float/eft.ts';
+import type { Ray } from '../../ray.ts';
+import { UU } from './numbers.ts';
+
+/*
+ * A, b = B/2, C and D/4 = b² − AC as sums of two doubles. u = 2^-53. Sums and products of doubles
+ * are split without loss (eft.ts); p = E − C is two doubles exactly, so are c² and r². Only the
+ * lower halves are rounded when they are added up, and their own small products left out:
+ *
+ *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most
+ *     of these; 1u² left out                                                                14u² Am
+ *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out         23u² bm
+ *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out
+ *                                                                                           36u² Cm
+ *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b,
+ *     A, C: 14u² of b² + |AC|                                                            124u² AmCm
+ *
+ * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤
+ * √(Am Cm). A product that leaves the doubles is off by ≤ 2^-1072, with what multiplies its lower
+ * half; that many times 2^200, by a, or if a = c² is what leaves them by y·y', are SMALLEST_ALGEBRA
+ * in A, b and C, and these 2^202 times in D (dy was let grow beyond any bound: tests/repro). What
+ * is then divided is above 2^-968, where products are split without loss.
+ */
+export const ERROR_A = 15 * UU;
+export const ERROR_B = 24 * UU;
+export const ERROR_C = 38 * UU;
+export const ERROR_D = 136 * UU;
+export const SMALLEST_ALGEBRA = 2 ** -872;
+export const SMALLEST_ALGEBRA_D = 2 ** -670;
+export const LARGE = 2 ** 200;
+
+/**
+ * A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN
+ * where the bounds mean nothing.
+ */
+export type Algebra = Float64Array;
+
+/**
+ * Each stage has one of its own, as each may have the ray in units of its own: one that they shared
+ * was refilled in other units by a call between writing and reading (tests/repro).
+ */
+export const createAlgebra = (): Algebra => new Float64Array(21);
+
+export const AT_A = 0;
+export const AT_B = 2;
+export const AT_C = 4;
+export const AT_D = 6;
+export const AT_OFF = 8;
+export const AT_P = 12;
+export const AT_FLARE = 18;
+export const AT_SIZE = 20;
+
+/** a·b − p for a = ah + al, b = bh + bl cut in halves (Dekker). */
+export const lost = (ah: number, al: number, bh: number, bl: number, p: number): number =>
+  al * bl - (p - ah * bh - al * bh - ah * bl);
+
+/**
+ * Puts A, b, C and D/4 of a ray into `algebra`. In one piece: a call that is not inlined boxes its
+ * doubles.
+ */
+export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): void {
+  const x = d[0];
+  const y = q.hasY ? d[1] : 0;
+  const z = d[2];
+  const ex = E[0];
+  const ey = q.hasY ? E[1] : 0;
+  const ez = E[2];
+  const cy = q.hasY ? q.Cy : 0;
+  const px = ex - q.Cx;
+  const py = ey - cy;
+  const pz = ez - q.Cz;
+  const pxl = sumError(ex, -q.Cx, px);
+  const pyl = sumError(ey, -cy, py);
+  const pzl = sumError(ez, -q.Cz, pz);
+  const a = q.squared ? q.flare * q.flare : q.flare;
+  const aLow = q.squared ? squareError(q.flare, a) : 0;
+  const rho = q.r * q.r;
+  const rhoLow = squareError(q.r, rho);
+  let big = SPLITTER * x;
+  const xh = big - (big - x);
+  const xl = x - xh;
+  big = SPLITTER * y;
+  const yh = big - (big - y);
+  const yl = y - yh;
+  big = SPLITTER * z;
+  const zh = big - (big - z);
+  const zl = z - zh;
+  big = SPLITTER * px;
+  const pxh = big - (big - px);
+  const pxm = px - pxh;
+  big = SPLITTER * py;
+  const pyh = big - (big - py);
+  const pym = py - pyh;
+  big = SPLITTER * pz;
+  const pzh = big - (big - pz);
+  const pzm = pz - pzh;
+  big = SPLITTER * a;
+  const ah = big - (big - a);
+  const al = a - ah;
+
+  const xx = x * x;
+  const yy = y * y;
+  const zz = z * z;
+  const ayy = a * yy;
+  big = SPLITTER * yy;
+  const yyh = big - (big - yy);
+  const round = xx + zz;
+  const A0 = round - ayy;
+  const A1 =
+    sumError(xx, zz, round) +
+    sumError(round, -ayy, A0) +
+    (lost(xh, xl, xh, xl, xx) + lost(zh, zl, zh, zl, zz)) -
+    (lost(ah, al, yyh, yy - yyh, ayy) + (a * lost(yh, yl, yh, yl, yy) + aLow * yy));
+  const Ah = A0 + A1;
+  const Al = sumError(A0, A1, Ah);
+
+  const xp = x * px;
+  const yp = y * py;
+  const zp = z * pz;
+  const ayp = a * yp;
+  big = SPLITTER * yp;
+  const yph = big - (big - yp);
+  const sum = xp + zp;
+  const b0 = sum - ayp;
+  const b1 =
+    sumError(xp, zp, sum) +
+    sumError(sum, -ayp, b0) +
+    (lost(xh, xl, pxh, pxm, xp) + x * pxl + (lost(zh, zl, pzh, pzm, zp) + z * pzl)) -
+    (lost(ah, al, yph, yp - yph, ayp) + (a * (lost(yh, yl, pyh, pym, yp) + y * pyl) + aLow * yp));
+  const bh = b0 + b1;
+  const bl = sumError(b0, b1, bh);
+
+  const pp = px * px;
+  const qq = py * py;
+  const rr = pz * pz;
+  const aqq = a * qq;
+  big = SPLITTER * qq;
+  const qqh = big - (big - qq);
+  const wide = pp + rr;
+  const less = wide - aqq;
+  const C0 = less - rho;
+  const C1 =
+    sumError(pp, rr, wide) +
+    sumError(wide, -aqq, less) +
+    sumError(less, -rho, C0) -
+    rhoLow +
+    (lost(pxh, pxm, pxh, pxm, pp) + 2 * px * pxl + (lost(pzh, pzm, pzh, pzm, rr) + 2 * pz * pzl)) -
+    (lost(ah, al, qqh, qq - qqh, aqq) +
+      (a * (lost(pyh, pym, pyh, pym, qq) + 2 * py * pyl) + aLow * qq));
+  const Ch = C0 + C1;
+  const Cl = sumError(C0, C1, Ch);
+
+  const bb = bh * bh;
+  const AC = Ah * Ch;
+  big = SPLITTER * Ah;
+  const Ahh = big - (big - Ah);
+  big = SPLITTER * Ch;
+  const Chh = big - (big - Ch);
+  big = SPLITTER * bh;
+  const bhh = big - (big - bh);
+  const D0 = bb - AC;
+  const D1 =
+    sumError(bb, -AC, D0) +
+    (lost(bhh, bh - bhh, bhh, bh - bhh, bb) + 2 * bh * bl) -
+    (lost(Ahh, Ah - Ahh, Chh, Ch - Chh, AC) + (Ah * Cl + Al * Ch));
+  const Dh = D0 + D1;
+  const size = Math.abs(a);
+  const Am = round + size * yy;
+  const Cm = wide + size * qq + rho;
+  algebra[AT_A] = Ah;
+  algebra[AT_A + 1] = Al;
+  algebra[AT_B] = bh;
+  algebra[AT_B + 1] = bl;
+  algebra[AT_C] = Ch;
+  algebra[AT_C + 1] = Cl;
+  algebra[AT_D] = Dh;
+  algebra[AT_D + 1] = sumError(D0, D1, Dh);
+  algebra[AT_OFF] = ERROR_A * Am + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 2] = ERROR_C * Cm + SMALLEST_ALGEBRA;
+  algebra[AT_OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_ALGEBRA_D;
+  algebra[AT_P] = px;
+  algebra[AT_P + 1] = pxl;
+  algebra[AT_P + 2] = py;
+  algebra[AT_P + 3] = pyl;
+  algebra[AT_P + 4] = pz;
+  algebra[AT_P + 5] = pzl;
+  algebra[AT_FLARE] = a;
+  algebra[AT_FLARE + 1] = aLow;
+  const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
+  const exactA = !q.squared || (yy < LARGE && qq < LARGE);
+  algebra[AT_SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
+}
+
+/**
+ * t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra.
+ */
+export type Roots = Float64Array;
+export const createRoots = (): Roots => new Float64Array(6);
+
+/*
+ * Numbers that people type: whole multiples of 2^-8, none above 2^8, so 16 bits of units and a
+ * sign; a = c² likewise. Nothing rounds then:
+ *
+ *   p = E − C         17 bits of 2^-8
+ *   A, b, C           terms of ≤ 2^(16 + 2·17) units of 2^-24, four of them at most: ≤ 2^52
+ *   b², AC            ≤ 2^104 of 2^-48, each a double and an error ≤ 2^51, which is whole
+ *   D/4 = b² − AC     the difference, and what it and the products lost: ≤ 3·2^51, whole, exact
+ *
+ * So zeros, tangents and ties are decided here, and not by whole numbers of any length.
+ */
+export const ON_GRID = 1.5 * 2 ** 44;
+const LONGEST = 2 ** 8;
+
+const isShort = (x: number): boolean =>
+  x + ON_GRID - ON_GRID === x && x <= LONGEST && x >= -LONGEST;
+
+/**
+ * Puts A, b, C and D/4 of a ray into `algebra`, with no error; false where a number is not short.
+ */
+export function putShort(q: Quadric, { origin: E, direction: d }: Ray, algebra: Algebra): boolean {
+  const x = d[0];
+  const z = d[2];
+  if (!(isShort(x) && isShort(z) && isShort(E[0]) && isShort(E[2]))) return false;
+  if (!(isShort(E[1]) && isShort(d[1]) && isShort(q.Cx) && isShort(q.Cz))) return false;
+  if (!(isShort(q.r) && isShort(q.flare))) return false;
+  const a = q.squared ? q.flare * q.flare : q.flare;
+  if (!isShort(a) || !(q.hasY ? isShort(q.Cy) : true)) return false;
+  const y = q.hasY ? d[1] : 0;
+  const px = E[0] - q.Cx;
+  const py = q.hasY ? E[1] - q.Cy : 0;
+  const pz = E[2] - q.Cz;
+  const A0 = x * x + z * z - a * (y * y) + 0;
+  const b = x * px + z * pz - a * (y * py) + 0;
+  const C0 = px * px + pz * pz - a * (py * py) - q.r * q.r + 0;
+  const bb = b * b;
+  const AC = A0 * C0;
+  const D0 = bb - AC;
+  const D1 = sumError(bb, -AC, D0) + (squareError(b, bb) - productError(A0, C0, AC));
+  const Dh = D0 + D1 + 0;
+  algebra.fill(0);
+  algebra[AT_A] = A0;
+  algebra[AT_B] = b;
+  algebra[AT_C] = C0;
+  algebra[AT_D] = Dh;
+  algebra[AT_D + 1] = sumError(D0, D1, Dh);
+  algebra[AT_P] = px;
+  algebra[AT_P + 2] = py;
+  algebra[AT_P + 4] = pz;
+  algebra[AT_FLARE] = a;
+  const size = Math.abs(a);
+  algebra[AT_SIZE] =
+    (x * x + z * z + size * y * y) * (px * px + pz * pz + size * py * py + q.r * q.r);
+  return true;
+}
+
+/** The verdict that the signs in `algebra` tell. */
+export function shortVerdict(algebra: Algebra): number {
+  const D1 = algebra[AT_D] as number;
+  if (algebra[AT_A] === 0) {
+    if (algebra[AT_B] !== 0) return ONE;
+    return algebra[AT_C] === 0 ? CONTAINED : NONE;
+  }
+  if (D1 === 0) return TANGENT;
+  return D1 < 0 ? NONE : TWO;
+}
+
+/** The single root is n/m exactly, rounded once. */
+export const topOf = (algebra: Algebra, verdict: number): number =>
+  verdict === ONE ? -(algebra[AT_C] as number) : -(algebra[AT_B] as number);
+export const bottomOf = (algebra: Algebra, verdict: number): number =>
+  verdict === ONE ? 2 * (algebra[AT_B] as number) : (algebra[AT_A] as number);
+
+/** Puts the only root, or none; `TWO` is left to putRoots. */
+export function putSingle(algebra: Algebra, verdict: number, slot: RootSlot): void {
+  const has = verdict === ONE || verdict === TANGENT;
+  slot.t0 = has ? topOf(algebra, verdict) / bottomOf(algebra, verdict) + 0 : Number.NaN;
+  slot.t1 = Number.NaN;
+}
+
+/** D/4's root if that is a double, which makes both roots quotients of whole numbers; else NaN. */
+export function wholeRoot(algebra: Algebra): number {
+  const s = Math.sqrt(algebra[AT_D] as number);
+  const ss = s * s;
+  const exact = ss === algebra[AT_D] && squareError(s, ss) === algebra[AT_D + 1];
+  return exact ? s : Number.NaN;
+}
