@@ -28,7 +28,8 @@ export function stepLine(front: readonly Priced[], { right, bottom }: Field): Te
   if (!first || !last) return svg``;
   const corners = steps(front).map(([x, y]) => `L${px(x)},${px(y)}`);
   const line = `M${px(first.cost)},${bottom}${corners.join('')}L${right},${px(last.worth)}`;
-  return svg`<path class="plot-reach" d=${`${line}L${right},${bottom}Z`}></path><path class="plot-step" d=${line}></path>`;
+  return svg`<path class="plot-reach" d=${`${line}L${right},${bottom}Z`}></path>
+    <path class="plot-step" d=${line}></path>`;
 }
 
 /** A method's mark: filled on the frontier, with a ring where it is chosen. */
@@ -51,8 +52,13 @@ export function markOf(
       @click=${() => choose(mark.id)} @keydown=${key}>
     <circle class="plot-touch" r="14"></circle>
     ${chosen ? svg`<circle class="plot-ring" r=${11 * scale}></circle>` : ''}
-    ${mark.isFaint ? svg`<line class="plot-reference" y1=${-12 * scale} y2=${12 * scale}></line>` : ''}
-    <circle class=${mark.isFaint ? 'plot-dot faint' : isBest ? 'plot-dot full' : 'plot-dot'} r=${(chosen ? 6.5 : 5) * scale}></circle>
+    ${
+      mark.isFaint
+        ? svg`<line class="plot-reference" y1=${-12 * scale} y2=${12 * scale}></line>`
+        : ''
+    }
+    <circle class=${mark.isFaint ? 'plot-dot faint' : isBest ? 'plot-dot full' : 'plot-dot'}
+      r=${(chosen ? 6.5 : 5) * scale}></circle>
     <circle class="plot-focus" r=${(chosen ? 14 : 10) * scale}></circle>
   </g>`;
 }

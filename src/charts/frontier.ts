@@ -75,7 +75,8 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   const note = noteBox(model.worthTitle, field);
   const ratios = costTicks(x, 1, field);
   const times = unit === null ? [] : costTicks(x, unit, field);
-  return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group" aria-label=${`${model.worthTitle} against ${model.costTitle}`}>
+  return html`<svg class="plot-svg" width=${field.width} height=${field.height} role="group"
+    aria-label=${`${model.worthTitle} against ${model.costTitle}`}>
     ${axes(
       field,
       { ticks: ratios, title: `${model.costTitle} →`, grid: gridByUnit ? times : ratios },
@@ -84,12 +85,21 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
         title: model.worthTitle,
       },
     )}
-    ${times.map(({ at, label }) => svg`<text class="plot-tick" text-anchor="middle" x=${px(at)} y=${px(field.bottom + 2.8 * field.em)}>${label}</text>`)}
+    ${times.map(
+      ({ at, label }) => svg`<text class="plot-tick" text-anchor="middle" x=${px(at)}
+      y=${px(field.bottom + 2.8 * field.em)}>${label}</text>`,
+    )}
     ${stepLine(line, field)}
     <text class="plot-name quiet" x=${px(note.left)} y=${px(note.top + field.em)}>${NOTE}</text>
-    ${spots.map(({ mark, y: cy }) => svg`<line class="plot-whisker" x1=${px(x(mark.cost.least))} x2=${px(x(mark.cost.most))} y1=${px(cy)} y2=${px(cy)}></line>`)}
+    ${spots.map(({ mark, y: cy }) => {
+      const [x1, x2] = [px(x(mark.cost.least)), px(x(mark.cost.most))];
+      return svg`<line class="plot-whisker" x1=${x1} x2=${x2} y1=${px(cy)} y2=${px(cy)}></line>`;
+    })}
     ${names(ordered, chosen, field, [note, ...lineBoxes(line, field)])}
-    ${[...ordered].reverse().map(({ mark, x: cx, y: cy }) => markOf(mark, cx, cy, best.has(mark.id), mark.id === chosen, field.mark, choose))}
+    ${[...ordered].reverse().map(({ mark, x: cx, y: cy }) => {
+      const isChosen = mark.id === chosen;
+      return markOf(mark, cx, cy, best.has(mark.id), isChosen, field.mark, choose);
+    })}
   </svg>`;
 }
 

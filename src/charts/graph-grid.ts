@@ -16,13 +16,23 @@ export function grid(scales: Scales, id: string): TemplateResult {
   const { left, right, top, bottom } = frame;
   const zero = coordinate(clamp(x(0), left, right));
   const showsZero = x(0) >= left && x(0) <= right;
+  const nick = coordinate(NICK * frame.em);
   return svg`
-    <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${coordinate(zero - left)} height=${bottom - top}></rect>
-    <path class="graph-grid" d=${scales.fTicks.map(({ at }) => `M${left},${coordinate(at)}H${right}`).join('')}></path>
-    <path class="graph-nick" d=${scales.tTicks.map(({ at }) => `M${coordinate(at)},${bottom}v${coordinate(NICK * frame.em)}`).join('')}></path>
-    ${scales.fTicks.map((tick) => fTick(tick, frame))}${scales.tTicks.map((tick) => tTick(tick, frame))}
+    <rect fill="url(#${id}-hatch)" x=${left} y=${top} width=${coordinate(zero - left)}
+      height=${bottom - top}></rect>
+    <path class="graph-grid"
+      d=${scales.fTicks.map(({ at }) => `M${left},${coordinate(at)}H${right}`).join('')}></path>
+    <path class="graph-nick"
+      d=${scales.tTicks.map(({ at }) => `M${coordinate(at)},${bottom}v${nick}`).join('')}></path>
+    ${scales.fTicks.map((tick) => fTick(tick, frame))}
+    ${scales.tTicks.map((tick) => tTick(tick, frame))}
     ${names(scales)}
-    ${showsZero ? svg`<line class="graph-zero" data-symbol="E" x1=${zero} x2=${zero} y1=${top} y2=${bottom}></line>` : ''}`;
+    ${
+      showsZero
+        ? svg`<line class="graph-zero" data-symbol="E" x1=${zero} x2=${zero}
+            y1=${top} y2=${bottom}></line>`
+        : ''
+    }`;
 }
 
 function fTick({ at, label }: Tick, { left, top, em }: Frame): TemplateResult | string {
@@ -30,7 +40,8 @@ function fTick({ at, label }: Tick, { left, top, em }: Frame): TemplateResult | 
   // The highest label would touch the name of the axis.
   return y < top + 0.5 * em
     ? ''
-    : svg`<text class="graph-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(y + 0.35 * em)}>${label}</text>`;
+    : svg`<text class="graph-tick" text-anchor="end" x=${coordinate(left - ASIDE * em)}
+      y=${coordinate(y + 0.35 * em)}>${label}</text>`;
 }
 
 function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResult | string {
@@ -38,7 +49,8 @@ function tTick({ at, label }: Tick, { width, bottom, em }: Frame): TemplateResul
   const half = (label.length * LETTER * em) / 2;
   // A label at an end must neither cover the name t nor leave the graph.
   return at - half > 2 * em && at + half < width
-    ? svg`<text class="graph-tick" text-anchor="middle" x=${x} y=${coordinate(bottom + UNDER * em)}>${label}</text>`
+    ? svg`<text class="graph-tick" text-anchor="middle" x=${x}
+      y=${coordinate(bottom + UNDER * em)}>${label}</text>`
     : '';
 }
 
@@ -47,10 +59,12 @@ function names({ frame: { left, top, bottom, em }, power }: Scales): TemplateRes
   const common =
     power === 0
       ? ''
-      : svg`<text class="graph-tick graph-power" text-anchor="end" x=${coordinate(left - 0.2 * em)} y=${coordinate(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
+      : svg`<text class="graph-tick graph-power" text-anchor="end" x=${coordinate(left - 0.2 * em)}
+        y=${coordinate(bottom - 0.1 * em)}>×10${superscript(power)}</text>`;
   return svg`${common}
     <text class="graph-var" x=${coordinate(1.2 * em)} y=${coordinate(bottom + UNDER * em)}>𝑡</text>
-    <text class="graph-var" text-anchor="end" x=${coordinate(left - ASIDE * em)} y=${coordinate(top - 0.45 * em)}>𝑓(𝑡)</text>`;
+    <text class="graph-var" text-anchor="end" x=${coordinate(left - ASIDE * em)}
+      y=${coordinate(top - 0.45 * em)}>𝑓(𝑡)</text>`;
 }
 
 /** Patterns and clips that the layers refer to. */
@@ -59,10 +73,13 @@ export function definitions(scales: Scales, id: string): TemplateResult {
   const y = coordinate(clamp(scales.y(0), top, bottom));
   const width = right - left;
   return svg`<defs>
-    <pattern id="${id}-hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+    <pattern id="${id}-hatch" width="7" height="7" patternUnits="userSpaceOnUse"
+      patternTransform="rotate(45)">
       <line class="graph-hatch" x1="0.5" x2="0.5" y1="0" y2="7"></line>
     </pattern>
-    <clipPath id="${id}-plot"><rect x=${left} y=${top} width=${width} height=${bottom - top}></rect></clipPath>
-    <clipPath id="${id}-below"><rect x=${left} y=${y} width=${width} height=${bottom - y}></rect></clipPath>
+    <clipPath id="${id}-plot"><rect x=${left} y=${top} width=${width}
+      height=${bottom - top}></rect></clipPath>
+    <clipPath id="${id}-below"><rect x=${left} y=${y} width=${width}
+      height=${bottom - y}></rect></clipPath>
   </defs>`;
 }

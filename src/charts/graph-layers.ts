@@ -30,7 +30,8 @@ export function words(model: GraphModel, scales: Scales): TemplateResult {
     .filter(({ from, to, place }) => to - from > ((place ?? '').length * LETTER + 0.4) * em)
     .map(
       ({ from, to, place }) =>
-        svg`<text class="graph-word" text-anchor="middle" x=${coordinate((from + to) / 2)} y=${y}>${place ?? ''}</text>`,
+        svg`<text class="graph-word" text-anchor="middle" x=${coordinate((from + to) / 2)}
+          y=${y}>${place ?? ''}</text>`,
     )}`;
 }
 
@@ -43,9 +44,11 @@ function visible({ stretches }: GraphModel, { frame, x }: Scales) {
 
 /** The region where f < 0, and the graph. */
 export function area(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
-  return svg`<path class="graph-area" clip-path="url(#${id}-below)" d=${areaPath(parabola, frame)}></path>`;
+  return svg`<path class="graph-area" clip-path="url(#${id}-below)"
+    d=${areaPath(parabola, frame)}></path>`;
 }
 
 export function curve(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
-  return svg`<path class="graph-curve" data-symbol="f" clip-path="url(#${id}-plot)" d=${curvePath(parabola, frame)}></path>`;
+  return svg`<path class="graph-curve" data-symbol="f" clip-path="url(#${id}-plot)"
+    d=${curvePath(parabola, frame)}></path>`;
 }

@@ -58,23 +58,27 @@ export function axes(
 ): TemplateResult {
   const { left, right, top, bottom, em } = field;
   return svg`<g class="plot-axes">
-    ${(x.grid ?? x.ticks).map(({ at }) => svg`<line class="plot-grid" x1=${px(at)} x2=${px(at)} y1=${top} y2=${bottom}></line>`)}
+    ${(x.grid ?? x.ticks).map(
+      ({ at }) =>
+        svg`<line class="plot-grid" x1=${px(at)} x2=${px(at)} y1=${top} y2=${bottom}></line>`,
+    )}
     ${y.ticks.map(
       ({
         at,
         label,
       }) => svg`<line class="plot-grid" x1=${left} x2=${right} y1=${px(at)} y2=${px(at)}></line>
-      <text class="plot-tick" text-anchor="end" x=${px(left - 0.7 * em)} y=${px(at + 0.35 * em)}>${label}</text>`,
+      <text class="plot-tick" text-anchor="end" x=${px(left - 0.7 * em)}
+        y=${px(at + 0.35 * em)}>${label}</text>`,
     )}
     <line class="plot-axis" x1=${left} x2=${right} y1=${bottom} y2=${bottom}></line>
     ${x.ticks.map(
-      ({
-        at,
-        label,
-      }) => svg`<line class="plot-nick" x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 6}></line>
-      <text class="plot-tick" text-anchor="middle" x=${px(at)} y=${px(bottom + 1.5 * em)}>${label}</text>`,
+      ({ at, label }) => svg`<line class="plot-nick"
+        x1=${px(at)} x2=${px(at)} y1=${bottom} y2=${bottom + 6}></line>
+      <text class="plot-tick" text-anchor="middle" x=${px(at)}
+        y=${px(bottom + 1.5 * em)}>${label}</text>`,
     )}
-    <text class="plot-title" text-anchor="end" x=${right} y=${px(field.height - 0.6 * em)}>${x.title}</text>
+    <text class="plot-title" text-anchor="end" x=${right}
+      y=${px(field.height - 0.6 * em)}>${x.title}</text>
     <text class="plot-title" x="0" y=${px(0.9 * em)}>${y.title}</text>
   </g>`;
 }
@@ -89,6 +93,11 @@ export function nameAt(
 ): TemplateResult {
   const nearX = Math.max(left, Math.min(mark.x, left + width));
   const nearY = Math.max(top, Math.min(mark.y, top + height));
-  return svg`${led ? svg`<line class="plot-leader" x1=${px(mark.x)} y1=${px(mark.y)} x2=${px(nearX)} y2=${px(nearY)}></line>` : ''}
+  return svg`${
+    led
+      ? svg`<line class="plot-leader" x1=${px(mark.x)} y1=${px(mark.y)}
+          x2=${px(nearX)} y2=${px(nearY)}></line>`
+      : ''
+  }
     <text class=${`plot-name ${cls}`} x=${px(left + 2)} y=${px(top + 0.98 * em)}>${text}</text>`;
 }

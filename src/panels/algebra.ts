@@ -46,10 +46,14 @@ export function algebra(
 ): TemplateResult {
   const { derivation, title, shown, found, exactly } = model;
   const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
+  const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
+  const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
-      <p class="lead"><span class="words">Put the ray into the ${title}:</span> ${formula(mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`)}</p>
-      <button type="button" class="derive" aria-haspopup="dialog" title="Where these lines come from, step by step (d)" @click=${derive}>derive</button>
+      <p class="lead"><span class="words">Put the ray into the ${title}:</span>
+        ${formula(equation)}</p>
+      <button type="button" class="derive" aria-haspopup="dialog"
+        title="Where these lines come from, step by step (d)" @click=${derive}>derive</button>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">
@@ -72,7 +76,8 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
     <select @change=${pick} .value=${state.method}>
       ${METHODS.map(
         ({ id, title, idea }) =>
-          html`<option value=${id} title=${idea} ?selected=${id === state.method}>${title}</option>`,
+          html`<option value=${id} title=${idea}
+            ?selected=${id === state.method}>${title}</option>`,
       )}
     </select></label>`,
   );
@@ -88,7 +93,9 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
   const sign = line?.isFaithful === false ? '≈' : '=';
   const look = line?.long ? 'stacked wide' : stacked ? 'stacked' : 'inline';
   return html`<div class="step ${look}" data-step=${id}>
-    <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${letter ? formula(typesetSymbols(letter)) : nothing}</span>
+    <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
+      letter ? formula(typesetSymbols(letter)) : nothing
+    }</span>
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
       <span class="in-symbols">${symbols}</span>
@@ -135,7 +142,8 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
   const { numbers } = derivation;
   const put = chosen(step, derivation, found, exactly);
   if (put === null) {
-    const content = html`<span class="in-numbers words">a number of it is beyond the doubles</span>`;
+    const words = 'a number of it is beyond the doubles';
+    const content = html`<span class="in-numbers words">${words}</span>`;
     return { content, below: id === 'D', long: false, isFaithful: true };
   }
   const { digits, isFaithful, room } = put;
@@ -147,7 +155,10 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
         numbers,
         digits,
       ).map((m) => html`${formula(m)} `)}</span>`
-    : html`<span class="in-numbers">${formula(typesetNumbers(expr, numbers, { worked, digits }), id === 't')}</span>`;
+    : html`<span class="in-numbers">${formula(
+        typesetNumbers(expr, numbers, { worked, digits }),
+        id === 't',
+      )}</span>`;
   return { content, below, long, isFaithful };
 }
 
@@ -161,7 +172,10 @@ function result(
   exactly: Exactly,
 ): TemplateResult {
   const { text, beside } = shownResult(id, x, found, exactly);
-  return html`<span class="result" data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, x, { text })}${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
+  return html`<span class="result"
+    data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, x, { text })}${
+      beside ? html`<span class="beside">${beside}</span>` : nothing
+    }</span>`;
 }
 
 /** Two in a line where the numbers are short enough. */
@@ -196,11 +210,25 @@ function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { relations, pieces } = verdict;
   const roots = rootTexts(exactly.found.hits.map(({ t }) => t));
   const at = roots.map((text, i) => `, t${subscript(i + 1)} = ${text}`).join('');
+  const stored = asTyped.differs ? ' on the stored numbers' : '';
   return html`<p class="verdict">
-    <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) => comparison(relation, i, derivation))}
+    <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) =>
+      comparison(relation, i, derivation),
+    )}
     <strong>${pieces.map(said)}</strong></span>
-    ${contradicted ? html`<span class="contradicted">exact arithmetic${asTyped.differs ? ' on the stored numbers' : ''} says: ${contradicted}${at}${near ? `; ${near.text}` : ''}</span>` : nothing}
-    ${find ? html`<button type="button" class="touch" title=${near.reason} @click=${() => dispatch({ type: 'tangent', find })}>Make it exactly tangent</button>` : nothing}
+    ${
+      contradicted
+        ? html`<span class="contradicted">exact arithmetic${stored} says: ${contradicted}${at}${
+            near ? `; ${near.text}` : ''
+          }</span>`
+        : nothing
+    }
+    ${
+      find
+        ? html`<button type="button" class="touch" title=${near.reason}
+            @click=${() => dispatch({ type: 'tangent', find })}>Make it exactly tangent</button>`
+        : nothing
+    }
   </p>
   ${typedWords(asTyped)}`;
 }
@@ -215,7 +243,10 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
   return html`<p class="as-typed">
     ${
       differs
-        ? html`As typed: <strong data-quantity="typed.class" data-value=${differs.class}>${pieces(differs.typed, 'typed')}</strong>. As stored (${differs.because}): ${pieces(differs.stored, 'stored')}.`
+        ? html`As typed: <strong data-quantity="typed.class" data-value=${differs.class}>${pieces(
+            differs.typed,
+            'typed',
+          )}</strong>. As stored (${differs.because}): ${pieces(differs.stored, 'stored')}.`
         : nothing
     }
     ${notes.join(' ')}
@@ -226,7 +257,8 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
 function heights({ state, title, ray, found }: ExploreModel): TemplateResult | typeof nothing {
   const { between } = state;
   if (!between) return nothing;
-  return html`<p class="kept-between" role="note">${heightsLine(title, between, ray, found.hits)}</p>`;
+  return html`<p class="kept-between"
+    role="note">${heightsLine(title, between, ray, found.hits)}</p>`;
 }
 
 const said = (piece: Piece): TemplateResult | string =>
@@ -244,5 +276,6 @@ function comparison(
 ): TemplateResult {
   const step = steps.find(({ id }) => id === left);
   const side = typesetSymbols(step?.letter ?? step?.expr ?? scalar(left));
-  return html`${i > 0 ? ', ' : nothing}${formula(mathml`${side}<mo>${relation}</mo><mn>${right}</mn>`)}`;
+  const line = mathml`${side}<mo>${relation}</mo><mn>${right}</mn>`;
+  return html`${i > 0 ? ', ' : nothing}${formula(line)}`;
 }

@@ -32,24 +32,27 @@ export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResul
 /** R(t) = E + t d, and whether d is taken at unit length. */
 export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): TemplateResult {
   const length = Math.hypot(...state.d);
-  const R = mathml`<mi>R</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo>=</mo><mi class="sym sym-E" data-symbol="E">E</mi><mo>+</mo><mi>t</mi><mi class="sym sym-d" data-symbol="d">d</mi>`;
+  const R = mathml`<mi>R</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
+  const E = mathml`<mi class="sym sym-E" data-symbol="E">E</mi>`;
+  const d = mathml`<mi class="sym sym-d" data-symbol="d">d</mi>`;
+  const bar = (form: 'prefix' | 'postfix') => mathml`<mo form=${form} stretchy="false">|</mo>`;
+  const absolute = mathml`${bar('prefix')}${d}${bar('postfix')}`;
+  const lengthLine = mathml`${absolute}<mo>=</mo><mn>${display(length, 4)}</mn>`;
+  const components = AXES.map((axis, i) => {
+    const shown = value(`d.${axis}`, ray.direction[i] ?? 0, { room: 8 });
+    return html`${i > 0 ? ', ' : nothing}${shown}`;
+  });
+  const setUnit = (event: Event): void =>
+    dispatch({ type: 'unit', on: (event.target as HTMLInputElement).checked });
   return html`<div class="group">
     <h2>Ray</h2>
-    ${formula(R)}
-    ${
-      state.unit
-        ? html`<span class="unit-d">(${AXES.map((axis, i) => html`${i > 0 ? ', ' : nothing}${value(`d.${axis}`, ray.direction[i] ?? 0, { room: 8 })}`)})</span>`
-        : nothing
-    }
+    ${formula(mathml`${R}<mo>=</mo>${E}<mo>+</mo><mi>t</mi>${d}`)}
+    ${state.unit ? html`<span class="unit-d">(${components})</span>` : nothing}
     <label class="unit"><input
       type="checkbox"
       .checked=${state.unit}
-      @change=${(event: Event) => dispatch({ type: 'unit', on: (event.target as HTMLInputElement).checked })}
+      @change=${setUnit}
     />unit ${symbol('d', null, 'sym sym-d', 'd')}</label>
-    ${
-      state.unit
-        ? nothing
-        : html`<span class="length">${formula(mathml`<mo form="prefix" stretchy="false">|</mo><mi class="sym sym-d" data-symbol="d">d</mi><mo form="postfix" stretchy="false">|</mo><mo>=</mo><mn>${display(length, 4)}</mn>`)}</span>`
-    }
+    ${state.unit ? nothing : html`<span class="length">${formula(lengthLine)}</span>`}
   </div>`;
 }

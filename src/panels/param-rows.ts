@@ -58,11 +58,14 @@ function vectorRow(
     const texts = textsOf(event).map((text, i) => [`${letter}.${AXES[i]}`, text] as const);
     send(event.detail, Object.fromEntries(texts));
   };
-  return html`<div class="param ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-triple=${triple}>
+  return html`<div class="param ${cls}" role="group" aria-label=${`${letter}, ${title}`}
+    data-symbol=${letter} @graze-triple=${triple}>
     <span class="letter">${symbol(letter, null, cls, letter)}</span>
     ${AXES.map((axis, i) => {
       const label = `${letter}.${axis}`;
-      return html`<span class="cell" @graze-value=${(e: CustomEvent<number>) => send((now) => withComponent(now as Vec3, i, e.detail), typedAs(label, e))}>
+      const sendOne = (e: CustomEvent<number>): void =>
+        send((now) => withComponent(now as Vec3, i, e.detail), typedAs(label, e));
+      return html`<span class="cell" @graze-value=${sendOne}>
         <span class="axis" aria-hidden="true">${axis}</span>
         <graze-number
           id=${`box-${label}`}
@@ -96,7 +99,8 @@ function numberCell(
   const { symbol: letter, title, range, step, initial } = param;
   const cls = classOf(letter, 'scalar');
   const send = (event: CustomEvent<number>): void => put(event.detail, typedAs(letter, event));
-  return html`<div class="param single ${cls}" role="group" aria-label=${`${letter}, ${title}`} data-symbol=${letter} @graze-value=${send}>
+  return html`<div class="param single ${cls}" role="group" aria-label=${`${letter}, ${title}`}
+    data-symbol=${letter} @graze-value=${send}>
     <span class="letter">${symbol(letter, null, cls, letter)}</span>
     <span class="cell">
       <graze-number
@@ -156,5 +160,6 @@ function resetButton(letter: string, resting: boolean, reset: () => void): Templ
     title=${`Reset ${letter}`}
     aria-disabled=${resting}
     @click=${reset}
-  ><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3.2 6.6A5 5 0 1 1 3.4 9.8M3 3.2v3.6h3.6" /></svg></button>`;
+  ><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path
+    d="M3.2 6.6A5 5 0 1 1 3.4 9.8M3 3.2v3.6h3.6" /></svg></button>`;
 }

@@ -16,7 +16,8 @@ export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): unknow
         class="shape-choice"
         aria-pressed=${kind === state.kind}
         @click=${() => dispatch({ type: 'shape', kind })}
-      ><svg viewBox="0 0 24 24" width="26" height="26" aria-hidden="true"><path d=${icon} /></svg><span>${title}</span></button>`,
+      ><svg viewBox="0 0 24 24" width="26" height="26" aria-hidden="true"><path
+        d=${icon} /></svg><span>${title}</span></button>`,
     )}
   </div>`,
   );

@@ -141,7 +141,12 @@ class GrazeNumberBox extends LitElement {
         this.reason === null
           ? nothing
           : html`<span class="reason" id=${reasonId} role="alert">${this.reason}</span>`
-      }${hint === null ? nothing : html`<span class="reason" id=${reasonId} role="status">${hint}</span>`}`;
+      }${
+        hint === null
+          ? nothing
+          : html`<span class="reason" id=${reasonId}
+        role="status">${hint}</span>`
+      }`;
   }
 
   private shown(): string {

@@ -150,8 +150,10 @@ export function besides({ typical }: Ladder): string[] {
   const emulated = nameOf('textbook32', 'typescript', 'both');
   const exact = nameOf('exact', 'typescript', 'both');
   return [
-    `* certified in SIMD to textbook in TypeScript: random ${each((o) => across(o, certified, textbook))}`,
-    `* textbook32 in TypeScript is emulated (Math.fround at each operation), to textbook: random ${each((o) => across(o, emulated, textbook))}`,
+    `* certified in SIMD to textbook in TypeScript: random ` +
+      `${each((o) => across(o, certified, textbook))}`,
+    `* textbook32 in TypeScript is emulated (Math.fround at each operation), to ` +
+      `textbook: random ${each((o) => across(o, emulated, textbook))}`,
     `* exact, a ray: random ${each((o) => microseconds(typical, exact, o))}`,
     `* textbook in TypeScript, a ray: random ${each((o) => microseconds(typical, textbook, o))}`,
     '',

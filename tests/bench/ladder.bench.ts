@@ -98,7 +98,14 @@ const first = headline(ladder);
 const about = [
   '# What accuracy costs',
   '',
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}; written by \`npm run bench -- ladder\`. Times are the processor's, of one run in which everything takes turns; each figure is the median of ${rounds} rounds' ratios to \`textbook\` in the same column. Typical rays, both roots, ${SHAPES} shapes × ${many} rays, each met once a pass, so that no processor knows by heart which of them hit: in random order, and sorted, hits first and misses then. SIMD is WebAssembly with vectors (src/math/accelerate.ts), a dash: there is no such kernel. Ulps are counted from the correctly rounded root, for rays whose class is right.`,
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}; seed ${SEED}; ` +
+    `written by \`npm run bench -- ladder\`. Times are the processor's, of one run in ` +
+    `which everything takes turns; each figure is the median of ${rounds} rounds' ratios ` +
+    `to \`textbook\` in the same column. Typical rays, both roots, ${SHAPES} shapes × ` +
+    `${many} rays, each met once a pass, so that no processor knows by heart which of them ` +
+    `hit: in random order, and sorted, hits first and misses then. SIMD is WebAssembly ` +
+    `with vectors (src/math/accelerate.ts), a dash: there is no such kernel. Ulps are ` +
+    `counted from the correctly rounded root, for rays whose class is right.`,
   '',
 ];
 const lines = [
@@ -113,13 +120,15 @@ const lines = [
   '',
   '## Beside what others use',
   '',
-  `A sphere and a plane, ${many} rays each. three.js has d of length 1 before the clock runs; a mesh is not the sphere, which is most of its wrong verdicts.`,
+  `A sphere and a plane, ${many} rays each. three.js has d of length 1 before the clock ` +
+    `runs; a mesh is not the sphere, which is most of its wrong verdicts.`,
   '',
   ...otherLines(others),
   '',
   '## Every family',
   '',
-  `${SHAPES} shapes × ${COUNT} rays, asked again and again: branches are learned, so these prices compare methods, not orders. Mistakes are counted on all of these rays.`,
+  `${SHAPES} shapes × ${COUNT} rays, asked again and again: branches are learned, so ` +
+    `these prices compare methods, not orders. Mistakes are counted on all of these rays.`,
   '',
 ];
 print([...first, '', ...lines]);

@@ -73,7 +73,8 @@ const presets = chosen('--presets', PRESETS);
 
 print('# What a picture costs\n');
 print(
-  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}, one thread; processor time, the best of ${ROUNDS}.`,
+  `Node ${process.version}, ${cpus()[0]?.model ?? 'unknown processor'}, one thread; ` +
+    `processor time, the best of ${ROUNDS}.`,
 );
 
 print('\n## Million rays a second, 160 × 90\n');

@@ -118,7 +118,7 @@ test('shows the reference, measures by itself, and the sentence has the table’
   ).toBe('PNG');
 });
 
-test('cancelling ends it at once, what was found stays, and the page moves while it measures', async ({
+test('cancelling ends it at once and keeps what was found; the page moves meanwhile', async ({
   page,
 }) => {
   await open(page, '&target=typescript');
@@ -209,7 +209,8 @@ test('one double more flips a verdict, with the keys', async ({ page }) => {
 
 test('a link restores the settings, and says what it cannot use', async ({ page }) => {
   await page.goto(
-    './#/accuracy?family=near-tangent&worth=wrong&order=sorted&target=typescript&hard=near-axis&seed=9',
+    './#/accuracy?family=near-tangent&worth=wrong&order=sorted&target=typescript&hard=nea' +
+      'r-axis&seed=9',
   );
   for (const name of [
     'near tangent',

@@ -33,7 +33,8 @@ async function openUnwritten(page: Page, hash: string): Promise<void> {
 async function movedAtOnce(page: Page, root: string): Promise<{ moved: number; lost: string[] }> {
   return page.evaluate(async (root) => {
     const KINDS =
-      ':is(graze-number, graze-slider, select, input[type=checkbox], input[type=color], button[aria-pressed])';
+      ':is(graze-number, graze-slider, select, input[type=checkbox], input[type=color], ' +
+      'button[aria-pressed])';
     const drawn = () =>
       new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())));
     const open = async () => {

@@ -130,7 +130,8 @@ test('messages of any size and number: the run ends, and the page lives', async 
     ],
     [
       'functions of the language that shout',
-      "String.prototype.slice = String.prototype.replace = () => 'x'.repeat(2 ** 24); function intersect() { throw 1; }",
+      "String.prototype.slice = String.prototype.replace = () => 'x'.repeat(2 ** 24); " +
+        'function intersect() { throw 1; }',
       'threw: 1',
     ],
   ] as const) {
@@ -255,7 +256,8 @@ test('endless loops and bombs are ended, and the page lives', async ({ page }) =
 test('errors come with the line in the student’s code', async ({ page }) => {
   await openCheck(page, 'cases=plane');
   const source =
-    'function helper(x) {\n  return x.nothing.more;\n}\n\nexport function intersect(shape, ray) {\n  return helper({});\n}\n';
+    'function helper(x) {\n  return x.nothing.more;\n}\n\nexport function ' +
+    'intersect(shape, ray) {\n  return helper({});\n}\n';
   await runProgram(page, source);
   expect(await told(page)).toMatch(/threw in line 2: .*undefined/);
   await runProgram(page, 'function intersect(shape, ray) {\n  return {\n}\n\nlet let = 3;\n');

@@ -161,7 +161,7 @@ test.describe('questions', () => {
   });
 });
 
-test('hits stay hidden until the question is solved or given up; before, only the own points are drawn', async ({
+test('hits stay hidden until a question is solved or given up; own points are drawn', async ({
   page,
 }) => {
   await openCheck(page, link('roots'));

@@ -349,7 +349,7 @@ test('with a unit d the tip stands at the unit vector, and a drag sets the raw d
   expect(Math.hypot(...(await values(page, d)))).toBeCloseTo(1, 12);
 });
 
-test('after a drag by mouse a clicker still turns pages, after an arrow key it moves along z', async ({
+test('after a drag a clicker still turns pages, after an arrow key it moves along z', async ({
   page,
 }) => {
   await openScene(page);

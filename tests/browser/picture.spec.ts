@@ -45,7 +45,7 @@ async function pixels(page: Page): Promise<string> {
 const idle = (page: Page, id: string) => page.locator(`.idle [data-effect="${id}"]`);
 const row = (page: Page, id: string) => page.locator(`.ledger [data-effect="${id}"]`);
 
-test('glass cone on a mirror: a picture and what it cost; without the mirror its rays are gone', async ({
+test('glass cone on a mirror: what it cost; without the mirror its rays are gone', async ({
   page,
 }) => {
   await openPicture(page, SMALL);
@@ -108,7 +108,7 @@ test('only what a scene needs is loaded', async ({ page }) => {
   expect(bodies()).not.toContain('refraction');
 });
 
-test('forced on, an effect costs rays and changes no bit; forced off, the picture is another one', async ({
+test('forced on, an effect costs rays and changes no bit; forced off, it changes some', async ({
   page,
 }) => {
   await openPicture(page, `${SMALL}&scene=shadows`);
@@ -314,9 +314,7 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
   expect(scenes[1]).toBe(scenes[0]);
 });
 
-test('a shape is dragged in the picture, and its heights go along; one drag is one step of undo', async ({
-  page,
-}) => {
+test('a dragged shape takes its heights along; one drag is one step of undo', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
   await page.getByRole('tab', { name: 'Scene' }).click();
   const box = await page.getByRole('application').boundingBox();

@@ -83,7 +83,8 @@ test.describe('boxes', () => {
   test('no box cuts its number: it is shown whole, or rounded with ≈', async ({ page }) => {
     await withoutScene(page);
     for (const numbers of [
-      'E=-0.500000001,3e-9,2.9483721&d=-8.7654321e-10,1/3,-123456.789&C=-1.23e-300,100000,0.1&r=8.7e-10',
+      'E=-0.500000001,3e-9,2.9483721&d=-8.7654321e-10,1/3,-123456.789&C=-1.23e-300,100000' +
+        ',0.1&r=8.7e-10',
       'E=3,1,1&d=-0.8,-0.2,-0.3&C=1234567,-1e300,-0.000123456&r=12345.678',
     ]) {
       await open(page, `#/explore?shape=cylinder&${numbers}`);

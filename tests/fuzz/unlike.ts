@@ -44,5 +44,6 @@ export function unlike(question: Question): string | null {
   const k = plain.findIndex((answer, i) => answer !== fast[i]);
   return k < 0
     ? null
-    : `${JSON.stringify({ shape: question.shape, ray: besides(question.ray)[k] })}: ${fast[k]} by WebAssembly, ${plain[k]} without`;
+    : `${JSON.stringify({ shape: question.shape, ray: besides(question.ray)[k] })}: ` +
+        `${fast[k]} by WebAssembly, ${plain[k]} without`;
 }

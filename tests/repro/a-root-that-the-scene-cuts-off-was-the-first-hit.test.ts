@@ -62,7 +62,7 @@ describe.each([
     expect(decode(encode(state)).between).toEqual(meeting.between);
     const { found } = createDerive()(state);
     expect(heightsLine(name, state.between ?? [0, 0], rayOf(state), found.hits)).toMatch(
-      /is kept between y = .+ and .+; here it is whole\. t₁ is cut off there: y = [\d.]+ > [\d.]+\.$/,
+      /is kept between y = .+ and .+; here it is whole\. t₁ is cut off there: y = \S+ > \S+\.$/,
     );
     const looked = update(update(state, { type: 'method', id: 'exact' }), { type: 'bead', t: 1 });
     expect(looked.between).toEqual(meeting.between);

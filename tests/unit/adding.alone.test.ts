@@ -258,7 +258,8 @@ describe('Check', () => {
 });
 
 describe('Explore', () => {
-  const link = `#/explore?shape=${KIND}&C=0.5,1,-0.25&r=1.25&E=4,1,0.125&d=-1,0.125,0&method=${METHOD}`;
+  const ray = `E=4,1,0.125&d=-1,0.125,0&method=${METHOD}`;
+  const link = `#/explore?shape=${KIND}&C=0.5,1,-0.25&r=1.25&${ray}`;
   const model = createDerive(() => closerLook)(decode(link));
 
   test('a link opens it, and the state makes the same link', () => {

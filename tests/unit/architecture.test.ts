@@ -422,7 +422,7 @@ describe('src', () => {
     expect(circles(SRC)).toEqual([]);
   });
 
-  test('exports only what another file imports; the face of the math module is for programs', () => {
+  test('exports only what another file imports, the face of the math module aside', () => {
     const unused = unusedExports(SRC, { ...SRC, ...BESIDE });
     const free = /^src\/math\/(?:index\.ts|methods\/certified\/)/;
     expect(unused.filter((one) => !free.test(one))).toEqual([]);

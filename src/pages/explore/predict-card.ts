@@ -69,7 +69,8 @@ function asked(
       ${question.marked ? mark(state.bead ?? START, dispatch, commit) : nothing}
       ${question.options.map(
         ({ id, title }) =>
-          html`<button type="button" class="guess" data-guess=${id} @click=${() => commit(id)}>${title}</button>`,
+          html`<button type="button" class="guess" data-guess=${id}
+            @click=${() => commit(id)}>${title}</button>`,
       )}
     </p>
   </section>`;
@@ -82,15 +83,18 @@ function mark(t: number, dispatch: Dispatch, commit: (guess: Guess) => void): Te
     dispatch({ type: 'ask', ask: 'where' });
     dispatch({ type: 'bead', t: value });
   };
-  return html`<label>mark at t = <input class="predict-t" type="number" step="any" .value=${live(String(t))} @change=${move} /></label>
-    ${[-0.1, 0.1].map(
-      (by) =>
-        html`<button type="button" class="guess" aria-label=${`Move the mark by ${by}`} @click=${() => {
-          dispatch({ type: 'ask', ask: 'where' });
-          dispatch({ type: 'bead', t: Number((t + by).toPrecision(12)) });
-        }}>${by < 0 ? '−' : '+'}</button>`,
-    )}
-    <button type="button" class="guess" data-guess="mark" @click=${() => commit(t)}>it is here</button>`;
+  return html`<label>mark at t = <input class="predict-t" type="number" step="any"
+    .value=${live(String(t))} @change=${move} /></label>
+    ${[-0.1, 0.1].map((by) => {
+      const moveBy = (): void => {
+        dispatch({ type: 'ask', ask: 'where' });
+        dispatch({ type: 'bead', t: Number((t + by).toPrecision(12)) });
+      };
+      return html`<button type="button" class="guess" aria-label=${`Move the mark by ${by}`}
+        @click=${moveBy}>${by < 0 ? '−' : '+'}</button>`;
+    })}
+    <button type="button" class="guess" data-guess="mark"
+      @click=${() => commit(t)}>it is here</button>`;
 }
 
 function judged({ question, guess }: Committed, model: ExploreModel): TemplateResult {

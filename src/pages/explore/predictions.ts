@@ -80,7 +80,11 @@ const where: Question = {
     const off = Number(guess) - Number(truth);
     const way = off > 0 ? 'beyond' : 'before';
     const far = Math.abs(off) * length;
-    return `The hit is at t = ${display(Number(truth))}; your mark, at t = ${display(+guess)}, is ${display(Math.abs(off), 3)} ${way} it: ${display(far, 3)} units of length.`;
+    const [at, mark, apart] = [display(Number(truth)), display(+guess), display(Math.abs(off), 3)];
+    return (
+      `The hit is at t = ${at}; your mark, at t = ${mark}, is ${apart} ${way} it: ` +
+      `${display(far, 3)} units of length.`
+    );
   },
 };
 

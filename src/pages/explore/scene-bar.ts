@@ -20,28 +20,34 @@ export function sceneBar(
 ): TemplateResult {
   const run = (id: string) => () => command(id)?.run();
   const hidden = state.revealed !== null;
+  const hideWord = hidden ? 'show results' : 'hide results';
+  const look = example && !example.changed && !hidden ? example.entry.look : null;
+  const invites = untouched && !hidden && found.details.family === 'curved';
   return html`<div class="example">
       <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
-        <span class="words">example:</span> <strong>${example ? titleOf(example, hidden) : 'choose one'}</strong> <span aria-hidden="true">▾</span>
+        <span class="words">example:</span>
+        <strong>${example ? titleOf(example, hidden) : 'choose one'}</strong>
+        <span aria-hidden="true">▾</span>
       </button>
       <span class="steps-through">
         ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
-      ${example && !example.changed && !hidden ? html`<p class="look">${example.entry.look}</p>` : nothing}
-      ${untouched && !hidden && found.details.family === 'curved' ? html`<p class="look invitation">${INVITATION}</p>` : nothing}
+      ${look ? html`<p class="look">${look}</p>` : nothing}
+      ${invites ? html`<p class="look invitation">${INVITATION}</p>` : nothing}
     </div>
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
       ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}
-      ${toggle(hidden ? 'show results' : 'hide results', hidden, run('hide'), 'Hide the results to predict them (h)')}
+      ${toggle(hideWord, hidden, run('hide'), 'Hide the results to predict them (h)')}
       ${hidden ? action('reveal next', run('reveal'), 'Reveal the next line (n)') : nothing}
     </div>`;
 }
 
 function step(label: string, path: string, run: () => void): TemplateResult {
-  return html`<button type="button" class="step-through" aria-label=${label} title=${label} @click=${run}>
+  return html`<button type="button" class="step-through" aria-label=${label} title=${label}
+    @click=${run}>
     <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d=${path} /></svg>
   </button>`;
 }
@@ -51,5 +57,6 @@ function action(text: string, run: () => void, title: string): TemplateResult {
 }
 
 function toggle(text: string, pressed: boolean, run: () => void, title: string): TemplateResult {
-  return html`<button type="button" class="ray-tool" aria-pressed=${pressed} title=${title} @click=${run}>${text}</button>`;
+  return html`<button type="button" class="ray-tool" aria-pressed=${pressed} title=${title}
+    @click=${run}>${text}</button>`;
 }

@@ -82,7 +82,8 @@ const MISTAKES: readonly [string, readonly string[], readonly ShapeKind[], strin
     QUADRICS,
     curved({
       normal:
-        '((n) => n[0] * dx + n[1] * dy + n[2] * dz > 0 ? n.map((x) => -x) : n)([px + t * dx, -k * (py + t * dy), pz + t * dz])',
+        '((n) => n[0] * dx + n[1] * dy + n[2] * dz > 0 ? n.map((x) => -x) : n)([px + t * ' +
+        'dx, -k * (py + t * dy), pz + t * dz])',
     }),
   ],
   [
@@ -199,7 +200,8 @@ const MISTAKES: readonly [string, readonly string[], readonly ShapeKind[], strin
       ...twice,
       pair: '[Math.min(t1, t2), Math.max(t1, t2)].map((t) => t * Math.hypot(dx, dy, dz))',
       normal:
-        '[px + t / Math.hypot(dx, dy, dz) * dx, -k * (py + t / Math.hypot(dx, dy, dz) * dy), pz + t / Math.hypot(dx, dy, dz) * dz]',
+        '[px + t / Math.hypot(dx, dy, dz) * dx, -k * (py + t / Math.hypot(dx, dy, dz) * ' +
+        'dy), pz + t / Math.hypot(dx, dy, dz) * dz]',
     }),
   ],
   [
@@ -263,7 +265,8 @@ const RIGHT: readonly [string, readonly ShapeKind[], string][] = [
     QUADRICS,
     curved({
       normal:
-        '((n) => n.map((x) => x / Math.hypot(...n)))([px + t * dx, -k * (py + t * dy), pz + t * dz])',
+        '((n) => n.map((x) => x / Math.hypot(...n)))([px + t * dx, -k * (py + t * dy), ' +
+        'pz + t * dz])',
     }),
   ],
   ['the minus sign first, where A > 0 always', ['cylinder'], curved({ pair: '[t1, t2]' })],

@@ -75,7 +75,7 @@ function slipsOf(kind: ShapeKind): Slip[] {
 describe.each(SHAPES.map(({ kind }) => kind))('%s', (kind) => {
   const slips = slipsOf(kind);
 
-  test('whoever makes one mistake is told it, and that all after it is right for what is before', () => {
+  test('whoever makes one mistake is told it, and that all after it follows from it', () => {
     for (const { input, mistake, edited, answers } of slips) {
       const fields = ownFields(input);
       const course = courseOf(input.shape);

@@ -198,7 +198,8 @@ describe('progress', () => {
 
   test('strange entries of a store are dropped', () => {
     const text =
-      '{"seed":1,"asked":{"0":{"tries":-1,"hints":0},"x":{"tries":1,"hints":0},"1":{"tries":2,"hints":1,"texts":{"a":3,"b":"4"},"causes":[1,"c"]}}}';
+      '{"seed":1,"asked":{"0":{"tries":-1,"hints":0},"x":{"tries":1,"hints":0},"1":{"trie' +
+      's":2,"hints":1,"texts":{"a":3,"b":"4"},"causes":[1,"c"]}}}';
     expect(readProgress(text)?.asked).toEqual({
       1: {
         texts: { b: '4' },

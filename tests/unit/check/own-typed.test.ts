@@ -94,7 +94,8 @@ describe('the rim of a circle in tenths', () => {
     expect(inside.firstWrong).toBeNull();
     expect(inside.causes).toEqual([]);
     expect(inside.says).toBe(
-      'All that you typed is right. “the point is …” is right for the numbers as typed, not for the doubles that store them.',
+      'All that you typed is right. “the point is …” is right for the numbers as typed, ' +
+        'not for the doubles that store them.',
     );
     const outside = checkOwn(rim, { ...lines, inside: 'outside' });
     expect(outside.firstWrong).toBeNull();

@@ -6,18 +6,51 @@ import { SHAPES } from '../../../src/math/index.ts';
 
 /** What seeds of the first set posed when it was published: exercise and shape, in order. */
 const PUBLISHED: Readonly<Record<string, string>> = {
-  '0': 'flat:circle flat:square flat:plane coefficients:cone discriminant:hyperboloid roots:cylinder first:cone point:hyperboloid parallel:plane nappes:cone normal:hyperboloid shadow:cylinder linear:cone crossing:hyperboloid tangent:cylinder digits:cone',
-  '1': 'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone digits:hyperboloid',
-  '2': 'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
-  '3': 'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
-  '7': 'flat:circle flat:square flat:plane coefficients:cone discriminant:hyperboloid roots:cylinder first:cone point:hyperboloid parallel:plane nappes:cone normal:hyperboloid shadow:cylinder linear:cone crossing:hyperboloid tangent:cylinder digits:cone',
-  '41': 'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
-  '55': 'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone digits:hyperboloid',
+  '0':
+    'flat:circle flat:square flat:plane coefficients:cone discriminant:hyperboloid ' +
+    'roots:cylinder first:cone point:hyperboloid parallel:plane nappes:cone ' +
+    'normal:hyperboloid shadow:cylinder linear:cone crossing:hyperboloid tangent:cylinder ' +
+    'digits:cone',
+  '1':
+    'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder ' +
+    'roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone ' +
+    'normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone ' +
+    'digits:hyperboloid',
+  '2':
+    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone ' +
+    'roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone ' +
+    'shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
+  '3':
+    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone ' +
+    'roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone ' +
+    'shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
+  '7':
+    'flat:circle flat:square flat:plane coefficients:cone discriminant:hyperboloid ' +
+    'roots:cylinder first:cone point:hyperboloid parallel:plane nappes:cone ' +
+    'normal:hyperboloid shadow:cylinder linear:cone crossing:hyperboloid tangent:cylinder ' +
+    'digits:cone',
+  '41':
+    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone ' +
+    'roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone ' +
+    'shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
+  '55':
+    'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder ' +
+    'roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone ' +
+    'normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone ' +
+    'digits:hyperboloid',
   '123':
-    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
+    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone ' +
+    'roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone ' +
+    'shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
   '999999999':
-    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
-  '-5': 'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone digits:hyperboloid',
+    'flat:plane flat:circle flat:square coefficients:cylinder discriminant:cone ' +
+    'roots:hyperboloid first:cylinder point:cone parallel:square nappes:cone normal:cone ' +
+    'shadow:hyperboloid linear:cylinder crossing:cone tangent:hyperboloid digits:cylinder',
+  '-5':
+    'flat:square flat:plane flat:circle coefficients:hyperboloid discriminant:cylinder ' +
+    'roots:cone first:hyperboloid point:cylinder parallel:circle nappes:cone ' +
+    'normal:cylinder shadow:cone linear:hyperboloid crossing:cylinder tangent:cone ' +
+    'digits:hyperboloid',
 };
 
 describe('the first set', () => {

@@ -55,7 +55,8 @@ describe('the settings of the page Check', () => {
     const { settings, problems } = readSettings({ set: '77', seed: '41' });
     expect(settings).toEqual({ seed: '41' });
     expect(problems).toEqual([
-      `opened without set: '77' is not a set of questions (${Object.keys(SETS).join(', ')}), so set 1 is opened`,
+      `opened without set: '77' is not a set of questions ` +
+        `(${Object.keys(SETS).join(', ')}), so set 1 is opened`,
     ]);
   });
 

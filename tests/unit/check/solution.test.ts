@@ -37,7 +37,7 @@ describe.each(EXERCISES.map(({ id }) => id))('%s', (id) => {
     }
   });
 
-  test('the solution begins after what is given, and what is asked is on its lines or decided in words', () => {
+  test('it begins after what is given; what is asked is on its lines or in its words', () => {
     for (const posed of all) {
       const { lines, decision } = solutionOf(posed);
       for (const line of lines) expect(isGiven(posed, line.id), line.id).toBe(false);

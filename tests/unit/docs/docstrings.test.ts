@@ -23,7 +23,7 @@ interface Docstring {
 function docstringsIn(path: string): readonly Docstring[] {
   const source = read(path);
   const found = source.matchAll(
-    /(?:^\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n)?^export (?:function|const|class|interface|type) (\w+)/gm,
+    /(?:^\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n)?^export (?:async )?\w+ (\w+)/gm,
   );
   return [...found].map(([, text = '', name = '']) => ({
     text: text.replace(/^ ?\*? ?/gm, ''),

@@ -21,7 +21,7 @@ const called =
     digits !== null && JSON.stringify(letter) === JSON.stringify({ op: 'scalar', id });
 
 describe('the trace of a method', () => {
-  test('has the very numbers of the method and of the exact method, on 5 rays of each family, seed 11', () => {
+  test('has the numbers of the method and of exact, 5 rays of each family (seed 11)', () => {
     const random = seeded(11);
     let compared = 0;
     for (const family of FAMILIES) {
@@ -63,7 +63,8 @@ describe('where digits go', () => {
     expect(worst?.text).toBe('B² − 4 A C');
     expect(worst?.lost).toBeGreaterThan(3);
     expect(whyLost(worst as NonNullable<typeof worst>)).toBe(
-      'D = B² − 4 A C: the first 3 digits of B² and 4 A C cancel, and what was rounded behind them moves to the front; 11 of 16 digits are left.',
+      'D = B² − 4 A C: the first 3 digits of B² and 4 A C cancel, and what was rounded ' +
+        'behind them moves to the front; 11 of 16 digits are left.',
     );
     expect(steps.map(({ text }) => text)).toContain('2 dx (Ex − Vx)');
     expect(steps.filter(({ text }) => text === 'Ex − Vx')).toHaveLength(1);
@@ -78,7 +79,7 @@ describe('where digits go', () => {
     expect(worst?.digits).toBeLessThan(9);
   });
 
-  test('near the surface the small root loses them where −B and √D cancel; the stable form does not', () => {
+  test('near the surface the small root loses them where −B and √D cancel; stable does not', () => {
     const cylinder: Shape = { kind: 'cylinder', center: [0, 0, 0], radius: 2 };
     const near: Ray = { origin: [2.00000001, 1, 0], direction: [-1, 0.3, 0.1] };
     expect(lossesOf(method('textbook'), cylinder, near).worst?.text).toMatch(/√D|− r²/);

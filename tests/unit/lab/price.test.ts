@@ -86,7 +86,8 @@ describe('the sentence about prices', () => {
     const rows = rowsOf({ textbook: even(1), certified: shaky }, 5);
     expect(spreadOf(rows[1]?.roots?.ns ?? priceOf([]))).toBeGreaterThan(BUSY);
     expect(words(rows)).toContain(
-      'both roots, faithful to the last digit, cost about 1.4 times the textbook formula (certified).',
+      'both roots, faithful to the last digit, cost about 1.4 times the textbook formula ' +
+        '(certified).',
     );
     expect(words(rows)).toContain(
       'The machine was busy; one round in four took at least 192 % longer',
@@ -96,7 +97,7 @@ describe('the sentence about prices', () => {
     expect(words(steady)).not.toMatch(/costs? about|busy/);
   });
 
-  test('never says that something costs 0.6 times or 1 times, nor compares a method with itself', () => {
+  test('says neither 0.6 times nor 1 times, nor compares a method with itself', () => {
     const cheaper = words(rowsOf({ textbook: even(1), certified: even(0.646) }, 5));
     expect(cheaper).toContain('cost less than the textbook formula, 0.646 of its price');
     const same = words(rowsOf({ textbook: even(1), certified: even(2) }));

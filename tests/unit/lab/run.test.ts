@@ -96,7 +96,7 @@ describe('measuring', () => {
     ]);
   });
 
-  test('stops when the best quarter of the rounds agrees, not before the least number of rounds', () => {
+  test('stops when the best quarter agrees, not before the least number of rounds', () => {
     const steady = new Map([['a', [1, 1, 1, 1.001]]]);
     expect(hasSettled(steady, { rounds: 4, spread: 0.01 })).toBe(true);
     expect(hasSettled(steady, { rounds: 5, spread: 0.01 })).toBe(false);

@@ -54,7 +54,7 @@ const allOf = (family: string): Measured[] => [...measureSession(request(family)
 const titleOf = (id: string): string => METHODS.find((one) => one.id === id)?.title ?? id;
 
 describe('a session', () => {
-  test('tells what is right before it has a time, then times after each round, then that it is complete', () => {
+  test('tells what is right first, then times after each round, then that it is complete', () => {
     const all = allOf('typical');
     expect(all[0]?.columns.typescript).toHaveLength(METHODS.length);
     expect(all[0]?.columns.typescript.every(({ roots, classes }) => !roots && !classes)).toBe(true);
@@ -177,7 +177,9 @@ describe('the sentence', () => {
       exact,
     ];
     expect(headlineOf(rows, titleOf)).toBe(
-      'A verdict that is right for all of these rays costs 1.06 times the textbook formula (certified); both roots, faithful to the last digit, cost 2 times the textbook formula.',
+      'A verdict that is right for all of these rays costs 1.06 times the textbook ' +
+        'formula (certified); both roots, faithful to the last digit, cost 2 times the ' +
+        'textbook formula.',
     );
     expect(headlineOf(rows, titleOf, 'Elsewhere')).toMatch(/^Elsewhere, a verdict that is right/);
     expect(detailsOf(rows, 'roots', titleOf)).toBe(
@@ -191,10 +193,13 @@ describe('the sentence', () => {
   test('says that right answers are cheaper, or as dear, where they are', () => {
     const cheaper = [textbook, row('certified', { mostUlps: 1 }, 1, 0.8)];
     expect(headlineOf(cheaper, titleOf)).toBe(
-      'A verdict that is right for all of these rays costs less than the textbook formula, 0.8 of its price (certified); both roots, faithful to the last digit, cost as much as the textbook formula.',
+      'A verdict that is right for all of these rays costs less than the textbook ' +
+        'formula, 0.8 of its price (certified); both roots, faithful to the last digit, ' +
+        'cost as much as the textbook formula.',
     );
     expect(detailsOf(cheaper, 'classes', titleOf)).toContain(
-      'The cheapest for a verdict alone is certified, 0.8 of textbook’s price: it has every verdict right.',
+      'The cheapest for a verdict alone is certified, 0.8 of textbook’s price: it has ' +
+        'every verdict right.',
     );
   });
 
@@ -210,24 +215,28 @@ describe('the sentence', () => {
   test('names two methods where one has the verdict and another the roots', () => {
     const rows = [textbook, row('moment', { mostUlps: 5 }, 1.1, 1.3), exact];
     expect(headlineOf(rows, titleOf)).toBe(
-      'A verdict that is right for all of these rays costs 1.3 times the textbook formula (moment); both roots, faithful to the last digit, cost 220 times the textbook formula (exact).',
+      'A verdict that is right for all of these rays costs 1.3 times the textbook ' +
+        'formula (moment); both roots, faithful to the last digit, cost 220 times the ' +
+        'textbook formula (exact).',
     );
   });
 
   test('the cheapest is told with what it gets wrong', () => {
     const rows = [textbook, row('textbook32', { wrong: 2000, undecided: 3 }, 0.4, 0.5), exact];
     expect(detailsOf(rows, 'roots', titleOf)).toContain(
-      'The cheapest for both roots is textbook, float32, 0.4 of textbook’s price: it misjudges 2\u202f000 and cannot tell for 3.',
+      'The cheapest for both roots is textbook, float32, 0.4 of textbook’s price: it ' +
+        'misjudges 2\u202f000 and cannot tell for 3.',
     );
   });
 
   test('says so where the textbook is right, or nothing is', () => {
     const right = row('textbook', { mostUlps: 9 }, 1, 1);
     expect(headlineOf([right, exact], titleOf)).toMatch(
-      /^The textbook formula is right about all of these rays, and nothing right is clearly cheaper; both roots/,
+      /^The textbook formula is right about all of .* nothing right is clearly cheaper; both roots/,
     );
     expect(headlineOf([row('textbook', { mostUlps: 1 }, 1, 1), exact], titleOf)).toBe(
-      'The textbook formula is right about all of these rays, and nothing right is clearly cheaper, with both roots to the last digit, too.',
+      'The textbook formula is right about all of these rays, and nothing right is ' +
+        'clearly cheaper, with both roots to the last digit, too.',
     );
     expect(headlineOf([right], titleOf)).toMatch(
       /; no method gives both roots to the last digit\.$/,
@@ -240,7 +249,8 @@ describe('the sentence', () => {
   test('does not call roots faithful where no ray has one', () => {
     const none = { digits: Number.NaN, leastDigits: Number.NaN };
     expect(headlineOf([row('textbook', none, 1, 1)], titleOf)).toBe(
-      'The textbook formula is right about all of these rays, and nothing right is clearly cheaper.',
+      'The textbook formula is right about all of these rays, and nothing right is ' +
+        'clearly cheaper.',
     );
   });
 

@@ -40,7 +40,11 @@ export function disagreement(shape: Shape, ray: Ray, truth = exactHits(shape, ra
     allFaithful(object, truth.hits) &&
     allFaithful(batch, truth.hits);
   if (right) return null;
-  return `${JSON.stringify({ shape, ray })}: object ${found.class} ${object.map(String)} by ${found.decidedBy}, batch ${byClass} ${byRoots} ${batch.map(String)}, exactly ${truth.class} ${truth.hits.map(({ t }) => bracket(t).join(' … '))}`;
+  return (
+    `${JSON.stringify({ shape, ray })}: object ${found.class} ${object.map(String)} by ` +
+    `${found.decidedBy}, batch ${byClass} ${byRoots} ${batch.map(String)}, exactly ` +
+    `${truth.class} ${truth.hits.map(({ t }) => bracket(t).join(' … '))}`
+  );
 }
 
 const allFaithful = (ts: readonly number[], truth: readonly ExactHit[]): boolean =>

@@ -183,7 +183,7 @@ test.each(KINDS)(
   },
 );
 
-test('a cone asked from hardly beside its vertex: what underflows decides nothing (seed 205)', () => {
+test('a cone asked from close to its vertex: what underflows decides nothing (seed 205)', () => {
   const random = seeded(205);
   const wrong: unknown[] = [];
   let fits = 0;

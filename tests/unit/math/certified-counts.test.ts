@@ -47,7 +47,7 @@ describe('recentred', () => {
   test('with NARROW it covers 2|q||δq| where the leading parts are 0', () => {
     expect(cross * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * 2 ** -23);
   });
-  test('SQUARE_ERROR covers twice u of b and 2u of its square, RESIDUAL_ERROR 2u of f, 9u of A and 2u', () => {
+  test('SQUARE_ERROR covers 2u of b and of its square, RESIDUAL_ERROR 2u of f, 9u of A', () => {
     expect(square).toBeGreaterThanOrEqual(sum([2, 2]) * U);
     expect(residual).toBeGreaterThanOrEqual(sum([2, 9, 2]) * U);
   });
@@ -60,7 +60,7 @@ describe('root by root', () => {
   const [gridP, residual, spread, step, clear, apart, narrow] = [2, 4, 7, 8, 9, 10, 17].map((k) =>
     of(ROOT, k),
   ) as [number, number, number, number, number, number, number];
-  test('RESIDUAL_ERROR covers what f is off, with NARROW also where the leading parts are 0', () => {
+  test('RESIDUAL_ERROR covers the error of f, with NARROW where the leading parts are 0', () => {
     expect(residual).toBeGreaterThanOrEqual(offF);
     expect(residual * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * (2 ** -22 + 2 ** -45));
   });
@@ -71,7 +71,7 @@ describe('root by root', () => {
   test('APART keeps what b is off, 8u of S, below 2^-7 of √D', () => {
     expect((8 * U) / Math.sqrt(apart)).toBeLessThanOrEqual(2 ** -7);
   });
-  test('GRID_P and SPREAD keep the rounding of what is left of p below a sixteenth of the unit', () => {
+  test('GRID_P and SPREAD keep the rounding of the rest of p below 1/16 of the unit', () => {
     expect(gridP * 2 ** -52 * U * spread).toBeLessThanOrEqual(2 ** -75 / 16);
   });
 });
@@ -87,15 +87,15 @@ describe('ordinary rays', () => {
     const q = shape(x, radius, flare);
     return q && latticeOf(q);
   };
-  test('SLACK covers what the larger step is off without Am/|A| and reach: its divisor 6u, f 3u, four roundings', () => {
+  test('SLACK covers the larger step without Am/|A| and reach: divisor 6u, f 3u, 4u', () => {
     expect(of(ROUGH, 4)).toBeGreaterThanOrEqual(sum([6, 3, 4]) * U);
     expect(of(ROUGH, 3)).toBeGreaterThanOrEqual(3.5 * U);
   });
-  test('|d| has 2^4 units at least, so that roots within 2^24 of the centre are below 2^21 apart', () => {
+  test('|d| has 2^4 units at least: roots within 2^24 of the centre are below 2^21 apart', () => {
     const least = Math.sqrt(lattice(0)?.[AT.smallestDirection] ?? 0) / UNIT_OF_DIRECTION;
     expect((2 * 2 ** 24) / least).toBeLessThanOrEqual(2 ** 21);
   });
-  test('a centre beyond 2^45 units of 2^-17, a stretch beyond 2^30 or a size beyond 2^60 is not ordinary', () => {
+  test('centres over 2^45 units of 2^-17, stretches over 2^30, sizes over 2^60 are out', () => {
     expect(lattice(2 ** 27.9)).not.toBeNull();
     expect(lattice(2 ** 28)).toBeNull();
     expect(lattice(0, 1, 2 ** 58)).not.toBeNull();

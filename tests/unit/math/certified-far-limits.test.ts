@@ -36,7 +36,7 @@ describe.each(KINDS)('%s (seed 216)', (kind) => {
     }
   });
 
-  test('what is charged for a settled root is less than half of the distance to the next double', () => {
+  test('what is charged for a settled root is less than half an ulp', () => {
     const half = (t: number): number => 2 ** -54 * Math.abs(t);
     const recentredShare = (a: Asked): number =>
       a.named.clear && a.named.settled
@@ -70,7 +70,7 @@ describe.each(KINDS)('%s (seed 216)', (kind) => {
   });
 });
 
-test('a cone asked from hardly beside its vertex: what underflows decides nothing (seed 218)', () => {
+test('a cone asked from close to its vertex: what underflows decides nothing (seed 218)', () => {
   const random = seeded(218);
   const wrong: unknown[] = [];
   for (let k = 0; k < 3000; k++) {

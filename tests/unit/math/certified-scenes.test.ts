@@ -49,7 +49,7 @@ describe('in other units', () => {
   });
 });
 
-test('what a stage hands on is its own: no scratch is read in a module that does not fill it', () => {
+test('what a stage hands on is its own: no module reads scratch that it does not fill', () => {
   const room = join(import.meta.dirname, '../../../src/math');
   const files = readdirSync(room, { recursive: true, encoding: 'utf8' })
     .filter((file) => file.endsWith('.ts'))

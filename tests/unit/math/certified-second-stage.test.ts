@@ -36,7 +36,7 @@ test('C from its exact terms: what it may be off', () => {
   }
 });
 
-test('C from its exact terms is not called 0 where a = c² lost bits, nor certain where products are lost', () => {
+test('C is not called 0 where a = c² lost bits, nor certain where products are lost', () => {
   const numbers = algebra.createAlgebra();
   const put = (shape: Shape, ray: Ray): void => {
     algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);

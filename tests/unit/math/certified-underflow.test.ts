@@ -41,7 +41,7 @@ test('C from its exact terms', () => {
   covers(SMALLEST_C, C.off + ofFlare);
 });
 
-test('of flat shapes: three products each, and a quotient that is neither too large nor too small', () => {
+test('of flat shapes: three products each, and a quotient within the range', () => {
   expect(SMALLEST_PLANAR).toBeGreaterThan(3 * LOST);
   covers(SMALLEST_PLANAR, FAITHFUL * BOX ** 2 * LEAST_EXACT_PRODUCT);
 });

@@ -18,7 +18,7 @@ const stages = (questions: readonly { shape: Shape; ray: Ray }[]) => {
   return count;
 };
 
-test('keeps the promise on every vector: class, roots among the faithful ones, points and normals', () => {
+test('keeps the promise on every vector: class, faithful roots, points and normals', () => {
   for (const c of rayCases) {
     const found = intersect(c.shape, c.ray, 'certified');
     expect([c.id, found.class]).toEqual([c.id, c.expect.class]);
@@ -65,7 +65,7 @@ describe('agrees with exact on', () => {
       expect(of(flat)).toEqual(['contained', 'none', 'one']);
   });
 
-  test('points of which a coordinate cancels: E and t d agree in up to all of their digits (seed 24)', () => {
+  test('points of which a coordinate cancels: E and t d agree in many digits (seed 24)', () => {
     const random = seeded(24);
     const questions = Array.from({ length: 1500 }, (_, k) => {
       const t = uniform(random, 1, 50);
@@ -124,7 +124,7 @@ function anyRay(any: () => number): Ray {
   return { origin: [any(), any(), any()], direction };
 }
 
-describe('walks of single doubles through a tangency change the class once, at the exact place', () => {
+describe('a walk of single doubles through a tangency changes class once, where exact does', () => {
   const steps = 60;
   /** The doubles from `steps` below x to `steps` above. */
   function* around(x: number): Generator<number> {

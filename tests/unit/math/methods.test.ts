@@ -193,13 +193,13 @@ describe.each(METHODS)('solveQuadratic by $id', ({ id, solve }) => {
     else expect(found).toEqual({ class: 'undecided', roots: [] });
   });
 
-  test('a double root with long fractions: the methods above float64 may tell, no one invents a NaN', () => {
+  test('a double root with long fractions: methods above float64 may tell, none says NaN', () => {
     const found = solve(0.1, 0.2, 0.1);
     expect(found.roots.some(Number.isNaN)).toBe(false);
   });
 });
 
-test('the two opposite ends of the doubles stand in order, though their difference overflows', () => {
+test('roots at both ends of the doubles stand in order: their difference overflows', () => {
   const end = 2 ** 1023;
   const found = METHODS.find(({ id }) => id === 'stable')?.solve(-1 / end, 0, end);
   expect(found).toEqual({ class: 'two', roots: [-end, end] });

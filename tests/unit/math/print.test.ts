@@ -80,7 +80,8 @@ describe('LaTeX, as people write it', () => {
 
   test('words: nothing but ASCII, specials escaped', () => {
     expect(latexText('t₁₂ = −1.2 · 10⁻⁷ & 5% \\x{}_^~#$')).toBe(
-      '\\text{t$_{12}$ = $-$1.2 $\\cdot$ 10$^{-7}$ \\& 5\\% \\textbackslash{}x\\{\\}\\_\\textasciicircum{}\\textasciitilde{}\\#\\$}',
+      '\\text{t$_{12}$ = $-$1.2 $\\cdot$ 10$^{-7}$ \\& 5\\% ' +
+        '\\textbackslash{}x\\{\\}\\_\\textasciicircum{}\\textasciitilde{}\\#\\$}',
     );
   });
 });

@@ -53,7 +53,7 @@ describe('where WebAssembly is to be had', () => {
     compiled.mockRestore();
   });
 
-  test('decelerated, the kernels are not run: what lies in their memory is answered by TypeScript', async () => {
+  test('decelerated, no kernel runs: TypeScript answers what lies in their memory', async () => {
     const { accelerate, decelerate, roots } = await fresh();
     const views = vi.spyOn(Float64Array.prototype, 'set');
     accelerate();

@@ -258,7 +258,7 @@ describe('names', () => {
     const plain = codeOf([value('a', '1'), value('c', 'a + a')]);
     expect(codeOf([value('a', '1'), value('b', 'a'), value('c', 'b + a')])).toEqual(plain);
   });
-  test('an inner scope sees the outer one, not the other way round, and no local has two names', () => {
+  test('an inner scope sees the outer one, not vice versa; no local has two names', () => {
     const scope = createScope(7);
     expect(scope.declare('a')).toBe(7);
     const [left, right] = [scope.inner(), scope.inner()];

@@ -13,7 +13,7 @@ const isJson = (text: string): boolean => {
   }
 };
 
-test('a fault is found just where JSON.parse finds one; text with one letter changed, seed 3', () => {
+test('a fault is found where JSON.parse finds one; one letter changed (seed 3)', () => {
   const text = sceneToJson(plain.scene).slice(0, 700);
   const whole = JSON.stringify({ a: [1, -2.5e-3, 'x\n"y"\\', true, null, {}, []], b: '\u00e9' });
   fc.assert(

@@ -186,9 +186,10 @@ describe.each(['exact', 'textbook'])('LaTeX is well formed, by %s', (method) => 
 
 /** LaTeX's own and amsmath's. */
 const KNOWN = new Set(
-  '\\usepackage \\begin \\end \\frac \\sqrt \\pm \\cdot \\text \\quad \\le \\approx \\ne \\lvert \\rvert \\infty'.split(
-    ' ',
-  ),
+  (
+    '\\usepackage \\begin \\end \\frac \\sqrt \\pm \\cdot \\text \\quad \\le \\approx \\ne ' +
+    '\\lvert \\rvert \\infty'
+  ).split(' '),
 );
 
 function braceDepths(text: string): { lowest: number; last: number } {
@@ -213,7 +214,8 @@ describe('MathML is well-formed XML', () => {
   test.skipIf(!python)('by another parser too (skipped where there is no python3)', () => {
     const texts = EXPORT_CASES.map((c) => derivationMathml(modelOf(c)));
     const code =
-      'import json, sys, xml.etree.ElementTree as e\nfor t in json.load(sys.stdin): e.fromstring(t)';
+      'import json, sys, xml.etree.ElementTree as e\nfor t in json.load(sys.stdin): ' +
+      'e.fromstring(t)';
     const run = spawnSync('python3', ['-c', code], {
       input: JSON.stringify(texts),
       encoding: 'utf8',

@@ -90,10 +90,13 @@ const BUILT_IN = 'sqrt dot length isnan isinf x y z'.split(' ');
  * Of GLSL ES 3.00, section 3.8, those that a formula's symbol or a parameter's name could come
  * near.
  */
-const RESERVED =
-  'active asm attribute cast centroid class coherent common enum extern external filter fixed flat goto half inline inout input interface invariant layout long namespace noinline output partition patch public readonly resource sample sampler shared short sizeof smooth static superp switch template this typedef uniform union unsigned using varying volatile writeonly'.split(
-    ' ',
-  );
+const RESERVED = (
+  'active asm attribute cast centroid class coherent common enum extern external filter ' +
+  'fixed flat goto half inline inout input interface invariant layout long namespace ' +
+  'noinline output partition patch public readonly resource sample sampler shared short ' +
+  'sizeof smooth static superp switch template this typedef uniform union unsigned using ' +
+  'varying volatile writeonly'
+).split(' ');
 
 describe('as text', () => {
   test.each(EXPORT_CASES)('$name: $shape.kind', (c) => {

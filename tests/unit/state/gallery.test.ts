@@ -93,8 +93,7 @@ function letterClaims(words: string): string[] {
 /** Numbers that are written out must come up in a claim: −2, 10⁻⁹, 3.75003. */
 function numbersIn(words: string): string[] {
   const powers = [...words.matchAll(/10([⁻⁰¹²³⁴-⁹]+)/gu)].map(
-    ([, up = '']) =>
-      `1e${[...up].map((c) => ('⁰¹²³⁴⁵⁶⁷⁸⁹'.includes(c) ? '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(c) : '-')).join('')}`,
+    ([, up = '']) => `1e${[...up].map((c) => '-0123456789'['⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(c)]).join('')}`,
   );
   const rest = words.replace(/10[⁻⁰¹²³⁴-⁹]+/gu, '');
   const plain = [...rest.matchAll(/(?<![\w²])−?\d+(\.\d+)?(?![\dA-Za-z])/g)].map(([n]) =>

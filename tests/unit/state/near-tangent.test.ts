@@ -78,7 +78,7 @@ describe.each(CURVED)('%s', (kind) => {
   const states = cases(kind, 20260711);
   const derive = createDerive(() => closerLook);
 
-  test('what a drag snaps to is said to touch as nearly as doubles can, after it is let go too', () => {
+  test('what a drag snaps to is said to touch as nearly as doubles can, later too', () => {
     expect(states.length).toBeGreaterThan(RANDOM_STATES / 3);
     for (const state of states) {
       const { found, verdict } = derive(state);

@@ -42,7 +42,7 @@ describe('what a drag is taken by', () => {
 });
 
 describe('the grid', () => {
-  test('is the step where the stage is the sliders’, coarser in a large world, finer from near', () => {
+  test('is the sliders’ step on their stage, coarser in a large world, finer from near', () => {
     expect(gridUnit(5, 1 / 85)).toBe(1);
     expect(gridUnit(500, 100 / 85)).toBe(100);
     expect(gridUnit(5, 1 / 850)).toBe(0.1);
@@ -132,7 +132,7 @@ describe('tangency', () => {
     ).toBeNull();
   });
 
-  test('where it is no double, the neighbour with the smaller D is taken, and said to be near only', () => {
+  test('where it is no double, the neighbour with the smaller D is taken, said to be near', () => {
     // D = x² − 2 in exact arithmetic is never 0; in doubles its sign changes between two
     // neighbours.
     const tangency: Tangency = {

@@ -13,7 +13,7 @@ const windowWith = (t1: number, t2: number) => graphWindowOf(lineWith(t1, t2));
 const SCALES = Array.from({ length: 25 }, (_, i) => 10 ** (i - 12));
 
 describe('the stretch of t that the graph shows', () => {
-  test('holds E, the roots and the tip of d, with room on both sides, at the size of a hand', () => {
+  test('holds E, the roots and the tip of d with room beside, at the size of a hand', () => {
     expect(windowWith(2, 4)).toEqual({ from: -0.56, to: 5.2, note: null });
     const behind = windowWith(-5, -2);
     expect(behind.from).toBeCloseTo(-5.84, 12);

@@ -17,7 +17,7 @@ const says = (shape: Shape, ray: Ray): boolean | null => {
 const comesBack = (shape: Shape, ray: Ray): boolean =>
   intersect(shape, ray, 'exact', { from: shape }).hits.some(({ t }) => t > 0);
 
-test('never says so of a ray that comes back: rays from stored hits of all families (seed 11)', () => {
+test('never says so of a ray that comes back: stored hits of all families (seed 11)', () => {
   const random = seeded(11);
   const said = { departs: 0, leaves: 0, asked: 0 };
   for (const family of FAMILIES) {

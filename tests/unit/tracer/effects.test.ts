@@ -25,7 +25,7 @@ const cases = EFFECTS.flatMap(({ id }) =>
   PRESETS.map(({ id: preset, scene }) => ({ id, preset, scene, needed: needs(scene, id) })),
 );
 
-test('each effect is called for by some preset and not by another; one calls for all, one for none', () => {
+test('some presets call for an effect, others not; one calls for all, one for none', () => {
   for (const { id } of EFFECTS) {
     const answers = cases.filter((one) => one.id === id).map(({ needed }) => needed);
     expect(new Set(answers)).toEqual(new Set([true, false]));
@@ -140,7 +140,7 @@ describe('the ledger', () => {
     expect(solves).toBeLessThan(rays);
   });
 
-  test('only glass and mirrors are asked: a ball that is neither fires no ray of theirs', async () => {
+  test('only glass and mirrors are asked: a ball that is neither fires no such ray', async () => {
     const scene = presetOf('mirror');
     const { ledger, surface } = await picture(scene);
     const onMirror = surface.filter((k) => k === 1).length;

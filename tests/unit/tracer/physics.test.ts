@@ -87,7 +87,7 @@ describe('the two laws, as closed forms', () => {
     expect(fresnel(1, 0)).toBe(1);
   });
 
-  test('the same share comes back from either side, and from the critical angle on all of it', () => {
+  test('either side reflects the same share, and from the critical angle on all of it', () => {
     for (let angle = 0; angle < 1.55; angle += 0.05) {
       const outside = Math.cos(angle);
       expect(fresnel(1.5, snell(1 / 1.5, outside))).toBeCloseTo(fresnel(1 / 1.5, outside), 12);
@@ -145,7 +145,7 @@ describe('rays at glass', () => {
     if (!leaves) expect(next(ray, 'reflected')?.weight).toBe(1);
   });
 
-  test('a slab with parallel sides: what comes out is parallel, moved aside as by the book', async () => {
+  test('a slab with parallel sides: what comes out is parallel and moved aside', async () => {
     const thick = 0.7;
     const n = 1.5;
     for (const angle of [0.1, 0.6, 1.2]) {
@@ -193,7 +193,7 @@ describe('rays at glass', () => {
   });
 });
 
-test('a camera inside of coloured glass begins in it: aT / (1 − Ra²) in the middle of a ball', async () => {
+test('a camera inside of coloured glass begins in it: aT / (1 − Ra²) amid a ball', async () => {
   const inside = furnace([ball(glassOf(1.5, 0.8))], looking([0, 0, 0], [0, 0, -1]));
   const { rgba } = await picture(inside, { width: 1, height: 1 });
   const a = Math.exp(-0.8);
@@ -232,7 +232,7 @@ describe('energy', () => {
     },
   );
 
-  test('in a white furnace white things cannot be seen: paint, mirrors and clear glass', async () => {
+  test('in a white furnace nothing white is seen: paint, mirrors, clear glass', async () => {
     const camera: Scene['camera'] = { eye: [0.3, 2, 6], target: [0, 0.2, 0], angle: 40 };
     const things: Placed[] = [
       plane('floor', -1, 1, white),

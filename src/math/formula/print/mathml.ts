@@ -2,6 +2,8 @@ import type { Marks } from './math-notation.ts';
 
 const NAMESPACE = 'http://www.w3.org/1998/Math/MathML';
 
+const bar = (form: 'prefix' | 'postfix'): string => `<mo form="${form}" stretchy="false">|</mo>`;
+
 /**
  * Mathematics as a MathML string. Each piece is a run of elements; where one is needed it goes into
  * an mrow.
@@ -19,8 +21,7 @@ export const MATHML: Marks<string> = {
   operator: (sign) => `<mo>${escapeXml(sign)}</mo>`,
   minus: '<mo form="prefix">−</mo>',
   parens: (m) => `<mrow><mo stretchy="false">(</mo>${m}<mo stretchy="false">)</mo></mrow>`,
-  bars: (m) =>
-    `<mrow><mo form="prefix" stretchy="false">|</mo>${m}<mo form="postfix" stretchy="false">|</mo></mrow>`,
+  bars: (m) => `<mrow>${bar('prefix')}${m}${bar('postfix')}</mrow>`,
   fraction: (over, under) => `<mfrac>${mrow(over)}${mrow(under)}</mfrac>`,
   root: (m) => `<msqrt>${m}</msqrt>`,
   power: (base, exponent) => `<msup>${mrow(base)}${mrow(exponent)}</msup>`,

@@ -49,7 +49,7 @@ test('fastSumError is the same where |a| ≥ |b| (seed 2)', () => {
 });
 
 describe('productError', () => {
-  test('a·b = p + e exactly, for |p| from 2^-968 to 2^1020 and factors under 2^996 (seed 3)', () => {
+  test('a·b = p + e exactly: |p| from 2^-968 to 2^1020, factors under 2^996 (seed 3)', () => {
     const random = seeded(3);
     let asked = 0;
     for (let i = 0; i < COUNT; i++) {

@@ -11,7 +11,7 @@ const certified = METHODS.find(({ id }) => id === 'certified') as (typeof METHOD
 
 afterEach(decelerate);
 
-test('a kernel is SIMD only while the module is accelerated, and never where TypeScript is asked for', () => {
+test('a kernel is SIMD only while accelerated, and never where TypeScript is asked for', () => {
   expect(targetOf(certified, shape)).toBe('typescript');
   expect(targetOf(certified, shape, 'simd')).toBe('typescript');
   accelerate();

@@ -167,7 +167,7 @@ describe('measuring', () => {
     expect(workers).toHaveLength(1);
   });
 
-  test('other rays, or another order, end it, forget what was found, and are measured', async () => {
+  test('other rays or another order end it, forget what was found, and are measured', async () => {
     const { measuring, workers, rest } = bench();
     measuring.update(INITIAL_ACCURACY, true);
     await rest();

@@ -60,7 +60,7 @@ describe('a job', () => {
     expect(drawn()).toBe(4);
   });
 
-  test('is cancelled at once: its worker is ended, late replies count for nothing, what was found stays', async () => {
+  test('is cancelled at once: its worker ends, late replies are dropped', async () => {
     const { workers, spawn, changed } = bench();
     const job = measureJob(spawn, changed);
     job.start(REQUEST);

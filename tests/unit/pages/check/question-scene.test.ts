@@ -70,7 +70,7 @@ describe('the picture of an open question', () => {
     }
   });
 
-  test('of a parameter that is asked for is the same for every value, and takes the student’s own', () => {
+  test('of a parameter asked for is the same for every value, and takes the student’s', () => {
     const asking = ALL.filter(({ exercise }) => exercise.asksForParam);
     expect(asking.length).toBeGreaterThan(0);
     for (const posed of asking) {

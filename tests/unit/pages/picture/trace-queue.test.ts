@@ -195,7 +195,7 @@ describe('a comparison', () => {
     expect(model.uncounted).toHaveLength(model.ledger.simulated.length - 1);
   });
 
-  test('acne: no method cures it; an epsilon is too small for one scene and too large for another', async () => {
+  test('acne: no method cures it; an epsilon is too small here and too large there', async () => {
     const differing = async (scene: string, against: string, method: string): Promise<number> => {
       const model = await modelFor({ size: '96x54', scene, against }, method);
       return model.comparison?.differing ?? Number.NaN;
