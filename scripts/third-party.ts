@@ -26,7 +26,9 @@ function noticeOf(directory: string, name: string): string {
 const notice = (title: string, text: string): string =>
   `${'-'.repeat(80)}\n${title}\n\n${text.trim()}\n`;
 
-/** Collects packages from the page and, as `inWorkers`, from the workers, which are built before it. */
+/**
+ * Collects packages from the page and, as `inWorkers`, from the workers, which are built before it.
+ */
 export function thirdParty(form: 'file' | 'in the page'): {
   readonly page: Plugin;
   readonly inWorkers: Plugin;

@@ -14,8 +14,9 @@ import type { Numbers } from './prologue.ts';
 import { elementOf, type Loop } from './source.ts';
 
 /*
- * The three passes over ordinary rays, two rays at a time: rough roots of all, then residuals and steps of the pairs of which at least one is clearly hit. As
- * in TypeScript, rays are taken in lots that fit the first cache.
+ * The three passes over ordinary rays, two rays at a time: rough roots of all, then residuals and
+ * steps of the pairs of which at least one is clearly hit. As in TypeScript, rays are taken in lots
+ * that fit the first cache.
  */
 
 const COUNT = PARAMS.length;
@@ -29,8 +30,9 @@ const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
 /**
- * `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of `doubtful` into `doubtfulBytes`. `cuts` are the values of the three
- * loops after which a part ends; the first part must tell which rays are clear.
+ * `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of
+ * `doubtful` into `doubtfulBytes`. `cuts` are the values of the three loops after which a part
+ * ends; the first part must tell which rays are clear.
  */
 export function blockKernel(
   name: string,

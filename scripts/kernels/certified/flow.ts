@@ -6,8 +6,10 @@ import { type Numbers, numberOf } from './prologue.ts';
 import { elementOf, type Loop } from './source.ts';
 
 /*
- * The statements of one or several loops as one sequence for a pair of rays, cut into parts again where that is best for the processor: a part is short enough that
- * it has several pairs under way while each waits for its roots and quotients. What a later part needs of an earlier one goes through memory.
+ * The statements of one or several loops as one sequence for a pair of rays, cut into parts again
+ * where that is best for the processor: a part is short enough that it has several pairs under way
+ * while each waits for its roots and quotients. What a later part needs of an earlier one goes
+ * through memory.
  */
 
 const MAGNITUDE = 'magnitude';
@@ -25,7 +27,10 @@ export interface Flow {
   readonly name: (name: string, k?: number) => string;
 }
 
-/** Each loop's names get its number; what only renames another value is left out; a constant that two loops share is one. */
+/**
+ * Each loop's names get its number; what only renames another value is left out; a constant that
+ * two loops share is one.
+ */
 export function flowOf(loops: readonly Loop[], numbers: readonly Numbers[]): Flow {
   const constants = new Map<string, Code>();
   const called = new Map<string, string>();
@@ -68,8 +73,8 @@ export interface Parts {
 }
 
 /**
- * `cuts` are the targets after which a part ends; `wanted[p]` what is asked of part p besides; `input` loads an array's element, in any part or (`again` false) in
- * the first one only.
+ * `cuts` are the targets after which a part ends; `wanted[p]` what is asked of part p besides;
+ * `input` loads an array's element, in any part or (`again` false) in the first one only.
  */
 export function partsOf(
   { steps, constants }: Flow,

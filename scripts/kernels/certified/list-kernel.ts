@@ -7,7 +7,10 @@ import { flowOf, inputOf, partsOf, scopeOf } from './flow.ts';
 import type { Numbers } from './prologue.ts';
 import { elementOf, type Loop } from './source.ts';
 
-/* A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they are. */
+/*
+ * A stage after the ordinary rays' passes: over a list of rays, two at a time, from wherever they
+ * are.
+ */
 
 const LIST = PARAMS.length;
 const { COUNT, AT, TO, END, LOT_END, LOW, HIGH, BITS, HAND, HAND_END, VECTORS } = numbered(
@@ -18,14 +21,20 @@ const { COUNT, AT, TO, END, LOT_END, LOW, HIGH, BITS, HAND, HAND_END, VECTORS } 
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
-/** What the stage says of a ray: the condition under which it is computed further at all, the one under which it then has both roots, and the one under which it misses. */
+/**
+ * What the stage says of a ray: the condition under which it is computed further at all, the one
+ * under which it then has both roots, and the one under which it misses.
+ */
 export interface Verdicts {
   readonly clear: string;
   readonly settled: string;
   readonly missed: string | null;
 }
 
-/** `name(…PARAMS, list, count)` settles what it can, moves the others to the front of the list and returns how many bytes these are. The list has room for one more. */
+/**
+ * `name(…PARAMS, list, count)` settles what it can, moves the others to the front of the list and
+ * returns how many bytes these are. The list has room for one more.
+ */
 export function listKernel(
   name: string,
   numbers: Numbers,

@@ -49,8 +49,8 @@ const RECENTRED_CUTS = ['t', 'gridQ', 'b', 'clear'];
 const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
 
 /**
- * The kernels, compiled from the loops in TypeScript: without y and with it. Throws SyntaxError with
- * file and line for what the compiler does not understand.
+ * The kernels, compiled from the loops in TypeScript: without y and with it. Throws SyntaxError
+ * with file and line for what the compiler does not understand.
  */
 export const certifiedModule = (sources = stageSources()): Uint8Array =>
   moduleOf([...kernelsOf(sources, false), ...kernelsOf(sources, true)], {

@@ -1,13 +1,19 @@
 import { constant, loadSplat } from '../wasm/ops.ts';
 import type { Code } from './expression.ts';
 
-/** Where a loop's constants are found: the shape's in memory, at an offset by key; the bounds as they are. */
+/**
+ * Where a loop's constants are found: the shape's in memory, at an offset by key; the bounds as
+ * they are.
+ */
 export interface Numbers {
   readonly inMemory: Readonly<Record<string, (key: string) => number>>;
   readonly known: Readonly<Record<string, ArrayLike<number>>>;
 }
 
-/** A constant in both lanes, and a name that is the same for the same number. Throws ReferenceError for one that is not to be found. */
+/**
+ * A constant in both lanes, and a name that is the same for the same number. Throws ReferenceError
+ * for one that is not to be found.
+ */
 export function numberOf(
   array: string,
   key: string,

@@ -2,8 +2,8 @@ import { type ESTree, parseSync } from 'vite';
 import type { Expr } from './expression.ts';
 
 /*
- * What a loop over rays computes, read from its syntax tree (by Vite's parser). Only what the stages
- * of certified need is understood; anything else is refused, with file and line.
+ * What a loop over rays computes, read from its syntax tree (by Vite's parser). Only what the
+ * stages of certified need is understood; anything else is refused, with file and line.
  *
  *   const { x: xs } = scratch;              an array that a stage hands on, by its field's name
  *   const name = array[AT.key] as number;   a constant of all rays, before the loop
@@ -11,9 +11,6 @@ import type { Expr } from './expression.ts';
  *   array[i] as number                      read from an array
  *   array[i] = expression;                  written to an array
  *   if (verdict) { … } else { … }           both sides are computed; the kernel chooses by the name
- *
- * How many rays there are, which place in a list comes next and NaN as an answer are the kernel's
- * own business: `n += 1`, `list[n++] = i`, `t0[i] = Number.NaN` and `continue` are passed over.
  */
 
 export interface Statement {

@@ -102,7 +102,8 @@ function wasm(title: string, bytes: Uint8Array): string {
   const lines = Buffer.from(bytes)
     .toString('base64')
     .match(new RegExp(`.{1,${COLUMNS}}`, 'g'));
-  return `${header(`The method ${title} over arrays, as a module of WebAssembly in base64.`)}export const MODULE = \`
+  const about = header(`The method ${title} over arrays, as a module of WebAssembly in base64.`);
+  return `${about}export const MODULE = \`
 ${lines?.join('\n')}
 \`;
 `;

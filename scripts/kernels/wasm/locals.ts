@@ -1,6 +1,9 @@
 import { type Code, get } from './ops.ts';
 
-/** The locals of a function, first come, first numbered; a name has one in its scope and is sought in the scopes around it. */
+/**
+ * The locals of a function, first come, first numbered; a name has one in its scope and is sought
+ * in the scopes around it.
+ */
 export interface Scope {
   readonly declare: (name: string) => number;
   readonly value: (name: string) => Code;

@@ -1,7 +1,10 @@
 /** Instructions, as bytes. */
 export type Code = readonly number[];
 
-/* The instructions that the kernels need, as bytes (WebAssembly Core Specification 2.0, section 5.4; vectors of two doubles: f64x2). */
+/*
+ * The instructions that the kernels need, as bytes (WebAssembly Core Specification 2.0, section
+ * 5.4; vectors of two doubles: f64x2).
+ */
 
 /** Unsigned LEB128. */
 export function leb(value: number): number[] {
@@ -62,7 +65,10 @@ export function constant(value: number): Code {
   return [...vector(12), ...bytes];
 }
 
-/** All bits but the sign's, in both lanes: `and` with it is one instruction where f64x2.abs becomes three. */
+/**
+ * All bits but the sign's, in both lanes: `and` with it is one instruction where f64x2.abs becomes
+ * three.
+ */
 export const MAGNITUDE: Code = [
   ...vector(12),
   ...Array.from({ length: 16 }, (_, k) => (k % 8 === 7 ? 0x7f : 0xff)),
