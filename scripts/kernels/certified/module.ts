@@ -1,10 +1,15 @@
 import { readFileSync } from 'node:fs';
 import { IMPORT, PAGES } from '../../../src/math/batch/simd-memory.ts';
 import { AT_LATTICE, AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
-import { RECENTRED_BOUNDS } from '../../../src/math/methods/certified/recentred.ts';
-import { REFINED_BOUNDS } from '../../../src/math/methods/certified/refined.ts';
+import { AT_RECENTRED, RECENTRED_BOUNDS } from '../../../src/math/methods/certified/recentred.ts';
+import { AT_REFINED, REFINED_BOUNDS } from '../../../src/math/methods/certified/refined.ts';
 import { LATTICE_NUMBERS, SCALED_NUMBERS } from '../../../src/math/methods/certified/simd.ts';
-import { ROUGH_BOUNDS, SOLVE_BOUNDS } from '../../../src/math/methods/certified/units.ts';
+import {
+  AT_ROUGH,
+  AT_SOLVE,
+  ROUGH_BOUNDS,
+  SOLVE_BOUNDS,
+} from '../../../src/math/methods/certified/units.ts';
 import { type Func, moduleOf } from '../wasm/module.ts';
 import { blockKernel } from './block-kernel.ts';
 import { listKernel } from './list-kernel.ts';
@@ -30,13 +35,21 @@ const lattice = (key: string): number =>
 const scaled = (key: string): number =>
   SCALED_NUMBERS + 8 * AT_SCALED[key as keyof typeof AT_SCALED];
 
+/** The numbers by name that inSlots made doubles of. */
+const named = (at: Readonly<Record<string, number>>, doubles: Float64Array) =>
+  Object.fromEntries(Object.entries(at).map(([name, k]) => [name, doubles[k] as number]));
+
 const numbersOf = (known: Numbers['known']): Numbers => ({
   inMemory: { lattice, numbers: scaled },
   known,
 });
 
 /** What the three passes over ordinary rays take their bounds from. */
-const PASSES = [{ ROUGH_BOUNDS }, {}, { SOLVE_BOUNDS }].map(numbersOf);
+const PASSES = [
+  numbersOf({ ROUGH_BOUNDS: named(AT_ROUGH, ROUGH_BOUNDS) }),
+  numbersOf({}),
+  numbersOf({ SOLVE_BOUNDS: named(AT_SOLVE, SOLVE_BOUNDS) }),
+];
 
 /** Where the parts end, found by measuring. */
 const CUTS = [
@@ -68,14 +81,14 @@ function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Fun
     blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),
     listKernel(
       `recentred${hasY}`,
-      numbersOf({ RECENTRED_BOUNDS }),
+      numbersOf({ RECENTRED_BOUNDS: named(AT_RECENTRED, RECENTRED_BOUNDS) }),
       far,
       { clear: 'clear', settled: 'settled', missed: 'missed' },
       RECENTRED_CUTS,
     ),
     listKernel(
       `refined${hasY}`,
-      numbersOf({ REFINED_BOUNDS }),
+      numbersOf({ REFINED_BOUNDS: named(AT_REFINED, REFINED_BOUNDS) }),
       read('refined', 'refine'),
       { clear: 'clear', settled: 'settled', missed: null },
       REFINED_CUTS,

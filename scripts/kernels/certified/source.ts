@@ -215,8 +215,6 @@ function readerOf({ file, text }: Source, hasY: boolean, verdicts: readonly stri
     if (array === COUNTS) return;
     if (property.type === 'MemberExpression' && !property.computed) {
       constants.push({ name: nameOf(id), array, key: nameOf(property.property as Node) });
-    } else if (property.type === 'Literal' && typeof property.value === 'number') {
-      constants.push({ name: nameOf(id), array, key: String(property.value) });
     } else refuse(node);
   }
 

@@ -10,9 +10,9 @@ import {
 } from '../../../src/math/methods/certified/numbers.ts';
 import {
   BLOCK,
-  ROUGH_BOUNDS as BOUNDS,
-  count,
-  ordinaryRoots,
+  CERTAIN,
+  createScratch,
+  ordinaryRootsWith,
 } from '../../../src/math/methods/certified/units.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, seeded, uniform } from '../../../src/math/rng.ts';
@@ -30,28 +30,21 @@ import {
   quarter,
   questionOf,
 } from './in-a-row.ts';
-import { namedValues, stageSource } from './named-values.ts';
+import { roughLike } from './stage-models.ts';
 
 /*
- * What the comments of pass 1 say of its rough values, at those values themselves: a search looks
- * for the ray on which each is worst. So a limit that lets more rays through than its derivation
- * allows is seen, long before a root is wrong.
+ * What the comments of pass 1 say of its rough values, at those values themselves
+ * (stage-models.ts): a search looks for the ray on which each is worst. So a limit that lets more
+ * rays through than its derivation allows is seen, long before a root is wrong.
  */
 
 const U = 2 ** -53;
-const [, CERTAIN] = BOUNDS as unknown as readonly [number, number];
-
-const coarse = [
-  namedValues(stageSource('units'), 'coarseAroundAxis', false),
-  namedValues(stageSource('units'), 'coarseInSpace', true),
-] as const;
 
 interface Rough {
   readonly q: Quadric;
   readonly ray: Ray;
   readonly lattice: Lattice;
-  readonly named: Readonly<Record<string, number>>;
-  readonly clear: boolean;
+  readonly model: ReturnType<typeof roughLike>;
 }
 
 function roughly(kind: Kind, x: Numbers): Rough | null {
@@ -59,16 +52,7 @@ function roughly(kind: Kind, x: Numbers): Rough | null {
   const q = quadricOf(shape) as Quadric;
   const lattice = latticeOf(q);
   if (!lattice || !x.every(Number.isFinite)) return null;
-  const [Ex, Ey, Ez] = ray.origin;
-  const [dx, dyi, dz] = ray.direction;
-  const named = coarse[q.hasY ? 1 : 0](
-    (array, key) =>
-      (array === 'ROUGH_BOUNDS'
-        ? BOUNDS[Number(key)]
-        : lattice[AT[key as keyof typeof AT]]) as number,
-    { Ex, Ey, Ez, dx, dy: dyi, dz },
-  );
-  return { q, ray, lattice, named, clear: Boolean(named.clear) };
+  return { q, ray, lattice, model: roughLike(q, lattice, ray) };
 }
 
 const n = dy.fromNumber;
@@ -89,8 +73,8 @@ describe('pass 1 (seed 201)', () => {
         ])(),
       score: (x) => {
         const rough = roughly(kind, x);
-        if (!rough?.named.fits) return 0;
-        const { D, Q } = rough.named as { D: number; Q: number };
+        if (!rough?.model.fits) return 0;
+        const { D, Q } = rough.model;
         return share(D, quarter(rough.q, rough.ray), -CERTAIN * Q);
       },
       starts: 100,
@@ -106,8 +90,8 @@ describe('pass 1 (seed 201)', () => {
       start: () => grazing(kind, random, log(random, -20, -6), log(random, -2, 6)),
       score: (x) => {
         const rough = roughly(kind, x);
-        if (!rough?.clear) return 0;
-        const root = rough.named.root as number;
+        if (!rough?.model.clear) return 0;
+        const { root } = rough.model;
         const exact = surd.surd(dy.ZERO, dy.ONE, dy.ONE, quarter(rough.q, rough.ray));
         const off = surd.toNumber(surd.sub(surd.fromNumber(root), exact));
         return Math.abs(off / root) / 2 ** -29;
@@ -132,8 +116,8 @@ describe('pass 1 (seed 201)', () => {
       },
       score: (x) => {
         const rough = roughly(kind, x);
-        if (!rough?.clear) return 0;
-        const A = rough.named.A as number;
+        if (!rough?.model.clear) return 0;
+        const { A } = rough.model;
         return share(A, exactA(rough.q, rough.ray), 200 * U * Math.abs(A));
       },
       starts: 25,
@@ -162,15 +146,14 @@ test.each(KINDS)(
       },
       score: (x) => {
         const rough = roughly(kind, x);
-        if (!rough?.clear) return 0;
-        const { q, ray, lattice, named } = rough;
+        if (!rough?.model.clear) return 0;
+        const { q, ray, lattice, model } = rough;
         const unit = at(lattice, 'two') / 2;
         const roots = solved(q, ray).roots;
-        const near = named.middle as number;
-        const h = named.h as number;
+        const { near, far } = model;
         const size = at(lattice, 'largestSize');
-        if (Math.hypot(...ray.direction) * h > 2 * size) return 0;
-        const off = [near - h, near + h].map((t, k) =>
+        if (Math.hypot(...ray.direction) * (far - near) > 4 * size) return 0;
+        const off = [near, far].map((t, k) =>
           Math.abs(surd.toNumber(surd.sub(surd.fromNumber(t), roots[k] as surd.Surd))),
         );
         return Math.max(...off) / unit / 2 ** -7;
@@ -191,10 +174,11 @@ test('a cone asked from close to its vertex: what underflows decides nothing (se
     const tiny = 2 ** uniform(random, -545, -480);
     const x = about(random).map((v, i) => (i < 3 ? 0 : i > 4 && i < 8 ? v * tiny : v));
     const rough = roughly('cone', x);
-    if (!rough?.named.fits) continue;
+    if (!rough?.model.fits) continue;
     fits += 1;
     const sign = dy.sign(quarter(rough.q, rough.ray));
-    if ((rough.clear && sign < 0) || (rough.named.missed && sign >= 0)) wrong.push(x);
+    const { clear, missed } = rough.model;
+    if ((clear && sign < 0) || (missed && sign >= 0)) wrong.push(x);
   }
   expect(fits).toBeGreaterThan(5000);
   expect(wrong).toEqual([]);
@@ -217,12 +201,14 @@ describe('the largest and the smallest shapes that are ordinary (seed 206)', () 
   const fastest = 2 ** (Math.log2(at(unit, 'largestDirection')) / 2 - 6);
 
   const out = createAnswers(BLOCK);
+  const scratch = createScratch();
+  const ordinaryRoots = ordinaryRootsWith(scratch);
   /** Roots, over `unit`, and what is left to others. */
   function answers(q: Quadric, rays: readonly Ray[], unit: number): number[] {
     out.t0.fill(-1);
     out.t1.fill(-1);
     ordinaryRoots(latticeOf(q) as Lattice, q.hasY, packRays(rays), out, 0, rays.length);
-    return [...count, ...[...out.t0, ...out.t1].map((t) => (t === -1 ? t : t / unit))];
+    return [...scratch.count, ...[...out.t0, ...out.t1].map((t) => (t === -1 ? t : t / unit))];
   }
 
   test.each(KINDS)(

@@ -3,12 +3,13 @@ import { quadricOf } from '../../../src/math/batch/quadric.ts';
 import { SMALLEST_D } from '../../../src/math/methods/certified/class.ts';
 import {
   AT_LATTICE as AT,
+  GRID_P,
   latticeOf,
   UNIT_OF_DIRECTION,
 } from '../../../src/math/methods/certified/numbers.ts';
-import { RECENTRED_BOUNDS as FAR } from '../../../src/math/methods/certified/recentred.ts';
-import { REFINED_BOUNDS as ROOT } from '../../../src/math/methods/certified/refined.ts';
-import { ROUGH_BOUNDS as ROUGH } from '../../../src/math/methods/certified/units.ts';
+import * as far from '../../../src/math/methods/certified/recentred.ts';
+import * as root from '../../../src/math/methods/certified/refined.ts';
+import { SLACK, SLACK_A } from '../../../src/math/methods/certified/units.ts';
 
 /*
  * Constants that are far more cautious than any ray shows: each against the count of its own
@@ -16,7 +17,6 @@ import { ROUGH_BOUNDS as ROUGH } from '../../../src/math/methods/certified/units
  * derivation, which no wrong answer would betray.
  */
 const U = 2 ** -53;
-const of = (bounds: Float64Array, k: number): number => bounds[k] as number;
 const sum = (steps: readonly number[]): number => steps.reduce((a, b) => a + b, 0);
 
 /**
@@ -30,49 +30,40 @@ const offQ = 2 ** -75 * sum([3, 3, 10]);
 const offF = 2 ** -73 * sum([1, 1, 1, 3, 1, 1]) + 2 * offQ;
 
 describe('recentred', () => {
-  const [gridP, cross, square, residual, slope] = [2, 4, 5, 6, 7].map((k) => of(FAR, k)) as [
-    number,
-    number,
-    number,
-    number,
-    number,
-  ];
-  const narrow = of(FAR, 14);
   /** ql·d and qh·dl at six operations, and δq·d. */
   const offB = 6 * 2 ** -74 + offQ;
   test('SLOPE_ERROR covers what b is off, CROSS_ERROR twice that and what f is off', () => {
-    expect(slope).toBeGreaterThanOrEqual(offB);
-    expect(cross).toBeGreaterThanOrEqual(Math.max(2 * offB, offF));
+    expect(far.SLOPE_ERROR).toBeGreaterThanOrEqual(offB);
+    expect(far.CROSS_ERROR).toBeGreaterThanOrEqual(Math.max(2 * offB, offF));
   });
   test('with NARROW it covers 2|q||δq| where the leading parts are 0', () => {
-    expect(cross * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * 2 ** -23);
+    expect(far.CROSS_ERROR * far.NARROW_RECENTRED).toBeGreaterThanOrEqual(2 * offQ * 3 * 2 ** -23);
   });
   test('SQUARE_ERROR covers 2u of b and of its square, RESIDUAL_ERROR 2u of f, 9u of A', () => {
-    expect(square).toBeGreaterThanOrEqual(sum([2, 2]) * U);
-    expect(residual).toBeGreaterThanOrEqual(sum([2, 9, 2]) * U);
+    expect(far.SLOPE_SQUARE_ERROR).toBeGreaterThanOrEqual(sum([2, 2]) * U);
+    expect(far.RESIDUAL_SHARE).toBeGreaterThanOrEqual(sum([2, 9, 2]) * U);
   });
   test('GRID_P leaves of p 2^-46 of the reach', () => {
-    expect(gridP * 2 ** -52).toBeLessThanOrEqual(2 ** -46);
+    expect(GRID_P * 2 ** -52).toBeLessThanOrEqual(2 ** -46);
   });
 });
 
 describe('root by root', () => {
-  const [gridP, residual, spread, step, clear, apart, narrow] = [2, 4, 7, 8, 9, 10, 17].map((k) =>
-    of(ROOT, k),
-  ) as [number, number, number, number, number, number, number];
   test('RESIDUAL_ERROR covers the error of f, with NARROW where the leading parts are 0', () => {
-    expect(residual).toBeGreaterThanOrEqual(offF);
-    expect(residual * narrow).toBeGreaterThanOrEqual(2 * offQ * 3 * (2 ** -22 + 2 ** -45));
+    expect(root.RESIDUAL_ERROR).toBeGreaterThanOrEqual(offF);
+    expect(root.RESIDUAL_ERROR * root.NARROW_REFINED).toBeGreaterThanOrEqual(
+      2 * offQ * 3 * (2 ** -22 + 2 ** -45),
+    );
   });
   test('CLEAR makes √D known to 2^-18, and STEP keeps A f below 2^-17 of D', () => {
-    expect(1 / (2 * clear)).toBeLessThanOrEqual(2 ** -18);
-    expect(step).toBeLessThanOrEqual(2 ** -17);
+    expect(1 / (2 * root.CLEAR_REFINED)).toBeLessThanOrEqual(2 ** -18);
+    expect(root.STEP_SHARE).toBeLessThanOrEqual(2 ** -17);
   });
   test('APART keeps what b is off, 8u of S, below 2^-7 of √D', () => {
-    expect((8 * U) / Math.sqrt(apart)).toBeLessThanOrEqual(2 ** -7);
+    expect((8 * U) / Math.sqrt(root.APART)).toBeLessThanOrEqual(2 ** -7);
   });
   test('GRID_P and SPREAD keep the rounding of the rest of p below 1/16 of the unit', () => {
-    expect(gridP * 2 ** -52 * U * spread).toBeLessThanOrEqual(2 ** -75 / 16);
+    expect(GRID_P * 2 ** -52 * U * root.SPREAD).toBeLessThanOrEqual(2 ** -75 / 16);
   });
 });
 
@@ -88,8 +79,8 @@ describe('ordinary rays', () => {
     return q && latticeOf(q);
   };
   test('SLACK covers the larger step without Am/|A| and reach: divisor 6u, f 3u, 4u', () => {
-    expect(of(ROUGH, 4)).toBeGreaterThanOrEqual(sum([6, 3, 4]) * U);
-    expect(of(ROUGH, 3)).toBeGreaterThanOrEqual(3.5 * U);
+    expect(SLACK).toBeGreaterThanOrEqual(sum([6, 3, 4]) * U);
+    expect(SLACK_A).toBeGreaterThanOrEqual(3.5 * U);
   });
   test('|d| has 2^4 units at least: roots within 2^24 of the centre are below 2^21 apart', () => {
     const least = Math.sqrt(lattice(0)?.[AT.smallestDirection] ?? 0) / UNIT_OF_DIRECTION;

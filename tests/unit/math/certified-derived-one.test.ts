@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import { createRoots } from '../../../src/math/methods/certified/algebra.ts';
+import { createRoots, NEAR, ROOT_OFF } from '../../../src/math/methods/certified/algebra.ts';
 import { putRoots, QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/doubled.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -131,15 +131,15 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
     });
   });
 
+  const taken = places.createStep();
+  const { roots } = taken;
   /**
    * t = 1 and a slope of about 1: how much of its bound the step takes if F and F' are off by as
    * much as they may be.
    */
   function step(F: number, offF: number, eta: number): number {
-    places.STEP_PLACE[places.PLACE_F] = F;
-    places.STEP_PLACE[places.PLACE_F + 1] = F * U;
-    expect(places.putStep(0, 1, offF, 1, eta)).toBe(eta <= 0.25);
-    const [, delta = 0, off = 0] = places.PLACE_STEP;
+    expect(places.putStep(roots, NEAR, 1, F, offF, 1, eta)).toBe(eta <= 0.25);
+    const [, delta = 0, off = 0] = roots;
     return Math.max(
       ...[-1, 1].flatMap((s) =>
         [-1, 1].map((r) => abs((F + s * offF) / (1 + r * eta) + delta) / off),
@@ -156,7 +156,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
   });
   test('and by rounding it, and the point', () => {
     step(0, 0, 0);
-    const covered = (places.PLACE_STEP[2] ?? 0) - 2 ** -1072;
+    const covered = (roots[NEAR + ROOT_OFF] ?? 0) - places.TINY;
     const onPoint = add(low(0), add(low(1), mul(known(2 * U), known(1)))).off;
     const first = low(1).x + 2 * U;
     const share = (onPoint + U * first + 4 * UU) / covered;
@@ -169,16 +169,16 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       // Touches but for 2^-k of the radius; E is on the tangent's side, t = 3.
       const high = Math.sqrt(1 - 2 ** -k);
       const ray: Ray = { origin: [-3 - Math.sqrt(1 - high * high), 0, high], direction: [1, 0, 0] };
-      places.placeOnQuadric(q, ray, 0, 3);
+      places.stepOnQuadric(taken, q, ray, NEAR, 3);
       const x = ray.origin[0] + 3;
       const slope = abs(2 * x);
       const offF = places.ERROR_CURVED * (x * x + high * high + 1);
       const bend = 2 * U * 3;
       const offSlope = places.ERROR_SLOPE * abs(x);
       const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
-      const bent = abs(2 * x - (places.STEP_PLACE[places.PLACE_F] ?? 0) / (2 * x));
+      const bent = abs(2 * x - (taken.place[places.PLACE_F] ?? 0) / (2 * x));
       return (
-        (places.PLACE_STEP[2] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
+        (roots[NEAR + ROOT_OFF] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
       );
     });
     for (const share of shares) expect(share).toBeCloseTo(1, 13);
@@ -236,7 +236,7 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
       const [A, b, C, D] = [algebra.AT_A, algebra.AT_B, algebra.AT_C, algebra.AT_D].map((k) =>
         abs(numbers[k] ?? 0),
       ) as [number, number, number, number];
-      const [offA, offB, offC, offD] = numbers.slice(algebra.AT_OFF) as unknown as number[];
+      const [offA, offB, offC, offD] = numbers.slice(algebra.AT_OFF_A) as unknown as number[];
       const s = Math.sqrt(D);
       const offQ = ((offB ?? 0) + (offD ?? 0) / s) / (b + s);
       const charged = [offQ + (offA ?? 0) / A, offQ + (offC ?? 0) / C];

@@ -5,7 +5,7 @@ import { DIRECT_ERROR, momentError } from '../../../src/math/methods/certified/c
 import { FAITHFUL, GRID_25, GRID_26 } from '../../../src/math/methods/certified/numbers.ts';
 import * as figure from '../../../src/math/methods/certified/planar.ts';
 import * as flat from '../../../src/math/methods/certified/planar.ts';
-import { rootInTwice } from '../../../src/math/methods/certified/planar.ts';
+import { createTwice, rootInTwice } from '../../../src/math/methods/certified/planar.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { ERROR as DEPARTS } from '../../../src/tracer/departs.ts';
@@ -279,7 +279,8 @@ describe(`in twice the digits (seed ${SEED})`, () => {
         size: 0,
       } as unknown as Planar;
       const numbers = (v: Three) => v.map(({ x }) => x) as unknown as Vec3;
-      return off / rootInTwice(s, packRays([{ origin: numbers(p), direction: numbers(d) }]), 0);
+      const rays = packRays([{ origin: numbers(p), direction: numbers(d) }]);
+      return off / rootInTwice(s, rays, 0, createTwice());
     };
     const level = (N: Three, v: Three, by: number): Three => [
       v[0],

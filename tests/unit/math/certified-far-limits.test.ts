@@ -7,30 +7,33 @@ import {
   asked,
   beside,
   farther,
-  possible,
   recentred,
   rootByRoot,
+  type Share,
   type Start,
   shareOfD,
   shareOfRoot,
   shareOfSteps,
   steep,
   through,
-  value,
   worst,
 } from './far-stages.ts';
 import { about, grazing, KINDS, log, quarter } from './in-a-row.ts';
+import type { Off } from './running-error.ts';
+
+interface Verdicts {
+  readonly clear: boolean;
+  readonly missed: boolean;
+}
 
 describe.each(KINDS)('%s (seed 216)', (kind) => {
   test('A of a clear hit is known to 2^-30', () => {
-    for (const stage of [recentred, rootByRoot]) {
-      const share = worst(
-        stage,
-        kind,
-        steep,
-        (a) => (a.named.clear ? possible(a, 'A') / Math.abs(value(a, 'A')) / 2 ** -30 : 0),
-        216,
-      );
+    const known = ({ model: { clear, A } }: Asked<{ clear: boolean; A: Off }>): number =>
+      clear ? A.off / Math.abs(A.x) / 2 ** -30 : 0;
+    for (const share of [
+      worst(recentred, kind, steep, known, 216),
+      worst(rootByRoot, kind, steep, known, 216),
+    ]) {
       expect(share).toBeLessThan(1);
       expect(share).toBeGreaterThan(kind === 'cylinder' ? 2 ** -24 : 1 / 16);
     }
@@ -38,17 +41,14 @@ describe.each(KINDS)('%s (seed 216)', (kind) => {
 
   test('what is charged for a settled root is less than half an ulp', () => {
     const half = (t: number): number => 2 ** -54 * Math.abs(t);
-    const recentredShare = (a: Asked): number =>
-      a.named.clear && a.named.settled
-        ? value(a, 'off') / half(Math.min(Math.abs(value(a, 'near')), Math.abs(value(a, 'far'))))
-        : 0;
-    const refinedShare = (a: Asked): number =>
-      a.named.clear && a.named.settled
-        ? Math.max(
-            value(a, 'errorA') / half(value(a, 'ra')),
-            value(a, 'errorB') / half(value(a, 'rb')),
-          )
-        : 0;
+    const recentredShare: Share<ReturnType<typeof recentred>> = ({ model }) => {
+      const { clear, settled, off, near, far } = model;
+      return clear && settled ? off / half(Math.min(Math.abs(near), Math.abs(far))) : 0;
+    };
+    const refinedShare: Share<ReturnType<typeof rootByRoot>> = ({ model }) => {
+      const { clear, settled, a, b, ra, rb } = model;
+      return clear && settled ? Math.max(a.error / half(ra), b.error / half(rb)) : 0;
+    };
     for (const share of [
       worst(recentred, kind, any, recentredShare, 221),
       worst(rootByRoot, kind, beside, refinedShare, 222),
@@ -59,11 +59,11 @@ describe.each(KINDS)('%s (seed 216)', (kind) => {
   });
 
   test('what is settled was off by less than half of the distance to the next double', () => {
-    const settled = (a: Asked): number =>
-      a.named.settled && a.named.clear
-        ? possible(a, 'around') /
-          (2 ** -54 * Math.min(Math.abs(value(a, 'near')), Math.abs(value(a, 'far'))))
-        : 0;
+    const settled: Share<ReturnType<typeof recentred>> = ({ model }) => {
+      const { clear, settled, around, near, far } = model;
+      const place = 2 ** -54 * Math.min(Math.abs(near), Math.abs(far));
+      return clear && settled ? around.off / place : 0;
+    };
     const share = worst(recentred, kind, any, settled, 217);
     expect(share).toBeLessThan(1);
     expect(share).toBeGreaterThan(1 / 4);
@@ -82,9 +82,9 @@ test('a cone asked from close to its vertex: what underflows decides nothing (se
       return i > 4 && i < 8 ? (v - (k % 2 ? 0 : (drawn[i - 5] as number))) * tiny : v;
     });
     for (const stage of [recentred, rootByRoot]) {
-      const a = asked(stage, 'cone', x) as Asked;
-      const sign = dy.sign(quarter(a.q, a.ray));
-      if ((a.named.clear && sign < 0) || (a.named.missed && sign >= 0)) wrong.push(x);
+      const { q, ray, model } = asked<Verdicts>(stage, 'cone', x) as Asked<Verdicts>;
+      const sign = dy.sign(quarter(q, ray));
+      if ((model.clear && sign < 0) || (model.missed && sign >= 0)) wrong.push(x);
     }
   }
   expect(wrong).toEqual([]);

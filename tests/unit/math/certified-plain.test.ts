@@ -3,7 +3,7 @@ import { NONE, TWO } from '../../../src/math/batch/batch.ts';
 import { solveExactly } from '../../../src/math/batch/exact-quadric.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { type Family, findFamily } from '../../../src/math/families.ts';
-import { plainRoots, UNKNOWN } from '../../../src/math/methods/certified/doubled.ts';
+import { createWork, plainRoots, UNKNOWN } from '../../../src/math/methods/certified/doubled.ts';
 import { certifiedSlot } from '../../../src/math/methods/certified/numbers.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';
@@ -18,12 +18,13 @@ import { unfaithful } from './exact-quadratic.ts';
 
 const SEED = 93;
 const slot = certifiedSlot();
+const work = createWork();
 const truth = { t0: 0, t1: 0 };
 
 /** The verdict; throws at one that is wrong, and at roots that are not faithful, or −0. */
 function checked(shape: Shape, ray: Ray): number {
   const q = quadricOf(shape) as Quadric;
-  const verdict = plainRoots(q, ray, slot);
+  const verdict = plainRoots(q, ray, slot, work);
   const { origin: E, direction: d } = ray;
   if (verdict === NONE) {
     expect(solveExactly(q, E[0], E[1], E[2], d[0], d[1], d[2], truth)).toBe(NONE);

@@ -42,7 +42,7 @@ test('C is not called 0 where a = c² lost bits, nor certain where products are 
     algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);
     sharpenC(numbers, 0);
   };
-  const off = (): number => numbers[algebra.AT_OFF + 2] as number;
+  const off = (): number => numbers[algebra.AT_OFF_C] as number;
   // 9/4 of the least double is rounded to 2 of them, and then C looks like 1 + 1 − 2.
   const cone: Shape = { kind: 'cone', vertex: [0, 0, 0], slope: 3 * 2 ** -538 };
   put(cone, { origin: [2 ** -438, 2 ** 99, 2 ** -438], direction: [1, 0, 0] });

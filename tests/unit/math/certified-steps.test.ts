@@ -4,11 +4,12 @@ import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { AT_LATTICE as AT, latticeOf } from '../../../src/math/methods/certified/numbers.ts';
 import {
-  ROUGH_BOUNDS as BOUNDS,
   coarseInSpace,
   createScratch,
   HITS,
   SHARE,
+  SLACK,
+  SLACK_A,
   SLACK_G,
   solvePass,
   UNSETTLED,
@@ -23,13 +24,6 @@ import { form } from './exact-quadratic.ts';
  */
 
 const U = 2 ** -53;
-const [, , , SLACK_A, SLACK] = BOUNDS as unknown as readonly number[] as [
-  number,
-  number,
-  number,
-  number,
-  number,
-];
 const scratch = createScratch();
 const solve = solvePass(scratch);
 const out = createAnswers(1);

@@ -52,7 +52,7 @@ export function pass(numbers: Float64Array): number {
   const { x: xs, out } = scratch;
   const first = numbers[AT.first] as number;
   const second = numbers[AT.second] as number;
-  const bound = BOUNDS[1] as number;
+  const bound = BOUNDS[AT.bound] as number;
   const hits = count[HITS] as number;
   let left = 0;
   for (let i = 0; i < hits; i++) {
@@ -92,7 +92,7 @@ describe('a loop', () => {
     expect(constants).toEqual([
       { name: 'first', array: 'numbers', key: 'first' },
       { name: 'second', array: 'numbers', key: 'second' },
-      { name: 'bound', array: 'BOUNDS', key: '1' },
+      { name: 'bound', array: 'BOUNDS', key: 'bound' },
     ]);
   });
   test('its statements in order; no comment, no index, no answer that is the same for all', () => {
@@ -166,6 +166,11 @@ describe('what the compiler does not understand is refused, with file and line',
     ['an unknown verdict', stage('if (sure) {}'), /^stage\.ts:4: sure is none of the verdicts/],
     ['a count by two', stage('left += 2;'), /^stage\.ts:4: left \+= 2 is not understood$/],
     ['a change', stage('x = 2;'), /^stage\.ts:4: x = 2 is not understood$/],
+    [
+      'a slot by its bare number',
+      source('export function pass() {\n  const x = B[3] as number;\n  for (;;) {}\n}'),
+      /^stage\.ts:2: const x = B\[3\] as number; is not understood$/,
+    ],
     ['two loops', stage('}', 'for (;;) {'), /^stage\.ts:5: for \(;;\) { is a second loop$/],
     ['no TypeScript', stage('const = 3;'), /^stage\.ts:4: /],
   ];
@@ -209,11 +214,14 @@ test('a small loop, compiled and run: the bits of the same loop in TypeScript', 
     true,
   );
   const first = 0.3;
-  const known = { ...loop, constants: loop.constants.map((one) => ({ ...one, key: '0' })) };
   const verdicts = { clear: 'clear', settled: 'settled', missed: null };
-  const kernel = listKernel('run', { inMemory: {}, known: { numbers: [first] } }, known, verdicts, [
-    'clear',
-  ]);
+  const kernel = listKernel(
+    'run',
+    { inMemory: {}, known: { numbers: { first } } },
+    loop,
+    verdicts,
+    ['clear'],
+  );
   const memory = createSimdMemory();
   const { run } = memory.load(moduleOf([kernel], { ...IMPORT, pages: PAGES }));
   const random = seeded(167);
@@ -236,7 +244,7 @@ test('a small loop, compiled and run: the bits of the same loop in TypeScript', 
 });
 
 describe('names', () => {
-  const nowhere: Numbers = { inMemory: {}, known: { BOUNDS: [1, 2] } };
+  const nowhere: Numbers = { inMemory: {}, known: { BOUNDS: { least: 1 } } };
   const value = (target: string, formula: string): Statement => ({
     target,
     writes: false,
@@ -271,8 +279,8 @@ describe('names', () => {
     expect([scope.count(), left.count()]).toEqual([4, 4]);
   });
   test('a constant that is in no list is named with its key', () => {
-    expect(() => numberOf('BOUNDS', '2', nowhere)).toThrow(/^BOUNDS\[2\] is not known$/);
-    expect(() => numberOf('LIMITS', '0', nowhere)).toThrow(/^LIMITS\[0\] is not known$/);
+    expect(() => numberOf('BOUNDS', 'most', nowhere)).toThrow(/^BOUNDS\[most\] is not known$/);
+    expect(() => numberOf('LIMITS', 'least', nowhere)).toThrow(/^LIMITS\[least\] is not known$/);
   });
   test('an array that is read and never written is named', () => {
     const rough = [value('clear', '1 < 2'), value('missed', '2 < 1'), value('remote', '1 < 2')];

@@ -33,24 +33,35 @@ export const SMALLEST_ALGEBRA_D = 2 ** -670;
 export const LARGE = 2 ** 200;
 
 /**
- * A, b, C and D/4 as hi and lo, then their error bounds; E − C and a as hi and lo; AmCm, or NaN
- * where the bounds mean nothing.
+ * What is known of a ray and a shape: A, b, C and D/4 as two doubles each, their error bounds, p =
+ * E − C and a as two doubles each, and AmCm, which is NaN where the bounds mean nothing. putAlgebra
+ * and putShort write all of it. Each stage has one of its own, as each may have the ray in units of
+ * its own: one that they shared was refilled in other units by a call between writing and reading
+ * (tests/repro).
  */
 export type Algebra = Float64Array;
-
-/**
- * Each stage has one of its own, as each may have the ray in units of its own: one that they shared
- * was refilled in other units by a call between writing and reading (tests/repro).
- */
 export const createAlgebra = (): Algebra => new Float64Array(21);
 
 export const AT_A = 0;
+export const AT_A_LOW = 1;
 export const AT_B = 2;
+export const AT_B_LOW = 3;
 export const AT_C = 4;
+export const AT_C_LOW = 5;
 export const AT_D = 6;
-export const AT_OFF = 8;
-export const AT_P = 12;
+export const AT_D_LOW = 7;
+export const AT_OFF_A = 8;
+export const AT_OFF_B = 9;
+export const AT_OFF_C = 10;
+export const AT_OFF_D = 11;
+export const AT_PX = 12;
+export const AT_PX_LOW = 13;
+export const AT_PY = 14;
+export const AT_PY_LOW = 15;
+export const AT_PZ = 16;
+export const AT_PZ_LOW = 17;
 export const AT_FLARE = 18;
+export const AT_FLARE_LOW = 19;
 export const AT_SIZE = 20;
 
 /** a·b − p for a = ah + al, b = bh + bl cut in halves (Dekker). */
@@ -171,35 +182,41 @@ export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra
   const Am = round + size * yy;
   const Cm = wide + size * qq + rho;
   algebra[AT_A] = Ah;
-  algebra[AT_A + 1] = Al;
+  algebra[AT_A_LOW] = Al;
   algebra[AT_B] = bh;
-  algebra[AT_B + 1] = bl;
+  algebra[AT_B_LOW] = bl;
   algebra[AT_C] = Ch;
-  algebra[AT_C + 1] = Cl;
+  algebra[AT_C_LOW] = Cl;
   algebra[AT_D] = Dh;
-  algebra[AT_D + 1] = sumError(D0, D1, Dh);
-  algebra[AT_OFF] = ERROR_A * Am + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 1] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 2] = ERROR_C * Cm + SMALLEST_ALGEBRA;
-  algebra[AT_OFF + 3] = ERROR_D * (Am * Cm) + SMALLEST_ALGEBRA_D;
-  algebra[AT_P] = px;
-  algebra[AT_P + 1] = pxl;
-  algebra[AT_P + 2] = py;
-  algebra[AT_P + 3] = pyl;
-  algebra[AT_P + 4] = pz;
-  algebra[AT_P + 5] = pzl;
+  algebra[AT_D_LOW] = sumError(D0, D1, Dh);
+  algebra[AT_OFF_A] = ERROR_A * Am + SMALLEST_ALGEBRA;
+  algebra[AT_OFF_B] = ERROR_B * (Math.abs(xp) + Math.abs(zp) + Math.abs(ayp)) + SMALLEST_ALGEBRA;
+  algebra[AT_OFF_C] = ERROR_C * Cm + SMALLEST_ALGEBRA;
+  algebra[AT_OFF_D] = ERROR_D * (Am * Cm) + SMALLEST_ALGEBRA_D;
+  algebra[AT_PX] = px;
+  algebra[AT_PX_LOW] = pxl;
+  algebra[AT_PY] = py;
+  algebra[AT_PY_LOW] = pyl;
+  algebra[AT_PZ] = pz;
+  algebra[AT_PZ_LOW] = pzl;
   algebra[AT_FLARE] = a;
-  algebra[AT_FLARE + 1] = aLow;
+  algebra[AT_FLARE_LOW] = aLow;
   const bounded = Am < LARGE && Cm < LARGE && size < LARGE;
   const exactA = !q.squared || (yy < LARGE && qq < LARGE);
   algebra[AT_SIZE] = bounded && exactA ? Am * Cm : Number.NaN;
 }
 
 /**
- * t, tl and off of the near root; the same of the far one. Each stage has its own, as with Algebra.
+ * The near root and the far one, each as two doubles with a bound on its error, from NEAR and FAR
+ * on. Each stage has its own, as with Algebra.
  */
 export type Roots = Float64Array;
 export const createRoots = (): Roots => new Float64Array(6);
+export const NEAR = 0;
+export const FAR = 3;
+/** From NEAR or FAR: what the root is more than its double, and how far both may be off. */
+export const ROOT_LOW = 1;
+export const ROOT_OFF = 2;
 
 /*
  * Numbers that people type: whole multiples of 2^-8, none above 2^8, so 16 bits of units and a
@@ -246,10 +263,10 @@ export function putShort(q: Quadric, { origin: E, direction: d }: Ray, algebra: 
   algebra[AT_B] = b;
   algebra[AT_C] = C0;
   algebra[AT_D] = Dh;
-  algebra[AT_D + 1] = sumError(D0, D1, Dh);
-  algebra[AT_P] = px;
-  algebra[AT_P + 2] = py;
-  algebra[AT_P + 4] = pz;
+  algebra[AT_D_LOW] = sumError(D0, D1, Dh);
+  algebra[AT_PX] = px;
+  algebra[AT_PY] = py;
+  algebra[AT_PZ] = pz;
   algebra[AT_FLARE] = a;
   const size = Math.abs(a);
   algebra[AT_SIZE] =
@@ -285,6 +302,6 @@ export function putSingle(algebra: Algebra, verdict: number, slot: RootSlot): vo
 export function wholeRoot(algebra: Algebra): number {
   const s = Math.sqrt(algebra[AT_D] as number);
   const ss = s * s;
-  const exact = ss === algebra[AT_D] && squareError(s, ss) === algebra[AT_D + 1];
+  const exact = ss === algebra[AT_D] && squareError(s, ss) === algebra[AT_D_LOW];
   return exact ? s : Number.NaN;
 }

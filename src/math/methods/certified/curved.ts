@@ -10,12 +10,17 @@ import {
   AT_C,
   AT_D,
   AT_FLARE,
-  AT_OFF,
-  AT_P,
+  AT_OFF_B,
+  AT_OFF_D,
+  AT_PX,
+  AT_PY,
+  AT_PZ,
   AT_SIZE,
   bottomOf,
   createAlgebra,
   createRoots,
+  FAR,
+  NEAR,
   putAlgebra,
   putShort,
   putSingle,
@@ -101,16 +106,13 @@ function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit
     return [hitAtQuotient(q, ray, -b - s, m, t0), hitAtQuotient(q, ray, -b + s, m, t1)];
   }
   if (!putRoots(algebra, roots)) return null;
-  const near = hitAt(q, ray, algebra, roots, 0, t0);
-  const far = near && hitAt(q, ray, algebra, roots, 3, t1);
+  const near = hitAt(q, ray, algebra, roots, NEAR, t0);
+  const far = near && hitAt(q, ray, algebra, roots, FAR, t1);
   return far && [near, far];
 }
 
-/** A quotient as hi and lo. */
-const PLACE_SPLIT = new Float64Array(2);
-
-/** Puts (e m + x n)/m. */
-function put(e: number, x: number, n: number, m: number): void {
+/** Puts (e m + x n)/m, as two doubles. */
+function putQuotient(quotient: Float64Array, e: number, x: number, n: number, m: number): void {
   const em = e * m;
   const xn = x * n;
   const sum = em + xn;
@@ -121,22 +123,27 @@ function put(e: number, x: number, n: number, m: number): void {
   const p = first * m;
   const rest = (hi - p - productError(first, m, p) + lo) / m;
   const place = first + rest;
-  PLACE_SPLIT[0] = place + 0;
-  PLACE_SPLIT[1] = rest - (place - first);
+  quotient[HI] = place + 0;
+  quotient[LO] = rest - (place - first);
 }
+
+const HI = 0;
+const LO = 1;
+/** The coordinate of hitAtQuotient that was put last. */
+const quotient = new Float64Array(2);
 
 function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quotient): Hit {
   const [n, m, t] = at;
   const coordinate = (e: number, x: number): number => {
-    put(e, x, n, m);
-    return PLACE_SPLIT[0] as number;
+    putQuotient(quotient, e, x, n, m);
+    return quotient[HI] as number;
   };
   const a = algebra[AT_FLARE] as number;
-  const normalX = coordinate(algebra[AT_P] as number, d[0]);
-  const normalZ = coordinate(algebra[AT_P + 4] as number, d[2]);
-  const above = q.hasY ? coordinate(algebra[AT_P + 2] as number, d[1]) : 0;
+  const normalX = coordinate(algebra[AT_PX] as number, d[0]);
+  const normalZ = coordinate(algebra[AT_PZ] as number, d[2]);
+  const above = q.hasY ? coordinate(algebra[AT_PY] as number, d[1]) : 0;
   const down = a * above;
-  const low = q.hasY ? productError(a, above, down) + a * (PLACE_SPLIT[1] as number) : 0;
+  const low = q.hasY ? productError(a, above, down) + a * (quotient[LO] as number) : 0;
   const normalY = 0 - (down + low);
   return {
     t,
@@ -163,8 +170,8 @@ export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Inters
   const at = (k: number): number => algebra[k] as number;
   const D1 = at(AT_D);
   const faithful =
-    at(AT_OFF + 1) <= FAITHFUL * Math.abs(at(AT_B)) &&
-    at(AT_OFF + 3) <= FAITHFUL * Math.abs(D1) &&
+    at(AT_OFF_B) <= FAITHFUL * Math.abs(at(AT_B)) &&
+    at(AT_OFF_D) <= FAITHFUL * Math.abs(D1) &&
     at(AT_SIZE) > 0;
   if (!faithful) return null;
   const details = detailsOf(algebra);
@@ -175,7 +182,7 @@ export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Inters
   if (!putRoots(algebra, roots)) return null;
   findRoots(q, ray, found, c);
   if (found[VERDICT] !== TWO) return null;
-  const near = hitAt(q, ray, algebra, roots, 0, found[T0] as number);
-  const far = near && hitAt(q, ray, algebra, roots, 3, found[T1] as number);
+  const near = hitAt(q, ray, algebra, roots, NEAR, found[T0] as number);
+  const far = near && hitAt(q, ray, algebra, roots, FAR, found[T1] as number);
   return far && { class: 'two', hits: [near, far], method: 'certified', decidedBy, details };
 }

@@ -8,17 +8,28 @@ import type { Vec3 } from '../../vec3.ts';
 import {
   type Algebra,
   AT_A,
+  AT_A_LOW,
   AT_B,
+  AT_B_LOW,
   AT_C,
+  AT_C_LOW,
   AT_D,
-  AT_OFF,
+  AT_D_LOW,
+  AT_OFF_A,
+  AT_OFF_B,
+  AT_OFF_C,
+  AT_OFF_D,
   AT_SIZE,
   createAlgebra,
   createRoots,
+  FAR,
   lost,
+  NEAR,
   putAlgebra,
   putShort,
   putSingle,
+  ROOT_LOW,
+  ROOT_OFF,
   type Roots,
   shortVerdict,
 } from './algebra.ts';
@@ -58,35 +69,45 @@ export const QUOTIENT = 30 * UU;
  */
 const SHARP = FAITHFUL / 2;
 
-const formed = createAlgebra();
-const solved = createRoots();
+/** What the functions below fill for a ray: in its own units, or in those of inUnits. */
+export interface Work {
+  readonly formed: Algebra;
+  readonly solved: Roots;
+}
+export const createWork = (): Work => ({ formed: createAlgebra(), solved: createRoots() });
+const work = createWork();
 
 /** Where nothing rounds: any verdict and its roots; UNKNOWN elsewhere. */
-function shortRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+function shortRoots(q: Quadric, ray: Ray, slot: RootSlot, work: Work): number {
+  const { formed } = work;
   if (!putShort(q, ray, formed)) return UNKNOWN;
   const verdict = shortVerdict(formed);
   putSingle(formed, verdict, slot);
-  return verdict === TWO ? putBoth(slot) : verdict;
+  return verdict === TWO ? putBoth(slot, work) : verdict;
 }
 
-function putBoth(slot: RootSlot): number {
+function putBoth(slot: RootSlot, { formed, solved }: Work): number {
   if (!putRoots(formed, solved)) return UNKNOWN;
   // No root is −0.
-  slot.t0 = (solved[0] as number) + 0;
-  slot.t1 = (solved[3] as number) + 0;
+  slot.t0 = (solved[NEAR] as number) + 0;
+  slot.t1 = (solved[FAR] as number) + 0;
   return TWO;
 }
 
-/** The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. */
-export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
+/**
+ * The roots of a ray, and NONE or TWO; UNKNOWN, and no roots, where a bound is too wide. `work`
+ * holds the algebra then, and with TWO the roots with their bounds.
+ */
+export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot, work: Work): number {
+  const { formed } = work;
   putAlgebra(q, ray, formed);
   const D1 = formed[AT_D] as number;
-  const sure = (formed[AT_SIZE] as number) > 0 && Math.abs(D1) > (formed[AT_OFF + 3] as number);
+  const sure = (formed[AT_SIZE] as number) > 0 && Math.abs(D1) > (formed[AT_OFF_D] as number);
   if (!sure) return UNKNOWN;
   if (D1 < 0) return NONE;
-  const near = !((formed[AT_OFF + 2] as number) <= SHARP * Math.abs(formed[AT_C] as number));
+  const near = !((formed[AT_OFF_C] as number) <= SHARP * Math.abs(formed[AT_C] as number));
   if (near) sharpenC(formed, q.r);
-  return putBoth(slot);
+  return putBoth(slot, work);
 }
 
 /**
@@ -94,22 +115,23 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
  * nearest: hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
  */
 export function roundedRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
-  const verdict = plainRoots(q, ray, slot);
+  const { solved } = work;
+  const verdict = plainRoots(q, ray, slot, work);
   if (verdict === NONE) slot.t0 = slot.t1 = Number.NaN;
   if (verdict !== TWO) return verdict;
-  return isRounded(solved, 0) && isRounded(solved, 3) ? TWO : UNKNOWN;
+  return isRounded(solved, NEAR) && isRounded(solved, FAR) ? TWO : UNKNOWN;
 }
 
 function isRounded(solved: Roots, k: number): boolean {
   const hi = solved[k] as number;
-  const lo = solved[k + 1] as number;
-  const off = (1 + UU) * (solved[k + 2] as number);
+  const lo = solved[k + ROOT_LOW] as number;
+  const off = (1 + UU) * (solved[k + ROOT_OFF] as number);
   return hi !== 0 && hi + (lo + off) === hi && hi + (lo - off) === hi;
 }
 
 /** Not where a root has vanished below the doubles, and its bound with it. */
 const isFaithful = (solved: Roots, k: number): boolean =>
-  (solved[k + 2] as number) < FAITHFUL * Math.abs(solved[k] as number);
+  (solved[k + ROOT_OFF] as number) < FAITHFUL * Math.abs(solved[k] as number);
 
 /**
  * Puts both roots of `algebra`, whose AT_SIZE says that its numbers are finite; false where one of
@@ -119,33 +141,34 @@ export function putRoots(formed: Algebra, solved: Roots): boolean {
   const D1 = formed[AT_D] as number;
   const s = Math.sqrt(D1);
   const ss = s * s;
-  const sl = (D1 - ss - squareError(s, ss) + (formed[AT_D + 1] as number)) / (2 * s);
+  const sl = (D1 - ss - squareError(s, ss) + (formed[AT_D_LOW] as number)) / (2 * s);
   const b = formed[AT_B] as number;
   const turn = b < 0 ? 1 : -1;
   // q = −(b ± √D) with b's sign.
   const q0 = -b + turn * s;
-  const q1 = sumError(-b, turn * s, q0) + (turn * sl - (formed[AT_B + 1] as number));
+  const q1 = sumError(-b, turn * s, q0) + (turn * sl - (formed[AT_B_LOW] as number));
   const qh = q0 + q1;
   const ql = q1 - (qh - q0);
   const offQ =
-    ((formed[AT_OFF + 1] as number) + (formed[AT_OFF + 3] as number) / s) / Math.abs(qh) +
-    ROUNDED_Q;
+    ((formed[AT_OFF_B] as number) + (formed[AT_OFF_D] as number) / s) / Math.abs(qh) + ROUNDED_Q;
   const A1 = formed[AT_A] as number;
-  const lower = A1 > 0 === qh < 0 ? 0 : 3;
+  const ordered = A1 > 0 === qh < 0;
+  const lower = ordered ? NEAR : FAR;
+  const upper = ordered ? FAR : NEAR;
   quotient(
     solved,
     lower,
     qh,
     ql,
     A1,
-    formed[AT_A + 1] as number,
-    offQ + (formed[AT_OFF] as number) / Math.abs(A1) + QUOTIENT,
+    formed[AT_A_LOW] as number,
+    offQ + (formed[AT_OFF_A] as number) / Math.abs(A1) + QUOTIENT,
   );
   const C1 = formed[AT_C] as number;
-  const zero = (formed[AT_OFF + 2] as number) === 0;
-  const offC = zero ? 0 : (formed[AT_OFF + 2] as number) / Math.abs(C1);
-  quotient(solved, 3 - lower, C1, formed[AT_C + 1] as number, qh, ql, offQ + offC + QUOTIENT);
-  return isFaithful(solved, lower) && (zero || isFaithful(solved, 3 - lower));
+  const zero = (formed[AT_OFF_C] as number) === 0;
+  const offC = zero ? 0 : (formed[AT_OFF_C] as number) / Math.abs(C1);
+  quotient(solved, upper, C1, formed[AT_C_LOW] as number, qh, ql, offQ + offC + QUOTIENT);
+  return isFaithful(solved, lower) && (zero || isFaithful(solved, upper));
 }
 
 function quotient(
@@ -168,8 +191,8 @@ function quotient(
   const lo = rest * inverse;
   const hi = t + lo;
   solved[k] = hi;
-  solved[k + 1] = lo - (hi - t);
-  solved[k + 2] = off * Math.abs(hi);
+  solved[k + ROOT_LOW] = lo - (hi - t);
+  solved[k + ROOT_OFF] = off * Math.abs(hi);
 }
 
 /** max |d| and the largest length between 2^-40 and 2^40: a scale would change nothing. */
@@ -181,10 +204,11 @@ const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
  * same in other units, whole numbers.
  */
 export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
-  let verdict = shortRoots(q, ray, slot);
+  const { formed } = work;
+  let verdict = shortRoots(q, ray, slot, work);
   slot.exact = verdict !== UNKNOWN && (formed[AT_A] === 0 || formed[AT_D] === 0);
   if (verdict !== UNKNOWN) return verdict;
-  verdict = plainRoots(q, ray, slot);
+  verdict = plainRoots(q, ray, slot, work);
   if (verdict === UNKNOWN) verdict = inUnits(q, ray, slot);
   if (verdict !== UNKNOWN) return verdict;
   slot.exact = true;
@@ -222,7 +246,7 @@ function inUnits(q: Quadric, { origin: E, direction: d }: Ray, slot: RootSlot): 
   const origin: Vec3 = [inUnit(E[0], l), hasY ? inUnit(E[1], l) : 0, inUnit(E[2], l)];
   const direction: Vec3 = [inUnit(d[0], k), hasY ? inUnit(d[1], k) : 0, inUnit(d[2], k)];
   if (!lossless) return UNKNOWN;
-  const verdict = plainRoots(shape, { origin, direction }, slot);
+  const verdict = plainRoots(shape, { origin, direction }, slot, work);
   if (verdict === TWO) {
     // Rounding twice, to 53 bits and then into the subnormals, stays faithful: a neighbour in the
     // coarser grid is one in the finer.

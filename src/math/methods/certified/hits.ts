@@ -6,14 +6,21 @@ import type { Hit } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
 import {
-  AT_FLARE as ALGEBRA_FLARE,
-  AT_P as ALGEBRA_P,
   type Algebra,
   AT_FLARE,
-  AT_P,
+  AT_FLARE_LOW,
+  AT_PX,
+  AT_PX_LOW,
+  AT_PY,
+  AT_PY_LOW,
+  AT_PZ,
+  AT_PZ_LOW,
   createAlgebra,
   createRoots,
   lost,
+  NEAR,
+  ROOT_LOW,
+  ROOT_OFF,
   type Roots,
 } from './algebra.ts';
 import { FAITHFUL, U, UU } from './numbers.ts';
@@ -42,8 +49,8 @@ export function hitAt(
   certified: number,
 ): Hit | null {
   const t = roots[k] as number;
-  const tl = roots[k + 1] as number;
-  const off = roots[k + 2] as number;
+  const tl = roots[k + ROOT_LOW] as number;
+  const off = roots[k + ROOT_OFF] as number;
   let big = SPLITTER * t;
   const th = big - (big - t);
   const tm = t - th;
@@ -76,16 +83,16 @@ export function hitAt(
     offY + 16 * UU * Math.abs(Y) <= FAITHFUL * Math.abs(pointY) &&
     offZ + 16 * UU * Math.abs(Z) <= FAITHFUL * Math.abs(pointZ);
   if (!faithful) return null;
-  const px = algebra[AT_P] as number;
-  const py = algebra[AT_P + 2] as number;
-  const pz = algebra[AT_P + 4] as number;
+  const px = algebra[AT_PX] as number;
+  const py = algebra[AT_PY] as number;
+  const pz = algebra[AT_PZ] as number;
   const nx = px + mx;
   const ny = py + my;
   const nz = pz + mz;
-  const normalX = nx + (sumError(px, mx, nx) + lx + (algebra[AT_P + 1] as number));
-  const rise = sumError(py, my, ny) + ly + (algebra[AT_P + 3] as number);
+  const normalX = nx + (sumError(px, mx, nx) + lx + (algebra[AT_PX_LOW] as number));
+  const rise = sumError(py, my, ny) + ly + (algebra[AT_PY_LOW] as number);
   const above = ny + rise;
-  const normalZ = nz + (sumError(pz, mz, nz) + lz + (algebra[AT_P + 5] as number));
+  const normalZ = nz + (sumError(pz, mz, nz) + lz + (algebra[AT_PZ_LOW] as number));
   const a = algebra[AT_FLARE] as number;
   const down = a * above;
   const normalY = q.hasY
@@ -93,7 +100,7 @@ export function hitAt(
         down +
         (productError(a, above, down) +
           a * (rise - (above - ny)) +
-          (algebra[AT_FLARE + 1] as number) * above)
+          (algebra[AT_FLARE_LOW] as number) * above)
       )
     : 0;
   const size = Math.abs(a);
@@ -146,59 +153,89 @@ export const LOST_PLACE = 2 ** -1072;
 /** and what a step that is below them itself, with its bound. */
 export const TINY = 2 ** -1072;
 
-/** g as three double-doubles, F, and what they are made from. */
-export const STEP_PLACE = new Float64Array(14);
+/**
+ * Numbers of a step, two doubles each, from these places on: g, F, a (of a curved shape), and two
+ * that are used on the way. putPlace writes g, and the step's own function the others.
+ */
+export type Place = Float64Array;
+const PLACE_GX = 0;
+const PLACE_GY = 2;
+const PLACE_GZ = 4;
+const PLACE_G = [PLACE_GX, PLACE_GY, PLACE_GZ] as const;
 export const PLACE_F = 6;
-const PLACE_S = 8;
-const PLACE_V = 10;
-const PLACE_FLARE = 12;
-const placeAt = (k: number): number => STEP_PLACE[k] as number;
-const PLACE_G = [0, 2, 4] as const;
+const PLACE_A = 8;
+const PLACE_A_LOW = 9;
+const PLACE_S = 10;
+const PLACE_S_LOW = 11;
+const PLACE_V = 12;
+const PLACE_V_LOW = 13;
 
-/** What hitAt reads, in the ray's own units: the stage that found t may have had it in others. */
-const placeAlgebra = createAlgebra();
-export const PLACE_STEP = createRoots();
+/**
+ * What a step fills: its numbers, p and a as hitAt reads them, in the ray's own units (the stage
+ * that found t may have had it in others), and the root. Valid until the next step.
+ */
+export interface Step {
+  readonly place: Place;
+  readonly algebra: Algebra;
+  readonly roots: Roots;
+}
+export const createStep = (): Step => ({
+  place: new Float64Array(14),
+  algebra: createAlgebra(),
+  roots: createRoots(),
+});
+const own = createStep();
 
-/** Puts g, and E − C for hitAt. */
-function putPlace({ origin, direction }: Ray, center: Vec3, t: number): void {
+/** Puts g, and p for hitAt. */
+function putPlace(
+  { place, algebra }: Step,
+  { origin, direction }: Ray,
+  center: Vec3,
+  t: number,
+): void {
   for (let i = 0; i < 3; i++) {
     const e = origin[i] as number;
     const c = center[i] as number;
     const x = direction[i] as number;
-    STEP_PLACE[PLACE_S] = e - c;
-    STEP_PLACE[PLACE_S + 1] = sumError(e, -c, placeAt(PLACE_S));
-    placeAlgebra[ALGEBRA_P + 2 * i] = placeAt(PLACE_S);
-    placeAlgebra[ALGEBRA_P + 2 * i + 1] = placeAt(PLACE_S + 1);
-    STEP_PLACE[PLACE_V] = t * x;
-    STEP_PLACE[PLACE_V + 1] = productError(t, x, placeAt(PLACE_V));
-    dd.add(STEP_PLACE, PLACE_G[i] as number, PLACE_S, PLACE_V);
+    const p = e - c;
+    const low = sumError(e, -c, p);
+    place[PLACE_S] = p;
+    place[PLACE_S_LOW] = low;
+    algebra[AT_PX + 2 * i] = p;
+    algebra[AT_PX_LOW + 2 * i] = low;
+    const v = t * x;
+    place[PLACE_V] = v;
+    place[PLACE_V_LOW] = productError(t, x, v);
+    dd.add(place, PLACE_G[i] as number, PLACE_S, PLACE_V);
   }
 }
 
-function putSquare(out: number, x: number): void {
-  STEP_PLACE[out] = x * x;
-  STEP_PLACE[out + 1] = squareError(x, placeAt(out));
+function putSquare(place: Place, out: number, x: number): void {
+  const square = x * x;
+  place[out] = square;
+  place[out + 1] = squareError(x, square);
 }
 
 /**
- * δ and Δ from F with its error, F' and its error; no δ where F' is not known well enough, or has
- * overflowed (FAITHFUL): η, δ and Δ would be 0, and E + t d would pass for the point. |F'| < ∞
- * also says that nothing on the way to it has overflowed: a sum or a product of ∞ is ∞ or NaN,
- * except that F/2h is 0 where 2h is ∞, and then F' is ∞ or NaN by 2h itself.
+ * Puts t, δ and Δ as root k, from F with its error, F' and its error; false where F' is not known
+ * well enough, or has overflowed (FAITHFUL): η, δ and Δ would be 0, and E + t d would pass for the
+ * point. |F'| < ∞ also says that nothing on the way to it has overflowed: a sum or a product of ∞
+ * is ∞ or NaN, except that F/2h is 0 where 2h is ∞, and then F' is ∞ or NaN by 2h itself.
  */
 export function putStep(
+  roots: Roots,
   k: number,
   t: number,
+  F: number,
   offF: number,
   slope: number,
   offSlope: number,
 ): boolean {
   const steep = Math.abs(slope);
   const eta = (offSlope + SMALLEST_PLACE) / steep;
-  const delta = -placeAt(PLACE_F) / slope;
-  PLACE_STEP[k] = t;
-  PLACE_STEP[k + 1] = delta;
-  PLACE_STEP[k + 2] =
+  roots[k] = t;
+  roots[k + ROOT_LOW] = -F / slope;
+  roots[k + ROOT_OFF] =
     (offF + SMALLEST_PLACE) / steep + (2 * U * eta + ROUNDED) * Math.abs(t) + TINY;
   return eta <= 0.25 && steep < Number.POSITIVE_INFINITY;
 }
@@ -211,71 +248,82 @@ const times = (a: number, [x, y, z]: Vec3, s: number): number =>
   x * (s * x) + z * (s * z) - a * (y * (s * y));
 
 /**
- * The hit at the faithful root t, or null where a component stays open, or all of the normal's are
- * zero.
+ * The step from the faithful root t of a curved shape, as root k; false where it is not known well
+ * enough, or a number is too large.
  */
-export function placeOnQuadric(q: Quadric, ray: Ray, k: 0 | 3, t: number): Hit | null {
+export function stepOnQuadric(step: Step, q: Quadric, ray: Ray, k: number, t: number): boolean {
+  const { place, algebra, roots } = step;
   const { origin: E, direction: d } = ray;
   // A cylinder does not look at y: from E's own height nothing is subtracted.
-  putPlace(ray, [q.Cx, q.hasY ? q.Cy : E[1], q.Cz], t);
-  const [x, y, z] = [placeAt(0), placeAt(2), placeAt(4)];
-  if (q.squared) putSquare(PLACE_FLARE, q.flare);
-  else dd.set(STEP_PLACE, PLACE_FLARE, q.flare);
-  const a = placeAt(PLACE_FLARE);
-  placeAlgebra[ALGEBRA_FLARE] = a;
-  placeAlgebra[ALGEBRA_FLARE + 1] = placeAt(PLACE_FLARE + 1);
+  putPlace(step, ray, [q.Cx, q.hasY ? q.Cy : E[1], q.Cz], t);
+  const x = place[PLACE_GX] as number;
+  const y = place[PLACE_GY] as number;
+  const z = place[PLACE_GZ] as number;
+  if (q.squared) putSquare(place, PLACE_A, q.flare);
+  else dd.set(place, PLACE_A, q.flare);
+  const a = place[PLACE_A] as number;
+  algebra[AT_FLARE] = a;
+  algebra[AT_FLARE_LOW] = place[PLACE_A_LOW] as number;
   const size = Math.abs(a);
-  dd.sqr(STEP_PLACE, PLACE_F, 0);
-  dd.sqr(STEP_PLACE, PLACE_S, 4);
-  dd.add(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
-  dd.sqr(STEP_PLACE, PLACE_S, 2);
-  dd.mul(STEP_PLACE, PLACE_S, PLACE_S, PLACE_FLARE);
-  dd.sub(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
-  putSquare(PLACE_S, q.r);
-  dd.sub(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
+  dd.sqr(place, PLACE_F, PLACE_GX);
+  dd.sqr(place, PLACE_S, PLACE_GZ);
+  dd.add(place, PLACE_F, PLACE_F, PLACE_S);
+  dd.sqr(place, PLACE_S, PLACE_GY);
+  dd.mul(place, PLACE_S, PLACE_S, PLACE_A);
+  dd.sub(place, PLACE_F, PLACE_F, PLACE_S);
+  putSquare(place, PLACE_S, q.r);
+  dd.sub(place, PLACE_F, PLACE_F, PLACE_S);
+  const F = place[PLACE_F] as number;
   const offF = ERROR_CURVED * (x * x + z * z + size * y * y + q.r * q.r);
   const slope = 2 * (x * d[0] + z * d[2] - a * (y * d[1]));
   const offSlope =
     ERROR_SLOPE * (Math.abs(x * d[0]) + Math.abs(z * d[2]) + size * Math.abs(y * d[1]));
   const bend = times(-size, d, 2 * U * Math.abs(t) + TINY);
   const eta = (offSlope + bend + SMALLEST_PLACE) / Math.abs(slope);
-  const known =
-    eta <= 0.25 &&
-    putStep(
-      k,
-      t,
-      offF,
-      slope - times(a, d, placeAt(PLACE_F) / slope),
-      offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope)),
-    );
+  const bent = slope - times(a, d, F / slope);
+  const offBent = offSlope + bend * (eta + 8 * U) + times(-size, d, offF / Math.abs(slope));
+  const known = eta <= 0.25 && putStep(roots, k, t, F, offF, bent, offBent);
   const narrow = Math.max(Math.abs(x), Math.abs(y), Math.abs(z), q.r) < WIDE && size < WIDE * WIDE;
-  return known && narrow ? hitAt(q, ray, placeAlgebra, PLACE_STEP, k, t) : null;
+  return known && narrow;
+}
+
+/**
+ * The hit at the faithful root t, or null where a component stays open, or all of the normal's are
+ * zero.
+ */
+export function placeOnQuadric(q: Quadric, ray: Ray, t: number): Hit | null {
+  return stepOnQuadric(own, q, ray, NEAR, t)
+    ? hitAt(q, ray, own.algebra, own.roots, NEAR, t)
+    : null;
 }
 
 /** As `placeOnQuadric`; the normal is N itself. */
 export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
-  putPlace(ray, P, t);
+  const { place, roots } = own;
+  putPlace(own, ray, P, t);
   let rate = 0;
   let steep = 0;
   let sharp = 0;
   let size = 0;
-  dd.set(STEP_PLACE, PLACE_F, 0);
+  dd.set(place, PLACE_F, 0);
   for (let i = 0; i < 3; i++) {
     const n = N[i] as number;
     const x = d[i] as number;
     const g = PLACE_G[i] as number;
-    dd.mulDouble(STEP_PLACE, PLACE_S, g, n);
-    dd.add(STEP_PLACE, PLACE_F, PLACE_F, PLACE_S);
+    dd.mulDouble(place, PLACE_S, g, n);
+    dd.add(place, PLACE_F, PLACE_F, PLACE_S);
     rate += n * x;
     steep += Math.abs(n * x);
-    sharp += Math.abs(n * placeAt(g));
-    size = Math.max(size, Math.abs(n), Math.abs(placeAt(g)));
+    sharp += Math.abs(n * (place[g] as number));
+    size = Math.max(size, Math.abs(n), Math.abs(place[g] as number));
   }
-  if (!putStep(0, t, ERROR_FLAT * sharp, rate, ERROR_FLAT_RATE * steep) || !(size < WIDE))
-    return null;
-  const delta = PLACE_STEP[1] as number;
-  const off = PLACE_STEP[2] as number;
+  const F = place[PLACE_F] as number;
+  const offRate = ERROR_FLAT_RATE * steep;
+  const known = putStep(roots, NEAR, t, F, ERROR_FLAT * sharp, rate, offRate);
+  if (!known || !(size < WIDE)) return null;
+  const delta = roots[NEAR + ROOT_LOW] as number;
+  const off = roots[NEAR + ROOT_OFF] as number;
   const point: [number, number, number] = [0, 0, 0];
   for (let i = 0; i < 3; i++) {
     const e = E[i] as number;

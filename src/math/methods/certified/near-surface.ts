@@ -7,7 +7,21 @@ import {
 } from '../../float/accumulate.ts';
 import * as dd from '../../float/double-double.ts';
 import { LEAST_EXACT_PRODUCT, productError, squareError } from '../../float/eft.ts';
-import { type Algebra, AT_C, AT_FLARE, AT_OFF, AT_P, ERROR_C } from './algebra.ts';
+import {
+  type Algebra,
+  AT_C,
+  AT_C_LOW,
+  AT_FLARE,
+  AT_FLARE_LOW,
+  AT_OFF_C,
+  AT_PX,
+  AT_PX_LOW,
+  AT_PY,
+  AT_PY_LOW,
+  AT_PZ,
+  AT_PZ_LOW,
+  ERROR_C,
+} from './algebra.ts';
 import { UU } from './numbers.ts';
 
 /*
@@ -25,40 +39,45 @@ export const SMALLEST_C = 2 ** -870;
 
 const levels = newLevels();
 
-/** The sum, and one of its levels, as hi and lo. */
-const SUM = new Float64Array(4);
+/** The levels' sum, and one of them, as two doubles each. */
+const sum = new Float64Array(4);
+const TOTAL = 0;
+const TOTAL_LOW = 1;
 const LEVEL = 2;
 
 /**
  * Puts C and its bound once more, from p and a in `algebra`, if that bound is the narrower one:
- * SMALLEST_C is wider than the SMALLEST_ALGEBRA of doubled.ts. A C that is 0 exactly is off by
+ * SMALLEST_C is wider than the SMALLEST_ALGEBRA of algebra.ts. A C that is 0 exactly is off by
  * nothing.
  */
 export function sharpenC(algebra: Algebra, r: number): void {
   const a = algebra[AT_FLARE] as number;
   const rho = r * r;
   levels.fill(0);
-  addSquare(algebra, AT_P, 1, 0);
-  addSquare(algebra, AT_P + 4, 1, 0);
-  if (a !== 0) addSquare(algebra, AT_P + 2, -a, -(algebra[AT_FLARE + 1] as number));
+  addSquare(levels, algebra[AT_PX] as number, algebra[AT_PX_LOW] as number, 1, 0);
+  addSquare(levels, algebra[AT_PZ] as number, algebra[AT_PZ_LOW] as number, 1, 0);
+  if (a !== 0) {
+    const low = algebra[AT_FLARE_LOW] as number;
+    addSquare(levels, algebra[AT_PY] as number, algebra[AT_PY_LOW] as number, -a, -low);
+  }
   accumulate(levels, -rho);
   accumulate(levels, -squareError(r, rho));
   // r², or a = c², underflowed, and its error with it.
   if (lostBits(r, rho) || lostBits(a, a)) levels[LEVELS] = Number.POSITIVE_INFINITY;
-  dd.set(SUM, 0, levels[0] as number);
+  dd.set(sum, TOTAL, levels[0] as number);
   for (let k = 1; k < LEVELS; k++) {
-    dd.set(SUM, LEVEL, levels[k] as number);
-    dd.add(SUM, 0, 0, LEVEL);
+    dd.set(sum, LEVEL, levels[k] as number);
+    dd.add(sum, TOTAL, TOTAL, LEVEL);
   }
-  const before = algebra[AT_OFF + 2] as number;
+  const before = algebra[AT_OFF_C] as number;
   const Cm = before / ERROR_C;
   const off = exactlyZero(levels)
     ? 0
-    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(SUM[0] as number);
+    : ACCUMULATED_ERROR * Cm + SMALLEST_C + ERROR_LEVELS * Math.abs(sum[TOTAL] as number);
   if (!(off < before)) return;
-  algebra[AT_C] = SUM[0] as number;
-  algebra[AT_C + 1] = SUM[1] as number;
-  algebra[AT_OFF + 2] = off;
+  algebra[AT_C] = sum[TOTAL] as number;
+  algebra[AT_C_LOW] = sum[TOTAL_LOW] as number;
+  algebra[AT_OFF_C] = off;
 }
 
 /**
@@ -68,19 +87,19 @@ export function sharpenC(algebra: Algebra, r: number): void {
 const lostBits = (x: number, p: number): boolean =>
   x !== 0 && !(Math.abs(p) >= LEAST_EXACT_PRODUCT);
 
-/** Adds (hi + lo)²·(a + aLow) for hi and lo at k. */
-function addSquare(algebra: Algebra, k: number, a: number, aLow: number): void {
-  const hi = algebra[k] as number;
-  const lo = algebra[k + 1] as number;
+type Levels = ReturnType<typeof newLevels>;
+
+/** Adds (hi + lo)²·(a + aLow). */
+function addSquare(levels: Levels, hi: number, lo: number, a: number, aLow: number): void {
   if (hi === 0) return;
-  addScaled(hi * hi, squareError(hi, hi * hi), a, aLow);
+  addScaled(levels, hi * hi, squareError(hi, hi * hi), a, aLow);
   if (lo === 0) return;
   const cross = 2 * hi * lo;
-  addScaled(cross, productError(2 * hi, lo, cross), a, aLow);
-  addScaled(lo * lo, squareError(lo, lo * lo), a, aLow);
+  addScaled(levels, cross, productError(2 * hi, lo, cross), a, aLow);
+  addScaled(levels, lo * lo, squareError(lo, lo * lo), a, aLow);
 }
 
-function addScaled(p: number, e: number, a: number, aLow: number): void {
+function addScaled(levels: Levels, p: number, e: number, a: number, aLow: number): void {
   if (lostBits(1, p)) levels[LEVELS] = Number.POSITIVE_INFINITY;
   accumulateProduct(levels, p, a);
   accumulateProduct(levels, e, a);

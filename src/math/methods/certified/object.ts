@@ -60,8 +60,8 @@ function curved(q: Quadric, c: CertifiedQuadric, asked: Ray): Intersection {
 
 function twoHits(q: Quadric, ray: Ray, t0: number, t1: number): Hit[] {
   return [
-    placeOnQuadric(q, ray, 0, t0) ?? exactHit(q, ray, 0, t0),
-    placeOnQuadric(q, ray, 3, t1) ?? exactHit(q, ray, 1, t1),
+    placeOnQuadric(q, ray, t0) ?? exactHit(q, ray, 0, t0),
+    placeOnQuadric(q, ray, t1) ?? exactHit(q, ray, 1, t1),
   ];
 }
 

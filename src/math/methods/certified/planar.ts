@@ -261,13 +261,6 @@ export const marginsOf = ({ bound }: Planar): Margins => MARGINS[bound];
  * quotient is off by that and the division's own 9.8u²: 18.8u². The figure's rim and edge, where
  * the filter cannot tell, go to the exact stage: they are few.
  */
-export const TWICE = new Float64Array(16);
-const TWICE_N = 0;
-const TWICE_V = 2;
-const TWICE_PRODUCT = 4;
-const TWICE_RATE = 6;
-const TWICE_OFFSET = 8;
-export const TWICE_T = 10;
 const ERROR_RATE = 1.6 * 2 ** -106;
 const ERROR_OFFSET = 6.7 * 2 ** -106;
 const ERROR_QUOTIENT = 19 * 2 ** -106;
@@ -276,21 +269,37 @@ const ERROR_QUOTIENT = 19 * 2 ** -106;
  * is between 2^-968 and 2^968, as the division wants it.
  */
 export const SMALLEST_PLANAR = 2 ** -823;
+/**
+ * Numbers of the second stage, two doubles each, from these places on: N·d, N·p and t, which
+ * rootInTwice leaves there, and a component of N, what it is multiplied by, and the product.
+ */
+export type Twice = Float64Array;
+export const createTwice = (): Twice => new Float64Array(12);
+const TWICE_RATE = 0;
+const TWICE_OFFSET = 2;
+export const TWICE_T = 4;
+export const TWICE_T_LOW = 5;
+const TWICE_N = 6;
+const TWICE_V = 8;
+const TWICE_V_LOW = 9;
+const TWICE_PRODUCT = 10;
+
 const isBoxed = (x: number): boolean => x < BOX && x > 1 / BOX;
 
-function addProduct(out: number, n: number, hi: number, lo: number): void {
-  dd.set(TWICE, TWICE_N, n);
-  TWICE[TWICE_V] = hi;
-  TWICE[TWICE_V + 1] = lo;
-  dd.mul(TWICE, TWICE_PRODUCT, TWICE_N, TWICE_V);
-  dd.add(TWICE, out, out, TWICE_PRODUCT);
+/** Adds n·(hi + lo) to what is at `out`. */
+function addProduct(twice: Twice, out: number, n: number, hi: number, lo: number): void {
+  dd.set(twice, TWICE_N, n);
+  twice[TWICE_V] = hi;
+  twice[TWICE_V_LOW] = lo;
+  dd.mul(twice, TWICE_PRODUCT, TWICE_N, TWICE_V);
+  dd.add(twice, out, out, TWICE_PRODUCT);
 }
 
 /**
- * The double-double root at R[T], for ordinary numbers; returns the bound on its relative error, or
+ * Puts N·d, N·p and the root of an ordinary ray; returns the bound on the root's relative error, or
  * Infinity where there is none.
  */
-export function rootInTwice(s: Planar, rays: Rays, i: number): number {
+export function rootInTwice(s: Planar, rays: Rays, i: number, twice: Twice): number {
   const Ex = rays.Ex[i] as number;
   const Ey = rays.Ey[i] as number;
   const Ez = rays.Ez[i] as number;
@@ -305,18 +314,18 @@ export function rootInTwice(s: Planar, rays: Rays, i: number): number {
   const Sd = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
   const Sp = Math.abs(px) + Math.abs(py) + Math.abs(pz);
   if (!isBoxed(sizeN) || !isBoxed(Sd) || !isBoxed(Sp)) return Number.POSITIVE_INFINITY;
-  dd.set(TWICE, TWICE_RATE, 0);
-  addProduct(TWICE_RATE, Nx, dx, 0);
-  addProduct(TWICE_RATE, Ny, dy, 0);
-  addProduct(TWICE_RATE, Nz, dz, 0);
-  dd.set(TWICE, TWICE_OFFSET, 0);
-  addProduct(TWICE_OFFSET, Nx, px, sumError(Ex, -s.P[0], px));
-  addProduct(TWICE_OFFSET, Ny, py, sumError(Ey, -s.P[1], py));
-  addProduct(TWICE_OFFSET, Nz, pz, sumError(Ez, -s.P[2], pz));
-  const rate = TWICE[TWICE_RATE] as number;
-  const offset = TWICE[TWICE_OFFSET] as number;
-  dd.div(TWICE, TWICE_T, TWICE_OFFSET, TWICE_RATE);
-  dd.neg(TWICE, TWICE_T, TWICE_T);
+  dd.set(twice, TWICE_RATE, 0);
+  addProduct(twice, TWICE_RATE, Nx, dx, 0);
+  addProduct(twice, TWICE_RATE, Ny, dy, 0);
+  addProduct(twice, TWICE_RATE, Nz, dz, 0);
+  dd.set(twice, TWICE_OFFSET, 0);
+  addProduct(twice, TWICE_OFFSET, Nx, px, sumError(Ex, -s.P[0], px));
+  addProduct(twice, TWICE_OFFSET, Ny, py, sumError(Ey, -s.P[1], py));
+  addProduct(twice, TWICE_OFFSET, Nz, pz, sumError(Ez, -s.P[2], pz));
+  const rate = twice[TWICE_RATE] as number;
+  const offset = twice[TWICE_OFFSET] as number;
+  dd.div(twice, TWICE_T, TWICE_OFFSET, TWICE_RATE);
+  dd.neg(twice, TWICE_T, TWICE_T);
   return (
     (ERROR_RATE * (Math.abs(Nx * dx) + Math.abs(Ny * dy) + Math.abs(Nz * dz)) + SMALLEST_PLANAR) /
       Math.abs(rate) +
@@ -325,6 +334,8 @@ export function rootInTwice(s: Planar, rays: Rays, i: number): number {
     ERROR_QUOTIENT
   );
 }
+
+const twice = createTwice();
 
 /** Ray i, which the first stage left open; overwrites its margin and t1. */
 export function solvePlanarSlowly(
@@ -335,12 +346,12 @@ export function solvePlanarSlowly(
   slot: CertifiedSlot,
 ): number {
   slot.exact = false;
-  if (rootInTwice(s, rays, i) < FAITHFUL) {
-    margin[i] = TWICE[TWICE_RATE] as number;
+  if (rootInTwice(s, rays, i, twice) < FAITHFUL) {
+    margin[i] = twice[TWICE_RATE] as number;
     marginsOf(s)(s, rays, i, i + 1, margin, t1);
     const inside = margin[i] as number;
     if (Math.abs(inside) > (t1[i] as number)) {
-      slot.t0 = TWICE[TWICE_T] as number;
+      slot.t0 = twice[TWICE_T] as number;
       slot.t1 = Number.NaN;
       return inside < 0 ? NONE : ONE;
     }

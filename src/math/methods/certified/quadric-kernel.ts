@@ -24,7 +24,14 @@ import {
 } from './numbers.ts';
 import { recentredAroundAxis, recentredInSpace } from './recentred.ts';
 import { refine } from './refined.ts';
-import { BLOCK, count, DOUBTS, doubtful, ordinaryRoots, UNSETTLED, unsettled } from './units.ts';
+import {
+  BLOCK,
+  createScratch,
+  DOUBTS,
+  ordinaryRootsWith,
+  type Scratch,
+  UNSETTLED,
+} from './units.ts';
 
 /** Both roots as `bothRoots` finds them, to the bit. */
 export type FastRoots = (
@@ -53,6 +60,10 @@ export function useFastRoots(roots: FastRoots | null): FastRoots | null {
 /** Whether batches go through WebAssembly. */
 export const isFast = (): boolean => fast !== null;
 
+/** What a block's passes hand on; the lists are read as soon as these have ended. */
+const scratch = createScratch();
+const ordinaryRoots = ordinaryRootsWith(scratch);
+
 /**
  * Both roots of curved shapes, block by block, each of which stays in the first cache: ordinary
  * rays in units, far and grazing ones about a point near both roots, and what these leave root by
@@ -70,11 +81,12 @@ export function bothRoots(
     return;
   }
   left.count = 0;
+  const { doubtful, unsettled, count } = scratch;
   const recentred = q.hasY ? recentredInSpace : recentredAroundAxis;
   for (let from = 0; from < rays.count; from += BLOCK) {
     const to = Math.min(from + BLOCK, rays.count);
     if (c.lattice) ordinaryRoots(c.lattice, q.hasY, rays, out, from, to);
-    else leaveAll(from, to);
+    else leaveAll(scratch, from, to);
     const doubts = count[DOUBTS] as number;
     const far = doubts > 0 ? recentred(c.numbers, rays, out, doubtful, doubts) : 0;
     refineAndList(q, c, rays, out, left, doubtful, far);
@@ -96,7 +108,7 @@ function refineAndList(
   for (let j = 0; j < rest; j++) left.open[left.count++] = places[j] as number;
 }
 
-function leaveAll(from: number, to: number): void {
+function leaveAll({ doubtful, count }: Scratch, from: number, to: number): void {
   for (let i = from; i < to; i++) doubtful[i - from] = i;
   count[DOUBTS] = to - from;
   count[UNSETTLED] = 0;

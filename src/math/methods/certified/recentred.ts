@@ -1,7 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, SMALLEST_D } from './class.ts';
-import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './numbers.ts';
+import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P, inSlots } from './numbers.ts';
 
 /*
  * Rays that come from far away or graze the shape: both roots lie close together, so the origin is
@@ -28,33 +28,34 @@ import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './numbe
  *   t is off by (2^-70 W|d|₁ + 0.6|δD'|/√D' + u(|b'| + √D')(9|d|₁²/|A| + 8))/|A|
  * before its only rounding, and faithful when that is below u|t|/2.
  */
-const CROSS_ERROR = 2 ** -68;
-const SLOPE_SQUARE_ERROR = 6 * 2 ** -53;
-const RESIDUAL_SHARE = 14 * 2 ** -53;
-const SLOPE_ERROR = 2 ** -70;
-const CLOSED_A = 9 * 2 ** -53;
-const CLOSED = 8 * 2 ** -53;
+export const CROSS_ERROR = 2 ** -68;
+export const SLOPE_SQUARE_ERROR = 6 * 2 ** -53;
+export const RESIDUAL_SHARE = 14 * 2 ** -53;
+export const SLOPE_ERROR = 2 ** -70;
+export const CLOSED_A = 9 * 2 ** -53;
+export const CLOSED = 8 * 2 ** -53;
 
 /** CROSS_ERROR has 2^-68 for 2^-69, so of the 2^-22 in Q half is enough. */
-const NARROW_RECENTRED = 2 ** -23;
+export const NARROW_RECENTRED = 2 ** -23;
 
-/**
- * The loops take their bounds from here: of a module's constants a bundler makes variables, which
- * V8 looks up at each use.
- */
-export const RECENTRED_BOUNDS = Float64Array.of(
-  ...[
-    GRID_25,
-    GRID_26,
-    GRID_P,
-    SPLITTER,
-    CROSS_ERROR,
-    SLOPE_SQUARE_ERROR,
-    RESIDUAL_SHARE,
-    SLOPE_ERROR,
-  ],
-  ...[CLOSED_A, CLOSED, FAITHFUL_ONCE, SMALLEST_D, LEAST_A, BOX, NARROW_RECENTRED],
-);
+/** What the loops take before they begin. */
+export const { at: AT_RECENTRED, doubles: RECENTRED_BOUNDS } = inSlots({
+  grid25: GRID_25,
+  grid26: GRID_26,
+  gridOfP: GRID_P,
+  splitter: SPLITTER,
+  crossError: CROSS_ERROR,
+  squareError: SLOPE_SQUARE_ERROR,
+  residualError: RESIDUAL_SHARE,
+  slopeError: SLOPE_ERROR,
+  closedA: CLOSED_A,
+  closed: CLOSED,
+  faithful: FAITHFUL_ONCE,
+  smallestD: SMALLEST_D,
+  leastA: LEAST_A,
+  box: BOX,
+  narrow: NARROW_RECENTRED,
+});
 
 /**
  * Settles what it can of the `count` rays at `places`, moves the others to the front and returns
@@ -80,19 +81,19 @@ export const recentredAroundAxis: RecentredPass = (
   const Cz = numbers[AT_SCALED.Cz] as number;
   const rho = numbers[AT_SCALED.rho] as number;
   const rhoLow = numbers[AT_SCALED.rhoLow] as number;
-  const grid25 = RECENTRED_BOUNDS[0] as number;
-  const grid26 = RECENTRED_BOUNDS[1] as number;
-  const gridOfP = RECENTRED_BOUNDS[2] as number;
-  const crossError = RECENTRED_BOUNDS[4] as number;
-  const squareError = RECENTRED_BOUNDS[5] as number;
-  const residualError = RECENTRED_BOUNDS[6] as number;
-  const slopeError = RECENTRED_BOUNDS[7] as number;
-  const closedA = RECENTRED_BOUNDS[8] as number;
-  const closed = RECENTRED_BOUNDS[9] as number;
-  const faithful = RECENTRED_BOUNDS[10] as number;
-  const smallestD = RECENTRED_BOUNDS[11] as number;
-  const box = RECENTRED_BOUNDS[13] as number;
-  const narrow = RECENTRED_BOUNDS[14] as number;
+  const grid25 = RECENTRED_BOUNDS[AT_RECENTRED.grid25] as number;
+  const grid26 = RECENTRED_BOUNDS[AT_RECENTRED.grid26] as number;
+  const gridOfP = RECENTRED_BOUNDS[AT_RECENTRED.gridOfP] as number;
+  const crossError = RECENTRED_BOUNDS[AT_RECENTRED.crossError] as number;
+  const squareError = RECENTRED_BOUNDS[AT_RECENTRED.squareError] as number;
+  const residualError = RECENTRED_BOUNDS[AT_RECENTRED.residualError] as number;
+  const slopeError = RECENTRED_BOUNDS[AT_RECENTRED.slopeError] as number;
+  const closedA = RECENTRED_BOUNDS[AT_RECENTRED.closedA] as number;
+  const closed = RECENTRED_BOUNDS[AT_RECENTRED.closed] as number;
+  const faithful = RECENTRED_BOUNDS[AT_RECENTRED.faithful] as number;
+  const smallestD = RECENTRED_BOUNDS[AT_RECENTRED.smallestD] as number;
+  const box = RECENTRED_BOUNDS[AT_RECENTRED.box] as number;
+  const narrow = RECENTRED_BOUNDS[AT_RECENTRED.narrow] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;
@@ -190,21 +191,21 @@ export const recentredInSpace: RecentredPass = (
   const sign = numbers[AT_SCALED.sign] as number;
   const rho = numbers[AT_SCALED.rho] as number;
   const rhoLow = numbers[AT_SCALED.rhoLow] as number;
-  const grid25 = RECENTRED_BOUNDS[0] as number;
-  const grid26 = RECENTRED_BOUNDS[1] as number;
-  const gridOfP = RECENTRED_BOUNDS[2] as number;
-  const splitter = RECENTRED_BOUNDS[3] as number;
-  const crossError = RECENTRED_BOUNDS[4] as number;
-  const squareError = RECENTRED_BOUNDS[5] as number;
-  const residualError = RECENTRED_BOUNDS[6] as number;
-  const slopeError = RECENTRED_BOUNDS[7] as number;
-  const closedA = RECENTRED_BOUNDS[8] as number;
-  const closed = RECENTRED_BOUNDS[9] as number;
-  const faithful = RECENTRED_BOUNDS[10] as number;
-  const smallestD = RECENTRED_BOUNDS[11] as number;
-  const leastA = RECENTRED_BOUNDS[12] as number;
-  const box = RECENTRED_BOUNDS[13] as number;
-  const narrow = RECENTRED_BOUNDS[14] as number;
+  const grid25 = RECENTRED_BOUNDS[AT_RECENTRED.grid25] as number;
+  const grid26 = RECENTRED_BOUNDS[AT_RECENTRED.grid26] as number;
+  const gridOfP = RECENTRED_BOUNDS[AT_RECENTRED.gridOfP] as number;
+  const splitter = RECENTRED_BOUNDS[AT_RECENTRED.splitter] as number;
+  const crossError = RECENTRED_BOUNDS[AT_RECENTRED.crossError] as number;
+  const squareError = RECENTRED_BOUNDS[AT_RECENTRED.squareError] as number;
+  const residualError = RECENTRED_BOUNDS[AT_RECENTRED.residualError] as number;
+  const slopeError = RECENTRED_BOUNDS[AT_RECENTRED.slopeError] as number;
+  const closedA = RECENTRED_BOUNDS[AT_RECENTRED.closedA] as number;
+  const closed = RECENTRED_BOUNDS[AT_RECENTRED.closed] as number;
+  const faithful = RECENTRED_BOUNDS[AT_RECENTRED.faithful] as number;
+  const smallestD = RECENTRED_BOUNDS[AT_RECENTRED.smallestD] as number;
+  const leastA = RECENTRED_BOUNDS[AT_RECENTRED.leastA] as number;
+  const box = RECENTRED_BOUNDS[AT_RECENTRED.box] as number;
+  const narrow = RECENTRED_BOUNDS[AT_RECENTRED.narrow] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;

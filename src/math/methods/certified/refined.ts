@@ -1,7 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './class.ts';
-import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P } from './numbers.ts';
+import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P, inSlots } from './numbers.ts';
 
 /*
  * The bounds of refined.ts: each root by a step from a rough one with all its 53 bits. That is
@@ -16,8 +16,8 @@ import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P } from './numbers.ts
  *                              each coarse root is nearer to its own root than to the other one;
  *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
  */
-const CLEAR_REFINED = 2 ** 17;
-const APART = 2 ** -84;
+export const CLEAR_REFINED = 2 ** 17;
+export const APART = 2 ** -84;
 
 /*
  * Then Newton's step on grids. (x + σ) − σ is x rounded to a whole multiple of g = ulp(σ)/2; for
@@ -55,31 +55,34 @@ const APART = 2 ** -84;
  * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are
  * u|t| apart, at least).
  */
-const RESIDUAL_ERROR = 2 ** -68;
+export const RESIDUAL_ERROR = 2 ** -68;
 /** RESIDUAL_ERROR has 2^-68 for 2^-69, so of the 2^-20.3 in Q half is enough. */
-const NARROW_REFINED = 2 ** -21;
-const STEP_SHARE = 2 ** -17;
-const STEP_ERROR = 2 ** -16;
-const SPREAD = 2 ** 20;
+export const NARROW_REFINED = 2 ** -21;
+export const STEP_SHARE = 2 ** -17;
+export const STEP_ERROR = 2 ** -16;
+export const SPREAD = 2 ** 20;
 
-/**
- * The loops take their bounds from here: of a module's constants a bundler makes variables, which
- * V8 looks up at each use.
- */
-export const REFINED_BOUNDS = Float64Array.of(
-  ...[GRID_25, GRID_26, GRID_P, SPLITTER, RESIDUAL_ERROR, STEP_ERROR, FAITHFUL, SPREAD, STEP_SHARE],
-  ...[
-    CLEAR_REFINED,
-    APART,
-    LEAST_A,
-    BOX,
-    MOMENT_ERROR,
-    SQUARE_ERROR,
-    RHO_ERROR,
-    SMALLEST_D,
-    NARROW_REFINED,
-  ],
-);
+/** What the loop takes before it begins. */
+export const { at: AT_REFINED, doubles: REFINED_BOUNDS } = inSlots({
+  grid25: GRID_25,
+  grid26: GRID_26,
+  gridOfP: GRID_P,
+  splitter: SPLITTER,
+  residualError: RESIDUAL_ERROR,
+  stepError: STEP_ERROR,
+  faithful: FAITHFUL,
+  spread: SPREAD,
+  step: STEP_SHARE,
+  clearly: CLEAR_REFINED,
+  apart: APART,
+  leastA: LEAST_A,
+  box: BOX,
+  momentError: MOMENT_ERROR,
+  squareError: SQUARE_ERROR,
+  rhoError: RHO_ERROR,
+  smallestD: SMALLEST_D,
+  narrow: NARROW_REFINED,
+});
 
 /*
  * The third stage; what it certifies is derived in refined.ts. One loop for both kinds of shapes:
@@ -108,24 +111,24 @@ export function refine(
   const sign = numbers[AT_SCALED.sign] as number;
   const rho = numbers[AT_SCALED.rho] as number;
   const rhoLow = numbers[AT_SCALED.rhoLow] as number;
-  const grid25 = REFINED_BOUNDS[0] as number;
-  const grid26 = REFINED_BOUNDS[1] as number;
-  const gridOfP = REFINED_BOUNDS[2] as number;
-  const splitter = REFINED_BOUNDS[3] as number;
-  const residualError = REFINED_BOUNDS[4] as number;
-  const stepError = REFINED_BOUNDS[5] as number;
-  const faithful = REFINED_BOUNDS[6] as number;
-  const spread = REFINED_BOUNDS[7] as number;
-  const step = REFINED_BOUNDS[8] as number;
-  const clearly = REFINED_BOUNDS[9] as number;
-  const apart = REFINED_BOUNDS[10] as number;
-  const leastA = REFINED_BOUNDS[11] as number;
-  const box = REFINED_BOUNDS[12] as number;
-  const momentError = REFINED_BOUNDS[13] as number;
-  const squareError = REFINED_BOUNDS[14] as number;
-  const rhoError = REFINED_BOUNDS[15] as number;
-  const smallestD = REFINED_BOUNDS[16] as number;
-  const narrow = REFINED_BOUNDS[17] as number;
+  const grid25 = REFINED_BOUNDS[AT_REFINED.grid25] as number;
+  const grid26 = REFINED_BOUNDS[AT_REFINED.grid26] as number;
+  const gridOfP = REFINED_BOUNDS[AT_REFINED.gridOfP] as number;
+  const splitter = REFINED_BOUNDS[AT_REFINED.splitter] as number;
+  const residualError = REFINED_BOUNDS[AT_REFINED.residualError] as number;
+  const stepError = REFINED_BOUNDS[AT_REFINED.stepError] as number;
+  const faithful = REFINED_BOUNDS[AT_REFINED.faithful] as number;
+  const spread = REFINED_BOUNDS[AT_REFINED.spread] as number;
+  const step = REFINED_BOUNDS[AT_REFINED.step] as number;
+  const clearly = REFINED_BOUNDS[AT_REFINED.clearly] as number;
+  const apart = REFINED_BOUNDS[AT_REFINED.apart] as number;
+  const leastA = REFINED_BOUNDS[AT_REFINED.leastA] as number;
+  const box = REFINED_BOUNDS[AT_REFINED.box] as number;
+  const momentError = REFINED_BOUNDS[AT_REFINED.momentError] as number;
+  const squareError = REFINED_BOUNDS[AT_REFINED.squareError] as number;
+  const rhoError = REFINED_BOUNDS[AT_REFINED.rhoError] as number;
+  const smallestD = REFINED_BOUNDS[AT_REFINED.smallestD] as number;
+  const narrow = REFINED_BOUNDS[AT_REFINED.narrow] as number;
   let left = 0;
   for (let j = 0; j < count; j++) {
     const i = places[j] as number;

@@ -1,5 +1,5 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
-import { AT_LATTICE, FAITHFUL_ONCE, type Lattice, UNIT_OF_DIRECTION } from './numbers.ts';
+import { AT_LATTICE, FAITHFUL_ONCE, inSlots, type Lattice, UNIT_OF_DIRECTION } from './numbers.ts';
 
 /** Rays of a block that fit the first cache together with what the passes hand on. */
 export const BLOCK = 256;
@@ -100,16 +100,16 @@ export function createScratch(): Scratch {
  * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks
  * for a gap between them, and leaves such a ray open.
  */
-const CLEAR_ROUGH = 2 ** -20;
-const CERTAIN = -28 * 2 ** -53;
-const LEAST = 2 ** -6;
+export const CLEAR_ROUGH = 2 ** -20;
+export const CERTAIN = -28 * 2 ** -53;
+export const LEAST = 2 ** -6;
 
 /**
  * The relative error of a step in pass 3 is (4 Am/|A| + 14)u at most, and more by what g is
  * off; pass 1 has Am/|A| at hand.
  */
-const SLACK_A = 4 * 2 ** -53;
-const SLACK = 14 * 2 ** -53;
+export const SLACK_A = 4 * 2 ** -53;
+export const SLACK = 14 * 2 ** -53;
 
 /**
  * What pass 1 leaves open goes to recentred.ts if b² is that many times D, its roots much nearer to
@@ -117,11 +117,15 @@ const SLACK = 14 * 2 ** -53;
  */
 const FARTHER = 2 ** 10;
 
-/**
- * The loops take their bounds from here: of a module's constants a bundler makes variables, which
- * V8 looks up at each use.
- */
-export const ROUGH_BOUNDS = Float64Array.of(CLEAR_ROUGH, CERTAIN, LEAST, SLACK_A, SLACK, FARTHER);
+/** What the loops of pass 1 take before they begin. */
+export const { at: AT_ROUGH, doubles: ROUGH_BOUNDS } = inSlots({
+  clearly: CLEAR_ROUGH,
+  certain: CERTAIN,
+  least: LEAST,
+  slackA: SLACK_A,
+  slack0: SLACK,
+  farther: FARTHER,
+});
 
 export type CoarsePass = (
   lattice: Lattice,
@@ -144,12 +148,12 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const smallest = lattice[AT_LATTICE.smallest] as number;
     const largestDirection = lattice[AT_LATTICE.largestDirection] as number;
     const smallestDirection = lattice[AT_LATTICE.smallestDirection] as number;
-    const clearly = ROUGH_BOUNDS[0] as number;
-    const certain = ROUGH_BOUNDS[1] as number;
-    const least = ROUGH_BOUNDS[2] as number;
-    const slackA = ROUGH_BOUNDS[3] as number;
-    const slack0 = ROUGH_BOUNDS[4] as number;
-    const farther = ROUGH_BOUNDS[5] as number;
+    const clearly = ROUGH_BOUNDS[AT_ROUGH.clearly] as number;
+    const certain = ROUGH_BOUNDS[AT_ROUGH.certain] as number;
+    const least = ROUGH_BOUNDS[AT_ROUGH.least] as number;
+    const slackA = ROUGH_BOUNDS[AT_ROUGH.slackA] as number;
+    const slack0 = ROUGH_BOUNDS[AT_ROUGH.slack0] as number;
+    const farther = ROUGH_BOUNDS[AT_ROUGH.farther] as number;
     let hits = 0;
     let doubts = 0;
     let close = 0;
@@ -224,11 +228,11 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const smallest = lattice[AT_LATTICE.smallest] as number;
     const largestDirection = lattice[AT_LATTICE.largestDirection] as number;
     const smallestDirection = lattice[AT_LATTICE.smallestDirection] as number;
-    const clearly = ROUGH_BOUNDS[0] as number;
-    const certain = ROUGH_BOUNDS[1] as number;
-    const slackA = ROUGH_BOUNDS[3] as number;
-    const slack0 = ROUGH_BOUNDS[4] as number;
-    const farther = ROUGH_BOUNDS[5] as number;
+    const clearly = ROUGH_BOUNDS[AT_ROUGH.clearly] as number;
+    const certain = ROUGH_BOUNDS[AT_ROUGH.certain] as number;
+    const slackA = ROUGH_BOUNDS[AT_ROUGH.slackA] as number;
+    const slack0 = ROUGH_BOUNDS[AT_ROUGH.slack0] as number;
+    const farther = ROUGH_BOUNDS[AT_ROUGH.farther] as number;
     let hits = 0;
     let doubts = 0;
     let close = 0;
@@ -494,14 +498,15 @@ export const ROUNDING = 11 * 2 ** -53 * UNIT_OF_DIRECTION;
 export const SMALL = 2 ** -11 * 2 ** -53;
 export const SLACK_G = 13 * 2 ** -53;
 export const SHARE = 2 ** -5;
-export const SOLVE_BOUNDS = Float64Array.of(
-  ROUNDING,
-  SMALL,
-  FAITHFUL_ONCE,
-  SLACK_G,
-  1.5 * UNIT_OF_DIRECTION,
-  SHARE,
-);
+/** What the loop of pass 3 takes before it begins. */
+export const { at: AT_SOLVE, doubles: SOLVE_BOUNDS } = inSlots({
+  rounding: ROUNDING,
+  small: SMALL,
+  faithful: FAITHFUL_ONCE,
+  slackG: SLACK_G,
+  threeHalves: 1.5 * UNIT_OF_DIRECTION,
+  share: SHARE,
+});
 
 export type SolvePass = (lattice: Lattice, out: Answers) => void;
 
@@ -514,12 +519,12 @@ export function solvePass(s: Scratch): SolvePass {
     const leastGap = lattice[AT_LATTICE.leastGap] as number;
     const hits = count[HITS] as number;
     let left = count[UNSETTLED] as number;
-    const rounding = SOLVE_BOUNDS[0] as number;
-    const small = SOLVE_BOUNDS[1] as number;
-    const faithful = SOLVE_BOUNDS[2] as number;
-    const slackG = SOLVE_BOUNDS[3] as number;
-    const threeHalves = SOLVE_BOUNDS[4] as number;
-    const share = SOLVE_BOUNDS[5] as number;
+    const rounding = SOLVE_BOUNDS[AT_SOLVE.rounding] as number;
+    const small = SOLVE_BOUNDS[AT_SOLVE.small] as number;
+    const faithful = SOLVE_BOUNDS[AT_SOLVE.faithful] as number;
+    const slackG = SOLVE_BOUNDS[AT_SOLVE.slackG] as number;
+    const threeHalves = SOLVE_BOUNDS[AT_SOLVE.threeHalves] as number;
+    const share = SOLVE_BOUNDS[AT_SOLVE.share] as number;
     for (let j = 0; j < hits; j++) {
       const a = wholeNear[j] as number;
       const b = wholeFar[j] as number;
@@ -566,27 +571,28 @@ export function solvePass(s: Scratch): SolvePass {
   };
 }
 
-const scratch = createScratch();
-const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;
-const residuals = [residualsAroundAxis(scratch), residualsInSpace(scratch)] as const;
-const solve = solvePass(scratch);
-
-export const { doubtful, unsettled, count } = scratch;
-
-/**
- * Both roots of rays `from` to `to`, but for count[DOUBTS] `doubtful` and count[UNSETTLED]
- * `unsettled` ones.
- */
-export function ordinaryRoots(
+/** All three passes over rays `from` to `to`. */
+export type OrdinaryRoots = (
   lattice: Lattice,
   hasY: boolean,
   rays: Rays,
   out: Answers,
   from: number,
   to: number,
-): void {
-  const form = hasY ? 1 : 0;
-  coarse[form](lattice, rays, out, from, to);
-  residuals[form](lattice);
-  solve(lattice, out);
+) => void;
+
+/**
+ * Both roots of the rays of a block, but for the first count[DOUBTS] of `doubtful` and the first
+ * count[UNSETTLED] of `unsettled`, which the scratch holds until the next block.
+ */
+export function ordinaryRootsWith(scratch: Scratch): OrdinaryRoots {
+  const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;
+  const residuals = [residualsAroundAxis(scratch), residualsInSpace(scratch)] as const;
+  const solve = solvePass(scratch);
+  return (lattice, hasY, rays, out, from, to) => {
+    const form = hasY ? 1 : 0;
+    coarse[form](lattice, rays, out, from, to);
+    residuals[form](lattice);
+    solve(lattice, out);
+  };
 }
