@@ -1,4 +1,6 @@
+import { SHAPES } from '../math/index.ts';
 import type { ShapeKind } from '../math/shapes.ts';
+import { EXERCISES, findExercise } from './exercises/index.ts';
 
 /** An exercise of a set: how often it comes up, and for which shapes in turn. */
 interface Turn {
@@ -20,7 +22,8 @@ const CURVED = [...ROUND, 'sphere', 'paraboloid'] as const;
 
 /**
  * A set is frozen once a release has posed it: the same set and seed pose the same questions for
- * ever. What is new goes into a set of its own, with the next number; a link names its set.
+ * ever. What is new goes into a set of its own, with the next number; a link names its set. Until
+ * then what is new is posed by the newest set with its name added to the id (`setOf`).
  */
 export const SETS: Readonly<Record<string, QuestionSet>> = {
   1: {
@@ -68,10 +71,61 @@ export const SETS: Readonly<Record<string, QuestionSet>> = {
 
 /** What a link without a set means. */
 export const FIRST_SET = '1';
-export const LATEST_SET = '2';
 
+const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
+const isKind = (name: string): name is ShapeKind => KINDS.some((kind) => kind === name);
+
+/**
+ * The set of this id, and what its id adds: `2,torus,gap` is set 2 with the shape torus in every
+ * exercise that can be posed about it, and the exercise gap at the end.
+ *
+ * @throws RangeError for a set that there is not, and for a name that it has already.
+ */
 export function setOf(id: string): QuestionSet {
-  const found = Object.hasOwn(SETS, id) ? SETS[id] : undefined;
-  if (!found) throw new RangeError(`no question set ${id}`);
-  return found;
+  const [number = '', ...added] = id.split(',');
+  const found = Object.hasOwn(SETS, number) ? SETS[number] : undefined;
+  if (!found) throw new RangeError(`no question set ${number}`);
+  const has = (name: string): boolean =>
+    found.shapes.some((kind) => kind === name) ||
+    found.turns.some(({ exercise }) => exercise === name);
+  const wrong = added.find(
+    (name, i) => has(name) || added.indexOf(name) < i || !(isKind(name) || findExercise(name)),
+  );
+  if (wrong !== undefined) throw new RangeError(`set ${number} cannot have ${wrong} added`);
+  const newKinds = added.filter(isKind);
+  const shapes = [...found.shapes, ...newKinds];
+  const kindsOf = (exercise: string): readonly ShapeKind[] => findExercise(exercise)?.kinds ?? [];
+  return {
+    shapes,
+    turns: [
+      ...found.turns.map(({ kinds, ...turn }) => ({
+        ...turn,
+        kinds: [...kinds, ...newKinds.filter((kind) => kindsOf(turn.exercise).includes(kind))],
+      })),
+      ...added
+        .filter((name) => !isKind(name))
+        .map((exercise) => ({
+          exercise,
+          times: 1,
+          kinds: shapes.filter((kind) => kindsOf(exercise).includes(kind)),
+        })),
+    ],
+  };
 }
+
+export const isSet = (id: string): boolean => {
+  try {
+    return setOf(id).turns.every(({ kinds }) => kinds.length > 0);
+  } catch {
+    return false;
+  }
+};
+
+/** What a new seed draws from: the newest table, and the shapes and exercises that it lacks. */
+export const LATEST_SET = [
+  '2',
+  ...KINDS.filter((kind) => !SETS[2]?.shapes.includes(kind)),
+  ...EXERCISES.map(({ id }) => id).filter(
+    (id) => !SETS[2]?.turns.some(({ exercise }) => exercise === id),
+  ),
+].join(',');

@@ -1,5 +1,6 @@
-import { transformWithOxc } from 'vite';
+import { parseSync, transformWithOxc } from 'vite';
 import { describe, expect, test, vi } from 'vitest';
+import { generate } from '../../scripts/kernels/trees/generate.ts';
 import { derivationFor, pose } from '../../src/check/compose.ts';
 import type { Exercise, Level } from '../../src/check/exercises/define.ts';
 import { EXERCISES } from '../../src/check/exercises/index.ts';
@@ -7,6 +8,8 @@ import { judge } from '../../src/check/judge.ts';
 import { casesFor } from '../../src/check/program/cases.ts';
 import { reportOf } from '../../src/check/program/report.ts';
 import { programOf } from '../../src/check/program/source.ts';
+import { plan } from '../../src/check/session.ts';
+import { LATEST_SET } from '../../src/check/sets.ts';
 import type { Answer } from '../../src/check/types.ts';
 import { batchesOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
@@ -27,6 +30,7 @@ import type { ShapeDefinition } from '../../src/math/shapes/define.ts';
 import { SHAPES, type Shape, type ShapeKind } from '../../src/math/shapes/index.ts';
 import { definitionOf } from '../../src/math/shapes/lookup.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
+import { readSettings, settingsOf } from '../../src/pages/check/settings.ts';
 import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import { surfacesOf } from '../../src/scene/surfaces.ts';
 import type { Scene } from '../../src/scene/types.ts';
@@ -123,6 +127,15 @@ describe.each(METHODS.map(({ id }) => id as string))('batches of %s', (id) => {
       });
     }
   });
+});
+
+test('npm run kernels makes loops of both, in programs that are sound', () => {
+  const files = generate();
+  expect(files.map(({ path }) => path)).toContain(`${METHOD}-simd.ts`);
+  for (const { path, text } of files)
+    expect([path, parseSync(path, text).errors]).toEqual([path, []]);
+  expect(files.at(-1)?.text).toContain(`'${METHOD}'`);
+  expect(files.at(-1)?.text).toContain(`'${KIND}'`);
 });
 
 describe('Accuracy', () => {
@@ -222,6 +235,17 @@ describe('Check', () => {
   test('asks about it', () => {
     const ids = asked.map(({ id }) => id);
     expect(ids).toEqual(expect.arrayContaining(['coefficients', 'discriminant', 'roots', 'first']));
+  });
+
+  test('a session of a new seed asks about it, and a link to it opens', () => {
+    const asked = plan(41, LATEST_SET).map(({ kind }) => kind as string);
+    expect(asked).toContain(KIND);
+    expect(plan(41).map(({ kind }) => kind as string)).not.toContain(KIND);
+    const { settings, problems } = readSettings({ set: LATEST_SET, seed: '41', cases: KIND });
+    expect(problems).toEqual([]);
+    expect(settingsOf(settings)).toMatchObject({ set: LATEST_SET, cases: KIND });
+    const link = encode(decode(`#/check?set=${LATEST_SET}&seed=41`));
+    expect(decode(link).settings.check).toMatchObject({ set: LATEST_SET });
   });
 
   test('the truth is right, and a known mistake is named', () => {

@@ -13,7 +13,7 @@ export const momentTextbook = treeMethod(
     title: 'moment, textbook root',
     idea: 'D from the moment of the ray, the roots by the textbook formula.',
     promise: 'As moment where it is hit at all; the smaller root loses digits as textbook does.',
-    source: 'None: for a test.',
+    source: 'Both halves are those of methods of Graze; together they are only tested.',
   },
   float64,
   textbookSolver,

@@ -28,8 +28,8 @@ interface Surface {
 }
 
 /** A shape of each kind; one whose trees depend on an axis stands for all: see turned.ts. */
-function surfaces(): Surface[] {
-  return SHAPES.map((definition) => {
+function surfaces(kinds: readonly string[]): Surface[] {
+  return SHAPES.filter(({ kind }) => kinds.includes(kind)).map((definition) => {
     const shape = Object.fromEntries([
       ['kind', definition.kind],
       ...definition.params.map(({ key, initial }) => [key, initial]),
@@ -43,12 +43,21 @@ function surfaces(): Surface[] {
   });
 }
 
+/** What is made: for these kinds of shapes, by these methods; unless told otherwise, for all. */
+interface Wanted {
+  readonly kinds?: readonly string[];
+  readonly methods?: readonly string[];
+}
+
 /** For every method that is made of trees in a number system that kernels can have. */
-export function generate(): Generated[] {
+export function generate({
+  kinds = SHAPES.map(({ kind }) => kind),
+  methods = METHODS.map(({ id }) => id),
+}: Wanted = {}): Generated[] {
   const files: Generated[] = [];
   const ids: [string, string][] = [];
-  const all = surfaces();
-  for (const { id, title, parts } of METHODS) {
+  const all = surfaces(kinds);
+  for (const { id, title, parts } of METHODS.filter((method) => methods.includes(method.id))) {
     parts?.(({ id: arithmetic }, form, solver) => {
       const system = SYSTEMS[arithmetic];
       if (!system) return;
@@ -58,7 +67,7 @@ export function generate(): Generated[] {
       const functions = all.flatMap(({ kind, formula, symbols }) => {
         const numbers = numbersOf(symbols);
         return ASKS.map((ask) => {
-          const name = `${kind}${ask === 'both' ? 'Both' : 'Classes'}`;
+          const name = `${nameOf(kind)}${ask === 'both' ? 'Both' : 'Classes'}`;
           const program = programOf({ formula, symbols, system, form, solver }, ask);
           loops.push(loopOf(name, numbers, program, scratch));
           return functionOf(name, numbers, program);
@@ -109,12 +118,15 @@ ${lines?.join('\n')}
 `;
 }
 
+/** 'elliptic-cylinder' as a name and as a key. */
+const nameOf = (id: string): string => id.replace(/-(\w)/g, (_, letter) => letter.toUpperCase());
+const keyOf = (id: string): string => (nameOf(id) === id ? id : `'${id}'`);
+
 function index(ids: readonly (readonly [string, string])[], all: readonly Surface[]): string {
-  const name = (id: string): string => id.replaceAll('-', '');
   return `${header('Which loops there are, by method and kind of shape.')}${ids
-    .map(([id]) => `import * as ${name(id)} from './${id}.ts';`)
+    .map(([id]) => `import * as ${nameOf(id)} from './${id}.ts';`)
     .join('\n')}
-${ids.map(([id]) => `import { MODULE as ${name(id)}Simd } from './${id}-simd.ts';`).join('\n')}
+${ids.map(([id]) => `import { MODULE as ${nameOf(id)}Simd } from './${id}-simd.ts';`).join('\n')}
 import type { Straight } from '../straight-loop.ts';
 
 /** The names of a shape's numbers, in the order in which its loops take them. */
@@ -122,7 +134,7 @@ export const NUMBERS: Readonly<Record<string, readonly string[]>> = {
 ${all
   .map(
     ({ kind, symbols }) =>
-      `  ${kind}: [${numbersOf(symbols)
+      `  ${keyOf(kind)}: [${numbersOf(symbols)
         .map((n) => `'${n}'`)
         .join(', ')}],`,
   )
@@ -132,14 +144,15 @@ ${all
 export const STRAIGHT: Readonly<Record<string, Straight>> = {
 ${ids
   .map(
-    ([id, arithmetic]) => `  ${id}: {
-    simd: ${name(id)}Simd,
+    ([id, arithmetic]) => `  ${keyOf(id)}: {
+    simd: ${nameOf(id)}Simd,
     arithmetic: '${arithmetic}',
     loops: {
 ${all
   .map(
     ({ kind }) =>
-      `      ${kind}: { both: ${name(id)}.${kind}Both, classes: ${name(id)}.${kind}Classes },`,
+      `      ${keyOf(kind)}: ` +
+      `{ both: ${nameOf(id)}.${nameOf(kind)}Both, classes: ${nameOf(id)}.${nameOf(kind)}Classes },`,
   )
   .join('\n')}
     },

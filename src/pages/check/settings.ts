@@ -1,5 +1,5 @@
 import { plan } from '../../check/session.ts';
-import { FIRST_SET, SETS } from '../../check/sets.ts';
+import { FIRST_SET, isSet, SETS } from '../../check/sets.ts';
 import { findShape } from '../../math/shapes.ts';
 import type { Settings } from '../../state/state.ts';
 import type { Readable } from '../page.ts';
@@ -36,7 +36,6 @@ export const KEYS = ['part', 'set', 'seed', 'question', 'cases'] as const;
 
 const isPart = (text: string): text is PartId => PARTS.some(({ id }) => id === text);
 const isSeed = (text: string): boolean => /^-?\d{1,9}$/.test(text);
-const isSet = (text: string): boolean => Object.hasOwn(SETS, text);
 /** Every session of a set has as many questions. */
 const questionsIn = (set: string): number => plan(DEFAULTS.seed, set).length;
 const isQuestion = (text: string, set: string): boolean =>

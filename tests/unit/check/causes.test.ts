@@ -318,11 +318,15 @@ const isRoot = (output: Output | undefined): boolean =>
   output?.type === 'value' && output.t.some(Number.isFinite);
 
 /** The same results as without the mistake, for every valid input. */
-function isHarmless(kind: ShapeKind, outputs: readonly Output[]): boolean {
+const isHarmless = (kind: ShapeKind, outputs: readonly Output[]): boolean =>
+  changedOf(kind, outputs).length === 0;
+
+/** The valid cases in which the program says something else than the right one. */
+function changedOf(kind: ShapeKind, outputs: readonly Output[]): readonly Case[] {
   const cases = casesOf(kind);
   const right = run(programOf(kind) ?? '', cases);
-  return cases.every(
-    ({ expected }, i) => !expected || JSON.stringify(outputs[i]) === JSON.stringify(right[i]),
+  return cases.filter(
+    ({ expected }, i) => expected && JSON.stringify(outputs[i]) !== JSON.stringify(right[i]),
   );
 }
 
@@ -361,7 +365,9 @@ describe('what the questions know', () => {
       tried++;
       // If no root is left but those that rounding makes, nothing tells one mistake from another.
       const telling = cases.some(({ group }, i) => group !== 'hard' && isRoot(outputs[i]));
-      if (!report.silent && telling) expect(found.flat(), kind).toContain(id);
+      // A mistake that shows in one or two cases only is not named: they are no evidence.
+      const shows = changedOf(kind, outputs).filter(({ group }) => group !== 'hard').length >= 3;
+      if (!report.silent && telling && shows) expect(found.flat(), kind).toContain(id);
       expect(found.length, JSON.stringify(found)).toBeLessThan(2);
       expect(report.groups.some(({ passed, total }) => passed < total)).toBe(true);
     }

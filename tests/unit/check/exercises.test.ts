@@ -89,16 +89,23 @@ describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
 
     test('each misconception is rejected and named', () => {
       let named = 0;
+      let close = 0;
       // Every fourth is enough to meet each of them often.
       for (const posed of all.filter((_, i) => i % 4 === 0)) {
         for (const { misconception, answers } of posed.suspects) {
           const judged = answered(posed, answers);
+          // By chance a mistake may be right to three digits; that is said of it.
+          if (judged.verdict === 'rounded') {
+            close++;
+            continue;
+          }
           expect(judged.verdict).toBe('wrong');
           expect(judged.causes.map(({ id }) => id)).toEqual([misconception.id]);
           named++;
         }
       }
       expect(named).toBeGreaterThanOrEqual(SEEDS / 8);
+      expect(close).toBeLessThanOrEqual(named / 50);
     });
 
     test('no two misconceptions coincide', () => {

@@ -13,7 +13,8 @@ const withoutNulls = (texts: Readonly<Record<string, string | null>>): Record<st
 
 describe('the settings of the page Check', () => {
   test('come back from the link as they went in, 500 runs', () => {
-    const any = fc.constantFrom(...Object.keys(SETS)).chain((set) =>
+    const sets = [...Object.keys(SETS), LATEST_SET, '1,sphere,paraboloid'];
+    const any = fc.constantFrom(...sets).chain((set) =>
       fc.record({
         part: fc.constantFrom(...PARTS.map(({ id }) => id)),
         set: fc.constant(set),
@@ -42,7 +43,7 @@ describe('the settings of the page Check', () => {
     });
   });
 
-  test.each(Object.keys(SETS))(
+  test.each([...Object.keys(SETS), LATEST_SET, '1,sphere'])(
     'every session of set %s has as many questions: a link to one is good for every seed',
     (set) => {
       const lengths = Array.from({ length: 200 }, (_, seed) => plan(seed - 100, set).length);

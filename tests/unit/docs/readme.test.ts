@@ -99,22 +99,29 @@ describe('the table of the ladder', () => {
   const table = (text: string): string =>
     /<!-- bench -->([\s\S]*?)<!-- \/bench -->/.exec(text)?.[1] ?? '';
 
-  test('is in the README as in docs/bench.md, with every method', () => {
-    const shown = table(readme);
+  const shown = table(readme);
+  /** Those that there were when it was measured; it is made anew by hand. */
+  const measuredMethods = [...shown.matchAll(/^\| ([\w-]+) \| [\d.–]+ \|/gm)].map(
+    ([, id = '']) => id,
+  );
+
+  test('is in the README as in docs/bench.md, its methods in the order of the ladder', () => {
     expect(shown).toBe(table(read('docs/bench.md')));
-    const methods = [...shown.matchAll(/^\| (\w+) \| [\d.–]+ \|/gm)].map((m) => m[1]);
-    expect(methods).toEqual(METHODS.map(({ id }) => id));
+    expect(measuredMethods.length).toBeGreaterThan(1);
+    expect(METHODS.map(({ id }) => id).filter((id) => measuredMethods.includes(id))).toEqual(
+      measuredMethods,
+    );
   });
 
-  test('in docs/bench.md is followed by every family and, for each, every method', () => {
+  test('in docs/bench.md is followed by every family and, for each, the same methods', () => {
     const bench = read('docs/bench.md');
     // The table was measured on the families that stood when it was made; it says which.
     const measured = FAMILIES.filter(({ title }) => bench.includes(`### ${title}\n`));
     expect(measured.length).toBeGreaterThan(20);
     for (const { title } of measured) {
       const [, part = ''] = bench.split(`### ${title}\n`);
-      const methods = [...(part.split('### ')[0] ?? '').matchAll(/^\| (\w+) \| (?:–|[\d.]+ \()/gm)];
-      expect([title, ...methods.map((m) => m[1])]).toEqual([title, ...METHODS.map(({ id }) => id)]);
+      const rows = (part.split('### ')[0] ?? '').matchAll(/^\| ([\w-]+) \| (?:–|[\d.]+ \()/gm);
+      expect([title, ...[...rows].map((m) => m[1])]).toEqual([title, ...measuredMethods]);
     }
   });
 });

@@ -120,23 +120,19 @@ describe.each(numbers)('$kind, $key', ({ kind, key, param }) => {
   });
 });
 
-test('which numbers may not be negative: radii and sides', () => {
-  const bounded = numbers.filter(({ param }) => param.type === 'number' && param.least === 0);
-  expect(bounded.map(({ kind, key }) => `${kind} ${key}`)).toEqual([
-    'cylinder radius',
-    'hyperboloid radius',
-    'circle radius',
-    'square side',
-    'sphere radius',
-  ]);
+test('radii and sides may not be negative, slopes and flares may', () => {
+  for (const { kind, key, param } of numbers) {
+    const least = param.type === 'number' ? param.least : undefined;
+    if (/^(radius|side)$/.test(key)) expect([kind, key, least]).toEqual([kind, key, 0]);
+    if (/^(slope|flare)$/.test(key)) expect([kind, key, least]).toEqual([kind, key, undefined]);
+  }
 });
 
-test('which vectors may not be zero: normals', () => {
-  const bounded = vectors.filter(({ param }) => param.type === 'vector' && param.nonZero);
-  expect(bounded.map(({ kind, key }) => `${kind} ${key}`)).toEqual([
-    'plane normal',
-    'circle normal',
-  ]);
+test('normals may not be zero, points may', () => {
+  for (const { kind, key, param } of vectors) {
+    const nonZero = param.type === 'vector' && param.nonZero === true;
+    expect([kind, key, nonZero]).toEqual([kind, key, key === 'normal']);
+  }
 });
 
 describe('the square’s axis', () => {

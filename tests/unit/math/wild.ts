@@ -1,7 +1,8 @@
 import type { Question } from '../../../src/math/families.ts';
 import { integer, seeded, wide } from '../../../src/math/rng.ts';
-import type { Shape } from '../../../src/math/shapes/index.ts';
-import type { Vec3 } from '../../../src/math/vec3.ts';
+import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
+import type { Param } from '../../../src/math/shapes/params.ts';
+import { AXES, type Vec3 } from '../../../src/math/vec3.ts';
 
 /**
  * Shapes and rays of every exponent, and the extremes: overflow and underflow at every step of the
@@ -28,23 +29,18 @@ export function wild(seed: number, count: number): Question[] {
     const v = vector();
     return v.some((x) => x !== 0) ? v : [1, 0, 0];
   };
-  const shapes: (() => Shape)[] = [
-    () => ({ kind: 'cylinder', center: vector(), radius: Math.abs(any()) }),
-    () => ({ kind: 'cone', vertex: vector(), slope: any() }),
-    () => ({ kind: 'hyperboloid', center: vector(), flare: any(), radius: Math.abs(any()) }),
-    () => ({ kind: 'plane', normal: nonZero(), point: vector() }),
-    () => ({ kind: 'circle', normal: nonZero(), center: vector(), radius: Math.abs(any()) }),
-    () => ({
-      kind: 'square',
-      corner: vector(),
-      side: Math.abs(any()),
-      axis: (['x', 'y', 'z'] as const)[integer(random, 0, 2)] as 'x',
-    }),
-    () => ({ kind: 'sphere', center: vector(), radius: Math.abs(any()) }),
-    () => ({ kind: 'paraboloid', vertex: vector(), width: any() }),
-  ];
+  const value = (param: Param): unknown => {
+    if (param.type === 'axis') return AXES[integer(random, 0, 2)];
+    if (param.type === 'vector') return param.nonZero ? nonZero() : vector();
+    return param.least === undefined ? any() : Math.abs(any());
+  };
+  const shapeAt = (i: number): Shape => {
+    const { kind, params } = SHAPES[i % SHAPES.length] as (typeof SHAPES)[number];
+    const values = params.map((param) => [param.key, value(param)] as const);
+    return { kind, ...Object.fromEntries(values) } as unknown as Shape;
+  };
   return Array.from({ length: count }, (_, i) => ({
-    shape: (shapes[i % shapes.length] as () => Shape)(),
+    shape: shapeAt(i),
     ray: { origin: vector(), direction: nonZero() },
   }));
 }

@@ -125,7 +125,7 @@ describe('the ray', () => {
     const { rows, where, words, losses } = model({ ...INITIAL, kind });
     expect(rows.map(({ method }) => method)).toEqual(METHODS);
     expect([...where.values()].every((text) => text.length > 3)).toBe(true);
-    expect(words).toMatch(/^The \w+ of Explore, with E [\d.]+ away\. /);
+    expect(words).toMatch(/^The [\w ]+ of Explore, with E [\d.]+ away\. /);
     expect(losses.steps.length).toBeGreaterThan(3);
   });
 

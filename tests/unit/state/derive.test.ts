@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { intersect, SHAPES } from '../../../src/math/index.ts';
 import type { Stage } from '../../../src/math/shapes/drawing.ts';
 import type { ShapeKind } from '../../../src/math/shapes/index.ts';
+import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
@@ -82,7 +83,7 @@ describe('the model is the math module’s answer', () => {
     expect(model.ray).toEqual({ origin: state.E, direction: state.d });
     expect(model.shape).toBe(shapeOf(state));
     expect(model.contradicted).toBeNull();
-    expect(model.title).toBe(kind);
+    expect(model.title).toBe(definitionOf(model.shape).named(model.shape).name);
   });
 
   test('unit d: the kernel gets the rounded unit vector, t is a length', () => {

@@ -1,5 +1,4 @@
 import { describe, expect, test } from 'vitest';
-import { SHAPES } from '../../../src/math/index.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
@@ -151,9 +150,9 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('%s', (_, entr
   });
 });
 
-test('every shape has a hit, and every class appears', () => {
+test('every shape of it is hit in an example, and every class appears', () => {
   const found = GALLERY.map((entry) => subjectOf(entry, 'exact'));
   const hit = found.filter((one) => one.found.hits.length > 0).map(({ shape }) => shape.kind);
-  expect(new Set(hit).size).toBe(SHAPES.length);
+  expect(new Set(hit)).toEqual(new Set(found.map(({ shape }) => shape.kind)));
   expect(new Set(found.map((one) => one.found.class)).size).toBe(5);
 });

@@ -1,6 +1,7 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { accelerate, decelerate } from '../../../../src/math/accelerate.ts';
 import { type Answers, type Rays, verdictsOfClasses } from '../../../../src/math/batch/batch.ts';
+import { STRAIGHT as GENERATED } from '../../../../src/math/batch/generated/index.ts';
 import { batchOf, targetOf } from '../../../../src/math/batch/kernels.ts';
 import type { Target } from '../../../../src/math/batch/target.ts';
 import { FAMILIES } from '../../../../src/math/families.ts';
@@ -15,7 +16,7 @@ import { arraysIn, BESIDE, blank, difference, found, packed, type Where } from '
  * is asked, wherever the arrays are, and nothing is written beyond the rays.
  */
 
-const STRAIGHT = METHODS.filter(({ id }) => id !== 'exact' && id !== 'certified');
+const STRAIGHT = METHODS.filter(({ id }) => Object.hasOwn(GENERATED, id));
 const FORMS = ['both', 'classes', 'first'] as const;
 const WHERE: readonly [Where, Where] = ['memory', 'ordinary'];
 

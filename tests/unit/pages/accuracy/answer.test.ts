@@ -41,9 +41,10 @@ describe('a column', () => {
     for (const { id, roots, classes } of before.rows) {
       const { both, classes: alone } = reference;
       // A method of which only the roots were priced has no other figure.
-      const known: Readonly<Record<string, { readonly high: number }>> = alone.typescript.random;
-      expect(roots?.times).toMatchObject({ least: both.typescript.random[id as 'exact'].low });
-      expect(classes?.times.most).toBe(known[id]?.high);
+      type Known = Readonly<Record<string, { readonly low: number; readonly high: number }>>;
+      const [pair, verdict]: Known[] = [both.typescript.random, alone.typescript.random];
+      expect(roots?.times.least).toBe(pair?.[id]?.low);
+      expect(classes?.times.most).toBe(verdict?.[id]?.high);
     }
     const after = columnOf(inTypeScript, last, reference);
     expect(after).toMatchObject({ isFaint: false, rows: last.columns.typescript });
