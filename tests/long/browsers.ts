@@ -1,15 +1,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import { type Browser, type BrowserType, chromium, firefox, webkit } from '@playwright/test';
-import { webkitGtk } from './webdriver.ts';
-
-/** A browser that is led over the site, by whatever protocol it speaks. */
-export interface Tourist {
-  goto(url: string): Promise<void>;
-  /** Runs a function in the page; it may use nothing but what it is given. */
-  run<A, R>(act: (given: A) => R | Promise<R>, given?: A): Promise<Awaited<R>>;
-  close(): Promise<void>;
-}
+import { type Tourist, webkitGtk } from './webdriver.ts';
 
 export const BROWSERS = ['firefox', 'webkit'] as const;
 export type BrowserName = (typeof BROWSERS)[number];

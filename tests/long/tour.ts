@@ -1,6 +1,6 @@
 import { SHAPES } from '../../src/math/index.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
-import type { Tourist } from './browsers.ts';
+import type { Tourist } from './webdriver.ts';
 
 /* Once over all pages, in any browser. What can be compared is given back under a name. */
 

@@ -1,6 +1,13 @@
 import { type ChildProcess, spawn } from 'node:child_process';
 import { createServer } from 'node:net';
-import type { Tourist } from './browsers.ts';
+
+/** A browser that is led over the site, by whatever protocol it speaks. */
+export interface Tourist {
+  goto(url: string): Promise<void>;
+  /** Runs a function in the page; it may use nothing but what it is given. */
+  run<A, R>(act: (given: A) => R | Promise<R>, given?: A): Promise<Awaited<R>>;
+  close(): Promise<void>;
+}
 
 /* WebKitGTK's driver, spoken to in W3C WebDriver. */
 

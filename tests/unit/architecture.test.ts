@@ -420,6 +420,8 @@ describe('src', () => {
 
   test('has no files that import each other in a circle, types included', () => {
     expect(circles(SRC)).toEqual([]);
+    // Nor what shows how to add things.
+    expect(circles(BESIDE)).toEqual([]);
   });
 
   test('exports only what another file imports, the face of the math module aside', () => {

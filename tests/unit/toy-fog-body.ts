@@ -1,11 +1,16 @@
-import type { WayBody } from '../../src/scene/effects/body.ts';
-import { bodyValues } from '../../src/scene/effects/fields.ts';
-import { air } from './toy-fog.ts';
+import type { Vec3 } from '../../src/math/vec3.ts';
+import type { WayBody, World } from '../../src/scene/effects/body.ts';
 
-export const body: WayBody = {
+/** Density in 1/length; the colour is linear light. */
+interface Air {
+  readonly density: number;
+  readonly colour: Vec3;
+}
+
+export const body = (airOf: (world: World) => Air): WayBody => ({
   at: 'way',
   run(wave, world, _all, add) {
-    const { density, colour } = bodyValues(air, world);
+    const { density, colour } = airOf(world);
     for (let i = 0; i < wave.count; i++) {
       const t = wave.t[i] as number;
       // 0 · ∞ is no number: a ray that meets nothing goes on for the largest length there is.
@@ -21,5 +26,5 @@ export const body: WayBody = {
       wave.blue[i] = blue * through;
     }
   },
-  brightest: (world, behind) => Math.max(behind, ...bodyValues(air, world).colour),
-};
+  brightest: (world, behind) => Math.max(behind, ...airOf(world).colour),
+});

@@ -1,5 +1,5 @@
 import { defineEffect, needed, notNeeded } from '../../src/scene/effects/define.ts';
-import { defineFields, valuesOf } from '../../src/scene/effects/fields.ts';
+import { bodyValues, defineFields, valuesOf } from '../../src/scene/effects/fields.ts';
 
 export const air = defineFields('fog', 'scene', {
   density: {
@@ -22,5 +22,5 @@ export const fog = defineEffect({
   fields: [air],
   neededBy: (scene) =>
     valuesOf(air, scene).density > 0 ? needed('the air is foggy') : notNeeded('the air is clear'),
-  load: () => import('./toy-fog-body.ts').then(({ body }) => body),
+  load: () => import('./toy-fog-body.ts').then(({ body }) => body(bodyValues(air))),
 });

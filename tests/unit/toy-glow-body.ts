@@ -1,30 +1,32 @@
 import type { Vec3 } from '../../src/math/vec3.ts';
-import type { WayBody, World } from '../../src/scene/effects/body.ts';
-import { bodyValues } from '../../src/scene/effects/fields.ts';
-import { aura, lamp } from './toy-glow.ts';
+import type { Look, WayBody, World, WorldLight } from '../../src/scene/effects/body.ts';
 
-export const body: WayBody = {
-  at: 'way',
-  run(wave, world, _all, add) {
-    const [r, g, b] = fed(world);
-    for (let i = 0; i < wave.count; i++) {
-      const look = world.looks[wave.surface[i] as number];
-      const power = look ? bodyValues(aura, look).power : 0;
-      const red = power * (wave.red[i] as number);
-      const green = power * (wave.green[i] as number);
-      const blue = power * (wave.blue[i] as number);
-      add(i, red * r, green * g, blue * b);
-    }
-  },
-  brightest(world, behind) {
-    const powers = world.looks.map((look) => bodyValues(aura, look).power);
-    return behind + Math.max(0, ...powers) * Math.max(...fed(world));
-  },
+export const body = (
+  auraOf: (look: Look) => { readonly power: number },
+  lampOf: (light: WorldLight) => { readonly feeds: string },
+): WayBody => {
+  /** The light of all lamps that feed it. */
+  const fed = ({ lights }: World): Vec3 =>
+    lights
+      .filter((light) => lampOf(light).feeds === 'glow')
+      .map(({ colour }) => colour)
+      .reduce<Vec3>(([r, g, b], [x, y, z]) => [r + x, g + y, b + z], [0, 0, 0]);
+  return {
+    at: 'way',
+    run(wave, world, _all, add) {
+      const [r, g, b] = fed(world);
+      for (let i = 0; i < wave.count; i++) {
+        const look = world.looks[wave.surface[i] as number];
+        const power = look ? auraOf(look).power : 0;
+        const red = power * (wave.red[i] as number);
+        const green = power * (wave.green[i] as number);
+        const blue = power * (wave.blue[i] as number);
+        add(i, red * r, green * g, blue * b);
+      }
+    },
+    brightest(world, behind) {
+      const powers = world.looks.map((look) => auraOf(look).power);
+      return behind + Math.max(0, ...powers) * Math.max(...fed(world));
+    },
+  };
 };
-
-/** The light of all lamps that feed it. */
-const fed = ({ lights }: World): Vec3 =>
-  lights
-    .filter((light) => bodyValues(lamp, light).feeds === 'glow')
-    .map(({ colour }) => colour)
-    .reduce<Vec3>(([r, g, b], [x, y, z]) => [r + x, g + y, b + z], [0, 0, 0]);

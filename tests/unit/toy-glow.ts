@@ -1,5 +1,5 @@
 import { defineEffect, needed, notNeeded } from '../../src/scene/effects/define.ts';
-import { defineFields, valuesOf } from '../../src/scene/effects/fields.ts';
+import { bodyValues, defineFields, valuesOf } from '../../src/scene/effects/fields.ts';
 
 export const aura = defineFields('glow', 'material', {
   power: {
@@ -35,5 +35,6 @@ export const glow = defineEffect({
     things.some(({ material }) => valuesOf(aura, material).power > 0)
       ? needed('something glows')
       : notNeeded('nothing glows'),
-  load: () => import('./toy-glow-body.ts').then(({ body }) => body),
+  load: () =>
+    import('./toy-glow-body.ts').then(({ body }) => body(bodyValues(aura), bodyValues(lamp))),
 });

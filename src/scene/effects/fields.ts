@@ -114,9 +114,11 @@ export type BodyValues = Readonly<Record<string, Readonly<Record<string, number 
 
 type BodyValueOf<F extends Field> = F extends ColourField ? Vec3 : ValueOf<F>;
 
-/** An effect's own among them. */
-export const bodyValues = <F extends Fields>(
-  { effect }: FieldSet<string, Place, F>,
-  { values }: { readonly values: BodyValues },
-): { readonly [K in keyof F]: BodyValueOf<F[K]> } =>
-  values[effect] as { readonly [K in keyof F]: BodyValueOf<F[K]> };
+/**
+ * An effect's own among them, of whatever has them: a world, a look, a light. The descriptor hands
+ * this to its body, which therefore need not know the descriptor.
+ */
+export const bodyValues =
+  <F extends Fields>({ effect }: FieldSet<string, Place, F>) =>
+  ({ values }: { readonly values: BodyValues }) =>
+    values[effect] as { readonly [K in keyof F]: BodyValueOf<F[K]> };

@@ -12,7 +12,7 @@ import type { Method } from '../../../src/math/methods/define.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded } from '../../../src/math/rng.ts';
-import type { Shape } from '../../../src/math/shapes/index.ts';
+import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { rayCases } from './read-vectors.ts';
 import { wild } from './wild.ts';
@@ -82,7 +82,9 @@ describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
   });
 
   test('outside of a figure there is a distance, and it is no less than 0 (seed 125)', () => {
-    const planes = wild(125, 4000).map(({ shape, ray }) => method.intersect(shape, ray).details);
+    const planes = wild(125, 500 * SHAPES.length).map(
+      ({ shape, ray }) => method.intersect(shape, ray).details,
+    );
     const outside = planes.flatMap((d) => (d.family === 'flat' && d.plane ? [d.plane] : []));
     expect(outside.filter(({ inside }) => inside === false).length).toBeGreaterThan(20);
     expect(outside.filter(({ distance }) => !(distance >= 0))).toEqual([]);
