@@ -10,13 +10,15 @@ import { UU } from './numbers.ts';
  * are split without loss (eft.ts); p = E − C is two doubles exactly, so are c² and r². Only the
  * lower halves are rounded when they are added up, and their own small products left out:
  *
- *   A  lower halves: of two sums, three products, a·(y²'s), a's; 5 steps, the first of them on most
- *     of these; 1u² left out                                                                14u² Am
- *   b  the same, and p's lower half in each product: 2 steps more, and 3u² left out         23u² bm
- *   C  the same with twice p's lower half; one sum more, and ρ's lower half: 2 steps; 4u² left out
- *                                                                                           36u² Cm
- *   D/4  2|b|δb + |A|δC + |C|δA ≤ 96u² AmCm; lower halves of b², AC and their difference, and of b,
- *     A, C: 14u² of b² + |AC|                                                            124u² AmCm
+ *   quantity        bound         reason
+ *   A               14u² Am       lower halves: of two sums, three products, a·(y²'s), a's; 5
+ *                                 steps, the first of them on most of these; 1u² left out
+ *   b               23u² bm       the same, and p's lower half in each product: 2 steps more, and
+ *                                 3u² left out
+ *   C               36u² Cm       the same with twice p's lower half; one sum more, and ρ's lower
+ *                                 half: 2 steps; 4u² left out
+ *   D/4 = b² − AC   124u² AmCm    2|b|δb + |A|δC + |C|δA ≤ 96u²; lower halves of b², AC and their
+ *                                 difference, and of b, A, C: 14u² of b² + |AC|
  *
  * with Am = dx² + dz² + |a|dy², Cm = px² + pz² + |a|py² + ρ, bm = |dx px| + |dz pz| + |a dy py| ≤
  * √(Am Cm). A product that leaves the doubles is off by ≤ 2^-1072, with what multiplies its lower

@@ -4,23 +4,26 @@ import { BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
 
 /*
  * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =
- * k·(Ey − Cy), so all three are alike. p = fl(E − C) is off by u; k by u, so Y by 2u and PY by 3u.
+ * k·(Ey − Cy), so all three are alike. Si = |dj pk| + |dk pj|, S = |d|₁|p|₁ ≥ ΣSi, M = Σ|mi|, and
+ * mi² ≤ |mi| Si, all as they are computed.
  *
- *   m = d × p: each of its two products is off by ≤ 4u, the difference by u|m|:
- *                                                                             |δmi| ≤ 4u Si + u|mi|
- *   mi²:       2|mi|(4u Si + u|mi|) + (4u Si + u|mi|)² + u mi²:
- *                                                    ≤ 8u |mi| Si + 3u mi² + 16u² Si² + 9u² |mi| Si
- *   ρA:        A: dx² 3u, Y² (4 + 2)u; ρ u; the product u:                                ≤ 8u ρ Am
- *   D/4 = ρA ± (mx² + mz²) − my²: three more sums, each of which adds u of what it adds:
- *              |δ(D/4)| ≤ Σ ((8u + 9u²)|mi|Si + 6u mi²) + 10u ρAm + 16u² Σ Si²  ≤ u·(14.1 M S + 10
- *                ρAm + 4u S²)
+ *   quantity                      bound                   reason
+ *   p = fl(E − C)                 u of it                 one difference
+ *   k, Y, PY                      u, 2u, 3u of them       √ is rounded once, then products
+ *   m = d × p                     4u Si + u|mi|           products 4u, their difference u
+ *   mi²                           8u|mi|Si + 3u mi²       2|mi||δmi| + |δmi|² + u mi²
+ *                                 + 16u²Si² + 9u²|mi|Si
+ *   ρA                            8u ρAm                  A: dx² 3u, Y² (4 + 2)u; ρ u, product u
+ *   D/4 = ρA ± (mx² + mz²) − my²  Σ(8u + 9u²)|mi|Si       three more sums, each of which adds u of
+ *                                 + 6uΣmi² + 10u ρAm      what it adds
+ *                                 + 16u²ΣSi²
+ *                                 ≤ u(14.1 MS + 10 ρAm    Σ|mi|Si ≤ MS, Σmi² ≤ MS; ΣSi² ≤ Σmi² +
+ *                                 + 4u S²)                S²/4 (below)
  *
- * with Si = |dj pk| + |dk pj|, S = |d|₁|p|₁ ≥ ΣSi, M = Σ|mi|, mi² ≤ |mi| Si, all as they are
- * computed. In the last term Si² ≤ mi² + 4 wj wk for wj = |dj pj|, and Σj<k wj wk ≤ (Σ√wj)⁴/16 ≤
- * S²/16 (most for two of them alike and no third), so Σ Si² ≤ Σ mi² + S²/4. MOMENT_ERROR,
- * SQUARE_ERROR and RHO_ERROR are these constants with room for terms in u² and for evaluating the
- * bound in doubles (a relative 20u). Unlike 13u·S² it stays sharp however far away E is, where M ≪
- * S.
+ * Si² ≤ mi² + 4 wj wk for wj = |dj pj|, and Σj<k wj wk ≤ (Σ√wj)⁴/16 ≤ S²/16 (most for two of them
+ * alike and no third). MOMENT_ERROR, SQUARE_ERROR and RHO_ERROR are these constants with room for
+ * terms in u² and for evaluating the bound in doubles (a relative 20u). Unlike 13u·S² it stays
+ * sharp however far away E is, where M ≪ S.
  *
  * Underflow: inside the box (|d|₁ from 2^-100 to 2^100, |p|₁ and r and k up to 2^100) a lost
  * product is ≤ 2^-1074, and at most 2^600 multiplies it; SMALLEST_D is far above.

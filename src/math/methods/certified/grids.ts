@@ -57,22 +57,24 @@ export const GRID_CUT_T = 32;
  * So sums of three squares or products of such parts are below 2^53 of their units and exact, and
  * only what has an xl in it is rounded, by uh a time; η = 2^-77 = 4uh.
  *
- *   S: D = |dx| + |dz| + w|dy| and P = |px| + |pz| + w|py|, w = max(1, k), so that k y is counted,
- *     too.
- *   p = E − C: pl = (p − ph) + (what E − C lost), rounded once
- *         |pl| ≤ hP,                                                                     off by uhP
- *   k y: y in 26 bits y1 and the rest, k1 y1 exact, its part beyond the grid h, k1(y − y1) and k2 y
- *     h of k|y| each, k2 off by uh k:
- *     1 + 1 + 1, sums 2 + 3; for p, what E − C lost is one rounding of h more
- *                                                              |yl| ≤ 3hS,  off by 8uhS, for p 9uhP
- *   A: xl(x + xh) 2 + 2; y, the most: 2·8, yh + yl + yh times yl 3·(1 + 2), the product 6, the last
- *     sum 6                                                                                 37uh D²
- *   b, of y: yh pl 9 + 3, yl p 8 + 3 + 3, their sum 6, the last sum 6                     ≤ 38uh DP
- *   C, of y: 2·9, p + ph times pl 3·(1 + 2), the product 6, the last two sums 6 each; C0 − ρ is
- *     split without loss                                                                  ≤ 46uh P²
- *     but for u² of ρ, which C is near where that is far above P²
- *   D/4: with 26-bit heads bt, At, Ct: bt² − At Ct without loss, what has a rest in it ≤ 12uh (b² +
- *     |AC|), and inherited 2|b|δb + |A|δC + |C|δA
+ *   quantity            bound          reason
+ *   D = |dx| + |dz| + w|dy|, P = |px| + |pz| + w|py|: S of the grids; w = max(1, k), so that k y is
+ *                                      counted, too
+ *   pl of p = E − C     ≤ hP, off uhP  (p − ph) + (what E − C lost), rounded once
+ *   yl of k y           ≤ 3hS, off     y in 26 bits y1 and the rest, k1 y1 exact, its part beyond
+ *                       8uhS, of p     the grid h, k1(y − y1) and k2 y h of k|y| each, k2 off by uh
+ *                       9uhP           k: 1 + 1 + 1, sums 2 + 3; for p, what E − C lost is one
+ *                                      rounding of h more
+ *   A                   37uh D²        xl(x + xh) 2 + 2; y, the most: 2·8, yh + yl + yh times yl
+ *                                      3·(1 + 2), the product 6, the last sum 6
+ *   b                   38uh DP        of y: yh pl 9 + 3, yl p 8 + 3 + 3, their sum 6, the last sum
+ *                                      6
+ *   C                   46uh P²        of y: 2·9, p + ph times pl 3·(1 + 2), the product 6, the
+ *                                      last two sums 6 each; C0 − ρ is split without loss but for
+ *                                      u² of ρ, which C is near where that is far above P²
+ *   D/4 = b² − AC       12uh (b² +     with 26-bit heads bt, At, Ct: bt² − At Ct without loss, what
+ *                       |AC|), and     has a rest in it; and 2|b|δb + |A|δC + |C|δA
+ *                       inherited
  *
  * ERROR = 48uh for all of them, and for 2|b|DP + |A|P² + |C|D²: the tests have the sums. hi + lo is
  * sorted without a comparison (Fast2Sum): where a number passes the test of gridQuadric, it is
@@ -201,21 +203,23 @@ export function coefficientsPass(grid: Grid): CoefficientsPass {
 /*
  * Points and normals of two hits, from the double t that is certified for each. A t* + b ± √(D/4) =
  * 0 gives t* = t − (A t + b ± √(D/4))/A: no more than that remainder is needed, and not exactly. L
- * = |E|₁ + max|t| D, T = L/D ≥ |t|; D, P, h, η and the grids are those of grids.ts, uh = η/4.
+ * = |E|₁ + max|t| D, T = L/D ≥ |t|; D, P, h, η and the grids are those above, uh = η/4.
  *
- *   √: D − sh² exact, (s − sh)(s + sh) 2 roundings of 2h D/4, the linear step  off by δD/2s + 2uh s
- *   t = th + tl on the grid 2^27 T: th ≤ (2^26 + 1/2) units, |tl| ≤ hT. At th is exact, its sum
- *     with b is split without loss, ±√ takes away all but
- *     2h |A|T of it: that rounding 2, At tl 1, Ar 1, times t 1, three sums 2 each, and √'s own 2
- *                                                                                         13uh |A|T
- *   δ = t* − t by what A, b and √ are off, over A: 37uh DL, and 38uh DP with √'s own 2uh |b|, by
- *     ERROR; and δD/2s                                                                         offT
- *   E + t d: th xh is a multiple of a power of two ≥ 2^-52 L, eh of one that is, too, their sum X
- *     below 2^53 of them and exact
- *     low = el + th xl + (tl + δ) dx: 13, 1 (tl + δ) + 1 (times dx) + 1 (th xl) + 2 + 2 (sums)
- *                                                                                20uh L + |dx| offT
- *   n = (X − C) + low, the difference split without loss, |low| ≤ 2h L: 2uh L and what low is off;
- *     y: a hi + lo, times that, 8u²|ny| more
+ *   quantity            bound          reason
+ *   √(D/4)              δD/2s + 2uh s  D − sh² exact, (s − sh)(s + sh) 2 roundings of 2h D/4, the
+ *                                      linear step
+ *   t = th + tl         exact          grid 2^27 T: th ≤ (2^26 + 1/2) units, |tl| ≤ hT
+ *   A t + b ± √         13uh |A|T      At th is exact, its sum with b is split without loss, ±√
+ *                                      takes away all but 2h |A|T of it: that rounding 2, At tl 1,
+ *                                      Ar 1, times t 1, three sums 2 each, and √'s own 2
+ *   δ = t* − t          offT           by what A, b and √ are off, over A: 37uh DL, and 38uh DP
+ *                                      with √'s own 2uh |b|, by ERROR; and δD/2s
+ *   X = eh + th xh      exact          th xh is a multiple of a power of two ≥ 2^-52 L, eh of one
+ *                                      that is, too, their sum below 2^53 of them
+ *   low = el + th xl    20uh L +       13, 1 (tl + δ) + 1 (times dx) + 1 (th xl) + 2 + 2 (sums)
+ *   + (tl + δ) dx       |dx| offT
+ *   n = (X − C) + low   2uh L, and     the difference split without loss, |low| ≤ 2h L; y: a hi +
+ *                       what low is    lo, times that, 8u²|ny| more
  *
  * POINT = 24uh for all of it: the tests have the sums. A coordinate X + low is rounded once:
  * faithful, and itself where it is a double, if it was off by less than u|x|/2; FAITHFUL_ONCE

@@ -26,10 +26,14 @@ import {
 import { FAITHFUL, U, UU } from './numbers.ts';
 
 /*
- * Point and normal from a root t + tl that is off by at most `off`. E + t d, p + t d: product and
- * sum are split without loss, and what is left, ≤ u|X| and a few u|t d|, is rounded: u² |X|, which
- * is here, and 8u² |t d|, for which `off` must have room. A coordinate whose error is below u/4 of
- * it is faithful when it is rounded; one along which the line does not move is E's own.
+ * Point and normal from a root t + tl that is off by at most `off`.
+ *
+ *   quantity          bound                   reason
+ *   E + t d, p + t d  off |d| + u²|X|         product and sum are split without loss; what is left,
+ *                     + 8u²|t d|              ≤ u|X| and a few u|t d|, is rounded. `off` must have
+ *                                             room for the last
+ *   a coordinate      rounded to a double     faithful where its error is below u/4 of it; one
+ *                                             along which the line does not move is E's own
  */
 /** Of the normal's longest component: its direction is promised within 2^-50. */
 const STRAIGHT = 2 ** -52;
@@ -121,17 +125,22 @@ export function hitAt(
  * is one Newton step on a residual in double-double (float/double-double.ts has the bounds: a sum
  * 3u², a product 5u²). u = 2^-53; |δ| ≤ τ = 2u|t| + 2^-1074; i runs over x, y, z.
  *
- *   g = E − C + t d, a sum of two double-doubles that are exact:                    |δgi| ≤ 3u²|gi|
- *   curved, F = gx² + gz² − a gy² − ρ: a square 6 + 5, times a 5 more, two sums:
- *                                                              |δF| ≤ 22u² (gx² + gz² + |a|gy² + ρ)
- *     F' = 2h = 2(gx dx + gz dz − a gy dy) in doubles: 5u of each, and u of F' at the end:
- *                                                           |δ2h| ≤ 13u Σ ai|gi di|, ai = 1, |a|, 1
- *     F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ| ≤ τ Am, Am = Σ ai di²; with −F/2h for the δ
- *       below, which is off by η'τ + |δF|/|2h|, η' = (|δ2h| + τ Am)/|2h|,
- *     and A·F/2h in doubles by 8u τ Am:  |δF'| ≤ 13u Σ ai|gi di| + τ Am (η' + 8u) + Am |δF|/|2h|.
- *       From far away that matters: τ is long there.
- *   flat, F = N·g, F' = N·d: a product 3 + 5, two sums; u and two sums:
- *                                                         |δF| ≤ 14u² Σ|Ni gi|, |δF'| ≤ 3u Σ|Ni di|
+ *   quantity                  bound                    reason
+ *   g = E − C + t d           3u²|gi|                  a sum of two double-doubles that are exact
+ *   curved:
+ *   F = gx² + gz² − a gy² − ρ 22u² (gx² + gz² +        a square 6 + 5, times a 5 more, two sums
+ *                             |a|gy² + ρ)
+ *   2h = 2(gx dx + gz dz      13u Σ ai|gi di|          in doubles: 5u of each, and u of F' at the
+ *   − a gy dy)                                         end; ai = 1, |a|, 1
+ *   −F/2h for δ               η'τ + |δF|/|2h|          F + 2hδ + Aδ² = 0, so δ = −F/(2h + Aδ), |Aδ|
+ *                                                      ≤ τ Am, Am = Σ ai di²; η' = (|δ2h| + τ Am)
+ *                                                      / |2h|
+ *   F' = 2h − A F/2h          13u Σ ai|gi di|          A·F/2h in doubles is off by 8u τ Am. From
+ *                             + τ Am (η' + 8u)         far away that matters: τ is long there
+ *                             + Am |δF|/|2h|
+ *   flat:
+ *   F = N·g                   14u² Σ|Ni gi|            a product 3 + 5, two sums
+ *   F' = N·d                  3u Σ|Ni di|              u and two sums
  *
  * δ* F'* = −F* and δ F' = −F give (δ* − δ)F' = δ*(F' − F'*) − (F* − F): if F' is off by η of
  * itself, −F/F' is off by Δ ≤ |δF|/|F'| + ητ, and 2u|δ| ≤ 4u²|t| for the quotient and F's lower

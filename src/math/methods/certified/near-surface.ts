@@ -26,11 +26,16 @@ import { UU } from './numbers.ts';
 
 /*
  * C = px² + pz² − a·py² − r² where it cancels beyond twice the digits, E being nearly on the
- * surface: added up from the exact terms of its expansion. There are 38: three squares for each
- * coordinate of p, twice as many products with a for the one along y, each of which is two doubles,
- * and r². The sum of their sizes is < 2Cm, and `accumulate` is off by (2n u)^4 of it; adding up its
- * levels by 3u² in each of three sums. A product that leaves the doubles is off by ≤ 2^-1073; those
- * of the squares along y are multiplied by a, that of a = c² by py², both < 2^200.
+ * surface: added up from the exact terms of its expansion.
+ *
+ *   quantity           bound              reason
+ *   terms              38 of them, their  three squares for each coordinate of p, twice as many
+ *                      sizes < 2Cm        products with a for the one along y, each of which is two
+ *                                         doubles, and r²
+ *   levels             (2n u)^4 of that   `accumulate`
+ *   their sum          9u² of it          3u² in each of three sums
+ *   a lost product     ≤ 2^-1073          those of the squares along y are multiplied by a, that of
+ *                                         a = c² by py², both < 2^200
  */
 const TERMS = 38;
 export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;

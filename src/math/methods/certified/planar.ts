@@ -27,15 +27,17 @@ import {
  * Flat shapes. With p = E − P and m = d × p, where N·d ≠ 0:  t = −N·p / N·d and X − P = (m × N) /
  * (N·d).
  *
- * First stage, on grids as in quadric-kernel.ts: N, d and p are cut into 25 or 26 leading bits and
- * a rest, so that the leading products of N·d and N·p and their sums are exact, and what is left
- * over (≤ 2^-23 of |N|₁|d|₁, |N|₁|p|₁) is off by < 2^-73 of these. Where neither cancels to less
- * than LEAST_SHARE = 2^-16 of its terms both are known to 2^-57. One division gives t0, off by 3u;
- * its leading 25 bits th are the root that is corrected: the remainder o + th·r is exact in its
- * leading part, ≤ 2^-23|o|, and its rest off by what o and r are, so t = th − remainder / r is off
- * by < 2^-55 |t| before it is rounded once: faithful, which needs 2^-54.
+ * First stage, on grids as in refined.ts: N, d and p are cut into 25 or 26 leading bits and a rest.
  *
- * The figure: planar.ts.
+ *   quantity            bound                reason
+ *   leading products    exact                of N·d and N·p, and their sums
+ *   what is left over   2^-73 of |N|₁|d|₁,   it is ≤ 2^-23 of these
+ *                       |N|₁|p|₁
+ *   r = N·d, o = N·p    2^-57 of them        where neither cancels to less than LEAST_SHARE = 2^-16
+ *                                            of its terms
+ *   t0 = −o/r           3u of it             one division; its leading 25 bits th are corrected
+ *   remainder o + th·r  what o and r are     exact in its leading part, ≤ 2^-23|o|
+ *   t = th − rest/r     2^-55 of it          before it is rounded once: faithful, which needs 2^-54
  */
 export const LEAST_SHARE = 2 ** -16;
 
@@ -147,16 +149,19 @@ export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays)
  * 2^-53; p = fl(E − P) is off by u of itself, and N·d by 2u of itself: both stages of the kernel
  * know it to more than 53 bits before they round it.
  *
- * Circle, |w|² against (r N·d)²:
- *   m = d × p:     δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤ |mi| + 2√(|dj pj|·|dk pk|) ≤ |mi|
- *     + S/2, S = |d|₁|p|₁:                                                            ≤ uS + 3u|mi|
- *   w = m × N:     products u, difference u:       |δwi| ≤ |N|₁ (uS + 5u max|mi|)              =: e
- *   |w|² − (r·N·d)²:  2|w|₁e + 3e²;  3u of |w|² and 2·(2 + 1)u + u of (r·N·d)² for themselves, u of
- *     both for the difference
- * Square, wu and wv against 0 and L|dn|, where n is its normal's axis:
- *   wu = dn pu − du pn:   2u Su + u|wu|, Su = |dn pu| + |du pn|
- *   L|dn| − wu:           u L|dn| more, and u of the difference; it is only asked where it is less
- *     than wu, so L|dn| ≤ 2|wu|:                                                              6u Su
+ *   quantity                  bound                reason
+ *   circle: |w|² against (r N·d)²
+ *   m = d × p                 uS + 3u|mi|          δmi ≤ 2u Si + u|mi|, Si = |dj pk| + |dk pj| ≤
+ *                                                  |mi| + 2√(|dj pj||dk pk|) ≤ |mi| + S/2, S =
+ *                                                  |d|₁|p|₁
+ *   w = m × N                 e = |N|₁ (uS +       products u, difference u
+ *                             5u max|mi|)
+ *   |w|² − (r N·d)²           2|w|₁e + 3e² + 9u    3u of |w|² and 2·(2 + 1)u + u of (r N·d)² for
+ *                             of both              themselves, u of both for the difference
+ *   square: wu and wv against 0 and L|dn|, where n is its normal's axis
+ *   wu = dn pu − du pn        2u Su + u|wu|        Su = |dn pu| + |du pn|
+ *   L|dn| − wu                6u Su                u L|dn| more, and u of the difference; it is
+ *                                                  only asked where it is < wu: L|dn| ≤ 2|wu|
  *
  * The constants have room for the terms in u², for being evaluated in doubles, and the circle's for
  * underflow: in the kernels' box |d|₁, |p|₁ and |N|₁ are above 2^-100, so e > 2^-352, and a lost
@@ -255,11 +260,16 @@ export const marginsOf = ({ bound }: Planar): Margins => MARGINS[bound];
 
 /*
  * Second stage: N·d and N·p in double-double (float/double-double.ts has the sources). Products of
- * doubles are exact; a sum is off by 3u² of itself. Of three products the first two add up to (Σ|Ni
- * di| + |N·d|)/2 at most, as the third one makes up for the rest: 1.5u² Σ|Ni di|, and 4.5u² of N·d.
- * p is a double-double, and its products are off by 5u² more: 6.5u² Σ|Ni pi|, and 4.5u² of N·p. The
- * quotient is off by that and the division's own 9.8u²: 18.8u². The figure's rim and edge, where
- * the filter cannot tell, go to the exact stage: they are few.
+ * doubles are exact; a sum is off by 3u² of itself.
+ *
+ *   quantity   bound                      reason
+ *   N·d        1.5u² Σ|Ni di| + 4.5u²     of three products the first two add up to (Σ|Ni di| +
+ *              of it                      |N·d|)/2 at most, as the third makes up for the rest
+ *   N·p        6.5u² Σ|Ni pi| + 4.5u²     p is a double-double: its products are off by 5u² more
+ *              of it
+ *   t          both, and 18.8u² of it     the division's own 9.8u²
+ *
+ * The figure's rim and edge, where the filter cannot tell, go to the exact stage: they are few.
  */
 const ERROR_RATE = 1.6 * 2 ** -106;
 const ERROR_OFFSET = 6.7 * 2 ** -106;

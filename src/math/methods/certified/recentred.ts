@@ -11,22 +11,24 @@ import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P, inSlots } from
  * multiple of ulp(σ)/2; for |x| ≤ S and σ = 2^m S what is left over is ≤ 2^(m−52) S, exactly (Rump,
  * Ogita, Oishi 2008).
  *
- * The grids of refined.ts, with t itself on its grid: for the reach L = |t||d|₁ + |p|₁ and W = |q|₁
- * + L,
- *   |δq| ≤ 2^-71 L in all;  |δf| ≤ 2^-69 W Q + 2u|f|, Q = |q|₁ of the leading parts + 2^-22 W: what
- *     is left over of
- *   q is ≤ 2^-23 L in each coordinate and all of it where the leading parts are 0, so 2|q||δq| has
- *     2^-91.4 L² more;
- *   b' = Σ qh dh (exact: 26 by 25 bits) + Σ (ql d + qh dl): |ql| ≤ 2^-21 W and dl ≤ 2^-23 |d|₁ lose
- *     2^-74 W|d|₁ at each of up to six
- *   operations, and δq·d 2^-71 L|d|₁:     |δb'| ≤ 2^-70 W|d|₁ + u|b'|;
- *   A: y 3u, so Y² 7u, sums:              |δA| ≤ 9u|d|₁²;
- *   D': 2|b'||δb'|, |A||δf|, |f||δA| and 2u of both terms:
- *                                         |δD'| ≤ |b'|(2^-68 W|d|₁ + 6u|b'|) + |d|₁²(2^-68 W Q +
- *                                           14u|f|).
- * With D' > 2|δD'| the root is off by |δD'|/(1.7√D') and u√D'; so each
- *   t is off by (2^-70 W|d|₁ + 0.6|δD'|/√D' + u(|b'| + √D')(9|d|₁²/|A| + 8))/|A|
- * before its only rounding, and faithful when that is below u|t|/2.
+ * The grids are those of refined.ts, with t itself on its grid; the reach is L = |t||d|₁ + |p|₁,
+ * W = |q|₁ + L, Q = |q|₁ of the leading parts + 2^-22 W:
+ *
+ *   quantity   bound                         reason
+ *   q          2^-71 L in all                as in refined.ts
+ *   f          2^-69 WQ + 2u|f|              as there; where the leading parts are 0, q is what is
+ *                                            left over, ≤ 2^-23 L in each coordinate, and 2|q||δq|
+ *                                            has 2^-91.4 L² more
+ *   b'         2^-70 W|d|₁ + u|b'|           Σ qh dh is exact (26 by 25 bits); Σ (ql d + qh dl)
+ *                                            with |ql| ≤ 2^-21 W, dl ≤ 2^-23 |d|₁ loses 2^-74 W|d|₁
+ *                                            at each of up to six operations; δq·d 2^-71 L|d|₁
+ *   A          9u|d|₁²                       y 3u, so Y² 7u; sums
+ *   D'         |b'|(2^-68 W|d|₁ + 6u|b'|)    2|b'||δb'|, |A||δf|, |f||δA|, and 2u of both terms
+ *              + |d|₁²(2^-68 WQ + 14u|f|)
+ *   √D'        |δD'|/(1.7√D') + u√D'         where D' > 2|δD'|
+ *   each t     (2^-70 W|d|₁ + 0.6|δD'|/√D'   before its only rounding; faithful when that is below
+ *              + u(|b'| + √D')(9|d|₁²/|A|    u|t|/2
+ *              + 8))/|A|
  */
 export const CROSS_ERROR = 2 ** -68;
 export const SLOPE_SQUARE_ERROR = 6 * 2 ** -53;

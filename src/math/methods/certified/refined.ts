@@ -4,17 +4,15 @@ import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './cl
 import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P, inSlots } from './numbers.ts';
 
 /*
- * The bounds of refined.ts: each root by a step from a rough one with all its 53 bits. That is
- * slower than the stages before it, and what remains is the few rays that these leave because a
- * root lies near 0 or the numbers are not ordinary.
- */
-
-/*
- * First it must be a clear hit, by the bound of class.ts:
- *   D > 2^17 δD                so √D is known to 2^-18;
- *   D > 2^-84 S²               so b's rounding error (≤ 8uS = 2^-50 S) and t's are below 2^-7 √D:
- *                              each coarse root is nearer to its own root than to the other one;
- *   |A| > 2^-20 Am             so A ≠ 0, and A is known to 6u · 2^20 < 2^-30.
+ * Each root by a step from a rough one with all its 53 bits. That is slower than the stages before
+ * it, and what remains is the few rays that these leave because a root lies near 0 or the numbers
+ * are not ordinary. First it must be a clear hit, by the bound of class.ts:
+ *
+ *   quantity      bound              reason
+ *   √D            2^-18 of it        D > 2^17 δD
+ *   rough roots   2^-7 √D/|A|        D > 2^-84 S²: b's rounding error, ≤ 8uS = 2^-50 S, and t's are
+ *                                    below 2^-7 √D, so each is nearer to its own root
+ *   A             2^-30 of it        |A| > 2^-20 Am, known to 6u·2^20; so A ≠ 0
  */
 export const CLEAR_REFINED = 2 ** 17;
 export const APART = 2 ** -84;
@@ -24,35 +22,37 @@ export const APART = 2 ** -84;
  * |x| ≤ S and σ = 2^m S it has |x|/g < 2^(54−m) and what is left over is ≤ 2^(m−52) S, exactly
  * (Sterbenz; Rump, Ogita, Oishi 2008 call it ExtractVector).
  *
- * For each coarse root t let L = |t||d|₁ + |p|₁ be its reach and T = L/|d|₁. With d = dh + dl and t
- * = th + tl on grids for |d|₁ and T (m = 29: 25 bits), p = ph + pl on one for both reaches together
- * (m = 6):
+ * For each rough root t let L = |t||d|₁ + |p|₁ be its reach, T = L/|d|₁ and w = 2^-75 L. d = dh +
+ * dl and t = th + tl are on grids for |d|₁ and T (m = 29: 25 bits), p = ph + pl on one for both
+ * reaches together (m = 6), and q = qh + ql on one for Sq = |q|₁ of the leading parts (m = 28: 26
+ * bits). W = Sq + L, Q = Sq + 2^-20.3 W.
  *
- *   q = p + t d = (ph + th dh) + (th dl + tl d + pl),
+ *   quantity                 bound              reason
+ *   q = p + t d              (ph + th dh) + (th dl + tl d + pl)
+ *   ph + th dh               exact              th dh is a multiple of G ≥ 2^-50 L with ≤ 2^50
+ *                                               units, ph (grid > 2^-48 L) of G, too; together
+ *                                               ≤ 2L < 2^53 G
+ *   th dl + tl d + pl        ≤ 2^-21 L          each coordinate
+ *     x, z                   3w each            th·dl ½, tl·d ½, their sum 1, + pl 1
+ *     y                      10w                dl ¾, k·dy's rounding ½ more, pl: k·(p's lower
+ *                                               half) 1¾ + 1, a larger sum 2
+ *   pl                       ≤ 2^-46 of both    its rounding, 2^-99 of them, is negligible as long
+ *                            reaches            as they are ≤ 2^20 |p|₁ ≤ 2^20 L: SPREAD
+ *   q in all                 16w = 2^-71 L
+ *   fh = qxh² + qzh² ∓ qyh²  exact              ≤ 2^52 units, partial sums too
+ *   fh − ρ                   u|fh|              the result is small
+ *   ql                       ≤ 2^-21 W          2^-24 Sq + 2^-22 L + 2^-45 L; where Sq is 0 that is
+ *                                               all there is of q: |q|₁ ≤ Q
+ *   Σ ql(2qh + ql)           8 · 2^-73 WQ       ql 1, the bracket 1, the product 1, three sums 3,
+ *                                               k's own error 1, fh 1
+ *   what q is off, in f      8 · 2^-73 WQ       2^-71 L · 2Q
+ *   f                        2^-69 WQ + 2u|f|   together
+ *   step f/(2√D̂)             2^-16 of it        from b' = b + A·t, b'² = D/4 + A f exactly, the
+ *                                               step is ∓f/(√(D/4 + A f) + √(D/4)): off by |A f|/D
+ *                                               ≤ 2^-17, that is STEP_SHARE, √D's 2^-18, rounding
+ *   step in all              (2^-69 WQ + 2^-16|f|)/(2√(D/4))
  *
- * where the first bracket is exact: th dh is a multiple of G ≥ 2^-50 L with ≤ 2^50 units, ph a
- * multiple of G (its grid is > 2^-48 L ≥ G), and both together are ≤ 2L < 2^53 G. Errors in w =
- * 2^-75 L:
- *   x, z:  th·dl ½, tl·d ½, their sum 1, + pl 1;                                          ≤ 3w each
- *   y:     dl ¾, k·dy's rounding ½ more, and pl: k·(p's lower half) 1¾ + 1, a larger sum 2;   ≤ 10w
- * together ≤ 16w = 2^-71 L, and the second bracket is ≤ 2^-21 L in each coordinate. pl itself is ≤
- * 2^-46 of both reaches, and its rounding (2^-99 of them) negligible as long as they are ≤ 2^20
- * |p|₁ ≤ 2^20 L: that is SPREAD.
- *
- *   f = qx² + qz² ∓ qy² − ρ: with q = qh + ql on a grid for Sq = |q|₁ of the leading parts (m = 28:
- *     26 bits) the sum of qh² is exact (≤ 2^52 units,
- * partial sums too), subtracting ρ loses u|fh|, since the result is small. Each coordinate of ql is
- * ≤ 2^-24 Sq + 2^-22 L + 2^-45 L, all below 2^-21 W, W = Sq + L. Where Sq is 0 they are all there
- * is of q: |q|₁ ≤ Q = Sq + 2^-20.3 W.
- *   Σ ql(2qh + ql): rounding ql 1, the bracket 1, the product 1, three sums 3, k's own error 1, fh
- *     1, in 2^-73 W Q; what q
- *   itself is off, 2^-71 L · 2Q: 8 of them.  16 · 2^-73 = 2^-69 W Q in all, and 2u|f|.
- *
- * From the coarse root with b' = b + A·t: b'² = D/4 + A f exactly, so the exact step is δ =
- * ∓f/(√(D/4 + A f) + √(D/4)). Taking f/(2√D̂) instead is off by |A f|/D (≤ 2^-17, that is
- * STEP_SHARE) and by √D's error 2^-18: together with rounding < 2^-16 of |δ|. Hence
- *   |error of the step| ≤ (2^-69 W Q + 2^-16 |f|)/(2√(D/4)),
- * and the root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are
+ * The root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are
  * u|t| apart, at least).
  */
 export const RESIDUAL_ERROR = 2 ** -68;
@@ -84,15 +84,11 @@ export const { at: AT_REFINED, doubles: REFINED_BOUNDS } = inSlots({
   narrow: NARROW_REFINED,
 });
 
-/*
- * The third stage; what it certifies is derived in refined.ts. One loop for both kinds of shapes:
- * about an axis y and k are 0. It is long because what it hands on are forty numbers, which a call
- * between two halves would send through memory.
- */
-
 /**
  * Settles what it can of the `count` rays at `places`, moves the others to the front and returns
- * how many these are.
+ * how many these are. One loop for both kinds of shapes: about an axis y and k are 0. It is long
+ * because what it hands on are forty numbers, which a call between two halves would send through
+ * memory.
  */
 export function refine(
   numbers: Float64Array,

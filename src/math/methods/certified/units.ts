@@ -478,17 +478,20 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
  * w = Am/|A|, R = reach/|S|, the steps δ ≤ 0.51 units and a gap b − a of at least LEAST_GAP units:
  * |A f|/D ≤ 4·0.51·1.03/20 < 0.11, and |g| is between 0.94|S| and 1.06|S|.
  *
- *   S: g² 12.7uR and 1.1u; A f 3u + (3w + 2)u, times 0.11; the difference u; half of all that; the
- *     step's roundings 1.5u:                                                  6.4uR + (0.2w + 2.9)u
- *   S − g ≥ 1.94|S|: 6.4uR + 6uR + (0.2w + 2.9)u of |S|, and u:               6.4uR + (0.1w + 2.5)u
- *   S + g + A·gap: the same, and A·gap ≤ 2.12|S| with (3w + 2)u, two roundings:
- *                                                                               6.4uR + (3.5w + 6)u
- *   each step: f 3u, and four roundings (of one quotient for both, 1/(product of the divisors), in
- *     which each divisor cancels):  7u
- *   together                                          (6.5R + 4w + 14)u|δ|: SLACK_G, SLACK_A, SLACK
- *   From its own ε: ε/1.94|S|, and through S a fortieth of that:                      1.06 ε/(2|S|)
- *   From εa through S into the larger root's step: |A|εa/(2|S|)/(1.94|S|)·|δb|, |A δb| ≤ 0.055|S|:
- *                                                                             0.03 εa/(2|S|): SHARE
+ *   quantity        bound                     reason
+ *   S               6.4uR + (0.2w + 2.9)u     g² 12.7uR and 1.1u; A f 3u + (3w + 2)u, times 0.11;
+ *                                             the difference u; half of all that; the step's
+ *                                             roundings 1.5u
+ *   S − g           6.4uR + (0.1w + 2.5)u     ≥ 1.94|S|: 6.4uR + 6uR + (0.2w + 2.9)u of |S|, and u
+ *   S + g + A·gap   6.4uR + (3.5w + 6)u       the same, and A·gap ≤ 2.12|S| with (3w + 2)u, two
+ *                                             roundings
+ *   quotients       7u                        f 3u, and four roundings (of one quotient for both,
+ *                                             1/(product of the divisors), in which each divisor
+ *                                             cancels)
+ *   each step δ     (6.5R + 4w + 14)u|δ|      together: SLACK_G, SLACK_A, SLACK
+ *     from its ε    1.06 ε/(2|S|)             ε/1.94|S|, and through S a fortieth of that
+ *     from εa, of   0.03 εa/(2|S|)            through S into the larger root's step: |A|εa/(2|S|)
+ *     the larger                              /(1.94|S|)·|δb|, |A δb| ≤ 0.055|S|: SHARE
  *
  * A root is rounded once: it is faithful, and the root itself where that is a double, if it was off
  * by less than u|t|/2 before, since neighbours of t are at least u|t| apart. FAITHFUL_ONCE leaves a
