@@ -32,9 +32,6 @@ const LINK_DELAY_MS = 150;
 const SAID_MS = 2500;
 const SINGLE_KEYS = 'graze.single-keys';
 const TITLE = document.title;
-const NOT_KEPT =
-  'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +
-  'until the page is closed. Programs and summaries can be saved by File and export';
 
 const app = document.getElementById('app') as HTMLElement;
 const header = document.createElement('div');
@@ -120,12 +117,13 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   return exploreExports(shown, modelNow);
 }
 
+const theRest = () => late(() => import('./state/after-first-frame.ts'));
 let isLater = false;
 /** Called with every frame until the code is there: what did not arrive may arrive now. */
 function loadTheRest(): void {
   if (isLater) return;
   isLater = true;
-  late(() => import('./state/after-first-frame.ts')).then(
+  theRest().then(
     (code) => {
       ({ closerLook, announcement } = code);
       provideExamples(code.GALLERY);
@@ -282,11 +280,8 @@ function openText(text: string | null): void {
   // A lesson begins with a line of three dashes, which no other file does.
   if (/^\s*---/.test(text)) {
     withLessons(({ openedLesson }) => {
-      const state = openedLesson(store.get(), text);
-      if (state) {
-        store.dispatch({ type: 'open', state });
-        readShown();
-      } else store.dispatch({ type: 'say', problems: ['this file is no lesson'] });
+      store.dispatch({ type: 'open', state: (now) => openedLesson(now, text) });
+      readShown();
     });
     return;
   }
@@ -327,9 +322,11 @@ document.addEventListener('keydown', (event) => {
 watchDrops(document.body, openText);
 onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
 onNotKept(() => {
-  const { problems } = store.get();
-  if (problems.includes(NOT_KEPT)) return;
-  store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
+  theRest().then(({ NOT_KEPT }) => {
+    const { problems } = store.get();
+    if (problems.includes(NOT_KEPT)) return;
+    store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
+  }, sayNotLoaded);
 });
 watchHighlight(app);
 watchStyles(document);

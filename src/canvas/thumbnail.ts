@@ -1,48 +1,98 @@
+import type { Vec3 } from '../math/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import { poseOf } from './camera.ts';
+import { type Pose, poseOf } from './camera.ts';
 import { figures } from './figures.ts';
 import { Layer, text } from './layer.ts';
 import { drawMarks, type MarkKind } from './marks.ts';
 import { PathPainter } from './path-painter.ts';
 import { Projection } from './projection.ts';
 import { SceneLines } from './scene-lines.ts';
+import type { StageUnits } from './stage-units.ts';
 import { at } from './stroke.ts';
 import type { Grid } from './tessellation.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const WIDTH = 200;
-const HEIGHT = 116;
-/** Factor on lines and marks. */
-const SCALE = 0.55;
+/** Of one of the gallery's pictures. */
+const SMALL: Size = { width: 200, height: 116, scale: 0.55 };
+/** Part of the frame that is left free around what has to be seen from above. */
+const MARGIN = 0.2;
+const NEAREST = 6;
 const SHOWN: readonly MarkKind[] = ['E', 'first', 'other', 'rejected', 'end'];
 /** Of the samples around a patch each fourth is enough at this size. */
 const COARSE = 4;
+
+interface Size {
+  /** In CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Factor on lines and marks. */
+  readonly scale: number;
+}
 
 /**
  * A small still picture without words. Its colours are custom properties, so it follows the theme.
  */
 export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
+  draw(host, model, SMALL, (units) => poseOf(model.view, model.ray, units));
+}
+
+/** The same from above, near enough for these points to fill the frame. */
+export function drawAbove(
+  host: HTMLElement,
+  model: SceneModel,
+  size: Size,
+  points: readonly Vec3[],
+): void {
+  draw(host, { ...model, view: 'top' }, size, (units, project) => {
+    const pose = poseOf('top', model.ray, units);
+    const seen = points.flatMap((point) => {
+      const place = units.toStage(point);
+      return place ? [place] : [];
+    });
+    if (seen.length === 0) return pose;
+    const middle = (i: 0 | 1 | 2): number => {
+      const all = seen.map((point) => point[i]);
+      return (Math.min(...all) + Math.max(...all)) / 2;
+    };
+    const target: Vec3 = [middle(0), middle(1), middle(2)];
+    const whole = project({ ...pose, target, zoom: 1 });
+    const spots = seen.flatMap((point) => whole.project(point) ?? []);
+    const fill = Math.max(
+      ...spots.map(({ x }) => Math.abs((2 * x) / size.width - 1)),
+      ...spots.map(({ y }) => Math.abs((2 * y) / size.height - 1)),
+    );
+    return { ...pose, target, zoom: Math.min((1 - MARGIN) / fill, NEAREST) };
+  });
+}
+
+function draw(
+  host: HTMLElement,
+  model: SceneModel,
+  { width, height, scale }: Size,
+  poseIn: (units: StageUnits, project: (pose: Pose) => Projection) => Pose,
+): void {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('class', 'scene-thumbnail');
-  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
+  svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
   svg.setAttribute('aria-hidden', 'true');
   const sceneLines = new SceneLines();
   const units = sceneLines.take(model);
-  const projection = new Projection(poseOf(model.view, model.ray, units), WIDTH, HEIGHT);
+  const projected = (pose: Pose): Projection => new Projection(pose, width, height);
+  const projection = projected(poseIn(units, projected));
   const walls = new Layer(svg, 'scene-walls');
   for (const [k, grid] of sceneLines.grids.entries()) {
     walls.show(String(k), 'path', { d: silhouettes(grid, projection) });
   }
   new PathPainter(svg).paint(sceneLines.strokes(model, projection, null), projection, {
-    scale: SCALE,
+    scale,
   });
-  const { marks } = figures(model, units, projection, SCALE);
+  const { marks } = figures(model, units, projection, scale);
   const shown = marks.filter(({ kind }) => SHOWN.includes(kind));
   drawMarks(
     new Layer(svg, 'scene-mark-layer'),
     // Other names: what looks for a mark of the scene shall not find this one.
     shown.map((mark) => ({ ...mark, key: `small ${mark.key}`, symbols: [] })),
-    SCALE,
+    scale,
     null,
   );
   host.replaceChildren(svg);

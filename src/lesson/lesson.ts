@@ -4,14 +4,17 @@ import type { Prose } from './prose.ts';
 export type Guess =
   /** A value of the number that is free: at `truth` something happens, as the text asks. */
   | { readonly type: 'free'; readonly truth: number }
-  /** A number that Explore shows. */
+  /** A number that the page shows. */
   | { readonly type: 'quantity'; readonly quantity: string }
-  | { readonly type: 'class' };
+  /** "class", or that of a row: "textbook.class". */
+  | { readonly type: 'class'; readonly quantity: string };
 
 export interface Step {
   readonly title: string;
   /** A link of any page of Graze. */
   readonly link: string;
+  /** The part of the link's page that is shown alone; null for all of it. */
+  readonly part: string | null;
   /** The only number that can be moved, 'r' or 'E.x', or a whole vector; null for none. */
   readonly free: string | null;
   readonly guess: Guess | null;

@@ -1,5 +1,6 @@
 import { Marked, type Token, type Tokens } from 'marked';
 import { InvalidInput } from '../math/index.ts';
+import { quote } from '../math/shapes.ts';
 import { type Condition, readConditions } from './condition.ts';
 import { formulaParts } from './formula-text.ts';
 import type { Block, Inline, Prose } from './prose.ts';
@@ -142,7 +143,7 @@ function livesOf(text: string, fault: Fault): Inline[] {
     if (name === undefined) return [{ type: 'text', text: part }];
     const quantity = name.trim();
     if (isQuantity(quantity)) return [{ type: 'live', quantity }];
-    fault(`{${name}} is no number of a page`);
+    fault(`${quote(`{${name}}`)} is no number of a page`);
     return [{ type: 'text', text: part }];
   });
 }

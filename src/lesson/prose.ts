@@ -54,6 +54,16 @@ export function inlinesOf(prose: Prose): Inline[] {
   });
 }
 
+/** The letters that a text speaks of, in its formulas and live numbers. */
+export function lettersIn(prose: Prose): ReadonlySet<string> {
+  const inFormulas = inlinesOf(prose).flatMap((part) =>
+    part.type !== 'formula'
+      ? []
+      : part.parts.flatMap((one) => (one.type === 'symbol' ? [one.base] : [])),
+  );
+  return new Set([...inFormulas, ...quantitiesIn(prose).map((name) => name.charAt(0))]);
+}
+
 /** The names of all live numbers of a text. */
 export function quantitiesIn(prose: Prose): string[] {
   return inlinesOf(prose).flatMap((part) => {

@@ -4,10 +4,11 @@ import { paramValue } from '../state/state.ts';
 
 /*
  * The numbers that Explore shows, by the names that its elements carry in data-quantity. In prose
- * they are written {t1}, {E.x}; on other pages {textbook.t1} is the t1 of the row of textbook.
+ * they are written {t1}, {E.x}; on other pages {textbook.t1} is the t1 of the row of textbook, and
+ * {certified.simd ratio} what that row's two words name.
  */
 
-const NAME = /^(?:[\w-]+\.)?[A-Za-z]\w*(?:\.[A-Za-z]\w*|\.\([^)]*\))?$/;
+const NAME = /^(?:[\w-]+\.)?[A-Za-z]\w*(?:[. ][A-Za-z]\w*|\.\([^)]*\))?$/;
 
 /** Whether a text can be the name of a quantity. */
 export const isQuantity = (name: string): boolean => NAME.test(name);
@@ -24,6 +25,10 @@ export function quantityOf(model: ExploreModel, name: string): number | string |
   if (step) return step.value;
   return hitNumber(model, name) ?? rayNumber(model, name) ?? shapeNumber(model, name);
 }
+
+/** Whether Explore can show it, there where it exists: a tangent has no t2. */
+export const isQuantityOf = (model: ExploreModel, name: string): boolean =>
+  /^(t[12]|[PN][12]\.[xyz])$/.test(name) || quantityOf(model, name) !== null;
 
 /** The exact sign of a coefficient; null for what has none. */
 export function signOf({ found }: ExploreModel, name: string): number | null {

@@ -1,16 +1,18 @@
 import { quote } from '../math/shapes.ts';
+import { createDerive } from '../state/derive.ts';
 import { decode } from '../state/url.ts';
 import { parseNumber } from '../text/parse.ts';
 import { freedomOf } from './freedom.ts';
 import type { Guess, Lesson, Step } from './lesson.ts';
 import { proseOf, type Section, sectionsOf, sourceOf, tokensOf } from './markdown.ts';
-import type { Prose } from './prose.ts';
-import { isQuantity } from './quantities.ts';
+import { partsOf } from './parts.ts';
+import { type Prose, quantitiesIn } from './prose.ts';
+import { isQuantity, isQuantityOf } from './quantities.ts';
 
 /*
  * A lesson is Markdown with front matter (docs/ADDING.md, "A lesson"): `title` and `about` between
  * two lines of three dashes, then one heading of level 2 a step. Under it stand lines "key: value"
- * (link, free, guess, hide), then text, then sections of level 3: Question, Answer, Notes.
+ * (link, part, free, guess, hide), then text, then sections of level 3: Question, Answer, Notes.
  */
 
 export interface ReadLesson {
@@ -22,8 +24,11 @@ export interface ReadLesson {
 /** No lesson is this long; a file that is, is none. */
 export const LONGEST_LESSON = 100_000;
 const MOST_STEPS = 200;
+const LONGEST_TITLE = 200;
+/** So many are said of one lesson. */
+const MOST_PROBLEMS = 12;
 const FRONT = /^\s*---[ \t]*\r?\n([\s\S]*?)\r?\n---[ \t]*(?:\r?\n|$)/;
-const KEYS = ['link', 'free', 'guess', 'hide'];
+const KEYS = ['link', 'part', 'free', 'guess', 'hide'];
 
 /** Whether a file that was opened looks like a lesson: it begins with front matter. */
 export const isLesson = (text: string): boolean => FRONT.test(text);
@@ -51,8 +56,14 @@ export function readLesson(text: string, id: string): ReadLesson {
       problems.push(`step ${i + 1}: ${words}`);
     }),
   );
-  const lesson = { id, title: title || 'a lesson', about: keys.get('about') ?? '', steps };
-  return { lesson, problems };
+  const short = (text = ''): string => text.slice(0, LONGEST_TITLE);
+  const lesson = { id, title: short(title) || 'a lesson', about: short(keys.get('about')), steps };
+  return { lesson, problems: told(problems) };
+}
+
+function told(problems: readonly string[]): readonly string[] {
+  const more = problems.length - MOST_PROBLEMS;
+  return more > 0 ? [...problems.slice(0, MOST_PROBLEMS), `and ${more} more`] : problems;
 }
 
 type Fault = (words: string) => void;
@@ -74,9 +85,10 @@ function stepOf(section: Section, fault: Fault): Step {
   const free = freeOf(keys.get('free'), link, fault);
   const hide = keys.get('hide') ?? 'no';
   if (!/^(yes|no)$/.test(hide)) fault(`hide is yes or no, got ${quote(hide)}`);
-  return {
-    title: section.title,
+  const step: Step = {
+    title: section.title.slice(0, LONGEST_TITLE),
     link,
+    part: shownPart(keys.get('part'), link, fault),
     free,
     guess: guessOf(keys.get('guess'), free, fault),
     // A link with hidden results brings them hidden.
@@ -87,6 +99,17 @@ function stepOf(section: Section, fault: Fault): Step {
     notes: part('notes'),
     source: `## ${section.title}\n\n${sourceOf(section.tokens)}`,
   };
+  for (const name of unknownIn(step)) fault(`${quote(`{${name}}`)} is no number that it shows`);
+  return step;
+}
+
+/** Live numbers that Explore does not show; what other pages show is known only there. */
+function unknownIn({ link, text, question, answer, notes }: Step): string[] {
+  const state = decode(link);
+  const names = quantitiesIn([...text, ...question, ...answer, ...notes]);
+  if (state.page !== 'explore' || names.length === 0) return [];
+  const model = createDerive()({ ...state, revealed: null });
+  return names.filter((name) => name !== 'slider' && !isQuantityOf(model, name));
 }
 
 /** "key: value", one a line. */
@@ -119,6 +142,16 @@ function linkOf(text: string | undefined, fault: Fault): string {
   return '#/explore';
 }
 
+function shownPart(text: string | undefined, link: string, fault: Fault): string | null {
+  if (!text) return null;
+  const { page } = decode(link);
+  const parts = partsOf(page);
+  if (parts.includes(text)) return text;
+  const has = parts.length > 0 ? `has ${parts.join(', ')}` : 'is shown as a whole';
+  fault(`there is no part ${quote(text)}: ${page} ${has}`);
+  return null;
+}
+
 function freeOf(text: string | undefined, link: string, fault: Fault): string | null {
   if (!text) return null;
   const state = decode(link);
@@ -130,7 +163,7 @@ function freeOf(text: string | undefined, link: string, fault: Fault): string | 
 /** "t1", "class", or the value of what is free: "r = 1". */
 function guessOf(text: string | undefined, free: string | null, fault: Fault): Guess | null {
   if (!text) return null;
-  if (text === 'class') return { type: 'class' };
+  if (/^([\w-]+\.)?class$/.test(text)) return { type: 'class', quantity: text };
   const [, letter, value = ''] = text.match(/^(\S+) = (.+)$/) ?? [];
   if (letter === undefined && isQuantity(text)) return { type: 'quantity', quantity: text };
   const parsed = parseNumber(value);

@@ -1,5 +1,9 @@
-/* What Explore has beyond its first frame, which does not wait for it. */
+/* What the page has beyond its first frame, which does not wait for it. */
 
 export { announcement } from './announce.ts';
 export { closerLook } from './closer-look.ts';
 export { GALLERY } from './gallery/index.ts';
+
+export const NOT_KEPT =
+  'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +
+  'until the page is closed. Programs and summaries can be saved by File and export';

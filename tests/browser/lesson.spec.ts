@@ -1,123 +1,366 @@
-import { violationsInThemes } from './support/axe.ts';
+import type { Page } from '@playwright/test';
+import type { Step } from '../../src/lesson/lesson.ts';
+import { type Prose, quantitiesIn } from '../../src/lesson/prose.ts';
+import { decode } from '../../src/state/url.ts';
+import { violations, violationsInThemes } from './support/axe.ts';
+import { extent } from './support/layout.ts';
+import { computed, LESSONS, lessonOf, liveNumbers, openStep, stepShown } from './support/lesson.ts';
 import { settle } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
-const STEPS = 5;
+const question = (page: Page) => page.getByRole('form', { name: 'Question' });
+const column = (page: Page) => page.locator('.lesson-column');
+
+/** Each live number of this prose is there, with the value that is computed or shown beside it. */
+async function numbersAreRight(page: Page, step: Step, prose: Prose): Promise<void> {
+  await framesDone(page);
+  const names = quantitiesIn(prose.filter(({ when }) => when.length === 0));
+  for (const name of names.filter((one) => one !== 'slider')) {
+    // What another page traces or measures comes when it is there.
+    await expect(column(page).locator(`[data-quantity="${name}"]`).first()).toBeVisible();
+  }
+  const { text, beside } = await liveNumbers(page);
+  const isExplore = decode(step.link).page === 'explore';
+  // A question about what is free leads to the value that it asks for.
+  if (isExplore && step.guess?.type === 'free') return;
+  expect(text).toEqual(isExplore ? computed(step, Object.keys(text)) : beside);
+}
+
+for (const { id, title, steps } of LESSONS) {
+  test(`${title}: by a clicker, its numbers are those of the math module`, async ({ page }) => {
+    await page.goto(`./#/lesson/${id}`);
+    for (const [i, step] of steps.entries()) {
+      await stepShown(page, i + 1);
+      await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
+      if (step.guess !== null) {
+        await expect(question(page)).toBeVisible();
+        await numbersAreRight(page, step, step.question);
+        expect(Object.keys((await liveNumbers(page)).text)).not.toContain('t1');
+        await page.keyboard.press('PageDown');
+        await expect(page.getByRole('region', { name: 'Answer' })).toBeVisible();
+      }
+      await numbersAreRight(page, step, [...step.text, ...step.answer]);
+      await page.keyboard.press('PageDown');
+    }
+    await stepShown(page, steps.length);
+  });
+}
 
 test('a whole lesson by keyboard alone', async ({ page }) => {
-  await page.goto('./#/lesson/ray');
-  const step = page.locator('[data-lesson-step]');
-  await expect(step).toHaveAttribute('data-lesson-step', '1');
-  await expect(page.locator('.announcer')).toContainText(`step 1 of ${STEPS}: a place on the ray`);
-  for (const number of ['2', '3', '4']) {
+  const { title, steps } = lessonOf('ray');
+  await page.goto('./#/lesson');
+  const first = page.getByRole('link', { name: title });
+  await expect(first).toBeVisible();
+  const tabTo = async (selector: string): Promise<void> => {
+    for (let i = 0; i < 60; i += 1) {
+      if (await page.evaluate((css) => document.activeElement?.matches(css), selector)) return;
+      await page.keyboard.press('Tab');
+    }
+    throw new Error(`no Tab leads to ${selector}`);
+  };
+  await tabTo('a[href="#/lesson/ray"]');
+  await page.keyboard.press('Enter');
+  await stepShown(page, 1);
+  await expect(page.locator('.announcer')).toContainText(`step 1 of ${steps.length}: `);
+  for (const number of [2, 3, 4]) {
     await page.keyboard.press('PageDown');
-    await expect(step).toHaveAttribute('data-lesson-step', number);
+    await stepShown(page, number);
   }
-  const first = page.locator('.lesson-answer [data-quantity="t1"]');
-  await expect(page.getByRole('form', { name: 'Question' })).toBeVisible();
-  await expect(first).toHaveCount(0);
-  // First what is asked is shown, then the next step comes.
-  await page.keyboard.press('PageDown');
-  await expect(first).toHaveAttribute('data-value', '1.8');
+  await tabTo('.guess-box');
+  await page.keyboard.type('3.6');
+  await page.keyboard.press('Enter');
+  await expect(
+    page.getByRole('heading', { name: 'Your guess 3.6: too large by 1.8' }),
+  ).toBeVisible();
+  await expect(column(page)).toContainText('(−B ± √D)/A in place of (−B ± √D)/2A');
+  // Back takes the answer away again, forward shows it.
+  const t1 = page.locator('.lesson-answer [data-quantity="t1"]');
   await page.keyboard.press('PageUp');
-  await expect(first).toHaveCount(0);
+  await expect(question(page)).toBeVisible();
+  await expect(t1).toHaveCount(0);
   await page.keyboard.press('PageDown');
+  await expect(t1).toHaveAttribute('data-value', '1.8');
   await page.keyboard.press('PageDown');
-  await expect(step).toHaveAttribute('data-lesson-step', String(STEPS));
-  const slider = page.locator('.lesson-slider input');
-  await slider.focus();
+  await stepShown(page, 5);
+  await tabTo('.lesson-slider input');
   for (let i = 0; i < 3; i += 1) await page.keyboard.press('ArrowLeft');
   await expect(page).toHaveURL(/step=5&r=/);
   // Also on the slider a clicker's key turns.
+  await page.keyboard.press('PageDown');
+  await stepShown(page, 6);
+  await expect(page.getByRole('heading', { name: 'Own numbers' })).toBeVisible();
   await page.keyboard.press('PageUp');
-  await expect(step).toHaveAttribute('data-lesson-step', '4');
+  await stepShown(page, 5);
 });
 
 test.describe('by touch alone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
   test('a whole lesson on a phone', async ({ page }) => {
+    const { title, steps } = lessonOf('discriminant');
+    const top = (selector: string): Promise<number> =>
+      page.locator(selector).evaluate((element) => element.getBoundingClientRect().top);
+    const swipeUp = async (): Promise<void> => {
+      const client = await page.context().newCDPSession(page);
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at: readonly number[]) =>
+        client.send('Input.dispatchTouchEvent', {
+          type,
+          touchPoints: at.map((y) => ({ x: 200, y })),
+        });
+      await touch('touchStart', [700]);
+      for (let y = 690; y >= 500; y -= 10) await touch('touchMove', [y]);
+      await touch('touchEnd', []);
+      await settle(page);
+    };
     await page.goto('./#/lesson');
-    await page.getByRole('link', { name: 'From the ray to the quadratic' }).tap();
-    const step = page.locator('[data-lesson-step]');
-    for (let number = 1; number < STEPS; number += 1) {
-      await expect(step).toHaveAttribute('data-lesson-step', String(number));
-      if (number === 4) {
-        await page.getByLabel('t₁ =').fill('2');
+    await page.getByRole('link', { name: title }).tap();
+    for (const [i, step] of steps.entries()) {
+      await stepShown(page, i + 1);
+      if (step.guess?.type === 'class') {
+        await page.getByRole('radio', { name: 'one double root' }).tap();
         await page.getByRole('button', { name: 'That is my guess' }).tap();
-        await expect(page.getByText('Your guess 2: too large by 0.2')).toBeVisible();
+        await expect(page.getByText('Your guess, one double root: it is no point')).toBeVisible();
       }
-      await page.getByRole('button', { name: 'Next' }).tap();
+      if (step.guess?.type === 'free') {
+        // The mark is put on the slider; the scene stays on top while the text is moved.
+        const before = await top('.lesson-text');
+        await swipeUp();
+        expect(await top('.lesson-text')).toBeLessThan(before);
+        expect(await top('.lesson-scene')).toBe(0);
+        const track = await page.locator('.lesson-slider input').boundingBox();
+        if (!track) throw new Error('no slider');
+        const { x, y, width, height } = track;
+        await page.touchscreen.tap(x + width / 2, y + height / 2);
+        await expect(page.locator('.guess-box')).not.toHaveValue('');
+        await page.getByRole('button', { name: 'That is my guess' }).tap();
+        await expect(page.getByText(/^Your guess \S+: too large by/)).toBeVisible();
+      }
+      if (i + 1 < steps.length) await page.getByRole('button', { name: 'Next' }).tap();
     }
-    await expect(step).toHaveAttribute('data-lesson-step', String(STEPS));
     await page.getByRole('link', { name: 'All lessons' }).tap();
     await expect(page.getByRole('heading', { name: 'Lessons', exact: true })).toBeVisible();
   });
 });
 
-test('the gallery leads to the first lesson, and each other one opens', async ({ page }) => {
+test('the first visit and the gallery lead to the first lesson', async ({ page }) => {
+  await page.goto('./#/explore');
+  await page.getByRole('link', { name: 'First lesson' }).click();
+  await stepShown(page, 1);
   await page.goto('./#/explore');
   await page.locator('.example-name').click();
   await page.getByRole('link', { name: 'Begin with the first lesson' }).click();
-  await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '1');
+  await stepShown(page, 1);
   await expect(page.getByRole('dialog')).toHaveCount(0);
-  for (const [id, step, words] of [
-    ['discriminant', 4, 'At which r does the ray just touch?'],
-    ['normal', 5, 'the normal is the zero vector'],
-    ['no-square', 2, 'A is 0: no root.'],
-  ] as const) {
-    await page.goto(`./#/lesson/${id}?step=${step}`);
-    await expect(page.locator('.lesson-body')).toContainText(words);
-  }
 });
 
-test('a step shows Accuracy beside its text', async ({ page }) => {
-  await page.goto('./#/lesson/digits?step=2');
-  await expect(page.locator('.lesson-body')).toContainText('of the same ray that it misses');
-  await expect(page.getByRole('heading', { name: 'This ray' })).toBeVisible();
-});
-
-test('what is moved and answered is in the link, and comes back by it', async ({ page }) => {
+test('what is moved, asked and answered is in the link, and comes back by it', async ({ page }) => {
   await page.goto('./#/lesson/ray?step=5&r=0.5');
   await expect(page.getByText('there is no root')).toBeVisible();
-  await page.goto('./#/lesson/ray?step=4&guess=1.8');
+  await openStep(page, '#/lesson/ray?step=4&guess=1.8', 4);
   await expect(page.getByText('Your guess 1.8: right')).toBeVisible();
+  // A page beside an open question is out of sight, and comes with the answer.
+  await openStep(page, '#/lesson/effects?step=2', 2);
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+  await expect(page.locator('.picture canvas').first()).toBeHidden();
+  await expect(column(page)).not.toContainText('12 110');
+  await openStep(page, '#/lesson/effects?step=2&guess=1000', 2);
+  await expect(page.getByText(/^Your guess 1000: too small by/)).toBeVisible();
+  await expect(page.locator('.picture canvas').first()).toBeVisible();
+  // A step of Accuracy shows what it speaks of, and nothing else of that page.
+  await openStep(page, '#/lesson/digits?step=3', 3);
+  await expect(page.getByRole('heading', { name: 'This ray' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'How hard can it get' })).toBeHidden();
+  await openStep(page, '#/lesson/digits?step=5', 5);
+  await expect(page.getByRole('heading', { name: 'How hard can it get' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'This ray' })).toBeHidden();
   await page.goto('./#/lesson/nothing');
   await expect(page.getByRole('alert')).toContainText("there is no lesson 'nothing'");
 });
 
-test('a step is changed where it stands, and the link carries the lesson', async ({ page }) => {
+test('a symbol in the text has its colour, and lights up with the scene', async ({ page }) => {
+  await page.goto('./#/lesson/ray?step=5');
+  const inText = page.locator('.lesson-text math [data-symbol="t1"]').first();
+  const live = page.locator('.lesson-text [data-quantity="t1"]');
+  const mark = page.locator('.lesson-scene [data-symbol~="t1"]').first();
+  await expect(mark).toBeAttached();
+  const colours = await Promise.all(
+    [inText, live].map((one) => one.evaluate((element) => getComputedStyle(element).color)),
+  );
+  const root = page.locator('html');
+  const hit = await root.evaluate((html) => {
+    const probe = document.createElement('p');
+    probe.style.color = getComputedStyle(html).getPropertyValue('--hit');
+    return html.appendChild(probe) && getComputedStyle(probe).color;
+  });
+  expect(colours).toEqual([hit, hit]);
+  await live.hover();
+  await expect(inText).toHaveClass(/\blit\b/);
+  await expect(mark).toHaveClass(/\blit\b/);
+});
+
+const OWN = `---
+title: Mine
+---
+
+## a state
+
+link: #/explore?shape=sphere&C=0,1,0&r=1&E=3,1,0&d=-1,0,0&hide=1
+
+It is hit at {t1}.
+
+### Notes
+
+Only for me.
+
+## and another
+
+link: #/picture?scene=plain&size=64x36
+
+It takes {total.rays} rays.
+`;
+
+/** Lets a file fall onto the page. */
+async function drop(page: Page, name: string, text: string): Promise<void> {
+  await page.evaluate(
+    ({ name, text }) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true }));
+    },
+    { name, text },
+  );
+}
+
+test('an own lesson by file, drop and link: order, hidden results, notes', async ({ page }) => {
+  await page.goto('./#/lesson');
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open a file' }).click();
+  await (await chooser).setFiles({
+    name: 'mine.txt',
+    mimeType: 'text/markdown',
+    buffer: Buffer.from(OWN),
+  });
+  await stepShown(page, 1);
+  // The results that the step's link hides are shown when they are asked for.
+  await expect(column(page)).toContainText('It is hit at ?.');
+  await page.getByRole('button', { name: 'Show the results' }).click();
+  await expect(column(page)).toContainText('It is hit at 2.');
+  await expect(column(page)).not.toContainText('Only for me');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save the lesson' }).click();
+  const saved = await (await (await download).createReadStream()).toArray();
+  expect(Buffer.concat(saved).toString()).toBe(OWN);
+  // Into another order, then by the link to somebody who has never had the file.
+  await page.getByRole('button', { name: 'Edit' }).click();
+  await page.getByRole('button', { name: 'Later' }).click();
+  await stepShown(page, 2);
+  await expect(page).toHaveURL(/#\/lesson\/own\?.*file=.*step=2|step=2.*file=/);
+  const link = page.url().replace(/&step=2|step=2&/, '');
+  await page.evaluate(() => localStorage.clear());
+  await page.goto('about:blank');
+  await page.goto(link);
+  await expect(page.getByRole('heading', { level: 2, name: 'and another' })).toBeVisible();
+  await expect(column(page)).toContainText('It takes 2 304 rays.');
+  // A drop works on any page.
+  await page.goto('./#/explore');
+  await page.locator('[data-quantity="class"]').waitFor();
+  await drop(page, 'mine.txt', OWN);
+  await stepShown(page, 1);
+  await expect(page.getByRole('heading', { level: 2, name: 'a state' })).toBeVisible();
+});
+
+test('a step is changed where it stands, and the present state becomes the next one', async ({
+  page,
+}) => {
   await page.goto('./#/lesson/ray');
   await page.getByRole('button', { name: 'Edit' }).click();
   const box = page.getByRole('textbox', { name: 'This step' });
   await box.fill(`${await box.inputValue()}\n\nMine: <b>E.x</b> is {E.x}.`);
   await page.getByRole('button', { name: 'Done' }).click();
   await expect(page.getByText('Mine: <b>E.x</b> is 3.')).toBeVisible();
-  await expect(page).toHaveURL(/#\/lesson\/own\?.*file=/);
-  const link = page.url();
-  await page.goto('about:blank');
-  await page.goto(link);
-  await expect(page.getByText('Mine: <b>E.x</b> is 3.')).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Edit' }).click();
+  await box.fill(`${await box.inputValue()}\n\n{Q} is nothing.`);
+  await page.getByRole('button', { name: 'Done' }).click();
+  await expect(page.getByRole('alert')).toContainText("step 1: '{Q}' is no number that it shows");
+  await page.goto('./#/check?seed=4&question=2');
+  await page.locator('.check-stage').first().waitFor();
+  await page.keyboard.press('c');
+  await page.getByRole('link', { name: 'Lessons' }).click();
+  const { steps } = lessonOf('ray');
+  await stepShown(page, steps.length + 1);
+  await expect(page.locator('.lesson-other .check')).toBeVisible();
 });
+
+const step = (words: string): string => `---\ntitle: x\n---\n\n## a\n\nlink: #/explore\n\n${words}`;
+const HOSTILE: readonly (readonly [text: string, said: RegExp])[] = [
+  ['---\nno title here\n---\n', /the lesson has no title/],
+  ['---\ntitle: x\ncolour: red\n---\n## a\n\nlink: #/explore\n\nx', /'colour' means nothing/],
+  ['---\ntitle: x', /a file that begins with '---' is no lesson/],
+  ['---\ntitle: x\n---\n\njust text', /the lesson has no step/],
+  ['---\ntitle: x\n---\n\n## a\n\nlink: javascript:globalThis.broken=1\n\nx', /'javascript:glob/],
+  [step('{nothing} is shown'), /'{nothing}' is no number/],
+  [step('{when D is small} x'), /'D is small' is no condition/],
+  [step('{q} '.repeat(50)), /and 38 more/],
+  [step('long '.repeat(30_000)), /only the first 100000 characters of the lesson are read/],
+  [
+    `---\ntitle: ${'t'.repeat(50_000)}\n---\n\n${'## s\n\nx\n\n'.repeat(300)}`,
+    /the first 200 steps/,
+  ],
+  ['x'.repeat(2_100_000), /'f\.txt' was not opened: it is larger than 2 MB/],
+];
+
+test('a hostile file is text, and what is wrong with it is quoted', async ({ page }) => {
+  await page.goto('./#/lesson');
+  await page.getByRole('heading', { name: 'Lessons', exact: true }).waitFor();
+  for (const [text, said] of HOSTILE) {
+    await drop(page, 'f.txt', text);
+    await expect(page.getByRole('alert'), text.slice(0, 60)).toContainText(said);
+    expect((await extent(page)).width).toBeLessThanOrEqual(1000);
+    await page.getByRole('button', { name: /dismiss/i }).click();
+  }
+  const markup = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=2</script>';
+  await drop(page, 'f.txt', step(`${markup} [go](javascript:globalThis.broken=3) ![p](x.png)`));
+  await expect(column(page)).toContainText(markup);
+  const found = await page.evaluate(() => ({
+    made: document.querySelectorAll('.lesson :is(img, iframe, script, a[href^="java"])').length,
+    ran: 'broken' in globalThis,
+  }));
+  expect(found).toEqual({ made: 0, ran: false });
+});
+
+/** One state of each look: the list, a slider, a question, an answer, each other page, an edit. */
+const LOOKS: readonly (readonly [link: string, step: number])[] = [
+  ['#/lesson/ray?step=5', 5],
+  ['#/lesson/discriminant?step=4', 4],
+  ['#/lesson/discriminant?step=4&guess=0.8', 4],
+  ['#/lesson/digits?step=3', 3],
+  ['#/lesson/effects?step=3', 3],
+  ['#/lesson/ray?step=6', 6],
+];
 
 for (const viewport of [
   { width: 1280, height: 720 },
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
+  { width: 844, height: 390 },
 ]) {
   test.describe(`${viewport.width} px`, () => {
     test.use({ viewport });
-    test('axe finds nothing in the list and in any step', async ({ page }) => {
+    test('axe finds nothing in any look and theme, and nothing sticks out', async ({ page }) => {
       await page.goto('./#/lesson');
-      await expect(page.getByRole('link', { name: 'From the ray to the quadratic' })).toBeVisible();
+      await expect(page.getByRole('link', { name: lessonOf('ray').title })).toBeVisible();
       expect.soft(await violationsInThemes(page), 'the list').toEqual([]);
-      for (let number = 1; number <= STEPS; number += 1) {
-        await page.goto(`./#/lesson/ray?step=${number}`);
-        await page.locator(`[data-lesson-step="${number}"]`).waitFor();
+      for (const [link, number] of LOOKS) {
+        await openStep(page, link, number);
         await framesDone(page);
         await settle(page);
-        expect.soft(await violationsInThemes(page), `step ${number}`).toEqual([]);
+        expect.soft(await violationsInThemes(page), link).toEqual([]);
+        expect.soft((await extent(page)).width, link).toBeLessThanOrEqual(viewport.width);
       }
+      await openStep(page, '#/lesson/ray', 1);
+      await page.getByRole('button', { name: 'Edit' }).click();
+      expect.soft(await violations(page), 'an edit').toEqual([]);
     });
   });
 }

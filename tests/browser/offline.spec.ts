@@ -1,12 +1,15 @@
+import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { programOf } from '../../src/check/program/source.ts';
 import { expectInLink, slider, typeInto } from './support/controls.ts';
+import { openStep, ownLink } from './support/lesson.ts';
 import { hashOf, quantities, settle } from './support/page.ts';
 import { report, runProgram } from './support/program.ts';
 import { expect, test } from './support/test.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
+const USING = readFileSync(resolve(root, 'docs/USING.md'), 'utf8');
 const FILE = pathToFileURL(
   resolve(root, process.env.E2E_OFFLINE ?? 'dist/offline/index.html'),
 ).href;
@@ -61,6 +64,18 @@ test('it traces pictures too, with the workers that it holds inside', async ({ p
   const rays = page.locator('[data-effect="camera"] [data-quantity="rays"]');
   await expect(rays).toHaveAttribute('data-value', String(64 * 36));
   await expect(page.locator('.rays tbody tr').first()).toBeVisible();
+});
+
+test('lessons are in it: those of Graze, and one that a link carries', async ({ page }) => {
+  const [, text = ''] = USING.match(/```markdown\n([\s\S]*?)```/) ?? [];
+  await page.goto(`${FILE}${ownLink(text, 3)}`);
+  const said = page.locator('.lesson-text');
+  await expect(said).toHaveText(/the formula finds: no point\. Right is: two points\./);
+  await page.keyboard.press('PageUp');
+  await page.keyboard.press('PageUp');
+  await expect(said).toContainText('enters at t1=1.8 and leaves at t2=3');
+  await openStep(page, '#/lesson/effects', 1);
+  await expect(said).toContainText('rays make the whole picture');
 });
 
 test('a program runs in its sandbox there, too, and an endless one is ended', async ({ page }) => {

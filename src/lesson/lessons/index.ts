@@ -1,6 +1,7 @@
 import { type ReadLesson, readLesson } from '../read.ts';
 import digits from './digits.md?raw';
 import discriminant from './discriminant.md?raw';
+import effects from './effects.md?raw';
 import noSquare from './no-square.md?raw';
 import normal from './normal.md?raw';
 import ray from './ray.md?raw';
@@ -12,6 +13,7 @@ const TEXTS: Readonly<Record<string, string>> = {
   normal,
   'no-square': noSquare,
   digits,
+  effects,
 };
 
 const known = new Map<string, ReadLesson>();

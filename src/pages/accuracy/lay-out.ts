@@ -1,4 +1,7 @@
-/** The places of the page, in the order in which the eye and the focus go. */
+/**
+ * The places of the page, in the order in which the eye and the focus go; each with the part of the
+ * page that it belongs to.
+ */
 export function layOut(host: HTMLElement) {
   host.classList.add('accuracy');
   const area = (name: string, parent = host): HTMLElement => {
@@ -7,21 +10,26 @@ export function layOut(host: HTMLElement) {
     parent.append(element);
     return element;
   };
-  const head = area('acc-head');
-  const plot = area('acc-plot');
+  const areaOf = (part: string, name: string): HTMLElement => {
+    const element = area(name);
+    element.dataset.part = part;
+    return element;
+  };
+  const head = areaOf('prices', 'acc-head');
+  const plot = areaOf('prices', 'acc-plot');
   const places = {
     head,
     frontier: area('acc-plot-body', plot),
     empty: area('acc-plot-empty', plot),
-    bar: area('acc-bar'),
-    hardHead: area('acc-part'),
+    bar: areaOf('prices', 'acc-bar'),
+    hardHead: areaOf('hardness', 'acc-part'),
   };
-  const hard = area('acc-hard');
+  const hard = areaOf('hardness', 'acc-hard');
   return {
     ...places,
     hardness: area('acc-plot-body', hard),
     hardWords: area('acc-words', hard),
-    ray: area('acc-part acc-ray'),
-    foot: area('acc-part acc-foot'),
+    ray: areaOf('ray', 'acc-part acc-ray'),
+    foot: areaOf('rest', 'acc-part acc-foot'),
   };
 }

@@ -29,6 +29,9 @@ export const mountCheck: MountPage = (host, context) => {
   const picture = turnablePicture(element('check-stage', left), context.changed);
   const body = element('check-body', left);
   const right = element('check-right', host);
+  tabs.dataset.part = 'rest';
+  left.dataset.part = 'questions own';
+  right.dataset.part = 'program';
   const wide = matchMedia('(min-width: 1100px)');
   wide.addEventListener('change', context.changed);
 

@@ -34,7 +34,12 @@ export function sceneBar(
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
       ${look ? html`<p class="look">${look}</p>` : nothing}
-      ${invites ? html`<p class="look invitation">${INVITATION}</p>` : nothing}
+      ${
+        invites
+          ? html`<p class="look invitation">${INVITATION}
+              <a href="#/lesson/ray">First lesson</a></p>`
+          : nothing
+      }
     </div>
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}

@@ -1,4 +1,6 @@
 import type { TemplateResult } from 'lit';
+import { OWN } from '../../lesson/lesson.ts';
+import { readLesson } from '../../lesson/read.ts';
 import { withSteps } from '../../lesson/write.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { editView } from './edit-view.ts';
@@ -24,6 +26,7 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
         ...settings,
       }),
     });
+    dispatch({ type: 'say', problems: readLesson(text, OWN).problems });
   };
   const sourcesOf = (place: Place): string[] =>
     place.lesson.steps.map(({ source }, i) =>

@@ -1,4 +1,6 @@
 import { mountGraph } from '../../charts/graph.ts';
+import type { Vec3 } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { late } from '../../ui/late.ts';
@@ -9,6 +11,22 @@ interface StageModel {
   readonly model: ExploreModel;
   /** Whether what has this symbol can be taken in the scene. */
   readonly movable: (symbol: string) => boolean;
+  /** Normals are drawn where the text speaks of them: there is little room for arrows. */
+  readonly normals: boolean;
+}
+
+/** Width in CSS pixels from which the scene from above is no inset. */
+const LARGE = 200;
+
+/** E, where the ray meets the shape, and the shape around its middle. */
+function toBeSeen({ shape, ray, scene }: ExploreModel): Vec3[] {
+  const { at, size } = definitionOf(shape).anchor(shape);
+  const hits = scene.hits.filter(({ drawn }) => drawn).map(({ point }) => point);
+  const around = [-size, size].flatMap((by): Vec3[] => [
+    [at[0] + by, at[1], at[2]],
+    [at[0], at[1], at[2] + by],
+  ]);
+  return [...(scene.ray.originDrawn ? [ray.origin] : []), ...hits, ...around];
 }
 
 /** Explore's scene and graph, and the scene from above, without its controls. */
@@ -27,23 +45,29 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
   caption.textContent = 'from above';
   above.append(caption);
   const graph = mountGraph(area('graph-host', area('lesson-graph')), dispatch);
-  let draw: typeof import('../../canvas/thumbnail.ts').drawThumbnail | null = null;
+  let code: typeof import('../../canvas/thumbnail.ts') | null = null;
   let last: ExploreModel | null = null;
   const drawAbove = (): void => {
-    if (draw && last) draw(drawn, { ...last.scene, view: 'top' });
+    const { clientWidth: width, clientHeight: height } = drawn;
+    if (!code || !last || width === 0 || height === 0) return;
+    const size = { width, height, scale: width < LARGE ? 0.6 : 0.8 };
+    code.drawAbove(drawn, last.scene, size, toBeSeen(last));
   };
+  const resized = new ResizeObserver(drawAbove);
+  resized.observe(drawn);
   late(() => import('../../canvas/thumbnail.ts')).then(
     (loaded) => {
-      draw = loaded.drawThumbnail;
+      code = loaded;
       drawAbove();
     },
     // The scene says that it did not come.
     () => above.remove(),
   );
   return {
-    render({ model, movable }) {
+    render({ model, movable, normals }) {
       const handles = model.scene.handles.filter(({ symbol }) => movable(symbol));
-      scene.render({ ...model.scene, handles });
+      const hits = model.scene.hits.map((hit) => (normals ? hit : { ...hit, normal: null }));
+      scene.render({ ...model.scene, handles, hits });
       graph.render(model.graph);
       if (last !== model) {
         last = model;
@@ -51,6 +75,7 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
       }
     },
     dispose() {
+      resized.disconnect();
       scene.dispose();
       graph.dispose();
     },

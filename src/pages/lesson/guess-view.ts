@@ -1,24 +1,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { CLASS_WORDS, judgeGuess, type Seen, whyNoGuess } from '../../lesson/judge.ts';
 import type { Guess, Step } from '../../lesson/lesson.ts';
-import { quantityOf } from '../../lesson/quantities.ts';
-import type { Verdict } from '../../math/index.ts';
-import type { ExploreModel } from '../../state/derive.ts';
-import { display } from '../../text/format.ts';
-import { parseNumber } from '../../text/parse.ts';
+import { namedCauses, whereAndWhat } from '../../panels/check-feedback.ts';
 import { type ProseTools, proseView, spokenName } from './prose-view.ts';
-
-/** The classes in the words of the page. */
-const CLASS_WORDS: Readonly<Partial<Record<Verdict, string>>> = {
-  two: 'two points',
-  tangent: 'one double root',
-  one: 'one point',
-  none: 'no point',
-  contained: 'all of it',
-};
 
 export interface GuessTools {
   /** What is written in the box, or chosen, and not yet handed in. */
   readonly draft: string;
+  /** The same when it is handed in, which may be before it has been drawn. */
+  readonly now: () => string;
   readonly change: (text: string) => void;
   readonly hand: (text: string) => void;
   readonly show: () => void;
@@ -29,40 +19,47 @@ export function questionView(
   step: Step,
   guess: Guess,
   prose: ProseTools,
-  { draft, change, hand, show }: GuessTools,
+  { draft, now, change, hand, show }: GuessTools,
 ): TemplateResult {
-  const name = guessName(step, guess);
-  const refused = draft !== '' && guess.type !== 'class' && !parseNumber(draft).ok;
+  const whyNot = (text: string): string | null => whyNoGuess(text, guess, prose.model);
+  const refused = draft === '' ? null : whyNot(draft);
+  const isOpen = draft === '' || refused !== null;
   const submit = (event: Event): void => {
     event.preventDefault();
-    if (draft !== '' && !refused) hand(draft);
+    const given = now();
+    if (given !== '' && whyNot(given) === null) hand(given);
   };
   return html`<form class="lesson-question" aria-label="Question" @submit=${submit}>
     <div class="asked">${proseView(step.question, prose)}</div>
+    ${
+      guess.type === 'free'
+        ? html`<p class="how">Put the mark <svg class="how-mark" width="16" height="14"
+          viewBox="-8 -2 16 14" role="img" aria-label="triangle"><path class="mark"
+          d="M0 0L6 10H-6Z" /></svg> on the slider, or write a number.</p>`
+        : nothing
+    }
+    ${
+      prose.model ? nothing : html`<p class="how">What is shown beside it is hidden until then.</p>`
+    }
     <div class="answering">
       ${
         guess.type === 'class'
           ? choices(draft, change)
-          : html`<label>${spokenName(name)} = <input
+          : html`<label>${nameOf(step, guess)} = <input
               class="guess-box"
               inputmode="text"
               autocomplete="off"
               .value=${draft}
-              aria-invalid=${refused}
+              aria-invalid=${refused !== null}
               @input=${(event: Event) => change((event.target as HTMLInputElement).value)}
             /></label>`
       }
       <button type="submit" class="primary"
-        aria-disabled=${draft === '' || refused}>That is my guess</button>
+        aria-disabled=${isOpen}>That is my guess</button>
       <button type="button" class="show-me" @click=${show}>show me</button>
     </div>
-    ${refused ? html`<p class="guess-refused" role="alert">${reason(draft)}</p>` : nothing}
+    ${refused ? html`<p class="guess-refused" role="alert">${refused}</p>` : nothing}
   </form>`;
-}
-
-function reason(text: string): string {
-  const parsed = parseNumber(text);
-  return parsed.ok ? '' : parsed.reason;
 }
 
 function choices(draft: string, change: (text: string) => void): TemplateResult {
@@ -77,32 +74,11 @@ function choices(draft: string, change: (text: string) => void): TemplateResult 
   </fieldset>`;
 }
 
-const guessName = ({ free }: Step, guess: Guess): string =>
-  guess.type === 'free' ? (free ?? '') : guess.type === 'quantity' ? guess.quantity : 'class';
-
-/** The truth of a question; null where it has none, as t2 of a tangent. */
-function truthOf(guess: Guess, model: ExploreModel): number | string | null {
-  if (guess.type === 'free') return guess.truth;
-  return guess.type === 'class' ? model.found.class : quantityOf(model, guess.quantity);
-}
-
-/** How far a guess was off and which way, in words. */
-function guessWords(given: string, truth: number | string | null): string {
-  if (typeof truth === 'string') {
-    const said = CLASS_WORDS[given as Verdict] ?? given;
-    return given === truth
-      ? `Your guess, ${said}: right`
-      : `Your guess, ${said}: it is ${CLASS_WORDS[truth as Verdict] ?? truth}`;
-  }
-  const parsed = parseNumber(given);
-  if (!parsed.ok || truth === null) return `Your guess: ${given}`;
-  const off = parsed.value - truth;
-  // Six digits are what the page shows, so whoever gives them is right.
-  if (off === 0 || display(parsed.value) === display(truth)) {
-    return `Your guess ${display(parsed.value)}: right`;
-  }
-  const way = off < 0 ? 'too small' : 'too large';
-  return `Your guess ${display(parsed.value)}: ${way} by ${display(Math.abs(off), 3)}`;
+/** A number of a table's row has no letter of its own. */
+function nameOf({ free }: Step, guess: Guess): string {
+  if (guess.type === 'free') return free ?? '';
+  const isLetter = /^[A-Za-z]\d?(\.[xyz])?$/.test(guess.quantity);
+  return isLetter ? spokenName(guess.quantity) : 'your guess';
 }
 
 /** After it has been answered or shown. */
@@ -110,13 +86,15 @@ export function answerView(
   step: Step,
   guess: Guess,
   given: string | undefined,
-  model: ExploreModel | null,
+  seen: Seen,
   prose: ProseTools,
 ): TemplateResult {
-  const words =
-    given === undefined || !model ? 'The answer' : guessWords(given, truthOf(guess, model));
+  const judged = given === undefined ? null : judgeGuess(guess, given, seen);
+  const causes = judged?.causes ?? [];
   return html`<section class="lesson-answer" aria-label="Answer">
-    <h3>${words}</h3>
+    <h3>${judged?.words ?? 'The answer'}</h3>
+    ${causes.length > 0 ? html`<p class="why">${namedCauses(causes)}</p>` : nothing}
+    ${causes.map((cause) => html`<p class="why">${whereAndWhat(cause, causes.length > 1)}</p>`)}
     ${proseView(step.answer, prose)}
   </section>`;
 }

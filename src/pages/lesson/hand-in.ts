@@ -79,6 +79,7 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
     change,
     tools: () => ({
       draft,
+      now: () => draft,
       change,
       hand: (text) => settle({ guess: text }),
       show: () => settle({ shown: '1' }),

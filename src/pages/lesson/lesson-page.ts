@@ -1,5 +1,8 @@
 import { nothing, render } from 'lit';
 import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/inner.ts';
+import { partShown } from '../../lesson/parts.ts';
+import { lettersIn } from '../../lesson/prose.ts';
+import { isLesson } from '../../lesson/read.ts';
 import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
 import { createDerive, type ExploreModel } from '../../state/derive.ts';
@@ -33,7 +36,9 @@ export const mountLesson: MountPage = (host, context) => {
     host.append(element);
     return element;
   };
-  const [list, stage, other, text] = [area('list'), area('stage'), area('other'), area('column')];
+  const [list, stage, other] = [area('list'), area('stage'), area('other')];
+  const [cover, text] = [area('cover'), area('column')];
+  cover.textContent = 'Hidden. Predict first.';
   const handIn = createHandIn(dispatch, changed);
   const editing = createEditing(dispatch, changed);
   const derive = createDerive();
@@ -42,6 +47,7 @@ export const mountLesson: MountPage = (host, context) => {
   let explore: ReturnType<typeof mountExploreStage> | null = null;
   let shown: { place: Place; inner: AppState; model: ExploreModel | null } | null = null;
   let outer: AppState | null = null;
+  let last: { readonly link: string; readonly state: AppState } | null = null;
 
   const go = (number: number): void => {
     const count = shown?.place.lesson.steps.length ?? 0;
@@ -54,12 +60,17 @@ export const mountLesson: MountPage = (host, context) => {
     announce('added as a step of your own lesson');
   };
   const openText = (given: string): boolean => {
-    const opened = outer && openedLesson(outer, given);
-    if (!opened) return false;
+    if (!outer || !isLesson(given)) return false;
+    const opened = openedLesson(outer, given);
     dispatch({ type: 'open', state: opened });
     const { problems } = readSettings(opened.settings.lesson);
     if (problems.length > 0) dispatch({ type: 'say', problems });
     return true;
+  };
+  const openFile = async (): Promise<void> => {
+    const given = await pickFile('.md,.txt,text/markdown,text/plain');
+    if (given === null || openText(given) || !outer) return;
+    dispatch({ type: 'say', problems: openedLesson(outer, given).problems });
   };
   const save = (): void => {
     if (!shown) return;
@@ -76,12 +87,16 @@ export const mountLesson: MountPage = (host, context) => {
       hasOwn: recall('graze.lesson') !== null,
       goOn: () => dispatch({ type: 'settings', values: { id: 'own' } }),
       collect: () => collect(encode({ ...state, page: 'explore' })),
-      openFile: async () => {
-        const given = await pickFile('.md,.txt,text/markdown,text/plain');
-        if (given !== null && !openText(given)) context.say('this file is no lesson');
-      },
+      openFile: () => void openFile(),
     });
     render(own, list);
+  };
+
+  /** The state as it was read before, where it is the same: what follows from it is known. */
+  const asBefore = (state: AppState): AppState => {
+    const link = `${encode(state)} ${state.revealed}`;
+    if (last?.link !== link) last = { link, state };
+    return last.state;
   };
 
   /** What is said of a change within a step, or of a new step. */
@@ -99,7 +114,7 @@ export const mountLesson: MountPage = (host, context) => {
     const settings = state.settings.lesson;
     const before = shown;
     const { lesson, number, step } = place;
-    const target = innerState(step, settings);
+    const target = asBefore(innerState(step, settings));
     const isNew = before?.place.lesson.id !== lesson.id || before.place.number !== number;
     if (isNew) {
       travel.start(before?.inner ?? null, target);
@@ -112,17 +127,24 @@ export const mountLesson: MountPage = (host, context) => {
     const model = onExplore ? derive(inner) : null;
     shown = { place, inner, model };
     host.dataset.look = onExplore ? 'explore' : 'other';
+    host.dataset.page = inner.page;
     render(nothing, list);
     const asked = isAsked(step, settings);
     const sliders = slidersOf(step, target, settings, asked, handIn);
     if (model) {
       others.leave();
       explore ??= mountExploreStage(stage, handIn.inner);
-      explore.render({ model, movable: sliders.movable });
-    } else others.render(inner);
-    const prose = proseTools(place, model, other, sliders.view);
+      const letters = lettersIn([...step.text, ...step.question, ...step.answer]);
+      explore.render({ model, movable: sliders.movable, normals: letters.has('N') });
+    } else others.render(inner, partShown(step.part, inner));
     const { guess } = step;
-    const answered = guess ? answerView(step, guess, settings.guess, model, prose) : nothing;
+    // Beside an open question another page would give its answer away.
+    const covered = asked && !onExplore && guess && guess.type !== 'free' ? guess.quantity : null;
+    host.toggleAttribute('data-covered', covered !== null);
+    const beside = { model, page: other, asked: covered };
+    const prose = proseTools(place, beside, sliders.view);
+    const seen = { model, value: (name: string) => prose.value(name)?.value ?? null };
+    const answered = guess ? answerView(step, guess, settings.guess, seen, prose) : nothing;
     const parts: StepParts = {
       ...{ lesson, number, step, prose },
       asked: guess && asked ? questionView(step, guess, prose, handIn.tools(step)) : answered,
@@ -157,7 +179,7 @@ export const mountLesson: MountPage = (host, context) => {
   // What other pages measure arrives without a new state: numbers in the text follow them.
   new MutationObserver(() => {
     if (shown && !shown.model) changed();
-  }).observe(other, { subtree: true, attributeFilter: ['data-value'] });
+  }).observe(other, { subtree: true, childList: true, attributeFilter: ['data-value'] });
 
   return {
     render(state) {

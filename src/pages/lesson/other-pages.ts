@@ -38,7 +38,8 @@ export function createOtherPages(host: HTMLElement, context: PageContext, dispat
   };
 
   return {
-    render(state: AppState): void {
+    /** All of the page, or one part of it alone. */
+    render(state: AppState, part: string | null): void {
       if (shown !== state.page) {
         rest();
         shown = state.page;
@@ -51,6 +52,10 @@ export function createOtherPages(host: HTMLElement, context: PageContext, dispat
         host.replaceChildren(place);
       }
       views.get(state.page)?.render(state);
+      for (const element of host.querySelectorAll<HTMLElement>('[data-part]')) {
+        const isShown = part === null || element.dataset.part?.split(' ').includes(part);
+        element.toggleAttribute('data-elsewhere', !isShown);
+      }
     },
     /** No step of another page is shown. */
     leave(): void {

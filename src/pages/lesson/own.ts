@@ -1,6 +1,7 @@
 import { OWN } from '../../lesson/lesson.ts';
 import { isLesson, LONGEST_LESSON, readLesson } from '../../lesson/read.ts';
 import { firstText, newStep } from '../../lesson/write.ts';
+import { quote } from '../../math/shapes.ts';
 import { packed, unpacked } from '../../state/packed.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { recall, remember } from '../../ui/storage.ts';
@@ -49,9 +50,13 @@ export function withCollected(state: AppState, link: string): { state: AppState;
   return { state: { ...state, settings }, step };
 }
 
-/** The state that shows a lesson from a file; null where the file is none. */
-export function openedLesson(state: AppState, text: string): AppState | null {
-  if (!isLesson(text)) return null;
+/** The state that shows a lesson from a file; says what is wrong with a file that is none. */
+export function openedLesson(state: AppState, text: string): AppState {
+  if (!isLesson(text)) {
+    const begins = quote(text.trim().split('\n', 1)[0]);
+    const wanted = 'a lesson begins with its title between two lines of three dashes';
+    return { ...state, problems: [`a file that begins with ${begins} is no lesson: ${wanted}`] };
+  }
   const settings = { ...state.settings, lesson: ownSettings(text, 1) };
   return { ...state, page: 'lesson', settings, problems: [] };
 }

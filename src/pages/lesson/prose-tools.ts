@@ -1,17 +1,25 @@
 import type { nothing, TemplateResult } from 'lit';
 import { isQuantity, quantityOf } from '../../lesson/quantities.ts';
 import type { ExploreModel } from '../../state/derive.ts';
-import type { ProseTools } from './prose-view.ts';
+import { display } from '../../text/format.ts';
+import type { ProseTools, ShownValue } from './prose-view.ts';
 import type { Place } from './source.ts';
 
 /** The longest text of each live number in the step that is shown. */
 let rooms: { key: string; lengths: Map<string, number> } = { key: '', lengths: new Map() };
 
+/** What is shown beside the text: Explore's model, or an element with another page. */
+interface Beside {
+  readonly model: ExploreModel | null;
+  readonly page: HTMLElement;
+  /** What is asked, of a page that is out of sight until it is answered. */
+  readonly asked: string | null;
+}
+
 /** What of the prose follows the scene, or the page beside it. */
 export function proseTools(
   { lesson, number }: Place,
-  model: ExploreModel | null,
-  page: HTMLElement,
+  { model, page, asked }: Beside,
   slider: () => TemplateResult | typeof nothing,
 ): ProseTools {
   const key = `${lesson.id} ${number}`;
@@ -19,8 +27,9 @@ export function proseTools(
   return {
     model,
     slider,
-    value: (name) => (model ? quantityOf(model, name) : valueOnPage(page, name)),
-    isHidden: (name) => model !== null && !model.shown.hits && isResult(name, model),
+    value: (name) => (model ? valueIn(model, name) : valueOnPage(page, name)),
+    isHidden: (name) =>
+      model !== null ? !model.shown.hits && isResult(name, model) : name === asked,
     room(name, length) {
       const most = Math.max(length, rooms.lengths.get(name) ?? 0);
       rooms.lengths.set(name, most);
@@ -34,17 +43,29 @@ const isResult = (name: string, { derivation }: ExploreModel): boolean =>
   /^([tPN][12](\.|$)|class$|D$)/.test(name) ||
   (derivation.steps.some(({ id }) => id === name) && !/^[ABC]$/.test(name));
 
-/** {textbook.t1} is the t1 of the row of textbook; {A} is the page's own A. */
-function valueOnPage(page: HTMLElement, name: string): number | string | null {
+function valueIn(model: ExploreModel, name: string): ShownValue | null {
+  const value = quantityOf(model, name);
+  if (value === null) return null;
+  return { value, text: typeof value === 'number' ? display(value) : value };
+}
+
+/** A text of the page that is longer is one of all digits. */
+const LONGEST_TEXT = 12;
+
+/** {textbook.t1} is the t1 of the row of textbook; {questions} is the page's own. */
+function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
   if (!isQuantity(name)) return null;
-  const [row = '', ...rest] = name.split('.');
+  const [row = '', ...rest] = name.split('.').map((part) => CSS.escape(part));
+  const cell = `[data-quantity="${rest.join('.')}"]`;
   const found =
     page.querySelector(`[data-quantity="${CSS.escape(name)}"]`) ??
-    page.querySelector(
-      `[data-method="${CSS.escape(row)}"] [data-quantity="${CSS.escape(rest.join('.'))}"]`,
-    );
-  const text = found?.getAttribute('data-value');
-  if (text === null || text === undefined) return null;
-  const number = Number(text);
-  return text.trim() === '' || Number.isNaN(number) ? text : number;
+    page.querySelector(`:is([data-method="${row}"], [data-effect="${row}"]) ${cell}`);
+  const full = found?.getAttribute('data-value');
+  if (!found || full === null || full === undefined) return null;
+  const number = Number(full);
+  const own = (found.textContent ?? '').trim();
+  if (full.trim() === '' || Number.isNaN(number)) return { value: full, text: own || full };
+  // A count of 0 may stand there in a few words.
+  const isShort = own.length <= LONGEST_TEXT && /^[−\d]/.test(own);
+  return { value: number, text: isShort ? own : display(number) };
 }

@@ -4,20 +4,26 @@ import type { Block, FormulaPart, Inline, Prose } from '../../lesson/prose.ts';
 import { formula } from '../../panels/formula.ts';
 import { classOf, highlightOf } from '../../panels/symbols.ts';
 import type { ExploreModel } from '../../state/derive.ts';
-import { display, shortest } from '../../text/format.ts';
+import { shortest } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
+
+/** A value, and the text that the page shows for it. */
+export interface ShownValue {
+  readonly value: number | string;
+  readonly text: string;
+}
 
 /** What a text needs to be shown. */
 export interface ProseTools {
   /** The value that is shown beside it; null where there is none. */
-  readonly value: (quantity: string) => number | string | null;
+  readonly value: (quantity: string) => ShownValue | null;
   /** Results are hidden: these numbers are not told. */
   readonly isHidden: (quantity: string) => boolean;
   /** For conditions; null on other pages than Explore, where they do not hold. */
   readonly model: ExploreModel | null;
   readonly slider: () => TemplateResult | typeof nothing;
-  /** So many characters a live number has needed in this step: its place never gets narrower. */
-  readonly room: (quantity: string, length: number) => number;
+  /** So many digits a live number has needed in this step: its place never gets narrower. */
+  readonly room: (quantity: string, digits: number) => number;
 }
 
 export function proseView(prose: Prose, tools: ProseTools): TemplateResult {
@@ -35,7 +41,7 @@ function blockView(block: Block, tools: ProseTools): TemplateResult | typeof not
     case 'paragraph':
       return html`<p>${inlines(block.inside, tools)}</p>`;
     case 'display':
-      return html`<p class="lesson-display">${formulaView(block.parts, tools)}</p>`;
+      return html`<p class="lesson-display">${formulaView(block.parts, tools, withFractions)}</p>`;
     case 'list': {
       const items = block.items.map((item) => html`<li>${inlines(item, tools)}</li>`);
       return block.ordered ? html`<ol>${items}</ol>` : html`<ul>${items}</ul>`;
@@ -47,9 +53,26 @@ function blockView(block: Block, tools: ProseTools): TemplateResult | typeof not
   }
 }
 
+/** A point after a number or formula stays on its line. */
 function inlines(parts: readonly Inline[], tools: ProseTools): TemplateResult[] {
-  return parts.map((part) => inlineView(part, tools));
+  const told = parts.filter(({ type }) => type !== 'claims');
+  return told.map((part, i) => {
+    const stop = stopOf(told[i + 1]);
+    if (stop !== '' && isMath(part)) {
+      return html`<span class="kept">${inlineView(part, tools)}${stop}</span>`;
+    }
+    if (part.type === 'text' && isMath(told[i - 1])) {
+      return html`${part.text.slice(stopOf(part).length)}`;
+    }
+    return inlineView(part, tools);
+  });
 }
+
+const isMath = (part: Inline | undefined): boolean =>
+  part?.type === 'live' || part?.type === 'formula';
+
+const stopOf = (part: Inline | undefined): string =>
+  part?.type === 'text' ? (part.text.match(/^[.,;:!?)]+/)?.[0] ?? '') : '';
 
 function inlineView(part: Inline, tools: ProseTools): TemplateResult {
   switch (part.type) {
@@ -72,19 +95,62 @@ function inlineView(part: Inline, tools: ProseTools): TemplateResult {
   }
 }
 
-/** Broken at relations and commas, where a line may end. */
-function formulaView(parts: readonly FormulaPart[], tools: ProseTools): TemplateResult {
-  const pieces: FormulaPart[][] = [[]];
+/** A formula of no more parts stays on one line. */
+const SHORT = 8;
+const isSign = (part: FormulaPart | undefined, signs: RegExp): boolean =>
+  part?.type === 'sign' && signs.test(part.text);
+
+/** A line may end after a comma, and in a long formula before a relation. */
+function formulaView(
+  parts: readonly FormulaPart[],
+  tools: ProseTools,
+  rowsOf: (parts: readonly FormulaPart[], tools: ProseTools) => TemplateResult[] = raised,
+): TemplateResult {
+  const pieces: { readonly parts: FormulaPart[]; readonly after: string }[] = [];
+  let piece: FormulaPart[] = [];
+  const end = (after: string): void => {
+    if (piece.length > 0) pieces.push({ parts: piece, after });
+    piece = [];
+  };
   for (const part of parts) {
-    if (part.type === 'sign' && /^[=,<>≤≥≠]$/.test(part.text)) {
-      const comma = part.text === ',';
-      if (comma) pieces.at(-1)?.push(part);
-      pieces.push(comma ? [] : [part]);
-    } else pieces.at(-1)?.push(part);
+    if (parts.length > SHORT && isSign(part, /^[=<>≤≥≠]$/)) end('');
+    piece.push(part);
+    if (isSign(part, /^,$/)) end(' ');
   }
-  return html`<span class="lesson-formula">${pieces
-    .filter((piece) => piece.length > 0)
-    .map((piece) => html`<wbr />${formula(mathml`${raised(piece, tools)}`)}`)}</span>`;
+  end('');
+  return html`<span class="lesson-formula">${pieces.map(
+    ({ parts, after }) => html`<wbr />${formula(mathml`${rowsOf(parts, tools)}`)}${after}`,
+  )}</span>`;
+}
+
+/** "X / Y" with a line between; each side ends at a sign outside of brackets, and loses its own. */
+function withFractions(parts: readonly FormulaPart[], tools: ProseTools): TemplateResult[] {
+  const at = parts.findIndex((part) => isSign(part, /^\/$/));
+  if (at < 0) return raised(parts, tools);
+  const from = at - sideOf(parts.slice(0, at).reverse(), /^\)$/);
+  const to = at + 1 + sideOf(parts.slice(at + 1), /^\($/);
+  const [above, below] = [parts.slice(from, at), parts.slice(at + 1, to)].map((side) =>
+    raised(isBracketed(side) ? side.slice(1, -1) : side, tools),
+  );
+  return [
+    ...raised(parts.slice(0, from), tools),
+    mathml`<mstyle displaystyle="true"
+      ><mfrac><mrow>${above}</mrow><mrow>${below}</mrow></mfrac></mstyle>`,
+    ...withFractions(parts.slice(to), tools),
+  ];
+}
+
+const isBracketed = (side: readonly FormulaPart[]): boolean =>
+  isSign(side[0], /^\($/) && isSign(side.at(-1), /^\)$/);
+
+/** How many parts belong to a side of a fraction, counted from its line outwards. */
+function sideOf(parts: readonly FormulaPart[], opening: RegExp): number {
+  let depth = 0;
+  for (const [i, part] of parts.entries()) {
+    if (depth === 0 && isSign(part, /^[=<>≤≥≠,+−±/]$/)) return i;
+    if (isSign(part, /^[()]$/)) depth += isSign(part, opening) ? 1 : -1;
+  }
+  return parts.length;
 }
 
 const isRoot = (part: FormulaPart | undefined): boolean =>
@@ -95,19 +161,30 @@ function raised(parts: readonly FormulaPart[], tools: ProseTools): TemplateResul
   const rows: TemplateResult[] = [];
   for (const [i, part] of parts.entries()) {
     if (isRoot(parts[i - 1])) {
-      rows.push(mathml`<msqrt>${part.type === 'power' ? nothing : partView(part, tools)}</msqrt>`);
+      rows.push(
+        mathml`<msqrt>${part.type === 'power' ? nothing : partView(part, tools, false)}</msqrt>`,
+      );
       continue;
     }
     if (isRoot(part) && i + 1 < parts.length) continue;
     const base = part.type === 'power' ? rows.pop() : undefined;
     if (part.type === 'power') {
       rows.push(mathml`<msup><mrow>${base ?? nothing}</mrow><mn>${part.text}</mn></msup>`);
-    } else rows.push(partView(part, tools));
+    } else rows.push(partView(part, tools, isPrefix(parts, i)));
   }
   return rows;
 }
 
-function partView(part: Exclude<FormulaPart, { type: 'power' }>, tools: ProseTools) {
+/** A sign that begins something is no operation between two. */
+const isPrefix = (parts: readonly FormulaPart[], i: number): boolean =>
+  isSign(parts[i], /^\($/) ||
+  (isSign(parts[i], /^[−+±√]$/) && (i === 0 || isSign(parts[i - 1], /^[(=<>≤≥≠,/·]$/)));
+
+function partView(
+  part: Exclude<FormulaPart, { type: 'power' }>,
+  tools: ProseTools,
+  prefix: boolean,
+): TemplateResult {
   switch (part.type) {
     case 'symbol':
       return symbolView(part.base, part.index);
@@ -116,7 +193,7 @@ function partView(part: Exclude<FormulaPart, { type: 'power' }>, tools: ProseToo
     case 'live':
       return liveInFormula(part.quantity, tools);
     case 'sign':
-      return mathml`<mo form=${/^[−+±√]$/.test(part.text) ? 'infix' : nothing}
+      return mathml`<mo form=${prefix ? 'prefix' : part.text === ')' ? 'postfix' : 'infix'}
         stretchy="false">${part.text}</mo>`;
   }
 }
@@ -152,39 +229,51 @@ function liveOf(name: string, tools: ProseTools): Live {
   const cls = colourOf(name);
   const lights = lightsOf(name);
   if (tools.isHidden(name)) return { text: '?', quantity: nothing, value: nothing, cls, lights };
-  const value = tools.value(name);
-  if (value === null) return { text: '–', quantity: nothing, value: nothing, cls, lights };
+  const shown = tools.value(name);
+  if (!shown) return { text: '–', quantity: nothing, value: nothing, cls, lights };
+  const { value, text } = shown;
   const full = typeof value === 'number' ? shortest(value) : value;
-  const text = typeof value === 'number' ? display(value) : value;
   return { text, quantity: name, value: full, cls, lights };
 }
 
+/** Without the row of a table, which is no symbol: "textbook.t1" is t1. */
+const withoutRow = (name: string): string => name.replace(/^[a-z][\w-]{2,}\./, '');
+
 function colourOf(name: string): string {
-  const [letter = '', axis] = name.split('.');
+  const [letter = '', axis] = withoutRow(name).split('.');
   if (/^[tP]\d$/.test(letter)) return 'sym sym-hit';
   if (/^N\d$/.test(letter)) return 'sym sym-normal';
   return classOf(letter, axis === undefined ? 'scalar' : 'vector');
 }
 
-const lightsOf = (name: string): string =>
-  name.includes('.') ? name : highlightOf(name, 'scalar');
+function lightsOf(name: string): string {
+  const symbol = withoutRow(name);
+  return symbol.includes('.') ? symbol : highlightOf(symbol, 'scalar');
+}
 
 function liveView(name: string, tools: ProseTools): TemplateResult {
   const { text, quantity, value, cls, lights } = liveOf(name, tools);
-  if (tools.room(name, text.length) > LONGEST_LINE || !/^[−\d.–?]/.test(text)) {
+  const room = tools.room(name, widthOf(text));
+  if (room > LONGEST_LINE || !/^[−\d.–?]/.test(text)) {
     return html`<span class="live ${cls}"
       data-symbol=${lights}
       data-quantity=${quantity}
       data-value=${value}>${text}</span>`;
   }
-  return html`<span class="live room-${tools.room(name, text.length)} ${cls}"
+  return html`<span class="live room-${room} ${cls}"
     data-symbol=${lights}
     data-quantity=${quantity}
     data-value=${value}>${text}</span>`;
 }
 
-/** Of more characters no place is kept. */
+/** Of more digits no place is kept. */
 const LONGEST_LINE = 12;
+
+/** In digits: points, spaces and signs are about half as wide. */
+function widthOf(text: string): number {
+  const digits = text.replace(/\D/g, '').length;
+  return Math.floor(digits + (text.length - digits) / 2);
+}
 
 function liveInFormula(name: string, tools: ProseTools): TemplateResult {
   const { text, quantity, value, cls, lights } = liveOf(name, tools);

@@ -52,7 +52,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
           </p>`
       }
     </div>
-    ${foot(lesson, number, step, tools.go)}`;
+    ${foot(lesson, number, tools.go)}`;
 }
 
 function dots({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {
@@ -70,18 +70,13 @@ function dots({ steps }: Lesson, number: number, go: (number: number) => void): 
   })}</nav>`;
 }
 
-function foot(
-  { steps }: Lesson,
-  number: number,
-  { title }: Step,
-  go: (number: number) => void,
-): TemplateResult {
+function foot({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {
   const isLast = number === steps.length;
   return html`<footer class="lesson-foot">
     <button type="button" class="bordered"
       aria-disabled=${number === 1}
       @click=${() => go(number - 1)}>Back</button>
-    <p>${number} of ${steps.length}<span class="step-title">: ${title}</span></p>
+    <p>${number} of ${steps.length}</p>
     ${
       isLast
         ? html`<a class="bordered" href="#/lesson">All lessons</a>`

@@ -17,17 +17,22 @@ const textOf = (body: string, head = `link: ${LINK}`): string =>
 const stepOf = (body: string, head?: string) => readLesson(textOf(body, head), 'x');
 
 describe('a lesson is read', () => {
-  test('the one of docs/ADDING.md, without complaint', () => {
-    const [, block = ''] = read('docs/ADDING.md').match(/```markdown\n([\s\S]*?)```/) ?? [];
-    const { lesson, problems } = readLesson(block.replace(/^ {3}/gm, ''), 'own');
+  test('the one of docs/USING.md, without complaint', () => {
+    const [, block = ''] = read('docs/USING.md').match(/```markdown\n([\s\S]*?)```/) ?? [];
+    const { lesson, problems } = readLesson(block, 'own');
     expect(problems).toEqual([]);
-    expect(lesson).toMatchObject({ title: 'D decides', steps: [{ free: 'r' }] });
-    const [step] = lesson.steps;
+    const [, step] = lesson.steps;
+    expect(step?.free).toBe('r');
     expect(step?.guess).toEqual({ type: 'free', truth: 1 });
     for (const part of [step?.text, step?.question, step?.answer, step?.notes]) {
       expect(part?.length).toBeGreaterThan(0);
     }
-    expect(step?.text.map(({ type }) => type)).toEqual(['paragraph', 'slider', 'paragraph']);
+    expect(step?.text.slice(0, 3).map(({ type }) => type)).toEqual([
+      'paragraph',
+      'slider',
+      'paragraph',
+    ]);
+    expect(step?.answer.map(({ type }) => type)).toEqual(['paragraph', 'display']);
   });
 
   test('HTML in it is text', () => {
@@ -67,7 +72,7 @@ describe('a lesson is read', () => {
           lesson.steps.map(({ source }) => source),
         );
       }),
-      { seed: SEED, numRuns: 300 },
+      { seed: SEED, numRuns: 100 },
     );
   });
 

@@ -115,6 +115,7 @@ const CHECKS: readonly (readonly [RegExp, Check])[] = [
       display(t({ ...s, found: intersect(s.shape, s.ray, method) }, '1')) === shown,
   ],
   [/^textbook (.*)$/, (s, claim = '') => holds(claim, textbook(s))],
+  [/^exact (.*)$/, (s, claim = '') => holds(claim, exact(s))],
   [/^class (\w+)$/, ({ found }, name) => found.class === name],
   [
     /^(A|B|C|D|N\.d|N\.\(E-P\)) ([=≠<>]) 0$/,

@@ -1,0 +1,95 @@
+import { readAnswer } from '../check/grade.ts';
+import type { Misconception } from '../check/misconceptions/define.ts';
+import { checkOwn, ownFields } from '../check/own-numbers.ts';
+import type { Field, Input } from '../check/types.ts';
+import type { Verdict } from '../math/index.ts';
+import type { ExploreModel } from '../state/derive.ts';
+import { display } from '../text/format.ts';
+import { parseNumber } from '../text/parse.ts';
+import type { Guess } from './lesson.ts';
+import { quantityOf } from './quantities.ts';
+
+/** The classes in the words of the page. */
+export const CLASS_WORDS: Readonly<Partial<Record<Verdict, string>>> = {
+  two: 'two points',
+  tangent: 'one double root',
+  one: 'one point',
+  none: 'no point',
+  contained: 'all of it',
+};
+
+const wordsOf = (verdict: string): string => CLASS_WORDS[verdict as Verdict] ?? verdict;
+
+/** What is to be said of a guess. */
+interface JudgedGuess {
+  /** "Your guess 0.8: too small by 0.2" */
+  readonly words: string;
+  /** Known mistakes that give what was guessed. */
+  readonly causes: readonly Misconception[];
+}
+
+/** What is known where a guess is judged. */
+export interface Seen {
+  /** Of Explore; null on other pages. */
+  readonly model: ExploreModel | null;
+  /** The value that the page shows; null where there is none, or none yet. */
+  value(quantity: string): number | string | null;
+}
+
+/** The quantity as Check asks for it; null where Check does not. */
+function fieldOf(guess: Guess, model: ExploreModel | null): Field | null {
+  if (guess.type !== 'quantity' || !model) return null;
+  return ownFields(inputOf(model)).find(({ id }) => id === guess.quantity) ?? null;
+}
+
+const inputOf = ({ shape, ray }: ExploreModel): Input => ({ shape, ray });
+
+/** Why a text is no guess, in words that quote it; null where it is one. */
+export function whyNoGuess(text: string, guess: Guess, model: ExploreModel | null): string | null {
+  if (guess.type === 'class') return null;
+  const field = fieldOf(guess, model);
+  const read = field ? readAnswer(field, text) : parseNumber(text);
+  return read.ok ? null : read.reason;
+}
+
+/** A number that Check asks for is marked by its rules; any other one by the digits shown. */
+export function judgeGuess(guess: Guess, given: string, seen: Seen): JudgedGuess {
+  const field = fieldOf(guess, seen.model);
+  if (field && seen.model) return judgedByCheck(field, given, seen.model);
+  const truth = guess.type === 'free' ? guess.truth : seen.value(guess.quantity);
+  if (guess.type === 'class') return { words: ofClass(given, truth), causes: [] };
+  return { words: ofNumber(given, truth), causes: [] };
+}
+
+function judgedByCheck(field: Field, given: string, model: ExploreModel): JudgedGuess {
+  const { lines, causes } = checkOwn(inputOf(model), { [field.id]: given });
+  const [line] = lines;
+  const said = `Your guess ${given}`;
+  if (line?.verdict === 'correct' || line?.verdict === 'absent') {
+    return { words: `${said}: right`, causes: [] };
+  }
+  if (line?.verdict === 'wrong' && line.note === '') {
+    const truth = quantityOf(model, field.id);
+    return { words: truth === null ? `${said}: not so` : ofNumber(given, truth), causes };
+  }
+  return { words: line?.note ? `${said}: ${line.note}` : said, causes };
+}
+
+const ofClass = (given: string, truth: number | string | null): string => {
+  const said = `Your guess, ${wordsOf(given)}`;
+  if (typeof truth !== 'string') return said;
+  return given === truth ? `${said}: right` : `${said}: it is ${wordsOf(truth)}`;
+};
+
+/** How far a guess was off and which way. */
+function ofNumber(given: string, truth: number | string | null): string {
+  const parsed = parseNumber(given);
+  if (!parsed.ok || typeof truth !== 'number') return `Your guess: ${given}`;
+  const off = parsed.value - truth;
+  // Six digits are what the page shows, so whoever gives them is right.
+  if (off === 0 || display(parsed.value) === display(truth)) {
+    return `Your guess ${display(parsed.value)}: right`;
+  }
+  const way = off < 0 ? 'too small' : 'too large';
+  return `Your guess ${display(parsed.value)}: ${way} by ${display(Math.abs(off), 3)}`;
+}
