@@ -22,7 +22,7 @@ const isMask = ({ op }: Node): boolean =>
   ['less', 'atMost', 'equal', 'and', 'or', 'not'].includes(op);
 
 /** How many values read each one. */
-function usesOf(roots: readonly Node[]): Map<Node, number> {
+export function usesOf(roots: readonly Node[]): Map<Node, number> {
   const uses = new Map<Node, number>();
   const walk = (n: Node): void => {
     const before = uses.get(n) ?? 0;
@@ -38,8 +38,16 @@ interface Scratch {
   count: number;
 }
 
-/** Writes statements into `lines` and gives the text of each value. */
-function writer({ width, strict }: Format, uses: ReadonlyMap<Node, number>, scratch: Scratch) {
+/**
+ * Writes statements into `lines` and gives the text of each value.
+ *
+ * @param scratch null where a choice may be a branch.
+ */
+export function writer(
+  { width, strict }: Format,
+  uses: ReadonlyMap<Node, number>,
+  scratch: Scratch | null,
+) {
   const names = new Map<Node, string>();
   let count = 0;
 
@@ -62,13 +70,44 @@ function writer({ width, strict }: Format, uses: ReadonlyMap<Node, number>, scra
     /^[\w.]+(\([^()]*\))?$/.test(text) ? text : `(${text})`;
 
   function pairOf(a: string, b: string, lines: string[]): number {
+    if (!scratch) throw new RangeError('no scratch array');
     const at = scratch.count;
     scratch.count += 2;
     lines.push(`S[${at}] = ${a};`, `S[${at + 1}] = ${b};`);
     return at;
   }
 
+  /** Text that stands for a value wherever it is read again. */
+  const held = (n: Node, lines: string[]): string => {
+    const text = value(n, lines);
+    return /^[\w.-]+$/.test(text) ? text : name(text, lines);
+  };
+
+  /** The same choices by branches. */
+  function chosen(n: Node, lines: string[]): string | null {
+    const [a, b, c] = n.args as [Node, Node, Node];
+    switch (n.op) {
+      case 'signed': {
+        const y = held(b, lines);
+        return `${test(a, lines)} ? -${y} : ${y}`;
+      }
+      case 'select':
+        return `${test(a, lines)} ? ${value(b, lines)} : ${value(c, lines)}`;
+      case 'min':
+      case 'max': {
+        const [x, y] = [held(a, lines), held(b, lines)];
+        return n.op === 'min' ? `${y} < ${x} ? ${y} : ${x}` : `${y} < ${x} ? ${x} : ${y}`;
+      }
+      default:
+        return null;
+    }
+  }
+
   function textOf(n: Node, lines: string[]): string {
+    if (!scratch) {
+      const text = chosen(n, lines);
+      if (text !== null) return text;
+    }
     const of = (k: number): string => value(n.args[k] as Node, lines);
     const call = CALLS[n.op];
     const sign = SIGNS[n.op];
@@ -206,14 +245,13 @@ export function loopOf(
   scratch: Scratch,
 ): string {
   const { format, outputs, rare, missed, rareRoots } = program;
-  const { width } = format;
   const written = Object.entries(outputs);
   const roots = [rare, ...(missed ? [missed] : []), ...written.map(([, n]) => n)];
   if (rareRoots) roots.push(rareRoots);
   const uses = usesOf(roots);
   const places = { count: 0 };
   const w = writer(format, uses, places);
-  const round = (text: string): string => (width === 32 ? `fround(${text})` : text);
+  const round = roundedTo(format);
 
   const before: string[] = [];
   const reading = (n: Node): void => {
@@ -286,5 +324,12 @@ export function loopOf(
   ].join('\n');
 }
 
+/** An input, or a number of the shape, as it comes into the format. */
+export const roundedTo =
+  ({ width }: Format) =>
+  (text: string): string =>
+    width === 32 ? `fround(${text})` : text;
+
 /** Ex as ex, dx as x: what is read from the arrays Ex and dx. */
-const local = (input: string): string => (input.startsWith('E') ? `e${input[1]}` : `${input[1]}`);
+export const local = (input: string): string =>
+  input.startsWith('E') ? `e${input[1]}` : `${input[1]}`;

@@ -4,8 +4,10 @@ import type { Formula } from '../../../src/math/shapes/define.ts';
 import { SHAPES } from '../../../src/math/shapes/index.ts';
 import { loopOf } from './emit-typescript.ts';
 import { functionOf, moduleOf } from './emit-wasm.ts';
+import { oneRay } from './one-ray-file.ts';
 import { type Ask, numbersOf, programOf } from './program.ts';
 import { SYSTEMS } from './recorders.ts';
+import { COLUMNS, header, keyOf, nameOf, wrapped } from './text.ts';
 
 /** A file to be written, by its path below src/math/batch/generated. */
 export interface Generated {
@@ -15,16 +17,12 @@ export interface Generated {
 
 const ASKS: readonly Ask[] = ['both', 'classes'];
 
-const header = (what: string): string => `/*
- * ${what}
- * Made by \`npm run kernels\` from the formula trees; not to be edited.
- */
-`;
-
-interface Surface {
+export interface Surface {
   readonly kind: string;
   readonly formula: Formula;
   readonly symbols: Values<number>;
+  /** Whether its trees depend on a parameter that is an axis. */
+  readonly turns: boolean;
 }
 
 /** A shape of each kind; one whose trees depend on an axis stands for all: see turned.ts. */
@@ -39,6 +37,7 @@ function surfaces(kinds: readonly string[]): Surface[] {
       kind: definition.kind,
       formula: definition.formula(shape),
       symbols: definition.values(shape),
+      turns: definition.params.some(({ type }) => type === 'axis'),
     };
   });
 }
@@ -49,6 +48,16 @@ interface Wanted {
   readonly methods?: readonly string[];
 }
 
+/** What is the same in two methods stands in the file of the first. */
+function sharing() {
+  const known: { key: readonly unknown[]; id: string }[] = [];
+  return (id: string, ...key: readonly unknown[]): string | null => {
+    const found = known.find((one) => one.key.every((x, k) => x === key[k]));
+    if (!found) known.push({ key, id });
+    return found?.id ?? null;
+  };
+}
+
 /** For every method that is made of trees in a number system that kernels can have. */
 export function generate({
   kinds = SHAPES.map(({ kind }) => kind),
@@ -57,6 +66,7 @@ export function generate({
   const files: Generated[] = [];
   const ids: [string, string][] = [];
   const all = surfaces(kinds);
+  const [sharedForm, sharedRoots] = [sharing(), sharing()];
   for (const { id, title, parts } of METHODS.filter((method) => methods.includes(method.id))) {
     parts?.(({ id: arithmetic }, form, solver) => {
       const system = SYSTEMS[arithmetic];
@@ -73,6 +83,14 @@ export function generate({
           return functionOf(name, numbers, program);
         });
       });
+      if (system.isPlain) {
+        const questions = all.map((surface) => ({ ...surface, system, form, solver }));
+        const text = oneRay(title, questions, {
+          forms: sharedForm(id, system, form),
+          roots: sharedRoots(id, system, solver),
+        });
+        files.push({ path: `${id}-one.ts`, text });
+      }
       files.push(
         { path: `${id}.ts`, text: typescript(title, arithmetic, scratch.count, loops) },
         { path: `${id}-simd.ts`, text: wasm(title, moduleOf(functions)) },
@@ -93,18 +111,8 @@ function typescript(title: string, arithmetic: string, places: number, loops: st
     `${header(`The method ${title} over arrays, in ${arithmetic}.`)}
 import type { Loop } from '../straight-loop.ts';`,
     constants.join('\n'),
-    `${text.split('\n').flatMap(wrapped).join('\n')}\n`,
+    wrapped(text),
   ].join('\n\n');
-}
-
-const COLUMNS = 96;
-
-/** A line in as many as it needs, each of which ends in an operator or a comma. */
-function wrapped(line: string): string[] {
-  if (line.length <= COLUMNS) return [line];
-  const cut = line.slice(0, COLUMNS).match(/^.*(?:\|\||&&|[-+*/&|<=,]) /)?.[0].length ?? 0;
-  if (cut === 0) throw new RangeError(`no place to cut ${line}`);
-  return [line.slice(0, cut - 1), ...wrapped(line.slice(cut))];
 }
 
 function wasm(title: string, bytes: Uint8Array): string {
@@ -118,14 +126,16 @@ ${lines?.join('\n')}
 `;
 }
 
-/** 'elliptic-cylinder' as a name and as a key. */
-const nameOf = (id: string): string => id.replace(/-(\w)/g, (_, letter) => letter.toUpperCase());
-const keyOf = (id: string): string => (nameOf(id) === id ? id : `'${id}'`);
+const isPlain = (arithmetic: string): boolean => SYSTEMS[arithmetic]?.isPlain === true;
 
 function index(ids: readonly (readonly [string, string])[], all: readonly Surface[]): string {
   return `${header('Which loops there are, by method and kind of shape.')}${ids
     .map(([id]) => `import * as ${nameOf(id)} from './${id}.ts';`)
     .join('\n')}
+${ids
+  .filter(([, arithmetic]) => isPlain(arithmetic))
+  .map(([id]) => `import { ONE_RAY as ${nameOf(id)}One } from './${id}-one.ts';`)
+  .join('\n')}
 ${ids.map(([id]) => `import { MODULE as ${nameOf(id)}Simd } from './${id}-simd.ts';`).join('\n')}
 import type { Straight } from '../straight-loop.ts';
 
@@ -147,6 +157,7 @@ ${ids
     ([id, arithmetic]) => `  ${keyOf(id)}: {
     simd: ${nameOf(id)}Simd,
     arithmetic: '${arithmetic}',
+    alone: ${isPlain(arithmetic) ? `${nameOf(id)}One` : 'null'},
     loops: {
 ${all
   .map(

@@ -56,12 +56,16 @@ export function programOf(question: Question, ask: Ask): Program {
     : flat(g, r, question, formula, ask);
 }
 
-interface Lifted {
+export interface Lifted {
   readonly values: Values<unknown>;
   readonly inputs: readonly Node[];
 }
 
-function lift(g: Graph, r: Recorder<unknown>, { scalars, vectors }: Values<unknown>): Lifted {
+export function lift(
+  g: Graph,
+  r: Recorder<unknown>,
+  { scalars, vectors }: Values<unknown>,
+): Lifted {
   const inputs = INPUTS.map(g.input);
   const [Ex, Ey, Ez, dx, dy, dz] = inputs.map(r.lift);
   const number = (name: string): unknown => r.lift(g.number(name));

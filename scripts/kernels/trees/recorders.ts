@@ -27,6 +27,8 @@ export interface Recorder<T> {
  */
 export interface System {
   readonly format: Format;
+  /** Whether a number of it is one of the format. */
+  readonly isPlain: boolean;
   readonly box: { readonly least: number; readonly most: number } | null;
   readonly greatest: number;
   /** Of roots. */
@@ -237,6 +239,7 @@ function interval(g: Graph): Recorder<Ends<Node>> {
 export const SYSTEMS: Readonly<Record<string, System>> = {
   float32: {
     format: { width: 32, strict: true },
+    isPlain: true,
     box: null,
     greatest: 2 ** 128 - 2 ** 104,
     large: 2 ** 126,
@@ -246,6 +249,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   },
   float64: {
     format: { width: 64, strict: true },
+    isPlain: true,
     box: null,
     greatest: Number.MAX_VALUE,
     large: 2 ** 1022,
@@ -255,6 +259,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   },
   'double-double': {
     format: { width: 64, strict: false },
+    isPlain: false,
     box: { least: 0, most: 2 ** 100 },
     greatest: 2 ** 900,
     large: 2 ** 500,
@@ -264,6 +269,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   },
   interval: {
     format: { width: 64, strict: false },
+    isPlain: false,
     box: { least: 2 ** -100, most: 2 ** 100 },
     greatest: 2 ** 900,
     large: 2 ** 500,

@@ -14,12 +14,6 @@ export function quadricOf(shape: Shape): Quadric | null {
   return numbersOf(shape.kind)?.read(shape) ?? null;
 }
 
-/** The same for kernels that must give the bits of the shape's trees. */
-export function quadricInTreeOrder(shape: Shape): Quadric | null {
-  const numbers = numbersOf(shape.kind);
-  return numbers?.inTreeOrder ? numbers.read(shape) : null;
-}
-
 /**
  * Whether `q`, read from a shape of `kind`, is what quadricOf(shape) would be. Allocates nothing.
  */

@@ -1,4 +1,5 @@
 import type { Answers, Rays } from './batch.ts';
+import type { OneRay } from './one-ray.ts';
 
 /**
  * A loop without case distinctions over all rays. What would need one, because A or D is 0, a sign
@@ -19,6 +20,8 @@ export interface Straight {
   readonly simd: string;
   /** The number system that they are in: the `id` of its arithmetic. */
   readonly arithmetic: string;
+  /** What the loops leave open, without objects; null where a number is more than one double. */
+  readonly alone: OneRay | null;
   /** By kind of shape. */
   readonly loops: Readonly<Record<string, Loops>>;
 }

@@ -5,7 +5,7 @@ import type { Values } from '../formula/evaluate.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
-import { type Axis, axisIndex } from '../vec3.ts';
+import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import {
   type Answers,
   type Kernel,
@@ -14,28 +14,22 @@ import {
   ONE,
   type Rays,
   selectFirst,
+  TANGENT,
   TWO,
+  UNDECIDED,
   VERDICTS,
 } from './batch.ts';
 import { NUMBERS, STRAIGHT } from './generated/index.ts';
 import { mayLackNormal } from './normals.ts';
-import { quadricInTreeOrder } from './quadric.ts';
+import { AT_ROOTS, SLOT } from './one-ray.ts';
 import type { Ask, Loops } from './straight-loop.ts';
-import { curvedSlot, solveCurved } from './textbook-scalar.ts';
+
+const slot = new Float64Array(SLOT);
 
 /** Where a method's loops for a kind of shape come from; null where there are none. */
 export type Source = (method: string, kind: string) => Loops | null;
 
 export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
-
-/**
- * Whose formula is there for one ray without objects, and whether it is the stable one. Far away
- * every eighth ray has D = 0 in textbook: as objects these would be most of its price.
- */
-const SCALAR: ReadonlyMap<string, boolean> = new Map([
-  ['textbook', false],
-  ['stable', true],
-]);
 
 /** The loops of `source`, and the method itself for what they leave open; null without loops. */
 export function straightKernel(method: Method, shape: Shape, source: Source): Kernel | null {
@@ -46,24 +40,30 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
   const turn = turnOf(shape);
   const numbers = numbersOf(shape, turn);
   let open = new Int32Array(0);
-  const isStable = SCALAR.get(method.id);
-  const quadric = isStable === undefined ? null : quadricInTreeOrder(shape);
-  const slot = curvedSlot();
+  const alone = met === 'two' ? (STRAIGHT[method.id]?.alone ?? null) : null;
+  const form = alone?.forms[shape.kind];
+  const format = FORMATS[STRAIGHT[method.id]?.arithmetic ?? ''] as Arithmetic<number>;
+  const values = definitionOf(shape).values(shape);
 
   /** Ray i by the method itself: its class as a place in VERDICTS, its roots in `out`. */
   function askAlone({ Ex, Ey, Ez, dx, dy, dz }: Rays, i: number, out: Answers): number {
-    const [ex, ey, ez] = [Ex[i] as number, Ey[i] as number, Ez[i] as number];
-    const [x, y, z] = [dx[i] as number, dy[i] as number, dz[i] as number];
-    if (quadric) {
-      const place = solveCurved(quadric, ex, ey, ez, x, y, z, slot, isStable === true);
-      out.t0[i] = slot.t0;
-      out.t1[i] = slot.t1;
-      return place;
+    const E: Vec3 = [Ex[i] as number, Ey[i] as number, Ez[i] as number];
+    const d: Vec3 = [dx[i] as number, dy[i] as number, dz[i] as number];
+    // In float32 even what the formula does not look at may be out of range.
+    if (!alone || !form || !(isInRange(E, format) && isInRange(d, format))) {
+      const found = method.intersect(shape, { origin: E, direction: d });
+      out.t0[i] = found.hits[0]?.t ?? Number.NaN;
+      out.t1[i] = found.hits[1]?.t ?? Number.NaN;
+      return VERDICTS.indexOf(found.class);
     }
-    const found = method.intersect(shape, { origin: [ex, ey, ez], direction: [x, y, z] });
-    out.t0[i] = found.hits[0]?.t ?? Number.NaN;
-    out.t1[i] = found.hits[1]?.t ?? Number.NaN;
-    return VERDICTS.indexOf(found.class);
+    form(values, E, d, slot);
+    const place = alone.roots(slot);
+    const [near, far] = [slot[AT_ROOTS] as number, slot[AT_ROOTS + 1] as number];
+    const lost = isLost(near, place === TWO || place === ONE || place === TANGENT);
+    const isTold = !lost && !isLost(far, place === TWO);
+    out.t0[i] = isTold ? near : Number.NaN;
+    out.t1[i] = isTold ? far : Number.NaN;
+    return isTold ? place : UNDECIDED;
   }
 
   function ask(form: Ask, rays: Rays, out: Answers): void {
@@ -88,6 +88,12 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
     },
   };
 }
+
+const isInRange = ([x, y, z]: Vec3, { of }: Arithmetic<number>): boolean =>
+  of(x) - of(x) + (of(y) - of(y)) + (of(z) - of(z)) === 0;
+
+/** A root that overflowed is no answer. Points and normals are never NaN: isOrdinary. */
+const isLost = (t: number, isRoot: boolean): boolean => isRoot && !(t - t === 0);
 
 /** Shapes whose numbers are outside of this are the trees' in double-double and intervals. */
 const LEAST = 2 ** -100;

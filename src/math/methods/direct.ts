@@ -1,114 +1,89 @@
-import { CONTAINED, NONE, ONE, UNDECIDED, VERDICTS } from '../batch/batch.ts';
-import { type Planar, planarOf } from '../batch/planar.ts';
-import { type Quadric, quadricInTreeOrder } from '../batch/quadric.ts';
-import { planarSlot, solvePlanar } from '../batch/textbook-planar-scalar.ts';
-import { curvedSlot, solveCurved } from '../batch/textbook-scalar.ts';
-import type { Hit, Intersection, Sign } from '../intersection.ts';
+import { exact } from '../arithmetic/exact.ts';
+import { float64 } from '../arithmetic/float64.ts';
+import { type NONE, ONE, TANGENT, TWO, VERDICTS } from '../batch/batch.ts';
+import {
+  AT_NORMAL,
+  AT_POINT,
+  AT_ROOTS,
+  type Pieces,
+  type PutNormal,
+  SLOT,
+} from '../batch/one-ray.ts';
+import type { Values } from '../formula/evaluate.ts';
+import type { Hit, Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
+import { definitionOf } from '../shapes/lookup.ts';
+import type { FlatFormula } from '../shapes/planar.ts';
+import type { Vec3 } from '../vec3.ts';
 import type { Method } from './define.ts';
+import { flatAnswer } from './tree-flat.ts';
+import { valuesOf } from './tree-method.ts';
+import { answer, curvedDetails } from './tree-parts.ts';
+
+const slot = new Float64Array(SLOT);
+const at = (k: number): number => slot[k] as number;
+const triple = (k: number): Vec3 => [at(k), at(k + 1), at(k + 2)];
 
 /**
- * the method `walked` without walking its trees: the same operations in the same order, hence the
- * same bits (which is tested), at a small part of the price. A shape that has no table entry, and
- * the rare answers, still come from the trees.
+ * The method `walked` without walking its trees: by the pieces that are made of them, hence with
+ * the same bits, at a small part of the price. For a shape without pieces the trees are walked.
  */
-export function direct(walked: Method, stable: boolean): Method {
+export function direct(walked: Method, { forms, roots, point, normals }: Pieces): Method {
+  const about = { id: walked.id, decidedBy: 'formula', arithmetic: float64 } as const;
+
+  function curved(
+    putNormal: PutNormal,
+    values: Values<number>,
+    { origin, direction }: Ray,
+  ): Intersection {
+    const verdict = roots(slot);
+    const details = curvedDetails([at(0), at(1), at(2)], at(3), float64);
+    const hits: Hit[] = [];
+    const add = (root: 0 | 1): void => {
+      point(origin, direction, slot, root);
+      putNormal(values, slot);
+      hits.push(hitOf(at(AT_ROOTS + root)));
+    };
+    if (verdict === TWO || verdict === ONE || verdict === TANGENT) add(0);
+    if (verdict === TWO) add(1);
+    const { id: method, decidedBy } = about;
+    return answer({ class: VERDICTS[verdict as typeof NONE], hits, method, decidedBy, details });
+  }
+
+  function flat(formula: FlatFormula, values: Values<number>, shape: Shape, ray: Ray) {
+    const [offset, rate] = [at(0), at(1)];
+    const { scalars, vectors } = values;
+    const conditions = formula.bound?.conditions.length ?? 0;
+    return flatAnswer(formula, rate, offset, about, {
+      N: vectors.N as Vec3,
+      meeting: () => ({
+        t: at(2),
+        x: triple(AT_POINT),
+        excesses: Array.from({ length: conditions }, (_, k) => at(AT_NORMAL + k)),
+      }),
+      values: () => ({ scalars, vectors: { ...vectors, E: ray.origin, d: ray.direction } }),
+      exactly: () => valuesOf(shape, ray, exact),
+    });
+  }
+
   return {
     ...walked,
     intersect(shape, ray) {
-      const q = quadricInTreeOrder(shape);
-      if (q) return curved(walked, q, shape, ray, stable);
-      const s = planarOf(shape);
-      return s && s.bound !== 'square' ? flat(walked, s, shape, ray) : walked.intersect(shape, ray);
+      const form = forms[shape.kind];
+      if (!form) return walked.intersect(shape, ray);
+      const definition = definitionOf(shape);
+      const values = definition.values(shape);
+      form(values, ray.origin, ray.direction, slot);
+      const normal = normals[shape.kind];
+      if (normal) return curved(normal, values, ray);
+      return flat(definition.formula(shape) as FlatFormula, values, shape, ray);
     },
   };
 }
 
-const slot = curvedSlot();
-
-const signOf = (x: number): Sign | null => (x - x === 0 ? ((Math.sign(x) + 0) as Sign) : null);
-
-function curved(
-  walked: Method,
-  q: Quadric,
-  shape: Shape,
-  { origin: E, direction: d }: Ray,
-  stable: boolean,
-): Intersection {
-  const verdict = solveCurved(q, E[0], E[1], E[2], d[0], d[1], d[2], slot, stable);
-  if (verdict === UNDECIDED) return walked.intersect(shape, { origin: E, direction: d });
-  const { A, B, C, D, t0, t1 } = slot;
-  const hits: Hit[] = [];
-  if (verdict !== NONE && verdict !== CONTAINED) {
-    hits.push(hitAt(q, E[0], E[1], E[2], d[0], d[1], d[2], t0));
-    if (!Number.isNaN(t1)) hits.push(hitAt(q, E[0], E[1], E[2], d[0], d[1], d[2], t1));
-  }
-  return {
-    class: VERDICTS[verdict] ?? 'undecided',
-    hits,
-    method: walked.id,
-    decidedBy: 'formula',
-    details: {
-      family: 'curved',
-      A,
-      B,
-      C,
-      D,
-      signs: { A: signOf(A), B: signOf(B), C: signOf(C), D: signOf(D) },
-    },
-  };
-}
-
-function hitAt(
-  q: Quadric,
-  Ex: number,
-  Ey: number,
-  Ez: number,
-  dx: number,
-  dy: number,
-  dz: number,
-  t: number,
-): Hit {
-  const x = Ex + t * dx;
-  const y = Ey + t * dy;
-  const z = Ez + t * dz;
-  const nx = x - q.Cx;
-  const ny = q.hasY ? -(q.squared ? q.flare * q.flare : q.flare) * (y - q.Cy) : 0;
-  const nz = z - q.Cz;
-  const singular = nx === 0 && ny === 0 && nz === 0;
-  return { t, point: [x, y, z], normal: singular ? [0, 0, 0] : [nx, ny, nz], singular };
-}
-
-const place = planarSlot();
-
-/** Plane and circle; a square's conditions and distance are left to its trees. */
-function flat(walked: Method, s: Planar, shape: Shape, ray: Ray): Intersection {
-  const { origin: E, direction: d } = ray;
-  const verdict = solvePlanar(s, E[0], E[1], E[2], d[0], d[1], d[2], place);
-  if (verdict !== ONE && verdict !== NONE) return walked.intersect(shape, ray);
-  const { t, x, y, z, margin, offset, rate } = place;
-  if (Number.isNaN(t)) return walked.intersect(shape, ray);
-  const inside = verdict === ONE;
-  const { N } = s;
-  const hit = { t, point: [x, y, z], normal: [N[0], N[1], N[2]], singular: false } as const;
-  return {
-    class: inside ? 'one' : 'none',
-    hits: inside ? [hit] : [],
-    method: walked.id,
-    decidedBy: 'formula',
-    details: {
-      family: 'flat',
-      offset,
-      rate,
-      signs: { offset: signOf(offset), rate: signOf(rate) },
-      plane: {
-        ...hit,
-        holds: s.bound === 'none' ? [] : [inside],
-        inside,
-        distance: inside ? 0 : -margin,
-      },
-      meetsFigure: null,
-    },
-  };
+function hitOf(t: number): Hit {
+  const normal = triple(AT_NORMAL);
+  const singular = normal[0] === 0 && normal[1] === 0 && normal[2] === 0;
+  return { t, point: triple(AT_POINT), normal: singular ? [0, 0, 0] : normal, singular };
 }

@@ -1,4 +1,5 @@
 import { float64 } from '../arithmetic/float64.ts';
+import { ONE_RAY } from '../batch/generated/stable-one.ts';
 import { direct } from './direct.ts';
 import { stableSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
@@ -22,4 +23,4 @@ export const stableByTrees = treeMethod(
   'formula',
 );
 
-export const stable = direct(stableByTrees, true);
+export const stable = direct(stableByTrees, ONE_RAY);

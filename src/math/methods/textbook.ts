@@ -1,4 +1,5 @@
 import { float64 } from '../arithmetic/float64.ts';
+import { ONE_RAY } from '../batch/generated/textbook-one.ts';
 import { direct } from './direct.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
@@ -19,4 +20,4 @@ export const textbookByTrees = treeMethod(
   'formula',
 );
 
-export const textbook = direct(textbookByTrees, false);
+export const textbook = direct(textbookByTrees, ONE_RAY);

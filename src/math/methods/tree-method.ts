@@ -11,7 +11,6 @@ import {
 } from '../formula/evaluate.ts';
 import type {
   Coefficients,
-  CurvedDetails,
   DecidedBy,
   Hit,
   Intersection,
@@ -26,7 +25,7 @@ import type { Method } from './define.ts';
 import { courseForm, type Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 import { intersectFlat } from './tree-flat.ts';
-import { answer, type MethodParts, rounded, signOf } from './tree-parts.ts';
+import { answer, curvedDetails, type MethodParts, rounded } from './tree-parts.ts';
 
 type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source'>;
 
@@ -100,15 +99,7 @@ function intersectCurved<T>(
   const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
   const { class: verdict, roots } = solver(A, B, C, D, ar);
   const hits = roots.map((t) => hitAt(t, formula.normal, values, ar));
-  const { toNumber } = ar;
-  const details: CurvedDetails = {
-    family: 'curved',
-    A: toNumber(A),
-    B: toNumber(B),
-    C: toNumber(C),
-    D: toNumber(D),
-    signs: { A: signOf(A, ar), B: signOf(B, ar), C: signOf(C, ar), D: signOf(D, ar) },
-  };
+  const details = curvedDetails([A, B, C], D, ar);
   return answer({ class: verdict, hits, method: id, decidedBy, details });
 }
 

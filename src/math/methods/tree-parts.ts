@@ -1,6 +1,6 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Triple } from '../formula/evaluate.ts';
-import type { DecidedBy, Intersection, Sign } from '../intersection.ts';
+import type { CurvedDetails, DecidedBy, Hit, Intersection, Sign } from '../intersection.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
@@ -23,14 +23,33 @@ export function signOf<T>(x: T, ar: Arithmetic<T>): Sign | null {
   return Number.isNaN(sign) ? null : (sign as Sign);
 }
 
+/** The coefficients as they are shown. */
+export function curvedDetails<T>([A, B, C]: Triple<T>, D: T, ar: Arithmetic<T>): CurvedDetails {
+  const { toNumber } = ar;
+  return {
+    family: 'curved',
+    A: toNumber(A),
+    B: toNumber(B),
+    C: toNumber(C),
+    D: toNumber(D),
+    signs: { A: signOf(A, ar), B: signOf(B, ar), C: signOf(C, ar), D: signOf(D, ar) },
+  };
+}
+
 /**
  * A float method whose roots or points overflowed into NaN says that it cannot tell, rather than
  * print them.
  */
 export function answer(found: Intersection): Intersection {
-  const numbers = found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]);
-  const broken =
-    numbers.some(Number.isNaN) ||
-    (found.decidedBy !== 'exact' && found.hits.some(({ t }) => !Number.isFinite(t)));
-  return broken ? { ...found, class: 'undecided', hits: [] } : found;
+  for (const hit of found.hits) {
+    if (isBroken(hit, found.decidedBy !== 'exact'))
+      return { ...found, class: 'undecided', hits: [] };
+  }
+  return found;
+}
+
+function isBroken({ t, point, normal }: Hit, isFloat: boolean): boolean {
+  const lacks = (v: Vec3): boolean =>
+    Number.isNaN(v[0]) || Number.isNaN(v[1]) || Number.isNaN(v[2]);
+  return Number.isNaN(t) || lacks(point) || lacks(normal) || (isFloat && !Number.isFinite(t));
 }

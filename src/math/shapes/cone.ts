@@ -23,7 +23,6 @@ const formula = axialFormula(QUADRIC);
 
 const NUMBERS: QuadricNumbers<Cone> = {
   family: 'quadric',
-  inTreeOrder: true,
   read: ({ vertex: V, slope }) => ({
     Cx: V[0],
     Cy: V[1],

@@ -21,7 +21,6 @@ const formula = axialFormula(QUADRIC);
 
 const NUMBERS: QuadricNumbers<Cylinder> = {
   family: 'quadric',
-  inTreeOrder: true,
   read: ({ center: C, radius }) => ({
     Cx: C[0],
     Cy: C[1],

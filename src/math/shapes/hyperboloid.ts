@@ -26,7 +26,6 @@ const formula = axialFormula(QUADRIC);
 
 const NUMBERS: QuadricNumbers<Hyperboloid> = {
   family: 'quadric',
-  inTreeOrder: true,
   read: ({ center: C, flare, radius }) => ({
     Cx: C[0],
     Cy: C[1],

@@ -1,8 +1,8 @@
 import type { Vec3 } from '../vec3.ts';
 
 /**
- * The numbers of a round quadric (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ, as kernels take them. A test
- * compares them with the shape's trees bit by bit.
+ * The numbers of a round quadric (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ, as `certified` and
+ * `exact` take them: their answers do not depend on an order of operations.
  */
 export interface Quadric {
   readonly Cx: number;
@@ -34,12 +34,6 @@ export interface Planar {
 
 export interface QuadricNumbers<S> {
   readonly family: 'quadric';
-  /**
-   * Whether the shape's trees for A, B, C and D do the operations of axialFormula in its order.
-   * Then the kernels of every method give the trees' bits. If not, only `certified` and `exact` use
-   * the numbers: their answers do not depend on the order of operations.
-   */
-  readonly inTreeOrder: boolean;
   read(shape: S): Quadric;
   /** Whether `q`, read from a shape of this kind, has the numbers that `shape` has now. */
   holds(shape: S, q: Quadric): boolean;

@@ -51,7 +51,6 @@ const formula: CurvedFormula = {
 /** The round quadric with a = −1 and ρ = r². Its trees have their own order of terms. */
 const NUMBERS: QuadricNumbers<Sphere> = {
   family: 'quadric',
-  inTreeOrder: false,
   read: ({ center: C, radius }) => ({
     Cx: C[0],
     Cy: C[1],

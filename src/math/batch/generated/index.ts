@@ -8,6 +8,10 @@ import * as stable from './stable.ts';
 import * as moment from './moment.ts';
 import * as compensated from './compensated.ts';
 import * as interval from './interval.ts';
+import { ONE_RAY as textbook32One } from './textbook32-one.ts';
+import { ONE_RAY as textbookOne } from './textbook-one.ts';
+import { ONE_RAY as stableOne } from './stable-one.ts';
+import { ONE_RAY as momentOne } from './moment-one.ts';
 import { MODULE as textbook32Simd } from './textbook32-simd.ts';
 import { MODULE as textbookSimd } from './textbook-simd.ts';
 import { MODULE as stableSimd } from './stable-simd.ts';
@@ -32,6 +36,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   textbook32: {
     simd: textbook32Simd,
     arithmetic: 'float32',
+    alone: textbook32One,
     loops: {
       plane: { both: textbook32.planeBoth, classes: textbook32.planeClasses },
       cylinder: { both: textbook32.cylinderBoth, classes: textbook32.cylinderClasses },
@@ -46,6 +51,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   textbook: {
     simd: textbookSimd,
     arithmetic: 'float64',
+    alone: textbookOne,
     loops: {
       plane: { both: textbook.planeBoth, classes: textbook.planeClasses },
       cylinder: { both: textbook.cylinderBoth, classes: textbook.cylinderClasses },
@@ -60,6 +66,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   stable: {
     simd: stableSimd,
     arithmetic: 'float64',
+    alone: stableOne,
     loops: {
       plane: { both: stable.planeBoth, classes: stable.planeClasses },
       cylinder: { both: stable.cylinderBoth, classes: stable.cylinderClasses },
@@ -74,6 +81,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   moment: {
     simd: momentSimd,
     arithmetic: 'float64',
+    alone: momentOne,
     loops: {
       plane: { both: moment.planeBoth, classes: moment.planeClasses },
       cylinder: { both: moment.cylinderBoth, classes: moment.cylinderClasses },
@@ -88,6 +96,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   compensated: {
     simd: compensatedSimd,
     arithmetic: 'double-double',
+    alone: null,
     loops: {
       plane: { both: compensated.planeBoth, classes: compensated.planeClasses },
       cylinder: { both: compensated.cylinderBoth, classes: compensated.cylinderClasses },
@@ -102,6 +111,7 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
   interval: {
     simd: intervalSimd,
     arithmetic: 'interval',
+    alone: null,
     loops: {
       plane: { both: interval.planeBoth, classes: interval.planeClasses },
       cylinder: { both: interval.cylinderBoth, classes: interval.cylinderClasses },
