@@ -17,7 +17,7 @@ const HIGH = 0.56;
 
 /** The part of the world that is drawn, with E and where the ray meets the shape. */
 export const stageOf = (shape: Shape, ray: Ray, found: Intersection): Stage =>
-  stageAround(shape, [ray.origin, ...interesting(found)]);
+  stageAround(shape, [ray.origin, ...interesting(ray, found)]);
 
 /**
  * The part of the world with these places. It grows smoothly with what has to be seen, so that a
@@ -56,9 +56,16 @@ function followed(p: Vec3, center: Vec3, far: number): Vec3 {
   return [back(0), back(1), back(2)];
 }
 
-function interesting({ hits, details }: Intersection): Vec3[] {
-  const plane = details.family === 'flat' && details.plane ? [details.plane.point] : [];
-  return [...hits.map(({ point }) => point), ...plane];
+/**
+ * The hits; without any, where a curved shape is missed most narrowly: at the vertex of f, from
+ * which the two hits of the next slider position come. A figure is missed on its plane.
+ */
+function interesting({ origin, direction }: Ray, { hits, details }: Intersection): Vec3[] {
+  const points = hits.map(({ point }) => point);
+  if (details.family === 'flat') return details.plane ? [...points, details.plane.point] : points;
+  if (points.length > 0 || details.signs.D !== -1) return points;
+  const t = -details.B / (2 * details.A);
+  return [[0, 1, 2].map((i) => (origin[i] ?? 0) + t * (direction[i] ?? 0)) as unknown as Vec3];
 }
 
 /**

@@ -83,7 +83,8 @@ export const RAY_PARAMS = {
     key: 'origin',
     symbol: 'E',
     title: 'eye, where the ray starts',
-    initial: [3, 1, 1],
+    initial: [2.5, 3, 2],
+    linkDefault: [3, 1, 1],
     range: [-5, 5],
     step: 0.1,
   },
@@ -92,7 +93,8 @@ export const RAY_PARAMS = {
     key: 'direction',
     symbol: 'd',
     title: 'direction',
-    initial: [-0.8, -0.2, -0.3],
+    initial: [-2, -1, -1],
+    linkDefault: [-0.8, -0.2, -0.3],
     range: [-2, 2],
     step: 0.05,
     nonZero: true,
@@ -105,6 +107,10 @@ export function initialShape(kind: ShapeKind): Shape {
   return { kind, ...Object.fromEntries(params) } as unknown as Shape;
 }
 
+/**
+ * An empty visit: a ray and shapes whose coefficients, roots and points are short decimals. A link
+ * that leaves a number out means `linkDefault` instead, as long as links have been written.
+ */
 export const INITIAL: AppState = {
   page: 'explore',
   kind: 'cone',

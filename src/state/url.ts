@@ -10,6 +10,7 @@ import {
   type ShapeKind,
 } from '../math/shapes.ts';
 import { parseNumber } from '../text/parse.ts';
+import type { ParamValue } from './actions.ts';
 import { type Ask, isAsk } from './ask.ts';
 import type { Between } from './heights.ts';
 import {
@@ -86,14 +87,19 @@ const view: Codec<View> = {
   },
 };
 
-function codecOf(param: Param): Codec<Vec3 | number | string> {
+/** What a link means that says nothing of a parameter. */
+function unsaid(param: Param): ParamValue {
+  return param.linkDefault ?? param.initial;
+}
+
+function codecOf(param: Param): Codec<ParamValue> {
   const codec = param.type === 'vector' ? vector : param.type === 'number' ? number : word;
-  return codec as Codec<Vec3 | number | string>;
+  return codec as Codec<ParamValue>;
 }
 
 /**
- * The link of a state: readable, and writable by hand. Defaults are left out; the method never is,
- * as its default may change.
+ * The link of a state: readable, and writable by hand. Link defaults are left out; the method
+ * never is, as its default may change.
  */
 export function encode(state: AppState): string {
   const { page } = state;
@@ -147,13 +153,13 @@ function rayPairs(state: AppState): [string, string][] {
       .filter((place) => place.symbol === symbol)
       .map(({ key, value }) => escaped(state.typed[key] ?? linkNumber(value)))
       .join(',');
-  add('E', written(rayPlaces(state), 'E'), vector.write(INITIAL.E));
-  add('d', written(rayPlaces(state), 'd'), vector.write(INITIAL.d));
+  add('E', written(rayPlaces(state), 'E'), vector.write(RAY_PARAMS.E.linkDefault));
+  add('d', written(rayPlaces(state), 'd'), vector.write(RAY_PARAMS.d.linkDefault));
   add('unit', state.unit ? '1' : '0', '0');
   for (const param of findShape(state.kind)?.params ?? []) {
     const { write } = codecOf(param);
     const value = written(shapePlaces(shape), param.symbol);
-    add(param.symbol, value || write(paramValue(shape, param.key)), write(param.initial));
+    add(param.symbol, value || write(paramValue(shape, param.key)), write(unsaid(param)));
   }
   return pairs;
 }
@@ -175,7 +181,7 @@ function lookPairs(state: AppState): [string, string][] {
  */
 export function decode(hash: string, before: AppState = INITIAL): AppState {
   const problems: string[] = [];
-  const { page, given } = split(hash, problems);
+  const { page, given, empty } = split(hash, problems);
   const known = new Set<string>();
   const read: Read = (key, codec, initial, check) => {
     known.add(key);
@@ -191,7 +197,11 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
       return initial;
     }
   };
-  const ray = aboutRay(page) ? readRay(read, before) : before;
+  const ray = empty
+    ? { ...INITIAL, shapes: { ...before.shapes, [INITIAL.kind]: shapeOf(INITIAL) } }
+    : aboutRay(page)
+      ? readRay(read, before)
+      : before;
   // A page with a place of its own in the path shows states of their own, method included.
   const method = partOf(page)
     ? before.method
@@ -234,13 +244,13 @@ function readRay(
 ): Pick<AppState, 'kind' | 'shapes' | 'E' | 'd' | 'unit'> {
   const kind = read('shape', word, INITIAL.kind, knownKind) as ShapeKind;
   const shape = readShape(kind, (param) =>
-    read(param.symbol, codecOf(param), param.initial, (v) => checkParam(param, v)),
+    read(param.symbol, codecOf(param), unsaid(param), (v) => checkParam(param, v)),
   );
   return {
     kind,
     shapes: { ...before.shapes, [kind]: shape },
-    E: read('E', vector, INITIAL.E, (v) => checkParam(RAY_PARAMS.E, v)),
-    d: read('d', vector, INITIAL.d, (v) => checkParam(RAY_PARAMS.d, v)),
+    E: read('E', vector, RAY_PARAMS.E.linkDefault, (v) => checkParam(RAY_PARAMS.E, v)),
+    d: read('d', vector, RAY_PARAMS.d.linkDefault, (v) => checkParam(RAY_PARAMS.d, v)),
     unit: read('unit', word, '0', flag) === '1',
   };
 }
@@ -272,7 +282,7 @@ export const MAX_KEYS = 40;
 function split(
   hash: string,
   problems: string[],
-): { page: PageId; given: ReadonlyMap<string, string> } {
+): { page: PageId; given: ReadonlyMap<string, string>; empty: boolean } {
   const body = hash.replace(/^#?\/?/, '');
   const [path = '', ...rest] = body.split('?');
   const [name = '', ...places] = path.split('/');
@@ -290,7 +300,7 @@ function split(
   }
   if (pairs.length > MAX_KEYS)
     problems.push(`only the first ${MAX_KEYS} of ${pairs.length} keys are read`);
-  return { page: page ?? INITIAL.page, given };
+  return { page: page ?? INITIAL.page, given, empty: path === '' && given.size === 0 };
 }
 
 /** Percent signs undone where they can be. */

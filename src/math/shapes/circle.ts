@@ -106,7 +106,7 @@ export const circle: ShapeDefinition<Circle> = {
   }),
   icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
   params: [
-    normalParam([1, 0.5, 0]),
+    normalParam({ initial: [1, 0.5, 0] }),
     pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
     lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 2 }),
   ],

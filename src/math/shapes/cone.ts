@@ -50,13 +50,20 @@ export const cone: ShapeDefinition<Cone> = {
   named: ({ slope }) => (slope === 0 ? AXIS : CONE),
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
   params: [
-    pointParam({ key: 'vertex', symbol: 'V', title: 'vertex', initial: [0, 3, 0] }),
+    pointParam({
+      key: 'vertex',
+      symbol: 'V',
+      title: 'vertex',
+      initial: [0, 2.5, 0],
+      linkDefault: [0, 3, 0],
+    }),
     {
       type: 'number',
       key: 'slope',
       symbol: 'c',
       title: 'slope',
-      initial: 0.5,
+      initial: 1,
+      linkDefault: 0.5,
       range: [0, 2],
       step: 0.02,
       unit: 'ratio',

@@ -95,13 +95,20 @@ export const paraboloid: ShapeDefinition<Paraboloid> = {
   named: ({ width }) => (width === 0 ? AXIS : PARABOLOID),
   icon: 'M5 5a7 2 0 0 0 14 0a7 2 0 0 0 -14 0c1.6 9.5 4 15 7 15s5.4 -5.5 7 -15',
   params: [
-    pointParam({ key: 'vertex', symbol: 'V', title: 'vertex', initial: [0, 0, 0] }),
+    pointParam({
+      key: 'vertex',
+      symbol: 'V',
+      title: 'vertex',
+      initial: [0, 1, 0],
+      linkDefault: [0, 0, 0],
+    }),
     {
       type: 'number',
       key: 'width',
       symbol: 'k',
       title: 'width',
-      initial: 2,
+      initial: 1,
+      linkDefault: 2,
       range: [-4, 4],
       step: 0.05,
       unit: 'length',

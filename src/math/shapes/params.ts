@@ -20,6 +20,8 @@ interface ParamBase {
 export interface VectorParam extends ParamBase {
   readonly type: 'vector';
   readonly initial: Vec3;
+  /** What a link without it means, where that is not `initial`: old links keep their ray. */
+  readonly linkDefault?: Vec3;
   /** Where the sliders end; typed values may lie beyond. */
   readonly range: readonly [number, number];
   readonly step: number;
@@ -29,6 +31,8 @@ export interface VectorParam extends ParamBase {
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly initial: number;
+  /** As a vector has it. */
+  readonly linkDefault?: number;
   readonly range: readonly [number, number];
   readonly step: number;
   /** What it is measured in; a ratio stays when a whole scene is scaled. */
@@ -40,11 +44,13 @@ export interface NumberParam extends ParamBase {
 export interface AxisParam extends ParamBase {
   readonly type: 'axis';
   readonly initial: Axis;
+  /** As a vector has it. */
+  readonly linkDefault?: Axis;
 }
 
 export type Param = VectorParam | NumberParam | AxisParam;
 
-type Named<P extends Param> = Pick<P, 'key' | 'symbol' | 'title' | 'initial'>;
+type Named<P extends Param> = Pick<P, 'key' | 'symbol' | 'title' | 'initial' | 'linkDefault'>;
 
 /** A point in space. */
 export function pointParam(about: Named<VectorParam>): VectorParam {
@@ -52,9 +58,9 @@ export function pointParam(about: Named<VectorParam>): VectorParam {
 }
 
 /** The normal of a plane, of any length but zero. */
-export function normalParam(initial: Vec3): VectorParam {
-  const about = { key: 'normal', symbol: 'N', title: 'normal', initial };
-  return { type: 'vector', ...about, range: [-2, 2], step: 0.1, nonZero: true };
+export function normalParam(about: Pick<VectorParam, 'initial' | 'linkDefault'>): VectorParam {
+  const named = { key: 'normal', symbol: 'N', title: 'normal', ...about };
+  return { type: 'vector', ...named, range: [-2, 2], step: 0.1, nonZero: true };
 }
 
 /** A length, 0 allowed. */

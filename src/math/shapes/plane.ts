@@ -26,7 +26,7 @@ export const plane: ShapeDefinition<Plane> = {
   named: () => ({ name: 'plane', singular: null, straight: null, border: [] }),
   icon: 'M6.5 7.5h14l-4.5 9h-14z',
   params: [
-    normalParam([1, 1, 0.5]),
+    normalParam({ initial: [1, 0.5, 0.5], linkDefault: [1, 1, 0.5] }),
     pointParam({ key: 'point', symbol: 'P', title: 'point of the plane', initial: [0, 1, 0] }),
   ],
   surface: planarSurface('P'),

@@ -45,7 +45,7 @@ describe('each action changes exactly its own part', () => {
     [
       'param',
       { type: 'param', key: 'slope', value: -2 },
-      { shapes: { ...INITIAL.shapes, cone: { kind: 'cone', vertex: [0, 3, 0], slope: -2 } } },
+      { shapes: { ...INITIAL.shapes, cone: { kind: 'cone', vertex: [0, 2.5, 0], slope: -2 } } },
     ],
   ];
   test.each(CASES)('%s', (_, action, change) => {
@@ -65,7 +65,7 @@ describe('each action changes exactly its own part', () => {
   test('a link replaces ray, shape, method and view', () => {
     const moved = having({ type: 'bead', t: 1 }, { type: 'origin', value: [9, 9, 9] });
     const linked = update(moved, { type: 'link', hash: '#/explore?shape=plane&N=0,1,0' });
-    expect(linked).toMatchObject({ kind: 'plane', E: INITIAL.E, bead: null });
+    expect(linked).toMatchObject({ kind: 'plane', E: [3, 1, 1], bead: null });
     expect(shapeOf(linked)).toMatchObject({ normal: [0, 1, 0] });
   });
 });
@@ -163,7 +163,7 @@ describe('resets', () => {
 
   test('one parameter alone', () => {
     const state = update(moved, { type: 'reset', what: { param: 'slope' } });
-    expect(shapeOf(state)).toEqual({ kind: 'cone', vertex: [1, 1, 1], slope: 0.5 });
+    expect(shapeOf(state)).toEqual({ kind: 'cone', vertex: [1, 1, 1], slope: 1 });
     expect(state.E).toBe(moved.E);
   });
 

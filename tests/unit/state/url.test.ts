@@ -1,7 +1,7 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { SHAPES } from '../../../src/math/index.ts';
-import { INITIAL, initialShape, shapeOf } from '../../../src/state/state.ts';
+import { INITIAL, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
 import { anyState } from './random-state.ts';
@@ -60,7 +60,7 @@ describe('what was typed', () => {
   });
 
   test('stands in the link, and comes back with the bits', () => {
-    expect(encode(typed)).toBe(`#/explore?shape=cone&c=1/3&method=${INITIAL.method}`);
+    expect(encode(typed)).toContain('&c=1/3&');
     const back = decode('#/explore?E=0,3;1/3,√2&c=tan(30°)');
     expect(back.problems).toHaveLength(1);
     const read = decode('#/explore?E=0.3,1/3,√2&c=tan(30°)');
@@ -94,7 +94,17 @@ describe('what was typed', () => {
 
 describe('what a link looks like', () => {
   test('of the first state: only what may not be left out', () => {
-    expect(encode(INITIAL)).toBe(`#/explore?shape=cone&method=${INITIAL.method}`);
+    expect(encode(decode('#/explore'))).toBe(`#/explore?shape=cone&method=${INITIAL.method}`);
+  });
+
+  test('of an empty visit: its numbers too, as a link without them means other ones', () => {
+    const { method } = INITIAL;
+    const numbers = 'E=2.5,3,2&d=-2,-1,-1&V=0,2.5,0&c=1';
+    expect(encode(INITIAL)).toBe(`#/explore?shape=cone&${numbers}&method=${method}`);
+    for (const { kind } of SHAPES) {
+      const visit = { ...INITIAL, kind };
+      expect(decode(encode(visit))).toEqual(visit);
+    }
   });
 
   test('defaults are left out, the rest is in the course’s symbols', () => {
@@ -170,10 +180,17 @@ describe('links written by hand', () => {
     expect(state.problems).toEqual([]);
   });
 
-  test.each(['', '#', '#/', '#/explore', '#/explore?', 'explore', '/explore', '#explore?&&&'])(
-    '%j is the first state',
+  test.each(['', '#', '#/', '#?'])('%j is an empty visit', (hash) => {
+    expect(decode(hash)).toEqual(INITIAL);
+  });
+
+  test.each(['#/explore', '#/explore?', 'explore', '/explore', '#explore?&&&'])(
+    '%j is a link, with what links have always meant',
     (hash) => {
-      expect(decode(hash)).toEqual(INITIAL);
+      const { E, d, shapes, ...rest } = decode(hash);
+      expect({ E, d }).toEqual({ E: [3, 1, 1], d: [-0.8, -0.2, -0.3] });
+      expect(shapes.cone).toEqual({ kind: 'cone', vertex: [0, 3, 0], slope: 0.5 });
+      expect(rest).toEqual((({ E, d, shapes, ...same }) => same)(INITIAL));
     },
   );
 
@@ -307,7 +324,7 @@ describe('hostile links', () => {
 
   test('of keys given twice the last one counts', () => {
     const state = decode('#/explore?c=1&c=2');
-    expect(shapeOf(state)).toEqual({ ...initialShape('cone'), slope: 2 });
+    expect(shapeOf(state)).toEqual({ kind: 'cone', vertex: [0, 3, 0], slope: 2 });
   });
 
   test(`2000 random texts never throw, seed ${SEED}`, () => {
