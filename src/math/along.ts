@@ -11,6 +11,13 @@ import type { Vec3 } from './vec3.ts';
 /**
  * What a bead at t sees: R(t) = E + t d and f(t), each correctly rounded from the stored doubles
  * (±Infinity beyond them).
+ *
+ * @param shape as for `intersect`, and so is the ray.
+ * @param t in lengths of d.
+ * @example
+ * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;
+ * alongRay(sphere, { origin: [4, 0, 0], direction: [-1, 0, 0] }, 1);
+ * // → { point: [3, 0, 0], f: 5 }
  */
 export function alongRay(shape: Shape, ray: Ray, t: number): { point: Vec3; f: number } {
   const values = withScalars(valuesOf(shape, ray, exact), { t: exact.of(t) });

@@ -24,6 +24,14 @@ const TYPED_METHOD: MethodParts<TypedNumber> = {
  * What shape and ray have in common when their numbers are taken as typed, `values`, and not as the
  * doubles that store them. The class is exact; it is undecided where roots of different numbers
  * would have to be compared. Roots and points are rounded.
+ *
+ * @param shape and `ray`: the doubles that store the numbers.
+ * @param values the same numbers as typed, by symbol, E and d among the vectors.
+ * @example
+ * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 1 } as const;
+ * const ray = { origin: [4, 0.1, 0], direction: [-1, 0, 0] } as const;
+ * const stored = valuesOf(sphere, ray, exact);
+ * intersectTyped(sphere, ray, stored).class; // → 'two'
  */
 export const intersectTyped = (shape: Shape, ray: Ray, values: Values<TypedNumber>): Intersection =>
   intersectValues(shape, ray, values, TYPED_METHOD);

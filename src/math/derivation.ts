@@ -25,6 +25,7 @@ export interface Step {
   readonly worked: boolean;
 }
 
+/** A condition of a figure with its numbers, in the unit of its two sides. */
 export interface ConditionStep {
   readonly relation: Relation;
   readonly left: number;
@@ -33,6 +34,7 @@ export interface ConditionStep {
   readonly holds: boolean | null;
 }
 
+/** The lines from a surface's equation to t. */
 export interface Derivation {
   readonly surface: Relation;
   /** What the equation becomes with the ray put in: f(t) = 0. */
@@ -46,6 +48,16 @@ export interface Derivation {
 /**
  * The named steps from the surface's equation to t, with the numbers of the intersection that was
  * computed.
+ *
+ * @param shape as for `intersect`, and so is the ray.
+ * @param found what `intersect` said of them, by any method: its numbers are shown.
+ * @throws RangeError for an intersection of another family of shapes (flat, curved).
+ * @example
+ * const cylinder = { kind: 'cylinder', center: [0, 0, 0], radius: 5 } as const;
+ * const ray = { origin: [-10, 0, 3], direction: [1, 0, 0] } as const;
+ * const { steps } = derivation(cylinder, ray, intersect(cylinder, ray));
+ * steps.map(({ id, value }) => [id, value]);
+ * // → [['A', 1], ['B', -20], ['C', 84], ['D', 64], ['t', null]]
  */
 export function derivation(shape: Shape, ray: Ray, found: Intersection): Derivation {
   const definition = definitionOf(shape);

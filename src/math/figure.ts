@@ -17,7 +17,16 @@ export interface Span {
   readonly touches: boolean;
 }
 
-/** How many of the figure's conditions hold with equality where the line meets its plane; typed. */
+/**
+ * How many of the figure's conditions hold with equality where the line meets its plane: 1 on a rim
+ * or an edge, 2 in a corner. 0 for a curved shape, and for a ray along the plane.
+ *
+ * @param shape as for `intersect`, and so is the ray.
+ * @param given its numbers as typed, by symbol; the stored ones where there are none.
+ * @example
+ * const square = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' } as const;
+ * borderConditions(square, { origin: [1, 1, 2], direction: [0, 0, -1] }); // → 2
+ */
 export function borderConditions(shape: Shape, ray: Ray, given?: Values<TypedNumber>): number {
   const { formula, values } = exactly(shape, ray, given);
   if (!formula?.bound) return 0;
@@ -33,7 +42,17 @@ export function borderConditions(shape: Shape, ray: Ray, given?: Values<TypedNum
   }).length;
 }
 
-/** Null where the line is not in the figure's plane, or passes beside the figure. */
+/**
+ * Where a line in the figure's plane is in the figure; null where it is not in that plane, or
+ * passes beside.
+ *
+ * @param shape as for `intersect`, and so is the ray. t counts in lengths of d.
+ * @param given its numbers as typed, by symbol; the stored ones where there are none.
+ * @example
+ * const square = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' } as const;
+ * spanInFigure(square, { origin: [-1, 0.5, 0], direction: [1, 0, 0] });
+ * // → { from: 1, to: 2, sides: [1, 1], touches: false }
+ */
 export function spanInFigure(shape: Shape, ray: Ray, given?: Values<TypedNumber>): Span | null {
   const { formula, values } = exactly(shape, ray, given);
   if (!formula?.bound) return null;

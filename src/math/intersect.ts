@@ -130,6 +130,14 @@ export function solveQuadratic(
   return chosen.solve(A, B, C);
 }
 
+/**
+ * The method with this `id`, or undefined.
+ *
+ * @param id any text.
+ * @example
+ * findMethod('certified')?.title; // → 'certified'
+ * findMethod('newton'); // → undefined
+ */
 export function findMethod(id: string): Method | undefined {
   return BY_ID.get(id);
 }

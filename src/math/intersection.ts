@@ -12,6 +12,7 @@ export type Verdict = IntersectionClass | 'undecided';
 /** Which stage of a method gave the class. */
 export type DecidedBy = 'formula' | 'filter' | 'double-double' | 'exact';
 
+/** Of an exact number. */
 export type Sign = -1 | 0 | 1;
 
 /** A point where the line meets the shape. */
@@ -38,6 +39,7 @@ export interface CurvedDetails {
   readonly signs: Readonly<Record<'A' | 'B' | 'C' | 'D', Sign | null>>;
 }
 
+/** Where the line meets a figure's plane, inside the figure or not. */
 export interface PlaneHit extends Hit {
   /** Which of the figure's conditions hold, in the order of its formula. */
   readonly holds: readonly (boolean | null)[];
@@ -49,6 +51,7 @@ export interface PlaneHit extends Hit {
   readonly distance: number;
 }
 
+/** What decides about a flat shape: t = −N·(E − P) / (N·d), and the figure's conditions there. */
 export interface FlatDetails {
   readonly family: 'flat';
   /** N·(E − P) and N·d. */

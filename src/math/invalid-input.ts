@@ -81,12 +81,28 @@ export function requireNonZero(name: string, v: ArrayLike<number>): void {
   }
 }
 
-/** What a value must be, and what it is instead. */
+/**
+ * What a value must be, and what it is instead.
+ *
+ * @param name what is asked for: 'radius'.
+ * @param must how it has to be: 'must be ≥ 0'.
+ * @param x the value that was given.
+ * @example
+ * refused('radius', 'must be ≥ 0', -1).message; // → 'radius must be ≥ 0, got -1'
+ * refused('radius', 'must be ≥ 0', undefined).message; // → 'radius is missing'
+ */
 export function refused(name: string, must: string, x: unknown): InvalidInput {
   const isMissing = x === undefined || x === null;
   return new InvalidInput(isMissing ? `${name} is missing` : `${name} ${must}, got ${quote(x)}`);
 }
 
+/**
+ * A value as messages show it: short, and of a list the first four.
+ *
+ * @param x anything.
+ * @example
+ * [quote('cone'), quote(-0), quote([1, 2, 3])]; // → ["'cone'", '-0', '(1, 2, 3)']
+ */
 export function quote(x: unknown): string {
   if (typeof x === 'string') return `'${x.slice(0, 60)}'`;
   if (Object.is(x, -0)) return '-0';

@@ -26,17 +26,46 @@ export function seeded(seed: number): Random {
   };
 }
 
-/** Uniform in [low, high). */
+/**
+ * Uniform in [low, high).
+ *
+ * @param random where chance comes from.
+ * @param low and `high` have one unit; low < high.
+ * @example
+ * const x = uniform(seeded(7), 2, 3);
+ * x >= 2 && x < 3; // → true
+ */
 export const uniform = (random: Random, low: number, high: number): number =>
   low + (high - low) * random();
 
-/** A whole number from low to high, both included. */
+/**
+ * A whole number from low to high, both included.
+ *
+ * @param low and `high` are whole numbers.
+ * @example
+ * const faces = Array.from({ length: 50 }, ((random) => () => integer(random, 1, 6))(seeded(7)));
+ * [Math.min(...faces), Math.max(...faces)]; // → [1, 6]
+ */
 export const integer = (random: Random, low: number, high: number): number =>
   low + Math.floor(random() * (high - low + 1));
 
-/** −1 or 1. */
+/**
+ * −1 or 1.
+ *
+ * @param random where chance comes from.
+ * @example
+ * Math.abs(randomSign(seeded(7))); // → 1
+ */
 export const randomSign = (random: Random): number => (random() < 0.5 ? -1 : 1);
 
+/**
+ * One of a list, each as likely as the others.
+ *
+ * @param random where chance comes from.
+ * @param from at least one.
+ * @example
+ * pick(seeded(7), ['only']); // → 'only'
+ */
 export function pick<T>(random: Random, from: readonly [T, ...T[]]): T {
   return from[Math.floor(random() * from.length)] ?? from[0];
 }
@@ -44,6 +73,11 @@ export function pick<T>(random: Random, from: readonly [T, ...T[]]): T {
 /**
  * Either sign, exponent uniform over [low, high], all fraction bits random; the default spans every
  * finite double, subnormals included (those then carry fewer bits).
+ *
+ * @param low and `high` are exponents of two.
+ * @example
+ * const x = Math.abs(wide(seeded(7), 3, 3));
+ * x >= 8 && x < 16; // → true
  */
 export function wide(random: Random, low = -1074, high = 1023): number {
   const fraction = randomSign(random) * (1 + random());

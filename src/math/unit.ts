@@ -8,6 +8,11 @@ const UNIT: ExprTriple = alongAxes((axis) => over(comp('d', axis), norm(vec('d')
 /**
  * d / |d|, each component correctly rounded, at any scale; d must not be zero. What comes out is
  * not exactly of length 1: the components are doubles.
+ *
+ * @param d of any unit; the result has none.
+ * @throws RangeError for d = 0.
+ * @example
+ * unitVector([3, 0, -4]); // → [0.6, 0, -0.8]
  */
 export function unitVector(d: Vec3): Vec3 {
   const lifted = [exact.of(d[0]), exact.of(d[1]), exact.of(d[2])] as const;

@@ -13,15 +13,31 @@ export type Given<T> = T extends unknown
 export const plainVector = (v: ArrayLike<number>): Vec3 =>
   (Array.isArray(v) ? v : [v[0], v[1], v[2]]) as unknown as Vec3;
 
+/** One of the three axes; y is the axis of round shapes. */
 export type Axis = 'x' | 'y' | 'z';
 
+/** x, y and z, in the order of components. */
 export const AXES: readonly Axis[] = ['x', 'y', 'z'];
 
-/** `v` with its component at this index replaced. */
+/**
+ * `v` with its component at this index replaced.
+ *
+ * @param index 0, 1 or 2.
+ * @param x in the unit of v.
+ * @example
+ * withComponent([1, 2, 3], 1, 9); // → [1, 9, 3]
+ */
 export function withComponent(v: Vec3, index: number, x: number): Vec3 {
   return v.map((old, i) => (i === index ? x : old)) as unknown as Vec3;
 }
 
+/**
+ * The place of an axis among components.
+ *
+ * @param axis x, y or z.
+ * @example
+ * ['x', 'y', 'z'].map((axis) => axisIndex(axis as 'x')); // → [0, 1, 2]
+ */
 export function axisIndex(axis: Axis): 0 | 1 | 2 {
   return axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
 }

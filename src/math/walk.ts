@@ -45,6 +45,13 @@ export const SQUARE_COMPLETED: Expr = minus(
 /**
  * The derivation of a shape, made from its surface's equation: the ray put in, expanded, collected
  * by powers of t, the coefficients, the roots, the normal. `linear`: for A = 0.
+ *
+ * @param shape its present parameters decide which trees it has.
+ * @param linear true for a ray with A = 0, whose root is −C/B.
+ * @example
+ * const cone = { kind: 'cone', vertex: [0, 0, 0], slope: 1 } as const;
+ * walkOf(cone, false).slice(0, 4).map(({ name }) => name);
+ * // → ['surface', 'put in', 'expand', 'collect']
  */
 export function walkOf(shape: Shape, linear: boolean): readonly WalkStep[] {
   const { surface } = definitionOf(shape);

@@ -45,7 +45,13 @@ export const ratios: Arithmetic<Ratio> = {
   toNumber: (a) => toNumber(asSurd(a)),
 };
 
-/** The same number among those that the exact method has. */
+/**
+ * The same number among those that the exact method has.
+ *
+ * @param ratio any; d > 0.
+ * @example
+ * toNumber(asSurd({ n: 1n, d: 4n, e: 0 })); // → 0.25
+ */
 export function asSurd({ n, d, e }: Ratio) {
   const scale = tens(Math.abs(e));
   return e < 0

@@ -87,6 +87,8 @@ export const VERDICTS = [
   'contained',
   'undecided',
 ] as const satisfies readonly Verdict[];
+
+/** The place of 'none' in lists of verdicts by number. */
 export const NONE = 0;
 export const ONE = 1;
 export const TWO = 2;
@@ -111,6 +113,7 @@ export function createRays(capacity: number, make: MakeArray = ownArray): Rays {
 /**
  * The same rays as a structure of arrays; `count` is their number. They are not checked here.
  *
+ * @param list rays as `intersect` takes them; their numbers are copied.
  * @param make as for `createRays`.
  * @example
  * const rays = packRays([{ origin: [4, 1, 0], direction: [-1, 0, 2] }]);
@@ -200,12 +203,13 @@ export function list(out: Answers, i: number, verdict: number): void {
 /**
  * The verdicts of the first `count` rays after `classes`.
  *
+ * @param out what a kernel wrote.
+ * @param count how many rays were asked.
  * @param met the kernel's own.
  * @example
  * const out = createAnswers(3);
  * out.margin.set([1, -1]);
- * list(out, 2, TANGENT);
- * verdictsOfClasses(out, 3, 'two'); // → ['two', 'none', 'tangent']
+ * verdictsOfClasses(out, 3, 'two'); // → ['two', 'none', 'two']
  */
 export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one'): Verdict[] {
   const found = Array.from(
@@ -218,6 +222,8 @@ export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one
 /**
  * The verdicts of the first `count` rays after `both`.
  *
+ * @param out what a kernel wrote.
+ * @param count how many rays were asked.
  * @example
  * const out = createAnswers(3);
  * out.t0.set([6, 2, Number.NaN]);

@@ -15,6 +15,8 @@ import { treeKernel } from './trees.ts';
  * fastest kernel that there is; by default `intersect`, asked ray by ray. Kernels are not a part of
  * a method, because a page that asks for one ray at a time is not to load them.
  *
+ * @param method one of METHODS.
+ * @param shape as for `intersect`, checked before.
  * @param target TypeScript, or SIMD where there is such a kernel and `accelerate()` has succeeded;
  *   absent: SIMD as long as the module is accelerated. `targetOf` tells which one it is.
  * @example
@@ -36,10 +38,12 @@ export function batchOf(method: Method, shape: Shape, target?: Target): Kernel {
  * What the kernel that `batchOf` gives for the same runs as: 'simd' only where there is a SIMD
  * kernel and `accelerate()` has succeeded.
  *
+ * @param method one of METHODS.
+ * @param shape as for `intersect`, checked before.
  * @param target as for `batchOf`.
  * @example
- * const exact = METHODS.find(({ id }) => id === 'exact')!;
- * targetOf(exact, { kind: 'cylinder', center: [0, 0, 0], radius: 5 }, 'simd'); // → 'typescript'
+ * const found = METHODS.find(({ id }) => id === 'exact')!;
+ * targetOf(found, { kind: 'cylinder', center: [0, 0, 0], radius: 5 }, 'simd'); // → 'typescript'
  */
 export const targetOf = (method: Method, shape: Shape, target?: Target): Target =>
   target !== 'typescript' && simdNow() !== null && hasSimd(method, shape) ? 'simd' : 'typescript';

@@ -19,5 +19,9 @@ export const ownArray: MakeArray = (length) => new Float64Array(length);
  * `certified` costs for both roots. For arrays that stay where they are made: the buffer is shared
  * with all others of this kind, so it cannot be transferred, and cloning one array copies all of
  * it.
+ *
+ * @param length in doubles.
+ * @example
+ * kernelArray(3).length; // → 3
  */
 export const kernelArray: MakeArray = (length) => allocate?.(length) ?? ownArray(length);

@@ -15,6 +15,11 @@ interface Decimal {
 /**
  * The first n significant decimal digits of a, rounded to nearest, a half away from zero: all of
  * them are right, however many.
+ *
+ * @param n how many, from 1.
+ * @example
+ * decimalDigits(fromNumber(0.1), 20);
+ * // → { negative: false, digits: '10000000000000000555', exponent: -1 }
  */
 export function decimalDigits(a: Surd, n: number): Decimal {
   const side = sign(a);

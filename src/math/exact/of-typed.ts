@@ -13,6 +13,12 @@ const ONE = surd.fromNumber(1);
 /**
  * The exact value of what was typed: fractions and the root of one. Null for what is not one: π,
  * sin(1), √2 + √3.
+ *
+ * @param tree what the parser of typed numbers makes of a text.
+ * @example
+ * const third = exactOf({ op: 'number', text: '0.25' });
+ * toNumber(third!); // → 0.25
+ * exactOf({ op: 'constant', name: 'pi' }); // → null
  */
 export function exactOf(tree: Typed): Surd | null {
   try {

@@ -11,6 +11,7 @@ import type { Surd } from './surd-type.ts';
 const QUOTIENT_BITS = 62;
 const QUOTIENT_TOP = 1n << BigInt(QUOTIENT_BITS);
 const DOUBLE_BITS = 53;
+
 /** HALVES[k] is half of 2^k, for all k that `settled` may drop. */
 const HALVES = Array.from({ length: QUOTIENT_BITS + 3 }, (_, k) => (1n << BigInt(k)) >> 1n);
 
@@ -21,6 +22,10 @@ const HALVES = Array.from({ length: QUOTIENT_BITS + 3 }, (_, k) => (1n << BigInt
  * 62 bits of the quotient show which two doubles are near. How close to their midpoint a surd can
  * come has no useful bound (and ties happen), so within the quotient's error of a midpoint the
  * exact sign of surd − midpoint decides.
+ *
+ * @param a any.
+ * @example
+ * toNumber(div(fromNumber(1), fromNumber(3))) === 1 / 3; // → true
  */
 export function toNumber(a: Surd): number {
   if (a.v.m === 0n || a.D.m === 0n) return roundRatio(a.u, a.w);

@@ -12,11 +12,25 @@ export function signOfSum(u: Dyadic, v: Dyadic, D: Dyadic): Sign {
   return larger === 0 ? 0 : larger > 0 ? signU : signV;
 }
 
+/**
+ * −1, 0 or 1, decided by whole numbers.
+ *
+ * @param a any.
+ * @example
+ * sign(sub(fromNumber(2), fromNumber(3))); // → -1
+ */
 export function sign(a: Surd): Sign {
   const top = signOfSum(a.u, a.v, a.D);
   return a.w.m > 0n || top === 0 ? top : top > 0 ? -1 : 1;
 }
 
+/**
+ * Whether it is 0, exactly.
+ *
+ * @param a any.
+ * @example
+ * isZero(fromNumber(-0)); // → true
+ */
 export const isZero = (a: Surd): boolean => sign(a) === 0;
 
 /** u² − v²D, the product of u + v√D and its conjugate. */

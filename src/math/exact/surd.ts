@@ -16,9 +16,25 @@ export function surd(u: Dyadic, v: Dyadic, w: Dyadic, D: Dyadic): Surd {
 
 export const ratio = (u: Dyadic, w: Dyadic): Surd => surd(u, dy.ZERO, w, dy.ZERO);
 export const fromDyadic = (u: Dyadic): Surd => ({ u, v: dy.ZERO, w: dy.ONE, D: dy.ZERO });
-/** Throws RangeError for NaN and the infinities. */
+
+/**
+ * The double itself, m · 2^e.
+ *
+ * @param x finite.
+ * @throws RangeError for NaN and the infinities.
+ * @example
+ * sign(fromNumber(-0.1)); // → -1
+ */
 export const fromNumber = (x: number): Surd => fromDyadic(dy.fromNumber(x));
 
+/**
+ * a + b, exactly.
+ *
+ * @param a any; both may hold a root, if it is the same one, as in one quadratic.
+ * @throws RangeError where two different roots meet.
+ * @example
+ * toNumber(add(fromNumber(0.5), fromNumber(0.25))); // → 0.75
+ */
 export function add(a: Surd, b: Surd): Surd {
   const [p, q, D] = overOneRoot(a, b);
   if (sameForm(p.w, q.w)) return { u: dy.add(p.u, q.u), v: dy.add(p.v, q.v), w: p.w, D };
@@ -27,9 +43,34 @@ export function add(a: Surd, b: Surd): Surd {
   return { u, v, w: dy.mul(p.w, q.w), D };
 }
 
+/**
+ * −a, exactly.
+ *
+ * @param a any.
+ * @example
+ * toNumber(neg(fromNumber(2))); // → -2
+ */
 export const neg = (a: Surd): Surd => ({ ...a, u: dy.neg(a.u), v: dy.neg(a.v) });
+
+/**
+ * a − b, exactly.
+ *
+ * @param a as for `add`, and so is b.
+ * @throws RangeError where two different roots meet.
+ * @example
+ * toNumber(sub(fromNumber(1), fromNumber(2 ** -60))) === 1; // → true
+ * isZero(sub(fromNumber(1), fromNumber(1))); // → true
+ */
 export const sub = (a: Surd, b: Surd): Surd => add(a, neg(b));
 
+/**
+ * a · b, exactly.
+ *
+ * @param a as for `add`, and so is b.
+ * @throws RangeError where two different roots meet.
+ * @example
+ * toNumber(mul(fromNumber(3), fromNumber(0.5))); // → 1.5
+ */
 export function mul(a: Surd, b: Surd): Surd {
   const [p, q, D] = overOneRoot(a, b);
   const w = dy.mul(p.w, q.w);
@@ -40,6 +81,17 @@ export function mul(a: Surd, b: Surd): Surd {
 }
 
 export const sqr = (a: Surd): Surd => mul(a, a);
+
+/**
+ * a / b, exactly.
+ *
+ * @param b not 0.
+ * @throws RangeError for b = 0, and where two different roots meet.
+ * @example
+ * const third = div(fromNumber(1), fromNumber(3));
+ * compare(mul(third, fromNumber(3)), fromNumber(1)); // → 0
+ * div(third, fromNumber(0)); // throws RangeError: division by an exact zero
+ */
 export const div = (a: Surd, b: Surd): Surd => mul(a, inverse(b));
 
 /**
@@ -63,6 +115,14 @@ export function sqrt(a: Surd): Surd {
   return { u: dy.ZERO, v: dy.ONE, w: dy.abs(w), D };
 }
 
+/**
+ * The sign of a − b, decided exactly: −1, 0 or 1.
+ *
+ * @param a as for `add`, and so is b.
+ * @throws RangeError where two different roots meet.
+ * @example
+ * compare(fromNumber(0.1), div(fromNumber(1), fromNumber(10))); // → 1
+ */
 export const compare = (a: Surd, b: Surd): Sign => sign(sub(a, b));
 
 /** a and b, and the root they share; RangeError when they hold two different ones. */

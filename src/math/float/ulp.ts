@@ -13,6 +13,10 @@ function stepMagnitude(x: number, by: 1 | -1): number {
 /**
  * The least double above x, as IEEE 754's nextUp: MAX_VALUE gives Infinity, the negative number
  * nearest 0 gives −0, either zero the smallest subnormal, Infinity and NaN themselves.
+ *
+ * @param x any double.
+ * @example
+ * nextUp(1) - 1; // → 2 ** -52
  */
 export function nextUp(x: number): number {
   if (x === 0) return Number.MIN_VALUE;
@@ -20,15 +24,22 @@ export function nextUp(x: number): number {
   return stepMagnitude(x, x > 0 ? 1 : -1);
 }
 
-/** The greatest double below x: −nextUp(−x). */
+/**
+ * The greatest double below x: −nextUp(−x).
+ *
+ * @param x any double.
+ * @example
+ * 1 - nextDown(1); // → 2 ** -53
+ */
 export const nextDown = (x: number): number => -nextUp(-x);
 
 /**
  * How many steps from double to double lead from a to b: a whole number ≥ 0, whatever the order of
  * a and b. +0 and −0 are the same place, steps are counted through it, and Infinity is one step
- * beyond MAX_VALUE. NaN if a or b is. Exact up to 2^53; beyond that (opposite ends of the line:
- * 1.8e19) the nearest double to the count.
+ * beyond MAX_VALUE. Exact up to 2^53; beyond that (opposite ends of the line: 1.8e19) the nearest
+ * double to the count.
  *
+ * @param a any double, as b; NaN gives NaN.
  * @example
  * ulpDistance(0.1 + 0.2, 0.3); // → 1
  * ulpDistance(-0, 0); // → 0

@@ -47,7 +47,14 @@ export function cross(a: ExprTriple, b: ExprTriple): ExprTriple {
   return [minor(1, 2), minor(2, 0), minor(0, 1)];
 }
 
-/** The components of a vector by its symbol. */
+/**
+ * The components of a vector by its symbol.
+ *
+ * @param vector the vector's letter.
+ * @example
+ * evaluateTriple(components('d'), float64, { scalars: {}, vectors: { d: [1, 2, 3] } });
+ * // → [1, 2, 3]
+ */
 export const components = (vector: string): ExprTriple => alongAxes((axis) => comp(vector, axis));
 
 /** The ray's moment about a point: m = d × (E − C). Sliding E along the ray does not change it. */

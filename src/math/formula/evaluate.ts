@@ -2,6 +2,7 @@ import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { type AXES, axisIndex } from '../vec3.ts';
 import type { Expr, VectorExpr } from './expr.ts';
 
+/** Three components, along x, y and z. */
 export type Triple<T> = readonly [T, T, T];
 
 /** What the symbols of a formula stand for. */
@@ -12,11 +13,26 @@ export interface Values<T> {
 
 /**
  * Doubles as numbers of another system; each is taken over exactly where the system is wide enough.
+ *
+ * @param values doubles by symbol, in the units of the formula.
+ * @param arithmetic the other system; only its `of` is used.
+ * @throws what that `of` throws: RangeError for NaN and the infinities in exact systems.
+ * @example
+ * const { scalars } = lift({ scalars: { r: 0.5 }, vectors: {} }, exact);
+ * exact.toNumber(scalars.r!); // → 0.5
  */
 export const lift = <T>(values: Values<number>, { of }: Arithmetic<T>): Values<T> =>
   mapped(values, of);
 
-/** Every number of the values in another system. */
+/**
+ * Every number of the values in another system.
+ *
+ * @param values numbers of one system by symbol.
+ * @param of the same number in the other system.
+ * @example
+ * mapped({ scalars: { r: 2 }, vectors: { d: [1, 2, 3] } }, String);
+ * // → { scalars: { r: '2' }, vectors: { d: ['1', '2', '3'] } }
+ */
 export function mapped<S, T>(values: Values<S>, of: (x: S) => T): Values<T> {
   const scalars: Record<string, T> = {};
   const vectors: Record<string, Triple<T>> = {};
@@ -26,18 +42,43 @@ export function mapped<S, T>(values: Values<S>, of: (x: S) => T): Values<T> {
   return { scalars, vectors };
 }
 
+/**
+ * The values and these numbers besides, in new objects.
+ *
+ * @param scalars by symbol; one that is there already is replaced.
+ * @example
+ * withScalars({ scalars: { r: 2 }, vectors: {} }, { t: 5 });
+ * // → { scalars: { r: 2, t: 5 }, vectors: {} }
+ */
 export function withScalars<T>(values: Values<T>, scalars: Readonly<Record<string, T>>): Values<T> {
   return { scalars: { ...values.scalars, ...scalars }, vectors: values.vectors };
 }
 
+/**
+ * The values and this vector besides, in new objects.
+ *
+ * @param id its symbol; one that is there already is replaced.
+ * @param v its components, in the unit of the formula.
+ * @example
+ * withVector({ scalars: {}, vectors: {} }, 'd', [1, 0, 0]).vectors; // → { d: [1, 0, 0] }
+ */
 export function withVector<T>(values: Values<T>, id: string, v: Triple<T>): Values<T> {
   return { scalars: values.scalars, vectors: { ...values.vectors, [id]: v } };
 }
 
 /**
- * The value of a tree, operation by operation in the order in which it is written. `branch` is the
- * sign taken at ±. Throws a RangeError for a symbol without a value: that is a formula used in the
- * wrong place, never bad input.
+ * The value of a tree, operation by operation in the order in which it is written.
+ *
+ * @param expr the tree.
+ * @param arithmetic the number system: float64, exact, ratios, …
+ * @param values what its symbols stand for, numbers of that system.
+ * @param branch the sign taken at ±.
+ * @throws RangeError for a symbol without a value (a formula used in the wrong place, never bad
+ *   input), and what the arithmetic throws.
+ * @example
+ * const values = { scalars: { A: 1, B: -20, C: 84, D: 64 }, vectors: {} };
+ * [evaluate(ROOTS, float64, values, -1), evaluate(ROOTS, float64, values)]; // → [6, 14]
+ * evaluate(scalar('r'), float64, values); // throws RangeError: no value for r
  */
 export function evaluate<T>(
   expr: Expr,
@@ -104,11 +145,28 @@ export function dotProduct<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): T 
   return ar.add(ar.add(ar.mul(a[0], b[0]), ar.mul(a[1], b[1])), ar.mul(a[2], b[2]));
 }
 
+/**
+ * x² + y² + z², from the left.
+ *
+ * @param ar the number system.
+ * @param a three numbers of the system, of one unit; the value has its square.
+ * @example
+ * squaredNorm([3, 0, 4], float64); // → 25
+ */
 export function squaredNorm<T>(a: Triple<T>, ar: Arithmetic<T>): T {
   return ar.add(ar.add(ar.sqr(a[0]), ar.sqr(a[1])), ar.sqr(a[2]));
 }
 
-/** Evaluates one tree per component. */
+/**
+ * Evaluates one tree per component.
+ *
+ * @param exprs trees, of x, y and z.
+ * @param ar as for `evaluate`, and so are the values.
+ * @throws as `evaluate` does.
+ * @example
+ * const values = { scalars: { t: 2 }, vectors: { E: [4, 1, 0], d: [-1, 0, 0.5] } } as const;
+ * evaluateTriple(POINT, float64, values); // → [2, 1, 1]
+ */
 export function evaluateTriple<T>(
   exprs: Triple<Expr>,
   ar: Arithmetic<T>,
@@ -118,7 +176,13 @@ export function evaluateTriple<T>(
   return [evaluate(x, ar, values), evaluate(y, ar, values), evaluate(z, ar, values)];
 }
 
-/** The three components of a formula that is the same along each axis. */
+/**
+ * The three components of a formula that is the same along each axis.
+ *
+ * @param f asked for x, y and z in turn.
+ * @example
+ * alongAxes((axis) => axis.toUpperCase()); // → ['X', 'Y', 'Z']
+ */
 export function alongAxes<T>(f: (axis: (typeof AXES)[number]) => T): Triple<T> {
   return [f('x'), f('y'), f('z')];
 }

@@ -20,6 +20,17 @@ const RESULT_DIGITS = 6;
 /**
  * Whether a reader who works the line out from the numbers that are printed in it, without any
  * rounding, gets the printed result in all its digits. False also where the line has no value.
+ *
+ * @param expr the line, a tree.
+ * @param values doubles by symbol: what is rounded for print.
+ * @param written how the line stands there.
+ * @param result the result in doubles, of which six digits are printed.
+ * @param branch the sign taken at ±.
+ * @example
+ * const values = { scalars: { B: 1.23456, A: 1, C: 0.25 }, vectors: {} };
+ * const D = 1.23456 * 1.23456 - 1;
+ * reproduces(DISCRIMINANT, values, { worked: false, digits: 6 }, D); // → true
+ * reproduces(DISCRIMINANT, values, { worked: false, digits: 3 }, D); // → false
  */
 export function reproduces(
   expr: Expr,
@@ -39,6 +50,14 @@ export function reproduces(
 /**
  * The exact value of the line as it is printed; null where a number of it is not finite, or it has
  * no value.
+ *
+ * @param expr the line, a tree.
+ * @param values doubles by symbol.
+ * @param written how the line stands there; `branch` is the sign taken at ±.
+ * @example
+ * const half = over(scalar('a'), num(2));
+ * recomputed(half, { scalars: { a: 1.25 }, vectors: {} }, { worked: false, digits: 2 });
+ * // → { n: 13n, d: 2n, e: -1 }
  */
 export function recomputed(
   expr: Expr,
@@ -63,7 +82,15 @@ export function recomputed(
   }
 }
 
-/** Whether every number that is put in is finite. */
+/**
+ * Whether every number that is put in is finite.
+ *
+ * @param expr the line, a tree.
+ * @param values doubles by symbol.
+ * @param worked whether −B, √D, 2A and N·d stand there worked out.
+ * @example
+ * isWritable(scalar('D'), { scalars: { D: Infinity }, vectors: {} }, false); // → false
+ */
 export function isWritable(expr: Expr, values: Values<number>, worked: boolean): boolean {
   if (worked && isWorked(expr)) return Number.isFinite(evaluate(expr, float64, values));
   switch (expr.op) {
@@ -107,7 +134,16 @@ function workedOut(
   return expr;
 }
 
-/** The decimal number that is printed for x, exactly. Throws RangeError where x is not finite. */
+/**
+ * The decimal number that is printed for x, exactly. Throws RangeError where x is not finite.
+ *
+ * @param x a finite double.
+ * @param digits significant digits.
+ * @throws RangeError where x is not finite.
+ * @example
+ * asPrinted(0.1, 6); // → { n: 1n, d: 1n, e: -1 }
+ * asPrinted(Infinity, 6); // throws RangeError: no decimal for Infinity
+ */
 export function asPrinted(x: number, digits: number): Ratio {
   if (!Number.isFinite(x)) throw new RangeError(`no decimal for ${x}`);
   const { mantissa, exponent } = displayParts(x, digits);

@@ -2,6 +2,14 @@ import { exact as exactArithmetic } from '../arithmetic/exact.ts';
 import { textbookSolver } from './solvers.ts';
 import { treeMethod } from './tree-method.ts';
 
+/**
+ * The method that decides everything by whole numbers: what the others are compared with.
+ *
+ * @example
+ * const ray = { origin: [1e8, 0, 1], direction: [-1, 0, 0] } as const;
+ * exactMethod.intersect({ kind: 'sphere', center: [0, 0, 0], radius: 1 }, ray).class;
+ * // → 'tangent'
+ */
 export const exact = treeMethod(
   {
     id: 'exact',

@@ -63,7 +63,14 @@ function ascending<T>([t, s]: readonly [T, T], ar: Arithmetic<T>): readonly [T, 
   return swapped ? [s, t] : [t, s];
 }
 
-/** t = (−B ± √D) / 2A as it stands. */
+/**
+ * t = (−B ± √D) / 2A as it stands.
+ *
+ * @param A of the arithmetic, as B, C and D: D may be another than B² − 4AC.
+ * @param ar the number system.
+ * @example
+ * textbookSolver(1, -20, 84, 64, float64).roots; // → [6, 14]
+ */
 export const textbookSolver: Solver = solverWith((values, ar) => [
   evaluate(ROOTS, ar, values, -1),
   evaluate(ROOTS, ar, values, 1),
@@ -71,11 +78,13 @@ export const textbookSolver: Solver = solverWith((values, ar) => [
 
 const B = scalar('B');
 const ROOT_OF_D = root(scalar('D'));
+
 /** q = −(B + √D)/2 for B ≥ 0 and (√D − B)/2 for B < 0: B and √D never cancel. */
 export const STABLE_Q: readonly [Expr, Expr] = [
   over(negative(plus(B, ROOT_OF_D)), num(2)),
   over(minus(ROOT_OF_D, B), num(2)),
 ];
+
 /** t = q/A and t = C/q; q = 0 needs B = D = 0, and then the roots are equal. */
 export const STABLE_ROOTS: readonly [Expr, Expr] = [
   over(scalar('q'), scalar('A')),

@@ -72,7 +72,16 @@ function formulaOf(shape: Shape): CurvedFormula | FlatFormula {
   return definitionOf(shape).formula(shape);
 }
 
-/** The ray's and the shape's symbols in the method's numbers. */
+/**
+ * The ray's and the shape's symbols in the method's numbers.
+ *
+ * @param shape as for `intersect`, and so is the ray; lengths in units of length.
+ * @param arithmetic the system of the numbers.
+ * @example
+ * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;
+ * const ray = { origin: [4, 0, 0], direction: [-1, 0, 0] } as const;
+ * valuesOf(sphere, ray, float64).scalars; // → { r: 2 }
+ */
 export function valuesOf<T>(shape: Shape, ray: Ray, arithmetic: Arithmetic<T>): Values<T> {
   const own = definitionOf(shape).values(shape);
   return lift(

@@ -8,6 +8,7 @@ import type { KernelNumbers } from './numbers.ts';
 import type { Param } from './params.ts';
 import type { FlatFormula } from './planar.ts';
 
+/** The trees of a shape. */
 export type Formula = CurvedFormula | FlatFormula;
 
 /** What a shape is with its present parameters, and how its special places are called. */

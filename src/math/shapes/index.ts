@@ -32,4 +32,6 @@ type ShapeOf<D> = D extends ShapeDefinition<infer S> ? S : never;
  * A kind with its parameters, by the keys of its `params`: points and lengths in units of length.
  */
 export type Shape = ShapeOf<(typeof SHAPES)[number]>;
+
+/** The `kind` of one of SHAPES. */
 export type ShapeKind = Shape['kind'];

@@ -4,7 +4,14 @@ import type { ShapeDefinition } from './define.ts';
 import { SHAPES, type Shape } from './index.ts';
 import { checkParam } from './params.ts';
 
-/** The registry's entry for a kind, or undefined. */
+/**
+ * The registry's entry for a kind, or undefined.
+ *
+ * @param kind anything; a shape's `kind` has an entry.
+ * @example
+ * findShape('cone')?.title; // → 'cone'
+ * findShape('torus'); // → undefined
+ */
 export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
   // One entry's functions take that entry's shape only; whoever looks one up by a shape's kind
   // passes that shape.
@@ -20,6 +27,11 @@ const FIELDS: ReadonlyMap<string, readonly string[]> = new Map(
 /**
  * What a name that people may look for is here: "a hyperboloid with a = -1"; null for a name that
  * nothing has.
+ *
+ * @param name anything.
+ * @example
+ * knownAs('ellipsoid'); // → 'a hyperboloid with a < 0'
+ * knownAs('torus'); // → null
  */
 export function knownAs(name: unknown): string | null {
   for (const { kind } of SHAPES) {
@@ -30,6 +42,15 @@ export function knownAs(name: unknown): string | null {
   return null;
 }
 
+/**
+ * The registry's entry for a shape.
+ *
+ * @param shape only its `kind` is looked at.
+ * @throws InvalidInput for a kind that there is not.
+ * @example
+ * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 1 } as const;
+ * definitionOf(sphere).params.map(({ symbol }) => symbol); // → ['C', 'r']
+ */
 export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
   const found = findShape(shape?.kind);
   if (!found) {
@@ -40,8 +61,16 @@ export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
 }
 
 /**
- * The shape with its vectors as plain arrays: itself, where they are. Throws InvalidInput unless
- * every parameter of its kind is there and in its range, and nothing else.
+ * The shape with its vectors as plain arrays: itself, where they are.
+ *
+ * @param shape what a caller gave.
+ * @throws InvalidInput unless every parameter of its kind is there and in its range, and nothing
+ *   else.
+ * @example
+ * checkedShape({ kind: 'sphere', center: Float64Array.of(1, 2, 3), radius: 1 });
+ * // → { kind: 'sphere', center: [1, 2, 3], radius: 1 }
+ * checkedShape({ kind: 'sphere', center: [0, 0, 0], radius: -1 });
+ * // throws InvalidInput: radius must be ≥ 0, got -1
  */
 export function checkedShape(shape: Given<Shape>): Shape {
   const { kind, params } = definitionOf(shape as Shape);

@@ -17,6 +17,7 @@ interface ParamBase {
   readonly title: string;
 }
 
+/** A point, in units of length, or a normal, of any length but 0. */
 export interface VectorParam extends ParamBase {
   readonly type: 'vector';
   readonly initial: Vec3;
@@ -28,6 +29,7 @@ export interface VectorParam extends ParamBase {
   readonly nonZero?: boolean;
 }
 
+/** A length or a ratio. */
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly initial: number;
@@ -41,6 +43,7 @@ export interface NumberParam extends ParamBase {
   readonly least?: number;
 }
 
+/** One of the three axes. */
 export interface AxisParam extends ParamBase {
   readonly type: 'axis';
   readonly initial: Axis;
@@ -48,6 +51,7 @@ export interface AxisParam extends ParamBase {
   readonly linkDefault?: Axis;
 }
 
+/** A parameter of a shape, as its entry declares it. */
 export type Param = VectorParam | NumberParam | AxisParam;
 
 type Named<P extends Param> = Pick<P, 'key' | 'symbol' | 'title' | 'initial' | 'linkDefault'>;
@@ -68,7 +72,17 @@ export function lengthParam(about: Named<NumberParam>): NumberParam {
   return { type: 'number', ...about, range: [0, 4], step: 0.05, unit: 'length', least: 0 };
 }
 
-/** Throws InvalidInput if `value` is not allowed for the parameter. */
+/**
+ * Nothing, if `value` is allowed for the parameter.
+ *
+ * @param param one of an entry's `params`.
+ * @param value what was given for it.
+ * @throws InvalidInput with a message that quotes the value.
+ * @example
+ * const [, radius] = findShape('sphere')!.params;
+ * checkParam(radius!, 0); // → undefined
+ * checkParam(radius!, '1'); // throws InvalidInput: radius must be a finite number, got '1'
+ */
 export function checkParam(param: Param, value: unknown): void {
   if (param.type === 'axis') {
     if (!AXES.includes(value as Axis)) {

@@ -71,12 +71,27 @@ export interface Bound {
   meetsLine<T>(values: Values<T>, arithmetic: Arithmetic<T>): boolean | null;
 }
 
-/** The values of a formula with X = (x, y, z) put in, as a vector and by components. */
+/**
+ * The values of a formula with X = (x, y, z) put in, as a vector and by components.
+ *
+ * @param x a point, in units of length.
+ * @example
+ * withPoint({ scalars: {}, vectors: {} }, [1, 2, 3]).scalars; // → { x: 1, y: 2, z: 3 }
+ */
 export function withPoint<T>(values: Values<T>, x: Triple<T>): Values<T> {
   return withVector(withScalars(values, { x: x[0], y: x[1], z: x[2] }), 'X', x);
 }
 
-/** Which of the relations left ≤ right hold; null where the arithmetic cannot tell. */
+/**
+ * Which of the relations left ≤ right hold; null where the arithmetic cannot tell.
+ *
+ * @param relations a figure's conditions.
+ * @param values what their symbols stand for.
+ * @param ar the number system.
+ * @example
+ * const least = { left: num(0), relation: '≤', right: scalar('x') } as const;
+ * whichHold([least], { scalars: { x: -1 }, vectors: {} }, float64); // → [false]
+ */
 export const whichHold = <T>(
   relations: readonly Relation[],
   values: Values<T>,
@@ -94,7 +109,13 @@ export const excesses = <T>(
     ar.sub(evaluate(left, ar, values), evaluate(right, ar, values)),
   );
 
-/** All of them: one that fails decides, one that is unknown leaves it open. */
+/**
+ * All of them: one that fails decides, one that is unknown leaves it open.
+ *
+ * @param holds true, false or null for each condition.
+ * @example
+ * [all([true, null]), all([false, null]), all([])]; // → [null, false, true]
+ */
 export function all(holds: readonly (boolean | null)[]): boolean | null {
   if (holds.includes(false)) return false;
   return holds.includes(null) ? null : true;

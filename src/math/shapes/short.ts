@@ -1,6 +1,13 @@
 import type { Vec3 } from '../vec3.ts';
 
-/** x rounded to so many significant bits. */
+/**
+ * x rounded to so many significant bits.
+ *
+ * @param x any double.
+ * @param bits from 1 to 53.
+ * @example
+ * [short(0.3, 2), short(100, 3)]; // → [0.25, 96]
+ */
 export function short(x: number, bits: number): number {
   if (x === 0 || !Number.isFinite(x)) return x;
   const step = 2 ** (Math.floor(Math.log2(Math.abs(x))) + 1 - bits);

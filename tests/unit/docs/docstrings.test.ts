@@ -1,17 +1,16 @@
 import { posix } from 'node:path';
 import { describe, expect, test } from 'vitest';
-import { ROOT, read } from './documents.ts';
+import { codeSpans, filesIn, ROOT, read, section } from './documents.ts';
 import { runExample } from './examples.ts';
 
-/** What other rooms and other programs import of the math module, and seeds for its families. */
-const DOORS = [
-  'src/math/index.ts',
-  'src/math/batch/batch.ts',
-  'src/math/batch/kernels.ts',
-  'src/math/families.ts',
-  'src/math/accelerate.ts',
-  'src/math/rng.ts',
-];
+/** The doors of the math module: all that other rooms and other programs import of it. */
+const DOORS = filesIn('src/math/').filter((path) => path.endsWith('.ts') && isDoor(path));
+
+/** docs/ARCHITECTURE.md lists them. */
+function isDoor(path: string): boolean {
+  const doors = section(read('docs/ARCHITECTURE.md'), '## Doors of the math module');
+  return codeSpans(doors).includes(posix.basename(path));
+}
 
 interface Docstring {
   /** Without the stars. */
@@ -31,17 +30,25 @@ function docstringsIn(path: string): readonly Docstring[] {
   }));
 }
 
-/** What a door declares itself, and what it hands on from other files. */
-function docstringsOf(door: string): readonly Docstring[] {
-  const handedOn = [...read(door).matchAll(/^export (?:type )?\{([^}]*)\} from '([^']+)'/gm)];
+/** What a file declares itself, and what it hands on from others, under its name there. */
+function docstringsOf(path: string): readonly Docstring[] {
+  const handedOn = [...read(path).matchAll(/^export (?:type )?\{([^}]*)\} from '([^']+)'/gm)];
   return [
-    ...docstringsIn(door),
+    ...docstringsIn(path),
     ...handedOn.flatMap(([, list = '', from = '']) => {
-      const names = [...list.matchAll(/(\w+)(?:,|\s*$)/g)].map((m) => m[1]);
-      const target = posix.join(posix.dirname(door), from);
-      return docstringsIn(target).filter(({ name }) => names.includes(name));
+      const known = docstringsOf(posix.join(posix.dirname(path), from));
+      return [...list.matchAll(/(\w+)(?: as (\w+))?(?=,|\s*$)/g)].flatMap(
+        ([, name = '', alias = name]) =>
+          known.filter((one) => one.name === name).map(({ text }) => ({ text, name: alias })),
+      );
     }),
   ];
+}
+
+/** The parameters' names, of those that have one. */
+function parametersOf(work: unknown): readonly string[] {
+  const [, list = ''] = /^(?:async )?(?:function )?\w*\(([^)]*)\)/.exec(String(work)) ?? [];
+  return list.split(',').flatMap((one) => /^\s*(?:\.\.\.)?(\w+)/.exec(one)?.[1] ?? []);
 }
 
 /** The code of an `@example`, which is a docstring's last part. */
@@ -54,20 +61,28 @@ const modules: Readonly<Record<string, Readonly<Record<string, unknown>>>> = Obj
 );
 const names = Object.assign({}, ...Object.values(modules));
 
-describe.each(DOORS.slice(0, -1))('%s', (door) => {
+describe.each(DOORS)('%s', (door) => {
   const docstrings = docstringsOf(door);
-  const works = docstrings.filter(
-    ({ name }) => typeof modules[door]?.[name] === 'function' || exampleOf(name) !== '',
-  );
-  function exampleOf(name: string): string {
-    return exampleIn(docstrings.find((one) => one.name === name)?.text ?? '');
-  }
+  const isFunction = (name: string): boolean => typeof modules[door]?.[name] === 'function';
+  const exampleOf = (name: string): string =>
+    exampleIn(docstrings.find((one) => one.name === name)?.text ?? '');
+  const works = docstrings.filter(({ name }) => isFunction(name) || exampleOf(name) !== '');
 
-  test('all that it exports is found, and every type and function has words', () => {
+  test('all that it exports is found, and has words', () => {
     const found = docstrings.map(({ name }) => name);
     expect(Object.keys(modules[door] ?? {}).filter((name) => !found.includes(name))).toEqual([]);
-    const isNumber = (name: string): boolean => typeof modules[door]?.[name] === 'number';
-    expect(docstrings.filter(({ text, name }) => text === '' && !isNumber(name))).toEqual([]);
+    expect(docstrings.filter(({ text }) => text.trim() === '')).toEqual([]);
+  });
+
+  test('the docstring of every function names its parameters', () => {
+    const unnamed = docstrings.flatMap(({ text, name }) =>
+      isFunction(name)
+        ? parametersOf(modules[door]?.[name])
+            .filter((parameter) => !new RegExp(`\\b${parameter}\\b`).test(text))
+            .map((parameter) => `${name}: ${parameter}`)
+        : [],
+    );
+    expect(unnamed).toEqual([]);
   });
 
   test.each(works.map(({ name }) => name))('the example of %s', async (name) => {

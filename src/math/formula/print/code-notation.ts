@@ -45,6 +45,16 @@ const RANK = { sum: 1, product: 2, minus: 3, single: 4 } as const;
  * The tree as an expression of a programming language that does every operation in the order of the
  * tree, so that in doubles the program has the tree's float64 value to the last bit. A square is x
  * * x: a power function may round otherwise.
+ *
+ * @param expr the tree.
+ * @param syntax TYPESCRIPT, PYTHON, GLSL or another.
+ * @param names what symbols are called in the program.
+ * @param options `branch`: the sign taken at ±, + unless told otherwise; `known`: subtrees that
+ *   have a name there already.
+ * @throws RangeError where the language has no literal for a number.
+ * @example
+ * const names = { scalar: (id: string) => id.toLowerCase(), vector: (id: string) => id };
+ * printCode(ROOTS, TYPESCRIPT, names, { branch: -1 }); // → '(-b - Math.sqrt(d)) / (2 * a)'
  */
 export function printCode(
   expr: Expr,

@@ -10,6 +10,7 @@ export const TYPESCRIPT: CodeSyntax = {
   vectors: null,
 };
 
+/** Points are tuples or lists of three doubles; needs `import math`. */
 export const PYTHON: CodeSyntax = {
   number: withPoint,
   component: (vector, axis) => `${vector}[${axisIndex(axis)}]`,

@@ -66,6 +66,10 @@ const ESCAPED: Readonly<Record<string, string>> = {
 /**
  * Words of the page inside of \text{}: nothing but ASCII, so that it does not matter which engine
  * sets it.
+ *
+ * @param words any text of the page.
+ * @example
+ * latexText('5 % of t²'); // → '\\text{5 \\% of t$^{2}$}'
  */
 export function latexText(words: string): string {
   const escaped = words

@@ -6,12 +6,31 @@ import { comp, type Expr, minus, type VectorExpr } from '../expr.ts';
 import { type Leaves, type Marks, mathNotation, type Piece, RANK } from './math-notation.ts';
 import { print } from './printer.ts';
 
-/** The formula in its symbols. */
+/**
+ * The formula in its symbols.
+ *
+ * @param expr the tree.
+ * @param marks the medium: LATEX, MATHML, templates of a page.
+ * @example
+ * inSymbols(DISCRIMINANT, LATEX); // → 'B^{2} - 4AC'
+ */
 export function inSymbols<M>(expr: Expr, marks: Marks<M>): M {
   return print(expr, mathNotation(marks, symbols(marks))).m;
 }
 
-/** The formula with the numbers put in; `worked`: with −B, √D, 2A and N·d already worked out. */
+/**
+ * The formula with the numbers put in; what has none stays a symbol.
+ *
+ * @param expr the tree.
+ * @param marks the medium, as for `inSymbols`.
+ * @param values doubles by symbol.
+ * @param options `worked`: with −B, √D, 2A and N·d already worked out; `digits`: significant digits
+ *   of each number.
+ * @example
+ * const values = { scalars: { A: 1, B: -20, C: 84 }, vectors: {} };
+ * inNumbers(DISCRIMINANT, LATEX, values, { worked: false, digits: 6 });
+ * // → '(-20)^{2} - 4 \\cdot 1 \\cdot 84'
+ */
 export function inNumbers<M>(
   expr: Expr,
   marks: Marks<M>,
@@ -21,11 +40,27 @@ export function inNumbers<M>(
   return print(expr, mathNotation(marks, numbers(marks, values, options))).m;
 }
 
-/** A number as it is typeset: true minus, powers of ten raised. */
+/**
+ * A number as it is typeset: true minus, powers of ten raised.
+ *
+ * @param x any double.
+ * @param marks the medium, as for `inSymbols`.
+ * @param digits significant digits.
+ * @example
+ * numberPiece(-1.5e-9, LATEX).m; // → '-1.5 \\cdot 10^{-9}'
+ */
 export function numberPiece<M>(x: number, marks: Marks<M>, digits = 6): Piece<M> {
   return partsPiece(displayParts(x, digits), marks);
 }
 
+/**
+ * The same of a number whose digits are chosen already.
+ *
+ * @param parts its mantissa, with a true minus, and its exponent of ten or null.
+ * @param marks the medium, as for `inSymbols`.
+ * @example
+ * partsPiece({ mantissa: '1.5', exponent: 3 }, LATEX).m; // → '1.5 \\cdot 10^{3}'
+ */
 export function partsPiece<M>({ mantissa, exponent }: DisplayParts, marks: Marks<M>): Piece<M> {
   const negative = mantissa.startsWith(MINUS);
   const sign = negative ? [marks.minus] : [];
@@ -48,6 +83,15 @@ function triple<M>(parts: readonly M[], marks: Marks<M>): M {
   );
 }
 
+/**
+ * A vector as it is typeset.
+ *
+ * @param v its components, in one unit.
+ * @param marks the medium, as for `inSymbols`.
+ * @param digits significant digits of each.
+ * @example
+ * numberTriple([3, 1, -0.5], LATEX); // → '(3, 1, -0.5)'
+ */
 export function numberTriple<M>(v: readonly number[], marks: Marks<M>, digits = 6): M {
   return triple(
     v.map((x) => numberPiece(x, marks, digits).m),

@@ -3,6 +3,8 @@ import type { Expr, VectorExpr } from '../expr.ts';
 import type { Notation, WrittenTerm } from './printer.ts';
 
 type Sort = 'scalar' | 'vector';
+
+/** The operators and relations that lines of the course hold. */
 export type Sign = '+' | '−' | '±' | '·' | ',' | '=' | '≈' | '≠' | '<' | '>' | '≤';
 
 /**

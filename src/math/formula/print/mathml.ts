@@ -28,11 +28,25 @@ export const MATHML: Marks<string> = {
   put: (m) => m,
 };
 
-/** A document of its own, to be saved or pasted into a page. */
+/**
+ * A document of its own, to be saved or pasted into a page.
+ *
+ * @param content MathML elements, as `inSymbols` makes them.
+ * @example
+ * mathmlDocument('<mi>t</mi>');
+ * // → '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mi>t</mi></math>'
+ */
 export function mathmlDocument(content: string): string {
   return `<math xmlns="${NAMESPACE}" display="block">${content}</math>`;
 }
 
+/**
+ * Words between formulas.
+ *
+ * @param words any text; what means something in XML is escaped.
+ * @example
+ * mathmlText('A < 0'); // → '<mtext>A &lt; 0</mtext>'
+ */
 export function mathmlText(words: string): string {
   return `<mtext>${escapeXml(words)}</mtext>`;
 }

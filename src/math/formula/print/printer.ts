@@ -25,12 +25,20 @@ export interface Notation<P> {
   whole(expr: Expr): P | null;
 }
 
+/** A part of a sum that is written already. */
 export interface WrittenTerm<P> {
   readonly sign: 1 | -1;
   readonly of: P;
 }
 
-/** The tree, written from the leaves upwards. */
+/**
+ * The tree, written from the leaves upwards.
+ *
+ * @param expr the tree.
+ * @param notation how each operation is written, its operands being written already.
+ * @example
+ * print(num(2), { number: String, whole: () => null } as never); // → '2'
+ */
 export function print<P>(expr: Expr, notation: Notation<P>): P {
   const whole = notation.whole(expr);
   if (whole !== null) return whole;

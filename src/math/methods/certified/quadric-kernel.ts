@@ -57,7 +57,15 @@ export function useFastRoots(roots: FastRoots | null): FastRoots | null {
   return before;
 }
 
-/** Whether batches go through WebAssembly. */
+/**
+ * Whether batches go through WebAssembly.
+ *
+ * @example
+ * accelerate(); // → true
+ * isFast(); // → true
+ * decelerate();
+ * isFast(); // → false
+ */
 export const isFast = (): boolean => fast !== null;
 
 /** What a block's passes hand on; the lists are read as soon as these have ended. */
