@@ -20,6 +20,12 @@ describe('docs/NUMERICS.md', () => {
     expect(named.filter((name) => !isThere(name))).toEqual([]);
   });
 
+  test('it names every file of certified', () => {
+    const files = readdirSync(new URL('src/math/methods/certified', ROOT));
+    const named = new Set(codeSpans(numerics));
+    expect(files.filter((name) => name.endsWith('.ts') && !named.has(name))).toEqual([]);
+  });
+
   const rows = [...section(numerics, '## 3. Where digits go').matchAll(/^\| (.*) \|$/gm)].map(
     ([, row = '']) => row.split(' | '),
   );

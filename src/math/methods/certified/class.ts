@@ -42,7 +42,7 @@ export const LEAST_A = 2 ** -20;
 export const momentError = (S: number, M: number, rhoAm: number): number =>
   S * (MOMENT_ERROR * M + SQUARE_ERROR * S) + RHO_ERROR * rhoAm + SMALLEST_D;
 
-/** The bound of the direct form, b² − AC, in units of Am·Cm; derived in class.ts. */
+/** The bound of the direct form, b² − AC, in units of Am·Cm; derived below. */
 export const DIRECT_ERROR = 27 * 2 ** -53;
 
 /*
@@ -84,8 +84,7 @@ export function openClasses(
 
 /**
  * What the direct form leaves open, with the sharper bound of the moment form: far away D/4 is a
- * small difference of b² and AC, but not of ρA and m². Formula and bound are those of pass 1 in
- * quadric-kernel.ts.
+ * small difference of b² and AC, but not of ρA and m². Formula and bound are those of refined.ts.
  */
 function classesByMoment(
   { Cx, Cy, Cz, hasY }: Quadric,

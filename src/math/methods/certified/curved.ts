@@ -129,7 +129,7 @@ function putQuotient(quotient: Float64Array, e: number, x: number, n: number, m:
 
 const HI = 0;
 const LO = 1;
-/** The coordinate of hitAtQuotient that was put last. */
+/** The coordinate that hitAtQuotient put last: its low part is read before the next is put. */
 const quotient = new Float64Array(2);
 
 function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quotient): Hit {

@@ -37,7 +37,7 @@ import { sharpenC } from './near-surface.ts';
 import { type CertifiedSlot, FAITHFUL, UU } from './numbers.ts';
 
 /*
- * Both roots from A, b, C and D/4 = b² − AC of two doubles each (doubled.ts), as sums of two
+ * Both roots from A, b, C and D/4 = b² − AC of two doubles each (algebra.ts), as sums of two
  * doubles. The errors, in u² = 2^-106, for any |δD| < D:
  *
  *   quantity         error                     reason

@@ -24,7 +24,7 @@ export const GRID_OVER_A = 8;
 /** √D/4 with the sign of A, and what it is more than that. */
 export const GRID_ROOT = 9;
 export const GRID_ROOT_LOW = 10;
-/** |d|, |E − C| and their like, and the error of D/4: grids.ts. */
+/** |d|, |E − C| and their like, and the error of D/4: see below. */
 export const GRID_REACH_D = 11;
 export const GRID_REACH_P = 12;
 export const GRID_OFF_D = 13;

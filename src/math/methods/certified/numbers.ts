@@ -114,6 +114,8 @@ export const AT_SCALED = {
   flareLow: 11,
 } as const;
 
+const SCALED_COUNT = 12;
+
 const KEPT = 8;
 const kept: { readonly q: Quadric; readonly c: CertifiedQuadric }[] = [];
 let oldest = 0;
@@ -181,8 +183,19 @@ function prepared(q: Quadric): CertifiedQuadric {
   const sign = q.squared || q.flare > 0 ? 1 : -1;
   const rhoLow = productError(q.r, q.r, rho);
   const flare = q.squared ? q.flare * q.flare : q.flare;
-  const wide = Math.max(1, s);
-  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
+  const numbers = new Float64Array(SCALED_COUNT);
+  numbers[AT_SCALED.Cx] = q.Cx;
+  numbers[AT_SCALED.Cy] = q.Cy;
+  numbers[AT_SCALED.Cz] = q.Cz;
+  numbers[AT_SCALED.k] = s;
+  numbers[AT_SCALED.k1] = k1;
+  numbers[AT_SCALED.k2] = k2;
+  numbers[AT_SCALED.sign] = sign;
+  numbers[AT_SCALED.rho] = rho;
+  numbers[AT_SCALED.rhoLow] = rhoLow;
+  numbers[AT_SCALED.flare] = flare;
+  numbers[AT_SCALED.wide] = Math.max(1, s);
+  numbers[AT_SCALED.flareLow] = q.squared ? squareError(q.flare, flare) : 0;
   return {
     k: s,
     k1,
@@ -190,10 +203,7 @@ function prepared(q: Quadric): CertifiedQuadric {
     sign,
     rho,
     rhoLow,
-    numbers: Float64Array.of(
-      ...[q.Cx, q.Cy, q.Cz, s, k1, k2, sign, rho, rhoLow],
-      ...[flare, wide, flareLow],
-    ),
+    numbers,
     flare,
     inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
     lattice: latticeOf(q),
@@ -236,7 +246,7 @@ const SMALLEST_IN_UNITS = 2 ** -100;
 
 /**
  * A shape with its units, as one array of doubles: of an object's fields V8 would not know inside a
- * loop whether they are small integers. Where each number is, is told by AT.
+ * loop whether they are small integers. Where each number is, is told by AT_LATTICE.
  */
 export type Lattice = Float64Array;
 
