@@ -1,5 +1,6 @@
 import type { Dyadic } from '../exact/dyadic.ts';
-import { toNumber } from '../exact/round.ts';
+import { bitLength, isqrt } from '../exact/isqrt.ts';
+import { settled, toNumber } from '../exact/round.ts';
 import { decompose, type Parts } from '../float/bits.ts';
 import { CONTAINED, NONE, ONE, TANGENT, TWO } from './batch.ts';
 import type { Quadric } from './quadric.ts';
@@ -16,11 +17,31 @@ const ZERO_PARTS: Parts = { m: 0n, e: 0 };
 /** parts as a whole number of 2^e; e must not lie above their own exponent. */
 const wholeOf = ({ m, e }: Parts, unit: number): bigint => (m === 0n ? 0n : m << BigInt(e - unit));
 
-/** The least exponent among numbers that are not 0. */
-function leastExponent(...parts: readonly Parts[]): number {
-  let least = Number.POSITIVE_INFINITY;
-  for (const { m, e } of parts) if (m !== 0n && e < least) least = e;
-  return least === Number.POSITIVE_INFINITY ? 0 : least;
+/** The lesser exponent; of 0 it counts as infinite. */
+const lower = (e: number, { m, e: other }: Parts): number => (m !== 0n && other < e ? other : e);
+const unitOf = (e: number): number => (e === Number.POSITIVE_INFINITY ? 0 : e);
+
+interface ShapeParts {
+  readonly q: Quadric;
+  readonly cx: Parts;
+  readonly cy: Parts;
+  readonly cz: Parts;
+  readonly r: Parts;
+  readonly flare: Parts;
+  /** The least exponent among centre and radius. */
+  readonly least: number;
+}
+
+/** Of the last shape that was asked for; this is a memo only. */
+let last: ShapeParts | null = null;
+
+function partsOf(q: Quadric): ShapeParts {
+  if (last?.q === q) return last;
+  const [cx, cz, r] = [q.Cx, q.Cz, q.r].map(decompose) as [Parts, Parts, Parts];
+  const cy = q.hasY ? decompose(q.Cy) : ZERO_PARTS;
+  const least = [cx, cy, cz, r].reduce(lower, Number.POSITIVE_INFINITY);
+  last = { q, cx, cy, cz, r, flare: decompose(q.flare), least };
+  return last;
 }
 
 /**
@@ -39,27 +60,23 @@ export function solveExactly(
   dz: number,
   slot: RootSlot,
 ): number {
+  const { cx, cy, cz, r, flare, least } = partsOf(q);
   const ex = decompose(Ex);
   const ez = decompose(Ez);
-  const cx = decompose(q.Cx);
-  const cz = decompose(q.Cz);
   const ey = q.hasY ? decompose(Ey) : ZERO_PARTS;
-  const cy = q.hasY ? decompose(q.Cy) : ZERO_PARTS;
-  const r = decompose(q.r);
-  const l = leastExponent(ex, ey, ez, cx, cy, cz, r);
+  const l = unitOf(lower(lower(lower(least, ex), ey), ez));
   const x = decompose(dx);
   const y = q.hasY ? decompose(dy) : ZERO_PARTS;
   const z = decompose(dz);
-  const k = leastExponent(x, y, z);
+  const k = unitOf(lower(lower(lower(Number.POSITIVE_INFINITY, x), y), z));
   const px = wholeOf(ex, l) - wholeOf(cx, l);
   const pz = wholeOf(ez, l) - wholeOf(cz, l);
-  const rho = wholeOf(r, l) ** 2n;
+  const radius = wholeOf(r, l);
   const X = wholeOf(x, k);
   const Z = wholeOf(z, k);
   let A = X * X + Z * Z;
   let b = X * px + Z * pz;
-  let C = px * px + pz * pz - rho;
-  const flare = decompose(q.flare);
+  let C = px * px + pz * pz - radius * radius;
   if (flare.m !== 0n) {
     const Y = wholeOf(y, k);
     const py = wholeOf(ey, l) - wholeOf(cy, l);
@@ -94,14 +111,44 @@ function rootsOf(A: bigint, b: bigint, C: bigint, e: number, slot: RootSlot): nu
     slot.t0 = ratio(-b, A, e);
     return TANGENT;
   }
+  const bySum = largerFirst(A, b, C, D, e, slot);
+  if (!bySum) [slot.t0, slot.t1] = [slot.t1, slot.t0];
+  return TWO;
+}
+
+/** Bits of D under the root, or one more: then the root has 64, the first of which is set. */
+const BITS = 127;
+
+/**
+ * With q = −(b ± √D), the sign so that nothing cancels, the roots are q/A and C/q. q by the first
+ * 64 bits of √D is off by less than a part in 2^63: enough to know the nearest double, unless a
+ * midpoint is near. Then the exact surd is compared with it.
+ *
+ * @returns whether t0, which is q/A, is the lesser.
+ */
+function largerFirst(
+  A: bigint,
+  b: bigint,
+  C: bigint,
+  D: bigint,
+  e: number,
+  slot: RootSlot,
+): boolean {
+  const half = (bitLength(D) - BITS) >> 1;
+  const up = BigInt(2 * half);
+  const root = isqrt(half < 0 ? D << -up : D >> up);
+  const minus = b < 0n ? -b : b;
+  const size = half < 0 ? (minus << BigInt(-half)) + root : minus + (root << BigInt(half));
+  const q: Dyadic = { m: b < 0n ? size : -size, e: half < 0 ? half : 0 };
   const u: Dyadic = { m: -b, e };
   const w: Dyadic = { m: A, e: 0 };
-  const root: Dyadic = { m: D, e: 0 };
-  const plus: Dyadic = { m: 1n, e };
-  const minus: Dyadic = { m: -1n, e };
-  slot.t0 = toNumber({ u, v: A > 0n ? minus : plus, w, D: root });
-  slot.t1 = toNumber({ u, v: A > 0n ? plus : minus, w, D: root });
-  return TWO;
+  const d: Dyadic = { m: D, e: 0 };
+  const positive: Dyadic = { m: 1n, e };
+  const negative: Dyadic = { m: -1n, e };
+  const [own, other] = b < 0n ? [positive, negative] : [negative, positive];
+  slot.t0 = settled({ u, v: own, w, D: d }, { m: q.m, e: q.e + e }, w);
+  slot.t1 = C === 0n ? 0 : settled({ u, v: other, w, D: d }, { m: C, e }, q);
+  return b < 0n !== A > 0n;
 }
 
 const ZERO: Dyadic = { m: 0n, e: 0 };

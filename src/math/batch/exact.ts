@@ -1,4 +1,3 @@
-import { roundedRoots, UNKNOWN } from '../methods/certified/doubled.ts';
 import type { Shape } from '../shapes/index.ts';
 import {
   type Answers,
@@ -16,8 +15,8 @@ import { type Planar, planarOf } from './planar.ts';
 import { type Quadric, quadricOf } from './quadric.ts';
 
 /**
- * Null for a shape without a kernel. Curved shapes: twice the digits, where their bounds say which
- * double is the nearest; whole numbers for the rest, and for flat shapes.
+ * Null for a shape without a kernel. By whole numbers throughout: nothing of `certified` is used,
+ * so that what is counted against `exact` proves something.
  */
 export function exactKernel(shape: Shape): Kernel | null {
   const q = quadricOf(shape);
@@ -28,23 +27,21 @@ export function exactKernel(shape: Shape): Kernel | null {
 
 function exactQuadric(q: Quadric): Kernel {
   const slot: RootSlot = { t0: Number.NaN, t1: Number.NaN };
-  const E: [number, number, number] = [0, 0, 0];
-  const d: [number, number, number] = [0, 0, 0];
-  const ray = { origin: E, direction: d };
   const both = (rays: Rays, out: Answers): void => {
     const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
     out.rareCount = 0;
     for (let i = 0; i < count; i++) {
       checkRay(rays, i, q.hasY, out);
-      E[0] = Ex[i] as number;
-      E[1] = Ey[i] as number;
-      E[2] = Ez[i] as number;
-      d[0] = dx[i] as number;
-      d[1] = dy[i] as number;
-      d[2] = dz[i] as number;
-      const quick = roundedRoots(q, ray, slot);
-      const verdict =
-        quick === UNKNOWN ? solveExactly(q, E[0], E[1], E[2], d[0], d[1], d[2], slot) : quick;
+      const verdict = solveExactly(
+        q,
+        Ex[i] as number,
+        Ey[i] as number,
+        Ez[i] as number,
+        dx[i] as number,
+        dy[i] as number,
+        dz[i] as number,
+        slot,
+      );
       out.t0[i] = slot.t0;
       out.t1[i] = slot.t1;
       out.margin[i] = verdict === NONE ? -1 : 1;

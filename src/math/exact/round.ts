@@ -57,8 +57,11 @@ function quotient(n: Dyadic, d: Dyadic): Dyadic {
   return { m: q, e: n.e - d.e - up };
 }
 
-/** a rounded, where a is n/d but for the error of `quotient`. */
-function settled(a: Surd, n: Dyadic, d: Dyadic): number {
+/**
+ * a rounded, where a is n/d but for the error of `quotient`: n or d may be off by less than a part
+ * in 2^63, neither is 0.
+ */
+export function settled(a: Surd, n: Dyadic, d: Dyadic): number {
   const negative = n.m < 0n !== d.m < 0n;
   const q = quotient(n, d);
   const size = q.m < QUOTIENT_TOP ? QUOTIENT_BITS : QUOTIENT_BITS + 1;

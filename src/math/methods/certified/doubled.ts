@@ -110,25 +110,6 @@ export function plainRoots(q: Quadric, ray: Ray, slot: RootSlot, work: Work): nu
   return putBoth(slot, work);
 }
 
-/**
- * The verdict and the correctly rounded roots of a ray, where the bounds say which double is
- * nearest: hi + lo is off by at most `off`, and both its ends round to hi. UNKNOWN elsewhere.
- */
-export function roundedRoots(q: Quadric, ray: Ray, slot: RootSlot): number {
-  const { solved } = work;
-  const verdict = plainRoots(q, ray, slot, work);
-  if (verdict === NONE) slot.t0 = slot.t1 = Number.NaN;
-  if (verdict !== TWO) return verdict;
-  return isRounded(solved, NEAR) && isRounded(solved, FAR) ? TWO : UNKNOWN;
-}
-
-function isRounded(solved: Roots, k: number): boolean {
-  const hi = solved[k] as number;
-  const lo = solved[k + ROOT_LOW] as number;
-  const off = (1 + UU) * (solved[k + ROOT_OFF] as number);
-  return hi !== 0 && hi + (lo + off) === hi && hi + (lo - off) === hi;
-}
-
 /** Not where a root has vanished below the doubles, and its bound with it. */
 const isFaithful = (solved: Roots, k: number): boolean =>
   (solved[k + ROOT_OFF] as number) < FAITHFUL * Math.abs(solved[k] as number);
