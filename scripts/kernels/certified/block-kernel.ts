@@ -9,7 +9,7 @@ import { numbered } from '../wasm/locals.ts';
 import type { Func } from '../wasm/module.ts';
 import * as op from '../wasm/ops.ts';
 import type { Code } from './expression.ts';
-import { flowOf, inputOf, partsOf, scopeOf } from './flow.ts';
+import { flowOf, inputOf, partsOf, type Step, scopeOf } from './flow.ts';
 import type { Numbers } from './prologue.ts';
 import { elementOf, type Loop } from './source.ts';
 
@@ -20,19 +20,20 @@ import { elementOf, type Loop } from './source.ts';
  */
 
 const COUNT = PARAMS.length;
-const { AT, LOT, DOUBTFUL, UNSETTLED, BITS, OPEN, LOT_END, END, HAND, HAND_END, VECTORS } =
-  numbered(
-    COUNT + 1,
-    ...(['AT', 'LOT', 'DOUBTFUL', 'UNSETTLED', 'BITS', 'OPEN'] as const),
-    ...(['LOT_END', 'END', 'HAND', 'HAND_END', 'VECTORS'] as const),
-  );
+const PLACES_OF = numbered(
+  COUNT + 1,
+  ...(['AT', 'LOT', 'DOUBTFUL', 'UNSETTLED', 'STARTING', 'BITS', 'OPEN'] as const),
+  ...(['LOT_END', 'END', 'HAND', 'HAND_END', 'VECTORS'] as const),
+);
+const { AT, LOT, DOUBTFUL, UNSETTLED, STARTING, BITS, OPEN } = PLACES_OF;
+const { LOT_END, END, HAND, HAND_END, VECTORS } = PLACES_OF;
 const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
 /**
  * `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of
- * `doubtful` into `doubtfulBytes`. `cuts` are the values of the three loops after which a part
- * ends; the first part must tell which rays are clear.
+ * `doubtful` and `starting` into `doubtfulBytes` and `startingBytes`. `cuts` are the values of the
+ * three loops after which a part ends; the first part must tell which rays are clear.
  */
 export function blockKernel(
   name: string,
@@ -55,9 +56,16 @@ export function blockKernel(
   const settled = flow.name('settled', 2);
   const [t0, t1] = [flow.name(elementOf('t0')), flow.name(elementOf('t1'))];
   // To which list an open ray goes is asked for those alone.
-  const remote = flow.steps.find(({ target }) => target === flow.name('remote', 0));
-  if (!remote) throw new ReferenceError('remote is not known');
-  const rest = { ...flow, steps: flow.steps.filter((step) => step !== remote) };
+  const late = (verdict: string): Step => {
+    const found = flow.steps.find(({ target }) => target === flow.name(verdict, 0));
+    if (!found) throw new ReferenceError(`${verdict} is not known`);
+    return found;
+  };
+  const [beside, remote] = [late('beside'), late('remote')];
+  const rest = {
+    ...flow,
+    steps: flow.steps.filter((step) => step !== beside && step !== remote),
+  };
   const last = cuts.length;
   const wanted = [...cuts, null].map((_, p) =>
     p === 0 ? [clear, missed] : p === last ? [clear, settled, t0, t1] : [],
@@ -94,7 +102,10 @@ export function blockKernel(
       ...op.storeInt(hand, PLACES, at),
       ...op.set(OPEN, no(op.bitmask(op.or(one(clear, 0), one(missed, 0))))),
       ...op.when(op.get(OPEN), [
+        ...parts.extra(beside, 0),
         ...parts.extra(remote, 0),
+        ...listBits(STARTING, op.both(op.get(OPEN), op.bitmask(one(beside.target, 0)))),
+        ...op.set(OPEN, op.both(op.get(OPEN), no(op.bitmask(one(beside.target, 0))))),
         ...listBits(DOUBTFUL, op.both(op.get(OPEN), op.bitmask(one(remote.target, 0)))),
         ...listBits(UNSETTLED, op.both(op.get(OPEN), no(op.bitmask(one(remote.target, 0))))),
       ]),
@@ -131,6 +142,7 @@ export function blockKernel(
     ...op.set(LOT, op.i32(0)),
     ...op.set(DOUBTFUL, op.i32(PLACE.doubtful)),
     ...op.set(UNSETTLED, op.i32(PLACE.unsettled)),
+    ...op.set(STARTING, op.i32(PLACE.starting)),
     ...op.during(op.less(op.get(LOT), op.get(END)), [
       ...op.set(LOT_END, op.plus(op.get(LOT), op.i32(8 * HANDED))),
       ...op.when(op.less(op.get(END), op.get(LOT_END)), op.set(LOT_END, op.get(END))),
@@ -142,6 +154,11 @@ export function blockKernel(
       op.i32(0),
       PLACE.doubtfulBytes,
       op.minus(op.get(DOUBTFUL), op.i32(PLACE.doubtful)),
+    ),
+    ...op.storeInt(
+      op.i32(0),
+      PLACE.startingBytes,
+      op.minus(op.get(STARTING), op.i32(PLACE.starting)),
     ),
     ...op.minus(op.get(UNSETTLED), op.i32(PLACE.unsettled)),
   ];

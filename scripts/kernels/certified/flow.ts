@@ -97,8 +97,12 @@ export function partsOf(
   const needs = parts.map((part, p) => [
     ...new Set([...part.flatMap(({ formula }) => namesIn(formula)), ...(wanted[p] ?? [])]),
   ]);
-  // Inputs that are not read again are handed on like values of the first part.
-  for (const name of again ? [] : needs.flat()) if (isInput(name)) partOf.set(name, 0);
+  // Inputs that are not read again are read by the first part, and handed on like its values.
+  for (const name of again ? [] : needs.flat()) {
+    if (!isInput(name)) continue;
+    partOf.set(name, 0);
+    if (!needs[0]?.includes(name)) needs[0]?.push(name);
+  }
   const slots = new Map<string, number>();
   needs.forEach((names, p) => {
     for (const name of names) {

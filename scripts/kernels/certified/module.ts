@@ -1,9 +1,18 @@
 import { readFileSync } from 'node:fs';
 import { IMPORT, PAGES } from '../../../src/math/batch/simd-memory.ts';
+import {
+  AT_SURFACE,
+  AT_SURFACE_BOUND,
+  SURFACE_BOUNDS,
+} from '../../../src/math/methods/certified/from-surface.ts';
 import { AT_LATTICE, AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
 import { AT_RECENTRED, RECENTRED_BOUNDS } from '../../../src/math/methods/certified/recentred.ts';
 import { AT_REFINED, REFINED_BOUNDS } from '../../../src/math/methods/certified/refined.ts';
-import { LATTICE_NUMBERS, SCALED_NUMBERS } from '../../../src/math/methods/certified/simd.ts';
+import {
+  LATTICE_NUMBERS,
+  SCALED_NUMBERS,
+  SURFACE_NUMBERS,
+} from '../../../src/math/methods/certified/simd.ts';
 import {
   AT_ROUGH,
   AT_SOLVE,
@@ -27,20 +36,22 @@ export function stageSources(): Readonly<Record<Stage, Source>> {
     }),
   ) as Record<Stage, Source>;
 }
-const STAGES = ['units', 'recentred', 'refined'] as const;
+const STAGES = ['units', 'from-surface', 'recentred', 'refined'] as const;
 type Stage = (typeof STAGES)[number];
 
 const lattice = (key: string): number =>
   LATTICE_NUMBERS + 8 * AT_LATTICE[key as keyof typeof AT_LATTICE];
 const scaled = (key: string): number =>
   SCALED_NUMBERS + 8 * AT_SCALED[key as keyof typeof AT_SCALED];
+const surface = (key: string): number =>
+  SURFACE_NUMBERS + 8 * AT_SURFACE[key as keyof typeof AT_SURFACE];
 
 /** The numbers by name that inSlots made doubles of. */
 const named = (at: Readonly<Record<string, number>>, doubles: Float64Array) =>
   Object.fromEntries(Object.entries(at).map(([name, k]) => [name, doubles[k] as number]));
 
 const numbersOf = (known: Numbers['known']): Numbers => ({
-  inMemory: { lattice, numbers: scaled },
+  inMemory: { lattice, numbers: scaled, surface },
   known,
 });
 
@@ -58,6 +69,7 @@ const CUTS = [
   [elementOf('spreadFar'), 1],
   ['downB', 2],
 ] as const;
+const SURFACE_CUTS = ['C', 'bl', 'clear'];
 const RECENTRED_CUTS = ['t', 'gridQ', 'b', 'clear'];
 const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
 
@@ -76,9 +88,17 @@ function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Fun
   const rough = read('units', hasY ? 'coarseInSpace' : 'coarseAroundAxis');
   const values = read('units', hasY ? 'residualsInSpace' : 'residualsAroundAxis');
   const solve = read('units', 'solvePass');
+  const start = read('from-surface', hasY ? 'surfaceInSpace' : 'surfaceAroundAxis');
   const far = read('recentred', hasY ? 'recentredInSpace' : 'recentredAroundAxis');
   return [
     blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),
+    listKernel(
+      `surface${hasY}`,
+      numbersOf({ SURFACE_BOUNDS: named(AT_SURFACE_BOUND, SURFACE_BOUNDS) }),
+      start,
+      { clear: 'clear', settled: 'settled', missed: null },
+      SURFACE_CUTS,
+    ),
     listKernel(
       `recentred${hasY}`,
       numbersOf({ RECENTRED_BOUNDS: named(AT_RECENTRED, RECENTRED_BOUNDS) }),

@@ -69,7 +69,7 @@ export function loopOf(
 }
 
 /** What the certified stages decide by. */
-const VERDICTS = ['clear', 'missed', 'remote', 'settled'] as const;
+const VERDICTS = ['clear', 'missed', 'beside', 'remote', 'settled'] as const;
 
 /** An expression alone, as loops have it. */
 export function expressionOf(text: string): Expr {

@@ -25,6 +25,7 @@ import {
   residualsAroundAxis,
   residualsInSpace,
   SMALL,
+  STARTING,
   solvePass,
   UNSETTLED,
 } from '../../../src/math/methods/certified/units.ts';
@@ -196,7 +197,7 @@ function byLattice(q: Quadric, ray: Ray): boolean {
   if (!lattice) return false;
   upToResiduals(q, lattice, ray);
   solve(lattice, out);
-  return scratch.count[DOUBTS] === 0 && scratch.count[UNSETTLED] === 0;
+  return [DOUBTS, UNSETTLED, STARTING].every((list) => scratch.count[list] === 0);
 }
 
 function byRecentring(q: Quadric, ray: Ray): boolean {

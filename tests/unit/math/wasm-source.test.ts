@@ -283,7 +283,7 @@ describe('names', () => {
     expect(() => numberOf('LIMITS', 'least', nowhere)).toThrow(/^LIMITS\[least\] is not known$/);
   });
   test('an array that is read and never written is named', () => {
-    const rough = [value('clear', '1 < 2'), value('missed', '2 < 1'), value('remote', '1 < 2')];
+    const rough = ['clear', 'missed', 'beside', 'remote'].map((name) => value(name, '1 < 2'));
     const loop = (statements: readonly Statement[]) => ({ constants: [], statements });
     const make = (first: readonly Statement[], cuts: readonly (readonly [string, 0])[]) =>
       blockKernel(
@@ -293,7 +293,8 @@ describe('names', () => {
         cuts,
       );
     expect(() => make(rough, [['missed', 0]])).toThrow(/^gs__ is read but never written$/);
-    expect(() => make(rough.slice(0, 2), [['missed', 0]])).toThrow(/^remote is not known$/);
+    expect(() => make(rough.slice(0, 2), [['missed', 0]])).toThrow(/^beside is not known$/);
+    expect(() => make(rough.slice(0, 3), [['missed', 0]])).toThrow(/^remote is not known$/);
     expect(() => make(rough, [['gone', 0]])).toThrow(/^no gone to cut after$/);
     expect(() => make(rough, [])).toThrow(/^f has no parts$/);
   });

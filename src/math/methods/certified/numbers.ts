@@ -293,8 +293,8 @@ const LATTICE_COUNT = 28;
  * x rounded to a whole number, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction.
  * Math.round would make V8 convert to int32 and back.
  */
-const ROUND = 1.5 * 2 ** 52;
-const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
+export const ROUND = 1.5 * 2 ** 52;
+export const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
 
 /** Null for a shape whose numbers are not ordinary. */
 export function latticeOf(q: Quadric): Lattice | null {

@@ -15,6 +15,7 @@ import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
 import { openClasses } from './class.ts';
 import { solveSlowly } from './doubled.ts';
+import { surfaceAroundAxis, surfaceInSpace, surfaceNumbers } from './from-surface.ts';
 import {
   type CertifiedQuadric,
   type CertifiedSlot,
@@ -30,6 +31,7 @@ import {
   DOUBTS,
   ordinaryRootsWith,
   type Scratch,
+  STARTING,
   UNSETTLED,
 } from './units.ts';
 
@@ -89,7 +91,7 @@ export function bothRoots(
     return;
   }
   left.count = 0;
-  const { doubtful, unsettled, count } = scratch;
+  const { doubtful, unsettled, starting, count } = scratch;
   const recentred = q.hasY ? recentredInSpace : recentredAroundAxis;
   for (let from = 0; from < rays.count; from += BLOCK) {
     const to = Math.min(from + BLOCK, rays.count);
@@ -98,8 +100,17 @@ export function bothRoots(
     const doubts = count[DOUBTS] as number;
     const far = doubts > 0 ? recentred(c.numbers, rays, out, doubtful, doubts) : 0;
     refineAndList(q, c, rays, out, left, doubtful, far);
+    refineAndList(q, c, rays, out, left, starting, fromSurface(q, c, rays, out));
     refineAndList(q, c, rays, out, left, unsettled, count[UNSETTLED] as number);
   }
+}
+
+/** How many of the rays that start on a surface or near it are left. */
+function fromSurface(q: Quadric, { lattice }: CertifiedQuadric, rays: Rays, out: Answers): number {
+  const starts = scratch.count[STARTING] as number;
+  if (starts === 0 || !lattice) return starts;
+  const pass = q.hasY ? surfaceInSpace : surfaceAroundAxis;
+  return pass(surfaceNumbers(q, lattice), rays, out, scratch.starting, starts);
 }
 
 function refineAndList(
@@ -120,6 +131,7 @@ function leaveAll({ doubtful, count }: Scratch, from: number, to: number): void 
   for (let i = from; i < to; i++) doubtful[i - from] = i;
   count[DOUBTS] = to - from;
   count[UNSETTLED] = 0;
+  count[STARTING] = 0;
 }
 
 /** Fast stages over all rays, then what they left open, one by one. */

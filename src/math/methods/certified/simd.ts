@@ -12,6 +12,7 @@ import {
   SCRATCH_BYTES,
   type SimdMemory,
 } from '../../batch/simd-memory.ts';
+import { SURFACE_COUNT, surfaceNumbers } from './from-surface.ts';
 import type { CertifiedQuadric, OpenRays } from './numbers.ts';
 import type { FastRoots } from './quadric-kernel.ts';
 
@@ -29,6 +30,7 @@ export const HANDED = 128;
 /** Where the constants of the ordinary rays' passes and of the stages after them begin. */
 export const LATTICE_NUMBERS = NUMBERS;
 export const SCALED_NUMBERS = NUMBERS + 512;
+export const SURFACE_NUMBERS = SCALED_NUMBERS + 128;
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
@@ -51,7 +53,9 @@ export const PLACE = {
   t1: BLOCK.t1,
   doubtful: SCRATCH,
   unsettled: SCRATCH + LIST_BYTES,
-  doubtfulBytes: SCRATCH + 2 * LIST_BYTES,
+  starting: SCRATCH + 2 * LIST_BYTES,
+  doubtfulBytes: SCRATCH + 3 * LIST_BYTES,
+  startingBytes: SCRATCH + 3 * LIST_BYTES + 4,
 } as const;
 
 const HANDED_START = PLACE.doubtfulBytes + 64;
@@ -82,11 +86,15 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
     (SCALED_NUMBERS - LATTICE_NUMBERS) / 8,
   );
   const scaledNumbers = new Float64Array(buffer, SCALED_NUMBERS, 16);
+  const surface = new Float64Array(buffer, SURFACE_NUMBERS, SURFACE_COUNT);
   const doubtful = indices(PLACE.doubtful);
   const unsettled = indices(PLACE.unsettled);
+  const starting = indices(PLACE.starting);
   const doubtfulBytes = new Int32Array(buffer, PLACE.doubtfulBytes, 1);
+  const startingBytes = new Int32Array(buffer, PLACE.startingBytes, 1);
   const kernels = [false, true].map((hasY) => ({
     ordinary: exports[`ordinary${hasY}`] as Run,
+    surface: exports[`surface${hasY}`] as Run,
     recentred: exports[`recentred${hasY}`] as Run,
     refined: exports[`refined${hasY}`] as Run,
   }));
@@ -118,15 +126,24 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
       const far = here ? t1.byteOffset + 8 * from : PLACE.t1;
       let doubts = count;
       let open = 0;
+      let starts = 0;
       if (c.lattice) {
         open = kernel.ordinary(ex, ey, ez, x, y, z, near, far, count) >> 2;
         doubts = (doubtfulBytes[0] as number) >> 2;
+        starts = (startingBytes[0] as number) >> 2;
       } else for (let i = 0; i < count; i++) doubtful[i] = i;
       if (doubts > 0) {
         doubts = kernel.recentred(ex, ey, ez, x, y, z, near, far, PLACE.doubtful, doubts) >> 2;
       }
       if (doubts > 0) {
         doubts = kernel.refined(ex, ey, ez, x, y, z, near, far, PLACE.doubtful, doubts) >> 2;
+      }
+      if (starts > 0 && c.lattice) {
+        surface.set(surfaceNumbers(q, c.lattice));
+        starts = kernel.surface(ex, ey, ez, x, y, z, near, far, PLACE.starting, starts) >> 2;
+      }
+      if (starts > 0) {
+        starts = kernel.refined(ex, ey, ez, x, y, z, near, far, PLACE.starting, starts) >> 2;
       }
       if (open > 0) {
         open = kernel.refined(ex, ey, ez, x, y, z, near, far, PLACE.unsettled, open) >> 2;
@@ -136,6 +153,7 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
         t1.set(part(block.t1, 0, count), from);
       }
       for (let j = 0; j < doubts; j++) left.open[left.count++] = from + (doubtful[j] as number);
+      for (let j = 0; j < starts; j++) left.open[left.count++] = from + (starting[j] as number);
       for (let j = 0; j < open; j++) left.open[left.count++] = from + (unsettled[j] as number);
     }
   };

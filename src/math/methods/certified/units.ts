@@ -42,16 +42,21 @@ export interface Scratch {
   readonly reach: Float64Array;
   readonly spread: Float64Array;
   readonly spreadFar: Float64Array;
-  /** Places of rays that pass 1 could not judge, and of clear hits that pass 3 could not settle. */
+  /**
+   * Places of rays that pass 1 could not judge, of clear hits that pass 3 could not settle, and of
+   * rays that start on the surface or near it.
+   */
   readonly doubtful: Int32Array;
   readonly unsettled: Int32Array;
-  /** How many there are: hits, doubtful, unsettled. */
+  readonly starting: Int32Array;
+  /** How many there are: hits, doubtful, unsettled, starting. */
   readonly count: Int32Array;
 }
 
 export const HITS = 0;
 export const DOUBTS = 1;
 export const UNSETTLED = 2;
+export const STARTING = 3;
 
 export function createScratch(): Scratch {
   const array = (): Float64Array => new Float64Array(BLOCK);
@@ -79,7 +84,8 @@ export function createScratch(): Scratch {
     spreadFar: array(),
     doubtful: new Int32Array(BLOCK),
     unsettled: new Int32Array(BLOCK),
-    count: new Int32Array(3),
+    starting: new Int32Array(BLOCK),
+    count: new Int32Array(4),
   };
 }
 
@@ -117,6 +123,12 @@ export const SLACK = 14 * 2 ** -53;
  */
 const FARTHER = 2 ** 10;
 
+/**
+ * Where |AC| is that small a share of b², a root is so near to 0 that pass 3 would not settle it:
+ * such a ray goes to from-surface.ts at once. Again a matter of speed only.
+ */
+const NEARLY = 2 ** -13;
+
 /** What the loops of pass 1 take before they begin. */
 export const { at: AT_ROUGH, doubles: ROUGH_BOUNDS } = inSlots({
   clearly: CLEAR_ROUGH,
@@ -125,6 +137,7 @@ export const { at: AT_ROUGH, doubles: ROUGH_BOUNDS } = inSlots({
   slackA: SLACK_A,
   slack0: SLACK,
   farther: FARTHER,
+  nearly: NEARLY,
 });
 
 export type CoarsePass = (
@@ -137,7 +150,8 @@ export type CoarsePass = (
 
 /** For shapes with a term in y. */
 export function coarseInSpace(s: Scratch): CoarsePass {
-  const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, doubtful, unsettled, count } = s;
+  const { index, x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs } = s;
+  const { doubtful, unsettled, starting, count } = s;
   const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ey, Ez, dx, dy, dz }, { t0, t1 }, from, to) => {
     const Cx = lattice[AT_LATTICE.Cx] as number;
@@ -154,9 +168,11 @@ export function coarseInSpace(s: Scratch): CoarsePass {
     const slackA = ROUGH_BOUNDS[AT_ROUGH.slackA] as number;
     const slack0 = ROUGH_BOUNDS[AT_ROUGH.slack0] as number;
     const farther = ROUGH_BOUNDS[AT_ROUGH.farther] as number;
+    const nearly = ROUGH_BOUNDS[AT_ROUGH.nearly] as number;
     let hits = 0;
     let doubts = 0;
     let close = 0;
+    let starts = 0;
     for (let i = from; i < to; i++) {
       const x = dx[i] as number;
       const y = dy[i] as number;
@@ -174,11 +190,17 @@ export function coarseInSpace(s: Scratch): CoarsePass {
       const A = round - ayy;
       const Am = round + Math.abs(ayy);
       const b = x * px + z * pz - a * (y * py);
-      const D = b * b - A * (wide - app - rho);
+      const bb = b * b;
+      const AC = A * (wide - app - rho);
+      const D = bb - AC;
       const Cm = wide + Math.abs(app) + rho;
       const Q = Am * Cm;
       const fits = Am > smallestDirection && Am < largestDirection;
-      const clear = D > clearly * Q + smallest && fits && Math.abs(A) > least * Am;
+      const clear =
+        D > clearly * Q + smallest &&
+        fits &&
+        Math.abs(A) > least * Am &&
+        Math.abs(AC) > nearly * bb;
       const missed = D < certain * Q - smallest && fits;
       if (clear) {
         // One division beside the root, not after it: 1/(A·D) gives 1/A and 1/√D.
@@ -206,20 +228,23 @@ export function coarseInSpace(s: Scratch): CoarsePass {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else {
-        const remote = b * b > farther * D;
-        if (remote) doubtful[doubts++] = i;
+        const beside = Math.abs(AC) <= nearly * bb;
+        const remote = bb > farther * D;
+        if (beside) starting[starts++] = i;
+        else if (remote) doubtful[doubts++] = i;
         else unsettled[close++] = i;
       }
     }
     count[HITS] = hits;
     count[DOUBTS] = doubts;
     count[UNSETTLED] = close;
+    count[STARTING] = starts;
   };
 }
 
 /** For cylinders, whose formula does not look at y. */
 export function coarseAroundAxis(s: Scratch): CoarsePass {
-  const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, unsettled, count } = s;
+  const { index, x: xs, z: zs, ex: exs, ez: ezs, doubtful, unsettled, starting, count } = s;
   const { A: As, slope: slopes, half: halves, near, far, slack } = s;
   return (lattice, { Ex, Ez, dx, dz }, { t0, t1 }, from, to) => {
     const Cx = lattice[AT_LATTICE.Cx] as number;
@@ -233,9 +258,11 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
     const slackA = ROUGH_BOUNDS[AT_ROUGH.slackA] as number;
     const slack0 = ROUGH_BOUNDS[AT_ROUGH.slack0] as number;
     const farther = ROUGH_BOUNDS[AT_ROUGH.farther] as number;
+    const nearly = ROUGH_BOUNDS[AT_ROUGH.nearly] as number;
     let hits = 0;
     let doubts = 0;
     let close = 0;
+    let starts = 0;
     for (let i = from; i < to; i++) {
       const x = dx[i] as number;
       const z = dz[i] as number;
@@ -246,11 +273,13 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
       const A = x * x + z * z;
       const wide = px * px + pz * pz;
       const b = x * px + z * pz;
-      const D = b * b - A * (wide - rho);
+      const bb = b * b;
+      const AC = A * (wide - rho);
+      const D = bb - AC;
       const Cm = wide + rho;
       const Q = A * Cm;
       const fits = A > smallestDirection && A < largestDirection;
-      const clear = D > clearly * Q + smallest && fits;
+      const clear = D > clearly * Q + smallest && fits && Math.abs(AC) > nearly * bb;
       const missed = D < certain * Q - smallest && fits;
       if (clear) {
         const root = Math.sqrt(D);
@@ -275,14 +304,17 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
         t0[i] = Number.NaN;
         t1[i] = Number.NaN;
       } else {
-        const remote = b * b > farther * D;
-        if (remote) doubtful[doubts++] = i;
+        const beside = Math.abs(AC) <= nearly * bb;
+        const remote = bb > farther * D;
+        if (beside) starting[starts++] = i;
+        else if (remote) doubtful[doubts++] = i;
         else unsettled[close++] = i;
       }
     }
     count[HITS] = hits;
     count[DOUBTS] = doubts;
     count[UNSETTLED] = close;
+    count[STARTING] = starts;
   };
 }
 
