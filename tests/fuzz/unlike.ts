@@ -11,8 +11,8 @@ const COUNT = 17;
 /**
  * The ray, and others beside it: each with one number changed a little more than in the one before.
  */
-const besides = ({ origin, direction }: Ray): Ray[] =>
-  Array.from({ length: COUNT }, (_, k) => {
+export const besides = ({ origin, direction }: Ray, count = COUNT): Ray[] =>
+  Array.from({ length: count }, (_, k) => {
     const numbers = [...origin, ...direction];
     const at = k % 6;
     const bent = (numbers[at] as number) * (1 + k * 2 ** -12);
