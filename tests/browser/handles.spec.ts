@@ -3,9 +3,10 @@ import type { Locator, Page } from '@playwright/test';
 import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
 import { frames } from './support/pending.ts';
 import { drawn, still } from './support/scene.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
 
 test.use({ viewport: { width: 1280, height: 720 } });
+test.describe.configure({ mode: 'default' });
 
 const START = '#/explore?shape=cone&method=exact';
 const VIEWS = ['iso', 'top', 'front', 'side', '-50,40,1.5'];
@@ -88,6 +89,7 @@ test('without Alt a drag stays on the grid of the sliders; Shift leaves it at on
   expect(fine).not.toEqual(there);
   for (const x of fine) expect(x).toBe(Number(x.toFixed(3)));
   await page.mouse.up();
+  await page.keyboard.up('Shift');
 });
 
 test('a drag is one step of undo, and Escape goes back to where it began', async ({ page }) => {
@@ -205,6 +207,7 @@ test('tangency is found, said, held, left, and suspended by Alt', async ({ page 
   await expect(words(page)).toHaveCount(0);
   expect((await quantities(page)).class).not.toBe('tangent');
   await page.mouse.up();
+  await page.keyboard.up('Alt');
 });
 
 test('a radius that no double makes tangent is said to be near only', async ({ page }) => {
@@ -235,6 +238,7 @@ test('hidden results are not given away by snapping', async ({ page }) => {
     for (const text of await words(page).allTextContents()) expect(text).not.toContain('tangent');
   }
   await page.mouse.up();
+  await page.keyboard.press('h');
 });
 
 test('d snaps to the directions of the axes', async ({ page }) => {
@@ -316,6 +320,7 @@ test('in the view along the ray E can be dragged too', async ({ page }) => {
   const to = await spotOf(handle(page, 'E'));
   expect(Math.hypot(to.x - from.x - 60, to.y - from.y + 40)).toBeLessThan(2);
   await page.mouse.up();
+  await page.keyboard.up('Alt');
 });
 
 test('a drag of a handle does not turn the scene, and a click on one moves nothing', async ({

@@ -1,4 +1,4 @@
-import { test as base, expect } from '@playwright/test';
+import { type BrowserContext, test as base, expect, type Page } from '@playwright/test';
 import { countPending } from './pending.ts';
 
 export { expect };
@@ -26,6 +26,11 @@ interface Strict {
   complaints: string[];
 }
 
+async function prepare(context: BrowserContext, ink: boolean): Promise<void> {
+  await context.addInitScript(countPending);
+  if (!ink) await context.addInitScript(withoutInk);
+}
+
 /**
  * Every test fails on an error or warning on the console, an uncaught error, a dialog, and on any
  * request that leaves the page's own origin.
@@ -33,10 +38,12 @@ interface Strict {
 export const test = base.extend<Strict>({
   provoked: [null, { option: true }],
   ink: [false, { option: true }],
+  context: async ({ context, ink }, use) => {
+    await prepare(context, ink);
+    await use(context);
+  },
   complaints: [
-    async ({ context, baseURL, provoked, ink }, use) => {
-      await context.addInitScript(countPending);
-      if (!ink) await context.addInitScript(withoutInk);
+    async ({ context, baseURL, provoked }, use) => {
       const complaints: string[] = [];
       const complain = (text: string): void => {
         if (!DRIVER_REMARK.test(text) && !provoked?.test(text)) complaints.push(text);
@@ -56,8 +63,61 @@ export const test = base.extend<Strict>({
         }
       });
       await use(complaints);
+      for (const event of ['console', 'weberror', 'dialog', 'request'] as const) {
+        await context.removeAllListeners(event);
+      }
       expect(complaints, 'the console, errors, dialogs and foreign requests').toEqual([]);
     },
     { auto: true },
   ],
+});
+
+interface Kept {
+  /** The file, and what of its options a context cannot change. */
+  key: string;
+  page: Page | null;
+}
+
+/**
+ * As `test`, but the tests of a file have the same page, one after another: a visit takes more
+ * time than most of what is done there. A link says anew what is shown; storage, media, mouse,
+ * focus and routes are put back here. What is left is undo, a kept ray, hidden results, answers
+ * that were given, and numbers of shapes that were left: a test ends what it began of these, and
+ * lets go of the keys that it holds. The file says `test.describe.configure({ mode: 'default' })`.
+ */
+export const visit = test.extend<object, { kept: Kept }>({
+  kept: [
+    async ({ browser: _ }, use) => {
+      const kept: Kept = { key: '', page: null };
+      await use(kept);
+      await kept.page?.context().close();
+    },
+    { scope: 'worker' },
+  ],
+  context: async ({ browser, kept, ink, hasTouch, isMobile, permissions }, use, { file }) => {
+    const key = JSON.stringify([file, ink, hasTouch, isMobile, permissions]);
+    if (kept.key !== key) {
+      await kept.page?.context().close();
+      kept.page = null;
+      const context = await browser.newContext();
+      await prepare(context, ink);
+      kept.page = await context.newPage();
+      kept.key = key;
+    }
+    await use((kept.page as Page).context());
+  },
+  page: async ({ context: _, kept, viewport }, use) => {
+    const page = kept.page as Page;
+    if (viewport) await page.setViewportSize(viewport);
+    await use(page);
+    await page.unrouteAll();
+    await page.emulateMedia({ media: null, colorScheme: null, reducedMotion: null });
+    await page.mouse.up();
+    await page.mouse.move(0, 0);
+    await page.evaluate(() => {
+      (document.activeElement as HTMLElement | null)?.blur();
+      scrollTo(0, 0);
+      localStorage.clear();
+    });
+  },
 });
