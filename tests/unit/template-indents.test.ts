@@ -14,6 +14,7 @@ test('lines of templates lose their indents, in templates within templates too',
 });
 
 test('nothing else does: other texts, and the code between', () => {
-  const source = `const x = \`a\n    b\`;\nif (x) {\n  y(html\`<p>${hole('{\n    c: 1,\n  }')}</p>\`);\n}`;
+  const object = hole('{\n    c: 1,\n  }');
+  const source = `const x = \`a\n    b\`;\nif (x) {\n  y(html\`<p>${object}</p>\`);\n}`;
   expect(changed(source)).toBe(source);
 });
