@@ -16,8 +16,8 @@ import { unlike } from './unlike.ts';
  * beside what their family aims at; the same as whole scenes in units near the thresholds of the
  * source; and rays for which C, which cancels, is near one of them
  * (tests/unit/math/whole-scenes.ts). Beside: every kernel that is made of trees against its tree,
- * bit by bit (kernel-bits.ts). --only scaled,kernels asks about these kinds. A failure is shrunk and
- * printed as a line for tests/repro.
+ * bit by bit (kernel-bits.ts). --only scaled,kernels asks about these kinds. A failure is shrunk
+ * and printed as a line for tests/repro.
  */
 const option = (name: string, usual: number): number => {
   const at = process.argv.indexOf(`--${name}`);

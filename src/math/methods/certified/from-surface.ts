@@ -11,8 +11,8 @@ import { AT_LATTICE, cut, FAITHFUL_ONCE, inSlots, type Lattice, ROUND } from './
  *   far = q/A,  near = C/q.
  *
  * What cancels is C, and so p = E − C, and K = k·py, are cut into four parts. Lengths are counted
- * in the lattice's units (numbers.ts), of which a size has 2^17 to 2^18; y is stretched as there, so
- * that k is from 1/2 to 1. u = 2^-53.
+ * in the lattice's units (numbers.ts), of which a size has 2^17 to 2^18; y is stretched as there,
+ * so that k is from 1/2 to 1. u = 2^-53.
  *
  *   part                  grid    size            reason
  *   E, C: e0, c0          1                       cut; e − e0 etc. are exact
@@ -26,9 +26,10 @@ import { AT_LATTICE, cut, FAITHFUL_ONCE, inSlots, type Lattice, ROUND } from './
  *   k1p0                  2^-26   < 2^23          26 by 24 bits; K0 cut from it
  *   + k1p1 + k2p0         2^-52   ≤ 1.63          1/2 + 1 + 2^-3; K1 cut from it
  *   + k1p2 + k2p1 + k3p0  2^-77   < 2^-24         2^-26, 2^-25, 2^-27, 2^-29; K2 cut from it
- *   K3                            ≤ 2^-49         what is left 2^-51, k1p3 2^-50, k2(p2 + p3) 2^-52,
- *                                                 k3(p1 + p2) 2^-53, k4(p0 + p1) 2^-54; off by 3.6u
- *                                                 of 2^-49, and by k3p3 and k4p2: 5u·2^-49
+ *   K3                            ≤ 2^-49         what is left 2^-51, k1p3 2^-50,
+ *                                                 k2(p2 + p3) 2^-52, k3(p1 + p2) 2^-53,
+ *                                                 k4(p0 + p1) 2^-54; off by 3.6u of 2^-49,
+ *                                                 and by k3p3 and k4p2: 5u·2^-49
  *   C: Σp0² − ρ0          1       ≤ 2^48          exact, as are the next three
  *      2Σp0p1 − ρ1        2^-24   ≤ 2^25.4
  *      Σp1² + 2p0p2 − ρ2  2^-50   ≤ 2^2.8         1 + 1 + 2.7, and 2^24·2^-24 of p0p2
@@ -38,8 +39,8 @@ import { AT_LATTICE, cut, FAITHFUL_ONCE, inSlots, type Lattice, ROUND } from './
  *
  * with P = Σ|p|. The first four are added up with what each sum loses: the upper one's grid is the
  * coarser (Dekker). All that is rounded is in the lower half Cl, |Cl| ≤ 2u|C| + 2^-48 P + 2^-47.3.
- * In u·2^-50 P, for P ≥ 32: products p·p3 with 2(5 + 2)·2 along y (6 across), their sums 8, with the
- * squares 4.5, with what the sums lost 4.5; p3² is left out, 2^-97.4: 2; and the remainder of near
+ * In u·2^-50 P, for P ≥ 32: products p·p3 with 2(5 + 2)·2 along y (6 across), their sums 8, with
+ * the squares 4.5, with what the sums lost 4.5; p3² is left out, 2^-97.4: 2; and the remainder of near
  * has Cl added to it, 9. Together 56: |δC| ≤ OFF_C·P.
  *
  * d is cut as in grids.ts, S = |dx| + |dz| + |k1·dy| and h = 2^-26, A as there: 37uh S². And
