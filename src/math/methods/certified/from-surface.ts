@@ -40,8 +40,8 @@ import { AT_LATTICE, cut, FAITHFUL_ONCE, inSlots, type Lattice, ROUND } from './
  * with P = Σ|p|. The first four are added up with what each sum loses: the upper one's grid is the
  * coarser (Dekker). All that is rounded is in the lower half Cl, |Cl| ≤ 2u|C| + 2^-48 P + 2^-47.3.
  * In u·2^-50 P, for P ≥ 32: products p·p3 with 2(5 + 2)·2 along y (6 across), their sums 8, with
- * the squares 4.5, with what the sums lost 4.5; p3² is left out, 2^-97.4: 2; and the remainder of near
- * has Cl added to it, 9. Together 56: |δC| ≤ OFF_C·P.
+ * the squares 4.5, with what the sums lost 4.5; p3² is left out, 2^-97.4: 2; and the remainder of
+ * near has Cl added to it, 9. Together 56: |δC| ≤ OFF_C·P.
  *
  * d is cut as in grids.ts, S = |dx| + |dz| + |k1·dy| and h = 2^-26, A as there: 37uh S². And
  *   b = Σ xh·p0           exact: (2^26 + 4) by 2^23
