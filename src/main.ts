@@ -1,7 +1,7 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
-import { type Explore, mountExplore } from './pages/explore/explore-page.ts';
+import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
 import { createPlayer } from './pages/explore/player.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
@@ -42,6 +42,7 @@ let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
 let closerLook: CloserLook | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
+let story: ExploreTools['story'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 const player = createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
@@ -91,6 +92,10 @@ const tools: PageActions = {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };
   },
+  answer() {
+    const { told, revealed } = store.get();
+    return revealed === null && exampleOf(store.get())?.changed === false ? told : null;
+  },
 };
 const commands = commandsOf(store, tools);
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
@@ -117,7 +122,7 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   return exploreExports(shown, modelNow);
 }
 
-const theRest = () => late(() => import('./state/after-first-frame.ts'));
+const theRest = () => late(() => import('./pages/explore/after-first-frame.ts'));
 let isLater = false;
 /** Called with every frame until the code is there: what did not arrive may arrive now. */
 function loadTheRest(): void {
@@ -125,7 +130,7 @@ function loadTheRest(): void {
   isLater = true;
   theRest().then(
     (code) => {
-      ({ closerLook, announcement } = code);
+      ({ closerLook, announcement, story } = code);
       provideExamples(code.GALLERY);
       // That a link's example is known now is nothing to announce.
       model = null;
@@ -178,6 +183,7 @@ function renderExplore(state: AppState): void {
   }
   explore?.render(model, {
     command,
+    story,
     playing: player.playing,
     large: theme.applied() === 'projector',
   });

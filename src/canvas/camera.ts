@@ -27,7 +27,7 @@ const FIXED_VIEWS: Record<Exclude<NamedView, 'ray'>, FreeView> = {
 const RAY_ZOOM = 0.9;
 
 export function poseOf(view: View, ray: Ray, units: StageUnits): Pose {
-  if (typeof view !== 'string') return { target: [0, 0, 0], ...view };
+  if (typeof view !== 'string') return { target: [0, 0, 0], ...view, zoom: view.zoom ?? 1 };
   if (view === 'ray') return alongRay(ray, units) ?? { target: [0, 0, 0], ...FIXED_VIEWS.iso };
   return { target: [0, 0, 0], ...FIXED_VIEWS[view] };
 }

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import type { HitMark, SceneModel } from '../state/scene-model.ts';
+import { NORMAL } from './framing.ts';
 import { type Arrow, CLEAR, type Mark } from './marks.ts';
 import {
   heading,
@@ -35,8 +36,6 @@ export interface Figures {
     Pick<Caption, 'key' | 'symbol' | 'letter' | 'sub' | 'tone'>)[];
 }
 
-/** Length of a normal arrow, in stage radii: its direction is what counts. */
-const NORMAL = 0.2;
 const UP_RIGHT = -Math.PI / 4;
 const DOWN = Math.PI / 2;
 /**

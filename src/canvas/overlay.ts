@@ -2,6 +2,7 @@ import type { SceneModel } from '../state/scene-model.ts';
 import { drawAxes } from './axes.ts';
 import { drawCaptions, drawPointers } from './captions.ts';
 import { type Caption, figures } from './figures.ts';
+import { NARROW } from './framing.ts';
 import { ghostFigures } from './ghost.ts';
 import type { Box, Segment } from './labels.ts';
 import { Layer } from './layer.ts';
@@ -77,9 +78,6 @@ export class Overlay {
     drawTicks(this.#ticks, model, units, projection, theme, boxes);
   }
 }
-
-/** As in scene.css: below it the view buttons are a column. */
-const NARROW = 480;
 
 /** The view buttons and the small axes: no label goes there. */
 function furniture({ width, height }: Projection, scale: number): Box[] {

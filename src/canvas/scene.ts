@@ -51,6 +51,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
   let handles: readonly HandlePlace[] = [];
   host.dataset.frames = '0';
 
+  const frameNow = () => ({ width, height, scale: theme.scale });
   const ask = () => {
     request ||= requestAnimationFrame((now) => draw(now));
   };
@@ -62,7 +63,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     const units = sceneLines.take(shown);
     if (filled !== sceneLines.version) gl?.fill(sceneLines.grids);
     filled = sceneLines.version;
-    viewpoint.aim(shown, units, now);
+    viewpoint.aim(shown, units, frameNow(), now);
     const wasMoving = viewpoint.isMoving;
     projection = new Projection(viewpoint.pose(now), width, height);
     // At the end of a move the labels may find their best places anew.
@@ -84,7 +85,8 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     ...{ units, dispatch, changed: ask },
     projection: () => projection,
     hold: () => model && viewpoint.hold(viewpoint.framed(model).stage),
-    release: () => model && viewpoint.release(model, sceneLines.take(model), performance.now()),
+    release: () =>
+      model && viewpoint.release(model, sceneLines.take(model), frameNow(), performance.now()),
   });
 
   function usePainter(next: Painter): void {
@@ -133,7 +135,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
       model = next;
       frame.tell(next, painter === gl ? '' : NO_WEBGL);
       // Not before the first frame: a view that came with the page is no move.
-      if (frames > 0) viewpoint.aim(next, units(), performance.now());
+      if (frames > 0) viewpoint.aim(next, units(), frameNow(), performance.now());
       ask();
     },
     async picture() {

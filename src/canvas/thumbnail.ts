@@ -2,6 +2,7 @@ import type { Vec3 } from '../math/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { type Pose, poseOf } from './camera.ts';
 import { figures } from './figures.ts';
+import { framedPose } from './framing.ts';
 import { Layer, text } from './layer.ts';
 import { drawMarks, type MarkKind } from './marks.ts';
 import { PathPainter } from './path-painter.ts';
@@ -33,7 +34,7 @@ interface Size {
  * A small still picture without words. Its colours are custom properties, so it follows the theme.
  */
 export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
-  draw(host, model, SMALL, (units) => poseOf(model.view, model.ray, units));
+  draw(host, model, SMALL, (units) => framedPose(model, units, SMALL));
 }
 
 /** The same from above, near enough for these points to fill the frame. */

@@ -2,8 +2,9 @@ import type { Stage } from '../math/drawing.ts';
 import type { Vec3 } from '../math/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import type { FreeView, View } from '../state/view.ts';
-import { freeOf, type Pose, poseOf } from './camera.ts';
+import { freeOf, type Pose } from './camera.ts';
 import { CameraTransition } from './camera-transition.ts';
+import { type Frame, framedPose } from './framing.ts';
 import type { StageUnits } from './stage-units.ts';
 
 const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
@@ -32,11 +33,11 @@ export class Viewpoint {
    * Points the camera at the model's view: on the way there when the view itself has changed, at
    * once when only the scene has.
    */
-  aim(model: SceneModel, units: StageUnits, now: number): void {
+  aim(model: SceneModel, units: StageUnits, frame: Frame, now: number): void {
     const { view } = model;
     const isAsked = this.#view !== null && !sameView(this.#view, view);
     this.#view = view;
-    const goal = this.#held?.pose ?? poseOf(view, model.ray, units);
+    const goal = this.#held?.pose ?? framedPose(model, units, frame);
     const how = typeof view === 'string' ? 'travel' : 'follow';
     this.#transition.aim(goal, isAsked && !this.#held ? how : 'jump', now);
   }
@@ -46,11 +47,12 @@ export class Viewpoint {
   }
 
   /**
-   * Where a gesture starts: the view that was asked for last, even if it is not painted yet; on the
-   * way to a named one, where the camera is.
+   * Where a gesture starts: the view that was asked for last, even if it is not painted yet; where
+   * its zoom was left open, where the camera is.
    */
   current(model: SceneModel | null): FreeView {
-    if (model && typeof model.view !== 'string') return model.view;
+    const view = model?.view;
+    if (view && typeof view !== 'string' && view.zoom !== null) return view;
     return this.#transition.shown ? freeOf(this.#transition.shown) : FIRST;
   }
 
@@ -60,11 +62,11 @@ export class Viewpoint {
   }
 
   /** Goes on to where the model wants the camera, from where it was held. */
-  release(model: SceneModel, units: StageUnits, now: number): void {
+  release(model: SceneModel, units: StageUnits, frame: Frame, now: number): void {
     if (!this.#held) return;
     const from = restaged(this.#held.pose, this.#held.stage, model.stage);
     this.#held = null;
-    const goal = poseOf(model.view, model.ray, units);
+    const goal = framedPose(model, units, frame);
     if (from && samePose(from, goal)) return;
     if (from) this.#transition.start(from);
     this.#transition.aim(goal, from ? 'travel' : 'jump', now);

@@ -20,6 +20,8 @@ export interface PageActions {
   collect(): void;
   /** How many lines the result on the page has, and whether all are shown. */
   lines(): { total: number; shown: number };
+  /** Whether the answer to the example's question is shown; null where none is asked. */
+  answer(): boolean | null;
 }
 
 /** Something a person can do, by key and by button; the help is written from this table. */
@@ -53,15 +55,24 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
     })),
     {
       id: 'next',
-      title: 'next: reveal the next line, or the next example',
+      title: 'next: reveal the next line, the answer, or the next example',
       keys: ['PageDown', 'ArrowRight'],
       run: () => next(store, tools),
     },
     {
       id: 'previous',
-      title: 'the example before',
+      title: 'back: hide the answer, or the example before',
       keys: ['PageUp', 'ArrowLeft'],
-      run: () => dispatch({ type: 'browse', by: -1 }),
+      run: () => {
+        if (tools.answer()) dispatch({ type: 'tell', on: false });
+        else dispatch({ type: 'browse', by: -1 });
+      },
+    },
+    {
+      id: 'answer',
+      title: 'show the answer to the example’s question; or hide it',
+      keys: ['a'],
+      run: () => dispatch({ type: 'tell', on: tools.answer() === false }),
     },
     {
       id: 'gallery',
@@ -166,10 +177,15 @@ function reveal({ get, dispatch }: Store, tools: PageActions): void {
   dispatch({ type: 'reveal', lines: Math.min(revealed + 1, total) });
 }
 
-/** A presenter's clicker has one key for "go on": first what is hidden, then the next example. */
+/**
+ * A presenter's clicker has one key for "go on": first what is hidden, then the answer, then the
+ * next example.
+ */
 function next(store: Store, tools: PageActions): void {
+  const state = store.get();
   const { total, shown } = tools.lines();
-  if (store.get().revealed !== null && shown < total) reveal(store, tools);
+  if (state.revealed !== null && shown < total) reveal(store, tools);
+  else if (tools.answer() === false) store.dispatch({ type: 'tell', on: true });
   else store.dispatch({ type: 'browse', by: 1 });
 }
 

@@ -12,7 +12,7 @@ import './gallery.css';
 /** Draws a small picture of a scene into an element. */
 export type Thumbnail = (host: HTMLElement, model: SceneModel) => void;
 
-/** Every example with a small picture and its sentence, shape by shape. */
+/** Every example with a small picture and its question, shape by shape. */
 export function galleryContent(
   current: ShownExample | null,
   pick: (id: string) => void,
@@ -64,6 +64,6 @@ function card(
       class="gallery-look">Changed since: choosing it brings it back.</span>`
         : nothing
     }
-    <span class="gallery-look">${hidden ? '' : example.look}</span>
+    <span class="gallery-look">${hidden ? '' : example.asks}</span>
   </button>`;
 }

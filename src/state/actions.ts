@@ -53,6 +53,8 @@ export type Action =
   | { readonly type: 'reveal'; readonly lines: number | null }
   /** What is to be predicted. */
   | { readonly type: 'ask'; readonly ask: Ask }
+  /** Show the answer to the example's question, or hide it. */
+  | { readonly type: 'tell'; readonly on: boolean }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
   /** To a ray and a shape near the present ones that touch exactly, where there are such. */

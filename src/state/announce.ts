@@ -13,20 +13,21 @@ import { paramValue } from './state.ts';
 export function announcement(before: ExploreModel, after: ExploreModel): string {
   const value = newExample(before, after) || changedValue(before, after);
   const news = after.state.revealed === null ? consequence(before, after) : '';
+  const told = after.state.told && !before.state.told ? (after.example?.entry.answer ?? '') : '';
   const left = leavesExample(before, after) ? 'The example is changed.' : '';
-  return [value, news, left].filter(Boolean).join(' ');
+  return [value, news, told, left].filter(Boolean).join(' ');
 }
 
 /**
- * "Example 5 of 41: in the plane. N·d = 0 and …": it was opened, or what was changed in it was
- * undone.
+ * "Example 5 of 41: in the plane. Which t solve the equation?": it was opened, or what was changed
+ * in it was undone.
  */
 function newExample({ example: old }: ExploreModel, { example, state }: ExploreModel): string {
   if (!example || example.changed) return '';
   if (old && !old.changed && old.number === example.number) return '';
   const { number, of, entry } = example;
   if (state.revealed !== null) return `Example ${number} of ${of}.`;
-  return `Example ${number} of ${of}: ${entry.title}. ${entry.look}`;
+  return `Example ${number} of ${of}: ${entry.title}. ${entry.asks}`;
 }
 
 const leavesExample = (before: ExploreModel, after: ExploreModel): boolean =>

@@ -31,8 +31,8 @@ export type Settings = Readonly<Record<string, string>>;
 
 /**
  * Everything that a page shows follows from this. A link carries it, but for the other shapes and
- * what was typed for them, which only a file has, and for problems, example, ghost and how many of
- * the hidden lines are revealed, which last as long as the page is open.
+ * what was typed for them, which only a file has, and for problems, example, its answer, ghost and
+ * how many of the hidden lines are revealed, which last as long as the page is open.
  */
 export interface AppState {
   readonly page: PageId;
@@ -67,6 +67,8 @@ export interface AppState {
   readonly revealed: number | null;
   /** What is asked while they are hidden; null leaves the choice of a question to the page. */
   readonly ask: Ask | null;
+  /** The answer to the example's question is shown. */
+  readonly told: boolean;
   /** A ray and its hits that were kept to compare with. */
   readonly ghost: Ghost | null;
 }
@@ -130,6 +132,7 @@ export const INITIAL: AppState = {
   example: null,
   revealed: null,
   ask: null,
+  told: false,
   ghost: null,
 };
 

@@ -86,6 +86,8 @@ function updated(state: AppState, action: Action): AppState {
       return { ...state, revealed: action.lines };
     case 'ask':
       return { ...state, ask: action.ask };
+    case 'tell':
+      return state.told === action.on ? state : { ...state, told: action.on };
     case 'ghost':
       return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
     case 'tangent':

@@ -73,19 +73,23 @@ const word: Codec<string> = { write: (text) => text, read: (text) => text };
 
 const view: Codec<View> = {
   write: (v) =>
-    typeof v === 'string' ? v : [v.azimuth, v.elevation, v.zoom].map(number.write).join(','),
+    typeof v === 'string'
+      ? v
+      : [v.azimuth, v.elevation, ...(v.zoom === null ? [] : [v.zoom])].map(number.write).join(','),
   read(text) {
     if (isView(text as View)) return text as View;
     try {
-      const [azimuth, elevation, zoom] = vector.read(text);
-      const free = { azimuth, elevation, zoom };
-      if (isView(free)) return free;
+      const [azimuth = 0, elevation, zoom = null, ...more] = text.split(',').map(number.read);
+      const given = { azimuth, elevation, zoom } as View;
+      if (elevation !== undefined && more.length === 0 && isView(given)) return given;
     } catch {
       // Said below, with the whole text.
     }
     throw new InvalidInput(`${quote(text)} is not a view`);
   },
 };
+
+export const viewText = view.write;
 
 /** What a link means that says nothing of a parameter. */
 function unsaid(param: Param): ParamValue {
@@ -232,6 +236,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     example: null,
     revealed: look.hidden ? 0 : null,
     ask: look.ask,
+    told: false,
     ghost: before.ghost,
   };
 }

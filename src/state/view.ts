@@ -1,6 +1,6 @@
 /**
- * Where the camera stands: a named view, or angles in degrees about the stage's centre with a zoom
- * factor.
+ * Where the camera stands: a named view, or angles in degrees about the stage's centre, with a zoom
+ * factor or without.
  */
 export type NamedView = 'iso' | 'top' | 'front' | 'side' | 'ray';
 
@@ -13,7 +13,12 @@ export interface FreeView {
   readonly zoom: number;
 }
 
-export type View = NamedView | FreeView;
+/** Angles alone: zoomed and shifted as it takes to have everything in the frame, see framing.ts. */
+export interface AimedView extends Omit<FreeView, 'zoom'> {
+  readonly zoom: null;
+}
+
+export type View = NamedView | FreeView | AimedView;
 
 export const NAMED_VIEWS: readonly { readonly id: NamedView; readonly title: string }[] = [
   { id: 'iso', title: 'iso' },
@@ -31,7 +36,6 @@ export function isView(view: View): boolean {
   return (
     Number.isFinite(azimuth) &&
     Math.abs(elevation) <= 90 &&
-    zoom >= ZOOM_RANGE.least &&
-    zoom <= ZOOM_RANGE.most
+    (zoom === null || (zoom >= ZOOM_RANGE.least && zoom <= ZOOM_RANGE.most))
   );
 }

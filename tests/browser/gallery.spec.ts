@@ -8,15 +8,15 @@ import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 900, height: 660 } });
 
-test('every example is in the gallery with its sentence and a small picture', async ({ page }) => {
+test('every example is in the gallery with its question and a small picture', async ({ page }) => {
   await open(page, '#/explore');
   await page.locator('canvas').waitFor();
   await page.getByRole('button', { name: /^example:/ }).click();
   const dialog = page.getByRole('dialog', { name: 'Examples' });
-  for (const { id, title, look } of GALLERY) {
+  for (const { id, title, asks } of GALLERY) {
     const card = dialog.locator(`[data-example="${id}"]`);
     await expect(card).toContainText(title);
-    await expect(card).toContainText(look);
+    await expect(card).toContainText(asks);
     expect(await card.locator('svg path').count(), id).toBeGreaterThan(2);
   }
   await dialog.locator('[data-example="cone-vertex"]').click();
@@ -29,7 +29,9 @@ test.describe('without the picture', () => {
   test.use({ provoked: NO_SCENE });
   test.beforeEach(({ page }) => withoutScene(page));
 
-  test('a clicker walks through all of them and round again', async ({ page }) => {
+  test('a clicker asks, tells and goes on, through all of them and round again', async ({
+    page,
+  }) => {
     await open(page, '#/explore');
     for (const example of GALLERY) {
       await page.keyboard.press('PageDown');
@@ -37,12 +39,35 @@ test.describe('without the picture', () => {
       const state = decode(example.link);
       const found = intersect(shapeOf(state), rayOf(state), state.method);
       await expect(page.locator('.example-name strong')).toHaveText(example.title);
+      await expect(page.locator('.asks')).toHaveText(example.asks);
+      await expect(page.locator('#example-answer')).toBeEmpty();
+      await page.keyboard.press('PageDown');
+      await expect(page.locator('#example-answer')).toHaveText(example.answer);
       expect((await quantities(page)).class, example.id).toBe(found.class);
     }
     await page.keyboard.press('PageDown');
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY[0]?.title ?? '');
+    await page.keyboard.press('PageDown');
+    // One key too many is taken back before the example is.
+    await page.keyboard.press('PageUp');
+    await expect(page.locator('#example-answer')).toBeEmpty();
     await page.keyboard.press('PageUp');
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY.at(-1)?.title ?? '');
+  });
+
+  test('the answer comes by its key and by its button, and goes again', async ({ page }) => {
+    await open(page, GALLERY[0]?.link ?? '');
+    const answer = page.locator('#example-answer');
+    const button = page.getByRole('button', { name: 'answer', exact: true });
+    await page.keyboard.press('a');
+    await expect(answer).toHaveText(GALLERY[0]?.answer ?? '');
+    await expect(button).toHaveAttribute('aria-expanded', 'true');
+    await button.click();
+    await expect(answer).toBeEmpty();
+    const scene = await page.locator('.scene-area').boundingBox();
+    await page.keyboard.press('a');
+    await expect(answer).not.toBeEmpty();
+    expect(await page.locator('.scene-area').boundingBox()).toEqual(scene);
   });
 
   test('who has done nothing yet is told what to do, until E has moved', async ({ page }) => {
@@ -63,18 +88,22 @@ test.describe('without the picture', () => {
     await expect(page.locator('.contradicted')).toContainText('exact arithmetic says: two');
   });
 
-  test('an example that was changed says so, and no longer has a caption', async ({ page }) => {
+  test('an example that was changed says so, asks no more, and comes back', async ({ page }) => {
     const rim = GALLERY.find(({ id }) => id === 'circle-rim');
     await open(page, rim?.link ?? '');
     const name = page.locator('.example-name strong');
     await expect(name).toHaveText('on the rim');
-    await expect(page.locator('.look')).toHaveText(rim?.look ?? '');
+    const asks = page.locator('.asks');
+    await expect(asks).toHaveText(rim?.asks ?? '');
     await typeInto(page, 'r', '1.5');
     await expect(name).toHaveText('on the rim, changed');
-    await expect(page.locator('.look')).toHaveCount(0);
+    await expect(asks).toHaveText('Changed: the question was about another ray.');
     await page.locator('.example-name').focus();
     await page.keyboard.press('Control+z');
     await expect(name).toHaveText('on the rim');
-    await expect(page.locator('.look')).toHaveText(rim?.look ?? '');
+    await expect(asks).toHaveText(rim?.asks ?? '');
+    await typeInto(page, 'r', '1.5');
+    await page.getByRole('button', { name: 'bring the example back' }).click();
+    await expect(asks).toHaveText(rim?.asks ?? '');
   });
 });

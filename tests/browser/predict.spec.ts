@@ -67,10 +67,11 @@ test.describe('asked', () => {
   test('no example tells its answer while it is hidden', async ({ page }) => {
     await page.goto(`./${LINK}&hide=1&ask=where`);
     await page.locator('.predict-asks').waitFor();
-    for (const { id, link, title, look } of GALLERY) {
+    for (const { id, link, title, asks, answer } of GALLERY) {
       await open(page, `${link}&hide=1&ask=where`);
       const words = await readable(page);
-      expect(words, id).not.toContain(look);
+      expect(words, id).not.toContain(asks);
+      expect(words, id).not.toContain(answer);
       expect(await page.locator('.example-name strong').innerText(), id).not.toContain(title);
       const shown = await quantities(page);
       expect(

@@ -13,10 +13,9 @@ const graph = (link: string) => open(link).graph.stretches.map(({ place }) => pl
 test('what a caption says of the textbook formula is what it gives', () => {
   const far = GALLERY.find(({ id }) => id === 'cylinder-far');
   const model = createDerive(() => closerLook)(decode(far?.link ?? ''));
-  expect([far?.look.includes('textbook formula says that it misses'), model.found.class]).toEqual([
-    true,
-    'none',
-  ]);
+  expect([far?.answer.includes('textbook formula says that it misses'), model.found.class]).toEqual(
+    [true, 'none'],
+  );
   const before = decode(
     '#/explore?shape=cylinder&C=0,1,0&r=1&E=100000000,1,0.5&d=-1,0,0&method=textbook',
   );

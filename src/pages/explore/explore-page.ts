@@ -11,13 +11,16 @@ import { lateScene, type Scene } from '../late-scene.ts';
 import { lateGraph } from './late-graph.ts';
 import type { PredictCard } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
+import type { story as Story } from './story.ts';
 import './explore-page.css';
 import './projector.css';
 
 /** For the bench and the browser's own profiler; only the latest are kept. */
 const KEPT_MEASURES = 200;
 
-interface ExploreTools extends SceneBarTools {
+export interface ExploreTools extends SceneBarTools {
+  /** What the example asks; null before the gallery is there. */
+  readonly story: typeof Story | null;
   /** The projector shows one parameter at a time, as a phone does. */
   readonly large: boolean;
 }
@@ -38,6 +41,8 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   host.classList.add('explore');
   const picker = section(host, 'picker-area');
   const stage = section(host, 'scene-area');
+  const story = section(host, 'story');
+  story.hidden = true;
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const bar = section(stage, 'scene-bar');
@@ -70,6 +75,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       render(panelContent(model, card, tools.large), panel);
       untouched &&= model.state.E === INITIAL.E && model.example === null;
       render(sceneBar(model, tools, untouched), bar);
+      tools.story?.(story, model, dispatch);
       graph.render(model.graph);
       const drawn = performance.now();
       scene.render(model.scene);

@@ -21,7 +21,6 @@ export function sceneBar(
   const run = (id: string) => () => command(id)?.run();
   const hidden = state.revealed !== null;
   const hideWord = hidden ? 'show results' : 'hide results';
-  const look = example && !example.changed && !hidden ? example.entry.look : null;
   const invites = untouched && !hidden && found.details.family === 'curved';
   return html`<div class="example">
       <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
@@ -33,10 +32,9 @@ export function sceneBar(
         ${step('Previous example', 'M10 4L5.5 8L10 12', run('previous'))}
         ${step('Next example', 'M6 4L10.5 8L6 12', run('next'))}
       </span>
-      ${look ? html`<p class="look">${look}</p>` : nothing}
       ${
         invites
-          ? html`<p class="look invitation">${INVITATION}
+          ? html`<p class="invitation">${INVITATION}
               <a href="#/lesson/ray">First lesson</a></p>`
           : nothing
       }

@@ -1,3 +1,6 @@
+import { viewText } from '../url.ts';
+import type { View } from '../view.ts';
+
 /**
  * Some words, and the claims that make them true: 'D > 0', 'E inside', 't2 leaves', 'textbook class
  * none'. Each kind of claim has a check in tests/unit/state/gallery-claims.ts, and words that claim
@@ -5,26 +8,46 @@
  */
 type Clause = readonly [words: string, ...claims: string[]];
 
+interface ExampleParts {
+  readonly title: Clause;
+  /** A question that can be answered before it is; what it takes for granted is claimed too. */
+  readonly asks: Clause;
+  /** One sentence, in clauses: what to look at. */
+  readonly answer: readonly Clause[];
+  /** From where the story is seen. */
+  readonly view: View;
+  /**
+   * What lies too far out for the frame. E, the other points and the shape's own one are in it,
+   * clear of the buttons, at every size of the window.
+   */
+  readonly outside: readonly ('E' | 'P1' | 'P2')[];
+  /** Keys of the link for ray, shape and method. */
+  readonly link: string;
+}
+
 /**
- * A state worth looking at. It is a link like any other, so whatever a example can show, a person
+ * A state worth looking at. It is a link like any other, so whatever an example can show, a person
  * can send.
  */
-export interface Example {
+export interface Example extends Pick<ExampleParts, 'view' | 'outside' | 'link'> {
   readonly id: string;
   readonly title: string;
-  /** One sentence: what to look at. */
-  readonly look: string;
-  readonly link: string;
-  /** Title and sentence in clauses, with their claims. */
+  readonly asks: string;
+  readonly answer: string;
+  /** Title, question and answer in clauses, with their claims. */
   readonly told: readonly Clause[];
 }
 
-export function example(id: string, title: Clause, look: readonly Clause[], link: string): Example {
+export function example(
+  id: string,
+  { title, asks, answer, view, outside, link }: ExampleParts,
+): Example {
   return {
-    id,
+    ...{ id, view, outside },
     title: title[0],
-    look: look.map(([words]) => words).join(' '),
-    link: `#/explore?${link}`,
-    told: [title, ...look],
+    asks: asks[0],
+    answer: answer.map(([words]) => words).join(' '),
+    link: `#/explore?${link}${view === 'iso' ? '' : `&view=${viewText(view)}`}`,
+    told: [title, asks, ...answer],
   };
 }

@@ -56,9 +56,9 @@ describe('an example', () => {
   const opened = update(INITIAL, { type: 'example', id: 'circle-rim' });
   const moved = update(opened, { type: 'param', key: 'radius', value: 3 });
 
-  test('is announced with its number, title, caption and verdict', () => {
+  test('is announced with its number, title, question and verdict', () => {
     const words = announcement(derive(INITIAL), derive(opened));
-    expect(words).toMatch(/^Example \d+ of \d+: on the rim\. \|P₁ − C\| is exactly r: the rim/);
+    expect(words).toMatch(/^Example \d+ of \d+: on the rim\. Does a point on the rim count\? /);
     expect(words).toContain('Now one point, on the rim, which belongs to the circle, t₁ 3.');
   });
 
@@ -71,7 +71,14 @@ describe('an example', () => {
     expect(announcement(derive(further), derive(opened))).toMatch(/^Example \d+ of/);
   });
 
-  test('keeps its title and caption to itself while the results are hidden', () => {
+  test('has its answer announced when it is asked for', () => {
+    const told = update(opened, { type: 'tell', on: true });
+    const answer = '|P₁ − C| is exactly r: the rim belongs to the circle.';
+    expect(announcement(derive(opened), derive(told))).toBe(answer);
+    expect(announcement(derive(told), derive(update(told, { type: 'tell', on: false })))).toBe('');
+  });
+
+  test('keeps its title and question to itself while the results are hidden', () => {
     const hidden = update(INITIAL, { type: 'reveal', lines: 0 });
     const next = update(hidden, { type: 'example', id: 'circle-rim' });
     expect(announcement(derive(hidden), derive(next))).toMatch(/^Example \d+ of \d+\.$/);

@@ -144,9 +144,10 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('%s', (_, entr
     }
   });
 
-  test('says in one sentence what to look at', () => {
-    expect(entry.look.endsWith('.')).toBe(true);
-    expect(entry.look.split(/\.\s/)).toHaveLength(1);
+  test('asks one question, and answers it in one sentence', () => {
+    expect(entry.asks).toMatch(/^[^.?!]+\?$/);
+    expect(entry.answer.endsWith('.')).toBe(true);
+    expect(entry.answer.split(/\.\s/)).toHaveLength(1);
   });
 });
 

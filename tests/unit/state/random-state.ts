@@ -39,7 +39,7 @@ const view = fc.oneof(
   fc.record({
     azimuth: double,
     elevation: fc.double({ min: -90, max: 90, noNaN: true }),
-    zoom: fc.double({ min: ZOOM_RANGE.least, max: ZOOM_RANGE.most, noNaN: true }),
+    zoom: fc.option(fc.double({ min: ZOOM_RANGE.least, max: ZOOM_RANGE.most, noNaN: true })),
   }),
 );
 

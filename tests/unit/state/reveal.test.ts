@@ -75,7 +75,8 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('hidden, %s', 
     const before = derive(update(INITIAL, { type: 'reveal', lines: 0 }));
     const words = announcement(before, derive(state));
     expect(words).not.toContain(entry.title);
-    expect(words).not.toContain(entry.look);
+    expect(words).not.toContain(entry.asks);
+    expect(words).not.toContain(entry.answer);
   });
 });
 

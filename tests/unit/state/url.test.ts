@@ -127,6 +127,9 @@ describe('what a link looks like', () => {
     const free = decode('#/explore?view=30,-12.5,2');
     expect(free.view).toEqual({ azimuth: 30, elevation: -12.5, zoom: 2 });
     expect(encode(free)).toContain('&view=30,-12.5,2');
+    const aimed = decode('#/explore?view=30,-12.5');
+    expect(aimed.view).toEqual({ azimuth: 30, elevation: -12.5, zoom: null });
+    expect(encode(aimed)).toMatch(/&view=30,-12.5$/);
   });
 
   test('hide=1 and what is asked; a link without it leaves hiding as it is', () => {
@@ -245,6 +248,12 @@ describe('broken links open what can be opened, and say what was wrong', () => {
     ],
     ['unit=yes', '#/explore?unit=yes', "opened without unit: 'yes' is not 0 or 1"],
     ['an unknown view', '#/explore?view=back', "opened without view: 'back' is not a view"],
+    [
+      'a view of four numbers',
+      '#/explore?view=1,2,3,4',
+      "opened without view: '1,2,3,4' is not a view",
+    ],
+    ['a view of one number', '#/explore?view=1', "opened without view: '1' is not a view"],
     ['a view from nowhere', '#/explore?view=1,2,0', "opened without view: '1,2,0' is not a view"],
     ['a bead nowhere', '#/explore?t=x', "opened without t: 'x' is not a number"],
     ['a key twice', '#/explore?c=1&c=2', "'c' stands there twice: the later one is taken"],

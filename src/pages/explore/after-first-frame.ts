@@ -1,8 +1,9 @@
 /* What the page has beyond its first frame, which does not wait for it. */
 
-export { announcement } from './announce.ts';
-export { closerLook } from './closer-look.ts';
-export { GALLERY } from './gallery/index.ts';
+export { announcement } from '../../state/announce.ts';
+export { closerLook } from '../../state/closer-look.ts';
+export { GALLERY } from '../../state/gallery/index.ts';
+export { story } from './story.ts';
 
 export const NOT_KEPT =
   'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +
