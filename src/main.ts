@@ -2,7 +2,7 @@ import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
-import { createPlayer } from './pages/explore/player.ts';
+import type { Player } from './pages/explore/player.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
@@ -16,7 +16,6 @@ import { createStore } from './state/store.ts';
 import { decode, encode } from './state/url.ts';
 import { createAnnouncer } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
-import { download, onTooLarge, pickFile, watchDrops } from './ui/files.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { watchHighlight } from './ui/highlight.ts';
 import { late, watchStyles } from './ui/late.ts';
@@ -45,7 +44,7 @@ let announcement: typeof import('./state/announce.ts').announcement | null = nul
 let story: ExploreTools['story'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
-const player = createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
+let player: Player | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
@@ -60,8 +59,11 @@ const tools: PageActions = {
     say(copied ? 'link copied' : 'the link could not be copied: it is in the address bar');
   },
   save: () =>
-    withFiles(({ toFile }) => download('graze.json', toFile(store.get()), 'application/json')),
-  openFile: async () => openText(await pickFile('.json,application/json,.md,text/markdown')),
+    withFiles(({ toFile }) =>
+      withDisk(({ download }) => download('graze.json', toFile(store.get()), 'application/json')),
+    ),
+  openFile: () =>
+    withDisk(({ pickFile }) => pickFile('.json,application/json,.md,text/markdown').then(openText)),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
   derivation: () => openDialog('derivation'),
@@ -79,7 +81,7 @@ const tools: PageActions = {
   },
   // It rests at each root, which would tell where they are.
   play: () => {
-    if (modelNow().shown.hits) player.toggle(modelNow().graph);
+    if (modelNow().shown.hits) player?.toggle(modelNow().graph);
   },
   turn: (by) => pages.current()?.turn?.(by),
   collect: () =>
@@ -132,6 +134,7 @@ function loadTheRest(): void {
     (code) => {
       ({ closerLook, announcement, story } = code);
       provideExamples(code.GALLERY);
+      player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       // That a link's example is known now is nothing to announce.
       model = null;
       requestRender();
@@ -177,21 +180,21 @@ function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
   loadTheRest();
-  if (before !== null && before !== model && !player.playing) {
+  if (before !== null && before !== model && !player?.playing) {
     const words = announcement?.(before, model);
     if (words) announce(words);
   }
   explore?.render(model, {
     command,
     story,
-    playing: player.playing,
+    playing: player?.playing === true,
     large: theme.applied() === 'projector',
   });
 }
 
 function renderAll(): void {
   const state = store.get();
-  if (state.page !== 'explore' || !derive(state).shown.hits) player.stop();
+  if (state.page !== 'explore' || !derive(state).shown.hits) player?.stop();
   const title = PAGES.find(({ id }) => id === state.page)?.title;
   document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
   render(
@@ -305,6 +308,11 @@ function withFiles(use: (files: typeof import('./state/file.ts')) => void): void
   late(() => import('./state/file.ts')).then(use, sayNotLoaded);
 }
 
+/** What takes files from the disk and puts them there; loaded once the page stands. */
+function withDisk(use: (disk: typeof import('./ui/files.ts')) => void): void {
+  late(() => import('./ui/files.ts')).then(use, sayNotLoaded);
+}
+
 /** What reads and packs lessons. */
 function withLessons(use: (own: typeof import('./pages/lesson/own.ts')) => void): void {
   late(() => import('./pages/lesson/own.ts')).then(use, sayNotLoaded);
@@ -325,8 +333,6 @@ document.addEventListener('keydown', (event) => {
   event.preventDefault();
   wanted.run();
 });
-watchDrops(document.body, openText);
-onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
 onNotKept(() => {
   theRest().then(({ NOT_KEPT }) => {
     const { problems } = store.get();
@@ -338,3 +344,7 @@ watchHighlight(app);
 watchStyles(document);
 renderAll();
 writeLink();
+withDisk(({ watchDrops, onTooLarge }) => {
+  watchDrops(document.body, openText);
+  onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
+});

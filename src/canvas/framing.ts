@@ -40,7 +40,7 @@ export function framedPose(model: SceneModel, units: StageUnits, frame: Frame): 
 const isAsItIs = (view: View): boolean => typeof view !== 'string' && view.zoom !== null;
 
 /** The part of the frame that no button covers, with room for a mark. */
-export function clearOf({ width, height, scale }: Frame): {
+function clearOf({ width, height, scale }: Frame): {
   left: number;
   right: number;
   top: number;

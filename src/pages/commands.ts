@@ -26,8 +26,8 @@ export interface PageActions {
 
 /** Something a person can do, by key and by button; the help is written from this table. */
 export interface Command {
+  /** Its title stands in command-titles.ts. */
   readonly id: string;
-  readonly title: string;
   /** As KeyboardEvent.key has them; 'Ctrl+' stands for the command key on a Mac too. */
   readonly keys: readonly string[];
   /** Where it means something; everywhere if absent. */
@@ -47,21 +47,18 @@ export function commandsOf(store: Store, tools: PageActions): readonly Command[]
 function exploreCommands(store: Store, tools: PageActions): Command[] {
   const { dispatch } = store;
   const commands: Command[] = [
-    ...SHAPES.map(({ kind, title }, i) => ({
+    ...SHAPES.map(({ kind }, i) => ({
       id: `shape-${kind}`,
-      title,
       keys: [String(i + 1)],
       run: () => dispatch({ type: 'shape', kind }),
     })),
     {
       id: 'next',
-      title: 'next: reveal the next line, the answer, or the next example',
       keys: ['PageDown', 'ArrowRight'],
       run: () => next(store, tools),
     },
     {
       id: 'previous',
-      title: 'back: hide the answer, or the example before',
       keys: ['PageUp', 'ArrowLeft'],
       run: () => {
         if (tools.answer()) dispatch({ type: 'tell', on: false });
@@ -70,44 +67,37 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
     },
     {
       id: 'answer',
-      title: 'show the answer to the example’s question; or hide it',
       keys: ['a'],
       run: () => dispatch({ type: 'tell', on: tools.answer() === false }),
     },
     {
       id: 'gallery',
-      title: 'examples',
       keys: ['x'],
       run: tools.gallery,
     },
     {
       id: 'derive',
-      title: 'derive A, B, C, the roots and N step by step',
       keys: ['d'],
       run: tools.derivation,
     },
     {
       id: 'hide',
-      title: 'hide the results, to predict them; or show them all',
       keys: ['h'],
       run: () => dispatch({ type: 'reveal', lines: store.get().revealed === null ? 0 : null }),
     },
     {
       id: 'reveal',
-      title: 'reveal the next line',
       keys: ['n'],
       run: () => reveal(store, tools),
     },
     {
       id: 'ghost',
-      title: 'keep this ray as a ghost to compare with; or drop it',
       keys: ['g'],
       run: () => dispatch({ type: 'ghost', on: store.get().ghost === null }),
     },
-    { id: 'play', title: 'play the bead along the ray; or stop it', keys: ['b'], run: tools.play },
+    { id: 'play', keys: ['b'], run: tools.play },
     {
       id: 'reset',
-      title: 'reset everything',
       keys: ['Shift+r'],
       run: () => dispatch({ type: 'reset', what: 'all' }),
     },
@@ -119,21 +109,18 @@ function lessonCommands(tools: PageActions): Command[] {
   return [
     {
       id: 'lesson-next',
-      title: 'next: show what is hidden or asked, or the next step',
       keys: ['PageDown', 'ArrowRight'],
       pages: ['lesson'],
       run: () => tools.turn(1),
     },
     {
       id: 'lesson-back',
-      title: 'back: hide what was shown, or the step before',
       keys: ['PageUp', 'ArrowLeft'],
       pages: ['lesson'],
       run: () => tools.turn(-1),
     },
     {
       id: 'collect',
-      title: 'add what is shown to your own lesson, as its next step',
       keys: ['c'],
       pages: ['explore', 'accuracy', 'picture', 'check'],
       run: tools.collect,
@@ -143,30 +130,27 @@ function lessonCommands(tools: PageActions): Command[] {
 
 function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {
   return [
-    { id: 'undo', title: 'undo', keys: ['Ctrl+z'], run: () => dispatch({ type: 'undo' }) },
+    { id: 'undo', keys: ['Ctrl+z'], run: () => dispatch({ type: 'undo' }) },
     {
       id: 'redo',
-      title: 'redo',
       keys: ['Ctrl+Shift+z', 'Ctrl+y'],
       run: () => dispatch({ type: 'redo' }),
     },
-    { id: 'link', title: 'copy the link', keys: ['l'], run: tools.copyLink },
-    { id: 'save', title: 'save as a file', keys: ['s'], run: tools.save },
-    { id: 'open', title: 'open a file', keys: ['o'], run: tools.openFile },
+    { id: 'link', keys: ['l'], run: tools.copyLink },
+    { id: 'save', keys: ['s'], run: tools.save },
+    { id: 'open', keys: ['o'], run: tools.openFile },
     {
       id: 'export',
-      title: 'copy or save the derivation, code, picture',
       keys: ['e'],
       run: tools.exportDialog,
     },
     {
       id: 'theme',
-      title: 'next theme: system, light, dark, projector',
       keys: ['t'],
       run: tools.theme,
     },
-    { id: 'full', title: 'full screen', keys: ['f'], run: tools.fullScreen },
-    { id: 'help', title: 'help', keys: ['?'], run: tools.help },
+    { id: 'full', keys: ['f'], run: tools.fullScreen },
+    { id: 'help', keys: ['?'], run: tools.help },
   ];
 }
 

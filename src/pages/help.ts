@@ -1,5 +1,6 @@
 import { html, type TemplateResult } from 'lit';
 import type { PageId } from '../state/state.ts';
+import { commandTitle } from './command-titles.ts';
 import type { Command } from './commands.ts';
 import { ABOUT, HELP } from './help-pages.ts';
 import './help.css';
@@ -24,10 +25,10 @@ export function helpContent(
       ${commands
         .filter(({ pages }) => pages?.includes(page) ?? true)
         .map(
-          ({ title, keys }) =>
+          ({ id, keys }) =>
             html`<div><dt>${keys.map(
               (key, i) => html`${i > 0 ? ' or ' : ''}<kbd>${shown(key)}</kbd>`,
-            )}</dt><dd>${title}</dd></div>`,
+            )}</dt><dd>${commandTitle(id)}</dd></div>`,
         )}
     </dl>
     <label class="choice-line"><input

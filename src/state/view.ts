@@ -14,7 +14,7 @@ export interface FreeView {
 }
 
 /** Angles alone: zoomed and shifted as it takes to have everything in the frame, see framing.ts. */
-export interface AimedView extends Omit<FreeView, 'zoom'> {
+interface AimedView extends Omit<FreeView, 'zoom'> {
   readonly zoom: null;
 }
 

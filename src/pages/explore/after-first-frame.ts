@@ -3,6 +3,7 @@
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
+export { createPlayer } from './player.ts';
 export { story } from './story.ts';
 
 export const NOT_KEPT =

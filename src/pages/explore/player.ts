@@ -4,7 +4,7 @@ import type { GraphModel } from '../../state/graph-model.ts';
 const STRETCH_MS = 5000;
 const REST_MS = 700;
 
-interface Player {
+export interface Player {
   readonly playing: boolean;
   /** Starts from the beginning, or stops. */
   toggle(graph: GraphModel): void;

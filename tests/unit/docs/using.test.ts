@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import { KEYS as CHECK_KEYS, PARTS, readSettings } from '../../../src/pages/check/settings.ts';
+import { commandTitle } from '../../../src/pages/command-titles.ts';
 import { commandsOf } from '../../../src/pages/commands.ts';
 import { shown } from '../../../src/pages/help.ts';
 import { SIMPLIFICATIONS } from '../../../src/scene/simplifications.ts';
@@ -42,12 +43,13 @@ describe('the keys in docs/USING.md', () => {
     const documented = found.map(([, , title = '']) => title);
     const newer = SHAPES.map(({ title }) => title).filter((title) => !documented.includes(title));
     const rows = commands
-      .filter(({ title }) => !newer.includes(title))
-      .map(({ keys, pages, title }) => [
+      .filter(({ id }) => !newer.includes(commandTitle(id) ?? ''))
+      .map(({ keys, pages, id }) => [
         keys.map((key) => `\`${shown(key)}\``).join(' or '),
         pages ? pages.map(titleOf).join(', ') : 'every page',
-        title,
+        commandTitle(id),
       ]);
+    expect(rows.flat()).not.toContain(undefined);
     expect(found).toEqual(rows);
   });
 });

@@ -1,0 +1,31 @@
+import { SHAPES } from '../math/index.ts';
+
+/** What each command does, for the help: it is loaded when that is opened. */
+const TITLES: Readonly<Record<string, string>> = {
+  next: 'next: reveal the next line, the answer, or the next example',
+  previous: 'back: hide the answer, or the example before',
+  answer: 'show the answer to the example’s question; or hide it',
+  gallery: 'examples',
+  derive: 'derive A, B, C, the roots and N step by step',
+  hide: 'hide the results, to predict them; or show them all',
+  reveal: 'reveal the next line',
+  ghost: 'keep this ray as a ghost to compare with; or drop it',
+  play: 'play the bead along the ray; or stop it',
+  reset: 'reset everything',
+  'lesson-next': 'next: show what is hidden or asked, or the next step',
+  'lesson-back': 'back: hide what was shown, or the step before',
+  collect: 'add what is shown to your own lesson, as its next step',
+  undo: 'undo',
+  redo: 'redo',
+  link: 'copy the link',
+  save: 'save as a file',
+  open: 'open a file',
+  export: 'copy or save the derivation, code, picture',
+  theme: 'next theme: system, light, dark, projector',
+  full: 'full screen',
+  help: 'help',
+};
+
+/** The title of a command, by its id; undefined for none that there is. */
+export const commandTitle = (id: string): string | undefined =>
+  TITLES[id] ?? SHAPES.find(({ kind }) => id === `shape-${kind}`)?.title;
