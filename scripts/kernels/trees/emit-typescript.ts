@@ -244,10 +244,11 @@ export function loopOf(
   program: Program,
   scratch: Scratch,
 ): string {
-  const { format, outputs, rare, missed, rareRoots } = program;
+  const { format, outputs, rare, missed, rareRoots, classes } = program;
   const written = Object.entries(outputs);
-  const roots = [rare, ...(missed ? [missed] : []), ...written.map(([, n]) => n)];
-  if (rareRoots) roots.push(rareRoots);
+  const asked = [rare, missed, ...written.map(([, n]) => n), rareRoots];
+  const all = [...asked, classes?.margin, classes?.rare];
+  const roots = all.filter((n): n is Node => n !== null && n !== undefined);
   const uses = usesOf(roots);
   const places = { count: 0 };
   const w = writer(format, uses, places);
@@ -284,36 +285,48 @@ export function loopOf(
     body.push(`const ${local(input)} = ${round(`${input}[i] as number`)};`);
   }
 
-  const write = (lines: string[]): void => {
-    const texts = written.map(([array, n]): [string, string] => [array, w.value(n, lines)]);
+  /** Statements of their own block: what they name is not known outside. */
+  const block = (fill: (lines: string[]) => void): string[] => {
+    const known = new Map(w.names);
+    const lines: string[] = [];
+    fill(lines);
+    for (const n of [...w.names.keys()]) if (!known.has(n)) w.names.delete(n);
+    return lines;
+  };
+  const write = (lines: string[], values: readonly [string, Node][] = written): void => {
+    const texts = values.map(([array, n]): [string, string] => [array, w.value(n, lines)]);
     for (const [array, text] of texts) lines.push(`${array}[i] = ${text};`);
   };
-  if (!missed) {
-    const inner: string[] = [];
-    const texts = written.map(([array, n]): [string, string] => [array, w.value(n, body)]);
-    for (const [array, text] of texts) inner.push(`${array}[i] = ${text};`);
-    const test = w.test(rare, body);
-    body.push(...inner, `if (${test}) open[left++] = i;`);
+  const leave = (where: Node | null, lines: string[]): void => {
+    if (where) lines.push(`if (${w.test(where, lines)}) open[left++] = i;`);
+  };
+  if (!classes && !missed) {
+    write(body);
+    leave(rare, body);
   } else {
-    const test = w.test(rare, body);
-    const hit: string[] = [];
-    const gone = w.test(missed, body);
-    write(hit);
-    const bad = rareRoots ? w.test(rareRoots, hit) : 'false';
-    body.push(
-      `if (${test}) open[left++] = i;`,
-      `else if (${gone}) {`,
-      ...written.map(([array]) => `${array}[i] = Number.NaN;`),
-      '} else {',
-      ...hit,
-      `if (${bad}) open[left++] = i;`,
-      '}',
-    );
+    body.push(`if (${w.test(rare, body)}) open[left++] = i;`);
+    if (classes) {
+      const told = block((lines) => {
+        write(lines, [['margin', classes.margin]]);
+        leave(classes.rare, lines);
+      });
+      body.push('else if (!roots) {', ...told, '}');
+    }
+    if (missed) {
+      const none = written.map(([array]) => `${array}[i] = Number.NaN;`);
+      body.push(`else if (${w.test(missed, body)}) {`, ...none, '}');
+    }
+    const hit = block((lines) => {
+      write(lines);
+      leave(rareRoots, lines);
+    });
+    body.push('else {', ...hit, '}');
   }
   scratch.count = Math.max(scratch.count, places.count);
   return [
-    `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, open) => {`,
-    `const { ${written.map(([array]) => array).join(', ')} } = out;`,
+    `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, ` +
+      `open${classes ? ', roots' : ''}) => {`,
+    `const { ${[...Object.keys(outputs), ...(classes ? ['margin'] : [])].join(', ')} } = out;`,
     ...before,
     'let left = 0;',
     'for (let i = 0; i < count; i++) {',

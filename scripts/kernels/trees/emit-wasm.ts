@@ -48,7 +48,7 @@ const memory = (opcode: Code, align: number, offset: number): Code => [
 const PLUS = [0x6a];
 
 /** The parameters: addresses in bytes, and how many rays, a multiple of those of a vector. */
-const PARAMS = [...INPUTS, 't0', 't1', 'margin', 'open', 'numbers', 'count'] as const;
+const PARAMS = [...INPUTS, 't0', 't1', 'margin', 'open', 'numbers', 'count', 'roots'] as const;
 const param = (name: (typeof PARAMS)[number]): Code => get(PARAMS.indexOf(name));
 const END = PARAMS.length;
 const AT = END + 1;
@@ -59,19 +59,25 @@ const INTS = 5;
 const VECTORS = END + INTS;
 
 export interface Func {
-  readonly name: string;
+  /** It is exported by. */
+  readonly names: readonly string[];
   readonly vectors: number;
   readonly body: Code;
 }
 
 /** Answers with the address behind the last index written to `open`. */
-export function functionOf(name: string, numbers: readonly string[], program: Program): Func {
-  const { format, outputs, rare, missed, rareRoots } = program;
+export function functionOf(
+  names: readonly string[],
+  numbers: readonly string[],
+  program: Program,
+): Func {
+  const { format, outputs, rare, missed, rareRoots, classes } = program;
   const { width } = format;
   const lanes = 128 / width;
   const written = Object.entries(outputs);
-  const left = [rare, rareRoots, missed].filter((n) => n !== null);
-  const roots = [...left, ...written.map(([, n]) => n)];
+  const left = [rare, rareRoots, missed, classes?.margin, classes?.rare];
+  const asked = left.filter((n): n is Node => n !== null && n !== undefined);
+  const roots = [...asked, ...written.map(([, n]) => n)];
 
   const uses = new Map<Node, number>();
   const inputs: Node[] = [];
@@ -178,19 +184,42 @@ export function functionOf(name: string, numbers: readonly string[], program: Pr
   for (const n of inputs) body.push(...load(n), ...set(fresh(n)));
   const gone = missed ? next++ : 0;
   if (missed) body.push(...code(missed), ...set(gone));
-  const masked = written.map(([array, n]): Code => {
-    const made = code(n);
-    const value = next++;
-    body.push(...made, ...(missed ? [...get(gone), ...OR] : []), ...set(value));
-    locals.set(n, value);
-    return store(array as 't0', n);
-  });
-  for (const one of masked) body.push(...one);
-  // rare, or rare for its roots where there are any.
-  body.push(...code(rare));
-  if (rareRoots) {
-    body.push(...code(rareRoots), ...(missed ? [...get(gone), ...NOT, ...AND] : []), ...OR);
+  const MASK = next++;
+  const mark = (n: Node | null, and: Code = []): Code =>
+    n ? [...get(MASK), ...code(n), ...and, ...OR, ...set(MASK)] : [];
+
+  /** Code that runs or does not: what it works out is not known outside. */
+  function block(made: () => Code): Code {
+    const known = new Map(locals);
+    const inside = made();
+    for (const n of [...locals.keys()]) if (!known.has(n)) locals.delete(n);
+    return inside;
   }
+  function writeRoots(): Code {
+    const made: number[] = [];
+    const stores = written.map(([array, n]): Code => {
+      const value = next++;
+      made.push(...code(n), ...(missed ? [...get(gone), ...OR] : []), ...set(value));
+      locals.set(n, value);
+      return store(array as 't0', n);
+    });
+    for (const one of stores) made.push(...one);
+    return [...made, ...mark(rareRoots, missed ? [...get(gone), ...NOT, ...AND] : [])];
+  }
+
+  if (classes) {
+    body.push(...code(rare), ...set(MASK));
+    const { margin, rare: unclear } = classes;
+    const [both, alone] = [
+      block(writeRoots),
+      block(() => [...store('margin', margin), ...mark(unclear)]),
+    ];
+    body.push(...param('roots'), 0x04, 0x40, ...both, 0x05, ...alone, 0x0b);
+  } else {
+    // The roots first: with them come most of the values that `rare` is made of.
+    body.push(...splat(0), ...set(MASK), ...writeRoots(), ...mark(rare));
+  }
+  body.push(...get(MASK));
   body.push(...BITMASK[width], ...tee(BITS), 0x04, 0x40);
   for (let lane = 0; lane < lanes; lane++) {
     body.push(...get(BITS), ...i32(1 << lane), 0x71, 0x04, 0x40);
@@ -199,7 +228,7 @@ export function functionOf(name: string, numbers: readonly string[], program: Pr
   }
   body.push(0x0b);
   return {
-    name,
+    names,
     vectors: next - VECTORS,
     body: [
       ...prologue,
@@ -248,7 +277,7 @@ export function moduleOf(functions: readonly Func[]): Uint8Array {
     ),
     ...section(
       7,
-      functions.map(({ name }, i) => [...text(name), 0x00, ...leb(i)]),
+      functions.flatMap(({ names }, i) => names.map((name) => [...text(name), 0x00, ...leb(i)])),
     ),
     ...section(10, bodies),
   ]);

@@ -5,7 +5,7 @@ import { SHAPES } from '../../../src/math/shapes/index.ts';
 import { loopOf } from './emit-typescript.ts';
 import { functionOf, moduleOf } from './emit-wasm.ts';
 import { oneRay } from './one-ray-file.ts';
-import { type Ask, numbersOf, programOf } from './program.ts';
+import { type Ask, asksOf, numbersOf, programOf } from './program.ts';
 import { SYSTEMS } from './recorders.ts';
 import { COLUMNS, header, keyOf, nameOf, wrapped } from './text.ts';
 
@@ -15,7 +15,11 @@ export interface Generated {
   readonly text: string;
 }
 
-const ASKS: readonly Ask[] = ['both', 'classes'];
+/** Of the loop that answers. */
+function namesOf(kind: string, ask: Ask): readonly [string, ...string[]] {
+  const [both, classes] = [`${nameOf(kind)}Both`, `${nameOf(kind)}Classes`];
+  return ask === 'either' ? [both, classes] : [ask === 'both' ? both : classes];
+}
 
 export interface Surface {
   readonly kind: string;
@@ -76,11 +80,11 @@ export function generate({
       const loops: string[] = [];
       const functions = all.flatMap(({ kind, formula, symbols }) => {
         const numbers = numbersOf(symbols);
-        return ASKS.map((ask) => {
-          const name = `${nameOf(kind)}${ask === 'both' ? 'Both' : 'Classes'}`;
+        return asksOf(system).map((ask) => {
+          const names = namesOf(kind, ask);
           const program = programOf({ formula, symbols, system, form, solver }, ask);
-          loops.push(loopOf(name, numbers, program, scratch));
-          return functionOf(name, numbers, program);
+          loops.push(loopOf(names[0], numbers, program, scratch));
+          return functionOf(names, numbers, program);
         });
       });
       if (system.isPlain) {
@@ -163,7 +167,8 @@ ${all
   .map(
     ({ kind }) =>
       `      ${keyOf(kind)}: ` +
-      `{ both: ${nameOf(id)}.${nameOf(kind)}Both, classes: ${nameOf(id)}.${nameOf(kind)}Classes },`,
+      `{ both: ${nameOf(id)}.${nameOf(kind)}Both, ` +
+      `classes: ${nameOf(id)}.${nameOf(kind)}${isPlain(arithmetic) ? 'Classes' : 'Both'} },`,
   )
   .join('\n')}
     },

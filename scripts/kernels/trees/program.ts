@@ -26,6 +26,8 @@ export interface Program {
    */
   readonly missed: Node | null;
   readonly rareRoots: Node | null;
+  /** What is written, and where the trees are asked too, if only the class is; null: see Ask. */
+  readonly classes: { readonly margin: Node; readonly rare: Node | null } | null;
 }
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
@@ -45,7 +47,10 @@ export function numbersOf({ scalars, vectors }: Values<unknown>): string[] {
   return [...Object.keys(scalars), ...parts];
 }
 
-export type Ask = 'both' | 'classes';
+/** 'either' is told at run time: for numbers whose operations are long. */
+export type Ask = 'both' | 'classes' | 'either';
+
+export const asksOf = ({ box }: System): readonly Ask[] => (box ? ['either'] : ['both', 'classes']);
 
 export function programOf(question: Question, ask: Ask): Program {
   const g = new Graph(question.system.format);
@@ -118,27 +123,17 @@ function curved(
       g.not(g.or(r.isNegative(D), positive)),
     ]);
     const missed = r.isNegative(D);
-    if (ask === 'classes') {
-      const clear = [
-        g.not(r.isWithin(A, system.tiny)),
-        r.isWithin(A, system.wide),
-        g.or(r.isNegative(B), g.or(r.isPositive(B), r.isZero(B))),
-      ].reduce((a, b) => g.and(a, b));
-      const one = g.of(1);
-      const margin = g.signed(missed, one);
-      return {
-        format,
-        outputs: { margin },
-        rare: g.or(rare, g.not(clear)),
-        missed: null,
-        rareRoots: null,
-      };
-    }
+    const clear = [
+      g.not(r.isWithin(A, system.tiny)),
+      r.isWithin(A, system.wide),
+      g.or(r.isNegative(B), g.or(r.isPositive(B), r.isZero(B))),
+    ].reduce((a, b) => g.and(a, b));
+    const classes = { margin: g.signed(missed, g.of(1)), rare: g.not(clear) };
     const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
     const [t0, t1] = r.sorted(t, s);
     const inside = (x: Node): Node => g.and(g.isWithin(x, system.large), g.less(g.of(0), g.abs(x)));
     const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
-    return { format, outputs: { t0, t1 }, rare, missed, rareRoots };
+    return { format, outputs: { t0, t1 }, rare, missed, rareRoots, classes };
   }
 
   const shownD = r.shown(D);
@@ -164,6 +159,7 @@ function curved(
       rare: any(g, [g.isZero(shownD), ...unseen, g.not(clear)]),
       missed: null,
       rareRoots: null,
+      classes: null,
     };
   }
   const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
@@ -185,6 +181,7 @@ function curved(
     ]),
     missed: null,
     rareRoots: null,
+    classes: null,
   };
 }
 
@@ -221,9 +218,9 @@ function flat(
   ]);
   const format = system.format;
   const none = g.of(Number.NaN);
-  const outputs =
-    ask === 'both'
-      ? { t0: missed ? g.unless(missed, shown) : shown, t1: none }
-      : { margin: missed ? g.signed(missed, g.of(1)) : g.of(1) };
-  return { format, outputs, rare, missed: null, rareRoots: null };
+  const roots = { t0: missed ? g.unless(missed, shown) : shown, t1: none };
+  const margin = missed ? g.signed(missed, g.of(1)) : g.of(1);
+  const outputs = ask === 'classes' ? { margin } : roots;
+  const classes = ask === 'either' ? { margin, rare: null } : null;
+  return { format, outputs, rare, missed: null, rareRoots: null, classes };
 }

@@ -7,9 +7,16 @@ import type { OneRay } from './one-ray.ts';
  * what stands in the answers there means nothing.
  *
  * @param numbers the shape's, in the order of NUMBERS.
+ * @param roots whether the roots are wanted, where one loop serves both.
  * @returns how many are left open.
  */
-export type Loop = (numbers: Float64Array, rays: Rays, out: Answers, open: Int32Array) => number;
+export type Loop = (
+  numbers: Float64Array,
+  rays: Rays,
+  out: Answers,
+  open: Int32Array,
+  roots: boolean,
+) => number;
 
 export type Ask = 'both' | 'classes';
 export type Loops = Readonly<Record<Ask, Loop>>;

@@ -56,7 +56,7 @@ export function simdSource(memory: SimdMemory): Source {
         count = here ? rest - (rest % lanes) : rest;
         setPlaces(rays, out, from, count, here);
         const padded = count + ((lanes - (count % lanes)) % lanes);
-        const end = run(...at, SCRATCH, NUMBERS, padded);
+        const end = run(...at, SCRATCH, NUMBERS, padded, ask === 'both' ? 1 : 0);
         for (let k = 0; k < (end - SCRATCH) >> 2; k++) {
           const i = listed[k] as number;
           if (i < count) open[left++] = from + i;

@@ -69,7 +69,7 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
   function ask(form: Ask, rays: Rays, out: Answers): void {
     out.rareCount = 0;
     if (open.length < rays.count) open = new Int32Array(rays.count);
-    const left = (loops as Loops)[form](numbers, turned(rays, turn), out, open);
+    const left = (loops as Loops)[form](numbers, turned(rays, turn), out, open, form === 'both');
     for (let k = 0; k < left; k++) {
       const i = open[k] as number;
       const place = askAlone(rays, i, out);

@@ -29,6 +29,8 @@ const v1 = ey - k4;
 const v2 = ez - k5;
 const v3 = ((k0 * x) + (k1 * y)) + (k2 * z);
 const v4 = (-(((k0 * v0) + (k1 * v1)) + (k2 * v2))) / v3;
+t0[i] = v4;
+t1[i] = Number.NaN;
 const v5 = (z * v0) - (x * v2);
 const v6 = (x * v1) - (y * v0);
 const v7 = (v5 * k2) - (v6 * k1);
@@ -48,8 +50,6 @@ const v14 = (v11 * k1) - (v5 * k0);
 S[6] = v14;
 S[7] = -v14;
 const v15 = S[6 + v8] as number;
-t0[i] = v4;
-t1[i] = Number.NaN;
 if (((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(k3 + (v9 /
 v10)) < 2 ** 511)) || !(Math.abs(k4 + (v13 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v15 /
 v10)) < 2 ** 511))) open[left++] = i;
@@ -73,6 +73,7 @@ const ez = Ez[i] as number;
 const x = dx[i] as number;
 const y = dy[i] as number;
 const z = dz[i] as number;
+margin[i] = 1;
 const v0 = ex - k3;
 const v1 = ey - k4;
 const v2 = ez - k5;
@@ -97,7 +98,6 @@ const v14 = (v11 * k1) - (v5 * k0);
 S[6] = v14;
 S[7] = -v14;
 const v15 = S[6 + v8] as number;
-margin[i] = 1;
 if (((((!(v4 < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(k3 + (v9 / v10)) < 2 **
 511)) || !(Math.abs(k4 + (v13 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v15 / v10)) < 2 **
 511))) open[left++] = i;
@@ -133,9 +133,9 @@ S[1] = v11;
 const v12 = +(v11 < v9);
 const v13 = S[0 + v12] as number;
 const v14 = S[1 - v12] as number;
-const v15 = Math.abs(v9) + Math.abs(v11);
 t0[i] = v13;
 t1[i] = v14;
+const v15 = Math.abs(v9) + Math.abs(v11);
 if (((((((2 ** 1022 <= v15 || v15 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 1.7976931348623157e+308)) || !(v4 <= 1.7976931348623157e+308)) || !(Math.abs(v10) <=
 1.7976931348623157e+308))) open[left++] = i;
@@ -160,9 +160,9 @@ const v2 = ex - k1;
 const v3 = ez - k3;
 const v4 = (z * v2) - (x * v3);
 const v5 = 4 * ((v0 * v1) - (v4 * v4));
+margin[i] = v5;
 const v6 = Math.abs(v5);
 const v7 = Math.abs(v1);
-margin[i] = v5;
 if ((v5 === 0 || !((((((v6 < 2 ** 500 && Math.abs(((2 * x) * v2) + ((2 * z) * v3)) < 2 **
 500) && 2 ** -500 < v7) && Math.abs(((v2 * v2) + (v3 * v3)) - v0) < 2 ** 500) && 2 ** -500 <
 v6) && v7 < 2 ** 500)))) open[left++] = i;
@@ -205,9 +205,9 @@ S[1] = v15;
 const v16 = +(v15 < v13);
 const v17 = S[0 + v16] as number;
 const v18 = S[1 - v16] as number;
-const v19 = Math.abs(v13) + Math.abs(v15);
 t0[i] = v17;
 t1[i] = v18;
+const v19 = Math.abs(v13) + Math.abs(v15);
 if ((((((((2 ** 1022 <= v19 || v19 <= 0) || v10 === 0) || v12 === 0) || !(Math.abs(v10) <=
 1.7976931348623157e+308)) || !(Math.abs(v12) <= 1.7976931348623157e+308)) || !(v6 <=
 1.7976931348623157e+308)) || !(Math.abs(v14) <= 1.7976931348623157e+308))) open[left++] = i;
@@ -238,11 +238,11 @@ const v5 = ex - k1;
 const v6 = (x * v3) - (y * v5);
 const v7 = (z * v5) - (x * v2);
 const v8 = 4 * ((v0 * ((v4 * v4) + (v6 * v6))) - (v7 * v7));
+margin[i] = v8;
 const v9 = Math.abs(v8);
 const v10 = (((2 * x) * v5) + ((2 * z) * v2)) - ((v1 * y) * v3);
 const v11 = Math.abs(((x * x) + (z * z)) - (v0 * (y * y)));
 const v12 = Math.abs(((v5 * v5) + (v2 * v2)) - (v0 * (v3 * v3)));
-margin[i] = v8;
 if ((v8 === 0 || !((((((v9 < 2 ** 500 && Math.abs(v10) < 2 ** 500) && 2 ** -500 < v11) && v12 <
 2 ** 500) && 2 ** -500 < v9) && v11 < 2 ** 500)))) open[left++] = i;
 }
@@ -286,9 +286,9 @@ S[1] = v16;
 const v17 = +(v16 < v14);
 const v18 = S[0 + v17] as number;
 const v19 = S[1 - v17] as number;
-const v20 = Math.abs(v14) + Math.abs(v16);
 t0[i] = v18;
 t1[i] = v19;
+const v20 = Math.abs(v14) + Math.abs(v16);
 if (((((((2 ** 1022 <= v20 || v20 <= 0) || v12 === 0) || v7 === 0) || !(Math.abs(v12) <=
 1.7976931348623157e+308)) || !(v6 <= 1.7976931348623157e+308)) || !(Math.abs(v15) <=
 1.7976931348623157e+308))) open[left++] = i;
@@ -322,11 +322,11 @@ const v7 = (x * v4) - (y * v6);
 const v8 = (z * v6) - (x * v3);
 const v9 = ((v0 * v2) + (k0 * ((v5 * v5) + (v7 * v7)))) - (v8 * v8);
 const v10 = 4 * v9;
+margin[i] = v10;
 const v11 = Math.abs(v10);
 const v12 = (((2 * x) * v6) + ((2 * z) * v3)) - ((v1 * y) * v4);
 const v13 = Math.abs(v2);
 const v14 = (((v6 * v6) + (v3 * v3)) - (k0 * (v4 * v4))) - v0;
-margin[i] = v10;
 if ((v10 === 0 || !((((((v11 < 2 ** 500 && Math.abs(v12) < 2 ** 500) && 2 ** -500 < v13) &&
 Math.abs(v14) < 2 ** 500) && 2 ** -500 < v11) && v13 < 2 ** 500)))) open[left++] = i;
 }
@@ -427,8 +427,8 @@ S[6] = v7;
 S[7] = -v7;
 const v15 = S[6 + v8] as number;
 const v16 = (((v9 * v9) + (v12 * v12)) + (v14 * v14)) - (v0 * (v15 * v15));
-const v17 = Math.abs((-(((k1 * v1) + (k2 * v4)) + (k3 * v2))) / v7);
 margin[i] = 1 * (1 - 2 * +(0 < v16));
+const v17 = Math.abs((-(((k1 * v1) + (k2 * v4)) + (k3 * v2))) / v7);
 if ((((((!(v17 < 2 ** 511) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v16) < 2 ** 511)) ||
 !(Math.abs(k4 + (v9 / v15)) < 2 ** 511)) || !(Math.abs(k5 + (v12 / v15)) < 2 ** 511)) ||
 !(Math.abs(k6 + (v14 / v15)) < 2 ** 511))) open[left++] = i;
@@ -479,12 +479,12 @@ const v16 = S[4 + v8] as number;
 const v17 = 0 - v16;
 const v18 = ((+(0 < v10) | +(0 < v13)) | +(0 < v17));
 const v19 = v16 - v12;
+t0[i] = v4 * (ONE_OR_NAN[(v18 | +(0 < v19))] as number);
+t1[i] = Number.NaN;
 const v20 = (v14 * k3) - (v5 * k2);
 S[6] = v20;
 S[7] = -v20;
 const v21 = S[6 + v8] as number;
-t0[i] = v4 * (ONE_OR_NAN[(v18 | +(0 < v19))] as number);
-t1[i] = Number.NaN;
 if (((((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v10) < 2 **
 511)) || !(Math.abs(v13) < 2 ** 511)) || !(Math.abs(v17) < 2 ** 511)) || !(Math.abs(v19) < 2 **
 511)) || !(Math.abs(k4 + (v21 / v11)) < 2 ** 511)) || !(Math.abs(k5 + (v9 / v11)) < 2 **
@@ -535,12 +535,12 @@ const v15 = S[4 + v7] as number;
 const v16 = 0 - v15;
 const v17 = v15 - v11;
 const v18 = (((+(0 < v9) | +(0 < v12)) | +(0 < v16)) | +(0 < v17));
+margin[i] = 1 * (1 - 2 * v18);
 const v19 = Math.abs((-(((k1 * v1) + (k2 * v0)) + (k3 * v3))) / v6);
 const v20 = (v13 * k3) - (v2 * k2);
 S[6] = v20;
 S[7] = -v20;
 const v21 = S[6 + v7] as number;
-margin[i] = 1 * (1 - 2 * v18);
 if (((((((((!(v19 < 2 ** 511) || !(Math.abs(v6) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) ||
 !(Math.abs(v12) < 2 ** 511)) || !(Math.abs(v16) < 2 ** 511)) || !(Math.abs(v17) < 2 ** 511)) ||
 !(Math.abs(k4 + (v21 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v8 / v10)) < 2 ** 511)) ||
@@ -584,9 +584,9 @@ S[1] = v15;
 const v16 = +(v15 < v13);
 const v17 = S[0 + v16] as number;
 const v18 = S[1 - v16] as number;
-const v19 = Math.abs(v13) + Math.abs(v15);
 t0[i] = v17;
 t1[i] = v18;
+const v19 = Math.abs(v13) + Math.abs(v15);
 if (((((((2 ** 1022 <= v19 || v19 <= 0) || v11 === 0) || v6 === 0) || !(Math.abs(v11) <=
 1.7976931348623157e+308)) || !(v5 <= 1.7976931348623157e+308)) || !(Math.abs(v14) <=
 1.7976931348623157e+308))) open[left++] = i;
@@ -618,11 +618,11 @@ const v6 = (z * v5) - (x * v2);
 const v7 = (x * v3) - (y * v5);
 const v8 = (v0 * v1) - (((v4 * v4) + (v6 * v6)) + (v7 * v7));
 const v9 = 4 * v8;
+margin[i] = v9;
 const v10 = Math.abs(v9);
 const v11 = (((2 * x) * v5) + ((2 * y) * v3)) + ((2 * z) * v2);
 const v12 = Math.abs(v1);
 const v13 = Math.abs((((v5 * v5) + (v3 * v3)) + (v2 * v2)) - v0);
-margin[i] = v9;
 if ((v9 === 0 || !((((((v10 < 2 ** 500 && Math.abs(v11) < 2 ** 500) && 2 ** -500 < v12) &&
 v13 < 2 ** 500) && 2 ** -500 < v10) && v12 < 2 ** 500)))) open[left++] = i;
 }
@@ -663,9 +663,9 @@ S[1] = v14;
 const v15 = +(v14 < v12);
 const v16 = S[0 + v15] as number;
 const v17 = S[1 - v15] as number;
-const v18 = Math.abs(v12) + Math.abs(v14);
 t0[i] = v16;
 t1[i] = v17;
+const v18 = Math.abs(v12) + Math.abs(v14);
 if ((((((((2 ** 1022 <= v18 || v18 <= 0) || v9 === 0) || v11 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308)) || !(Math.abs(v11) <= 1.7976931348623157e+308)) || !(v5 <=
 1.7976931348623157e+308)) || !(Math.abs(v13) <= 1.7976931348623157e+308))) open[left++] = i;
@@ -695,10 +695,10 @@ const v4 = ez - k3;
 const v5 = (x * ((x * v2) - (y * v3))) - (z * ((y * v4) - (z * v2)));
 const v6 = (z * v3) - (x * v4);
 const v7 = ((v0 * (y * y)) + (v1 * v5)) - (4 * (v6 * v6));
+margin[i] = v7;
 const v8 = Math.abs(v7);
 const v9 = Math.abs((((2 * x) * v3) + ((2 * z) * v4)) - (k0 * y));
 const v10 = Math.abs((x * x) + (z * z));
-margin[i] = v7;
 if ((v7 === 0 || !((((((v8 < 2 ** 500 && v9 < 2 ** 500) && 2 ** -500 < v10) && Math.abs(((v3 *
 v3) + (v4 * v4)) - (k0 * v2)) < 2 ** 500) && 2 ** -500 < v8) && v10 < 2 **
 500)))) open[left++] = i;

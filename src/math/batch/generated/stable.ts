@@ -50,9 +50,9 @@ const ez = Ez[i] as number;
 const x = dx[i] as number;
 const y = dy[i] as number;
 const z = dz[i] as number;
+margin[i] = 1;
 const v0 = ((k0 * (ex - k3)) + (k1 * (ey - k4))) + (k2 * (ez - k5));
 const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
-margin[i] = 1;
 if ((!(Math.abs((-v0) / v1) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
 }
 return left;
@@ -84,9 +84,9 @@ S[1] = v9;
 const v10 = +(v9 < v8);
 const v11 = S[0 + v10] as number;
 const v12 = S[1 - v10] as number;
-const v13 = Math.abs(v8) + Math.abs(v9);
 t0[i] = v11;
 t1[i] = v12;
+const v13 = Math.abs(v8) + Math.abs(v9);
 if (((((2 ** 1022 <= v13 || v13 <= 0) || v6 === 0) || v4 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -148,9 +148,9 @@ S[1] = v11;
 const v12 = +(v11 < v10);
 const v13 = S[0 + v12] as number;
 const v14 = S[1 - v12] as number;
-const v15 = Math.abs(v10) + Math.abs(v11);
 t0[i] = v13;
 t1[i] = v14;
+const v15 = Math.abs(v10) + Math.abs(v11);
 if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -219,9 +219,9 @@ S[1] = v11;
 const v12 = +(v11 < v10);
 const v13 = S[0 + v12] as number;
 const v14 = S[1 - v12] as number;
-const v15 = Math.abs(v10) + Math.abs(v11);
 t0[i] = v13;
 t1[i] = v14;
+const v15 = Math.abs(v10) + Math.abs(v11);
 if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -427,9 +427,9 @@ S[1] = v10;
 const v11 = +(v10 < v9);
 const v12 = S[0 + v11] as number;
 const v13 = S[1 - v11] as number;
-const v14 = Math.abs(v9) + Math.abs(v10);
 t0[i] = v12;
 t1[i] = v13;
+const v14 = Math.abs(v9) + Math.abs(v10);
 if (((((2 ** 1022 <= v14 || v14 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -493,9 +493,9 @@ S[1] = v8;
 const v9 = +(v8 < v7);
 const v10 = S[0 + v9] as number;
 const v11 = S[1 - v9] as number;
-const v12 = Math.abs(v7) + Math.abs(v8);
 t0[i] = v10;
 t1[i] = v11;
+const v12 = Math.abs(v7) + Math.abs(v8);
 if (((((2 ** 1022 <= v12 || v12 <= 0) || v5 === 0) || v3 === 0) || !(Math.abs(v5) <=
 1.7976931348623157e+308))) open[left++] = i;
 }

@@ -49,9 +49,9 @@ const ez = Ez[i] as number;
 const x = dx[i] as number;
 const y = dy[i] as number;
 const z = dz[i] as number;
+margin[i] = 1;
 const v0 = ((k0 * (ex - k3)) + (k1 * (ey - k4))) + (k2 * (ez - k5));
 const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
-margin[i] = 1;
 if ((!(Math.abs((-v0) / v1) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
 }
 return left;
@@ -79,9 +79,9 @@ const v7 = 2 * v5;
 const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 0));
 const v9 = (v4 - v8) / v7;
 const v10 = (v4 + v8) / v7;
-const v11 = Math.abs(v9) + Math.abs(v10);
 t0[i] = v9;
 t1[i] = v10;
+const v11 = Math.abs(v9) + Math.abs(v10);
 if (((((2 ** 1022 <= v11 || v11 <= 0) || v6 === 0) || v5 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -140,9 +140,9 @@ const v10 = 2 * v7;
 const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 0));
 const v12 = (v6 - v11) / v10;
 const v13 = (v6 + v11) / v10;
-const v14 = Math.abs(v12) + Math.abs(v13);
 t0[i] = v12;
 t1[i] = v13;
+const v14 = Math.abs(v12) + Math.abs(v13);
 if (((((2 ** 1022 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -208,9 +208,9 @@ const v10 = 2 * v7;
 const v11 = Math.sqrt(v9) * (1 - 2 * +(v10 < 0));
 const v12 = (v6 - v11) / v10;
 const v13 = (v6 + v11) / v10;
-const v14 = Math.abs(v12) + Math.abs(v13);
 t0[i] = v12;
 t1[i] = v13;
+const v14 = Math.abs(v12) + Math.abs(v13);
 if (((((2 ** 1022 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -413,9 +413,9 @@ const v9 = 2 * v6;
 const v10 = Math.sqrt(v8) * (1 - 2 * +(v9 < 0));
 const v11 = (v5 - v10) / v9;
 const v12 = (v5 + v10) / v9;
-const v13 = Math.abs(v11) + Math.abs(v12);
 t0[i] = v11;
 t1[i] = v12;
+const v13 = Math.abs(v11) + Math.abs(v12);
 if (((((2 ** 1022 <= v13 || v13 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
 1.7976931348623157e+308))) open[left++] = i;
 }
@@ -476,9 +476,9 @@ const v7 = 2 * v4;
 const v8 = Math.sqrt(v6) * (1 - 2 * +(v7 < 0));
 const v9 = (v3 - v8) / v7;
 const v10 = (v3 + v8) / v7;
-const v11 = Math.abs(v9) + Math.abs(v10);
 t0[i] = v9;
 t1[i] = v10;
+const v11 = Math.abs(v9) + Math.abs(v10);
 if (((((2 ** 1022 <= v11 || v11 <= 0) || v6 === 0) || v4 === 0) || !(Math.abs(v6) <=
 1.7976931348623157e+308))) open[left++] = i;
 }

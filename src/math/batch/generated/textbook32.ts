@@ -50,10 +50,10 @@ const ez = fround(Ez[i] as number);
 const x = fround(dx[i] as number);
 const y = fround(dy[i] as number);
 const z = fround(dz[i] as number);
+margin[i] = 1;
 const v0 = fround((fround(k0 * fround(ex - k3))) + (fround(k1 * fround(ey - k4))));
 const v1 = fround((fround(fround(k0 * x) + fround(k1 * y))) + fround(k2 * z));
 const v2 = fround((-(fround(v0 + (fround(k2 * fround(ez - k5)))))) / v1);
-margin[i] = 1;
 if ((!(Math.abs(v2) < 2 ** 63) || !(Math.abs(v1) < 2 ** 63))) open[left++] = i;
 }
 return left;
@@ -84,9 +84,9 @@ const v8 = fround(2 * v5);
 const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 0));
 const v10 = fround(fround(v4 - v9) / v8);
 const v11 = fround(fround(v4 + v9) / v8);
-const v12 = fround(Math.abs(v10) + Math.abs(v11));
 t0[i] = v10;
 t1[i] = v11;
+const v12 = fround(Math.abs(v10) + Math.abs(v11));
 if (((((((2 ** 126 <= v12 || v12 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 3.4028234663852886e+38)) || !(Math.abs(ey) <= 3.4028234663852886e+38)) || !(Math.abs(y) <=
 3.4028234663852886e+38))) open[left++] = i;
@@ -151,9 +151,9 @@ const v11 = fround(2 * v8);
 const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 0));
 const v13 = fround(fround(v7 - v12) / v11);
 const v14 = fround(fround(v7 + v12) / v11);
-const v15 = fround(Math.abs(v13) + Math.abs(v14));
 t0[i] = v13;
 t1[i] = v14;
+const v15 = fround(Math.abs(v13) + Math.abs(v14));
 if (((((2 ** 126 <= v15 || v15 <= 0) || v10 === 0) || v8 === 0) || !(Math.abs(v10) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
@@ -221,9 +221,9 @@ const v11 = fround(2 * v8);
 const v12 = (fround(Math.sqrt(v10))) * (1 - 2 * +(v11 < 0));
 const v13 = fround(fround(v7 - v12) / v11);
 const v14 = fround(fround(v7 + v12) / v11);
-const v15 = fround(Math.abs(v13) + Math.abs(v14));
 t0[i] = v13;
 t1[i] = v14;
+const v15 = fround(Math.abs(v13) + Math.abs(v14));
 if (((((2 ** 126 <= v15 || v15 <= 0) || v10 === 0) || v8 === 0) || !(Math.abs(v10) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
@@ -430,9 +430,9 @@ const v10 = fround(2 * v7);
 const v11 = (fround(Math.sqrt(v9))) * (1 - 2 * +(v10 < 0));
 const v12 = fround(fround(v6 - v11) / v10);
 const v13 = fround(fround(v6 + v11) / v10);
-const v14 = fround(Math.abs(v12) + Math.abs(v13));
 t0[i] = v12;
 t1[i] = v13;
+const v14 = fround(Math.abs(v12) + Math.abs(v13));
 if (((((2 ** 126 <= v14 || v14 <= 0) || v9 === 0) || v7 === 0) || !(Math.abs(v9) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
@@ -495,9 +495,9 @@ const v8 = fround(2 * v5);
 const v9 = (fround(Math.sqrt(v7))) * (1 - 2 * +(v8 < 0));
 const v10 = fround(fround(v4 - v9) / v8);
 const v11 = fround(fround(v4 + v9) / v8);
-const v12 = fround(Math.abs(v10) + Math.abs(v11));
 t0[i] = v10;
 t1[i] = v11;
+const v12 = fround(Math.abs(v10) + Math.abs(v11));
 if (((((2 ** 126 <= v12 || v12 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 3.4028234663852886e+38))) open[left++] = i;
 }
