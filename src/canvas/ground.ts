@@ -7,7 +7,7 @@ import type { Stroke } from './stroke.ts';
 const REACH = 1.7;
 const CLEAR = 0.45;
 const PIECES = 24;
-/** Lines to each side at most: what is more is a carpet. */
+/** Most lines to each side of the middle. */
 const MOST_LINES = 60;
 
 /**

@@ -74,7 +74,7 @@ export const hinted = (progress: Progress, index: number, most: number): Progres
 export const solutionShown = (progress: Progress, index: number): Progress =>
   changed(progress, index, { solutionShown: true });
 
-/** A stored session, or null for anything else: whatever a device kept is a stranger's text. */
+/** A stored session; null for a text that is none, since the device may hold anything. */
 export function readProgress(text: string | null): Progress | null {
   try {
     const value: unknown = JSON.parse(text ?? '');

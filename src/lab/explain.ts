@@ -4,7 +4,7 @@ import { display } from '../text/format.ts';
 import { type Cause, inputsOf, size } from './causes.ts';
 import { digitCount } from './digits.ts';
 import type { Losses, Step } from './losses.ts';
-import { plainText } from './plain.ts';
+import { plainText } from './plain-text.ts';
 import type { MethodRow } from './this-ray.ts';
 
 /** The name of a step in a sentence: its letter and what it is. */

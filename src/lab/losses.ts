@@ -3,7 +3,7 @@ import type { Ray, Shape } from '../math/index.ts';
 import type { Method } from '../math/shapes.ts';
 import { absorbedBy, type Cause, causeOf, inputsOf, overflows } from './causes.ts';
 import { MOST_DIGITS } from './digits.ts';
-import { plainText } from './plain.ts';
+import { plainText } from './plain-text.ts';
 import { formatOf, operationsOf } from './steps.ts';
 import type { Operation } from './trace.ts';
 

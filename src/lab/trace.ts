@@ -16,7 +16,7 @@ import {
 } from '../math/formula.ts';
 import { AXES } from '../math/shapes.ts';
 import { MOST_DIGITS, trustedDigits } from './digits.ts';
-import { keyOf, productOf, sumOf } from './written.ts';
+import { keyOf, productOf, sumOf } from './flat-trees.ts';
 
 /**
  * A number on its way through a formula: what the method has, what it should be, and how it came

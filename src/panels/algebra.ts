@@ -25,7 +25,7 @@ import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
 import { hitTable } from './hits.ts';
-import { fitsInto, isHalf, LONG, type Room, roomsOf } from './room.ts';
+import { fitsInto, isHalf, LONG, type NumberSpace, spacesOf } from './number-space.ts';
 import {
   typesetNumbers,
   typesetNumbersInPieces,
@@ -117,7 +117,7 @@ interface NumbersLine {
   readonly isFaithful: boolean;
 }
 
-type Chosen = ReturnType<typeof putIn<Room>>;
+type Chosen = ReturnType<typeof putIn<NumberSpace>>;
 
 /** A step is made anew whenever one of its numbers changes; the page is drawn more often. */
 const chosenBefore = new WeakMap<Step, Chosen>();
@@ -126,8 +126,8 @@ function chosen(step: Step, derivation: Derivation, found: Intersection, exactly
   const before = chosenBefore.get(step);
   if (before !== undefined) return before;
   const results = resultsOf(step, found, exactly);
-  const now = putIn(step, derivation, results, roomsOf(step), (digits, room) =>
-    fitsInto(step, derivation.numbers, digits, room),
+  const now = putIn(step, derivation, results, spacesOf(step), (digits, space) =>
+    fitsInto(step, derivation.numbers, digits, space),
   );
   chosenBefore.set(step, now);
   return now;
@@ -146,8 +146,8 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
     const content = html`<span class="in-numbers words">${words}</span>`;
     return { content, below: id === 'D', long: false, isFaithful: true };
   }
-  const { digits, isFaithful, room } = put;
-  const { long, below } = room ?? LONG;
+  const { digits, isFaithful, space } = put;
+  const { long, below } = space ?? LONG;
   const sign = !isFaithful && below ? html`≈ ` : nothing;
   const content = below
     ? html`<span class=${long ? 'in-numbers long' : 'in-numbers'}>${sign}${typesetNumbersInPieces(

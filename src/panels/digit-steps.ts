@@ -2,7 +2,7 @@ import { html, mathml, nothing, type TemplateResult } from 'lit';
 import { digitCount, markDigits } from '../lab/digits.ts';
 import { whyLost } from '../lab/explain.ts';
 import type { Losses, Step } from '../lab/losses.ts';
-import { plainText } from '../lab/plain.ts';
+import { plainText } from '../lab/plain-text.ts';
 import { type Surd, toNumber } from '../math/exact.ts';
 import { display, shortest } from '../text/format.ts';
 import { digitCell, markedNumber } from './digit-bar.ts';

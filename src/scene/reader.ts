@@ -2,7 +2,7 @@ import { InvalidInput, type Vec3 } from '../math/index.ts';
 import { AXES, type Axis, quote, refused } from '../math/shapes.ts';
 
 /**
- * Reads a value from a stranger's file; `path` says where it stands: `things[2].material.mirror`.
+ * Reads a value of a file from anywhere; `path` says where it stands: `things[2].material.mirror`.
  * Throws InvalidInput.
  */
 export type Read<T> = (value: unknown, path: string) => T;

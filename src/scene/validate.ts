@@ -35,7 +35,7 @@ import type {
 } from './types.ts';
 
 /**
- * What a stranger's file may hold. Coordinates this far out still square without trouble in
+ * What a file from anywhere may hold. Coordinates this far out still square without trouble in
  * float32.
  */
 const LIMITS = {

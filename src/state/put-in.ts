@@ -38,16 +38,16 @@ const COMPACT = [6, 5, 4, 3] as const;
 
 /**
  * The digits that make the line give its result when it is worked out again, in the first of the
- * rooms that they fit into; and without such digits as many as fit, for a line with ≈. Null where a
- * number of the line is not finite.
+ * spaces that they fit into; and without such digits as many as fit, for a line with ≈. Null where
+ * a number of the line is not finite.
  */
-export function putIn<Room>(
+export function putIn<Space>(
   step: Pick<Step, 'expr' | 'worked'>,
   { numbers }: Pick<Derivation, 'numbers'>,
   results: readonly Result[],
-  rooms: readonly Room[],
-  fits: (digits: number, room: Room) => boolean,
-): (PutIn & { readonly room: Room | null }) | null {
+  spaces: readonly Space[],
+  fits: (digits: number, space: Space) => boolean,
+): (PutIn & { readonly space: Space | null }) | null {
   const { expr, worked } = step;
   if (!isWritable(expr, numbers, worked)) return null;
   const known = new Map<number, boolean>();
@@ -58,16 +58,16 @@ export function putIn<Room>(
     known.set(digits, now);
     return now;
   };
-  for (const room of rooms) {
+  for (const space of spaces) {
     for (const digits of [...MORE, ...FEWER]) {
-      if (fits(digits, room) && isFaithful(digits)) return { digits, isFaithful: true, room };
+      if (fits(digits, space) && isFaithful(digits)) return { digits, isFaithful: true, space };
     }
   }
-  for (const room of rooms) {
-    const digits = COMPACT.find((n) => fits(n, room));
-    if (digits !== undefined) return { digits, isFaithful: false, room };
+  for (const space of spaces) {
+    const digits = COMPACT.find((n) => fits(n, space));
+    if (digits !== undefined) return { digits, isFaithful: false, space };
   }
-  return { digits: 2, isFaithful: false, room: null };
+  return { digits: 2, isFaithful: false, space: null };
 }
 
 /** Whether the line as it is printed gives each of its results in all printed digits. */

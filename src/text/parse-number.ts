@@ -7,7 +7,7 @@ import { readExpression } from './read-expression.ts';
 import { quoted, Refusal } from './refusal.ts';
 import type { Typed } from './typed.ts';
 
-/** Longer than any sensible expression; keeps a pasted book from being parsed. */
+/** Most characters of an expression; a longer text is refused unread. */
 const MAX_LENGTH = 200;
 
 export interface NumberOptions {

@@ -2,7 +2,7 @@ import type { Feelers } from '../scene/effects/body.ts';
 import { type Hierarchy, meetBox } from './boxes.ts';
 import type { Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
-import type { Room } from './room.ts';
+import type { Scratch } from './scratch.ts';
 import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
@@ -16,13 +16,13 @@ export function findBlocked(
   { open, boxed }: Groups,
   targets: readonly Target[],
   tMin: number,
-  room: Room,
+  scratch: Scratch,
   tally: Tally,
 ): void {
   const { count, rays, from, blocker, limit, t } = feelers;
-  room.need(count);
-  const asker = room.asker();
-  const everyone = room.everyone();
+  scratch.need(count);
+  const asker = scratch.asker();
+  const everyone = scratch.everyone();
   blocker.fill(NOTHING, 0, count);
   t.set(limit.subarray(0, count));
 
@@ -57,11 +57,11 @@ export function findBlocked(
     return m;
   }
 
-  const slopes = boxed.length > 0 ? room.slopes(rays, count) : undefined;
+  const slopes = boxed.length > 0 ? scratch.slopes(rays, count) : undefined;
 
   function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
     if (!slopes) return;
-    const kept = room.list(depth);
+    const kept = scratch.list(depth);
     const m = meetBox(node.box, rays, slopes, limit, list, n, kept);
     const left = free(kept, m, kept);
     if (left === 0) return;
@@ -74,7 +74,7 @@ export function findBlocked(
 
   for (const node of boxed) descend(node, everyone, count, 0);
   for (const target of open) {
-    const kept = room.list(0);
+    const kept = scratch.list(0);
     const left = free(everyone, count, kept);
     if (left > 0) ask(target, kept, left);
   }

@@ -4,7 +4,7 @@ import { findBlocked } from './blocked.ts';
 import { groupsOf } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import { findNearest } from './nearest.ts';
-import { createRoom } from './room.ts';
+import { createScratch } from './scratch.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
@@ -37,9 +37,9 @@ export function createFinder(
     useBoxes,
   );
   const tMin = startOf(start);
-  const room = createRoom(start, heights);
+  const scratch = createScratch(start, heights);
   return {
-    nearest: (wave, tally) => findNearest(wave, all, targets, tMin, room, tally),
-    blocked: (feelers, tally) => findBlocked(feelers, blocking, targets, tMin, room, tally),
+    nearest: (wave, tally) => findNearest(wave, all, targets, tMin, scratch, tally),
+    blocked: (feelers, tally) => findBlocked(feelers, blocking, targets, tMin, scratch, tally),
   };
 }

@@ -3,7 +3,7 @@ import { AHEAD } from './ask.ts';
 import { type Hierarchy, meetBox } from './boxes.ts';
 import type { Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
-import type { Room } from './room.ts';
+import type { Scratch } from './scratch.ts';
 import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
@@ -16,13 +16,13 @@ export function findNearest(
   { open, boxed }: Groups,
   targets: readonly Target[],
   tMin: number,
-  room: Room,
+  scratch: Scratch,
   tally: Tally,
 ): void {
   const { count, t, surface, rays, from } = wave;
-  room.need(count);
-  const asker = room.asker();
-  const everyone = room.everyone();
+  scratch.need(count);
+  const asker = scratch.asker();
+  const everyone = scratch.everyone();
   t.fill(Number.POSITIVE_INFINITY, 0, count);
   surface.fill(NOTHING, 0, count);
   // Camera rays leave nothing: any t > 0 counts for them, and they need not be packed.
@@ -43,11 +43,11 @@ export function findNearest(
     takeNearer(target.surface, leaving.index, out.t0, leaving.rays.count, wave);
   }
 
-  const slopes = boxed.length > 0 ? room.slopes(rays, count) : undefined;
+  const slopes = boxed.length > 0 ? scratch.slopes(rays, count) : undefined;
 
   function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
     if (!slopes) return;
-    const kept = room.list(depth);
+    const kept = scratch.list(depth);
     const m = meetBox(node.box, rays, slopes, t, list, n, kept);
     if (m === 0) return;
     if (node.leaf) ask(targets[node.surface] as Target, kept, m);

@@ -1,9 +1,9 @@
 import { EFFECTS } from '../scene/effects/index.ts';
 import { planEffects, shownScene } from '../scene/effects/plan.ts';
 import type { Scene } from '../scene/types.ts';
-import type { Part } from './book.ts';
 import { cameraAxes, fireCamera, pixelsOf } from './camera.ts';
 import { level } from './colour.ts';
+import type { Part } from './counts.ts';
 import { addLedgers, EMPTY_LEDGER } from './ledger.ts';
 import { mediumAt } from './medium.ts';
 import { createRecorder } from './record.ts';

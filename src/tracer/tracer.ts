@@ -1,6 +1,6 @@
 import type { EffectBody, Feelers, Lit, Tools, Wave, WorldLight } from '../scene/effects/body.ts';
 import type { Scene } from '../scene/types.ts';
-import { type Book, openBook, type Part } from './book.ts';
+import { type Counts, createCounts, type Part } from './counts.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
 import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
@@ -66,7 +66,7 @@ export function createEngine(
   const wayBodies = ways.map(({ body }) => body);
   const least = unseen / brightest(world, scene.ambient, wayBodies);
 
-  let book: Book = openBook(parts, clock);
+  let counts: Counts = createCounts(parts, clock);
   const finder = createFinder(
     world.targets,
     settings.start,
@@ -74,7 +74,7 @@ export function createEngine(
       body: heights.body,
       clock,
       spend: (solves, ms) => {
-        const tally = book.tallyOf(heights.id);
+        const tally = counts.tallyOf(heights.id);
         tally.solves += solves;
         tally.ms += ms;
       },
@@ -110,22 +110,22 @@ export function createEngine(
         return feelers;
       },
       feel(asked, about) {
-        const tally = book.tallyOf(id);
+        const tally = counts.tallyOf(id);
         asked.rays.count = asked.count;
         tally.rays += asked.count;
-        book.count('shadow', asked.count);
+        counts.count('shadow', asked.count);
         finder.blocked(asked, tally);
         watching?.feelers(asked, about);
       },
       worth(weight) {
-        if (generation >= MOST_BOUNCES) book.cut();
+        if (generation >= MOST_BOUNCES) counts.cut();
         else if (weight > least) return true;
-        else book.save();
+        else counts.save();
         return false;
       },
       fired(kind, count) {
-        book.count(kind, count);
-        book.tallyOf(id).rays += count;
+        counts.count(kind, count);
+        counts.tallyOf(id).rays += count;
       },
     };
   }
@@ -139,11 +139,11 @@ export function createEngine(
       face(wave, world, lit.light, lit);
       if (lit.count === 0) continue;
       for (const { part, tools } of lighting) {
-        others += book.timed(part, () => part.body.run(wave, lit, tools, part.all));
+        others += counts.timed(part, () => part.body.run(wave, lit, tools, part.all));
       }
       light(wave, lit);
       for (const part of glosses) {
-        others += book.timed(part, () => part.body.run(wave, lit, world, part.all));
+        others += counts.timed(part, () => part.body.run(wave, lit, world, part.all));
       }
     }
     return others;
@@ -155,23 +155,23 @@ export function createEngine(
    */
   function pass(wave: Wave, cause: Tally, film: Film): void {
     const before = clock();
-    const chosen = book.heightsMs();
+    const chosen = counts.heightsMs();
     finder.nearest(wave, cause);
-    let others = book.heightsMs() - chosen;
+    let others = counts.heightsMs() - chosen;
     meet(wave, world);
     watching?.wave(wave);
     const add = adderOf(wave, film);
     for (const part of ways) {
-      others += book.timed(part, () => part.body.run(wave, world, part.all, add));
+      others += counts.timed(part, () => part.body.run(wave, world, part.all, add));
     }
     paint(wave, world, scene.ambient);
     for (const part of paints) {
-      others += book.timed(part, () => part.body.run(wave, world, part.all));
+      others += counts.timed(part, () => part.body.run(wave, world, part.all));
     }
     others += illuminate(wave);
     gather(wave, world, scene.background, film);
     for (const { part, tools } of causes) {
-      others += book.timed(part, () => part.body.run(wave, world, tools, part.all));
+      others += counts.timed(part, () => part.body.run(wave, world, tools, part.all));
     }
     cause.ms += clock() - before - others;
   }
@@ -198,21 +198,21 @@ export function createEngine(
     follow(camera, film, recorder) {
       watching = recorder;
       generation = 0;
-      book = openBook(parts, clock);
+      counts = createCounts(parts, clock);
       for (const cause of causes) clear(cause.next, 1);
-      book.count('camera', camera.count);
-      book.camera.rays = camera.count;
-      pass(camera, book.camera, film);
+      counts.count('camera', camera.count);
+      counts.camera.rays = camera.count;
+      pass(camera, counts.camera, film);
       generation = 1;
       while (turn()) {
         // In the order of the effects, so that what a pixel gets is added in one order, however the
         // picture is cut.
         for (const cause of causes) {
-          if (cause.now.count > 0) pass(cause.now, book.tallyOf(cause.part.id), film);
+          if (cause.now.count > 0) pass(cause.now, counts.tallyOf(cause.part.id), film);
         }
         generation += 1;
       }
-      return book.ledger();
+      return counts.ledger();
     },
   };
 }

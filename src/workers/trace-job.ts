@@ -80,27 +80,27 @@ export interface TracePool {
   dispose(): void;
 }
 
-/** A worker of the pool and what it is at. */
-interface Hand {
+/** A worker of the pool, and what it is doing. */
+interface Member {
   readonly worker: WorkerLike;
   /** It has loaded this job's scene. */
   ready: boolean;
   /** Tiles of this job that it has been given. */
   tiles: number;
-  /** It has ever said anything: it may take long to load. */
-  spoken: boolean;
-  /** When it last said something, or was given something while it had nothing to do. */
-  heard: number;
+  /** It has sent a message: before its first one it may take long to load. */
+  hasReplied: boolean;
+  /** When it last sent a message, or was given a tile while it was idle, in ms of the clock. */
+  lastHeard: number;
 }
 
 /** One in work and one waiting: a worker need not wait for the page to be free. */
-const TILES_A_HAND = 2;
+const TILES_A_WORKER = 2;
 
 /**
  * A worker that is silent for longer when the job ends is replaced: it would make the next one
  * wait. Milliseconds.
  */
-const PATIENCE = 250;
+const LONGEST_SILENCE = 250;
 
 interface Run {
   readonly id: number;
@@ -124,58 +124,65 @@ interface Question {
 }
 
 export function createTracePool({ spawn, workers, clock }: TracePoolOptions): TracePool {
-  let hands: Hand[] = [];
+  let members: Member[] = [];
   let run: Run | undefined;
   let jobs = 0;
 
-  function newHand(): Hand {
-    const hand: Hand = { worker: spawn(), ready: true, tiles: 0, spoken: false, heard: clock() };
-    hand.worker.addEventListener('message', ({ data }) => hear(hand, data));
-    hand.worker.addEventListener('error', ({ message }) => {
+  function newMember(): Member {
+    const member: Member = {
+      worker: spawn(),
+      ready: true,
+      tiles: 0,
+      hasReplied: false,
+      lastHeard: clock(),
+    };
+    member.worker.addEventListener('message', ({ data }) => receive(member, data));
+    member.worker.addEventListener('error', ({ message }) => {
       fail(message || 'a worker could not be started');
     });
-    return hand;
+    return member;
   }
 
-  /** As many hands as wanted, none of them stuck at something that nobody asks for any longer. */
-  function gather(): void {
+  /** As many workers as wanted; one that is still busy with a job that was replaced is ended. */
+  function refill(): void {
     const wanted = Math.min(Math.max(1, Math.floor(workers)), MOST_WORKERS);
-    const kept = hands.filter(
-      (hand) => !owes(hand) || !hand.spoken || clock() - hand.heard < PATIENCE,
+    const kept = members.filter(
+      (member) =>
+        !owes(member) || !member.hasReplied || clock() - member.lastHeard < LONGEST_SILENCE,
     );
-    for (const hand of hands) if (!kept.includes(hand)) hand.worker.terminate();
-    hands = kept;
-    while (hands.length < wanted) hands.push(newHand());
+    for (const member of members) if (!kept.includes(member)) member.worker.terminate();
+    members = kept;
+    while (members.length < wanted) members.push(newMember());
   }
 
-  const owes = ({ ready, tiles }: Hand): boolean => !ready || tiles > 0;
+  const owes = ({ ready, tiles }: Member): boolean => !ready || tiles > 0;
   const runs = ({ state }: Run): boolean => state === 'loading' || state === 'tracing';
 
-  function hear(hand: Hand, data: FromTraceWorker): void {
-    hand.heard = clock();
-    hand.spoken = true;
+  function receive(member: Member, data: FromTraceWorker): void {
+    member.lastHeard = clock();
+    member.hasReplied = true;
     if (!run || data.job !== run.id) return;
     if (data.type === 'tree') settle(run, data.tree);
     else if (data.type === 'failed') fail(data.message);
-    else if (data.type === 'ready') begin(run, hand, data.effects);
-    else take(run, hand, data);
+    else if (data.type === 'ready') begin(run, member, data.effects);
+    else take(run, member, data);
   }
 
-  function begin(current: Run, hand: Hand, effects: readonly EffectId[]): void {
-    hand.ready = true;
+  function begin(current: Run, member: Member, effects: readonly EffectId[]): void {
+    member.ready = true;
     current.effects = effects;
     if (!runs(current)) return;
     current.state = 'tracing';
     report(current);
-    feed(current, hand);
+    feed(current, member);
   }
 
   function take(
     current: Run,
-    hand: Hand,
+    member: Member,
     { result, ms }: Extract<FromTraceWorker, { readonly type: 'tile' }>,
   ): void {
-    hand.tiles -= 1;
+    member.tiles -= 1;
     if (!runs(current)) return;
     const pixels = result.surface.length;
     current.ledger = addLedgers(current.ledger, result.ledger);
@@ -183,17 +190,17 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
     current.tiles.took(pixels, ms);
     paintTile(current.frame, result);
     if (current.done === current.tiles.total) current.state = 'finished';
-    else feed(current, hand);
+    else feed(current, member);
     report(current);
   }
 
-  function feed({ id, tiles }: Run, hand: Hand): void {
-    while (hand.ready && hand.tiles < TILES_A_HAND) {
+  function feed({ id, tiles }: Run, member: Member): void {
+    while (member.ready && member.tiles < TILES_A_WORKER) {
       const tile = tiles.next();
       if (!tile) return;
-      if (hand.tiles === 0) hand.heard = clock();
-      hand.tiles += 1;
-      hand.worker.postMessage({ type: 'tile', job: id, tile });
+      if (member.tiles === 0) member.lastHeard = clock();
+      member.tiles += 1;
+      member.worker.postMessage({ type: 'tile', job: id, tile });
     }
   }
 
@@ -208,7 +215,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
       step: tiles.step(),
       msSpent,
       msLeft: done === 0 ? Number.NaN : (msSpent * (tiles.total - done)) / done,
-      workers: hands.length,
+      workers: members.length,
       effects,
       message,
     });
@@ -236,21 +243,21 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
   }
 
   function close(): void {
-    for (const { worker } of hands) worker.terminate();
-    hands = [];
+    for (const { worker } of members) worker.terminate();
+    members = [];
   }
 
   return {
     start(scene, settings, listener) {
       end('cancelled', '');
-      gather();
+      refill();
       jobs += 1;
       const id = jobs;
       const started: Run = {
         id,
         listener,
         frame: newFrame(settings.width, settings.height),
-        tiles: createTiles(settings.width, settings.height, hands.length),
+        tiles: createTiles(settings.width, settings.height, members.length),
         started: clock(),
         ledger: EMPTY_LEDGER,
         done: 0,
@@ -260,11 +267,11 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
         questions: [],
       };
       run = started;
-      for (const hand of hands) {
-        if (!owes(hand)) hand.heard = clock();
-        hand.ready = false;
-        hand.tiles = 0;
-        hand.worker.postMessage({ type: 'scene', job: id, scene, settings });
+      for (const member of members) {
+        if (!owes(member)) member.lastHeard = clock();
+        member.ready = false;
+        member.tiles = 0;
+        member.worker.postMessage({ type: 'scene', job: id, scene, settings });
       }
       report(started);
       return {
@@ -273,11 +280,11 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
           if (run?.id === id) end('cancelled', '');
         },
         record(x, y) {
-          const [hand] = hands;
-          if (run?.id !== id || !hand) return Promise.reject(new Error('cancelled'));
+          const [member] = members;
+          if (run?.id !== id || !member) return Promise.reject(new Error('cancelled'));
           return new Promise((answer, refuse) => {
             started.questions.push({ x, y, answer, refuse });
-            hand.worker.postMessage({ type: 'record', job: id, x, y });
+            member.worker.postMessage({ type: 'record', job: id, x, y });
           });
         },
       };

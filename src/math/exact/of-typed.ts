@@ -5,7 +5,7 @@ import { bitLength } from './isqrt.ts';
 import type { Surd } from './surd.ts';
 import * as surd from './surd.ts';
 
-/** A power of more bits than this is left to the doubles: nobody works with it by hand. */
+/** Most bits of a power that is worked out exactly; a larger one is left to the doubles. */
 const LONGEST = 20_000;
 
 const ONE = surd.fromNumber(1);

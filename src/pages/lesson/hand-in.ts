@@ -1,12 +1,12 @@
 import { freedomOf } from '../../lesson/freedom.ts';
+import type { Step } from '../../lesson/lesson.ts';
 import {
   isHidden as areHidden,
   changesOf,
   innerState,
   isAsked,
   toStep,
-} from '../../lesson/inner.ts';
-import type { Step } from '../../lesson/lesson.ts';
+} from '../../lesson/step-state.ts';
 import type { Action, Changes, Dispatch } from '../../state/actions.ts';
 import type { Settings } from '../../state/state.ts';
 import { update } from '../../state/update.ts';

@@ -1,8 +1,8 @@
 import { nothing, render } from 'lit';
-import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/inner.ts';
 import { partShown } from '../../lesson/parts.ts';
 import { lettersIn } from '../../lesson/prose.ts';
 import { isLesson } from '../../lesson/read.ts';
+import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/step-state.ts';
 import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
 import { createDerive, type ExploreModel } from '../../state/derive.ts';
@@ -21,8 +21,8 @@ import { openedLesson, withCollected } from './own.ts';
 import { proseTools } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';
+import { createTravel } from './step-transition.ts';
 import { type StepParts, stepView } from './step-view.ts';
-import { createTravel } from './travel.ts';
 import './lesson-page.css';
 import './lesson-text.css';
 

@@ -1,7 +1,7 @@
-import { innerState, LESSON_KEYS } from '../../lesson/inner.ts';
 import { type Lesson, OWN, type Step, stepAt } from '../../lesson/lesson.ts';
 import { LESSON_IDS, lessonOf } from '../../lesson/lessons/index.ts';
 import { type ReadLesson, readLesson } from '../../lesson/read.ts';
+import { innerState, LESSON_KEYS } from '../../lesson/step-state.ts';
 import { InvalidInput } from '../../math/index.ts';
 import { quote } from '../../math/shapes.ts';
 import type { Settings } from '../../state/state.ts';

@@ -15,7 +15,7 @@ export const body: WayBody = {
 
 const CLEAR = [0, 0, 0] as const;
 
-/** Rays have length 1: t is a length. Glass without an end swallows what is not clear. */
+/** Length of the way in the glass: rays have length 1, so t; the largest double without an end. */
 function chordOf(t: Float64Array, i: number): number {
   const chord = t[i] as number;
   return Number.isNaN(chord) ? Number.MAX_VALUE : chord;

@@ -109,7 +109,7 @@ function mixed(bits: number): number {
   return (h ^ (h >>> 16)) >>> 0;
 }
 
-/** A point of the light below the surface's horizon gives nothing, and nobody has to ask. */
+/** A point of the light below the surface's horizon gives nothing: no ray is fired at it. */
 function put(
   wave: Wave,
   i: number,

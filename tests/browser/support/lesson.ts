@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { innerState } from '../../../src/lesson/inner.ts';
 import type { Lesson, Step } from '../../../src/lesson/lesson.ts';
 import { readLesson } from '../../../src/lesson/read.ts';
+import { innerState } from '../../../src/lesson/step-state.ts';
 import { packed } from '../../../src/state/packed.ts';
 import { rayOf, shapeOf } from '../../../src/state/state.ts';
 import { expected } from './expected.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { whereLost, whyLost } from '../../../src/lab/explain.ts';
 import { lossesOf } from '../../../src/lab/losses.ts';
-import { plainText } from '../../../src/lab/plain.ts';
+import { plainText } from '../../../src/lab/plain-text.ts';
 import { operationsOf } from '../../../src/lab/steps.ts';
 import { thisRay } from '../../../src/lab/this-ray.ts';
 import { toNumber } from '../../../src/math/exact/surd.ts';

@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import { allHold } from '../../../src/lesson/condition.ts';
 import { freedomOf } from '../../../src/lesson/freedom.ts';
-import { innerState } from '../../../src/lesson/inner.ts';
 import type { Step } from '../../../src/lesson/lesson.ts';
 import { LESSON_IDS, lessonOf } from '../../../src/lesson/lessons/index.ts';
 import { type Block, type Inline, inlinesOf, quantitiesIn } from '../../../src/lesson/prose.ts';
 import { quantityOf } from '../../../src/lesson/quantities.ts';
+import { innerState } from '../../../src/lesson/step-state.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { update } from '../../../src/state/update.ts';
 import { holds, holdsBetween, isBetween } from './lesson-claims.ts';

@@ -1,8 +1,8 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { changesOf, innerState, toStep } from '../../../src/lesson/inner.ts';
 import { stepAt } from '../../../src/lesson/lesson.ts';
 import { isLesson, readLesson } from '../../../src/lesson/read.ts';
+import { changesOf, innerState, toStep } from '../../../src/lesson/step-state.ts';
 import { withSteps, writeLesson } from '../../../src/lesson/write.ts';
 import { collected } from '../../../src/pages/lesson/own.ts';
 import type { Settings } from '../../../src/state/state.ts';

@@ -10,7 +10,7 @@ import { inNumbers } from '../../../src/math/formula/print/leaves.ts';
 import type { Marks } from '../../../src/math/formula/print/math-notation.ts';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import { putIntoLine } from '../../../src/panels/check-lines.ts';
-import { fitsInto, roomsOf } from '../../../src/panels/room.ts';
+import { fitsInto, spacesOf } from '../../../src/panels/number-space.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { shownResult } from '../../../src/state/exact-digits.ts';
 import { surfaceSteps } from '../../../src/state/picture/hit-steps.ts';
@@ -57,8 +57,8 @@ function linesOf(model: ExploreModel): Line[] {
   return derivation.steps.flatMap((step) => {
     const { id, expr, worked, value } = step;
     const results = resultsOf(step, found, exactly);
-    const put = putIn(step, derivation, results, roomsOf(step), (digits, room) =>
-      fitsInto(step, derivation.numbers, digits, room),
+    const put = putIn(step, derivation, results, spacesOf(step), (digits, space) =>
+      fitsInto(step, derivation.numbers, digits, space),
     );
     if (put === null) return [];
     const text = inNumbers(expr, PLAIN, derivation.numbers, { worked, digits: put.digits });

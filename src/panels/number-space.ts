@@ -3,7 +3,7 @@ import { AXES, axisIndex } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 
 /** Where numbers that are put in stand: in how many lines of how many characters. */
-export interface Room {
+export interface NumberSpace {
   readonly line: number;
   readonly lines: number;
   /** In a smaller type, as wide as the panel; it may be broken between its pieces. */
@@ -12,19 +12,19 @@ export interface Room {
   readonly below: boolean;
 }
 
-const BEHIND: Room = { line: 32, lines: 1, long: false, below: false };
-const BELOW: Room = { line: 58, lines: 1, long: false, below: true };
+const BEHIND: NumberSpace = { line: 32, lines: 1, long: false, below: false };
+const BELOW: NumberSpace = { line: 58, lines: 1, long: false, below: true };
 /** Beside a result of more characters than `SHORT`. */
-const NARROW: Room = { ...BELOW, line: 50 };
+const NARROW: NumberSpace = { ...BELOW, line: 50 };
 const SHORT = 9;
-const WIDE: Room = { line: 78, lines: 1, long: true, below: true };
-export const LONG: Room = { ...WIDE, lines: 2 };
+const WIDE: NumberSpace = { line: 78, lines: 1, long: true, below: true };
+export const LONG: NumberSpace = { ...WIDE, lines: 2 };
 /** Digits of the numbers of t, −B, √D and 2A: there are at most three. */
 const FRACTION_DIGITS = 11;
 const HALF = 20;
 
-/** The rooms of a step's line, in the order in which they are tried. */
-export function roomsOf({ id, worked, value }: Step): readonly Room[] {
+/** The spaces of a step's line, in the order in which they are tried. */
+export function spacesOf({ id, worked, value }: Step): readonly NumberSpace[] {
   if (worked) return [BEHIND];
   const below = display(value ?? 0).length > SHORT ? NARROW : BELOW;
   return id === 'D' ? [BEHIND, below, WIDE, LONG] : [below, WIDE, LONG];
@@ -35,7 +35,7 @@ export function fitsInto(
   { expr, worked }: Step,
   values: Values<number>,
   digits: number,
-  { line, lines }: Room,
+  { line, lines }: NumberSpace,
 ): boolean {
   if (worked) return digits <= FRACTION_DIGITS;
   if (lines === 1) return charactersOf(expr, values, digits) <= line;

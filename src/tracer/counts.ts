@@ -11,7 +11,7 @@ export interface Part<B extends EffectBody = EffectBody> {
 }
 
 /** Keeps count while rays are followed. */
-export interface Book {
+export interface Counts {
   /** Of camera rays. */
   readonly camera: Tally;
   tallyOf(id: EffectId): Tally;
@@ -29,7 +29,7 @@ export interface Book {
   ledger(): Ledger;
 }
 
-export function openBook(parts: readonly Part[], clock: () => number): Book {
+export function createCounts(parts: readonly Part[], clock: () => number): Counts {
   const camera = newTally();
   const tallies = new Map<EffectId, Tally>(parts.map(({ id }) => [id, newTally()]));
   const kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };

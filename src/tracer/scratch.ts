@@ -4,7 +4,7 @@ import type { Slopes } from './boxes.ts';
 import type { StartRule } from './types.ts';
 
 /** Scratch for one wave at a time; `need` makes it large enough for so many rays. */
-export interface Room {
+export interface Scratch {
   asker(): Asker;
   /** 0, 1, 2, … */
   everyone(): Int32Array;
@@ -15,7 +15,7 @@ export interface Room {
   need(count: number): void;
 }
 
-export function createRoom(start: StartRule, heights: HeightsEffect | undefined): Room {
+export function createScratch(start: StartRule, heights: HeightsEffect | undefined): Scratch {
   let capacity = 0;
   let asker = createAsker(0, start, heights);
   let everyone = new Int32Array(0);
