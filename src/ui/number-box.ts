@@ -1,4 +1,4 @@
-import { html, LitElement, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import { shortest } from '../text/format.ts';
 import {
   hintOn,
@@ -9,6 +9,7 @@ import {
   tripleTexts,
 } from '../text/parse.ts';
 import { Ahead } from './ahead.ts';
+import { DrawnElement, redrawnBy } from './drawn-element.ts';
 import { fitting } from './fitting.ts';
 import { keyStep, onStep } from './step.ts';
 import { TypedEvent } from './typed-event.ts';
@@ -20,20 +21,7 @@ import { TypedEvent } from './typed-event.ts';
  * `graze-value` with a number, or `graze-triple` when three numbers were pasted or typed, with
  * their texts.
  */
-class GrazeNumberBox extends LitElement {
-  static override properties = {
-    value: { type: Number },
-    step: { type: Number },
-    label: { type: String },
-    symbol: { type: String },
-    typed: { type: String },
-    quantity: { type: String },
-    text: { state: true },
-    reason: { state: true },
-    focused: { state: true },
-    room: { state: true },
-    font: { state: true },
-  };
+class GrazeNumberBox extends DrawnElement {
   declare value: number;
   declare step: number;
   declare label: string;
@@ -76,7 +64,7 @@ class GrazeNumberBox extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    void this.updateComplete.then(() => {
+    void this.redraw().then(() => {
       const input = this.querySelector('input');
       if (input) this.observer.observe(input);
     });
@@ -84,8 +72,7 @@ class GrazeNumberBox extends LitElement {
     this.themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
+  disconnectedCallback(): void {
     this.observer.disconnect();
     this.themes.disconnect();
   }
@@ -103,17 +90,13 @@ class GrazeNumberBox extends LitElement {
     this.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
   }
 
-  protected override createRenderRoot(): HTMLElement {
-    return this;
-  }
-
-  protected override willUpdate(changed: Map<string, unknown>): void {
+  override changed(name: string): void {
     // The value was changed from elsewhere (a slider, a link): what was typed before is of the
     // past.
-    if (changed.has('value') && this.reason !== null) this.forget();
+    if (name === 'value' && this.reason !== null) this.forget();
   }
 
-  protected override render() {
+  protected override template() {
     const reasonId = `${this.id}-reason`;
     const hint = this.focused && this.reason === null ? hintOn(this.written()) : null;
     const described = this.reason !== null || hint !== null;
@@ -167,7 +150,7 @@ class GrazeNumberBox extends LitElement {
   private enter(event: FocusEvent): void {
     this.focused = true;
     const input = event.target as HTMLInputElement;
-    void this.updateComplete.then(() => input.select());
+    void this.redraw().then(() => input.select());
   }
 
   private leave(): void {
@@ -233,4 +216,6 @@ class GrazeNumberBox extends LitElement {
   }
 }
 
+redrawnBy(GrazeNumberBox, ['value', 'step', 'label', 'symbol', 'typed', 'quantity']);
+redrawnBy(GrazeNumberBox, ['text', 'reason', 'focused', 'room', 'font']);
 customElements.define('graze-number', GrazeNumberBox);

@@ -1,7 +1,8 @@
-import { html, LitElement } from 'lit';
+import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { display } from '../text/format.ts';
 import { Ahead } from './ahead.ts';
+import { DrawnElement, redrawnBy } from './drawn-element.ts';
 import { keyStep, onStep } from './step.ts';
 
 /**
@@ -9,15 +10,7 @@ import { keyStep, onStep } from './step.ts';
  * without forcing a value onto it that was typed, and takes fine steps with Shift. Sends
  * `graze-value` with the new number.
  */
-class GrazeSlider extends LitElement {
-  static override properties = {
-    value: { type: Number },
-    least: { type: Number },
-    most: { type: Number },
-    step: { type: Number },
-    label: { type: String },
-    symbol: { type: String },
-  };
+class GrazeSlider extends DrawnElement {
   declare value: number;
   declare least: number;
   declare most: number;
@@ -36,11 +29,7 @@ class GrazeSlider extends LitElement {
     this.symbol = '';
   }
 
-  protected override createRenderRoot(): HTMLElement {
-    return this;
-  }
-
-  protected override render() {
+  protected override template() {
     return html`<input
       type="range"
       class="slider"
@@ -56,7 +45,7 @@ class GrazeSlider extends LitElement {
     />`;
   }
 
-  protected override updated(): void {
+  protected override drawn(): void {
     const input = this.querySelector('input');
     const { least, most } = this;
     const share = (x: number): string =>
@@ -90,8 +79,9 @@ class GrazeSlider extends LitElement {
     this.ahead.set(value);
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
     // A refused value leaves the thumb where the state is.
-    this.requestUpdate();
+    void this.redraw();
   }
 }
 
+redrawnBy(GrazeSlider, ['value', 'least', 'most', 'step', 'label', 'symbol']);
 customElements.define('graze-slider', GrazeSlider);

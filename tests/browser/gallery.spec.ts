@@ -70,16 +70,29 @@ test.describe('without the picture', () => {
     expect(await page.locator('.scene-area').boundingBox()).toEqual(scene);
   });
 
-  test('who has done nothing yet is told what to do, until E has moved', async ({ page }) => {
+  test('who has done nothing yet is told what to do; then there is something to try', async ({
+    page,
+  }) => {
+    const challenge = page.locator('.challenge');
     const invitation = page.locator('.invitation');
     await open(page, '');
     await expect(invitation).toHaveText(/Drag E\. Watch D change its sign\./);
     await typeInto(page, 'E.x', '2');
     await expect(invitation).toHaveCount(0);
+    await expect(challenge).toContainText('Try: make it tangent.');
     await page.locator('.example-name').focus();
     await page.keyboard.press('Control+z');
     await settle(page);
     await expect(invitation).toHaveCount(0);
+    await open(page, '#/explore?shape=cone&V=0,0,0&c=1&E=0,1,0&d=-1,0,0');
+    await expect(challenge).toContainText(
+      'Done: make t₁ negative (t₁ = −1). Try: make it tangent.',
+    );
+    await page.getByRole('button', { name: 'No more challenges' }).click();
+    await expect(challenge).toHaveCount(0);
+    await open(page, '#/explore?shape=sphere&C=0,0,0&r=1&E=3,1,0&d=-1,0,0');
+    await expect(page.locator('.verdict')).toContainText('touches');
+    await expect(challenge).toHaveCount(0);
   });
 
   test('the far one says that the textbook formula is contradicted', async ({ page }) => {

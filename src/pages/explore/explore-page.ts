@@ -9,7 +9,6 @@ import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
 import { lateGraph } from './late-graph.ts';
-import type { PredictCard } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { story as Story } from './story.ts';
 import './explore-page.css';
@@ -49,7 +48,16 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
   let untouched = true;
-  const predict = latePredict(dispatch, changed);
+  /** Whether this page was opened with an empty address; null before it has been shown. */
+  let visit: boolean | null = null;
+  const predict = lateCard(
+    () => import('./predict-card.ts').then(({ createPredictCard }) => createPredictCard(dispatch)),
+    changed,
+  );
+  const challenges = lateCard(
+    () => import('./challenges.ts').then(({ createChallenges }) => createChallenges()),
+    changed,
+  );
   const narrow = matchMedia('(max-width: 559px)');
   const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
@@ -69,12 +77,14 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     graph: () => graphArea.querySelector('svg'),
     render(model, tools) {
       const begun = performance.now();
-      predict.render(model);
+      predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
       const card = algebra(model, dispatch, () => tools.command('derive')?.run());
       render(panelContent(model, card, tools.large), panel);
+      visit ??= model.state.E === INITIAL.E;
       untouched &&= model.state.E === INITIAL.E && model.example === null;
-      render(sceneBar(model, tools, untouched), bar);
+      challenges.render(model, visit && !untouched);
+      render(sceneBar(model, tools, untouched, challenges.host), bar);
       tools.story?.(story, model, dispatch);
       graph.render(model.graph);
       const drawn = performance.now();
@@ -91,19 +101,21 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   };
 }
 
-/** What asks for a prediction is loaded when results are hidden for the first time. */
-function latePredict(
-  dispatch: Dispatch,
+type Card = (host: HTMLElement, model: ExploreModel) => void;
+
+/** A part of the page whose code is loaded when it is wanted for the first time. */
+function lateCard(
+  create: () => Promise<Card>,
   changed: () => void,
-): { readonly host: HTMLElement; render(model: ExploreModel): void } {
+): { readonly host: HTMLElement; render(model: ExploreModel, wanted: boolean): void } {
   const host = document.createElement('div');
-  let card: PredictCard | null = null;
+  let card: Card | null = null;
   let asked = false;
   const load = (): void => {
     asked = true;
-    late(() => import('./predict-card.ts')).then(
-      ({ createPredictCard }) => {
-        card = createPredictCard(dispatch);
+    late(create).then(
+      (created) => {
+        card = created;
         changed();
       },
       // Asked again with the next change.
@@ -114,9 +126,9 @@ function latePredict(
   };
   return {
     host,
-    render(model) {
+    render(model, wanted) {
       if (card) card(host, model);
-      else if (model.state.revealed !== null && !asked) load();
+      else if (wanted && !asked) load();
     },
   };
 }

@@ -17,7 +17,7 @@ interface Committed {
 /** The mark stands at the tip of d until it is put somewhere. */
 const START = 1;
 
-export type PredictCard = (host: HTMLElement, model: ExploreModel) => void;
+type PredictCard = (host: HTMLElement, model: ExploreModel) => void;
 
 /** Asks while the results are hidden; afterwards says how far off the answer was. */
 export function createPredictCard(dispatch: Dispatch): PredictCard {

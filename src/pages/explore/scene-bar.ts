@@ -17,6 +17,7 @@ export function sceneBar(
   { state, example, found }: ExploreModel,
   { command, playing }: SceneBarTools,
   untouched: boolean,
+  challenges: HTMLElement,
 ): TemplateResult {
   const run = (id: string) => () => command(id)?.run();
   const hidden = state.revealed !== null;
@@ -36,7 +37,9 @@ export function sceneBar(
         invites
           ? html`<p class="invitation">${INVITATION}
               <a href="#/lesson/ray">First lesson</a></p>`
-          : nothing
+          : example
+            ? nothing
+            : challenges
       }
     </div>
     <div class="ray-tools">

@@ -1,0 +1,88 @@
+import { html, nothing, render } from 'lit';
+import type { Intersection, Shape } from '../../math/index.ts';
+import type { ShapeKind } from '../../math/shapes.ts';
+import type { ExploreModel } from '../../state/derive.ts';
+import { display } from '../../text/format.ts';
+import { recall, remember } from '../../ui/storage.ts';
+
+/** Something to bring about with the sliders, and what the page says when it has come about. */
+export interface Challenge {
+  readonly id: string;
+  /** Of which shape it is; null for every curved one. */
+  readonly kind: ShapeKind | null;
+  readonly asks: string;
+  /** What is true now that was asked for; null if it is not. */
+  met(found: Intersection, shape: Shape): string | null;
+}
+
+export const CHALLENGES: readonly Challenge[] = [
+  {
+    id: 'tangent',
+    kind: null,
+    asks: 'make it tangent',
+    met: (found) => (found.class === 'tangent' ? 'tangent: D = 0' : null),
+  },
+  {
+    id: 'upper',
+    kind: 'cone',
+    asks: 'hit only the upper nappe',
+    met({ hits }, shape) {
+      const [, height] = (shape as { vertex?: readonly number[] }).vertex ?? [];
+      const upper = height !== undefined && hits.every(({ point }) => point[1] > height);
+      return upper && hits.some(({ t }) => t >= 0) ? 'all points are above V' : null;
+    },
+  },
+  {
+    id: 'behind',
+    kind: null,
+    asks: 'make t₁ negative',
+    met: ({ hits: [first] }) => (first && first.t < 0 ? `t₁ = ${display(first.t)}` : null),
+  },
+];
+
+const STORED = 'graze.challenges';
+/** Stands for all of them where they are stored. */
+const NO_MORE = 'no-more';
+
+/**
+ * One line over the scene, from the first change on: what to try, and that it has been done. A
+ * challenge that was met is kept on the device, and never asked again.
+ */
+export function createChallenges(): (host: HTMLElement, model: ExploreModel) => void {
+  const done = new Set((recall(STORED) ?? '').split(' ').filter(Boolean));
+  /** What was said last of one that has just been met. */
+  let praise = '';
+  let praised: Intersection | null = null;
+  const keep = (id: string): void => {
+    done.add(id);
+    remember(STORED, [...done].join(' '));
+  };
+  const open = ({ kind }: Shape): readonly Challenge[] =>
+    CHALLENGES.filter((one) => !done.has(one.id) && (one.kind ?? kind) === kind);
+  return (host, model) => {
+    const { found, shape, state } = model;
+    const curved = found.details.family === 'curved';
+    const on = curved && state.revealed === null && !done.has(NO_MORE);
+    for (const { id, asks, met } of on ? open(shape) : []) {
+      const now = met(found, shape);
+      if (now === null) continue;
+      keep(id);
+      praise = `Done: ${asks} (${now}). `;
+      praised = found;
+    }
+    const [next] = open(shape);
+    const shown = on && (next || found === praised);
+    const end = (): void => {
+      keep(NO_MORE);
+      render(nothing, host);
+    };
+    render(
+      shown
+        ? html`<p class="look challenge"><span role="status">${praise}${next ? `Try: ${next.asks}.` : ''}</span>
+            <button type="button" class="challenge-end" aria-label="No more challenges" title="No more challenges" @click=${end}>×</button>
+          </p>`
+        : nothing,
+      host,
+    );
+  };
+}

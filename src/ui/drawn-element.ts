@@ -1,0 +1,53 @@
+import { render, type TemplateResult } from 'lit/html.js';
+
+/**
+ * A custom element without a shadow root that draws itself anew after a property of it was set to
+ * another value: once for all changes of a task, before the browser paints.
+ */
+export abstract class DrawnElement extends HTMLElement {
+  private next: Promise<void> | null = null;
+
+  connectedCallback(): void {
+    void this.redraw();
+  }
+
+  /** Fulfilled when it has been drawn. */
+  redraw(): Promise<void> {
+    this.next ??= Promise.resolve().then(() => {
+      this.next = null;
+      if (!this.isConnected) return;
+      render(this.template(), this, { host: this });
+      this.drawn();
+    });
+    return this.next;
+  }
+
+  protected abstract template(): TemplateResult;
+
+  /** Called when a property has got another value. */
+  changed(_name: string): void {}
+
+  /** Called each time that it has been drawn. */
+  protected drawn(): void {}
+}
+
+/** Makes these properties of a class redraw its elements; called once, before it is defined. */
+export function redrawnBy(
+  type: { readonly prototype: DrawnElement },
+  names: readonly string[],
+): void {
+  for (const name of names) {
+    const values = new WeakMap<DrawnElement, unknown>();
+    Object.defineProperty(type.prototype, name, {
+      get(this: DrawnElement) {
+        return values.get(this);
+      },
+      set(this: DrawnElement, value: unknown) {
+        if (values.has(this) && Object.is(values.get(this), value)) return;
+        values.set(this, value);
+        this.changed(name);
+        void this.redraw();
+      },
+    });
+  }
+}
