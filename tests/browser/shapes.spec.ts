@@ -1,5 +1,6 @@
 import { SHAPES, type Shape, type Vec3 } from '../../src/math/index.ts';
 import { expectInLink, pickShape, resetOf, typeInto } from './support/controls.ts';
+import { linkOf } from './support/expected.ts';
 import { open, quantities, settle } from './support/page.ts';
 import { expectShown, initial } from './support/question.ts';
 import { expect, test } from './support/test.ts';
@@ -41,7 +42,7 @@ test('the ray stays when the shape changes, and each shape remembers its paramet
 });
 
 test('the buttons of the square turn its normal', async ({ page }) => {
-  await open(page, '#/explore?shape=square&method=exact');
+  await open(page, linkOf(initial('square').shape, initial('square').ray, { method: 'exact' }));
   const { shape, ray } = initial('square');
   for (const axis of ['y', 'z', 'x'] as const) {
     await page.locator('.choices').getByRole('button', { name: axis }).click();
