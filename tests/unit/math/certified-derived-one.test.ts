@@ -1,7 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
-import { createRoots, NEAR, ROOT_OFF } from '../../../src/math/methods/certified/algebra.ts';
 import { putRoots, QUOTIENT, ROUNDED_Q } from '../../../src/math/methods/certified/doubled.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -138,7 +137,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
    * much as they may be.
    */
   function step(F: number, offF: number, eta: number): number {
-    expect(places.putStep(roots, NEAR, 1, F, offF, 1, eta)).toBe(eta <= 0.25);
+    expect(places.putStep(roots, algebra.NEAR, 1, F, offF, 1, eta)).toBe(eta <= 0.25);
     const [, delta = 0, off = 0] = roots;
     return Math.max(
       ...[-1, 1].flatMap((s) =>
@@ -156,7 +155,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
   });
   test('and by rounding it, and the point', () => {
     step(0, 0, 0);
-    const covered = (roots[NEAR + ROOT_OFF] ?? 0) - places.TINY;
+    const covered = (roots[algebra.NEAR + algebra.ROOT_OFF] ?? 0) - places.TINY;
     const onPoint = add(low(0), add(low(1), mul(known(2 * U), known(1)))).off;
     const first = low(1).x + 2 * U;
     const share = (onPoint + U * first + 4 * UU) / covered;
@@ -169,7 +168,7 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       // Touches but for 2^-k of the radius; E is on the tangent's side, t = 3.
       const high = Math.sqrt(1 - 2 ** -k);
       const ray: Ray = { origin: [-3 - Math.sqrt(1 - high * high), 0, high], direction: [1, 0, 0] };
-      places.stepOnQuadric(taken, q, ray, NEAR, 3);
+      places.stepOnQuadric(taken, q, ray, algebra.NEAR, 3);
       const x = ray.origin[0] + 3;
       const slope = abs(2 * x);
       const offF = places.ERROR_CURVED * (x * x + high * high + 1);
@@ -178,7 +177,8 @@ describe(`a Newton step from a faithful root (seed ${SEED})`, () => {
       const off = offSlope + (bend * (offSlope + bend)) / slope + offF / slope;
       const bent = abs(2 * x - (taken.place[places.PLACE_F] ?? 0) / (2 * x));
       return (
-        (roots[NEAR + ROOT_OFF] ?? 0) / (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
+        (roots[algebra.NEAR + algebra.ROOT_OFF] ?? 0) /
+        (offF / bent + 3 * ((2 * U * off) / bent + places.ROUNDED))
       );
     });
     for (const share of shares) expect(share).toBeCloseTo(1, 13);
@@ -220,7 +220,7 @@ describe(`roots with lower halves, of 1 each (seed ${SEED})`, () => {
     const random = seeded(SEED);
     const some = () => uniform(random, -1, 1);
     const numbers = algebra.createAlgebra();
-    const roots = createRoots();
+    const roots = algebra.createRoots();
     let asked = 0;
     for (let n = 0; n < 900; n++) {
       const shape: Shape = {

@@ -4,11 +4,6 @@ import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import { solveSlowly } from '../../../src/math/methods/certified/doubled.ts';
-import {
-  ACCUMULATED_ERROR,
-  ERROR_LEVELS,
-  sharpenC,
-} from '../../../src/math/methods/certified/near-surface.ts';
 import { certifiedSlot } from '../../../src/math/methods/certified/numbers.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -28,8 +23,8 @@ function solve(shape: Shape, ray: Ray): { q: Quadric; verdict: number } {
 
 test('C from its exact terms: what it may be off', () => {
   for (const [bound, cost] of [
-    [ERROR_LEVELS, 3 * TWICE.sum],
-    [ACCUMULATED_ERROR, (2 * 38 * 2 ** -53) ** 4 * 2],
+    [algebra.ERROR_LEVELS, 3 * TWICE.sum],
+    [algebra.ACCUMULATED_ERROR, (2 * 38 * 2 ** -53) ** 4 * 2],
   ] as const) {
     expect(cost / bound).toBeLessThanOrEqual(1);
     expect(cost / bound).toBeGreaterThan(0.75);
@@ -40,7 +35,7 @@ test('C is not called 0 where a = c² lost bits, nor certain where products are 
   const numbers = algebra.createAlgebra();
   const put = (shape: Shape, ray: Ray): void => {
     algebra.putAlgebra(quadricOf(shape) as Quadric, ray, numbers);
-    sharpenC(numbers, 0);
+    algebra.sharpenC(numbers, 0);
   };
   const off = (): number => numbers[algebra.AT_OFF_C] as number;
   // 9/4 of the least double is rounded to 2 of them, and then C looks like 1 + 1 − 2.

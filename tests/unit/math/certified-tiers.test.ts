@@ -5,6 +5,7 @@ import * as dy from '../../../src/math/exact/dyadic.ts';
 import { type Family, findFamily, type Question } from '../../../src/math/families.ts';
 import {
   AT_LATTICE as AT,
+  BOX,
   certifiedQuadric,
   type Lattice,
   latticeOf,
@@ -258,6 +259,22 @@ describe('what a stage settles is the right class with faithful roots (seed 52)'
   ];
   test.each(doubtful)('recentred, at its limit: %s', (_, make) => {
     settled(make, byRecentring, 54, 20000);
+  });
+  test('a d or an E outside of the box is left to others', () => {
+    const random = seeded(55);
+    const times = (v: Vec3, by: number): Vec3 => [by * v[0], by * v[1], by * v[2]];
+    for (let k = 0; k < 300; k++) {
+      const { shape, ray } = aimed(random, 1, log(random, 0, 7));
+      const q = quadric(shape);
+      const { origin, direction } = ray;
+      const speed = Math.max(...direction.map(Math.abs));
+      for (const by of [32 * BOX, 1 / (32 * BOX)]) {
+        const outside = { origin, direction: times(direction, by / speed) };
+        expect([byRecentring(q, outside), byRefining(q, outside)]).toEqual([false, false]);
+      }
+      const far = { origin: times(direction, (-32 * BOX) / speed), direction };
+      expect([byRecentring(q, far), byRefining(q, far)]).toEqual([false, false]);
+    }
   });
   test('and most are settled where it is meant to', () => {
     expect(settled(family('typical'), byLattice, 53, 2000)).toBeGreaterThan(1850);

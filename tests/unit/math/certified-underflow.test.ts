@@ -4,7 +4,6 @@ import * as algebra from '../../../src/math/methods/certified/algebra.ts';
 import * as byClass from '../../../src/math/methods/certified/class.ts';
 import { DIRECT_ERROR, LEAST_A, momentError } from '../../../src/math/methods/certified/class.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
-import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
 import { BOX, FAITHFUL } from '../../../src/math/methods/certified/numbers.ts';
 import * as figure from '../../../src/math/methods/certified/planar.ts';
 import { SMALLEST_PLANAR } from '../../../src/math/methods/certified/planar.ts';
@@ -38,7 +37,7 @@ test('C from its exact terms', () => {
   const flared = add(mul(add(squares, squares), a), mul(add(squares, squares), aLow));
   const C = add(add(add(squares, squares), flared), of(1, LOST / 2));
   const ofFlare = LARGE * (LOST / 2);
-  covers(SMALLEST_C, C.off + ofFlare);
+  covers(algebra.SMALLEST_C, C.off + ofFlare);
 });
 
 test('of flat shapes: three products each, and a quotient within the range', () => {

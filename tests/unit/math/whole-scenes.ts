@@ -7,7 +7,6 @@ import * as moment from '../../../src/math/methods/certified/class.ts';
 import { ORDINARY } from '../../../src/math/methods/certified/doubled.ts';
 import * as hit from '../../../src/math/methods/certified/hits.ts';
 import * as places from '../../../src/math/methods/certified/hits.ts';
-import { SMALLEST_C } from '../../../src/math/methods/certified/near-surface.ts';
 import { BOX, FAITHFUL } from '../../../src/math/methods/certified/numbers.ts';
 import * as flat from '../../../src/math/methods/certified/planar.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -33,7 +32,7 @@ const limits = [
     hit.SMALLEST_NORMAL,
     hit.LOST_POINT,
     moment.SMALLEST_D,
-    SMALLEST_C,
+    algebra.SMALLEST_C,
     places.SMALLEST_PLACE,
     places.WIDE,
   ],

@@ -31,9 +31,9 @@ import {
   ROOT_LOW,
   ROOT_OFF,
   type Roots,
+  sharpenC,
   shortVerdict,
 } from './algebra.ts';
-import { sharpenC } from './near-surface.ts';
 import { type CertifiedSlot, FAITHFUL, UU } from './numbers.ts';
 
 /*
@@ -54,7 +54,7 @@ import { type CertifiedSlot, FAITHFUL, UU } from './numbers.ts';
  * the bound of δD/s says s > 2^55 · 136u² AmCm/|q| > 2^-47 |q|, and the roots are 2s/|A| apart, t =
  * |q/A|. None is so small that its lower half is lost: D > SMALLEST_ALGEBRA_D makes |q/A| > 2^-535;
  * |C| > 2^55 of its bound, 2^-47 Cm and 2^-817, so |C| > √(2^-864 Cm) and |C/q| > 2^-432
- * √Cm/(3√(AmCm)) > 2^-534; by near-surface.ts > 2^-131 Cm and 2^-815, which makes it > 2^-575.
+ * √Cm/(3√(AmCm)) > 2^-534; by sharpenC > 2^-131 Cm and 2^-815, which makes it > 2^-575.
  */
 
 /** No verdict. */
