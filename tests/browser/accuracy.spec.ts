@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { METHODS } from '../../src/math/index.ts';
-import { violationsInThemes } from './support/axe.ts';
+import { violations, violationsInThemes } from './support/axe.ts';
 import { frames } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
@@ -241,7 +241,9 @@ test('axe finds nothing, and nothing is wider than the page', async ({ page }) =
     for (const part of await page.locator('details').all()) {
       if ((await part.getAttribute('open')) === null) await part.locator('> summary').click();
     }
-    expect.soft(await violationsInThemes(page), `${width} px`).toEqual([]);
+    // A narrow screen has no colours of its own.
+    const found = await (width > 390 ? violationsInThemes(page) : violations(page));
+    expect.soft(found, `${width} px`).toEqual([]);
     const reach = await page.locator('main').evaluate((main) => main.scrollWidth);
     expect(reach).toBeLessThanOrEqual(width);
   }

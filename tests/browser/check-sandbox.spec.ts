@@ -5,7 +5,9 @@ import { LONGEST_PROGRAM } from '../../src/check/program/script.ts';
 import { programOf } from '../../src/check/program/source.ts';
 import { withoutScene } from './support/page.ts';
 import { editor, openCheck, report, runProgram, told } from './support/program.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 /*
  * A student's program in the real browser: what is right, what is wrong, and what is none of its

@@ -1,5 +1,7 @@
 import { open, quantities } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const MARKUP = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=2</script>';
 const HOSTILE: readonly string[] = [

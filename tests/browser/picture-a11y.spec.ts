@@ -1,4 +1,4 @@
-import { violationsInThemes } from './support/axe.ts';
+import { violations, violationsInThemes } from './support/axe.ts';
 import { settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
@@ -15,17 +15,20 @@ for (const width of [1280, 390]) {
     await page.setViewportSize({ width, height: 800 });
     for (const state of STATES) {
       await page.goto(`./#/picture?size=96x54&method=certified&${state}`);
-      await page.reload();
+      await settle(page);
       await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
       await expect(page.locator('.progress')).toHaveCount(0);
       await settle(page);
-      expect.soft(await violationsInThemes(page), state).toEqual([]);
+      // A narrow screen has no colours of its own.
+      const found = await (width > 390 ? violationsInThemes(page) : violations(page));
+      expect.soft(found, state).toEqual([]);
     }
     await page.getByRole('tab', { name: 'Scene' }).click();
     for (const part of ['glass cone', 'lamp', 'camera', 'background']) {
       await page.getByRole('button', { name: part }).first().click();
       await settle(page);
-      expect.soft(await violationsInThemes(page), `the form of the ${part}`).toEqual([]);
+      const found = await violationsInThemes(page, '.side-panel');
+      expect.soft(found, `the form of the ${part}`).toEqual([]);
     }
   });
 }

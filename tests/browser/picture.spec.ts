@@ -5,7 +5,9 @@ import { findPreset } from '../../src/scene/presets/index.ts';
 import { RAY_KINDS } from '../../src/tracer/types.ts';
 import { expectInLink } from './support/controls.ts';
 import { linkWritten, settle } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const SMALL = 'size=96x54&method=certified';
 
@@ -89,7 +91,7 @@ test('rows add up: rays and roots of camera and effects are the picture’s', as
   expect(kinds.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', 'rays'));
 });
 
-test('only what a scene needs is loaded', async ({ page }) => {
+fresh('only what a scene needs is loaded', async ({ page }) => {
   const asked: string[] = [];
   page.context().on('request', (request) => asked.push(request.url()));
   const bodies = () =>
@@ -256,7 +258,7 @@ test('the picture is used by keys alone', async ({ page }) => {
   await expect(page.getByRole('tabpanel', { name: 'Scene' })).toBeVisible();
 });
 
-test('a click chooses the pixel under it', async ({ page }) => {
+fresh('a click chooses the pixel under it', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=mirror`);
   const frame = page.getByRole('application');
   const box = await frame.boundingBox();
@@ -431,8 +433,8 @@ test('nothing sticks out to the side at any width', async ({ page }) => {
   }
 });
 
-test.describe('without WebGL', () => {
-  test('the list of rays and their lines in space are there', async ({ page }) => {
+fresh.describe('without WebGL', () => {
+  fresh('the list of rays and their lines in space are there', async ({ page }) => {
     await page.addInitScript(() => {
       const get = HTMLCanvasElement.prototype.getContext;
       HTMLCanvasElement.prototype.getContext = function (

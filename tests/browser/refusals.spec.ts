@@ -1,6 +1,8 @@
 import { box, expectInLink, slider, typeInto } from './support/controls.ts';
 import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 /** Where, what is typed, and what the reason has to quote. */
 const REFUSED: readonly (readonly [box: string, typed: string, reason: RegExp])[] = [

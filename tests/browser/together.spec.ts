@@ -3,7 +3,9 @@ import { box, expectInLink, slider } from './support/controls.ts';
 import { expectedBead } from './support/expected.ts';
 import { quantities, settle } from './support/page.ts';
 import { middleOf, openScene, still } from './support/scene.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({ viewport: { width: 940, height: 700 } });
 

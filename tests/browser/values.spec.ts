@@ -5,7 +5,9 @@ import { cone } from '../unit/math/shorthand.ts';
 import { CASES } from './support/cases.ts';
 import { expected, expectedBead, linkOf } from './support/expected.ts';
 import { NO_SCENE, open, quantities, readable, withoutScene } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 /** Words that only a program would say. ∞ is a number's name, 'Infinity' is not. */
 const NO_WORDS = /\b(NaN|undefined|Infinity|null|true|false)\b|\[object/;

@@ -10,14 +10,18 @@ const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 /** What a theme can break: it changes colours, and on the projector sizes. */
 const OF_A_THEME = ['color-contrast', 'link-in-text-block', 'scrollable-region-focusable'];
 
-type Axe = { readonly run: (where: Document, options: RunOptions) => Promise<AxeResults> };
+type Axe = { readonly run: (where: Element, options: RunOptions) => Promise<AxeResults> };
 
 /**
- * One line a violation: the rule, and the elements that break it; of these rules, or of all that
- * axe runs by itself. Elements that pass are not described, which takes most of axe's time. The
- * page has no frame that shows anything.
+ * One line a violation within the first element of a selector: the rule, and the elements that
+ * break it; of these rules, or of all that axe runs by itself. Elements that pass are not
+ * described, which takes most of axe's time. The page has no frame that shows anything.
  */
-export async function violations(page: Page, rules?: readonly string[]): Promise<string[]> {
+export async function violations(
+  page: Page,
+  within = 'html',
+  rules?: readonly string[],
+): Promise<string[]> {
   if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
   const options: RunOptions = {
     resultTypes: ['violations'],
@@ -25,24 +29,29 @@ export async function violations(page: Page, rules?: readonly string[]): Promise
     iframes: false,
     ...(rules && { runOnly: { type: 'rule', values: [...rules] } }),
   };
-  return page.evaluate(async (options) => {
-    const { axe } = window as unknown as { readonly axe: Axe };
-    const { violations: found } = await axe.run(document, options);
-    return found.flatMap(({ id, nodes }) =>
-      nodes.map(({ target, any }) => `${id}: ${target.join(' ')} (${any[0]?.message ?? ''})`),
-    );
-  }, options);
+  return page.evaluate(
+    async ([within, options]) => {
+      const { axe } = window as unknown as { readonly axe: Axe };
+      const root = document.querySelector(within);
+      if (!root) return [`there is no ${within}`];
+      const { violations: found } = await axe.run(root, options);
+      return found.flatMap(({ id, nodes }) =>
+        nodes.map(({ target, any }) => `${id}: ${target.join(' ')} (${any[0]?.message ?? ''})`),
+      );
+    },
+    [within, options] as const,
+  );
 }
 
 /** All rules in the theme that is shown, and in the other ones those that a theme can break. */
-export async function violationsInThemes(page: Page): Promise<string[]> {
+export async function violationsInThemes(page: Page, within = 'html'): Promise<string[]> {
   const root = page.locator('html');
   const shown = await root.getAttribute('data-theme');
-  const found = await violations(page);
+  const found = await violations(page, within);
   for (const theme of THEMES) {
     if (theme === 'system' || theme === shown) continue;
     await show(page, theme);
-    found.push(...(await violations(page, OF_A_THEME)).map((line) => `${theme}: ${line}`));
+    found.push(...(await violations(page, within, OF_A_THEME)).map((line) => `${theme}: ${line}`));
   }
   await show(page, shown ?? '');
   return found;
