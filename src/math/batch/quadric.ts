@@ -4,7 +4,8 @@ import type { Quadric, QuadricNumbers } from '../shapes/numbers.ts';
 
 export type { Quadric } from '../shapes/numbers.ts';
 
-function numbersOf(kind: Shape['kind']): QuadricNumbers<Shape> | null {
+/** How a kind's numbers are read for kernels that are exact in class and roots; null: not at all. */
+export function numbersOf(kind: Shape['kind']): QuadricNumbers<Shape> | null {
   const numbers = findShape(kind)?.numbers;
   return numbers?.family === 'quadric' ? numbers : null;
 }
@@ -19,11 +20,4 @@ function numbersOf(kind: Shape['kind']): QuadricNumbers<Shape> | null {
  */
 export function quadricOf(shape: Shape): Quadric | null {
   return numbersOf(shape.kind)?.read(shape) ?? null;
-}
-
-/**
- * Whether `q`, read from a shape of `kind`, is what quadricOf(shape) would be. Allocates nothing.
- */
-export function stillHolds(q: Quadric, kind: Shape['kind'], shape: Shape): boolean {
-  return shape.kind === kind && numbersOf(kind)?.holds(shape, q) === true;
 }

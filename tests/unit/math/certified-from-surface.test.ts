@@ -3,6 +3,7 @@ import { createAnswers, packRays } from '../../../src/math/batch/batch.ts';
 import { type Quadric, quadricOf } from '../../../src/math/batch/quadric.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { findFamily, type Question } from '../../../src/math/families.ts';
+import { intersect } from '../../../src/math/intersect.ts';
 import {
   AT_SURFACE,
   AT_SURFACE_BOUND,
@@ -18,7 +19,12 @@ import {
   surfaceInSpace,
   surfaceNumbers,
 } from '../../../src/math/methods/certified/from-surface.ts';
-import { AT_LATTICE, latticeOf, ROUND } from '../../../src/math/methods/certified/numbers.ts';
+import {
+  AT_LATTICE,
+  certifiedQuadric,
+  latticeOf,
+  ROUND,
+} from '../../../src/math/methods/certified/numbers.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -50,8 +56,8 @@ interface Asked {
 
 function asked({ shape, ray }: Question): Asked | null {
   const q = quadricOf(shape);
-  const lattice = q && latticeOf(q);
-  return lattice && { q, ray, numbers: surfaceNumbers(q, lattice) };
+  if (!q || !latticeOf(q)) return null;
+  return { q, ray, numbers: surfaceNumbers(q, certifiedQuadric(q)) };
 }
 
 /** NaN where the stage leaves the ray open. */
@@ -199,6 +205,16 @@ describe('what it settles is the right class with faithful roots (seed 71)', () 
     const found = tally(family(id), 72, 3000, asTheyAre);
     expect(found.settled).toBeGreaterThan(0.98 * found.asked);
   });
+});
+
+test('one ray at a time, each with a shape of its own: no shape’s numbers serve another one', () => {
+  const random = seeded(76);
+  for (let k = 0; k < 2000; k++) {
+    const { shape, ray } = family('near-surface')(random);
+    const [near, far] = intersect(shape, ray).hits;
+    const q = quadricOf(shape) as Quadric;
+    expect(unfaithful(q, ray, near?.t ?? Number.NaN, far?.t ?? Number.NaN)).toBeNull();
+  }
 });
 
 const bound = (name: keyof typeof AT_SURFACE_BOUND, by: number) => (): void => {

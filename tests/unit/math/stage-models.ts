@@ -31,8 +31,10 @@ const sizeOf = ([x, y, z]: Three): Off => add(add(abs(x), abs(y)), abs(z));
 /** A ray and a shape as the stages on grids take them. */
 function cutBy(q: Quadric, ray: Ray) {
   const c = numbers.certifiedQuadric(q);
-  const [k, k1, k2, sign] = [c.k, c.k1, c.k2, c.sign].map((x) => known(x)) as [Off, Off, Off, Off];
-  const [rho, rhoLow] = [known(c.rho), known(c.rhoLow)];
+  const numberOf = (name: keyof typeof numbers.AT_SCALED): Off =>
+    known(c.numbers[numbers.AT_SCALED[name]] as number);
+  const [k, k1, k2, sign] = [numberOf('k'), numberOf('k1'), numberOf('k2'), numberOf('sign')];
+  const [rho, rhoLow] = [numberOf('rho'), numberOf('rhoLow')];
   const [x, dy, z] = ray.direction;
   const [ex, ey, ez] = ray.origin;
   const rise = q.hasY ? dy : 0;

@@ -1,6 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
+import { AT_SCALED, BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
 
 /*
  * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =
@@ -88,11 +88,14 @@ export function openClasses(
  */
 function classesByMoment(
   { Cx, Cy, Cz, hasY }: Quadric,
-  { k, sign, rho }: CertifiedQuadric,
+  { numbers }: CertifiedQuadric,
   { Ex, Ey, Ez, dx, dy, dz }: Rays,
   { margin }: Answers,
   left: OpenRays,
 ): void {
+  const k = numbers[AT_SCALED.k] as number;
+  const sign = numbers[AT_SCALED.sign] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
   const { open, count } = left;
   let opened = 0;
   for (let j = 0; j < count; j++) {
@@ -127,11 +130,13 @@ function classesByMoment(
 
 function classesInSpace(
   { Cx, Cy, Cz }: Quadric,
-  { flare, rho }: CertifiedQuadric,
+  { numbers }: CertifiedQuadric,
   { count, Ex, Ey, Ez, dx, dy, dz }: Rays,
   { margin }: Answers,
   left: OpenRays,
 ): void {
+  const flare = numbers[AT_SCALED.flare] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
   const { open } = left;
   const size = Math.abs(flare);
   let opened = 0;
@@ -167,11 +172,12 @@ function classesInSpace(
 
 function classesAroundAxis(
   { Cx, Cz }: Quadric,
-  { rho }: CertifiedQuadric,
+  { numbers }: CertifiedQuadric,
   { count, Ex, Ez, dx, dz }: Rays,
   { margin }: Answers,
   left: OpenRays,
 ): void {
+  const rho = numbers[AT_SCALED.rho] as number;
   const { open } = left;
   let opened = 0;
   for (let i = 0; i < count; i++) {

@@ -1,7 +1,15 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { productError, SPLITTER, squareError, sumError } from '../../float/eft.ts';
-import { AT_LATTICE, cut, FAITHFUL_ONCE, inSlots, type Lattice, ROUND } from './numbers.ts';
+import {
+  AT_LATTICE,
+  type CertifiedQuadric,
+  cut,
+  FAITHFUL_ONCE,
+  inSlots,
+  type Lattice,
+  ROUND,
+} from './numbers.ts';
 
 /*
  * Rays that start on a surface, or as near to it as rounding or an offset leaves them: C is far
@@ -129,15 +137,10 @@ export const AT_SURFACE = {
 } as const;
 export const SURFACE_COUNT = 31;
 
-const made = new WeakMap<Lattice, SurfaceNumbers>();
-
-/** Made when they are first asked for: few rays need them. */
-export function surfaceNumbers(q: Quadric, lattice: Lattice): SurfaceNumbers {
-  const before = made.get(lattice);
-  if (before) return before;
-  const numbers = prepared(q, lattice);
-  made.set(lattice, numbers);
-  return numbers;
+/** Made when they are first asked for: few rays need them. Only of a shape that has a lattice. */
+export function surfaceNumbers(q: Quadric, c: CertifiedQuadric): SurfaceNumbers {
+  c.surface ??= prepared(q, c.lattice as Lattice);
+  return c.surface;
 }
 
 function prepared(q: Quadric, lattice: Lattice): SurfaceNumbers {

@@ -1,8 +1,9 @@
 import type { RootSlot } from '../../batch/exact-quadric.ts';
-import { type Quadric, quadricOf, stillHolds } from '../../batch/quadric.ts';
+import { numbersOf, type Quadric } from '../../batch/quadric.ts';
 import { exponentOf, powerOfTwo } from '../../float/bits.ts';
-import { productError, SPLITTER, squareError } from '../../float/eft.ts';
+import { SPLITTER, squareError } from '../../float/eft.ts';
 import type { Shape } from '../../shapes/index.ts';
+import type { QuadricNumbers } from '../../shapes/numbers.ts';
 
 /* What all stages share. u = 2^-53. */
 
@@ -71,21 +72,14 @@ export const certifiedSlot = (): CertifiedSlot => ({
  * than 2^-78 k; for a cone k = |c| exactly. ρ = rho + rhoLow exactly.
  */
 export interface CertifiedQuadric {
-  readonly k: number;
-  readonly k1: number;
-  readonly k2: number;
-  /** The sign of a. */
-  readonly sign: number;
-  readonly rho: number;
-  readonly rhoLow: number;
-  /** a rounded to a double. */
-  readonly flare: number;
   /** Whether the fast stages may be used: see BOX. */
   readonly inBox: boolean;
-  /** What the loops need of all that, as doubles for certain. */
+  /** All that, and the sign of a, as doubles for certain. */
   readonly numbers: Float64Array;
   /** The shape in units of its own, if it is an ordinary one. */
   readonly lattice: Lattice | null;
+  /** What from-surface.ts needs of it, once that has been asked for. */
+  surface: Float64Array | null;
 }
 
 /**
@@ -131,35 +125,6 @@ export function certifiedQuadric(q: Quadric): CertifiedQuadric {
   return c;
 }
 
-/** A shape's numbers, and how the kernels take them. */
-export interface ReadQuadric {
-  readonly kind: Shape['kind'];
-  readonly q: Quadric;
-  readonly c: CertifiedQuadric;
-}
-
-let latest: ReadQuadric | null = null;
-const readBefore = new WeakMap<Shape, ReadQuadric>();
-
-/**
- * The shape, read as a quadric; null where it is none. One that was read before is known by itself,
- * the last one by its numbers: both only while these hold, as a shape is its caller's and may
- * change.
- */
-export function readQuadric(shape: Shape): ReadQuadric | null {
-  if (latest !== null && stillHolds(latest.q, latest.kind, shape)) return latest;
-  const known = readBefore.get(shape);
-  if (known && stillHolds(known.q, known.kind, shape)) {
-    latest = known;
-    return known;
-  }
-  const q = quadricOf(shape);
-  if (!q) return null;
-  latest = { kind: shape.kind, q, c: certifiedQuadric(q) };
-  readBefore.set(shape, latest);
-  return latest;
-}
-
 const same = (a: Quadric, b: Quadric): boolean =>
   a.Cx === b.Cx &&
   a.Cy === b.Cy &&
@@ -169,7 +134,28 @@ const same = (a: Quadric, b: Quadric): boolean =>
   a.hasY === b.hasY &&
   a.squared === b.squared;
 
+/** Numbers to be filled by `put`. */
+type Room = { -readonly [Field in keyof CertifiedQuadric]: CertifiedQuadric[Field] } & {
+  readonly units: Lattice;
+};
+
+function room(): Room {
+  return {
+    inBox: false,
+    numbers: new Float64Array(SCALED_COUNT),
+    units: new Float64Array(LATTICE_COUNT),
+    lattice: null,
+    surface: null,
+  };
+}
+
 function prepared(q: Quadric): CertifiedQuadric {
+  const c = room();
+  put(c, q);
+  return c;
+}
+
+function put(c: Room, q: Quadric): void {
   const rho = q.r * q.r;
   const size = Math.abs(q.flare);
   const s = q.squared ? size : Math.sqrt(size);
@@ -181,9 +167,10 @@ function prepared(q: Quadric): CertifiedQuadric {
   const k1 = big - (big - s);
   const k2 = s - k1 + rest;
   const sign = q.squared || q.flare > 0 ? 1 : -1;
-  const rhoLow = productError(q.r, q.r, rho);
+  const rhoLow = squareError(q.r, rho);
   const flare = q.squared ? q.flare * q.flare : q.flare;
-  const numbers = new Float64Array(SCALED_COUNT);
+  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
+  const { numbers } = c;
   numbers[AT_SCALED.Cx] = q.Cx;
   numbers[AT_SCALED.Cy] = q.Cy;
   numbers[AT_SCALED.Cz] = q.Cz;
@@ -195,19 +182,10 @@ function prepared(q: Quadric): CertifiedQuadric {
   numbers[AT_SCALED.rhoLow] = rhoLow;
   numbers[AT_SCALED.flare] = flare;
   numbers[AT_SCALED.wide] = Math.max(1, s);
-  numbers[AT_SCALED.flareLow] = q.squared ? squareError(q.flare, flare) : 0;
-  return {
-    k: s,
-    k1,
-    k2,
-    sign,
-    rho,
-    rhoLow,
-    numbers,
-    flare,
-    inBox: (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX)),
-    lattice: latticeOf(q),
-  };
+  numbers[AT_SCALED.flareLow] = flareLow;
+  c.inBox = (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX));
+  c.lattice = putLattice(c.units, q, flare, flareLow, rho, rhoLow) ? c.units : null;
+  c.surface = null;
 }
 
 /*
@@ -297,59 +275,92 @@ export const ROUND = 1.5 * 2 ** 52;
 export const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND * unit;
 
 /** Null for a shape whose numbers are not ordinary. */
-export function latticeOf(q: Quadric): Lattice | null {
-  const flare = q.squared ? q.flare * q.flare : q.flare;
-  const flareLow = q.squared ? squareError(q.flare, flare) : 0;
-  const size = exponentOf(q.r || 1);
-  const stretch = flare === 0 ? 0 : Math.ceil((exponentOf(flare) + 1) / 2);
-  if (!(Math.abs(size) <= LARGEST_EXPONENT && Math.abs(stretch) <= LARGEST_STRETCH)) return null;
+export const latticeOf = (q: Quadric): Lattice | null => prepared(q).lattice;
+
+/** False for a shape whose numbers are not ordinary; the lattice is then of no use. */
+function putLattice(
+  lattice: Lattice,
+  { Cx, Cy, Cz, r }: Quadric,
+  flare: number,
+  flareLow: number,
+  rho: number,
+  rhoLow: number,
+): boolean {
+  const size = exponentOf(r || 1);
+  const stretch = flare === 0 ? 0 : (exponentOf(flare) + 2) >> 1;
+  if (!(Math.abs(size) <= LARGEST_EXPONENT && Math.abs(stretch) <= LARGEST_STRETCH)) return false;
   const up = powerOfTwo(stretch);
+  const down = powerOfTwo(-stretch);
   const unit = powerOfTwo(size - SIZE_BITS);
   const unitD = UNIT_OF_DIRECTION;
   const unitT = unit / unitD;
-  const farthest = Math.max(Math.abs(q.Cx), Math.abs(q.Cy) * up, Math.abs(q.Cz));
-  if (!(farthest < LARGEST_LENGTH * unit)) return null;
-  const [wholeX, wholeY, wholeZ] = [cut(q.Cx, unit), cut(q.Cy, unit / up), cut(q.Cz, unit)];
+  const farthest = Math.max(Math.abs(Cx), Math.abs(Cy) * up, Math.abs(Cz));
+  if (!(farthest < LARGEST_LENGTH * unit)) return false;
+  const wholeX = cut(Cx, unit);
+  const wholeY = cut(Cy, unit * down);
+  const wholeZ = cut(Cz, unit);
   const square = up * up;
   const a1 = cut(flare, square / 2 ** 5);
   const a2 = cut(flare - a1, square / 2 ** 11);
-  const rho = q.r * q.r;
   const wholeRho = cut(rho, unit * unit);
-  return latticeWith({
-    cutD: ROUND * unitD,
-    cutDy: (ROUND * unitD) / up,
-    cutE: ROUND * unit,
-    cutEy: (ROUND * unit) / up,
-    cutT: ROUND * unitT,
-    Cx: q.Cx,
-    Cy: q.Cy,
-    Cz: q.Cz,
-    wholeX,
-    wholeY,
-    wholeZ,
-    restX: q.Cx - wholeX,
-    restY: q.Cy - wholeY,
-    restZ: q.Cz - wholeZ,
-    a: flare,
-    a1,
-    a2,
-    a3: flare - a1 - a2 + flareLow,
-    rho,
-    wholeRho,
-    restRho: rho - wholeRho + productError(q.r, q.r, rho),
-    up,
-    two: 2 * unitT,
-    smallest: SMALLEST_IN_UNITS * (unit * unitD) ** 2,
-    largestDirection: (LARGEST_LENGTH * unitD) ** 2,
-    smallestDirection: (SMALLEST_DIRECTION * unitD) ** 2,
-    largestSize: LARGEST_SIZE * unit,
-    leastGap: LEAST_GAP * unitT,
-  });
+  const area = unit * unitD;
+  lattice[AT_LATTICE.cutD] = ROUND * unitD;
+  lattice[AT_LATTICE.cutDy] = ROUND * unitD * down;
+  lattice[AT_LATTICE.cutE] = ROUND * unit;
+  lattice[AT_LATTICE.cutEy] = ROUND * unit * down;
+  lattice[AT_LATTICE.cutT] = ROUND * unitT;
+  lattice[AT_LATTICE.Cx] = Cx;
+  lattice[AT_LATTICE.Cy] = Cy;
+  lattice[AT_LATTICE.Cz] = Cz;
+  lattice[AT_LATTICE.wholeX] = wholeX;
+  lattice[AT_LATTICE.wholeY] = wholeY;
+  lattice[AT_LATTICE.wholeZ] = wholeZ;
+  lattice[AT_LATTICE.restX] = Cx - wholeX;
+  lattice[AT_LATTICE.restY] = Cy - wholeY;
+  lattice[AT_LATTICE.restZ] = Cz - wholeZ;
+  lattice[AT_LATTICE.a] = flare;
+  lattice[AT_LATTICE.a1] = a1;
+  lattice[AT_LATTICE.a2] = a2;
+  lattice[AT_LATTICE.a3] = flare - a1 - a2 + flareLow;
+  lattice[AT_LATTICE.rho] = rho;
+  lattice[AT_LATTICE.wholeRho] = wholeRho;
+  lattice[AT_LATTICE.restRho] = rho - wholeRho + rhoLow;
+  lattice[AT_LATTICE.up] = up;
+  lattice[AT_LATTICE.two] = 2 * unitT;
+  lattice[AT_LATTICE.smallest] = SMALLEST_IN_UNITS * (area * area);
+  lattice[AT_LATTICE.largestDirection] = (LARGEST_LENGTH * unitD) ** 2;
+  lattice[AT_LATTICE.smallestDirection] = (SMALLEST_DIRECTION * unitD) ** 2;
+  lattice[AT_LATTICE.largestSize] = LARGEST_SIZE * unit;
+  lattice[AT_LATTICE.leastGap] = LEAST_GAP * unitT;
+  return true;
 }
 
-function latticeWith(numbers: Readonly<Record<keyof typeof AT_LATTICE, number>>): Lattice {
-  const lattice = new Float64Array(LATTICE_COUNT);
-  for (const [name, at] of Object.entries(AT_LATTICE))
-    lattice[at] = numbers[name as keyof typeof AT_LATTICE];
-  return lattice;
+/** A shape's numbers, and how the kernels take them. */
+interface ReadQuadric {
+  readonly q: Quadric;
+  readonly c: CertifiedQuadric;
+}
+
+let latestKind: Shape['kind'] | null = null;
+let reader: QuadricNumbers<Shape> | null = null;
+let latest: ReadQuadric | null = null;
+const latestNumbers: Room = room();
+
+/**
+ * The shape, read as a quadric; null where it is none. The last one is known by its numbers, while
+ * these hold: a shape is its caller's and may change. `c` holds until the next call: the numbers of
+ * thousands of shapes would take longer to fetch from memory than to make anew, in one place.
+ */
+export function readQuadric(shape: Shape): ReadQuadric | null {
+  if (shape.kind !== latestKind) {
+    latestKind = shape.kind;
+    reader = numbersOf(latestKind);
+    latest = null;
+  }
+  if (!reader) return null;
+  if (latest !== null && reader.holds(shape, latest.q)) return latest;
+  const q = reader.read(shape);
+  put(latestNumbers, q);
+  latest = { q, c: latestNumbers };
+  return latest;
 }

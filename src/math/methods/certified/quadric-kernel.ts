@@ -106,11 +106,11 @@ export function bothRoots(
 }
 
 /** How many of the rays that start on a surface or near it are left. */
-function fromSurface(q: Quadric, { lattice }: CertifiedQuadric, rays: Rays, out: Answers): number {
+function fromSurface(q: Quadric, c: CertifiedQuadric, rays: Rays, out: Answers): number {
   const starts = scratch.count[STARTING] as number;
-  if (starts === 0 || !lattice) return starts;
+  if (starts === 0) return 0;
   const pass = q.hasY ? surfaceInSpace : surfaceAroundAxis;
-  return pass(surfaceNumbers(q, lattice), rays, out, scratch.starting, starts);
+  return pass(surfaceNumbers(q, c), rays, out, scratch.starting, starts);
 }
 
 function refineAndList(

@@ -138,8 +138,8 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
       if (doubts > 0) {
         doubts = kernel.refined(ex, ey, ez, x, y, z, near, far, PLACE.doubtful, doubts) >> 2;
       }
-      if (starts > 0 && c.lattice) {
-        surface.set(surfaceNumbers(q, c.lattice));
+      if (starts > 0) {
+        surface.set(surfaceNumbers(q, c));
         starts = kernel.surface(ex, ey, ez, x, y, z, near, far, PLACE.starting, starts) >> 2;
       }
       if (starts > 0) {
