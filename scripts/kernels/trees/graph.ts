@@ -110,6 +110,9 @@ export class Graph implements Floats<Node, Node> {
   /** NaN where the condition holds, else a. */
   unless = (where: Node, a: Node): Node => this.make('unless', [where, a]);
 
+  /** The same number, with 0 for −0, whatever the format. */
+  unsigned = (a: Node): Node => this.make('add', [a, this.of(0)]);
+
   /** Two zeros are equal, whatever their signs. */
   equal = (a: Node, b: Node): Node => this.make('equal', [a, b]);
   isZero = (a: Node): Node => this.equal(a, this.of(0));

@@ -130,8 +130,8 @@ function curved(
     ].reduce((a, b) => g.and(a, b));
     const classes = { margin: g.signed(missed, g.of(1)), rare: g.not(clear) };
     const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
-    const [t0, t1] = r.sorted(t, s);
-    const inside = (x: Node): Node => g.and(g.isWithin(x, system.large), g.less(g.of(0), g.abs(x)));
+    const [t0, t1] = r.sorted(t, s).map(g.unsigned) as [Node, Node];
+    const inside = (x: Node): Node => g.isWithin(x, system.large);
     const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
     return { format, outputs: { t0, t1 }, rare, missed, rareRoots, classes };
   }
@@ -197,7 +197,7 @@ function flat(
   const rate = evaluate(formula.rate, ar, values);
   const t = evaluate(formula.t, ar, withScalars(values, { rate }));
   const { x, excesses } = form.meeting(formula, withScalars(values, { rate, t }), ar);
-  const shown = r.shown(t);
+  const shown = system.box ? g.unsigned(r.shown(t)) : r.shown(t);
   const marks = g.take();
   const outside = excesses.map(r.isPositive);
   const missed = outside.length > 0 ? any(g, outside) : null;
@@ -213,7 +213,7 @@ function flat(
     ...unusual(g, system, inputs),
     g.not(g.isWithin(shown, bound)),
     ...(system.box
-      ? [g.not(g.or(r.isNegative(rate), r.isPositive(rate))), g.isZero(shown), ...open]
+      ? [g.not(g.or(r.isNegative(rate), r.isPositive(rate))), ...open]
       : [rate, ...excesses, ...places].map((y) => within(y, bound))),
   ]);
   const format = system.format;

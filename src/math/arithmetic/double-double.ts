@@ -76,5 +76,6 @@ export const doubleDouble: Arithmetic<DoubleDouble> = {
   id: 'double-double',
   ...doubleDoubleOver(doubles),
   sign: ({ hi }) => (Number.isFinite(hi) ? Math.sign(hi) + 0 : Number.NaN),
-  toNumber: ({ hi }) => hi,
+  /** −0 comes out as 0: which zero it is depends on operations that a kernel need not do. */
+  toNumber: ({ hi }) => hi + 0,
 };

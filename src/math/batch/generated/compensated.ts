@@ -150,9 +150,9 @@ const v122 = ((v113 - (v117 * v120)) - (v118 * v120)) - (v117 * v121);
 const v123 = (v114 - (v115 - v113)) + ((v118 * v121) - v122);
 const v124 = v115 + v123;
 const v125 = (v72 - v124) + ((-(v70 - (v71 - v68))) - (v123 - (v124 - v115)));
-const v126 = v112 + (v125 / v111);
-if ((((!((v12 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v126) < 2 ** 250)) ||
-!((v111 < 0 || 0 < v111))) || v126 === 0)) open[left++] = i;
+const v126 = (v112 + (v125 / v111)) + 0;
+if (((!((v12 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v126) < 2 ** 250)) ||
+!((v111 < 0 || 0 < v111)))) open[left++] = i;
 else if (!roots) {
 margin[i] = 1;
 }
@@ -394,13 +394,13 @@ S[0] = v184;
 S[1] = v199;
 const v200 = +(v199 < v184);
 const v201 = S[0 + v200] as number;
-const v202 = S[1 - v200] as number;
-t0[i] = v201;
-t1[i] = v202;
-const v203 = Math.abs(v201);
-const v204 = Math.abs(v202);
-if (((v137 <= 0 && 0 <= v137) || !(((v203 < 2 ** 500 && 0 < v203) && (v204 < 2 ** 500 && 0 <
-v204))))) open[left++] = i;
+const v202 = v201 + 0;
+const v203 = S[1 - v200] as number;
+const v204 = v203 + 0;
+t0[i] = v202;
+t1[i] = v204;
+if (((v137 <= 0 && 0 <= v137) || !((Math.abs(v202) < 2 ** 500 && Math.abs(v204) < 2 **
+500)))) open[left++] = i;
 }
 }
 return left;
@@ -714,13 +714,13 @@ S[0] = v261;
 S[1] = v276;
 const v277 = +(v276 < v261);
 const v278 = S[0 + v277] as number;
-const v279 = S[1 - v277] as number;
-t0[i] = v278;
-t1[i] = v279;
-const v280 = Math.abs(v278);
-const v281 = Math.abs(v279);
-if (((v214 <= 0 && 0 <= v214) || !(((v280 < 2 ** 500 && 0 < v280) && (v281 < 2 ** 500 && 0 <
-v281))))) open[left++] = i;
+const v279 = v278 + 0;
+const v280 = S[1 - v277] as number;
+const v281 = v280 + 0;
+t0[i] = v279;
+t1[i] = v281;
+if (((v214 <= 0 && 0 <= v214) || !((Math.abs(v279) < 2 ** 500 && Math.abs(v281) < 2 **
+500)))) open[left++] = i;
 }
 }
 return left;
@@ -1044,13 +1044,13 @@ S[0] = v269;
 S[1] = v284;
 const v285 = +(v284 < v269);
 const v286 = S[0 + v285] as number;
-const v287 = S[1 - v285] as number;
-t0[i] = v286;
-t1[i] = v287;
-const v288 = Math.abs(v286);
-const v289 = Math.abs(v287);
-if (((v222 <= 0 && 0 <= v222) || !(((v288 < 2 ** 500 && 0 < v288) && (v289 < 2 ** 500 && 0 <
-v289))))) open[left++] = i;
+const v287 = v286 + 0;
+const v288 = S[1 - v285] as number;
+const v289 = v288 + 0;
+t0[i] = v287;
+t1[i] = v289;
+if (((v222 <= 0 && 0 <= v222) || !((Math.abs(v287) < 2 ** 500 && Math.abs(v289) < 2 **
+500)))) open[left++] = i;
 }
 }
 return left;
@@ -1307,32 +1307,33 @@ const v230 = v227 - v225;
 const v231 = ((v225 - (v227 - v230)) + (v226 - v230)) + (v228 - (v229 - v223));
 const v232 = v229 + v231;
 const v233 = ((Math.abs(ex) + Math.abs(ey)) + Math.abs(ez)) + Math.abs(x);
-const v234 = Math.sqrt(v232);
-const v235 = v234 * v234;
-const v236 = 134217729 * v234;
-const v237 = v236 - (v236 - v234);
-const v238 = v234 - v237;
-const v239 = (v238 * v238) - ((v235 - (v237 * v237)) - (2 * (v237 * v238)));
-const v240 = (((v232 - v235) - v239) + (v231 - (v232 - v229))) / (2 * v234);
-const v241 = v234 + v240;
-const v242 = v241 + v12;
-const v243 = v242 - v241;
-const v244 = v240 - (v241 - v234);
-const v245 = ((v241 - (v242 - v243)) + (v12 - v243)) + v244;
-const v246 = v242 + v245;
-const v247 = v244 - v244;
-const v248 = ((v244 - (v244 - v247)) + (-v247)) + (v245 - (v246 - v242));
-const v249 = v246 + v248;
-if (((((((v232 <= 0 && 0 <= v232) || !((v233 + Math.abs(y)) + Math.abs(z) < 2 ** 100)) ||
-!(Math.abs(v127) < 2 ** 250)) || !((v111 < 0 || 0 < v111))) || v127 === 0) || !((0 < v249 ||
-(v249 < 0 || v249 === 0))))) open[left++] = i;
+const v234 = v127 + 0;
+const v235 = Math.sqrt(v232);
+const v236 = v235 * v235;
+const v237 = 134217729 * v235;
+const v238 = v237 - (v237 - v235);
+const v239 = v235 - v238;
+const v240 = (v239 * v239) - ((v236 - (v238 * v238)) - (2 * (v238 * v239)));
+const v241 = (((v232 - v236) - v240) + (v231 - (v232 - v229))) / (2 * v235);
+const v242 = v235 + v241;
+const v243 = v242 + v12;
+const v244 = v243 - v242;
+const v245 = v241 - (v242 - v235);
+const v246 = ((v242 - (v243 - v244)) + (v12 - v244)) + v245;
+const v247 = v243 + v246;
+const v248 = v245 - v245;
+const v249 = ((v245 - (v245 - v248)) + (-v248)) + (v246 - (v247 - v243));
+const v250 = v247 + v249;
+if ((((((v232 <= 0 && 0 <= v232) || !((v233 + Math.abs(y)) + Math.abs(z) < 2 ** 100)) ||
+!(Math.abs(v234) < 2 ** 250)) || !((v111 < 0 || 0 < v111))) || !((0 < v250 || (v250 < 0 ||
+v250 === 0))))) open[left++] = i;
 else if (!roots) {
-const v250 = +(0 < v249);
-margin[i] = 1 * (1 - 2 * v250);
+const v251 = +(0 < v250);
+margin[i] = 1 * (1 - 2 * v251);
 }
 else {
-const v251 = +(0 < v249);
-t0[i] = v127 * (ONE_OR_NAN[v251] as number);
+const v252 = +(0 < v250);
+t0[i] = v234 * (ONE_OR_NAN[v252] as number);
 t1[i] = Number.NaN;
 }
 }
@@ -1500,87 +1501,88 @@ const v140 = v131 + v139;
 const v141 = (v88 - v140) + ((-(v86 - (v87 - v84))) - (v139 - (v140 - v131)));
 const v142 = v141 / v127;
 const v143 = v128 + v142;
-const v144 = v143 * y;
-const v145 = 134217729 * v143;
-const v146 = v145 - (v145 - v143);
-const v147 = v143 - v146;
-const v148 = ((v144 - (v146 * v97)) - (v147 * v97)) - (v146 * v98);
-const v149 = v142 - (v143 - v128);
-const v150 = ((v147 * v98) - v148) + (v149 * y);
-const v151 = v144 + v150;
-const v152 = ey + v151;
-const v153 = v152 - ey;
-const v154 = v150 - (v151 - v144);
-const v155 = ((ey - (v152 - v153)) + (v151 - v153)) + v154;
-const v156 = v152 + v155;
-const v157 = v154 - v154;
-const v158 = ((-v157) + v157) + (v155 - (v156 - v152));
-const v159 = v156 + v158;
-const v160 = -v159;
-const v161 = k5 + v160;
-const v162 = v161 - k5;
-const v163 = v158 - (v159 - v156);
-const v164 = -v163;
-const v165 = ((k5 - (v161 - v162)) + (v160 - v162)) + v164;
-const v166 = v161 + v165;
-const v167 = v164 - v164;
-const v168 = v166 + (((-v167) + v167) + (v165 - (v166 - v161)));
-const v169 = v159 + v18;
-const v170 = v169 - v159;
-const v171 = v163 + v19;
-const v172 = ((v159 - (v169 - v170)) + (v18 - v170)) + v171;
-const v173 = v169 + v172;
-const v174 = v171 - v163;
-const v175 = ((v163 - (v171 - v174)) + (v19 - v174)) + (v172 - (v173 - v169));
-const v176 = v173 + v175;
-const v177 = v143 * z;
-const v178 = ((v177 - (v146 * v113)) - (v147 * v113)) - (v146 * v114);
-const v179 = ((v147 * v114) - v178) + (v149 * z);
-const v180 = v177 + v179;
-const v181 = ez + v180;
-const v182 = v181 - ez;
-const v183 = v179 - (v180 - v177);
-const v184 = ((ez - (v181 - v182)) + (v180 - v182)) + v183;
-const v185 = v181 + v184;
-const v186 = v183 - v183;
-const v187 = ((-v186) + v186) + (v184 - (v185 - v181));
-const v188 = v185 + v187;
-const v189 = -v188;
-const v190 = k6 + v189;
-const v191 = v190 - k6;
-const v192 = v187 - (v188 - v185);
-const v193 = -v192;
-const v194 = ((k6 - (v190 - v191)) + (v189 - v191)) + v193;
-const v195 = v190 + v194;
-const v196 = v193 - v193;
-const v197 = v195 + (((-v196) + v196) + (v194 - (v195 - v190)));
-const v198 = v188 + v26;
-const v199 = v198 - v188;
-const v200 = v192 + v27;
-const v201 = ((v188 - (v198 - v199)) + (v26 - v199)) + v200;
-const v202 = v198 + v201;
-const v203 = v200 - v192;
-const v204 = ((v192 - (v200 - v203)) + (v27 - v203)) + (v201 - (v202 - v198));
-const v205 = v202 + v204;
-if ((((((((!((v28 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v143) < 2 ** 250)) ||
-!((v127 < 0 || 0 < v127))) || v143 === 0) || !((0 < v168 || (v168 < 0 || v168 === 0)))) ||
-!((0 < v176 || (v176 < 0 || v176 === 0)))) || !((0 < v197 || (v197 < 0 || v197 === 0)))) ||
-!((0 < v205 || (v205 < 0 || v205 === 0))))) open[left++] = i;
+const v144 = v143 + 0;
+const v145 = v143 * y;
+const v146 = 134217729 * v143;
+const v147 = v146 - (v146 - v143);
+const v148 = v143 - v147;
+const v149 = ((v145 - (v147 * v97)) - (v148 * v97)) - (v147 * v98);
+const v150 = v142 - (v143 - v128);
+const v151 = ((v148 * v98) - v149) + (v150 * y);
+const v152 = v145 + v151;
+const v153 = ey + v152;
+const v154 = v153 - ey;
+const v155 = v151 - (v152 - v145);
+const v156 = ((ey - (v153 - v154)) + (v152 - v154)) + v155;
+const v157 = v153 + v156;
+const v158 = v155 - v155;
+const v159 = ((-v158) + v158) + (v156 - (v157 - v153));
+const v160 = v157 + v159;
+const v161 = -v160;
+const v162 = k5 + v161;
+const v163 = v162 - k5;
+const v164 = v159 - (v160 - v157);
+const v165 = -v164;
+const v166 = ((k5 - (v162 - v163)) + (v161 - v163)) + v165;
+const v167 = v162 + v166;
+const v168 = v165 - v165;
+const v169 = v167 + (((-v168) + v168) + (v166 - (v167 - v162)));
+const v170 = v160 + v18;
+const v171 = v170 - v160;
+const v172 = v164 + v19;
+const v173 = ((v160 - (v170 - v171)) + (v18 - v171)) + v172;
+const v174 = v170 + v173;
+const v175 = v172 - v164;
+const v176 = ((v164 - (v172 - v175)) + (v19 - v175)) + (v173 - (v174 - v170));
+const v177 = v174 + v176;
+const v178 = v143 * z;
+const v179 = ((v178 - (v147 * v113)) - (v148 * v113)) - (v147 * v114);
+const v180 = ((v148 * v114) - v179) + (v150 * z);
+const v181 = v178 + v180;
+const v182 = ez + v181;
+const v183 = v182 - ez;
+const v184 = v180 - (v181 - v178);
+const v185 = ((ez - (v182 - v183)) + (v181 - v183)) + v184;
+const v186 = v182 + v185;
+const v187 = v184 - v184;
+const v188 = ((-v187) + v187) + (v185 - (v186 - v182));
+const v189 = v186 + v188;
+const v190 = -v189;
+const v191 = k6 + v190;
+const v192 = v191 - k6;
+const v193 = v188 - (v189 - v186);
+const v194 = -v193;
+const v195 = ((k6 - (v191 - v192)) + (v190 - v192)) + v194;
+const v196 = v191 + v195;
+const v197 = v194 - v194;
+const v198 = v196 + (((-v197) + v197) + (v195 - (v196 - v191)));
+const v199 = v189 + v26;
+const v200 = v199 - v189;
+const v201 = v193 + v27;
+const v202 = ((v189 - (v199 - v200)) + (v26 - v200)) + v201;
+const v203 = v199 + v202;
+const v204 = v201 - v193;
+const v205 = ((v193 - (v201 - v204)) + (v27 - v204)) + (v202 - (v203 - v199));
+const v206 = v203 + v205;
+if (((((((!((v28 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v144) < 2 ** 250)) ||
+!((v127 < 0 || 0 < v127))) || !((0 < v169 || (v169 < 0 || v169 === 0)))) || !((0 < v177 ||
+(v177 < 0 || v177 === 0)))) || !((0 < v198 || (v198 < 0 || v198 === 0)))) || !((0 < v206 ||
+(v206 < 0 || v206 === 0))))) open[left++] = i;
 else if (!roots) {
-const v206 = +(0 < v168);
-const v207 = +(0 < v176);
-const v208 = +(0 < v197);
-const v209 = +(0 < v205);
-const v210 = (((v206 | v207) | v208) | v209);
-margin[i] = 1 * (1 - 2 * v210);
+const v207 = +(0 < v169);
+const v208 = +(0 < v177);
+const v209 = +(0 < v198);
+const v210 = +(0 < v206);
+const v211 = (((v207 | v208) | v209) | v210);
+margin[i] = 1 * (1 - 2 * v211);
 }
 else {
-const v211 = +(0 < v168);
-const v212 = +(0 < v176);
-const v213 = +(0 < v197);
-const v214 = +(0 < v205);
-const v215 = (((v211 | v212) | v213) | v214);
-t0[i] = v143 * (ONE_OR_NAN[v215] as number);
+const v212 = +(0 < v169);
+const v213 = +(0 < v177);
+const v214 = +(0 < v198);
+const v215 = +(0 < v206);
+const v216 = (((v212 | v213) | v214) | v215);
+t0[i] = v144 * (ONE_OR_NAN[v216] as number);
 t1[i] = Number.NaN;
 }
 }
@@ -1877,13 +1879,13 @@ S[0] = v243;
 S[1] = v258;
 const v259 = +(v258 < v243);
 const v260 = S[0 + v259] as number;
-const v261 = S[1 - v259] as number;
-t0[i] = v260;
-t1[i] = v261;
-const v262 = Math.abs(v260);
-const v263 = Math.abs(v261);
-if (((v196 <= 0 && 0 <= v196) || !(((v262 < 2 ** 500 && 0 < v262) && (v263 < 2 ** 500 && 0 <
-v263))))) open[left++] = i;
+const v261 = v260 + 0;
+const v262 = S[1 - v259] as number;
+const v263 = v262 + 0;
+t0[i] = v261;
+t1[i] = v263;
+if (((v196 <= 0 && 0 <= v196) || !((Math.abs(v261) < 2 ** 500 && Math.abs(v263) < 2 **
+500)))) open[left++] = i;
 }
 }
 return left;
@@ -2149,13 +2151,13 @@ S[0] = v212;
 S[1] = v227;
 const v228 = +(v227 < v212);
 const v229 = S[0 + v228] as number;
-const v230 = S[1 - v228] as number;
-t0[i] = v229;
-t1[i] = v230;
-const v231 = Math.abs(v229);
-const v232 = Math.abs(v230);
-if (((v165 <= 0 && 0 <= v165) || !(((v231 < 2 ** 500 && 0 < v231) && (v232 < 2 ** 500 && 0 <
-v232))))) open[left++] = i;
+const v230 = v229 + 0;
+const v231 = S[1 - v228] as number;
+const v232 = v231 + 0;
+t0[i] = v230;
+t1[i] = v232;
+if (((v165 <= 0 && 0 <= v165) || !((Math.abs(v230) < 2 ** 500 && Math.abs(v232) < 2 **
+500)))) open[left++] = i;
 }
 }
 return left;
