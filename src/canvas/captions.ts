@@ -23,36 +23,37 @@ function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: n
   return { w: font * (wide + (sub ? SUB : 0)), h: font * (HIGH + (sub ? 0.12 : 0)) };
 }
 
-/** Writes every symbol beside its mark. Returns the boxes they take. */
-export function drawCaptions(
-  layer: Layer,
+/** Where every symbol goes beside its mark, at this size of type. */
+export function captionBoxes(
   captions: readonly Caption[],
   obstacles: Obstacles,
   places: Map<string, string>,
+  label: number,
+): Box[] {
+  const wishes = captions.map((caption) => ({ ...caption, ...captionSize(caption, label) }));
+  return placeLabels(wishes, obstacles, places);
+}
+
+export function drawCaptions(
+  layer: Layer,
+  captions: readonly Caption[],
+  boxes: readonly Box[],
   theme: Theme,
   lit: string | null,
-): Box[] {
-  const wishes = captions.map((caption) => ({ ...caption, ...captionSize(caption, theme.label) }));
-  const boxes = placeLabels(wishes, obstacles, places);
+): void {
   captions.forEach((caption, k) => {
     const box = boxes[k];
     if (box) write(layer, caption, box, theme, lit);
   });
-  return boxes;
 }
 
-/** "E →" for what the picture does not reach. Returns the boxes they take. */
-export function drawPointers(
-  layer: Layer,
-  pointers: Figures['pointers'],
-  theme: Theme,
-  lit: string | null,
-): Box[] {
+/** Where "E →" stands for what the picture does not reach. */
+export function pointerBoxes(pointers: Figures['pointers'], label: number): Box[] {
   const boxes: Box[] = [];
-  const arm = theme.label * 0.95;
+  const arm = label * 0.95;
   for (const pointer of pointers) {
     const [dx, dy] = pointer.direction;
-    const size = captionSize(pointer, theme.label);
+    const size = captionSize(pointer, label);
     let box = { x: pointer.x - dx * arm * 0.6, y: pointer.y - dy * arm * 0.6, ...size };
     // Two pointers to the same side stand one below the other.
     while (
@@ -61,8 +62,23 @@ export function drawPointers(
       box = { ...box, y: box.y + box.h * 1.3 };
     }
     boxes.push(box);
+  }
+  return boxes;
+}
+
+export function drawPointers(
+  layer: Layer,
+  pointers: Figures['pointers'],
+  boxes: readonly Box[],
+  theme: Theme,
+  lit: string | null,
+): void {
+  pointers.forEach((pointer, k) => {
+    const box = boxes[k];
+    if (!box) return;
+    const [dx, dy] = pointer.direction;
     write(layer, pointer, box, theme, lit);
-    const [ex, ey] = [Math.abs(dx) * size.w, Math.abs(dy) * size.h];
+    const [ex, ey] = [Math.abs(dx) * box.w, Math.abs(dy) * box.h];
     const from = (ex + ey) / 2 + 0.15 * theme.label;
     const angle = (Math.atan2(dy, dx) * 180) / Math.PI;
     layer.show(`${pointer.key} arrow`, 'path', {
@@ -72,8 +88,7 @@ export function drawPointers(
         `translate(${coordinate(box.x + from * dx)} ${coordinate(box.y + from * dy)}) ` +
         `rotate(${angle.toFixed(2)}) scale(${theme.scale})`,
     });
-  }
-  return boxes;
+  });
 }
 
 function write(

@@ -22,6 +22,8 @@ interface Wish {
 
 export interface Obstacles {
   readonly boxes: readonly Box[];
+  /** Labels that have their place already. */
+  readonly labels?: readonly Box[];
   readonly segments: readonly Segment[];
   readonly width: number;
   readonly height: number;
@@ -32,13 +34,16 @@ const TURNS = [0, 1, -1, 2, -2, 3, -3, 4] as const;
 const FRAME_MARGIN = 4;
 
 /** Farther from the mark, as a share of the label's size, when there is no room beside it. */
-const STEPS = [0, 0.6] as const;
+const STEPS = [0, 0.6, 1.3] as const;
 
 // Costs, all in square pixels of hidden label.
 const PER_TURN = 16;
 const PER_STEP = 70;
 const PER_SEGMENT_PIXEL = 10;
 const PER_PIXEL_OUTSIDE = 60;
+/** Two labels over each other cannot be read; over a mark one can. */
+const PER_LABEL_PIXEL = 20;
+const ON_LABEL = 400;
 /**
  * A label stays where it is until another place is clearly better, so that small moves do not make
  * it jump.
@@ -52,10 +57,10 @@ const MOVE = 60;
  */
 export function placeLabels(
   wishes: readonly Wish[],
-  { boxes, segments, width, height }: Obstacles,
+  { boxes, labels = [], segments, width, height }: Obstacles,
   places: Map<string, string>,
 ): Box[] {
-  const taken = [...boxes];
+  const placed = [...labels];
   return wishes.map((wish) => {
     let best = candidate(wish, 0, 0);
     let bestPlace = '';
@@ -67,13 +72,17 @@ export function placeLabels(
         let cost = Math.abs(turn) * PER_TURN + step * PER_STEP;
         cost += PER_PIXEL_OUTSIDE * outside(box, width, height);
         if (places.has(wish.key) && places.get(wish.key) !== place) cost += MOVE;
-        for (const other of taken) cost += overlap(box, other);
+        for (const other of boxes) cost += overlap(box, other);
+        for (const other of placed) {
+          const shared = overlap(box, other);
+          if (shared > 0) cost += ON_LABEL + PER_LABEL_PIXEL * shared;
+        }
         for (const segment of segments) cost += PER_SEGMENT_PIXEL * lengthInside(segment, box);
         if (cost < least) [best, bestPlace, least] = [box, place, cost];
       }
     }
     places.set(wish.key, bestPlace);
-    taken.push(best);
+    placed.push(best);
     return best;
   });
 }

@@ -1,6 +1,6 @@
 import type { SceneModel } from '../state/scene-model.ts';
 import { drawAxes } from './axes.ts';
-import { drawCaptions, drawPointers } from './captions.ts';
+import { captionBoxes, drawCaptions, drawPointers, pointerBoxes } from './captions.ts';
 import { type Caption, figures } from './figures.ts';
 import { NARROW } from './framing.ts';
 import { ghostFigures } from './ghost.ts';
@@ -11,7 +11,7 @@ import type { Projection } from './projection.ts';
 import type { StageUnits } from './stage-units.ts';
 import { at, type Pen, paint, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
-import { drawTicks } from './ticks.ts';
+import { drawTicks, ticksOn } from './ticks.ts';
 
 /**
  * What lies over the picture at a fixed size: marks, normals, ticks, symbols, the small axes.
@@ -51,32 +51,71 @@ export class Overlay {
     words: readonly Caption[],
     axisArrows: readonly Segment[],
   ): void {
-    const { scale } = theme;
-    const { arrows, pointers, ...now } = figures(model, units, projection, scale);
-    const before = ghostFigures(model, units, projection, scale);
-    const marks = [...before.marks, ...now.marks];
-    const captions = [...now.captions, ...before.captions, ...words];
-    drawAxes(this.#axes, projection, scale, theme.label * 0.8);
-    drawArrows(this.#arrows, arrows, scale, lit);
-    drawMarks(this.#ghost, before.marks, scale, lit);
-    drawMarks(this.#marks, now.marks, scale, lit);
-    const boxes: Box[] = marks.map(({ spot, kind }) => {
-      const size = 2 * CLEAR[kind] * scale;
-      return { x: spot.x, y: spot.y, w: size, h: size };
-    });
-    boxes.push(...furniture(projection, scale));
-    const segments = [
-      ...onScreen(rays, projection),
-      ...axisArrows,
-      ...arrows.map(({ from, to }): Segment => [from.x, from.y, to.x, to.y]),
-    ];
+    const { scale, label } = theme;
+    const laid = layOut(
+      model,
+      rays,
+      units,
+      projection,
+      { scale, label, words, axisArrows },
+      this.#places,
+    );
+    drawAxes(this.#axes, projection, scale, label * 0.8);
+    drawArrows(this.#arrows, laid.arrows, scale, lit);
+    drawMarks(this.#ghost, laid.ghostMarks, scale, lit);
+    drawMarks(this.#marks, laid.marks, scale, lit);
     this.#captions.begin();
-    boxes.push(...drawPointers(this.#captions, pointers, theme, lit));
-    const obstacles = { boxes, segments, width: projection.width, height: projection.height };
-    boxes.push(...drawCaptions(this.#captions, captions, obstacles, this.#places, theme, lit));
+    drawPointers(this.#captions, laid.pointers, laid.pointerBoxes, theme, lit);
+    drawCaptions(this.#captions, laid.captions, laid.captionBoxes, theme, lit);
     this.#captions.end();
-    drawTicks(this.#ticks, model, units, projection, theme, boxes);
+    drawTicks(this.#ticks, laid.ticks, scale);
   }
+}
+
+interface Sizes {
+  /** Factor on marks, and the size of a label in CSS pixels. */
+  readonly scale: number;
+  readonly label: number;
+  readonly words: readonly Caption[];
+  readonly axisArrows: readonly Segment[];
+}
+
+/**
+ * Where everything of the overlay stands in the frame. `places` remembers where each label stood,
+ * and is updated.
+ */
+export function layOut(
+  model: SceneModel,
+  rays: readonly Stroke[],
+  units: StageUnits,
+  projection: Projection,
+  { scale, label, words, axisArrows }: Sizes,
+  places: Map<string, string>,
+) {
+  const { arrows, pointers, marks, ...now } = figures(model, units, projection, scale);
+  const ghost = ghostFigures(model, units, projection, scale);
+  const captions = [...now.captions, ...ghost.captions, ...words];
+  const boxes: Box[] = [...ghost.marks, ...marks].map(({ spot, kind }) => {
+    const size = 2 * CLEAR[kind] * scale;
+    return { x: spot.x, y: spot.y, w: size, h: size };
+  });
+  boxes.push(...furniture(projection, scale));
+  const segments = [
+    ...onScreen(rays, projection),
+    ...axisArrows,
+    ...arrows.map(({ from, to }): Segment => [from.x, from.y, to.x, to.y]),
+  ];
+  const pointed = pointerBoxes(pointers, label);
+  const { width, height } = projection;
+  const obstacles = { boxes, labels: pointed, segments, width, height };
+  const captioned = captionBoxes(captions, obstacles, places, label);
+  const taken = [...boxes, ...pointed, ...captioned];
+  return {
+    ...{ arrows, pointers, captions, marks, ghostMarks: ghost.marks },
+    pointerBoxes: pointed,
+    captionBoxes: captioned,
+    ticks: ticksOn(model, units, projection, scale, taken),
+  };
 }
 
 /** The view buttons and the small axes: no label goes there. */

@@ -7,7 +7,6 @@ import { heading, isInside } from './off-screen-pointer.ts';
 import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
 import type { StageUnits } from './stage-units.ts';
-import type { Theme } from './theme.ts';
 
 /** Half a tick's length, and how far below the ray its number stands, in pixels at scale 1. */
 const HALF = 6;
@@ -23,22 +22,26 @@ const NEAR_BEAD = 0.25;
 const LEAST_DIGITS = 4;
 const MOST_DIGITS = 12;
 
+interface Ticks {
+  /** Path data. */
+  readonly strokes: string;
+  readonly numbers: readonly { readonly label: string; readonly box: Box }[];
+}
+
 /** Small strokes across the ray at round t, with numbers where there is room for them. */
-export function drawTicks(
-  layer: Layer,
+export function ticksOn(
   model: SceneModel,
   units: StageUnits,
   projection: Projection,
-  theme: Theme,
+  scale: number,
   taken: readonly Box[],
-): void {
+): Ticks {
   const { ray } = model;
-  const { scale } = theme;
+  const numbers: { label: string; box: Box }[] = [];
   const step = smallestStep(ray.ticks);
   const roots = [0, 1, ...model.hits.map((hit) => hit.t)];
   const boxes = [...taken];
   let strokes = '';
-  layer.begin();
   for (const t of ray.ticks) {
     const place = Math.abs(t) > step / 4 ? pointAt(ray, t, units) : null;
     const spot = place && projection.project(place);
@@ -62,8 +65,19 @@ export function drawTicks(
       w: (0.62 * label.length + 0.5) * FONT * scale,
       h: FONT * scale,
     };
-    if (boxes.some((other) => overlap(box, other) > 0)) continue;
+    const isWhole =
+      isInside({ x: box.x - box.w / 2, y: box.y - box.h / 2 }, projection) &&
+      isInside({ x: box.x + box.w / 2, y: box.y + box.h / 2 }, projection);
+    if (!isWhole || boxes.some((other) => overlap(box, other) > 0)) continue;
     boxes.push(box);
+    numbers.push({ label, box });
+  }
+  return { strokes, numbers };
+}
+
+export function drawTicks(layer: Layer, { strokes, numbers }: Ticks, scale: number): void {
+  layer.begin();
+  for (const { label, box } of numbers) {
     const attributes = { class: 'scene-number', x: box.x, y: box.y + 0.36 * FONT * scale };
     layer.show(`t ${label}`, 'text', attributes).textContent = label;
   }

@@ -1,0 +1,88 @@
+import { describe, expect, test } from 'vitest';
+import { framedPose } from '../../../src/canvas/framing.ts';
+import { overlap } from '../../../src/canvas/labels.ts';
+import { layOut } from '../../../src/canvas/overlay.ts';
+import { Projection } from '../../../src/canvas/projection.ts';
+import { SceneLines } from '../../../src/canvas/scene-lines.ts';
+import { createDerive } from '../../../src/state/derive.ts';
+import { GALLERY } from '../../../src/state/gallery/index.ts';
+import type { SceneModel } from '../../../src/state/scene-model.ts';
+import { decode } from '../../../src/state/url.ts';
+
+/**
+ * The scene's frame in windows of 1280 × 720, 1024 × 768 and 390 × 844 beside an example's question,
+ * with the theme's size of marks and labels there. Light and dark have the same ones.
+ */
+const FRAMES = [
+  { window: '1280 × 720', width: 728, height: 386, scale: 1, label: 23 },
+  { window: '1024 × 768', width: 570, height: 420, scale: 1, label: 23 },
+  { window: '390 × 844', width: 390, height: 242, scale: 0.84, label: 19 },
+  { window: '1280 × 720, projector', width: 700, height: 378, scale: 1.34, label: 31 },
+  { window: '1024 × 768, projector', width: 555, height: 412, scale: 1.34, label: 31 },
+  { window: '390 × 844, projector', width: 390, height: 242, scale: 1.34, label: 31 },
+];
+
+function laidOut(model: SceneModel, { width, height, scale, label }: (typeof FRAMES)[number]) {
+  const lines = new SceneLines();
+  const units = lines.take(model);
+  const pose = framedPose(model, units, { width, height, scale });
+  const projection = new Projection(pose, width, height);
+  const { ray } = lines.strokes(model, projection, null);
+  const sizes = { scale, label, words: [], axisArrows: [] };
+  const laid = layOut(model, ray, units, projection, sizes, new Map());
+  return { ...laid, units, projection };
+}
+
+describe.each(FRAMES)('$window', (frame) => {
+  const derive = createDerive();
+  const all = GALLERY.map((entry) => {
+    const { scene } = derive(decode(entry.link));
+    return { entry, scene, ...laidOut(scene, frame) };
+  });
+
+  test.each(all.map((one) => [one.entry.id, one] as const))(
+    '%s: no label lies on another',
+    (_, one) => {
+      const labels = [
+        ...one.captions.map(({ key }, i) => ({ key, box: one.captionBoxes[i] })),
+        ...one.pointers.map(({ key }, i) => ({ key: `${key} →`, box: one.pointerBoxes[i] })),
+        ...one.ticks.numbers.map(({ label, box }) => ({ key: label, box })),
+      ].flatMap(({ key, box }) => (box ? [{ key, box }] : []));
+      const met = labels.flatMap((a, i) =>
+        labels
+          .slice(i + 1)
+          .filter((b) => overlap(a.box, b.box) > 0)
+          .map((b) => `${a.key} on ${b.key}`),
+      );
+      expect(met).toEqual([]);
+      const out = labels.filter(
+        ({ box: { x, y, w, h } }) =>
+          x < w / 2 || y < h / 2 || x > frame.width - w / 2 || y > frame.height - h / 2,
+      );
+      expect(out.map(({ key }) => key)).toEqual([]);
+    },
+  );
+
+  test.each(all.map((one) => [one.entry.id, one] as const))(
+    '%s: its points are in the frame, clear of the buttons',
+    (_, one) => {
+      const { scene, entry, units, projection } = one;
+      const disc = 8 * frame.scale;
+      const clear = ({ x, y }: { x: number; y: number }) =>
+        x >= disc && x <= frame.width - disc && y >= 36 + disc && y <= frame.height - 34 - disc;
+      const spots = [
+        ['E', scene.ray.originDrawn ? scene.ray.origin : null] as const,
+        ...scene.hits.map(
+          ({ index, drawn, point }) => [`P${index}`, drawn ? point : null] as const,
+        ),
+        ...scene.drawing.marks.map(({ symbol, at }) => [symbol, at] as const),
+      ];
+      const outside = spots.filter(([, point]) => {
+        const place = point && units.toStage(point);
+        const spot = place && projection.project(place);
+        return !spot || !clear(spot);
+      });
+      expect(outside.map(([name]) => name)).toEqual(entry.outside);
+    },
+  );
+});
