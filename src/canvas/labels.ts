@@ -44,6 +44,8 @@ const PER_PIXEL_OUTSIDE = 60;
 /** Two labels over each other cannot be read; over a mark one can. */
 const PER_LABEL_PIXEL = 20;
 const ON_LABEL = 400;
+/** Between labels, in pixels: a letter may lean out of its box. */
+const GAP = 4;
 /**
  * A label stays where it is until another place is clearly better, so that small moves do not make
  * it jump.
@@ -74,7 +76,7 @@ export function placeLabels(
         if (places.has(wish.key) && places.get(wish.key) !== place) cost += MOVE;
         for (const other of boxes) cost += overlap(box, other);
         for (const other of placed) {
-          const shared = overlap(box, other);
+          const shared = overlap({ ...box, w: box.w + GAP, h: box.h + GAP }, other);
           if (shared > 0) cost += ON_LABEL + PER_LABEL_PIXEL * shared;
         }
         for (const segment of segments) cost += PER_SEGMENT_PIXEL * lengthInside(segment, box);
