@@ -35,7 +35,7 @@ export function intersectCertified(shape: Shape, ray: Ray): Intersection {
     return gridQuadric(q, c, ray) ?? rare(q, c, ray);
   }
   const s = planarOf(shape);
-  // A shape without a kernel is answered by the exact rung under this one's name: its promise is
+  // A shape without a kernel is answered by the exact method under this one's name: its promise is
   // the stronger one.
   return s ? flat(s, copyOf(ray)) : { ...exact.intersect(shape, ray), method: 'certified' };
 }
@@ -151,7 +151,7 @@ export class CertifiedAnswer implements Intersection {
 const known = new WeakMap<Ray, Intersection>();
 
 /**
- * What the exact rung says. The ray must not change any more: it is what the answer is remembered
+ * What the exact method says. The ray must not change any more: it is what the answer is remembered
  * by.
  */
 export function exactly(shape: Quadric | Planar, ray: Ray): Intersection {
