@@ -18,6 +18,8 @@ const SMALL: Size = { width: 200, height: 116, scale: 0.55 };
 /** Part of the frame that is left free around what has to be seen from above. */
 const MARGIN = 0.2;
 const NEAREST = 6;
+/** From so many times farther away than other views: walls seen from above hardly lean then. */
+const FARTHER = 16;
 const SHOWN: readonly MarkKind[] = ['E', 'first', 'other', 'rejected', 'end'];
 /** Of the samples around a patch each fourth is enough at this size. */
 const COARSE = 4;
@@ -41,11 +43,13 @@ export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
 export function drawAbove(
   host: HTMLElement,
   model: SceneModel,
-  size: Size,
+  { width, height, scale }: Size,
   points: readonly Vec3[],
 ): void {
-  draw(host, { ...model, view: 'top' }, size, (units, project) => {
-    const pose = poseOf('top', model.ray, units);
+  // A frame that is so many times larger, of which the middle is shown.
+  const large = { width: FARTHER * width, height: FARTHER * height, scale };
+  const svg = draw(host, { ...model, view: 'top' }, large, (units, project) => {
+    const pose = { ...poseOf('top', model.ray, units), zoom: 1 / FARTHER };
     const seen = points.flatMap((point) => {
       const place = units.toStage(point);
       return place ? [place] : [];
@@ -56,14 +60,16 @@ export function drawAbove(
       return (Math.min(...all) + Math.max(...all)) / 2;
     };
     const target: Vec3 = [middle(0), middle(1), middle(2)];
-    const whole = project({ ...pose, target, zoom: 1 });
+    const whole = project({ ...pose, target });
     const spots = seen.flatMap((point) => whole.project(point) ?? []);
     const fill = Math.max(
-      ...spots.map(({ x }) => Math.abs((2 * x) / size.width - 1)),
-      ...spots.map(({ y }) => Math.abs((2 * y) / size.height - 1)),
+      ...spots.map(({ x }) => Math.abs(2 * x - large.width) / width),
+      ...spots.map(({ y }) => Math.abs(2 * y - large.height) / height),
     );
-    return { ...pose, target, zoom: Math.min((1 - MARGIN) / fill, NEAREST) };
+    return { ...pose, target, zoom: Math.min((1 - MARGIN) / fill, NEAREST) / FARTHER };
   });
+  const [left, top] = [(large.width - width) / 2, (large.height - height) / 2];
+  svg.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
 }
 
 function draw(
@@ -71,7 +77,7 @@ function draw(
   model: SceneModel,
   { width, height, scale }: Size,
   poseIn: (units: StageUnits, project: (pose: Pose) => Projection) => Pose,
-): void {
+): SVGSVGElement {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('class', 'scene-thumbnail');
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -97,6 +103,7 @@ function draw(
     null,
   );
   host.replaceChildren(svg);
+  return svg;
 }
 
 /**

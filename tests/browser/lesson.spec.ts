@@ -89,7 +89,7 @@ test('a whole lesson by keyboard alone', async ({ page }) => {
   // Also on the slider a clicker's key turns.
   await page.keyboard.press('PageDown');
   await stepShown(page, 6);
-  await expect(page.getByRole('heading', { name: 'Own numbers' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Own numbers', exact: true })).toBeVisible();
   await page.keyboard.press('PageUp');
   await stepShown(page, 5);
 });
@@ -143,7 +143,7 @@ test.describe('by touch alone', () => {
 });
 
 test('the first visit and the gallery lead to the first lesson', async ({ page }) => {
-  await page.goto('./#/explore');
+  await page.goto('./');
   await page.getByRole('link', { name: 'First lesson' }).click();
   await stepShown(page, 1);
   await page.goto('./#/explore');

@@ -177,9 +177,19 @@ export const mountLesson: MountPage = (host, context) => {
   );
 
   // What other pages measure arrives without a new state: numbers in the text follow them.
-  new MutationObserver(() => {
-    if (shown && !shown.model) changed();
-  }).observe(other, { subtree: true, childList: true, attributeFilter: ['data-value'] });
+  new MutationObserver((records) => {
+    // What is set to the value that it has is no news, and would be asked for again and again.
+    const isNews = records.some(
+      ({ type, target, attributeName, oldValue }) =>
+        type === 'childList' || (target as Element).getAttribute(attributeName ?? '') !== oldValue,
+    );
+    if (isNews && shown && !shown.model) changed();
+  }).observe(other, {
+    subtree: true,
+    childList: true,
+    attributeOldValue: true,
+    attributeFilter: ['data-value', 'data-trace'],
+  });
 
   return {
     render(state) {

@@ -52,9 +52,12 @@ function valueIn(model: ExploreModel, name: string): ShownValue | null {
 /** A text of the page that is longer is one of all digits. */
 const LONGEST_TEXT = 12;
 
+/** A picture that is being traced counts rays that are not all yet: no sentence is about those. */
+const UNFINISHED = '[data-trace]:not([data-trace="finished"])';
+
 /** {textbook.t1} is the t1 of the row of textbook; {questions} is the page's own. */
 function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
-  if (!isQuantity(name)) return null;
+  if (!isQuantity(name) || page.querySelector(UNFINISHED)) return null;
   const [row = '', ...rest] = name.split('.').map((part) => CSS.escape(part));
   const cell = `[data-quantity="${rest.join('.')}"]`;
   const found =

@@ -194,6 +194,7 @@ function partView(
       return liveInFormula(part.quantity, tools);
     case 'sign':
       return mathml`<mo form=${prefix ? 'prefix' : part.text === ')' ? 'postfix' : 'infix'}
+        lspace=${part.text === '.' ? '0' : nothing} rspace=${part.text === '.' ? '0' : nothing}
         stretchy="false">${part.text}</mo>`;
   }
 }
