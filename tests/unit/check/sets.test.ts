@@ -103,9 +103,9 @@ describe('what a set’s id adds', () => {
 });
 
 test.each([...Object.keys(SETS), LATEST_SET, '1,sphere'])(
-  'set %s: every slot of seeds 1 to 8 can be posed',
+  'set %s: every slot of seeds 1 to 4 can be posed',
   (set) => {
-    for (let seed = 1; seed <= 8; seed++) {
+    for (let seed = 1; seed <= 4; seed++) {
       plan(seed, set).forEach((slot, i) => {
         expect(question(seed, i, set).draft.shape.kind).toBe(slot.kind);
       });

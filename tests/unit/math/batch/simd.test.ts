@@ -47,7 +47,7 @@ describe.each(STRAIGHT.map((method) => [method.id, method] as const))('%s', (_, 
   test.each(FORMS)('%s, any number of rays, in arrays anywhere (seed 251)', (form) => {
     const random = seeded(251);
     for (const family of FAMILIES) {
-      for (const count of [1, 2, 3, 4, 5, integer(random, 6, 40)]) {
+      for (const count of [integer(random, 1, 5), integer(random, 6, 40)]) {
         const { shape, rays: list } = family.batch(random, count);
         const [given, made] = [pick(random, WHERE), pick(random, WHERE)];
         const from = integer(random, 0, 3);
