@@ -4,11 +4,11 @@ import type { Source } from './batch/straight.ts';
 import { simdSource } from './batch/straight-simd.ts';
 import { useSimd } from './batch/target.ts';
 import { CERTIFIED_SIMD } from './methods/certified/generated/certified-simd.ts';
-import { type FastRoots, useFastRoots } from './methods/certified/quadric-kernel.ts';
-import { createFastRoots } from './methods/certified/simd.ts';
+import { type FastStages, useFastStages } from './methods/certified/quadric-kernel.ts';
+import { createFastStages } from './methods/certified/simd.ts';
 
 interface Fast {
-  readonly roots: FastRoots;
+  readonly stages: FastStages;
   readonly source: Source;
   readonly allocate: Allocate;
 }
@@ -30,7 +30,7 @@ let made: Fast | string | undefined;
 export function accelerate(): boolean {
   made ??= loaded();
   const fast = typeof made === 'string' ? null : made;
-  useFastRoots(fast?.roots ?? null);
+  useFastStages(fast?.stages ?? null);
   useMemory(fast?.allocate ?? null);
   useSimd(fast?.source ?? null);
   return fast !== null;
@@ -54,7 +54,7 @@ export const whyNotAccelerated = (): string | null => (typeof made === 'string' 
  * solveQuadratic(1, -3, 2).roots; // → [1, 2]
  */
 export function decelerate(): void {
-  useFastRoots(null);
+  useFastStages(null);
   useMemory(null);
   useSimd(null);
 }
@@ -65,7 +65,7 @@ function loaded(): Fast | string {
   try {
     const memory = createSimdMemory();
     return {
-      roots: createFastRoots(memory, bytesOf(CERTIFIED_SIMD)),
+      stages: createFastStages(memory, bytesOf(CERTIFIED_SIMD)),
       source: simdSource(memory),
       allocate: memory.allocate,
     };

@@ -31,6 +31,27 @@ const PAIR = 16;
 const NAN = op.constant(Number.NaN);
 
 /**
+ * Appends the indices of the rays of a pair whose bits are set to `list`, if they are among those
+ * asked for: `at` and `end` count in bytes of an array.
+ */
+export function listOpen(
+  list: number,
+  bits: Code,
+  locals: { readonly bits: number; readonly at: number; readonly end: number },
+): Code {
+  const at = op.get(locals.at);
+  const lane = (n: number): Code =>
+    op.when(
+      op.both(
+        op.notEqual(op.both(op.get(locals.bits), op.i32(1 << n)), op.i32(0)),
+        op.less(op.plus(at, op.i32(8 * n)), op.get(locals.end)),
+      ),
+      op.append(list, op.plus(op.shiftRight(at, op.i32(3)), op.i32(n))),
+    );
+  return [...op.set(locals.bits, bits), ...op.when(op.get(locals.bits), [...lane(0), ...lane(1)])];
+}
+
+/**
  * `name(…PARAMS, count)` returns how many bytes of `unsettled` it filled, and puts those of
  * `doubtful` and `starting` into `doubtfulBytes` and `startingBytes`. `cuts` are the values of the
  * three loops after which a part ends; the first part must tell which rays are clear.
@@ -79,18 +100,8 @@ export function blockKernel(
   );
   const PLACES = handed(parts.free);
 
-  const listLane = (list: number, lane: number): Code =>
-    op.when(
-      op.both(
-        op.notEqual(op.both(op.get(BITS), op.i32(1 << lane)), op.i32(0)),
-        op.less(op.plus(at, op.i32(8 * lane)), op.get(END)),
-      ),
-      op.append(list, op.plus(op.shiftRight(at, op.i32(3)), op.i32(lane))),
-    );
-  const listBits = (list: number, bits: Code): Code => [
-    ...op.set(BITS, bits),
-    ...op.when(op.get(BITS), [...listLane(list, 0), ...listLane(list, 1)]),
-  ];
+  const listBits = (list: number, bits: Code): Code =>
+    listOpen(list, bits, { bits: BITS, at: AT, end: END });
   const no = (bits: Code): Code => op.flip(bits, op.i32(3));
   const one = (value: string, p: number): Code => parts.value(value, p);
 

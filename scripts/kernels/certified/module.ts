@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { IMPORT, PAGES } from '../../../src/math/batch/simd-memory.ts';
+import { AT_CLASS, CLASS_BOUNDS } from '../../../src/math/methods/certified/class.ts';
 import {
   AT_SURFACE,
   AT_SURFACE_BOUND,
@@ -21,6 +22,7 @@ import {
 } from '../../../src/math/methods/certified/units.ts';
 import { type Func, moduleOf } from '../wasm/module.ts';
 import { blockKernel } from './block-kernel.ts';
+import { classKernel } from './class-kernel.ts';
 import { listKernel } from './list-kernel.ts';
 import type { Numbers } from './prologue.ts';
 import { elementOf, loopOf, type Source } from './source.ts';
@@ -36,7 +38,7 @@ export function stageSources(): Readonly<Record<Stage, Source>> {
     }),
   ) as Record<Stage, Source>;
 }
-const STAGES = ['units', 'from-surface', 'recentred', 'refined'] as const;
+const STAGES = ['class', 'units', 'from-surface', 'recentred', 'refined'] as const;
 type Stage = (typeof STAGES)[number];
 
 const lattice = (key: string): number =>
@@ -91,6 +93,11 @@ function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Fun
   const start = read('from-surface', hasY ? 'surfaceInSpace' : 'surfaceAroundAxis');
   const far = read('recentred', hasY ? 'recentredInSpace' : 'recentredAroundAxis');
   return [
+    classKernel(
+      `classes${hasY}`,
+      numbersOf({ CLASS_BOUNDS: named(AT_CLASS, CLASS_BOUNDS) }),
+      read('class', hasY ? 'classesInSpace' : 'classesAroundAxis'),
+    ),
     blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),
     listKernel(
       `surface${hasY}`,

@@ -1,5 +1,5 @@
 import { certifiedPlanar } from '../methods/certified/planar.ts';
-import { certifiedKernel, useFastRoots } from '../methods/certified/quadric-kernel.ts';
+import { certifiedKernel, useFastStages } from '../methods/certified/quadric-kernel.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Kernel } from './batch.ts';
@@ -73,11 +73,11 @@ function asAccelerated(method: Method, shape: Shape, plain: Kernel): Kernel {
 /** The stages of `certified` in TypeScript, whatever batches go through otherwise. */
 function withoutSimd(kernel: Kernel): Kernel {
   function slowly(ask: () => void): void {
-    const before = useFastRoots(null);
+    const before = useFastStages(null);
     try {
       ask();
     } finally {
-      useFastRoots(before);
+      useFastStages(before);
     }
   }
   return {

@@ -1,6 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { AT_SCALED, BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
+import { AT_SCALED, BOX, type CertifiedQuadric, inSlots, type OpenRays } from './numbers.ts';
 
 /*
  * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =
@@ -65,28 +65,101 @@ export const DIRECT_ERROR = 27 * 2 ** -53;
  * its own DIRECT_ERROR is too large by (and more).
  */
 export const SMALLEST_DIRECT = 2 ** -422;
-/** Am and Cm below this: squares of the box's numbers, six of them and a. */
+/** Am + Cm below this: squares of the box's numbers, six of them and a. */
 export const LARGEST = BOX ** 4;
 
-/** Writes D/4 where its sign is certain, and leaves the other rays open. */
-export function openClasses(
-  q: Quadric,
-  c: CertifiedQuadric,
+/** What the loops of the direct form take before they begin. */
+export const { at: AT_CLASS, doubles: CLASS_BOUNDS } = inSlots({
+  direct: DIRECT_ERROR,
+  smallest: SMALLEST_DIRECT,
+  largest: LARGEST,
+});
+
+/** Writes D/4, puts the rays whose sign of it is not certain into `open`: how many they are. */
+export type ClassPass = (
+  numbers: Float64Array,
   rays: Rays,
   out: Answers,
-  left: OpenRays,
-): void {
-  left.count = 0;
-  if (q.hasY) classesInSpace(q, c, rays, out, left);
-  else classesAroundAxis(q, c, rays, out, left);
-  classesByMoment(q, c, rays, out, left);
-}
+  open: Int32Array,
+) => number;
+
+/** For shapes with a term in y. */
+export const classesInSpace: ClassPass = (
+  numbers,
+  { count, Ex, Ey, Ez, dx, dy, dz },
+  { margin },
+  open,
+) => {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cy = numbers[AT_SCALED.Cy] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const flare = numbers[AT_SCALED.flare] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const direct = CLASS_BOUNDS[AT_CLASS.direct] as number;
+  const smallest = CLASS_BOUNDS[AT_CLASS.smallest] as number;
+  const largest = CLASS_BOUNDS[AT_CLASS.largest] as number;
+  let opened = 0;
+  for (let i = 0; i < count; i++) {
+    const x = dx[i] as number;
+    const y = dy[i] as number;
+    const z = dz[i] as number;
+    const px = (Ex[i] as number) - Cx;
+    const py = (Ey[i] as number) - Cy;
+    const pz = (Ez[i] as number) - Cz;
+    const round = x * x + z * z;
+    const wide = px * px + pz * pz;
+    const ayy = flare * (y * y);
+    const app = flare * (py * py);
+    const A = round - ayy;
+    const b = x * px + z * pz - flare * (y * py);
+    const D = b * b - A * (wide - app - rho);
+    const Am = round + Math.abs(ayy);
+    const Cm = wide + Math.abs(app) + rho;
+    margin[i] = D;
+    // A = 0 needs |A| above its own error, or a root may have gone to infinity: 'one' is not 'two'.
+    const clear =
+      Math.abs(D) > direct * (Am * Cm) + smallest && Math.abs(A) > direct * Am && Am + Cm < largest;
+    if (!clear) open[opened++] = i;
+  }
+  return opened;
+};
+
+/** For cylinders, whose formula does not look at y. */
+export const classesAroundAxis: ClassPass = (
+  numbers,
+  { count, Ex, Ez, dx, dz },
+  { margin },
+  open,
+) => {
+  const Cx = numbers[AT_SCALED.Cx] as number;
+  const Cz = numbers[AT_SCALED.Cz] as number;
+  const rho = numbers[AT_SCALED.rho] as number;
+  const direct = CLASS_BOUNDS[AT_CLASS.direct] as number;
+  const smallest = CLASS_BOUNDS[AT_CLASS.smallest] as number;
+  const largest = CLASS_BOUNDS[AT_CLASS.largest] as number;
+  let opened = 0;
+  for (let i = 0; i < count; i++) {
+    const x = dx[i] as number;
+    const z = dz[i] as number;
+    const px = (Ex[i] as number) - Cx;
+    const pz = (Ez[i] as number) - Cz;
+    const A = x * x + z * z;
+    const wide = px * px + pz * pz;
+    const b = x * px + z * pz;
+    const D = b * b - A * (wide - rho);
+    const Cm = wide + rho;
+    margin[i] = D;
+    const clear = Math.abs(D) > direct * (A * Cm) + smallest && A + Cm < largest;
+    if (!clear) open[opened++] = i;
+  }
+  return opened;
+};
 
 /**
  * What the direct form leaves open, with the sharper bound of the moment form: far away D/4 is a
  * small difference of b² and AC, but not of ρA and m². Formula and bound are those of refined.ts.
  */
-function classesByMoment(
+export function classesByMoment(
   { Cx, Cy, Cz, hasY }: Quadric,
   { numbers }: CertifiedQuadric,
   { Ex, Ey, Ez, dx, dy, dz }: Rays,
@@ -121,78 +194,6 @@ function classesByMoment(
       !(Math.abs(D) > error) ||
       !(Math.abs(A) > LEAST_A * Am) ||
       !(Sd < BOX && Sd > 1 / BOX && Sp < BOX)
-    ) {
-      open[opened++] = i;
-    }
-  }
-  left.count = opened;
-}
-
-function classesInSpace(
-  { Cx, Cy, Cz }: Quadric,
-  { numbers }: CertifiedQuadric,
-  { count, Ex, Ey, Ez, dx, dy, dz }: Rays,
-  { margin }: Answers,
-  left: OpenRays,
-): void {
-  const flare = numbers[AT_SCALED.flare] as number;
-  const rho = numbers[AT_SCALED.rho] as number;
-  const { open } = left;
-  const size = Math.abs(flare);
-  let opened = 0;
-  for (let i = 0; i < count; i++) {
-    const x = dx[i] as number;
-    const y = dy[i] as number;
-    const z = dz[i] as number;
-    const px = (Ex[i] as number) - Cx;
-    const py = (Ey[i] as number) - Cy;
-    const pz = (Ez[i] as number) - Cz;
-    const round = x * x + z * z;
-    const wide = px * px + pz * pz;
-    const yy = y * y;
-    const pp = py * py;
-    const A = round - flare * yy;
-    const C = wide - flare * pp - rho;
-    const b = x * px + z * pz - flare * (y * py);
-    const D = b * b - A * C;
-    const Am = round + size * yy;
-    const Cm = wide + size * pp + rho;
-    margin[i] = D;
-    // A = 0 needs |A| above its own error, or a root may have gone to infinity: 'one' is not 'two'.
-    if (
-      !(Math.abs(D) > DIRECT_ERROR * (Am * Cm) + SMALLEST_DIRECT) ||
-      !(Math.abs(A) > DIRECT_ERROR * Am) ||
-      !(Am < LARGEST && Cm < LARGEST)
-    ) {
-      open[opened++] = i;
-    }
-  }
-  left.count = opened;
-}
-
-function classesAroundAxis(
-  { Cx, Cz }: Quadric,
-  { numbers }: CertifiedQuadric,
-  { count, Ex, Ez, dx, dz }: Rays,
-  { margin }: Answers,
-  left: OpenRays,
-): void {
-  const rho = numbers[AT_SCALED.rho] as number;
-  const { open } = left;
-  let opened = 0;
-  for (let i = 0; i < count; i++) {
-    const x = dx[i] as number;
-    const z = dz[i] as number;
-    const px = (Ex[i] as number) - Cx;
-    const pz = (Ez[i] as number) - Cz;
-    const A = x * x + z * z;
-    const Cm = px * px + pz * pz;
-    const b = x * px + z * pz;
-    const D = b * b - A * (Cm - rho);
-    margin[i] = D;
-    if (
-      !(Math.abs(D) > DIRECT_ERROR * (A * (Cm + rho)) + SMALLEST_DIRECT) ||
-      !(A < LARGEST && Cm < LARGEST)
     ) {
       open[opened++] = i;
     }

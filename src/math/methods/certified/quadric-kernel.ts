@@ -13,7 +13,7 @@ import {
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
 import type { Ray } from '../../ray.ts';
-import { openClasses } from './class.ts';
+import { classesAroundAxis, classesByMoment, classesInSpace } from './class.ts';
 import { solveSlowly } from './doubled.ts';
 import { surfaceAroundAxis, surfaceInSpace, surfaceNumbers } from './from-surface.ts';
 import {
@@ -44,18 +44,25 @@ export type FastRoots = (
   left: OpenRays,
 ) => void;
 
+/** What a batch's stages may go through instead of TypeScript. */
+export interface FastStages {
+  readonly roots: FastRoots;
+  /** As a ClassPass, of all the rays: the direct form's answers and what it leaves open. */
+  readonly classes: FastRoots;
+}
+
 /** Below, copying the rays costs more than is won. */
 const LEAST_BATCH = 16;
-let fast: FastRoots | null = null;
+let fast: FastStages | null = null;
 
 /**
- * From now on batches go through `roots`; null: through TypeScript again.
+ * From now on batches go through `stages`; null: through TypeScript again.
  *
  * @returns what they went through until now.
  */
-export function useFastRoots(roots: FastRoots | null): FastRoots | null {
+export function useFastStages(stages: FastStages | null): FastStages | null {
   const before = fast;
-  fast = roots;
+  fast = stages;
   return before;
 }
 
@@ -87,7 +94,7 @@ export function bothRoots(
   left: OpenRays,
 ): void {
   if (fast && rays.count >= LEAST_BATCH) {
-    fast(q, c, rays, out, left);
+    fast.roots(q, c, rays, out, left);
     return;
   }
   left.count = 0;
@@ -103,6 +110,22 @@ export function bothRoots(
     refineAndList(q, c, rays, out, left, starting, fromSurface(q, c, rays, out));
     refineAndList(q, c, rays, out, left, unsettled, count[UNSETTLED] as number);
   }
+}
+
+/** Writes D/4 where its sign is certain, and leaves the other rays open. */
+export function openClasses(
+  q: Quadric,
+  c: CertifiedQuadric,
+  rays: Rays,
+  out: Answers,
+  left: OpenRays,
+): void {
+  if (fast && rays.count >= LEAST_BATCH) fast.classes(q, c, rays, out, left);
+  else {
+    const pass = q.hasY ? classesInSpace : classesAroundAxis;
+    left.count = pass(c.numbers, rays, out, left.open);
+  }
+  classesByMoment(q, c, rays, out, left);
 }
 
 /** How many of the rays that start on a surface or near it are left. */

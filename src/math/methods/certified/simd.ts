@@ -1,5 +1,3 @@
-import type { Answers, Rays } from '../../batch/batch.ts';
-import type { Quadric } from '../../batch/quadric.ts';
 import {
   addressOf,
   BLOCK,
@@ -13,8 +11,7 @@ import {
   type SimdMemory,
 } from '../../batch/simd-memory.ts';
 import { SURFACE_COUNT, surfaceNumbers } from './from-surface.ts';
-import type { CertifiedQuadric, OpenRays } from './numbers.ts';
-import type { FastRoots } from './quadric-kernel.ts';
+import type { FastRoots, FastStages } from './quadric-kernel.ts';
 
 /*
  * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers,
@@ -51,6 +48,7 @@ export const PLACE = {
   dz: BLOCK.dz,
   t0: BLOCK.t0,
   t1: BLOCK.t1,
+  margin: BLOCK.margin,
   doubtful: SCRATCH,
   unsettled: SCRATCH + LIST_BYTES,
   starting: SCRATCH + 2 * LIST_BYTES,
@@ -76,7 +74,7 @@ export function handed(n: number): number {
  * compiles from the stages' own text, and so to the same bits (generated/certified-simd.ts).
  * Throws what the engine throws where it does not run them.
  */
-export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoots {
+export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastStages {
   const { buffer, block } = memory;
   const exports = memory.load(bytes);
   const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, CAPACITY + 1);
@@ -93,6 +91,7 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
   const doubtfulBytes = new Int32Array(buffer, PLACE.doubtfulBytes, 1);
   const startingBytes = new Int32Array(buffer, PLACE.startingBytes, 1);
   const kernels = [false, true].map((hasY) => ({
+    classes: exports[`classes${hasY}`] as Run,
     ordinary: exports[`ordinary${hasY}`] as Run,
     surface: exports[`surface${hasY}`] as Run,
     recentred: exports[`recentred${hasY}`] as Run,
@@ -102,7 +101,7 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
   const place = (name: Input, array: Float64Array, from: number, count: number): number =>
     addressOf(memory, name, array, from, count);
 
-  return (q: Quadric, c: CertifiedQuadric, rays: Rays, out: Answers, left: OpenRays): void => {
+  const roots: FastRoots = (q, c, rays, out, left) => {
     const kernel = kernels[q.hasY ? 1 : 0] as (typeof kernels)[number];
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     const { t0, t1 } = out;
@@ -157,4 +156,29 @@ export function createFastRoots(memory: SimdMemory, bytes: Uint8Array): FastRoot
       for (let j = 0; j < open; j++) left.open[left.count++] = from + (unsettled[j] as number);
     }
   };
+
+  const classes: FastRoots = (q, c, rays, { margin }, left) => {
+    const kernel = kernels[q.hasY ? 1 : 0] as (typeof kernels)[number];
+    const { Ex, Ey, Ez, dx, dy, dz } = rays;
+    const inPlace = margin.buffer === buffer;
+    left.count = 0;
+    scaledNumbers.set(c.numbers);
+    for (let from = 0, count = 0; from < rays.count; from += count) {
+      const rest = Math.min(CAPACITY, rays.count - from);
+      // As in `roots`: the last of an odd number goes alone.
+      const here = inPlace && rest > 1;
+      count = here ? rest & ~1 : rest;
+      const ex = place('Ex', Ex, from, count);
+      const ey = q.hasY ? place('Ey', Ey, from, count) : 0;
+      const ez = place('Ez', Ez, from, count);
+      const x = place('dx', dx, from, count);
+      const y = q.hasY ? place('dy', dy, from, count) : 0;
+      const z = place('dz', dz, from, count);
+      const at = here ? margin.byteOffset + 8 * from : PLACE.margin;
+      const open = kernel.classes(ex, ey, ez, x, y, z, at, count) >> 2;
+      if (!here) margin.set(part(block.margin, 0, count), from);
+      for (let j = 0; j < open; j++) left.open[left.count++] = from + (doubtful[j] as number);
+    }
+  };
+  return { roots, classes };
 }
