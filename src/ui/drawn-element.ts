@@ -31,11 +31,11 @@ export abstract class DrawnElement extends HTMLElement {
   protected drawn(): void {}
 }
 
-/** Makes these properties of a class redraw its elements; called once, before it is defined. */
-export function redrawnBy(
-  type: { readonly prototype: DrawnElement },
+/** The class, once these properties of it redraw its elements; to be called once. */
+export function redrawnBy<T extends { readonly prototype: DrawnElement }>(
+  type: T,
   names: readonly string[],
-): void {
+): T {
   for (const name of names) {
     const values = new WeakMap<DrawnElement, unknown>();
     Object.defineProperty(type.prototype, name, {
@@ -50,4 +50,5 @@ export function redrawnBy(
       },
     });
   }
+  return type;
 }

@@ -216,6 +216,6 @@ class GrazeNumberBox extends DrawnElement {
   }
 }
 
-redrawnBy(GrazeNumberBox, ['value', 'step', 'label', 'symbol', 'typed', 'quantity']);
-redrawnBy(GrazeNumberBox, ['text', 'reason', 'focused', 'room', 'font']);
-customElements.define('graze-number', GrazeNumberBox);
+const GIVEN = ['value', 'step', 'label', 'symbol', 'typed', 'quantity'];
+const OWN = ['text', 'reason', 'focused', 'room', 'font'];
+customElements.define('graze-number', redrawnBy(GrazeNumberBox, [...GIVEN, ...OWN]));

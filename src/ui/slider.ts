@@ -83,5 +83,5 @@ class GrazeSlider extends DrawnElement {
   }
 }
 
-redrawnBy(GrazeSlider, ['value', 'least', 'most', 'step', 'label', 'symbol']);
-customElements.define('graze-slider', GrazeSlider);
+const PROPERTIES = ['value', 'least', 'most', 'step', 'label', 'symbol'];
+customElements.define('graze-slider', redrawnBy(GrazeSlider, PROPERTIES));

@@ -34,6 +34,11 @@ import { picture, TINY, tracerFor } from './tracer/tracing.ts';
  * are put into the list. Fog dims and adds light; glow adds light, more than any lamp has.
  */
 
+/** Forms hold custom elements, which are defined when they are imported. */
+vi.hoisted(() => {
+  Object.assign(globalThis, { HTMLElement: class {}, customElements: { define: () => undefined } });
+});
+
 vi.mock('../../src/scene/effects/index.ts', async (original) => {
   const { EFFECTS: own } = await original<{ EFFECTS: readonly unknown[] }>();
   const [toyFog, toyGlow] = await Promise.all([import('./toy-fog.ts'), import('./toy-glow.ts')]);

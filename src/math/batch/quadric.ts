@@ -4,7 +4,7 @@ import type { Quadric, QuadricNumbers } from '../shapes/numbers.ts';
 
 export type { Quadric } from '../shapes/numbers.ts';
 
-/** How a kind's numbers are read for kernels that are exact in class and roots; null: not at all. */
+/** How a kind's numbers are read for kernels that are exact in their class and roots, or null. */
 export function numbersOf(kind: Shape['kind']): QuadricNumbers<Shape> | null {
   const numbers = findShape(kind)?.numbers;
   return numbers?.family === 'quadric' ? numbers : null;

@@ -6,7 +6,7 @@ import { display } from '../../text/format.ts';
 import { recall, remember } from '../../ui/storage.ts';
 
 /** Something to bring about with the sliders, and what the page says when it has come about. */
-export interface Challenge {
+interface Challenge {
   readonly id: string;
   /** Of which shape it is; null for every curved one. */
   readonly kind: ShapeKind | null;
@@ -78,8 +78,11 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
     };
     render(
       shown
-        ? html`<p class="look challenge"><span role="status">${praise}${next ? `Try: ${next.asks}.` : ''}</span>
-            <button type="button" class="challenge-end" aria-label="No more challenges" title="No more challenges" @click=${end}>×</button>
+        ? html`<p class="look challenge"><span role="status">${praise}${
+            next ? `Try: ${next.asks}.` : ''
+          }</span>
+            <button type="button" class="challenge-end" aria-label="No more challenges"
+              title="No more challenges" @click=${end}>×</button>
           </p>`
         : nothing,
       host,

@@ -207,7 +207,7 @@ describe('what it settles is the right class with faithful roots (seed 71)', () 
   });
 });
 
-test('one ray at a time, each with a shape of its own: no shape’s numbers serve another one', () => {
+test('rays in turn, each with a shape of its own: no shape’s numbers serve another one', () => {
   const random = seeded(76);
   for (let k = 0; k < 2000; k++) {
     const { shape, ray } = family('near-surface')(random);
