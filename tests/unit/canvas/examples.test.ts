@@ -10,8 +10,8 @@ import type { SceneModel } from '../../../src/state/scene-model.ts';
 import { decode } from '../../../src/state/url.ts';
 
 /**
- * The scene's frame in windows of 1280 × 720, 1024 × 768 and 390 × 844 beside an example's question,
- * with the theme's size of marks and labels there. Light and dark have the same ones.
+ * The scene's frame in windows of 1280 × 720, 1024 × 768 and 390 × 844 beside an example's
+ * question, with the theme's size of marks and labels there. Light and dark have the same ones.
  */
 const FRAMES = [
   { window: '1280 × 720', width: 728, height: 386, scale: 1, label: 23 },
