@@ -92,7 +92,7 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
     ${stepLine(line, field)}
     <text class="plot-name quiet" x=${px(note.left)} y=${px(note.top + field.em)}>${NOTE}</text>
     ${spots.map(({ mark, y: cy }) => {
-      const [x1, x2] = [px(x(mark.cost.least)), px(x(mark.cost.most))];
+      const [x1, x2] = [px(x(mark.cost.low)), px(x(mark.cost.most))];
       return svg`<line class="plot-whisker" x1=${x1} x2=${x2} y1=${px(cy)} y2=${px(cy)}></line>`;
     })}
     ${names(ordered, chosen, field, [note, ...lineBoxes(line, field)])}
@@ -111,7 +111,7 @@ function endsOf(costs: readonly number[]): readonly [number, number] {
 }
 
 function scalesOf({ marks, worthTicks }: FrontierModel, { left, right, top, bottom, em }: Field) {
-  const costs = marks.flatMap(({ cost }) => [cost.value, cost.least, cost.most]);
+  const costs = marks.flatMap(({ cost }) => [cost.value, cost.low, cost.most]);
   const worths = worthTicks.map(({ value }) => value);
   return {
     x: scaleLog(endsOf(costs), [left, right]),

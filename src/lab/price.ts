@@ -1,10 +1,10 @@
 import { quantile, sorted } from './stats.ts';
 
 /*
- * One estimator for every time that the page measures, in table, plot and sentence: the least of
- * many interleaved rounds. Whatever else the machine does only adds to a time, so that the least is
- * nearest to what the work itself takes, and a stalled round changes nothing. The bench's prices
- * are medians with quartiles.
+ * One statistic for every price on the page, its own in table, plot and sentence and the
+ * reference that stands there before: the lower quartile of many interleaved rounds. Whatever else
+ * the machine does only adds to a time, so it may disturb three rounds in four and change nothing;
+ * and no single round decides.
  */
 
 /** What something costs. */
@@ -12,8 +12,8 @@ export interface Price {
   /** Rounded to so many figures: what is shown, and what multiples are computed from. */
   readonly value: number;
   readonly figures: Figures;
-  /** The least of the rounds, not rounded, and what three rounds in four stay below. */
-  readonly least: number;
+  /** The quartiles of the rounds, not rounded. */
+  readonly low: number;
   readonly most: number;
 }
 
@@ -21,10 +21,7 @@ type Figures = 1 | 2 | 3;
 
 /** Fewer rounds than this say nothing of how far they spread. */
 const ENOUGH = 4;
-/**
- * Up to which spread above the least, as a share of it, a quarter of the rounds lets so many
- * figures stand.
- */
+/** Up to which distance of the quartile from the best round, as a share, so many figures stand. */
 const LETS_STAND = [
   [0.01, 3],
   [0.3, 2],
@@ -36,29 +33,30 @@ const LETS_STAND = [
  */
 export function priceOf(rounds: readonly number[], scale = 1): Price {
   const all = sorted(rounds);
-  const least = (all[0] ?? Number.NaN) * scale;
-  const spread = (quantile(all, 0.25) * scale) / least - 1;
+  const quarter = quantile(all, 0.25);
+  const low = quarter * scale;
+  const spread = quarter / (all[0] ?? Number.NaN) - 1;
   const stands = LETS_STAND.find(([limit]) => spread <= limit)?.[1] ?? 1;
   const figures = all.length < ENOUGH ? (Math.min(2, stands) as Figures) : stands;
-  return { value: rounded(least, figures), figures, least, most: quantile(all, 0.75) * scale };
+  return { value: rounded(low, figures), figures, low, most: quantile(all, 0.75) * scale };
 }
 
 /** One price as a multiple of another, from the figures that are shown. */
 export function multipleOf(price: Price, base: Price): Price {
-  if (price === base) return { value: 1, figures: 3, least: 1, most: price.most / price.least };
+  if (price === base) return { value: 1, figures: 3, low: 1, most: price.most / price.low };
   const figures = Math.min(price.figures, base.figures) as Figures;
   return {
     value: rounded(price.value / base.value, figures),
     figures,
-    least: price.least / base.value,
+    low: price.low / base.value,
     most: price.most / base.value,
   };
 }
 
 export const rounded = (x: number, figures: number): number => Number(x.toPrecision(figures));
 
-/** How much longer than the least one round in four took or more, as a share of it. */
-export const spreadOf = ({ least, most }: Price): number => most / least - 1;
+/** How much longer than the best quarter one round in four took or more, as a share. */
+export const spreadOf = ({ low, most }: Price): number => most / low - 1;
 
 /** Above this something else was running. */
 export const BUSY = 0.2;

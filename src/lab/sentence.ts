@@ -27,10 +27,10 @@ function cheapest(
   question: Question,
   good: (row: MeasuredRow) => boolean,
 ): MeasuredRow | null {
-  const least = (row: MeasuredRow): number => row[question]?.ns.least ?? Number.NaN;
+  const low = (row: MeasuredRow): number => row[question]?.ns.low ?? Number.NaN;
   const known = rows.filter((row) => good(row) && row[question]);
   const found = known.reduce<MeasuredRow | null>(
-    (best, row) => (best && least(best) <= least(row) ? best : row),
+    (best, row) => (best && low(best) <= low(row) ? best : row),
     null,
   );
   // Rounds that spread as far as to the textbook's price do not tell that it is lower.
@@ -144,7 +144,7 @@ function busyWords(rows: readonly MeasuredRow[], question: Question): string {
   if (!(spread > BUSY)) return '';
   return (
     `The machine was busy; one round in four took at least ${Math.round(100 * spread)} % ` +
-    `longer than the best.`
+    `longer than the best quarter.`
   );
 }
 

@@ -1,13 +1,15 @@
 import { detailsOf, headlineOf, type Question } from '../../lab/sentence.ts';
 import type { Order } from '../../lab/timed.ts';
+import { findFamily } from '../../math/families.ts';
 import { type Column, comparable, isEmulated, targetTitle } from '../../state/accuracy/column.ts';
 import { titleOf } from '../../state/accuracy/frontier.ts';
+import { dialWords } from '../../state/accuracy/hardness.ts';
 import type { AccuracySettings } from '../../state/accuracy/settings.ts';
+import { familyName } from './family-name.ts';
 import type { Measuring } from './measuring.ts';
-import { familyName } from './plot-headings.ts';
 
 /** Which rays are counted and timed here. */
-type Asked = Pick<AccuracySettings, 'family' | 'order'>;
+type Asked = Pick<AccuracySettings, 'family' | 'order' | 'dial'>;
 
 /** What the prices of the sentence are of. */
 function leadOf(isFaint: boolean, order: Order): string {
@@ -18,17 +20,19 @@ function leadOf(isFaint: boolean, order: Order): string {
 
 /** What stands beside faint marks. */
 export const REFERENCE_WORDS =
-  'Faint: reference prices, medians of typical rays on the bench of this build, ' +
-  'until this device has measured: then the best of its rounds.';
+  'Faint: reference prices of typical rays, from the bench of this build, until this device has ' +
+  'measured. Each price is the lower quartile of its rounds.';
 
 /** The page's first sentence, and what is to be said beside it: true of the numbers shown. */
 export function answerWords(
   column: Column,
   question: Question,
-  { family, order }: Asked,
+  { family, order, dial }: Asked,
 ): { readonly headline: string; readonly details: string } {
   const rows = comparable(column);
-  const rays = `“${familyName(family)}” rays`;
+  const own = findFamily(family)?.dial;
+  const hard = own ? ` (${dialWords(own, dial)})` : '';
+  const rays = `“${familyName(family)}” rays${hard}`;
   const headline = headlineOf(rows, titleOf, leadOf(column.isFaint, order), rays);
   // Quartiles of another machine do not say whether this one is busy.
   const known = column.isFaint ? rows.map(({ id, quality }) => ({ id, quality })) : rows;

@@ -11,21 +11,12 @@ import { type AccuracySettings, ORDERS, TARGETS, WORTHS } from '../../state/accu
 import { display } from '../../text/format.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import { extensionOf, saveButtons } from './exports.ts';
+import { TIMED } from './family-name.ts';
 import '../../ui/slider.ts';
 
 type Set = (settings: Partial<AccuracySettings>) => void;
 
 const short = (id: string, title: string): Choice => ({ id, title });
-const TIMED: readonly Choice[] = [
-  short('typical', 'typical'),
-  short('far-origin', 'far away'),
-  short('near-tangent', 'near tangent'),
-  short('near-surface', 'near surface'),
-];
-/** As the tab or the list has it. */
-export const familyName = (id: string): string =>
-  TIMED.find((one) => one.id === id)?.title ?? findFamily(id)?.title ?? id;
-
 const SWEPT: readonly Choice[] = [
   short('far-origin', 'distance'),
   short('near-tangent', 'tangency'),

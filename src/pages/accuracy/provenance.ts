@@ -2,7 +2,7 @@ import { BUSY, rounded } from '../../lab/price.ts';
 import { grouped, spreadOfRows } from '../../lab/sentence.ts';
 import type { Measured, MeasureRequest } from '../../lab/session.ts';
 import type { SweepRequest } from '../../lab/sweep.ts';
-import { familyName } from './plot-headings.ts';
+import { familyName } from './family-name.ts';
 
 /** Where the numbers come from, in a line. */
 export function provenanceOf(
@@ -20,11 +20,12 @@ export function provenanceOf(
   if (!measured || measured.round === 0) return `${device}; ${rays}.`;
   const { clockStep, round, timedRays } = measured;
   const spread = spreadOfRows([...measured.columns.simd, ...measured.columns.typescript], 'roots');
-  const longer = `one round in four took at least ${Math.round(100 * spread)} % longer`;
+  const share = `${Math.round(100 * spread)} %`;
+  const longer = `one round in four took at least ${share} longer than the best quarter`;
   const busy = spread > BUSY ? `${longer}: the machine was busy` : longer;
   const met = order === 'sorted' ? 'hits first, then misses' : 'in random order';
   const passes = `up to ${grouped(timedRays)} rays a pass, fewer for dear methods`;
-  const times = `times of the best of ${round} rounds on ${passes}, ${met}; ${busy}`;
+  const times = `times: the lower quartile of ${round} rounds on ${passes}, ${met}; ${busy}`;
   return `${device}; timer step ${stepWords(clockStep)}; ${times}; ${rays}.`;
 }
 

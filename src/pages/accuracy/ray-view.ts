@@ -11,7 +11,7 @@ import type { AccuracySettings } from '../../state/accuracy/settings.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { AppState } from '../../state/state.ts';
 import { displayAll } from '../../text/format.ts';
-import { familyName } from './plot-headings.ts';
+import { familyName } from './family-name.ts';
 
 /** This ray through the ladder, where its digits go, and what one double changes. */
 export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {

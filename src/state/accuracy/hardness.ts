@@ -46,12 +46,27 @@ export function hardnessOf(points: readonly SweepPoint[], dial: Dial, worth: Wor
   };
 }
 
+/**
+ * What a dial's rays have in common: “E is 10³ … 10⁹ radii away”.
+ *
+ * @param at where it stands; null: where the family itself turns it.
+ */
+export function dialWords(dial: Dial, at: number | null): string {
+  const tick = tickOf(dial);
+  const [from, to] = at === null ? dial.usual : [at, at];
+  const range = from === to ? tick(from) : `${tick(from)} … ${tick(to)}`;
+  const { title } = dial;
+  return POWER.test(title) ? title.replace(POWER, range) : `${title}: ${range}`;
+}
+
 /** With raised powers. */
 export const dialTitle = ({ title }: Dial): string => title.replace('^-k', '⁻ᵏ').replace('^k', 'ᵏ');
 
+const POWER = /(\d+)\^(-?)k/;
+
 /** 10⁴, 2³ or 40 %, as the dial's own title has it. */
 export function tickOf({ title }: Dial): (k: number) => string {
-  const [, base, minus] = /(\d+)\^(-?)k/.exec(title) ?? [];
+  const [, base, minus] = POWER.exec(title) ?? [];
   if (!base) return (k) => display(k, 3);
   return (k) => {
     const exponent = minus ? -k : k;

@@ -43,7 +43,7 @@ describe('a column', () => {
       // A method of which only the roots were priced has no other figure.
       type Known = Readonly<Record<string, { readonly low: number; readonly high: number }>>;
       const [pair, verdict]: Known[] = [both.typescript.random, alone.typescript.random];
-      expect(roots?.times.least).toBe(pair?.[id]?.low);
+      expect(roots?.times.low).toBe(pair?.[id]?.low);
       expect(classes?.times.most).toBe(verdict?.[id]?.high);
     }
     const after = columnOf(inTypeScript, last, reference);
@@ -73,14 +73,17 @@ describe('the words', () => {
   test('say whose prices they are, and of the reference nothing about this machine', () => {
     const before = words(columnOf(inTypeScript, counted, reference));
     expect(before.headline).toMatch(
-      /^By the reference prices of typical rays in random order, .+ these “far away” rays/,
+      /^By the reference prices of typical rays in random order, .+ “far away” rays \(E is 10³ … 10⁹/,
     );
     expect(before.details).not.toMatch(/busy|cheapest/);
     const after = words(columnOf(inTypeScript, last, reference));
     expect(after.headline).toMatch(
       /^In random order, (a verdict|the textbook).+ these “far away” rays/,
     );
-    const sorted = { family: 'typical', order: 'sorted' } as const;
+    const turned = { ...INITIAL_ACCURACY, dial: 4 };
+    const { headline } = answerWords(columnOf(inTypeScript, last, reference), 'roots', turned);
+    expect(headline).toContain('“far away” rays (E is 10⁴ radii away)');
+    const sorted = { family: 'typical', order: 'sorted', dial: null } as const;
     const ofSorted = (found: Measured) =>
       answerWords(columnOf({ ...inTypeScript, ...sorted }, found, reference), 'roots', sorted);
     expect(ofSorted(counted).headline).toMatch(
@@ -174,6 +177,9 @@ describe('measuring', () => {
     await rest();
     workers[0]?.reply({ type: 'measured', measured: last });
     expect(measuring.update(INITIAL_ACCURACY, true).found).toBe(last);
+    const turned = { ...INITIAL_ACCURACY, dial: 4 };
+    const { headline } = answerWords(columnOf(inTypeScript, last, reference), 'roots', turned);
+    expect(headline).toContain('“far away” rays (E is 10⁴ radii away)');
     const sorted = { ...INITIAL_ACCURACY, order: 'sorted' } as const;
     expect(measuring.update(sorted, true).found).toBe(null);
     expect(workers[0]?.ended).toBe(true);
