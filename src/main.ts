@@ -314,8 +314,8 @@ function withDisk(use: (disk: typeof import('./ui/files.ts')) => void): void {
 }
 
 /** What reads and packs lessons. */
-function withLessons(use: (own: typeof import('./pages/lesson/own.ts')) => void): void {
-  late(() => import('./pages/lesson/own.ts')).then(use, sayNotLoaded);
+function withLessons(use: (own: typeof import('./pages/lesson/own-lesson.ts')) => void): void {
+  late(() => import('./pages/lesson/own-lesson.ts')).then(use, sayNotLoaded);
 }
 
 store.subscribe(() => {

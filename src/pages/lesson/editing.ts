@@ -4,7 +4,7 @@ import { readLesson } from '../../lesson/read.ts';
 import { withSteps } from '../../lesson/write.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { editView } from './edit-view.ts';
-import { ownSettings } from './own.ts';
+import { ownSettings } from './own-lesson.ts';
 import type { Place } from './source.ts';
 
 /** A step that is being written; a lesson that comes with Graze becomes one's own by it. */

@@ -17,7 +17,7 @@ import { answerView, questionView } from './guess-view.ts';
 import { createHandIn } from './hand-in.ts';
 import { listView } from './list-view.ts';
 import { createOtherPages } from './other-pages.ts';
-import { openedLesson, withCollected } from './own.ts';
+import { openedLesson, withCollected } from './own-lesson.ts';
 import { proseTools } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';

@@ -6,7 +6,7 @@ import { InvalidInput } from '../../math/index.ts';
 import { quote } from '../../math/shapes.ts';
 import type { Settings } from '../../state/state.ts';
 import type { Readable } from '../page.ts';
-import { ownText } from './own.ts';
+import { ownText } from './own-lesson.ts';
 
 let last: { text: string; read: ReadLesson } | null = null;
 

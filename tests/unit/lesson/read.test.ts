@@ -4,7 +4,7 @@ import { stepAt } from '../../../src/lesson/lesson.ts';
 import { isLesson, readLesson } from '../../../src/lesson/read.ts';
 import { changesOf, innerState, toStep } from '../../../src/lesson/step-state.ts';
 import { withSteps, writeLesson } from '../../../src/lesson/write.ts';
-import { collected } from '../../../src/pages/lesson/own.ts';
+import { collected } from '../../../src/pages/lesson/own-lesson.ts';
 import type { Settings } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
