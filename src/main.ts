@@ -66,7 +66,6 @@ const tools: PageActions = {
     withDisk(({ pickFile }) => pickFile('.json,application/json,.md,text/markdown').then(openText)),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
-  derivation: () => openDialog('derivation'),
   help: () => openDialog('help'),
   fullScreen: () => {
     const done = document.fullscreenElement
@@ -108,7 +107,6 @@ const dialogParts: DialogParts = {
   example: () => exampleOf(store.get()),
   hidden: () => store.get().revealed !== null,
   page: () => store.get().page,
-  explored: modelNow,
   dispatch: store.dispatch,
   tools,
   say,
@@ -248,15 +246,14 @@ function writeLink(): void {
   const before = written;
   written = encode(store.get());
   if (written === location.hash) return;
-  // Another page is a place that the browser's own Back leads out of; a step on a page is not.
-  if (pathOf(before) === pathOf(written) || before === '') {
+  // Another page, or the derivation, is a place that the browser's own Back leads out of; a step
+  // on it is not.
+  if (placeOf(before) === placeOf(written) || before === '') {
     history.replaceState(history.state, '', written);
   } else history.pushState(null, '', written);
 }
 
-function pathOf(hash: string): string {
-  return hash.split('?')[0] ?? '';
-}
+const placeOf = (hash: string): string => `${hash.split('?')[0]} ${/[?&]derive=/.test(hash)}`;
 
 function readLink(): void {
   written = location.hash;

@@ -28,8 +28,11 @@ function sum(terms: readonly WrittenTerm<Text>[]): Text {
   return { text: written.join(''), rank: SUM };
 }
 
-const vector = (expr: VectorExpr): string =>
-  expr.op === 'vector' ? expr.id : `(${vector(expr.left)} ${MINUS} ${vector(expr.right)})`;
+function vector(expr: VectorExpr): string {
+  if (expr.op === 'vector') return expr.id;
+  if (expr.op === 'moved') return `(${vector(expr.from)} + ${expr.by} ${vector(expr.step)})`;
+  return `(${vector(expr.left)} ${MINUS} ${vector(expr.right)})`;
+}
 
 const NOTATION: Notation<Text> = {
   number: (x) => single(shortest(x).replace('-', MINUS)),

@@ -23,6 +23,20 @@ export interface Step {
   readonly value: number | null;
   /** Whether the numbers are put in with −B, √D and 2A already worked out. */
   readonly worked: boolean;
+  /** The step of the walk (`walkOf`) that says where the line comes from, from 1. */
+  readonly why: number;
+}
+
+/**
+ * How many steps the walk of a shape has, without making them.
+ *
+ * @param shape its present parameters decide which trees it has.
+ * @example
+ * walkLength({ kind: 'plane', normal: [1, 0, 0], point: [0, 0, 0] }); // → 4
+ */
+export function walkLength(shape: Shape): number {
+  const formula = definitionOf(shape).formula(shape);
+  return formula.family === 'curved' ? 8 : formula.bound ? 5 : 4;
 }
 
 /** A condition of a figure with its numbers, in the unit of its two sides. */
@@ -88,6 +102,7 @@ function curved(
     expr,
     value: details[id],
     worked: false,
+    why: id === 'D' ? 6 : 5,
   });
   const linear = details.signs.A === 0;
   const roots = linear ? LINEAR_ROOT : details.signs.D === 0 ? DOUBLE_ROOT : ROOTS;
@@ -100,7 +115,7 @@ function curved(
       line('C', formula.C),
       line('D', DISCRIMINANT),
       ...(hasRoots
-        ? [{ id: 't', letter: scalar('t'), expr: roots, value: null, worked: true }]
+        ? [{ id: 't', letter: scalar('t'), expr: roots, value: null, worked: true, why: 7 }]
         : []),
     ],
     conditions: [],
@@ -116,6 +131,7 @@ function flat(formula: FlatFormula, details: FlatDetails, values: Values<number>
     expr,
     value,
     worked: false,
+    why: 3,
   });
   const numbers = plane ? withPoint(values, plane.point) : values;
   return {
@@ -124,7 +140,7 @@ function flat(formula: FlatFormula, details: FlatDetails, values: Values<number>
       step('N.(E-P)', formula.offset, offset),
       step('N.d', formula.rate, rate),
       ...(plane
-        ? [{ id: 't', letter: scalar('t'), expr: formula.t, value: null, worked: true }]
+        ? [{ id: 't', letter: scalar('t'), expr: formula.t, value: null, worked: true, why: 4 }]
         : []),
     ],
     conditions: plane && formula.bound ? conditionSteps(formula, plane.holds, numbers) : [],

@@ -5,7 +5,13 @@ export { exact } from './arithmetic/exact.ts';
 export { float64 } from './arithmetic/float64.ts';
 export { asSurd, type Ratio, ratios } from './arithmetic/ratios.ts';
 export type { TypedNumber } from './arithmetic/typed.ts';
-export { type ConditionStep, type Derivation, derivation, type Step } from './derivation.ts';
+export {
+  type ConditionStep,
+  type Derivation,
+  derivation,
+  type Step,
+  walkLength,
+} from './derivation.ts';
 export {
   components,
   DISCRIMINANT,
@@ -72,4 +78,11 @@ export { type Solver, STABLE_Q, STABLE_ROOTS, textbookSolver } from './methods/s
 export { valuesOf } from './methods/tree-method.ts';
 export type { CurvedFormula } from './shapes/axial-quadric.ts';
 export { all, type FlatFormula, whichHold, withPoint } from './shapes/planar.ts';
-export { type WalkLine, type WalkStep, walkOf } from './walk.ts';
+export {
+  type WalkColumn,
+  type WalkLine,
+  type WalkPart,
+  type WalkStep,
+  walkOf,
+  walkSide,
+} from './walk.ts';

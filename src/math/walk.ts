@@ -3,38 +3,71 @@ import { derivative, halved } from './formula/derivative.ts';
 import { comp, type Expr, minus, num, over, plus, scalar, squared, times } from './formula/expr.ts';
 import {
   asZero,
-  collected,
   expanded,
   type Product,
   rayPutIn,
-  writtenOut,
+  summed,
+  termsOf,
+  withoutT,
+  withT,
 } from './formula/ray-put-in.ts';
 import type { CurvedFormula } from './shapes/axial-quadric.ts';
-import type { Formula } from './shapes/define.ts';
+import type { ShapeDefinition } from './shapes/define.ts';
 import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 import type { FlatFormula } from './shapes/planar.ts';
 import { AXES, type Axis } from './vec3.ts';
 
-/** One line of a step: left = right, or left ≤ right. */
-export interface WalkLine {
-  readonly left: Expr;
-  readonly relation: '=' | '≤';
-  readonly right: Expr;
+/** One term of a side of a line, and which of the products of the expanded line are in it. */
+export interface WalkPart {
+  readonly sign: 1 | -1;
+  readonly expr: Expr;
+  /** From 0, in the order of the step `expand`; none where it is made of other letters. */
+  readonly products: readonly number[];
 }
+
+/** One line of a step: left = right, or left ≤ right. A side without a part is 0. */
+export interface WalkLine {
+  readonly left: readonly WalkPart[];
+  readonly relation: '=' | '≤';
+  readonly right: readonly WalkPart[];
+}
+
+/** What stands beside one power of t, and the letter that it gets. */
+export interface WalkColumn {
+  readonly power: number;
+  readonly letter: 'A' | 'B' | 'C';
+  readonly parts: readonly WalkPart[];
+}
+
+type WalkStepId =
+  | 'surface'
+  | 'put-in'
+  | 'expand'
+  | 'collect'
+  | 'coefficients'
+  | 'complete'
+  | 'roots'
+  | 'normal'
+  | 't'
+  | 'figure';
 
 /** One step of the walk from a surface's equation to the roots and the normal. */
 export interface WalkStep {
+  readonly id: WalkStepId;
   readonly name: string;
   /** What was done to get here from the step before. */
   readonly why: string;
   readonly lines: readonly WalkLine[];
+  /** The powers of t side by side, the highest first, where the terms are collected. */
+  readonly columns?: readonly WalkColumn[];
 }
 
 const ZERO = num(0);
 const t = scalar('t');
 const T2 = squared(t);
 const [A, B, C, D] = ['A', 'B', 'C', 'D'].map(scalar) as [Expr, Expr, Expr, Expr];
+const LETTERS = ['C', 'B', 'A'] as const;
 
 /** f(t) = A(t + B/2A)² − D/4A, for A ≠ 0. */
 export const SQUARE_COMPLETED: Expr = minus(
@@ -43,8 +76,28 @@ export const SQUARE_COMPLETED: Expr = minus(
 );
 
 /**
- * The derivation of a shape, made from its surface's equation: the ray put in, expanded, collected
- * by powers of t, the coefficients, the roots, the normal. `linear`: for A = 0.
+ * A side of a line as one tree.
+ *
+ * @param parts of the line's `left` or `right`; none are 0.
+ * @example
+ * inSymbols(walkSide([]), LATEX); // → '0'
+ */
+export const walkSide = (parts: readonly WalkPart[]): Expr => summed(parts);
+
+/** A sum's terms as parts that come from no product. */
+const plain = (expr: Expr): WalkPart[] =>
+  termsOf(expr, 1).map((term) => ({ ...term, products: [] }));
+
+const is = (left: Expr, right: Expr): WalkLine => ({
+  left: plain(left),
+  relation: '=',
+  right: plain(right),
+});
+
+const isZero = (left: readonly WalkPart[]): WalkLine => ({ left, relation: '=', right: [] });
+
+/**
+ * The derivation of a shape of the registry, made from its surface's equation.
  *
  * @param shape its present parameters decide which trees it has.
  * @param linear true for a ray with A = 0, whose root is −C/B.
@@ -53,48 +106,89 @@ export const SQUARE_COMPLETED: Expr = minus(
  * walkOf(cone, false).slice(0, 4).map(({ name }) => name);
  * // → ['surface', 'put in', 'expand', 'collect']
  */
-export function walkOf(shape: Shape, linear: boolean): readonly WalkStep[] {
-  const { surface } = definitionOf(shape);
-  const formula: Formula = definitionOf(shape).formula(shape);
+export const walkOf = (shape: Shape, linear: boolean): readonly WalkStep[] =>
+  walkBy(definitionOf(shape), shape, linear);
+
+/**
+ * The derivation made from the shape's surface: the ray put in, expanded, collected by powers of t,
+ * the coefficients, the roots, the normal; of a flat shape in dot products to t and the figure's
+ * conditions.
+ */
+export function walkBy<S extends { readonly kind: string }>(
+  { surface, formula }: Pick<ShapeDefinition<S>, 'surface' | 'formula'>,
+  shape: S,
+  linear: boolean,
+): readonly WalkStep[] {
+  const own = formula(shape);
   const zero = asZero(surface);
   const put = rayPutIn(zero);
   const products = expanded(put);
-  const is = (left: Expr, right: Expr = ZERO): WalkLine => ({ left, relation: '=', right });
-  return [
+  const from = (i: number): number[] => numbersOf(products, (p) => p.from === i);
+  const [left, right] = [termsOf(surface.left, 1), termsOf(surface.right, 1)];
+  const start: WalkStep[] = [
     {
+      id: 'surface',
       name: 'surface',
       why: 'A point (x, y, z) lies on the surface where this holds.',
-      lines: [{ ...surface, relation: '=' }],
+      lines: [
+        {
+          left: left.map((term, i) => ({ ...term, products: from(i) })),
+          relation: '=',
+          right: right.map((term, i) => ({ ...term, products: from(left.length + i) })),
+        },
+      ],
     },
     {
+      id: 'put-in',
       name: 'put in',
-      why: 'The points of the ray are R(t) = E + t d: x, y and z are replaced by its components.',
-      lines: [is(put)],
+      why: 'The points of the ray are R(t) = E + t d: it takes the place of the point.',
+      lines: [isZero(outerTerms(put).map((term, i) => ({ ...term, products: from(i) })))],
     },
     {
+      id: 'expand',
       name: 'expand',
       why: 'Every square and product is multiplied out; what holds no t stays together.',
-      lines: [is(writtenOut(products))],
+      lines: [isZero(products.map((p, i) => ({ sign: p.sign, expr: withT(p), products: [i] })))],
     },
-    {
-      name: 'collect',
-      why: 'Each term goes to the power of t that it carries.',
-      lines: [is(byPowers(products))],
-    },
-    ...(formula.family === 'curved' ? curved(formula, zero, linear) : flat(formula)),
   ];
+  return own.family === 'flat'
+    ? [...start, ...flat(own)]
+    : [...start, ...curved(own, columnsOf(products), zero, linear)];
 }
 
-/** t²(…) + t(…) + …, without the powers that no term carries. */
-function byPowers(products: readonly Product[]): Expr {
-  const inT = [(own: Expr) => own, (own: Expr) => times(t, own), (own: Expr) => times(T2, own)];
-  const powers = [2, 1, 0].filter((power) => products.some((p) => p.power === power));
-  return plus(...powers.map((power) => (inT[power] ?? times)(collected(products, power))));
+const outerTerms = (expr: Expr) => (expr.op === 'sum' ? expr.terms : termsOf(expr, 1));
+
+const numbersOf = (products: readonly Product[], wanted: (p: Product) => boolean): number[] =>
+  products.flatMap((p, i) => (wanted(p) ? [i] : []));
+
+function columnsOf(products: readonly Product[]): WalkColumn[] {
+  return [2, 1, 0].map((power) => ({
+    power,
+    letter: LETTERS[power] ?? 'C',
+    parts: products.flatMap((p, i) =>
+      p.power === power ? [{ sign: p.sign, expr: withoutT(p), products: [i] }] : [],
+    ),
+  }));
 }
 
-function curved(formula: CurvedFormula, zero: Expr, linear: boolean): WalkStep[] {
-  const is = (left: Expr, right: Expr): WalkLine => ({ left, relation: '=', right });
-  const square: WalkStep = linear
+/** t²(…) + t(…) + (…), each bracket one part. */
+function byPowers(columns: readonly WalkColumn[]): WalkPart[] {
+  return columns.flatMap(({ power, parts }) => {
+    const own = walkSide(parts);
+    const inT = power === 0 ? own : times(power === 1 ? t : T2, own);
+    return parts.length > 0
+      ? [{ sign: 1 as const, expr: inT, products: parts.flatMap((p) => p.products) }]
+      : [];
+  });
+}
+
+function curved(
+  formula: CurvedFormula,
+  columns: readonly WalkColumn[],
+  zero: Expr,
+  linear: boolean,
+): WalkStep[] {
+  const square = linear
     ? {
         name: 'A = 0',
         why: 'Without t² there is no square to complete: f is a straight line, or constant.',
@@ -102,26 +196,40 @@ function curved(formula: CurvedFormula, zero: Expr, linear: boolean): WalkStep[]
       }
     : {
         name: 'square',
-        why: 'Completed to a square: f turns at t = −B/2A, at the height −D/4A; roots need D ≥ 0.',
+        why: 'Completed to a square: f turns at t = −B/2A, at the height −D/4A.',
         lines: [is(F_OF_T, SQUARE_COMPLETED), is(D, DISCRIMINANT)],
       };
   return [
     {
+      id: 'collect',
+      name: 'collect',
+      why: 'Each term goes to the power of t that it carries.',
+      lines: [isZero(byPowers(columns))],
+      columns,
+    },
+    {
+      id: 'coefficients',
       name: 'A, B, C',
       why: 'The three sums are the coefficients of f(t) = At² + Bt + C.',
-      lines: [is(A, formula.A), is(B, formula.B), is(C, formula.C)],
+      lines: columns.map(({ letter, parts }) => ({
+        left: plain(scalar(letter)),
+        relation: '=',
+        right: parts.length > 0 ? parts : plain(formula[letter]),
+      })),
     },
-    square,
+    { id: 'complete', ...square },
     {
+      id: 'roots',
       name: 'roots',
       why: linear
         ? 'A straight line is zero once where B ≠ 0; where B = 0 it is zero everywhere or nowhere.'
-        : 'The square must be D/4A²: its two roots, to both sides of −B/2A.',
+        : 'f is 0 where the square is D/4A²: at √D/2A to both sides of −B/2A.',
       lines: [is(t, linear ? LINEAR_ROOT : ROOTS)],
     },
     {
+      id: 'normal',
       name: 'normal',
-      why: 'N is half the gradient of F = left − right: move along one axis and hold the others.',
+      why: 'N is half the gradient of F = left − right: nudge one coordinate, hold the others.',
       lines: AXES.map((axis) => is(comp('N', axis), half(zero, axis))),
     },
   ];
@@ -133,26 +241,23 @@ function half(zero: Expr, axis: Axis): Expr {
   return whole ? halved(whole) : ZERO;
 }
 
-function flat({ rate, offset, t: root, bound }: FlatFormula): WalkStep[] {
-  return [
-    {
-      name: 'N·d and N·(E − P)',
-      why: 'The two sums are dot products: f(t) = t N·d plus how far E is off the plane.',
-      lines: [{ left: plus(times(t, rate), offset), relation: '=', right: ZERO }],
-    },
-    {
-      name: 't',
-      why: 'One root where N·d ≠ 0; where N·d = 0 the ray is parallel to the plane.',
-      lines: [{ left: t, relation: '=', right: root }],
-    },
-    ...(bound
-      ? [
-          {
-            name: 'figure',
-            why: 'The point of the plane counts where every condition of the figure holds.',
-            lines: bound.conditions,
-          },
-        ]
-      : []),
-  ];
+function flat({ t: root, bound }: FlatFormula): WalkStep[] {
+  const last: WalkStep = {
+    id: 't',
+    name: 't',
+    why: 'One root where N·d ≠ 0; where N·d = 0 the ray is parallel to the plane.',
+    lines: [is(t, root)],
+  };
+  if (!bound) return [last];
+  const figure: WalkStep = {
+    id: 'figure',
+    name: 'figure',
+    why: 'The point of the plane counts where every condition of the figure holds.',
+    lines: bound.conditions.map(({ left, relation, right }) => ({
+      left: plain(left),
+      relation,
+      right: plain(right),
+    })),
+  };
+  return [last, figure];
 }

@@ -2,11 +2,11 @@ import { SHAPES } from '../math/index.ts';
 
 /** What each command does, for the help: it is loaded when that is opened. */
 const TITLES: Readonly<Record<string, string>> = {
-  next: 'next: reveal the next line, the answer, or the next example',
-  previous: 'back: hide the answer, or the example before',
+  next: 'next: the next step while deriving; else reveal the next line, the answer, or the next example',
+  previous: 'back: the step before while deriving; else hide the answer, or the example before',
   answer: 'show the answer to the example’s question; or hide it',
   gallery: 'examples',
-  derive: 'derive A, B, C, the roots and N step by step',
+  derive: 'derive A, B, C, the roots and N step by step; or close that',
   hide: 'hide the results, to predict them; or show them all',
   reveal: 'reveal the next line',
   ghost: 'keep this ray as a ghost to compare with; or drop it',

@@ -8,8 +8,6 @@ export interface PageActions {
   openFile(): void;
   exportDialog(): void;
   gallery(): void;
-  /** The walk from the surface's equation to the roots. */
-  derivation(): void;
   help(): void;
   fullScreen(): void;
   theme(): void;
@@ -61,6 +59,7 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
       id: 'previous',
       keys: ['PageUp', 'ArrowLeft'],
       run: () => {
+        if (stepped(store, -1)) return;
         if (tools.answer()) dispatch({ type: 'tell', on: false });
         else dispatch({ type: 'browse', by: -1 });
       },
@@ -78,7 +77,7 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
     {
       id: 'derive',
       keys: ['d'],
-      run: tools.derivation,
+      run: () => dispatch({ type: 'derive', step: (now) => (now ? null : 1) }),
     },
     {
       id: 'hide',
@@ -161,11 +160,19 @@ function reveal({ get, dispatch }: Store, tools: PageActions): void {
   dispatch({ type: 'reveal', lines: Math.min(revealed + 1, total) });
 }
 
+/** One step of the derivation on or back, if it is open. */
+function stepped({ get, dispatch }: Store, by: 1 | -1): boolean {
+  if (!get().derive) return false;
+  dispatch({ type: 'derive', step: (now) => now && now + by });
+  return true;
+}
+
 /**
  * A presenter's clicker has one key for "go on": first what is hidden, then the answer, then the
  * next example.
  */
 function next(store: Store, tools: PageActions): void {
+  if (stepped(store, 1)) return;
   const state = store.get();
   const { total, shown } = tools.lines();
   if (state.revealed !== null && shown < total) reveal(store, tools);

@@ -1,6 +1,5 @@
 import { html, type TemplateResult } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
-import type { ExploreModel } from '../state/derive.ts';
 import type { ShownExample } from '../state/example.ts';
 import type { PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
@@ -8,7 +7,6 @@ import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
 import { notLoaded } from '../ui/late.ts';
 import type { Command, PageActions } from './commands.ts';
-import { derivationWalk, stepByKey, stepsOf } from './derivation-walk.ts';
 import { type ExportItem, exportContent } from './export-dialog.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
 import { helpContent } from './help.ts';
@@ -21,8 +19,6 @@ export interface DialogParts {
   /** Whether the results are hidden: then no card tells them. */
   readonly hidden: () => boolean;
   readonly page: () => PageId;
-  /** What Explore shows now. */
-  readonly explored: () => ExploreModel;
   readonly exports: () => Promise<readonly ExportItem[]>;
   readonly dispatch: Dispatch;
   readonly tools: PageActions;
@@ -30,7 +26,7 @@ export interface DialogParts {
   readonly keys: { get(): boolean; set(on: boolean): void };
 }
 
-export type Dialogs = Readonly<Record<'gallery' | 'derivation' | 'help' | 'export', () => void>>;
+export type Dialogs = Readonly<Record<'gallery' | 'help' | 'export', () => void>>;
 
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
@@ -49,36 +45,9 @@ export function createDialogs(parts: DialogParts): Dialogs {
   );
   return {
     gallery: gallery.open,
-    derivation: walkDialog(parts),
     help: help.open,
     export: exportDialog(parts),
   };
-}
-
-/** Opens where it was left, as long as there are so many steps. */
-function walkDialog({ explored }: DialogParts): () => void {
-  let at = 0;
-  let last = 0;
-  const go = (to: number): void => {
-    at = Math.max(0, Math.min(to, last));
-    dialog.refresh();
-    // On a narrow screen the walk is longer than its dialog.
-    document.querySelector('.walk-step.present')?.scrollIntoView({ block: 'nearest' });
-  };
-  const content = (): TemplateResult => {
-    const model = explored();
-    const steps = stepsOf(model);
-    last = steps.length - 1;
-    at = Math.min(at, last);
-    return derivationWalk(model, { steps, at, go });
-  };
-  const dialog = createDialog('The derivation, step by step', content, (event) => {
-    const to = stepByKey(event, at, last);
-    if (to === null) return;
-    event.preventDefault();
-    go(to);
-  });
-  return dialog.open;
 }
 
 function exportDialog({ exports, tools, say }: DialogParts): () => void {

@@ -7,6 +7,7 @@ import {
   plus,
   type Step,
   scalar,
+  walkLength,
 } from '../math/formula.ts';
 import { type Intersection, METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
@@ -39,12 +40,9 @@ import './algebra.css';
  * From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the
  * hits.
  */
-export function algebra(
-  model: ExploreModel,
-  dispatch: Dispatch,
-  derive: () => void,
-): TemplateResult {
+export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { derivation, title, shown, found, exactly } = model;
+  const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
   const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
   const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
   const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
@@ -52,13 +50,14 @@ export function algebra(
     <div class="put-in">
       <p class="lead"><span class="words">Put the ray into the ${title}:</span>
         ${formula(equation)}</p>
-      <button type="button" class="derive" aria-haspopup="dialog"
-        title="Where these lines come from, step by step (d)" @click=${derive}>derive</button>
+      <button type="button" class="derive"
+        title="Where these lines come from, step by step (d)"
+        @click=${() => dispatch({ type: 'derive', step: 1 })}>derive</button>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps">
-      ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps))}
-      ${shown.conditions ? conditions(derivation) : nothing}
+      ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps, dispatch))}
+      ${shown.conditions ? conditions(derivation, whyCondition) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
     ${shown.verdict ? verdict(model, dispatch) : concealed()}
@@ -84,7 +83,12 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
 }
 
 /** Hidden, a line keeps its formula and its place, but not its numbers. */
-function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResult {
+function stepLine(
+  step: Step,
+  model: ExploreModel,
+  shown: boolean,
+  dispatch: Dispatch,
+): TemplateResult {
   const { id, letter, expr } = step;
   const { found, exactly } = model;
   const line = shown ? numbersOf(step, model) : null;
@@ -95,7 +99,7 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
   return html`<div class="step ${look}" data-step=${id}>
     <span class="letter" data-symbol=${letter ? `coefficient-${id}` : nothing}>${
       letter ? formula(typesetSymbols(letter)) : nothing
-    }</span>
+    }${why(id, step.why, dispatch)}</span>
     <span class="equals">${letter ? '=' : ''}</span>
     <span class="body">
       <span class="in-symbols">${symbols}</span>
@@ -109,6 +113,11 @@ function stepLine(step: Step, model: ExploreModel, shown: boolean): TemplateResu
     }
   </div>`;
 }
+
+/** Opens the walk at the step that says where the line comes from. */
+const why = (id: string, step: number, dispatch: Dispatch): TemplateResult =>
+  html`<button type="button" class="why" aria-label=${`why ${id}`}
+    @click=${() => dispatch({ type: 'derive', step })}>why</button>`;
 
 interface NumbersLine {
   readonly content: TemplateResult;
@@ -179,15 +188,22 @@ function result(
 }
 
 /** Two in a line where the numbers are short enough. */
-function conditions(derivation: Derivation): TemplateResult {
+export function conditions(
+  derivation: Derivation,
+  why: (i: number) => unknown = () => nothing,
+): TemplateResult {
   const { conditions: all, numbers } = derivation;
   const halves = all.every(({ relation: { left, right } }) => isHalf(plus(left, right), numbers));
   return html`<div class=${all.length > 1 && halves ? 'conditions halves' : 'conditions'}>
-    ${all.map((c) => conditionLine(c, derivation))}
+    ${all.map((c, i) => conditionLine(c, derivation, why(i)))}
   </div>`;
 }
 
-function conditionLine(condition: ConditionStep, { numbers }: Derivation): TemplateResult {
+function conditionLine(
+  condition: ConditionStep,
+  { numbers }: Derivation,
+  why: unknown,
+): TemplateResult {
   const { relation, left, right, holds } = condition;
   const words = holds === null ? 'cannot tell' : holds ? 'holds' : 'fails';
   const { digits, isFaithful } = conditionDigits(condition, numbers);
@@ -198,7 +214,7 @@ function conditionLine(condition: ConditionStep, { numbers }: Derivation): Templ
       ? html`${value('distance', left, { digits })} ≤ ${display(right, digits)}`
       : formula(mathml`${putIn(relation.left)}<mo>≤</mo>${putIn(relation.right)}`);
   return html`<div class="condition" data-holds=${String(holds)}>
-    <span class="in-symbols">${formula(typesetRelation(relation))}</span>
+    ${why}<span class="in-symbols">${formula(typesetRelation(relation))}</span>
     <span class="in-numbers">${isFaithful ? nothing : 'rounded: '}${sides}</span>
     <span class="holds">${words}</span>
   </div>`;

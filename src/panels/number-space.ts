@@ -102,8 +102,9 @@ function number(x: number, digits: number): number {
 }
 
 function vector(expr: VectorExpr, values: Values<number>, digits: number): number {
-  if (expr.op === 'difference') {
-    return vector(expr.left, values, digits) + vector(expr.right, values, digits) + 3;
+  if (expr.op !== 'vector') {
+    const [a, b] = expr.op === 'moved' ? [expr.from, expr.step] : [expr.left, expr.right];
+    return vector(a, values, digits) + vector(b, values, digits) + 3;
   }
   const v = values.vectors[expr.id];
   return AXES.reduce((sum, axis) => sum + 2 + number(v?.[axisIndex(axis)] ?? 0, digits), 0);

@@ -55,6 +55,8 @@ export type Action =
   | { readonly type: 'ask'; readonly ask: Ask }
   /** Show the answer to the example's question, or hide it. */
   | { readonly type: 'tell'; readonly on: boolean }
+  /** The step of the derivation that is shown beside the scene, from 1; null closes it. */
+  | { readonly type: 'derive'; readonly step: Edit<number | null> }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
   /** To a ray and a shape near the present ones that touch exactly, where there are such. */

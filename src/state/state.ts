@@ -1,3 +1,4 @@
+import { walkLength } from '../math/formula.ts';
 import { type Ray, SHAPES, type Shape, type Vec3 } from '../math/index.ts';
 import { DEFAULT_METHOD, type Param, type ShapeKind, unitVector } from '../math/shapes.ts';
 import type { Ask } from './ask.ts';
@@ -69,6 +70,8 @@ export interface AppState {
   readonly ask: Ask | null;
   /** The answer to the example's question is shown. */
   readonly told: boolean;
+  /** The step of the derivation that is open beside the scene, from 1; null while it is closed. */
+  readonly derive: number | null;
   /** A ray and its hits that were kept to compare with. */
   readonly ghost: Ghost | null;
 }
@@ -133,13 +136,18 @@ export const INITIAL: AppState = {
   revealed: null,
   ask: null,
   told: false,
+  derive: null,
   ghost: null,
 };
 
 /** The shape that is shown. */
-export function shapeOf(state: AppState): Shape {
+export function shapeOf(state: Pick<AppState, 'kind' | 'shapes'>): Shape {
   return state.shapes[state.kind];
 }
+
+/** The step of the derivation that is shown; null while it is closed. */
+export const stepShown = (state: Pick<AppState, 'kind' | 'shapes' | 'derive'>): number | null =>
+  state.derive && Math.min(state.derive, walkLength(shapeOf(state)));
 
 /** The ray that the kernel gets. */
 export function rayOf({ E, d, unit }: AppState): Ray {

@@ -1,3 +1,4 @@
+import { walkLength } from '../math/formula.ts';
 import type { Shape, Vec3 } from '../math/index.ts';
 import { checkParam, findMethod, findShape, type Param, type ShapeKind } from '../math/shapes.ts';
 import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
@@ -88,6 +89,8 @@ function updated(state: AppState, action: Action): AppState {
       return { ...state, ask: action.ask };
     case 'tell':
       return state.told === action.on ? state : { ...state, told: action.on };
+    case 'derive':
+      return { ...state, derive: within(applied(action.step, state.derive), shapeOf(state)) };
     case 'ghost':
       return { ...state, ghost: action.on ? { shape: shapeOf(state), ray: rayOf(state) } : null };
     case 'tangent':
@@ -102,6 +105,10 @@ function updated(state: AppState, action: Action): AppState {
       return state;
   }
 }
+
+/** The step, or the nearest one that the derivation of this shape has. */
+const within = (step: number | null, shape: Shape): number | null =>
+  step && Math.max(1, Math.min(step, walkLength(shape)));
 
 function toTangent(state: AppState, found: Tangent | null): AppState {
   if (!found) return state;
@@ -183,7 +190,7 @@ function reset(state: AppState, what: What): AppState {
 
 function openExample(state: AppState, id: string): AppState {
   const found = allExamples().find((entry) => entry.id === id);
-  return found ? { ...decode(found.link, state), example: id } : state;
+  return found ? { ...decode(found.link, state), example: id, derive: state.derive } : state;
 }
 
 /** Round the gallery; from nowhere, its first or last entry. */

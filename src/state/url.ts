@@ -1,3 +1,4 @@
+import { walkLength } from '../math/formula.ts';
 import { InvalidInput, type Ray, type Shape, type Vec3 } from '../math/index.ts';
 import {
   checkParam,
@@ -24,6 +25,7 @@ import {
   RAY_PARAMS,
   type Settings,
   shapeOf,
+  stepShown,
 } from './state.ts';
 import { linkedTexts, linkNumber, type Place, rayPlaces, shapePlaces } from './typed-texts.ts';
 import { isView, type View } from './view.ts';
@@ -176,6 +178,7 @@ function lookPairs(state: AppState): [string, string][] {
   if (state.between) pairs.push(['between', heights.write(state.between)]);
   if (state.revealed !== null) pairs.push(['hide', '1']);
   if (state.ask) pairs.push(['ask', state.ask]);
+  if (state.derive) pairs.push(['derive', String(stepShown(state))]);
   return pairs;
 }
 
@@ -213,7 +216,9 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
         if (!findMethod(v)) throw new InvalidInput(`${quote(v)} is not a method`);
       });
   const look =
-    page === 'explore' ? readLook(read, before) : { ...before, hidden: before.revealed !== null };
+    page === 'explore'
+      ? readLook(read, before, walkLength(shapeOf(ray)))
+      : { ...before, hidden: before.revealed !== null };
   const rest = [...given].filter(([key]) => !known.has(key));
   if (page === 'explore') {
     for (const [key] of rest) problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
@@ -237,6 +242,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     revealed: look.hidden ? 0 : null,
     ask: look.ask,
     told: false,
+    derive: look.derive,
     ghost: before.ghost,
   };
 }
@@ -260,12 +266,12 @@ function readRay(
   };
 }
 
-interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask'> {
+interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask' | 'derive'> {
   readonly hidden: boolean;
 }
 
 /** A link that says nothing of hiding leaves it as it is: a lecture goes on from link to link. */
-function readLook(read: Read, before: AppState): Look {
+function readLook(read: Read, before: AppState, steps: number): Look {
   const unsaid = before.revealed === null ? '0' : '1';
   return {
     hidden: read('hide', word, unsaid, flag) === '1',
@@ -273,6 +279,11 @@ function readLook(read: Read, before: AppState): Look {
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
     between: read<Between | null>('between', heights, null),
+    derive: read<number | null>('derive', number, null, (step) => {
+      if (!Number.isInteger(step) || !(1 <= (step ?? 0) && (step ?? 0) <= steps)) {
+        throw new InvalidInput(`${quote(step)} is not a step from 1 to ${steps}`);
+      }
+    }),
   };
 }
 

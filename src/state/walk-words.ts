@@ -27,25 +27,66 @@ const OF_PLANE: Words = {
   '+': 'E is on the side that N points to',
 };
 
+/** f turns once, at −D/4A: that of D against A says on which side of 0. */
+const TURN: Readonly<Record<'-' | '+', Words>> = {
+  '+': {
+    '-': 'the lowest value of f is above 0, so there is no root',
+    '0': 'the lowest value of f is 0: one double root',
+    '+': 'the lowest value of f is below 0, so there are two roots',
+  },
+  '-': {
+    '-': 'the highest value of f is below 0, so there is no root',
+    '0': 'the highest value of f is 0: one double root',
+    '+': 'the highest value of f is above 0, so there are two roots',
+  },
+};
+
+/** A = 0: the slope of a straight line, and of a level one its height. */
+const LINE: Words = {
+  '-': 'the straight line f falls, and is 0 once',
+  '0': '',
+  '+': 'the straight line f rises, and is 0 once',
+};
+const LEVEL: Words = {
+  '-': 'f is below 0 everywhere, so there is no root',
+  '0': 'f is 0 everywhere: the whole line lies in the surface',
+  '+': 'f is above 0 everywhere, so there is no root',
+};
+
+/** Of which line of the walk a sentence is. */
+export type Said = 'A' | 'B' | 'C' | 'D' | 'N·d' | 'N·(E − P)';
+
 /**
  * What the exact signs of the coefficients say of this ray, a sentence for each: "B < 0: f falls at
- * E". They are those of the stored numbers, whatever the chosen method rounds them to.
+ * E". They are those of the stored numbers, whatever the chosen method rounds them to. D's is on B
+ * or C where A = 0.
  */
-export function signWords(shape: Shape, ray: Ray): readonly string[] {
+export function signWords(shape: Shape, ray: Ray): Readonly<Partial<Record<Said, string>>> {
   const { details } = intersect(shape, ray, 'exact');
   if (details.family === 'flat') {
     const { rate, offset } = details.signs;
-    return [...said('N·d', rate, SLOPE), ...said('N·(E − P)', offset, OF_PLANE)];
+    return {
+      'N·(E − P)': said('N·(E − P)', offset, OF_PLANE),
+      N·d: said('N·d', rate, SLOPE),
+    };
   }
   const naming = definitionOf(shape).named(shape);
-  const { A, B, C } = details.signs;
-  return [...said('A', A, opening(naming)), ...said('B', B, SLOPE), ...said('C', C, place(naming))];
+  const { A, B, C, D } = details.signs;
+  return {
+    A: said('A', A, opening(naming)),
+    B: said('B', B, SLOPE),
+    C: said('C', C, place(naming)),
+    D: A
+      ? said('D', D, TURN[A > 0 ? '+' : '-'])
+      : B
+        ? said('B', B, LINE)
+        : said('A = B = 0, C', C, LEVEL),
+  };
 }
 
 const RELATION: Words = { '-': '<', '0': '=', '+': '>' };
 
-function said(symbol: string, sign: Sign | null, words: Words): string[] {
-  if (sign === null) return [];
-  const key = sideKey(sign);
-  return [`${symbol} ${RELATION[key]} 0: ${words[key]}`];
+function said(symbol: string, sign: Sign | null, words: Words): string {
+  const key = sideKey(sign ?? 0);
+  return `${symbol} ${RELATION[key]} 0: ${words[key]}`;
 }

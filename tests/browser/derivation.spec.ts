@@ -1,13 +1,15 @@
 import type { Page } from '@playwright/test';
-import { NO_SCENE, open, settle, withoutScene } from './support/page.ts';
+import { hashOf, linkWritten, NO_SCENE, open, settle, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 const CONE = '#/explore?shape=cone&V=0,1,0&c=0.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
 const CIRCLE = '#/explore?shape=circle&N=1,1,0&C=0,1,0&r=1.5&E=3,2,0.5&d=-1,-0.25,0&method=exact';
+/** Along a generator's direction: A is 0. */
+const STRAIGHT = '#/explore?shape=cone&V=0,1,0&c=0.5&E=4,2,1&d=-1,-2,0&method=exact';
 
 /** By hand: C = 16 + 1 − 1²/4 and B = 2(−4 − 1/4 + 1/16); N·(E − C) = 3 + 1, N·d = −5/4. */
 const ABC = [/^A > 0: .*outside/, /^B < 0: f falls at E/, /^C > 0: E is outside the cone/];
-const FLAT = [/^N·d < 0: f falls at E/, /^N·\(E − P\) > 0: E is on the side that N points to/];
+const FLAT = [/^N·\(E − P\) > 0: E is on the side that N points to/, /^N·d < 0: f falls at E/];
 
 test.use({ provoked: NO_SCENE });
 
@@ -19,23 +21,24 @@ const texOf = (page: Page, step: number): Promise<string[]> =>
 /** How many steps there are, by the bar. */
 const stops = (page: Page): Promise<number> => page.locator('.walk-stop').count();
 
+const steps = (page: Page) => page.locator('[data-derivation-step]');
+
 /** Goes to the end by one key and back by the other; the lines of each step on the way. */
 async function thereAndBack(page: Page, on: string, back: string): Promise<string[]> {
   const last = await stops(page);
-  const steps = page.locator('[data-derivation-step]');
   const seen: string[] = [];
   for (let step = 1; step <= last; step++) {
-    await expect(steps).toHaveCount(step);
+    await expect(steps(page)).toHaveCount(step);
     const tex = await texOf(page, step);
     expect(tex.length, `lines of step ${step}`).toBeGreaterThan(0);
     for (const line of tex) expect(line).toMatch(/\S (=|\\le) \S/);
     seen.push(tex.join('\n'));
     await page.keyboard.press(on);
   }
-  await expect(steps).toHaveCount(last);
+  await expect(steps(page)).toHaveCount(last);
   for (let step = last - 1; step >= 1; step--) {
     await page.keyboard.press(back);
-    await expect(steps).toHaveCount(step);
+    await expect(steps(page)).toHaveCount(step);
   }
   return seen;
 }
@@ -45,46 +48,177 @@ test('the walk by keys and by a clicker: each step says something new', async ({
   for (const link of [CONE, CIRCLE]) {
     await open(page, link);
     await page.locator('button.derive').click();
-    await page.locator('.walk').waitFor();
-    await page.keyboard.press('Home');
+    await expect(page.locator('.walk')).toBeFocused();
     const byKeys = await thereAndBack(page, 'ArrowRight', 'ArrowLeft');
     const byClicker = await thereAndBack(page, 'PageDown', 'PageUp');
     expect(byClicker).toEqual(byKeys);
-    await page.locator('.walk-stop', { hasText: /^(A, B, C|N·d and)/ }).click();
+    await page.locator('.walk-stop', { hasText: link === CONE ? 'A, B, C' : 'expand' }).click();
     await expect(page.locator('.walk-sign')).toContainText(link === CONE ? ABC : FLAT);
     for (const [i, lines] of byKeys.entries()) expect(lines).not.toBe(byKeys[i - 1]);
+    await page.keyboard.press('End');
+    await expect(steps(page)).toHaveCount(await stops(page));
+    await page.keyboard.press('Home');
+    await expect(steps(page)).toHaveCount(1);
     await page.keyboard.press('Escape');
     await expect(page.locator('.walk')).toBeHidden();
     await expect(page.locator('button.derive')).toBeFocused();
   }
-
-  await open(page, `${CONE}&hide=1`);
-  await page.keyboard.press('d');
-  await page.locator('.walk').waitFor();
-  await page.keyboard.press('Home');
-  const last = await stops(page);
-  for (let step = 1; step <= last; step++) {
-    await expect(page.locator('[data-derivation-step]')).toHaveCount(step);
-    await expect(page.locator('.walk-numbers, .walk-results')).toHaveCount(0);
-    await page.keyboard.press('PageDown');
-  }
-  await page.keyboard.press('Escape');
-  await settle(page);
 });
 
-test('on a narrow screen the present step comes clear of the bar', async ({ page }) => {
+test('every line of the card leads to the step that has it', async ({ page }) => {
   await withoutScene(page);
-  await page.setViewportSize({ width: 390, height: 844 });
-  await open(page, CONE);
-  await page.keyboard.press('d');
-  await page.locator('.walk').waitFor();
-  await page.keyboard.press('Home');
-  for (let step = 1; step <= 5; step++) {
-    await expect(page.locator('[data-derivation-step]')).toHaveCount(step);
-    const bottom = await page.locator('.walk-step.present > :last-child').boundingBox();
-    const bar = await page.locator('.walk-bar').boundingBox();
-    const lowest = (bottom?.y ?? 0) + (bottom?.height ?? 0);
-    expect(lowest, `step ${step}`).toBeLessThanOrEqual(bar?.y ?? 0);
-    await page.keyboard.press('PageDown');
+  const squares = '#/explore?shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.75,-0.25,-0.25';
+  // Two roots: −B ± √D, as in the step.
+  for (const link of [CONE.replace('d=-1,-0.25,-0.25', 'd=-1,-0.25,-0.125'), squares]) {
+    await open(page, link);
+    const lines = await page.locator('.algebra :is(.step, .condition)').count();
+    expect(lines).toBeGreaterThan(3);
+    await expect(page.locator('.algebra .why')).toHaveCount(lines);
+    for (let i = 0; i < lines; i++) {
+      const line = page.locator('.algebra :is(.step, .condition)').nth(i);
+      const symbols = await line
+        .locator('.in-symbols')
+        .evaluate((element) => element.textContent?.replace(/\s/g, ''));
+      await line.locator('.why').click();
+      const present = page.locator('.walk-step.present');
+      await present.waitFor();
+      const said = await present.evaluate((element) => element.textContent?.replace(/\s/g, ''));
+      expect(said).toContain(symbols);
+      await page.keyboard.press('Escape');
+      await expect(line.locator('.why')).toBeFocused();
+    }
   }
 });
+
+test('hidden results are not told by any step', async ({ page }) => {
+  await withoutScene(page);
+  await open(page, CONE);
+  for (const link of [CONE, STRAIGHT]) {
+    await open(page, `${link}&hide=1&derive=1`);
+    await page.locator('.walk').waitFor();
+    const last = await stops(page);
+    await expect(page.locator('.walk-bar')).not.toContainText('A = 0');
+    for (let step = 1; step <= last; step++) {
+      await expect(steps(page)).toHaveCount(step);
+      await expect(page.locator('.walk-numbers, .walk-results, .walk .value')).toHaveCount(0);
+      await page.keyboard.press('PageDown');
+    }
+  }
+  await open(page, `${STRAIGHT}&hide=0&derive=6`);
+  await expect(page.locator('.walk-bar')).toContainText('A = 0');
+});
+
+test('the link has the step: closed, reloaded, back and forth', async ({ page }) => {
+  await withoutScene(page);
+  await open(page, CONE);
+  await linkWritten(page);
+  await page.keyboard.press('d');
+  await page.locator('.walk').waitFor();
+  for (let i = 0; i < 3; i++) await page.keyboard.press('PageDown');
+  await linkWritten(page);
+  expect(await hashOf(page)).toMatch(/&derive=4$/);
+  await page.reload();
+  await expect(steps(page)).toHaveCount(4);
+  await page.locator('.walk-close').click();
+  await expect(page.locator('.walk')).toBeHidden();
+  await linkWritten(page);
+  expect(await hashOf(page)).not.toContain('derive');
+  await page.goBack();
+  await expect(steps(page)).toHaveCount(4);
+  await page.goBack();
+  await expect(page.locator('.walk')).toBeHidden();
+  await page.goForward();
+  await expect(steps(page)).toHaveCount(4);
+  await open(page, `${CONE}&derive=9`);
+  await expect(page.locator('.walk')).toBeHidden();
+  await expect(page.locator('.problems')).toContainText(
+    'opened without derive: 9 is not a step from 1 to 8',
+  );
+});
+
+test('a term lights where it came from, and travels there', async ({ page }) => {
+  await withoutScene(page);
+  await open(page, `${CONE}&derive=5`);
+  await page.locator('.walk').waitFor();
+  const first = page.locator('.walk-step.present .term').first();
+  const litIn = (): Promise<(string | null)[]> =>
+    page
+      .locator('[data-derivation-step]:has(.term-lit)')
+      .evaluateAll((all) => all.map((one) => one.getAttribute('data-derivation-step')));
+  await first.hover();
+  expect(await litIn()).toEqual(['1', '2', '3', '4', '5']);
+  // (Ex − Vx + t dx)² is where dx² came from.
+  await expect(page.locator('[data-derivation-step="2"] .term-lit')).toHaveCount(1);
+  await page.locator('.walk-head').hover();
+  expect(await litIn()).toEqual([]);
+  await first.focus();
+  expect(await litIn()).toEqual(['1', '2', '3', '4', '5']);
+
+  /** How far the terms of the step still have to go, as soon as it is drawn. */
+  const travelling = (stop: number): Promise<number> =>
+    page.evaluate(async (n) => {
+      const frame = () => new Promise((done) => requestAnimationFrame(done));
+      document.querySelectorAll<HTMLElement>('.walk-stop')[n - 1]?.click();
+      const terms = () => [...document.querySelectorAll('.walk-step.present .term')];
+      const present = () => document.querySelector(`[data-derivation-step="${n}"].present`);
+      while (!present()) await frame();
+      return terms().filter((term) => term.getAnimations().length > 0).length;
+    }, stop);
+  await page.locator('.walk-stop').nth(2).click();
+  await expect(steps(page)).toHaveCount(3);
+  expect(await travelling(4)).toBe(9);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.locator('.walk-stop').nth(2).click();
+  await expect(steps(page)).toHaveCount(3);
+  expect(await travelling(4)).toBe(0);
+});
+
+const SCREENS = [
+  { width: 1280, height: 720, theme: 'light' },
+  { width: 1024, height: 768, theme: 'projector' },
+  { width: 390, height: 844, theme: 'light' },
+  { width: 844, height: 390, theme: 'light' },
+] as const;
+
+for (const { width, height, theme } of SCREENS) {
+  test(`${width} × ${height}, ${theme}: scene, Close and steps are there in every step`, async ({
+    page,
+  }) => {
+    await withoutScene(page);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.setViewportSize({ width, height });
+    await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
+    await open(page, `${CONE}&derive=1`);
+    await page.locator('.walk').waitFor();
+    const last = await stops(page);
+    for (let step = 1; step <= last; step++) {
+      await expect(steps(page)).toHaveCount(step);
+      await expect(page.locator('.scene-area')).toBeInViewport({ ratio: 0.99 });
+      for (const part of ['.walk-close', '.walk-bar']) {
+        await expect(page.locator(part), `${part}, step ${step}`).toBeInViewport({ ratio: 0.99 });
+      }
+      const found = await page.evaluate(() => {
+        const box = (name: string) => document.querySelector(name)?.getBoundingClientRect();
+        const [name, head, bar] = ['.walk-step.present .walk-name', '.walk-head', '.walk-bar'].map(
+          box,
+        );
+        const ends = [...document.querySelectorAll('.walk-last')].map((end) => {
+          const tops = [...end.querySelectorAll('math')].map((m) => m.getBoundingClientRect());
+          return tops.every(({ top, bottom }) =>
+            tops.every((o) => o.top < bottom && top < o.bottom),
+          );
+        });
+        return {
+          wide: document.documentElement.scrollWidth,
+          clear: (name?.top ?? 0) >= (head?.bottom ?? 0) - 1,
+          over: (name?.bottom ?? 0) <= (bar?.top ?? 0) + 1,
+          ends,
+        };
+      });
+      expect(found, `step ${step}`).toMatchObject({ wide: width, clear: true, over: true });
+      expect(found.ends).not.toContain(false);
+      await page.keyboard.press('PageDown');
+    }
+    await settle(page);
+  });
+}

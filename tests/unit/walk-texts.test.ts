@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { inSymbols, LATEX, walkOf } from '../../src/math/formula.ts';
+import { inSymbols, LATEX, walkOf, walkSide } from '../../src/math/formula.ts';
 import { intersect } from '../../src/math/index.ts';
 import { SHAPES } from '../../src/math/shapes/index.ts';
 import { initialShape } from '../../src/state/state.ts';
@@ -11,7 +11,9 @@ const textsOf = (steps: ReturnType<typeof walkOf>): string[] =>
   steps.flatMap(({ name, why, lines }) => [
     name,
     why,
-    ...lines.flatMap(({ left, right }) => [inSymbols(left, LATEX), inSymbols(right, LATEX)]),
+    ...lines.flatMap(({ left, right }) =>
+      [left, right].map((side) => inSymbols(walkSide(side), LATEX)),
+    ),
   ]);
 
 function expectWhole(steps: ReturnType<typeof walkOf>): void {

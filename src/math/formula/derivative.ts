@@ -3,7 +3,7 @@ import { type Expr, negative, num, over, plus, times, type VectorExpr } from './
 import { along } from './print/leaves.ts';
 
 /** A dot product as the sum that it is: Nx(Ex − Px) + Ny(Ey − Py) + Nz(Ez − Pz). */
-export const dotAlongAxes = (left: VectorExpr, right: VectorExpr): Expr =>
+const dotAlongAxes = (left: VectorExpr, right: VectorExpr): Expr =>
   plus(...AXES.map((axis) => times(along(left, axis), along(right, axis))));
 
 /**

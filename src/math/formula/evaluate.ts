@@ -136,8 +136,13 @@ export function evaluateVector<T>(
   values: Values<T>,
 ): Triple<T> {
   if (expr.op === 'vector') return known(values.vectors[expr.id], expr.id);
-  const a = evaluateVector(expr.left, ar, values);
-  const b = evaluateVector(expr.right, ar, values);
+  const of = (e: VectorExpr): Triple<T> => evaluateVector(e, ar, values);
+  if (expr.op === 'moved') {
+    const [a, b] = [of(expr.from), of(expr.step)];
+    const by = known(values.scalars[expr.by], expr.by);
+    return alongAxes((axis) => ar.add(a[axisIndex(axis)], ar.mul(by, b[axisIndex(axis)])));
+  }
+  const [a, b] = [of(expr.left), of(expr.right)];
   return [ar.sub(a[0], b[0]), ar.sub(a[1], b[1]), ar.sub(a[2], b[2])];
 }
 

@@ -29,7 +29,14 @@ export interface Term {
 /** A vector by its symbol, or the difference of two: what dot products and lengths are made of. */
 export type VectorExpr =
   | { readonly op: 'vector'; readonly id: string }
-  | { readonly op: 'difference'; readonly left: VectorExpr; readonly right: VectorExpr };
+  | { readonly op: 'difference'; readonly left: VectorExpr; readonly right: VectorExpr }
+  /** from + by · step, by the name of a scalar: E + t d. */
+  | {
+      readonly op: 'moved';
+      readonly from: VectorExpr;
+      readonly by: string;
+      readonly step: VectorExpr;
+    };
 
 /** left = right, or left ≤ right. */
 export interface Relation {

@@ -1,7 +1,7 @@
 import { type Axis, axisIndex } from '../vec3.ts';
 import { POINT } from './common.ts';
-import { dotAlongAxes } from './derivative.ts';
 import {
+  dot,
   type Expr,
   negative,
   num,
@@ -11,6 +11,9 @@ import {
   squared,
   type Term,
   times,
+  type VectorExpr,
+  vec,
+  vecMinus,
 } from './expr.ts';
 
 /*
@@ -36,37 +39,52 @@ export function asZero({ left, right }: Relation): Expr {
 }
 
 /** The terms of a sum, or the tree itself; zeros are left out. */
-function termsOf(expr: Expr, sign: 1 | -1): Term[] {
+export function termsOf(expr: Expr, sign: 1 | -1): Term[] {
   if (expr.op === 'number' && expr.value === 0) return [];
   if (expr.op === 'negative') return termsOf(expr.of, sign === 1 ? -1 : 1);
   if (expr.op !== 'sum') return [{ sign, expr }];
   return expr.terms.flatMap((term) => termsOf(term.expr, term.sign === sign ? 1 : -1));
 }
 
-/** x, y, z replaced by Ex + t dx, …, and the vector X by E + t d along its axes. */
+/** x, y, z replaced by Ex + t dx, …, and the vector X by E + t d. Outer terms keep their order. */
 export function rayPutIn(expr: Expr): Expr {
+  if (expr.op !== 'sum') return putIn(expr);
+  return {
+    op: 'sum',
+    terms: expr.terms.map(({ sign, expr: term }) => ({ sign, expr: putIn(term) })),
+  };
+}
+
+function putIn(expr: Expr): Expr {
   switch (expr.op) {
     case 'scalar':
       return /^[xyz]$/.test(expr.id) ? POINT[axisIndex(expr.id as Axis)] : expr;
     case 'component':
       return expr.vector === 'X' ? POINT[axisIndex(expr.axis)] : expr;
     case 'sum':
-      return tLast(expr.terms.flatMap(({ sign, expr: term }) => termsOf(rayPutIn(term), sign)));
+      return tLast(expr.terms.flatMap(({ sign, expr: term }) => termsOf(putIn(term), sign)));
     case 'product':
-      return times(...expr.factors.map(rayPutIn));
+      return times(...expr.factors.map(putIn));
     case 'quotient':
-      return over(rayPutIn(expr.over), rayPutIn(expr.under));
+      return over(putIn(expr.over), putIn(expr.under));
     case 'negative':
-      return negative(rayPutIn(expr.of));
+      return negative(putIn(expr.of));
     case 'square':
-      return squared(rayPutIn(expr.of));
+      return squared(putIn(expr.of));
     case 'dot':
-      return rayPutIn(dotAlongAxes(expr.left, expr.right));
+      return { op: 'dot', left: vectorPutIn(expr.left), right: vectorPutIn(expr.right) };
     case 'number':
       return expr;
     default:
       throw new RangeError(`no polynomial: ${expr.op}`);
   }
+}
+
+const RAY: VectorExpr = { op: 'moved', from: vec('E'), by: 't', step: vec('d') };
+
+function vectorPutIn(v: VectorExpr): VectorExpr {
+  if (v.op === 'vector') return v.id === 'X' ? RAY : v;
+  return v.op === 'difference' ? vecMinus(vectorPutIn(v.left), vectorPutIn(v.right)) : v;
 }
 
 /** Ex − Vx + t dx: what holds no t first. */
@@ -90,6 +108,8 @@ function holds(expr: Expr, is: (leaf: Expr) => boolean): boolean {
     case 'negative':
     case 'square':
       return holds(expr.of, is);
+    case 'dot':
+      return [expr.left, expr.right].some((v) => byPower(v).length > 1);
     default:
       return is(expr);
   }
@@ -100,7 +120,8 @@ function holds(expr: Expr, is: (leaf: Expr) => boolean): boolean {
  * order. Throws RangeError for what is no polynomial in t.
  */
 export function expanded(expr: Expr): Product[] {
-  return termsOf(expr, 1).flatMap(({ sign, expr: term }, from) =>
+  const outer: readonly Term[] = expr.op === 'sum' ? expr.terms : [{ sign: 1, expr }];
+  return outer.flatMap(({ sign, expr: term }, from) =>
     products(term, from).map((p) => ({ ...p, sign: p.sign === sign ? 1 : -1 })),
   );
 }
@@ -123,9 +144,44 @@ function products(expr: Expr, from: number): Product[] {
         .reduce((a, b) => a.flatMap((p) => b.map((q) => multiplied(p, q))));
     case 'square':
       return squareOf(products(expr.of, from));
+    case 'dot':
+      return byPower(expr.left).flatMap((p) =>
+        byPower(expr.right).map((q) => ({
+          ...one,
+          sign: p.sign === q.sign ? 1 : -1,
+          factors: [dot(p.of, q.of)],
+          power: p.power + q.power,
+        })),
+      );
     default:
       throw new RangeError(`no polynomial in t: ${expr.op}`);
   }
+}
+
+interface VectorTerm {
+  readonly sign: 1 | -1;
+  readonly power: 0 | 1;
+  readonly of: VectorExpr;
+}
+
+/** E + t d − P as E − P and t d. */
+function byPower(v: VectorExpr): VectorTerm[] {
+  if (v.op === 'vector') return [{ sign: 1, power: 0, of: v }];
+  if (v.op === 'moved') {
+    return [
+      { sign: 1, power: 0, of: v.from },
+      { sign: 1, power: 1, of: v.step },
+    ];
+  }
+  const [left, right] = [byPower(v.left), byPower(v.right)];
+  return ([0, 1] as const).flatMap((power): VectorTerm[] => {
+    const [these, those] = [left, right].map((terms) => terms.filter((p) => p.power === power));
+    const [a, b, ...more] = [...(these ?? []), ...(those ?? [])];
+    const isPair = a?.sign === 1 && b?.sign === 1 && these?.length === 1 && more.length === 0;
+    if (isPair) return [{ ...a, of: vecMinus(a.of, b.of) }];
+    const less = (those ?? []).map((p): VectorTerm => ({ ...p, sign: p.sign === 1 ? -1 : 1 }));
+    return [...(these ?? []), ...less];
+  });
 }
 
 /** One term for all that holds no t, and behind it those that do. */
@@ -168,30 +224,27 @@ function squareOf(parts: readonly Product[]): Product[] {
 }
 
 /** What stands beside t^power in a sum of products; 0 where nothing does. */
-export function collected(all: readonly Product[], power: number): Expr {
-  const own = all.filter((p) => p.power === power);
-  if (own.length === 0) return num(0);
-  const [only] = own;
-  if (own.length === 1 && only?.sign === 1) return withoutT(only);
-  return { op: 'sum', terms: own.map((p) => ({ sign: p.sign, expr: withoutT(p) })) };
+export const collected = (all: readonly Product[], power: number): Expr =>
+  summed(all.filter((p) => p.power === power).map((p) => ({ sign: p.sign, expr: withoutT(p) })));
+
+/** A sum of its terms, one of them as it is; 0 for none. */
+export function summed(terms: readonly Term[]): Expr {
+  const [only] = terms;
+  if (!only) return num(0);
+  return terms.length === 1 && only.sign === 1 ? only.expr : { op: 'sum', terms };
 }
 
 /** The product without its sign and its power of t. */
-function withoutT({ count, factors }: Product): Expr {
-  const all = count === 1 && factors.length > 0 ? factors : [num(count), ...factors];
-  return all.length === 1 ? (all[0] as Expr) : times(...all);
+export const withoutT = ({ count, factors }: Product): Expr => product(count, factors);
+
+/** 2 t dx (Ex − Vx): its number, then its power of t. */
+export function withT({ count, factors, power }: Product): Expr {
+  const t = scalar('t');
+  const inT = power === 0 ? [] : [power === 1 ? t : squared(t)];
+  return product(count, [...inT, ...factors]);
 }
 
-/** The whole sum of products, written out. */
-export function writtenOut(all: readonly Product[]): Expr {
-  const t = scalar('t');
-  const inT = ({ power }: Product): Expr[] => (power === 0 ? [] : power === 1 ? [t] : [squared(t)]);
-  return {
-    op: 'sum',
-    terms: all.map((p) => {
-      const own = withoutT(p);
-      const factors = own.op === 'product' ? own.factors : [own];
-      return { sign: p.sign, expr: p.power === 0 ? own : times(...inT(p), ...factors) };
-    }),
-  };
+function product(count: number, factors: readonly Expr[]): Expr {
+  const all = count === 1 && factors.length > 0 ? factors : [num(count), ...factors];
+  return all.length === 1 ? (all[0] as Expr) : times(...all);
 }

@@ -7,7 +7,9 @@ import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
+import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
+import { lateView } from '../late-view.ts';
 import { lateGraph } from './late-graph.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { story as Story } from './story.ts';
@@ -44,6 +46,8 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   story.hidden = true;
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
+  const walkArea = section(host, 'walk-area');
+  let walk: Mounted<ExploreModel> | null = null;
   const bar = section(stage, 'scene-bar');
   const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
@@ -79,7 +83,11 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       const begun = performance.now();
       predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
-      const card = algebra(model, dispatch, () => tools.command('derive')?.run());
+      const walking = model.state.derive !== null;
+      if (walking) walk ??= lateWalk(walkArea, dispatch);
+      host.classList.toggle('walking', walking);
+      walk?.render(model);
+      const card = algebra(model, dispatch);
       render(panelContent(model, card, tools.large), panel);
       visit ??= model.state.E === INITIAL.E;
       untouched &&= model.state.E === INITIAL.E && model.example === null;
@@ -95,10 +103,22 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     dispose() {
       narrow.removeEventListener('change', changed);
       wide.removeEventListener('change', changed);
+      walk?.dispose();
       graph.dispose();
       scene.dispose();
     },
   };
+}
+
+/** The derivation beside the scene, loaded when it is opened for the first time. */
+function lateWalk(host: HTMLElement, dispatch: Dispatch): Mounted<ExploreModel> {
+  const opener = document.activeElement;
+  return lateView(
+    host,
+    () => late(() => import('./walk.ts')),
+    ({ mountWalk }) => mountWalk(host, dispatch, opener),
+    { waiting: 'loading…', failed: 'The derivation could not be loaded.' },
+  );
 }
 
 type Card = (host: HTMLElement, model: ExploreModel) => void;

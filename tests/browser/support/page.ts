@@ -35,7 +35,8 @@ export async function linkWritten(page: Page): Promise<void> {
 export async function open(page: Page, hash: string): Promise<void> {
   if (page.url() === 'about:blank') {
     await page.goto(`./${hash}`);
-    await page.locator('[data-quantity="class"]').waitFor();
+    // Beside an open derivation it is there, but hidden.
+    await page.locator('[data-quantity="class"]').waitFor({ state: 'attached' });
     await page.evaluate(() => document.fonts.ready.then(() => null));
     // The graph's code comes after the page's own.
     await page.locator('.graph').waitFor({ state: 'attached' });

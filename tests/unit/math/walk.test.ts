@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { ratios } from '../../../src/math/arithmetic/ratios.ts';
+import { walkLength } from '../../../src/math/derivation.ts';
 import { DISCRIMINANT, F_OF_T } from '../../../src/math/formula/common.ts';
 import { derivative } from '../../../src/math/formula/derivative.ts';
 import { evaluate, lift, type Values, withScalars } from '../../../src/math/formula/evaluate.ts';
@@ -9,13 +10,14 @@ import {
   collected,
   expanded,
   rayPutIn,
-  writtenOut,
+  summed,
+  withT,
 } from '../../../src/math/formula/ray-put-in.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { AXES } from '../../../src/math/vec3.ts';
-import { SQUARE_COMPLETED, walkOf } from '../../../src/math/walk.ts';
+import { SQUARE_COMPLETED, walkBy, walkOf, walkSide } from '../../../src/math/walk.ts';
 import { initialShape } from '../../../src/state/state.ts';
 import { ellipticCylinder } from '../toy-shape.ts';
 
@@ -87,7 +89,7 @@ describe.each(DEFINITIONS)('$shape.kind', ({ definition, shape }) => {
   });
 
   test('expanded, it is the same polynomial', () => {
-    everywhere(() => [[put, writtenOut(all)]]);
+    everywhere(() => [[put, summed(all.map((p) => ({ sign: p.sign, expr: withT(p) })))]]);
   });
 
   test('collected, it has the coefficients of the shape, to the sign', () => {
@@ -102,12 +104,56 @@ describe.each(DEFINITIONS)('$shape.kind', ({ definition, shape }) => {
     everywhere(() => own.map((tree, power) => [collected(all, power), tree]));
   });
 
+  const steps = walkBy(definition, shape as never, false);
+
   test('every line of the walk that claims equality with 0 is the same polynomial', () => {
-    if (!SHAPES.some(({ kind }) => kind === shape.kind)) return;
-    const [, ...steps] = walkOf(shape, false).slice(0, 4);
-    for (const { lines } of steps) {
-      for (const { left } of lines) everywhere(() => [[left, put]]);
+    const lines = steps.slice(1).flatMap((step) => step.lines);
+    const claims = lines.filter(({ right, relation }) => right.length === 0 && relation === '=');
+    const inT = claims.filter(({ left }) => left.some(({ products }) => products.length > 0));
+    expect(inT.length).toBeGreaterThanOrEqual(2);
+    for (const { left } of inT) everywhere(() => [[walkSide(left), put]]);
+  });
+
+  test('a term is worth the same wherever it stands: one number, one product', () => {
+    const numbered = steps.flatMap(({ lines, columns = [] }) =>
+      [...lines.flatMap(({ left, right }) => [left, right]), ...columns.map((c) => c.parts)].map(
+        (parts) => parts.filter(({ products }) => products.length > 0),
+      ),
+    );
+    for (const parts of numbered) {
+      const seen = parts.flatMap(({ products }) => products);
+      expect(new Set(seen).size).toBe(seen.length);
     }
+    for (const { power, parts } of steps.flatMap(({ columns = [] }) => columns)) {
+      for (const { sign, expr, products } of parts) {
+        const [own] = products.map((i) => all[i]);
+        expect(own?.power).toBe(power);
+        everywhere(() => [[summed([{ sign, expr }]), collected(own ? [own] : [], power)]]);
+      }
+    }
+  });
+
+  test('every product comes from a term of the surface, and goes to a coefficient', () => {
+    const every = all.map((_, i) => i);
+    const of = (id: string): number[] =>
+      steps
+        .filter((step) => step.id === id)
+        .flatMap(({ lines }) => lines.flatMap(({ left, right }) => [...left, ...right]))
+        .flatMap(({ products }) => products)
+        .sort((a, b) => a - b);
+    for (const id of ['surface', 'put-in', 'expand']) expect(of(id), id).toEqual(every);
+    if (formula.family === 'curved') {
+      for (const id of ['collect', 'coefficients']) expect(of(id), id).toEqual(every);
+    }
+  });
+
+  test('a flat shape is derived in dot products', () => {
+    if (formula.family === 'curved') return;
+    const [, in2, in3] = steps.map(({ lines }) => lines[0] && walkSide(lines[0].left));
+    expect(in2?.op).toBe('dot');
+    expect(in3?.op === 'sum' && in3.terms.length).toBe(2);
+    const { offset, rate } = formula as never as { offset: Expr; rate: Expr };
+    expect([collected(all, 0), collected(all, 1)]).toEqual([offset, rate]);
   });
 
   test('half the gradient is the normal of the shape, to the sign', () => {
@@ -141,13 +187,13 @@ test('the square completed is f', () => {
   }
 });
 
-test.each(SHAPES.map(({ kind }) => kind))(
-  'the walk of a %s begins and ends as it should',
-  (kind) => {
-    const names = walkOf(initialShape(kind), false).map(({ name }) => name);
-    expect(names.slice(0, 4)).toEqual(['surface', 'put in', 'expand', 'collect']);
-    expect(definitionOf(initialShape(kind)).formula(initialShape(kind)).family === 'curved').toBe(
-      names.at(-1) === 'normal',
-    );
-  },
-);
+test.each(SHAPES.map(({ kind }) => kind))('the walk of a %s has its steps', (kind) => {
+  const shape = initialShape(kind);
+  const ids = walkOf(shape, false).map(({ id }) => id);
+  const { bound, family } = { bound: null, ...definitionOf(shape).formula(shape) };
+  const middle = ['collect', 'coefficients', 'complete', 'roots', 'normal'];
+  const last = family === 'curved' ? middle : bound ? ['t', 'figure'] : ['t'];
+  expect(ids).toEqual(['surface', 'put-in', 'expand', ...last]);
+  expect(walkOf(shape, true).map(({ id }) => id)).toEqual(ids);
+  expect(walkLength(shape)).toBe(ids.length);
+});

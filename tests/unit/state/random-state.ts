@@ -1,4 +1,5 @@
 import * as fc from 'fast-check';
+import { walkLength } from '../../../src/math/formula.ts';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
@@ -97,11 +98,13 @@ export const anyState: fc.Arbitrary<AppState> = fc
     between: fc.option(heights, { nil: null }),
     revealed: fc.constantFrom(null, 0),
     ask: fc.option(fc.constantFrom(...ASKS), { nil: null }),
+    step: fc.option(fc.integer({ min: 1, max: 9 }), { nil: null }),
   })
-  .map(({ shape, texts, ...rest }) => {
+  .map(({ shape, texts, step, ...rest }) => {
     const state: AppState = {
       ...INITIAL,
       ...rest,
+      derive: step && Math.min(step, walkLength(shape)),
       // The look is Explore's own.
       ...(rest.page !== 'explore' && {
         view: INITIAL.view,
@@ -109,6 +112,7 @@ export const anyState: fc.Arbitrary<AppState> = fc
         between: null,
         revealed: null,
         ask: null,
+        derive: null,
       }),
       kind: shape.kind,
       shapes: { ...INITIAL.shapes, [shape.kind]: shape },

@@ -1,7 +1,8 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { walkLength } from '../../../src/math/formula.ts';
 import { SHAPES } from '../../../src/math/index.ts';
-import { INITIAL, shapeOf } from '../../../src/state/state.ts';
+import { INITIAL, initialShape, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
 import { anyState } from './random-state.ts';
@@ -141,6 +142,26 @@ describe('what a link looks like', () => {
     expect(decode('#/explore?ask=why').problems).toEqual([
       "opened without ask: 'why' is nothing to predict",
     ]);
+  });
+
+  test('derive=4 opens the derivation there; what is no step of it is quoted', () => {
+    const state = decode('#/explore?shape=cone&derive=4');
+    expect(state).toMatchObject({ derive: 4, problems: [] });
+    expect(encode(state)).toMatch(/&derive=4$/);
+    expect(decode('#/explore?shape=cone', state).derive).toBeNull();
+    for (const { kind } of SHAPES) {
+      const last = walkLength(initialShape(kind));
+      expect(decode(`#/explore?shape=${kind}&derive=${last}`).derive).toBe(last);
+      const wrong = { 0: '0', [last + 1]: String(last + 1), '2.5': '2.5', '-1': '-1' };
+      for (const [text, quoted] of Object.entries(wrong)) {
+        const { derive, problems } = decode(`#/explore?shape=${kind}&derive=${text}`);
+        expect(derive).toBeNull();
+        expect(problems).toEqual([
+          `opened without derive: ${quoted} is not a step from 1 to ${last}`,
+        ]);
+      }
+    }
+    expect(decode('#/explore?derive=abc').problems.join()).toMatch(/^opened without derive: 'abc'/);
   });
 
   test.each(SHAPES.map(({ kind }) => kind))('%s: every parameter by its symbol', (kind) => {

@@ -37,6 +37,15 @@ type Fact = (
 
 /** Twice f′(0): the symmetric difference is exact for a polynomial of degree 2. */
 const slope = (value: (t: number) => number): number => value(1) - value(-1);
+const isLevel = (v: (t: number) => number): boolean => v(-1) === v(0) && v(1) === v(0);
+
+/** A, and f where it turns, times a power of A, so that nothing is divided: 4A f(−B/2A) = −D. */
+function turnOf(v: (t: number) => number): { A: number; height: number } {
+  const A = (v(1) + v(-1)) / 2 - v(0);
+  const B = (v(1) - v(-1)) / 2;
+  return { A, height: (4 * A * v(0) - B * B) * Math.sign(A) };
+}
+
 const isOnly = (shape: Shape): boolean => {
   const { a = 0, k = 0, rho = 0 } = quadricOf(shape) ?? {};
   return rho === 0 && k === 0 && a <= 0;
@@ -59,6 +68,42 @@ const FACTS: readonly (readonly [RegExp, Fact])[] = [
     (v, s, { origin }) => v(0) > 0 && !isOnly(s) && sideOf(s, origin) === 1,
   ],
   [/^C > 0: E is not on the (axis|point)$/, (v, s) => v(0) > 0 && isOnly(s)],
+  [
+    /^D (.) 0: the (lowest|highest) value of f is (below|above) 0, so there (are two|is no) r/,
+    (v, _, __, [, sign, which, side, count]) => {
+      const { A, height } = turnOf(v);
+      const far = Math.sign(v(FAR));
+      return (
+        (which === 'lowest' ? A > 0 : A < 0) &&
+        (side === 'below' ? height < 0 : height > 0) &&
+        (sign === '>' ? count === 'are two' : sign === '<' && count === 'is no') &&
+        (count === 'are two') === (Math.sign(height) !== far)
+      );
+    },
+  ],
+  [
+    /^D = 0: the (lowest|highest) value of f is 0: one double root$/,
+    (v, _, __, [, which]) => {
+      const { A, height } = turnOf(v);
+      return (which === 'lowest' ? A > 0 : A < 0) && height === 0;
+    },
+  ],
+  [
+    /^B (<|>) 0: the straight line f (falls|rises), and is 0 once$/,
+    (v, _, __, [, sign, how]) =>
+      turnOf(v).A === 0 &&
+      Math.sign(v(FAR)) === -Math.sign(v(-FAR)) &&
+      (sign === '<' ? how === 'falls' && slope(v) < 0 : how === 'rises' && slope(v) > 0),
+  ],
+  [
+    /^A = B = 0, C (<|>) 0: f is (below|above) 0 everywhere, so there is no root$/,
+    (v, _, __, [, sign, side]) =>
+      isLevel(v) && (sign === '<' ? side === 'below' && v(0) < 0 : side === 'above' && v(0) > 0),
+  ],
+  [
+    /^A = B = 0, C = 0: f is 0 everywhere: the whole line lies in the surface$/,
+    (v) => isLevel(v) && v(0) === 0,
+  ],
   [/^N·\(E − P\) < 0: E is on the side that N points away from$/, (v) => v(0) < 0],
   [/^N·\(E − P\) = 0: E is in the plane$/, (v) => v(0) === 0],
   [/^N·\(E − P\) > 0: E is on the side that N points to$/, (v) => v(0) > 0],
@@ -80,8 +125,8 @@ describe.each(Object.entries(ALL))('%s', (_, draw) => {
       const shape = draw(random);
       const ray = drawRay(random, shape);
       const value = alongOf(shape, ray);
-      const words = signWords(shape, ray);
-      expect(words).toHaveLength(quadricOf(shape) ? 3 : 2);
+      const words = Object.values(signWords(shape, ray));
+      expect(words).toHaveLength(quadricOf(shape) ? 4 : 2);
       for (const text of words) {
         const which = FACTS.findIndex(([pattern]) => pattern.test(text));
         const [pattern, holds] = FACTS[which] ?? [];

@@ -129,6 +129,10 @@ function signedNumber(text: string): Code {
 
 function vectorCode(expr: VectorExpr, names: Names): string {
   if (expr.op === 'vector') return names.vector(expr.id);
+  if (expr.op === 'moved') {
+    const [from, step] = [expr.from, expr.step].map((e) => vectorCode(e, names));
+    return `${from} + ${names.scalar(expr.by)} * ${step}`;
+  }
   const right = vectorCode(expr.right, names);
   return `${vectorCode(expr.left, names)} - ${expr.right.op === 'vector' ? right : `(${right})`}`;
 }

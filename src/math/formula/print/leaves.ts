@@ -2,7 +2,7 @@ import { type DisplayParts, displayParts, MINUS } from '../../../text/format.ts'
 import { float64 } from '../../arithmetic/float64.ts';
 import { AXES, axisIndex } from '../../vec3.ts';
 import { evaluate, type Values } from '../evaluate.ts';
-import { comp, type Expr, minus, type VectorExpr } from '../expr.ts';
+import { comp, type Expr, minus, plus, scalar, times, type VectorExpr } from '../expr.ts';
 import { type Leaves, type Marks, mathNotation, type Piece, RANK } from './math-notation.ts';
 import { print } from './printer.ts';
 
@@ -103,6 +103,11 @@ function symbols<M>(marks: Marks<M>): Leaves<M> {
   const single = (m: M): Piece<M> => ({ m, rank: RANK.single, starts: 'other' });
   const vector = (expr: VectorExpr): Piece<M> => {
     if (expr.op === 'vector') return single(marks.symbol(expr.id, 'vector'));
+    if (expr.op === 'moved') {
+      const step = marks.join([marks.symbol(expr.by, 'scalar'), vector(expr.step).m]);
+      const m = marks.join([vector(expr.from).m, marks.operator('+'), step]);
+      return { m, rank: RANK.sum, starts: 'other' };
+    }
     const right = vector(expr.right);
     const inner = right.rank === RANK.sum ? marks.parens(right.m) : right.m;
     const m = marks.join([vector(expr.left).m, marks.operator('−'), inner]);
@@ -136,7 +141,10 @@ function numbers<M>(
       values.scalars[id] === undefined
         ? { m: marks.symbol(id, 'scalar'), rank: RANK.single, starts: 'other' }
         : put(values.scalars[id], id, 'scalar'),
-    component: (id, axis) => put(values.vectors[id]?.[axisIndex(axis)], id, 'vector'),
+    component: (id, axis) =>
+      values.vectors[id] === undefined
+        ? { m: marks.component(id, axis), rank: RANK.single, starts: 'other' }
+        : put(values.vectors[id][axisIndex(axis)], id, 'vector'),
     /** (3 − 0, 1 − 1, 1 − 0) */
     vector: (expr) => {
       const parts = AXES.map((axis) => print(along(expr, axis), mathNotation(marks, leaves)).m);
@@ -151,6 +159,9 @@ function numbers<M>(
 /** One component of a vector, as a formula of its own. */
 export function along(expr: VectorExpr, axis: (typeof AXES)[number]): Expr {
   if (expr.op === 'vector') return comp(expr.id, axis);
+  if (expr.op === 'moved') {
+    return plus(along(expr.from, axis), times(scalar(expr.by), along(expr.step, axis)));
+  }
   return minus(along(expr.left, axis), along(expr.right, axis));
 }
 

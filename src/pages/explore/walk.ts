@@ -1,0 +1,177 @@
+import { html, nothing, render, type TemplateResult } from 'lit';
+import { walkOf } from '../../math/formula.ts';
+import { symbol } from '../../panels/formula.ts';
+import { rayHandles, shapeHandles } from '../../panels/params-of.ts';
+import { classOf } from '../../panels/symbols.ts';
+import type { Dispatch } from '../../state/actions.ts';
+import type { ExploreModel } from '../../state/derive.ts';
+import { stepShown } from '../../state/state.ts';
+import { display, displayTriple } from '../../text/format.ts';
+import type { Mounted } from '../../ui/mounted.ts';
+import { type Step, stepOf } from './walk-steps.ts';
+import { lightTerms, placesOf, travel } from './walk-terms.ts';
+import '../../ui/dialog.css';
+import './walk.css';
+
+/** f is a straight line: A is exactly 0. Hidden results do not tell that it is. */
+function stepsOf({ shape, exactly, shown }: ExploreModel): readonly Step[] {
+  const { details } = exactly.found;
+  return walkOf(shape, shown.hits && details.family === 'curved' && details.signs.A === 0);
+}
+
+const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
+  Home: () => 1,
+  End: (_, last) => last,
+};
+
+/**
+ * The derivation beside the scene: the lines up to the present step, and the bar to go to any
+ * other. `opener` gets the focus back when it is closed.
+ */
+export function mountWalk(
+  host: HTMLElement,
+  dispatch: Dispatch,
+  opener: Element | null,
+): Mounted<ExploreModel> {
+  let back = opener;
+  /** The step that was drawn last; null while it is closed. */
+  let drawn: number | null = null;
+  let last = 0;
+  const go = (to: number): void => dispatch({ type: 'derive', step: to });
+  const close = (): void => dispatch({ type: 'derive', step: null });
+  const key = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (document.querySelector('dialog[open]')) return;
+    if (event.key === 'Escape' && drawn !== null) {
+      event.preventDefault();
+      close();
+      return;
+    }
+    const to = host.contains(event.target as Node) && MOVES[event.key]?.(drawn ?? 1, last);
+    if (!to) return;
+    event.preventDefault();
+    go(to);
+  };
+  document.addEventListener('keydown', key);
+  lightTerms(host);
+
+  /** What is new comes into view, from its beginning where there is no room for all of it. */
+  const showPresent = (): void => {
+    const steps = host.querySelector('.walk-steps');
+    const present = host.querySelector('.walk-step.present');
+    if (!steps || !present) return;
+    const isLong = present.clientHeight > steps.clientHeight;
+    present.scrollIntoView({ block: isLong ? 'start' : 'nearest' });
+  };
+  const open = (): void => {
+    const section = host.querySelector<HTMLElement>('.walk');
+    // A link opens it without anybody having asked: nobody's focus is moved then.
+    if (back && back !== document.body) section?.focus({ preventScroll: true });
+  };
+  return {
+    render(model) {
+      const at = stepShown(model.state);
+      if (at === null) {
+        render(nothing, host);
+        if (drawn !== null && back instanceof HTMLElement) back.focus({ preventScroll: true });
+        drawn = back = null;
+        return;
+      }
+      const isNew = drawn === null;
+      if (isNew && !back) back = document.activeElement;
+      const steps = stepsOf(model);
+      last = steps.length;
+      const before = drawn !== null && drawn !== at ? placesOf(host) : null;
+      render(walk(model, steps, at, { go, close }), host);
+      if (isNew) open();
+      if (drawn !== at) {
+        showPresent();
+      }
+      if (before) travel(host, before);
+      drawn = at;
+    },
+    dispose() {
+      document.removeEventListener('keydown', key);
+      render(nothing, host);
+    },
+  };
+}
+
+interface Going {
+  go(to: number): void;
+  close(): void;
+}
+
+function walk(
+  model: ExploreModel,
+  steps: readonly Step[],
+  at: number,
+  { go, close }: Going,
+): TemplateResult {
+  const step = steps[at - 1];
+  const isCurved = model.found.details.family === 'curved';
+  const what = isCurved ? html`<i>A</i>, <i>B</i>, <i>C</i> come from` : html`<i>t</i> comes from`;
+  return html`<section class="walk" tabindex="-1" aria-label="The derivation, step by step">
+    <header class="walk-head">
+      <h2>Where ${what}</h2>
+      <span class="walk-shape">${model.title}</span>
+      ${given(model)}
+      <button type="button" class="walk-close" aria-label="Close the derivation"
+        title="Close (Esc)" @click=${close}>×</button>
+    </header>
+    <div class="walk-steps" tabindex="0" role="group" aria-label="Steps up to the present one">
+      <ol>${steps.slice(0, at).map((one, i) => stepOf(one, i + 1, i + 1 === at, model))}</ol>
+    </div>
+    <p class="visually-hidden" role="status">
+      Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}
+    </p>
+    ${bar(steps, at, go)}
+  </section>`;
+}
+
+/** E, d and what the shape is given by. */
+function given(model: ExploreModel): TemplateResult {
+  const none = (): void => {};
+  const all = [...rayHandles(model, none), ...shapeHandles(model, none)];
+  return html`<p class="walk-given">${all.map(({ param, value }) => {
+    const cls = `sym ${classOf(param.symbol, param.type === 'vector' ? 'vector' : 'scalar')}`;
+    const text =
+      typeof value === 'object'
+        ? displayTriple(value)
+        : typeof value === 'number'
+          ? display(value)
+          : value;
+    return html`<span>${
+      param.symbol.length === 1 ? symbol(param.symbol, null, cls, param.symbol) : param.symbol
+    } = <span class=${cls}>${text}</span></span> `;
+  })}</p>`;
+}
+
+function bar(steps: readonly Step[], at: number, go: (to: number) => void): TemplateResult {
+  /** Dragged along the stops, the nearest one is shown. */
+  const scrub = (event: PointerEvent): void => {
+    if (event.buttons !== 1) return;
+    const stops = [...(event.currentTarget as Element).children];
+    const away = stops.map((stop) => {
+      const { left, width } = stop.getBoundingClientRect();
+      return Math.abs(event.clientX - left - width / 2);
+    });
+    const nearest = away.indexOf(Math.min(...away)) + 1;
+    if (nearest !== at) go(nearest);
+  };
+  return html`<nav class="walk-bar" aria-label="Steps of the derivation">
+    <button type="button" class="button" aria-disabled=${at === 1}
+      @click=${() => go(at - 1)}>Back</button>
+    <ol @pointermove=${scrub}>
+      ${steps.map(
+        ({ name }, i) =>
+          html`<li><button type="button"
+            class=${i < at ? 'walk-stop done' : 'walk-stop'}
+            aria-current=${i + 1 === at ? 'step' : nothing}
+            @click=${() => go(i + 1)}><span>${name}</span></button></li>`,
+      )}
+    </ol>
+    <button type="button" class="button primary" aria-disabled=${at === steps.length}
+      @click=${() => go(at + 1)}>Next</button>
+  </nav>`;
+}
