@@ -196,6 +196,40 @@ test('a symbol in the text has its colour, and lights up with the scene', async 
   await live.hover();
   await expect(inText).toHaveClass(/\blit\b/);
   await expect(mark).toHaveClass(/\blit\b/);
+  // Of all that can be taken in a scene only what is free is there, and no box for any number.
+  const taken = page.locator('.lesson-scene [data-handle]');
+  await expect(taken).toHaveCount(1);
+  await expect(taken).toHaveAttribute('data-handle', 'r');
+  await expect(page.locator('.lesson input')).toHaveCount(1);
+});
+
+test('numbers travel from step to step, and are there at once for who wants less motion', async ({
+  page,
+}) => {
+  await page.goto('./#/lesson/discriminant');
+  await stepShown(page, 1);
+  await framesDone(page);
+  const seen = (): Promise<string[]> =>
+    page.evaluate(async () => {
+      const all = new Set<string>();
+      const note = (): void => {
+        const t1 = document.querySelector('.lesson-text [data-quantity="t1"]');
+        if (t1) all.add(t1.getAttribute('data-value') ?? '');
+      };
+      new MutationObserver(note).observe(document.body, { subtree: true, attributes: true });
+      document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'PageDown', bubbles: true }));
+      for (let still = 0, before = -1; still < 30; still = before === all.size ? still + 1 : 0) {
+        before = all.size;
+        await new Promise(requestAnimationFrame);
+      }
+      return [...all];
+    });
+  const travelled = await seen();
+  expect(travelled.length).toBeGreaterThan(2);
+  expect(travelled.at(-1)).toBe('2.4');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openStep(page, '#/lesson/discriminant', 1);
+  expect(await seen()).toEqual(['2.4']);
 });
 
 const OWN = `---
