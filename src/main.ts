@@ -45,6 +45,7 @@ let story: ExploreTools['story'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 let player: Player | null = null;
+let travel: ((model: ExploreModel) => ExploreModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
@@ -133,6 +134,7 @@ function loadTheRest(): void {
       ({ closerLook, announcement, story } = code);
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
+      travel = code.createTravel(main, requestRender);
       // That a link's example is known now is nothing to announce.
       model = null;
       requestRender();
@@ -182,7 +184,7 @@ function renderExplore(state: AppState): void {
     const words = announcement?.(before, model);
     if (words) announce(words);
   }
-  explore?.render(model, {
+  explore?.render(travel?.(model) ?? model, {
     command,
     story,
     playing: player?.playing === true,

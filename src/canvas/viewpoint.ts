@@ -38,7 +38,7 @@ export class Viewpoint {
     const isAsked = this.#view !== null && !sameView(this.#view, view);
     this.#view = view;
     const goal = this.#held?.pose ?? framedPose(model, units, frame);
-    const how = typeof view === 'string' ? 'travel' : 'follow';
+    const how = typeof view === 'string' || view.zoom === null ? 'travel' : 'follow';
     this.#transition.aim(goal, isAsked && !this.#held ? how : 'jump', now);
   }
 

@@ -4,9 +4,15 @@ import { rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { typeInto } from './support/controls.ts';
 import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import { frames, framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 900, height: 660 } });
+
+const subjectAt = (at: number) => {
+  const state = decode(GALLERY[at]?.link ?? '');
+  return { shape: shapeOf(state), ray: rayOf(state) };
+};
 
 test('every example is in the gallery with its question and a small picture', async ({ page }) => {
   await open(page, '#/explore');
@@ -21,6 +27,7 @@ test('every example is in the gallery with its question and a small picture', as
   }
   await dialog.locator('[data-example="cone-vertex"]').click();
   await expect(dialog).toBeHidden();
+  await settle(page);
   await expect(page.locator('.example-name')).toContainText('through the vertex');
   expect((await quantities(page)).class).toBe('tangent');
 });
@@ -32,6 +39,7 @@ test.describe('without the picture', () => {
   test('a clicker asks, tells and goes on, through all of them and round again', async ({
     page,
   }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
     await open(page, '#/explore');
     for (const example of GALLERY) {
       await page.keyboard.press('PageDown');
@@ -53,6 +61,57 @@ test.describe('without the picture', () => {
     await expect(page.locator('#example-answer')).toBeEmpty();
     await page.keyboard.press('PageUp');
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY.at(-1)?.title ?? '');
+  });
+
+  test('the numbers travel to the next example, and arrive exactly', async ({ page }) => {
+    const at = GALLERY.findIndex(({ id }) => id === 'cylinder-miss');
+    await open(page, GALLERY[at - 1]?.link ?? '');
+    const seen = await page.evaluate(async () => {
+      const texts = new Set<string>();
+      const main = document.querySelector('main') as HTMLElement;
+      document.body.dispatchEvent(
+        new KeyboardEvent('keydown', { key: 'PageDown', bubbles: true, cancelable: true }),
+      );
+      document.body.dispatchEvent(
+        new KeyboardEvent('keydown', { key: 'PageDown', bubbles: true, cancelable: true }),
+      );
+      for (let moved = false; ; ) {
+        await new Promise((done) => requestAnimationFrame(done));
+        const moves = main.hasAttribute('data-moving');
+        if (moved && !moves) return [...texts];
+        moved ||= moves;
+        if (moves)
+          texts.add(
+            document.querySelector('[data-quantity="D"]')?.getAttribute('data-value') ?? '',
+          );
+      }
+    });
+    const values = seen.map(Number);
+    // In and out, touching, past it: D goes down all the way.
+    expect(values.length).toBeGreaterThan(2);
+    expect(values).toEqual([...values].sort((a, b) => b - a));
+    await framesDone(page);
+    const { shape, ray } = subjectAt(at);
+    const found = intersect(shape, ray);
+    expect((await quantities(page)).class).toBe(found.class);
+    await expect(page.locator('.asks')).toHaveText(GALLERY[at]?.asks ?? '');
+  });
+
+  test('any key ends the way; with less motion there is none', async ({ page }) => {
+    const at = GALLERY.findIndex(({ id }) => id === 'cylinder-tangent');
+    await open(page, GALLERY[at - 1]?.link ?? '');
+    const main = page.locator('main[data-moving]');
+    await page.keyboard.press('PageDown');
+    await page.keyboard.press('PageDown');
+    await main.waitFor({ state: 'attached' });
+    await page.keyboard.press('Shift');
+    await frames(page, 2);
+    await expect(main).toHaveCount(0);
+    expect((await quantities(page)).class).toBe('tangent');
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.keyboard.press('PageUp');
+    await frames(page, 2);
+    expect((await quantities(page)).class).toBe('none');
   });
 
   test('the answer comes by its key and by its button, and goes again', async ({ page }) => {

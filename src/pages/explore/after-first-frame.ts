@@ -5,6 +5,7 @@ export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
 export { createPlayer } from './player.ts';
 export { story } from './story.ts';
+export { createTravel } from './travel.ts';
 
 export const NOT_KEPT =
   'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +

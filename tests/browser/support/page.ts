@@ -16,9 +16,13 @@ export async function withoutScene(page: Page): Promise<void> {
 
 export type Shown = Record<string, string>;
 
-/** Until what was asked for stands on the page: the state is drawn in the next animation frame. */
+/**
+ * Until what was asked for stands on the page: the state is drawn in the next animation frame, and
+ * when the numbers of an example have arrived.
+ */
 export async function settle(page: Page): Promise<void> {
   await frames(page, 2);
+  await page.locator('main[data-moving]').waitFor({ state: 'detached' });
 }
 
 /** Until the page has written its own form of the link, which it does by a timer after a change. */

@@ -1,0 +1,90 @@
+import type { Shape, Vec3 } from '../../math/index.ts';
+import { checkParam, findShape, type Param } from '../../math/shapes.ts';
+import { createDerive, type ExploreModel } from '../../state/derive.ts';
+import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../../state/state.ts';
+
+const MILLISECONDS = 900;
+/** Worlds that differ more in size have no way between them that could be seen. */
+const APART = 20;
+
+/**
+ * From one example of a shape to the next its numbers travel. The state is there at once, and so is
+ * what is said and saved; only what is drawn is on its way, until it is exactly the state's. Any
+ * input ends it. `host` has `data-moving` meanwhile; `changed` asks for the next frame.
+ */
+export function createTravel(
+  host: HTMLElement,
+  changed: () => void,
+): (model: ExploreModel) => ExploreModel {
+  const derive = createDerive();
+  let last: ExploreModel | null = null;
+  let shown: AppState | null = null;
+  let way: { readonly from: AppState; readonly began: number } | null = null;
+  const end = (): void => {
+    if (way) changed();
+    way = null;
+  };
+  for (const input of ['pointerdown', 'keydown', 'wheel', 'hashchange'])
+    window.addEventListener(input, end, { capture: true, passive: true });
+  return (model) => {
+    const { state } = model;
+    if (state !== last?.state) {
+      const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+      const goes = !still && shown !== null && last !== null && isNext(last, model);
+      way = goes && shown ? { from: shown, began: performance.now() } : null;
+    }
+    last = model;
+    const share = way ? (performance.now() - way.began) / MILLISECONDS : 1;
+    if (share >= 1) way = null;
+    shown = way ? between(way.from, state, share * share * (3 - 2 * share)) : state;
+    host.toggleAttribute('data-moving', way !== null);
+    if (!way) return model;
+    changed();
+    return { ...derive(shown), example: model.example };
+  };
+}
+
+/** Whether an example was gone to, as by a clicker, that has a way from what was there before. */
+function isNext(before: ExploreModel, { state, example, scene }: ExploreModel): boolean {
+  const ratio = before.scene.stage.radius / scene.stage.radius;
+  return (
+    example?.changed === false &&
+    state.example === example.entry.id &&
+    state.example !== before.state.example &&
+    state.kind === before.state.kind &&
+    ratio < APART &&
+    ratio > 1 / APART
+  );
+}
+
+/** The state that is `share` of the way between two of one shape; what has no way is the second. */
+export function between(from: AppState, to: AppState, share: number): AppState {
+  const mixed = (param: Param, a: unknown, b: unknown): unknown => {
+    const one = (x: number, y: number): number => (x === y ? y : (1 - share) * x + share * y);
+    const value =
+      param.type === 'number'
+        ? one(a as number, b as number)
+        : param.type === 'vector'
+          ? (b as Vec3).map((y, i) => one((a as Vec3)[i] ?? y, y))
+          : b;
+    try {
+      checkParam(param, value);
+      return value;
+    } catch {
+      return b;
+    }
+  };
+  const [start, goal] = [shapeOf(from), shapeOf(to)];
+  const params = (findShape(to.kind)?.params ?? []).map((param) => [
+    param.key,
+    mixed(param, paramValue(start, param.key), paramValue(goal, param.key)),
+  ]);
+  const shape = { ...goal, ...Object.fromEntries(params) } as Shape;
+  return {
+    ...to,
+    E: mixed(RAY_PARAMS.E, from.E, to.E) as Vec3,
+    d: mixed(RAY_PARAMS.d, from.d, to.d) as Vec3,
+    shapes: { ...to.shapes, [to.kind]: shape },
+    typed: {},
+  };
+}
