@@ -2,7 +2,9 @@ import { SHAPES } from '../math/index.ts';
 
 /** What each command does, for the help: it is loaded when that is opened. */
 const TITLES: Readonly<Record<string, string>> = {
-  next: 'next: the next step while deriving; else reveal the next line, the answer, or the next example',
+  next:
+    'next: the next step while deriving; else reveal the next line, the ' +
+    'answer, or the next example',
   previous: 'back: the step before while deriving; else hide the answer, or the example before',
   answer: 'show the answer to the example’s question; or hide it',
   gallery: 'examples',
