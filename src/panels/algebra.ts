@@ -9,13 +9,12 @@ import {
   scalar,
   walkLength,
 } from '../math/formula.ts';
-import { type Intersection, METHODS } from '../math/index.ts';
+import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { type Exactly, rangeNote, shownResult } from '../state/exact-digits.ts';
 import { heightsLine } from '../state/heights.ts';
-import { conditionDigits, putIn, resultsOf } from '../state/put-in.ts';
+import type { PutIn } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
 
 import type { VerdictWords } from '../state/words.ts';
@@ -41,9 +40,9 @@ import './algebra.css';
  * hits.
  */
 export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
-  const { derivation, title, shown, found, exactly } = model;
+  const { derivation, title, shown, found, exactly, digits } = model;
   const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
-  const note = shown.verdict ? rangeNote(derivation, found, exactly) : null;
+  const note = shown.verdict && digits?.rangeNote(derivation, found, exactly);
   const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
   const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
   return html`<section class="algebra" aria-label="Algebra">
@@ -57,7 +56,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
     </div>
     <div class="steps">
       ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps, dispatch))}
-      ${shown.conditions ? conditions(derivation, whyCondition) : nothing}
+      ${shown.conditions ? conditions(derivation, digits, whyCondition) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
     ${shown.verdict ? verdict(model, dispatch) : concealed()}
@@ -90,7 +89,6 @@ function stepLine(
   dispatch: Dispatch,
 ): TemplateResult {
   const { id, letter, expr } = step;
-  const { found, exactly } = model;
   const line = shown ? numbersOf(step, model) : null;
   const stacked = id !== 't' && (id !== 'D' || line?.below === true);
   const symbols = guard([expr], () => formula(typesetSymbols(expr), id === 't'));
@@ -109,7 +107,7 @@ function stepLine(
     ${
       step.value === null || !shown
         ? nothing
-        : html`<span class="equals">${sign}</span>${result(step, step.value, found, exactly)}`
+        : html`<span class="equals">${sign}</span>${result(step, step.value, model)}`
     }
   </div>`;
 }
@@ -126,12 +124,17 @@ interface NumbersLine {
   readonly isFaithful: boolean;
 }
 
-type Chosen = ReturnType<typeof putIn<NumberSpace>>;
+type Digits = NonNullable<ExploreModel['digits']>;
+type Chosen = (PutIn & { readonly space: NumberSpace | null }) | null;
 
 /** A step is made anew whenever one of its numbers changes; the page is drawn more often. */
 const chosenBefore = new WeakMap<Step, Chosen>();
 
-function chosen(step: Step, derivation: Derivation, found: Intersection, exactly: Exactly): Chosen {
+function chosen(
+  step: Step,
+  { derivation, found, exactly }: ExploreModel,
+  { putIn, resultsOf }: Digits,
+): Chosen {
   const before = chosenBefore.get(step);
   if (before !== undefined) return before;
   const results = resultsOf(step, found, exactly);
@@ -146,10 +149,17 @@ function chosen(step: Step, derivation: Derivation, found: Intersection, exactly
  * The numbers put in, with so many digits that they give the result; or words where one of them is
  * no finite number.
  */
-function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): NumbersLine {
+function numbersOf(step: Step, model: ExploreModel): NumbersLine {
+  const { derivation, digits: code } = model;
   const { id, expr, worked } = step;
   const { numbers } = derivation;
-  const put = chosen(step, derivation, found, exactly);
+  if (code === null) {
+    // The line has its place before the numbers come.
+    const { long, below } = spacesOf(step)[0] ?? LONG;
+    const content = html`<span class="in-numbers">\u00a0</span>`;
+    return { content, below, long, isFaithful: true };
+  }
+  const put = chosen(step, model, code);
   if (put === null) {
     const words = 'a number of it is beyond the doubles';
     const content = html`<span class="in-numbers words">${words}</span>`;
@@ -177,36 +187,40 @@ function numbersOf(step: Step, { derivation, found, exactly }: ExploreModel): Nu
 function result(
   { id, letter }: Step,
   x: number,
-  found: Intersection,
-  exactly: Exactly,
+  { found, exactly, digits }: ExploreModel,
 ): TemplateResult {
-  const { text, beside } = shownResult(id, x, found, exactly);
+  const { text = null, beside = null } = digits?.shownResult(id, x, found, exactly) ?? {};
   return html`<span class="result"
     data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, x, { text })}${
       beside ? html`<span class="beside">${beside}</span>` : nothing
     }</span>`;
 }
 
+/** Of a line before the code is there that finds how many digits it needs. */
+const UNCHECKED: PutIn = { digits: 6, isFaithful: true };
+
 /** Two in a line where the numbers are short enough. */
 export function conditions(
   derivation: Derivation,
+  code: Digits | null,
   why: (i: number) => unknown = () => nothing,
 ): TemplateResult {
   const { conditions: all, numbers } = derivation;
   const halves = all.every(({ relation: { left, right } }) => isHalf(plus(left, right), numbers));
   return html`<div class=${all.length > 1 && halves ? 'conditions halves' : 'conditions'}>
-    ${all.map((c, i) => conditionLine(c, derivation, why(i)))}
+    ${all.map((c, i) => conditionLine(c, derivation, code, why(i)))}
   </div>`;
 }
 
 function conditionLine(
   condition: ConditionStep,
   { numbers }: Derivation,
+  code: Digits | null,
   why: unknown,
 ): TemplateResult {
   const { relation, left, right, holds } = condition;
   const words = holds === null ? 'cannot tell' : holds ? 'holds' : 'fails';
-  const { digits, isFaithful } = conditionDigits(condition, numbers);
+  const { digits, isFaithful } = code?.conditionDigits(condition, numbers) ?? UNCHECKED;
   const putIn = (expr: Expr): TemplateResult =>
     typesetNumbers(expr, numbers, { worked: false, digits });
   const sides =

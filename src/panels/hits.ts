@@ -2,7 +2,6 @@ import { html, nothing, svg, type TemplateResult } from 'lit';
 import type { Hit, Intersection, Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { exactBeside, rootGap } from '../state/exact-digits.ts';
 import { whyCut } from '../state/heights.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
@@ -12,15 +11,24 @@ import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
 /** One column group a root, rows t, P and N, so that x, y and z stand under each other. */
-export function hitTable({ hits, found, exactly, ray, state }: ExploreModel): TemplateResult {
+export function hitTable({
+  hits,
+  found,
+  exactly,
+  ray,
+  state,
+  digits,
+}: ExploreModel): TemplateResult {
   const texts = rootTexts(hits.map(({ t }) => t));
-  const gap = rootGap(found, exactly);
+  const gap = digits?.rootGap(found, exactly) ?? null;
+  const beside: Beside = digits?.exactBeside ?? (() => null);
   const { between } = state;
   return html`<div class="hits" data-count=${hits.length}>
     ${hits.map((words, i) =>
       column(words, hitOf(words, i, found), {
         text: texts[i] ?? null,
         exact: exactHit(words, i, found, exactly.found),
+        beside,
         cut: between !== null && whyCut(ray, words.t, between) !== null,
       }),
     )}
@@ -38,10 +46,13 @@ function exactHit(words: HitWords, i: number, found: Intersection, exact: Inters
   return exact.class === found.class ? hitOf(words, i, exact) : null;
 }
 
+type Beside = (value: number, rounded: number) => string | null;
+
 interface Shown {
   /** t as it is printed. */
   readonly text: string | null;
   readonly exact: Hit | null;
+  readonly beside: Beside;
   /** Not there in the scene that the shape comes from. */
   readonly cut: boolean;
 }
@@ -51,11 +62,11 @@ function column(
   hit: Hit | null,
   shown: Shown,
 ): TemplateResult {
-  const { exact, cut } = shown;
+  const { exact, beside, cut } = shown;
   const n = String(index);
   const text = cut ? `${own}; cut off in the scene` : own;
   const rejected = role === 'outside';
-  const exactT = exact && exactBeside(t, exact.t);
+  const exactT = exact && beside(t, exact.t);
   return html`<section class="hit hit-${role}" data-fate=${cut ? 'cut' : nothing}
     aria-label=${`Root ${index}: ${text}`}>
     <p class="chip"
@@ -65,8 +76,8 @@ function column(
       ${value(rejected ? 't' : `t${n}`, t, { text: shown.text, keeps: true })}
       ${exactT ? html`<span class="beside">exact: ${exactT}</span>` : nothing}
     </p>
-    ${hit ? row('P', n, hit.point, exact?.point, rejected ? 'X' : `P${n}`) : nothing}
-    ${hit && !rejected ? normalRow(n, hit, exact) : nothing}
+    ${hit ? row('P', n, hit.point, exact?.point, rejected ? 'X' : `P${n}`, beside) : nothing}
+    ${hit && !rejected ? normalRow(n, hit, exact, beside) : nothing}
   </section>`;
 }
 
@@ -80,10 +91,11 @@ function row(
   v: Vec3,
   exact: Vec3 | undefined,
   quantity: string,
+  exactly: Beside,
 ): TemplateResult {
   const cls = letter === 'N' ? 'sym sym-normal' : 'sym';
   const beside = AXES.flatMap((axis, i) => {
-    const text = exact && exactBeside(v[i] ?? 0, exact[i] ?? 0);
+    const text = exact && exactly(v[i] ?? 0, exact[i] ?? 0);
     return text ? [`${axis} ${text}`] : [];
   });
   const length = v.reduce((sum, x) => sum + display(x).length, 0);
@@ -95,8 +107,13 @@ function row(
   </p>`;
 }
 
-function normalRow(n: string, { normal, singular }: Hit, exact: Hit | null): TemplateResult {
-  if (!singular) return row('N', n, normal, exact?.normal, `N${n}`);
+function normalRow(
+  n: string,
+  { normal, singular }: Hit,
+  exact: Hit | null,
+  beside: Beside,
+): TemplateResult {
+  if (!singular) return row('N', n, normal, exact?.normal, `N${n}`, beside);
   return html`<p class="row N">
     <span class="name">${symbol('N', n, 'sym sym-normal', `N${n}`)}</span>
     <span class="none">zero: no normal at this point</span>

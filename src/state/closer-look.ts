@@ -1,8 +1,24 @@
 import { asTyped } from './as-typed.ts';
+import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
 import { nearTangent } from './near-tangent.ts';
 import { nearestTangent } from './nearest-tangent.ts';
+import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 
 /** What is computed of a ray beyond its verdict, by code that the first frame does not wait for. */
-export const closerLook = { asTyped, nearTangent, nearestTangent };
+export const closerLook = {
+  asTyped,
+  nearTangent,
+  nearestTangent,
+  /** How many digits stand on the page, and which exact ones beside them. */
+  digits: {
+    exactBeside,
+    rangeNote,
+    rootGap,
+    shownResult,
+    conditionDigits,
+    putIn,
+    resultsOf,
+  },
+};
 
 export type CloserLook = typeof closerLook;

@@ -4,7 +4,7 @@ import { type Intersection, intersect, type Ray, type Shape, type Verdict } from
 import { definitionOf } from '../math/shapes.ts';
 import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
-import { type Exactly, exactlyOf } from './exact-digits.ts';
+import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
@@ -30,6 +30,8 @@ export interface ExploreModel {
   readonly contradicted: Verdict | null;
   /** What exact arithmetic says, for what stands beside the method's digits. */
   readonly exactly: Exactly;
+  /** Null until it is loaded: then lines stand without their numbers put in. */
+  readonly digits: CloserLook['digits'] | null;
   /** Where the numbers as typed give another case than the doubles that store them. */
   readonly asTyped: AsTyped;
   readonly derivation: Derivation;
@@ -160,6 +162,7 @@ export function createDerive(
       found,
       contradicted: exactClass === found.class ? null : exactClass,
       exactly,
+      digits: closer?.digits ?? null,
       asTyped: typed(closer, state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
       derivation: derived,
       example: exampleOf(state),

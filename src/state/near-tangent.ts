@@ -11,7 +11,8 @@ import {
 import type { Ray, Shape } from '../math/index.ts';
 import { definitionOf, nextDown, nextUp } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
-import { type Exactly, exactText } from './exact-digits.ts';
+import { exactText } from './exact-digits.ts';
+import type { Exactly } from './exactly.ts';
 import type { Handle } from './handles.ts';
 import type { Tangency, Value } from './snap.ts';
 

@@ -14,7 +14,8 @@ import {
   type Written,
 } from '../math/formula.ts';
 import type { Intersection } from '../math/index.ts';
-import { type Exactly, exactText, shownResult } from './exact-digits.ts';
+import { exactText, shownResult } from './exact-digits.ts';
+import type { Exactly } from './exactly.ts';
 import { rootsOf } from './window.ts';
 
 /** How a line is written with its numbers put in. */

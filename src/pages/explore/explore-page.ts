@@ -55,11 +55,14 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   /** Whether this page was opened with an empty address; null before it has been shown. */
   let visit: boolean | null = null;
   const predict = lateCard(
-    () => import('./predict-card.ts').then(({ createPredictCard }) => createPredictCard(dispatch)),
+    () =>
+      late(() => import('./predict-card.ts')).then(({ createPredictCard }) =>
+        createPredictCard(dispatch),
+      ),
     changed,
   );
   const challenges = lateCard(
-    () => import('./challenges.ts').then(({ createChallenges }) => createChallenges()),
+    () => late(() => import('./challenges.ts')).then(({ createChallenges }) => createChallenges()),
     changed,
   );
   const narrow = matchMedia('(max-width: 559px)');
@@ -133,7 +136,7 @@ function lateCard(
   let asked = false;
   const load = (): void => {
     asked = true;
-    late(create).then(
+    create().then(
       (created) => {
         card = created;
         changed();

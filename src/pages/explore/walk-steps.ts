@@ -325,7 +325,7 @@ function results(
   model: ExploreModel,
   said: Partial<Record<Said, string>>,
 ): TemplateResult | typeof nothing {
-  const { hits, found, derivation } = model;
+  const { hits, found, derivation, digits } = model;
   switch (id) {
     case 'expand':
       return html`${(['N·(E − P)', 'N·d'] as const)
@@ -343,7 +343,7 @@ function results(
     case 'normal':
       return html`<p class="walk-results">${found.hits.map(normalOf)}</p>`;
     case 'figure':
-      return derivation.conditions.length > 0 ? conditions(derivation) : nothing;
+      return derivation.conditions.length > 0 ? conditions(derivation, digits) : nothing;
     default:
       return nothing;
   }

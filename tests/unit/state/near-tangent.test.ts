@@ -11,7 +11,7 @@ import { withPoint } from '../../../src/math/shapes/planar.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
-import { exactlyOf } from '../../../src/state/exact-digits.ts';
+import { exactlyOf } from '../../../src/state/exactly.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
 import { distanceToSurface } from '../../../src/state/near-tangent.ts';
 import { nearestTangent } from '../../../src/state/nearest-tangent.ts';
