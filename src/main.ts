@@ -42,6 +42,7 @@ const store = createStore(decode(location.hash, INITIAL), watchGestures(document
 let closerLook: CloserLook | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
 let story: ExploreTools['story'] = null;
+let secondView: ExploreTools['secondView'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 let player: Player | null = null;
@@ -83,6 +84,7 @@ const tools: PageActions = {
   play: () => {
     if (modelNow().shown.hits) player?.toggle(modelNow().graph);
   },
+  second: () => secondView?.toggle(),
   turn: (by) => pages.current()?.turn?.(by),
   collect: () =>
     withLessons(({ withCollected }) => {
@@ -134,6 +136,7 @@ function loadTheRest(): void {
       ({ closerLook, announcement, story } = code);
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
+      secondView = code.createSecondView(store.dispatch, requestRender, say);
       travel = code.createTravel(main, requestRender);
       // That a link's example is known now is nothing to announce.
       model = null;
@@ -187,6 +190,8 @@ function renderExplore(state: AppState): void {
   explore?.render(travel?.(model) ?? model, {
     command,
     story,
+    secondView,
+    second: secondView?.on === true,
     playing: player?.playing === true,
     large: theme.applied() === 'projector',
   });

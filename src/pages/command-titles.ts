@@ -12,6 +12,7 @@ const TITLES: Readonly<Record<string, string>> = {
   hide: 'hide the results, to predict them; or show them all',
   reveal: 'reveal the next line',
   ghost: 'keep this ray as a ghost to compare with; or drop it',
+  second: 'show a second view beside the scene, on a wide window; or hide it',
   play: 'play the bead along the ray; or stop it',
   reset: 'reset everything',
   'lesson-next': 'next: show what is hidden or asked, or the next step',

@@ -12,6 +12,8 @@ export interface PageActions {
   fullScreen(): void;
   theme(): void;
   play(): void;
+  /** A second view beside the scene, or none. */
+  second(): void;
   /** One step of a lesson on or back. */
   turn(by: 1 | -1): void;
   /** Adds what is shown to the own lesson, as its next step. */
@@ -94,6 +96,7 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
       keys: ['g'],
       run: () => dispatch({ type: 'ghost', on: store.get().ghost === null }),
     },
+    { id: 'second', keys: ['v'], run: tools.second },
     { id: 'play', keys: ['b'], run: tools.play },
     {
       id: 'reset',

@@ -4,6 +4,7 @@ export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
 export { createPlayer } from './player.ts';
+export { createSecondView } from './second-view.ts';
 export { story } from './story.ts';
 export { createTravel } from './travel.ts';
 

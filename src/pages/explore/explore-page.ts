@@ -12,6 +12,7 @@ import { lateScene, type Scene } from '../late-scene.ts';
 import { lateView } from '../late-view.ts';
 import { lateGraph } from './late-graph.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
+import type { SecondView } from './second-view.ts';
 import type { story as Story } from './story.ts';
 import './explore-page.css';
 import './projector.css';
@@ -22,6 +23,7 @@ const KEPT_MEASURES = 200;
 export interface ExploreTools extends SceneBarTools {
   /** What the example asks; null before the gallery is there. */
   readonly story: typeof Story | null;
+  readonly secondView: SecondView | null;
   /** The projector shows one parameter at a time, as a phone does. */
   readonly large: boolean;
 }
@@ -97,6 +99,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       challenges.render(model, visit && !untouched);
       render(sceneBar(model, tools, untouched, challenges.host), bar);
       tools.story?.(story, model, dispatch);
+      tools.secondView?.render(stage, model.scene);
       graph.render(model.graph);
       const drawn = performance.now();
       scene.render(model.scene);

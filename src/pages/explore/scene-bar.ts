@@ -7,6 +7,7 @@ import './scene-bar.css';
 export interface SceneBarTools {
   readonly command: (id: string) => Command | undefined;
   readonly playing: boolean;
+  readonly second: boolean;
 }
 
 /** What this is and what to do, for who has done nothing yet; true of a shape that has a D. */
@@ -15,7 +16,7 @@ const INVITATION = 'Where does a ray meet a surface? Drag E. Watch D change its 
 /** Over the scene: which example this is, and what can be done with the ray that is shown. */
 export function sceneBar(
   { state, example, found }: ExploreModel,
-  { command, playing }: SceneBarTools,
+  { command, playing, second }: SceneBarTools,
   untouched: boolean,
   challenges: HTMLElement,
 ): TemplateResult {
@@ -45,6 +46,7 @@ export function sceneBar(
     <div class="ray-tools">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
+      ${toggle('two views', second, run('second'), 'A second view beside this one (v)')}
       ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}
       ${toggle(hideWord, hidden, run('hide'), 'Hide the results to predict them (h)')}
       ${hidden ? action('reveal next', run('reveal'), 'Reveal the next line (n)') : nothing}
@@ -63,6 +65,6 @@ function action(text: string, run: () => void, title: string): TemplateResult {
 }
 
 function toggle(text: string, pressed: boolean, run: () => void, title: string): TemplateResult {
-  return html`<button type="button" class="ray-tool" aria-pressed=${pressed} title=${title}
-    @click=${run}>${text}</button>`;
+  return html`<button type="button" class="ray-tool" data-tool=${text} aria-pressed=${pressed}
+    title=${title} @click=${run}>${text}</button>`;
 }
