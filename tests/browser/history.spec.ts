@@ -71,18 +71,18 @@ test('in a box Ctrl+Z belongs to the text', async ({ page }) => {
 });
 
 test('reset everything is one step; reset of one parameter is only that', async ({ page }) => {
-  await typeInto(page, 'c', '1');
+  await typeInto(page, 'c', '2');
   await typeInto(page, 'E.x', '4');
   await slider(page, 'c').focus();
   await page.keyboard.press('Shift+R');
   await settle(page);
-  expect(await quantities(page)).toMatchObject({ c: '0.5', 'E.x': '3' });
+  expect(await quantities(page)).toMatchObject({ c: '1', 'E.x': '2.5' });
   await page.keyboard.press('Control+z');
   await settle(page);
-  expect(await quantities(page)).toMatchObject({ c: '1', 'E.x': '4' });
+  expect(await quantities(page)).toMatchObject({ c: '2', 'E.x': '4' });
   await resetOf(page, 'c').click();
   await settle(page);
-  expect(await quantities(page)).toMatchObject({ c: '0.5', 'E.x': '4' });
+  expect(await quantities(page)).toMatchObject({ c: '1', 'E.x': '4' });
 });
 
 test('the link follows undo, and the history of the browser does not grow', async ({ page }) => {
