@@ -65,9 +65,19 @@ export class SceneLines {
     return {
       ground: [...this.#ground, ...shadowStrokes(model, units), ...ghostStrokes(model, units)],
       ray: rays,
-      shape: [...outlines, ...silhouettes],
+      shape: [...outlines, ...silhouettes, ...figureStrokes(model, units)],
     };
   }
+}
+
+/** What a step of the derivation draws: a line that has no place in the picture is left out. */
+function figureStrokes({ figures = [] }: SceneModel, units: StageUnits): Stroke[] {
+  return figures.flatMap(({ points, closed, ink }): Stroke[] => {
+    const placed = points.map((point) => units.toStage(point));
+    if (placed.includes(null)) return [];
+    const flat = Float64Array.from(placed.flatMap((point) => point ?? []));
+    return [{ points: flat, fade: null, closed, ink, width: 2.6, alpha: 1, dash: null }];
+  });
 }
 
 /** Rings stay thin: the outline carries the emphasis. */

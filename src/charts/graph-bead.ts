@@ -24,7 +24,11 @@ export function bead(
   const y = coordinate(beadHeight(model, scales, parabola));
   const isOff = t < model.from || t > model.to;
   return svg`
-    <line class="graph-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>
+    ${
+      model.square
+        ? ''
+        : svg`<line class="graph-plumb" x1=${x} x2=${x} y1=${frame.top} y2=${frame.bottom}></line>`
+    }
     <g class="graph-bead ${isOff ? 'graph-off' : ''}" data-symbol="t"
       transform="translate(${x},${y})"
       role="slider" tabindex="0" aria-label="t on the ray" aria-valuemin=${Math.min(model.from, t)}

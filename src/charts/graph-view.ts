@@ -7,6 +7,7 @@ import { definitions, grid } from './graph-grid.ts';
 import { area, curve, rayAxis, words } from './graph-layers.ts';
 import { roots } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
+import { square } from './graph-square.ts';
 
 /** What the graph does when it is touched. They stay the same from one drawing to the next. */
 export interface Handlers {
@@ -69,5 +70,6 @@ function layers(
 ): TemplateResult {
   return svg`${definitions(scales, id)}${grid(scales, id)}
     ${parabola ? area(parabola, scales, id) : ''}${rayAxis(model, scales)}
-    ${parabola ? curve(parabola, scales, id) : ''}${words(model, scales)}${roots(model, scales)}`;
+    ${parabola ? curve(parabola, scales, id) : ''}${model.square ? '' : words(model, scales)}
+    ${square(model, scales)}${roots(model, scales)}`;
 }

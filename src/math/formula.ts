@@ -5,6 +5,7 @@ export { exact } from './arithmetic/exact.ts';
 export { float64 } from './arithmetic/float64.ts';
 export { asSurd, type Ratio, ratios } from './arithmetic/ratios.ts';
 export type { TypedNumber } from './arithmetic/typed.ts';
+export { closestApproach } from './closest.ts';
 export {
   type ConditionStep,
   type Derivation,

@@ -26,6 +26,8 @@ export interface GraphModel {
     readonly f: number;
     readonly point: readonly [number, number, number];
   };
+  /** Where f turns, how high it is there, and how far from there its roots lie (NaN for none). */
+  readonly square?: { readonly t: number; readonly f: number; readonly half: number };
   /** f vanishes everywhere: the ray lies in the surface. */
   readonly contained: boolean;
   /** The results are hidden, to be predicted: nothing of the graph is shown. */

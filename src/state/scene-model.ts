@@ -32,6 +32,13 @@ export interface HitMark {
   readonly drawn: boolean;
 }
 
+/** A line or a closed polygon, in world coordinates. */
+export interface FigureLine {
+  readonly points: readonly Vec3[];
+  readonly closed: boolean;
+  readonly ink: 'shape' | 'ink3';
+}
+
 export interface GhostModel {
   /** The word beside it. */
   readonly title: string;
@@ -65,6 +72,8 @@ export interface SceneModel {
   readonly hits: readonly HitMark[];
   /** A ray that was kept to compare with, and where it hit; drawn faintly. */
   readonly ghost: GhostModel | null;
+  /** What a step of the derivation draws into the scene. */
+  readonly figures?: readonly FigureLine[];
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
   /** What can be taken and moved. */
   readonly handles: readonly Handle[];

@@ -1,5 +1,7 @@
+import { closestApproach } from '../math/formula.ts';
 import { intersect, type Ray, type Shape } from '../math/index.ts';
 import { definitionOf, type Naming, type Sign } from '../math/shapes.ts';
+import { display } from '../text/format.ts';
 import { type Side, sideKey } from './verdict-table.ts';
 
 type Words = Readonly<Record<Side, string>>;
@@ -89,4 +91,22 @@ const RELATION: Words = { '-': '<', '0': '=', '+': '>' };
 function said(symbol: string, sign: Sign | null, words: Words): string {
   const key = sideKey(sign ?? 0);
   return `${symbol} ${RELATION[key]} 0: ${words[key]}`;
+}
+
+const AGAINST: Words = { '-': 'more than', '0': 'exactly', '+': 'less than' };
+
+/**
+ * How near the line comes to the axis or the centre of a round surface, against its radius; null
+ * for other surfaces. By the exact sign of D, whatever the six digits of both are.
+ */
+export function closestWords(shape: Shape, ray: Ray): string | null {
+  const closest = closestApproach(shape, ray);
+  if (!closest) return null;
+  const { distance, radius, sign, round } = closest;
+  const key = sideKey(sign);
+  const what = round.length === 2 ? 'axis' : 'centre';
+  return (
+    `Where the line is nearest to the ${what} it is ${display(distance)} away from it, ` +
+    `${AGAINST[key]} the radius ${display(radius)}: D ${RELATION[key]} 0`
+  );
 }

@@ -7,13 +7,13 @@ import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
-import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
 import { lateView } from '../late-view.ts';
 import { lateGraph } from './late-graph.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { SecondView } from './second-view.ts';
 import type { story as Story } from './story.ts';
+import type { MountedWalk } from './walk.ts';
 import './explore-page.css';
 import './projector.css';
 
@@ -49,7 +49,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const walkArea = section(host, 'walk-area');
-  let walk: Mounted<ExploreModel> | null = null;
+  let walk: ReturnType<typeof lateWalk> | null = null;
   const bar = section(stage, 'scene-bar');
   const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
@@ -89,7 +89,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
       const walking = model.state.derive !== null;
-      if (walking) walk ??= lateWalk(walkArea, dispatch);
+      if (walking) walk ??= lateWalk(walkArea, dispatch, changed);
       host.classList.toggle('walking', walking);
       walk?.render(model);
       const card = algebra(model, dispatch);
@@ -99,10 +99,12 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       challenges.render(model, visit && !untouched);
       render(sceneBar(model, tools, untouched, challenges.host), bar);
       tools.story?.(story, model, dispatch);
-      tools.secondView?.render(stage, model.scene);
-      graph.render(model.graph);
+      const beside = walking ? walk?.view() : null;
+      const shown = beside?.scene(model) ?? model.scene;
+      tools.secondView?.render(stage, shown);
+      graph.render(beside?.graph(model) ?? model.graph);
       const drawn = performance.now();
-      scene.render(model.scene);
+      scene.render(shown);
       measure('graze step', begun, drawn);
       measure('graze scene', drawn, performance.now());
     },
@@ -117,12 +119,16 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
 }
 
 /** The derivation beside the scene, loaded when it is opened for the first time. */
-function lateWalk(host: HTMLElement, dispatch: Dispatch): Mounted<ExploreModel> {
+function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
   const opener = document.activeElement;
-  return lateView(
+  return lateView<ExploreModel, typeof import('./walk.ts'), MountedWalk>(
     host,
     () => late(() => import('./walk.ts')),
-    ({ mountWalk }) => mountWalk(host, dispatch, opener),
+    ({ mountWalk }) => {
+      // Scene and graph take part.
+      changed();
+      return mountWalk(host, dispatch, opener);
+    },
     { waiting: 'loading…', failed: 'The derivation could not be loaded.' },
   );
 }

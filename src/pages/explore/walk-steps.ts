@@ -27,7 +27,7 @@ import { typesetNumbers, typesetNumbersInPieces, typesetSymbols } from '../../pa
 import { value } from '../../panels/value.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { putInSideBySide, resultsOf } from '../../state/put-in.ts';
-import { type Said, signWords } from '../../state/walk-words.ts';
+import { closestWords, type Said, signWords } from '../../state/walk-words.ts';
 import { displayTriple } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -333,7 +333,7 @@ function results(
         .map((words) => (words ? sentence(words) : nothing))}`;
     case 'complete':
       // Without a square the sentence is on the straight line.
-      return said.D?.startsWith('D') ? nothing : sentence(said.D ?? '');
+      return said.D?.startsWith('D') ? closest(model) : sentence(said.D ?? '');
     case 'roots':
     case 't':
       if (hits.length === 0) return html`<p class="walk-results">There is no root.</p>`;
@@ -347,6 +347,12 @@ function results(
     default:
       return nothing;
   }
+}
+
+/** The same in space, where the surface is round. */
+function closest({ shape, ray }: ExploreModel): TemplateResult | typeof nothing {
+  const words = closestWords(shape, ray);
+  return words ? sentence(words) : nothing;
 }
 
 const normalOf = ({ normal, singular }: Hit, i: number): TemplateResult =>

@@ -5,7 +5,10 @@ import { rayHandles, shapeHandles } from '../../panels/params-of.ts';
 import { classOf } from '../../panels/symbols.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
+import type { GraphModel } from '../../state/graph-model.ts';
+import type { SceneModel } from '../../state/scene-model.ts';
 import { stepShown } from '../../state/state.ts';
+import { graphAt, sceneAt } from '../../state/walk-figures.ts';
 import { display, displayTriple } from '../../text/format.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { type Step, stepOf } from './walk-steps.ts';
@@ -17,6 +20,12 @@ import './walk.css';
 function stepsOf({ shape, exactly, shown }: ExploreModel): readonly Step[] {
   const { details } = exactly.found;
   return walkOf(shape, shown.hits && details.family === 'curved' && details.signs.A === 0);
+}
+
+export interface MountedWalk extends Mounted<ExploreModel> {
+  /** What scene and graph show beside the present step. */
+  scene(model: ExploreModel): SceneModel;
+  graph(model: ExploreModel): GraphModel;
 }
 
 const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
@@ -32,11 +41,13 @@ export function mountWalk(
   host: HTMLElement,
   dispatch: Dispatch,
   opener: Element | null,
-): Mounted<ExploreModel> {
+): MountedWalk {
   let back = opener;
   /** The step that was drawn last; null while it is closed. */
   let drawn: number | null = null;
   let last = 0;
+  /** The id of that step; '' while it is closed. */
+  let present = '';
   const go = (to: number): void => dispatch({ type: 'derive', step: to });
   const close = (): void => dispatch({ type: 'derive', step: null });
   const key = (event: KeyboardEvent): void => {
@@ -71,6 +82,7 @@ export function mountWalk(
   return {
     render(model) {
       const at = stepShown(model.state);
+      present = '';
       if (at === null) {
         render(nothing, host);
         if (drawn !== null && back instanceof HTMLElement) back.focus({ preventScroll: true });
@@ -81,6 +93,7 @@ export function mountWalk(
       if (isNew && !back) back = document.activeElement;
       const steps = stepsOf(model);
       last = steps.length;
+      present = steps[at - 1]?.id ?? '';
       const before = drawn !== null && drawn !== at ? placesOf(host) : null;
       render(walk(model, steps, at, { go, close }), host);
       if (isNew) open();
@@ -90,6 +103,8 @@ export function mountWalk(
       if (before) travel(host, before);
       drawn = at;
     },
+    scene: (model) => sceneAt(model, present),
+    graph: (model) => graphAt(model, present),
     dispose() {
       document.removeEventListener('keydown', key);
       render(nothing, host);

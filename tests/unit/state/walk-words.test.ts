@@ -3,7 +3,7 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { sideOf } from '../../../src/math/shapes.ts';
-import { signWords } from '../../../src/state/walk-words.ts';
+import { closestWords, signWords } from '../../../src/state/walk-words.ts';
 import { paraboloid, sphere } from '../math/shorthand.ts';
 import { at, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
 
@@ -141,4 +141,29 @@ describe.each(Object.entries(ALL))('%s', (_, draw) => {
 
 test('every sentence was said', () => {
   expect(seen.size).toBe(FACTS.length);
+});
+
+const AGAINST = /the (axis|centre) it is .* (less than|exactly|more than) .*: D (.) 0$/;
+
+test('how near the line comes against the radius, by D, for what is round alone', () => {
+  const random = seeded(16);
+  const said = new Set<string>();
+  for (const draw of Object.values(ALL)) {
+    for (let round = 0; round < ROUNDS; round++) {
+      const shape = draw(random);
+      const ray = drawRay(random, shape);
+      const words = closestWords(shape, ray);
+      const isRound = shape.kind === 'cylinder' || shape.kind === 'sphere';
+      const value = isRound ? alongOf(shape, ray) : null;
+      const { A, height } = value ? turnOf(value) : { A: 0, height: 0 };
+      expect(words !== null, JSON.stringify({ shape, ray })).toBe(isRound && A !== 0);
+      if (words === null) continue;
+      const [, to, which, relation] = AGAINST.exec(words) ?? [];
+      expect(to).toBe(shape.kind === 'cylinder' ? 'axis' : 'centre');
+      expect(which).toBe(height < 0 ? 'less than' : height > 0 ? 'more than' : 'exactly');
+      expect(relation).toBe(height < 0 ? '>' : height > 0 ? '<' : '=');
+      said.add(which ?? '');
+    }
+  }
+  expect(said.size).toBe(3);
 });

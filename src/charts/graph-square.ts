@@ -1,0 +1,50 @@
+import { svg, type TemplateResult } from 'lit';
+import type { GraphModel } from '../state/graph-model.ts';
+import { coordinate } from '../text/coordinate.ts';
+import { display } from '../text/format.ts';
+import { halo } from './graph-roots.ts';
+import type { Scales } from './graph-scales.ts';
+
+/** Of a label from the mark that it belongs to, in caption em. */
+const AWAY = 1.5;
+
+/**
+ * The completed square: where f turns, at −B/2A, and how high it is there, −D/4A; with roots the
+ * half width √D/2A to both sides.
+ */
+export function square({ square }: GraphModel, { frame, x, y }: Scales): TemplateResult | string {
+  if (!square) return '';
+  const { left, right, top, bottom, em, mark } = frame;
+  const [at, turn, zero] = [x(square.t), y(square.f), y(0)].map(coordinate) as [
+    number,
+    number,
+    number,
+  ];
+  const isInside = at >= left && at <= right && turn >= top && turn <= bottom;
+  if (!isInside) return '';
+  // Over a lowest value, under a highest one: the side of the axis that the curve leaves free.
+  const up = turn >= zero ? -1 : 1;
+  const label = zero + up * 4.2 * em;
+  const widths = zero + up * 2.2 * em;
+  const half = Number.isFinite(square.half) ? coordinate(x(square.t + square.half) - at) : 0;
+  const beside = widths + (up < 0 ? -0.5 : 1.2) * em;
+  const bracket = `M${at - half},${coordinate(widths)}h${2 * half}m0,-4v8m${-2 * half},-8v8`;
+  const text = (px: number, py: number, words: string) =>
+    svg`<text class="graph-tick graph-word" text-anchor="middle" x=${px} y=${coordinate(py)}
+      >${words}</text>`;
+  return svg`<g class="graph-square">
+    <path class="graph-plumb" d=${`M${at},${turn}V${coordinate(label)}`}></path>
+    <path class="graph-height" d=${`M${at},${zero}V${turn}m-4,0h8`}></path>
+    ${
+      half > 4
+        ? svg`<path class="graph-half" d=${bracket}></path>
+          ${text(at - half / 2, beside, display(square.half))}
+          ${text(at + half / 2, beside, '√D/2A')}`
+        : ''
+    }
+    <g transform="translate(${at},${turn})">${halo(5, mark)}<circle class="graph-vertex"
+      r=${5 * mark}></circle></g>
+    ${text(at, label + (up < 0 ? 0 : 0.8 * em), `−B/2A = ${display(square.t)}`)}
+    ${text(at, turn - up * AWAY * em + 0.35 * em, `−D/4A = ${display(square.f)}`)}
+  </g>`;
+}

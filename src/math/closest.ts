@@ -1,0 +1,97 @@
+import { ratios } from './arithmetic/ratios.ts';
+import { DISCRIMINANT } from './formula/common.ts';
+import { evaluate } from './formula/evaluate.ts';
+import { type Expr, minus, num, over, scalar, squared, times } from './formula/expr.ts';
+import type { Sign } from './intersection.ts';
+import { valuesOf } from './methods/tree-method.ts';
+import type { Ray } from './ray.ts';
+import type { ShapeDefinition } from './shapes/define.ts';
+import type { Shape } from './shapes/index.ts';
+import { definitionOf } from './shapes/lookup.ts';
+import { AXES, type Axis, axisIndex, type Vec3 } from './vec3.ts';
+
+/** Where a line is nearest to the axis or the centre of a round surface. */
+interface Closest {
+  /** In lengths of d: −B/2A. */
+  readonly t: number;
+  /** The line's point there, and what it is nearest to, on the axis or the centre. */
+  readonly point: Vec3;
+  readonly foot: Vec3;
+  /** The coordinates in which the surface is round: two about an axis, three about a centre. */
+  readonly round: readonly Axis[];
+  readonly distance: number;
+  readonly radius: number;
+  /** Of radius − distance, exactly: the sign of D. */
+  readonly sign: Sign;
+}
+
+/**
+ * (x − Cx)² + (z − Cz)² = r², by its tree: in which coordinates it is round, about what, and r;
+ * null for any other surface.
+ */
+function roundAbout({ left, right }: ShapeDefinition<Shape>['surface']) {
+  if (left.op !== 'sum' || right.op !== 'square' || right.of.op !== 'scalar') return null;
+  const found = left.terms.map(({ sign, expr }) => {
+    if (sign !== 1 || expr.op !== 'square' || expr.of.op !== 'sum') return null;
+    const [at, from, ...more] = expr.of.terms;
+    const isPlain = at?.sign === 1 && from?.sign === -1 && more.length === 0;
+    if (!isPlain || at.expr.op !== 'scalar' || from.expr.op !== 'component') return null;
+    return at.expr.id === from.expr.axis ? from.expr : null;
+  });
+  const [first] = found;
+  if (!first || !found.every((one) => one?.vector === first.vector)) return null;
+  const round = AXES.filter((axis) => found.some((one) => one?.axis === axis));
+  return round.length === found.length ? { center: first.vector, round, radius: right.of } : null;
+}
+
+const [A, B, D] = ['A', 'B', 'D'].map(scalar) as [Expr, Expr, Expr];
+const TURN = over(B, times(num(-2), A));
+
+/**
+ * The line's closest approach to the axis of a cylinder or the centre of a sphere, or of whatever
+ * surface says by its tree that it is round: f at its lowest is distance² − radius², which is
+ * −D/4A. Null for other surfaces, and for a line along the axis.
+ *
+ * @param shape as for `intersect`, and so is the ray.
+ * @example
+ * const cylinder = { kind: 'cylinder', center: [0, 0, 0], radius: 5 } as const;
+ * const ray = { origin: [-10, 0, 3], direction: [1, 0, 0] } as const;
+ * const closest = closestApproach(cylinder, ray);
+ * [closest?.distance, closest?.radius, closest?.sign]; // → [3, 5, 1]
+ */
+export function closestApproach(shape: Shape, ray: Ray): Closest | null {
+  const definition = definitionOf(shape);
+  const formula = definition.formula(shape);
+  const story = roundAbout(definition.surface);
+  if (!story || formula.family !== 'curved') return null;
+  const given = valuesOf(shape, ray, ratios);
+  const { toNumber, sign } = ratios;
+  const own = (expr: Expr) => evaluate(expr, ratios, given);
+  const [a, b, c] = [own(formula.A), own(formula.B), own(formula.C)];
+  if (sign(a) === 0) return null;
+  const abc = { scalars: { ...given.scalars, A: a, B: b, C: c }, vectors: given.vectors };
+  const d = evaluate(DISCRIMINANT, ratios, abc);
+  const values = { ...abc, scalars: { ...abc.scalars, D: d } };
+  const at = evaluate(TURN, ratios, values);
+  const center = given.vectors[story.center];
+  const along = AXES.map((axis) => {
+    const i = axisIndex(axis);
+    const [E, step] = [ray.origin[i], ray.direction[i]].map(ratios.of);
+    return E && step ? ratios.add(E, ratios.mul(at, step)) : ratios.of(0);
+  });
+  const point = along.map(toNumber) as unknown as Vec3;
+  const foot = AXES.map((axis) => {
+    const i = axisIndex(axis);
+    return story.round.includes(axis) && center ? toNumber(center[i]) : point[i];
+  }) as unknown as Vec3;
+  const height = minus(squared(story.radius), over(D, times(num(4), A)));
+  return {
+    t: toNumber(at),
+    point,
+    foot,
+    round: story.round,
+    distance: Math.sqrt(toNumber(evaluate(height, ratios, values))),
+    radius: Math.abs(toNumber(evaluate(story.radius, ratios, values))),
+    sign: sign(d) as Sign,
+  };
+}
