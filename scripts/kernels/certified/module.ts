@@ -23,6 +23,7 @@ import {
 import { type Func, moduleOf } from '../wasm/module.ts';
 import { blockKernel } from './block-kernel.ts';
 import { classKernel } from './class-kernel.ts';
+import { firstKernel } from './first-kernel.ts';
 import { listKernel } from './list-kernel.ts';
 import type { Numbers } from './prologue.ts';
 import { elementOf, loopOf, type Source } from './source.ts';
@@ -80,7 +81,7 @@ const REFINED_CUTS = ['clear', 'half', 'fa', 'fb'];
  * with file and line for what the compiler does not understand.
  */
 export const certifiedModule = (sources = stageSources()): Uint8Array =>
-  moduleOf([...kernelsOf(sources, false), ...kernelsOf(sources, true)], {
+  moduleOf([...kernelsOf(sources, false), ...kernelsOf(sources, true), firstKernel('first')], {
     ...IMPORT,
     pages: PAGES,
   });

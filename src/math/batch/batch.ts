@@ -246,8 +246,8 @@ function withListed(found: Verdict[], out: Answers): Verdict[] {
 }
 
 /**
- * Turns the answers of `both` into those of `first`. Chosen by a place in an array: on random rays a
- * branch is wrong too often.
+ * Turns the answers of `both` into those of `first`. Chosen by a place in an array: on random rays
+ * a branch is wrong too often.
  *
  * @param tMin in lengths of d, as tMax; either may be infinite.
  * @example
@@ -257,9 +257,30 @@ function withListed(found: Verdict[], out: Answers): Verdict[] {
  * [out.t0[0], out.t1[0]]; // → [14, NaN]
  */
 export function selectFirst(out: Answers, count: number, tMin: number, tMax: number): void {
-  const { t0, t1, rareIndex, rareVerdict } = out;
+  chooseFirst(out, 0, count, tMin, tMax);
+  keepUnsettled(out);
+}
+
+/**
+ * For kernels: the roots' part of `selectFirst`, for rays `from` to `to` − 1.
+ *
+ * @param tMin in lengths of d, as tMax; either may be infinite.
+ * @example
+ * const out = createAnswers(2);
+ * out.t0.set([6, 6]);
+ * out.t1.set([14, 14]);
+ * chooseFirst(out, 1, 2, 7, Infinity);
+ * [...out.t0, ...out.t1]; // → [6, 14, 14, NaN]
+ */
+export function chooseFirst(
+  { t0, t1 }: Answers,
+  from: number,
+  to: number,
+  tMin: number,
+  tMax: number,
+): void {
   const choice = Float64Array.of(Number.NaN, 0, 0);
-  for (let i = 0; i < count; i++) {
+  for (let i = from; i < to; i++) {
     const near = t0[i] as number;
     const far = t1[i] as number;
     const nearIsIn = Number(near >= tMin) & Number(near <= tMax);
@@ -269,6 +290,20 @@ export function selectFirst(out: Answers, count: number, tMin: number, tMax: num
     t0[i] = choice[(nearIsIn << 1) | (farIsIn & (nearIsIn ^ 1))] as number;
     t1[i] = Number.NaN;
   }
+}
+
+/**
+ * For kernels: the list's part of `selectFirst`: 'contained' and 'undecided' stay on it.
+ *
+ * @example
+ * const out = createAnswers(2);
+ * list(out, 0, TANGENT);
+ * list(out, 1, CONTAINED);
+ * keepUnsettled(out);
+ * [out.rareCount, out.rareIndex[0]]; // → [1, 1]
+ */
+export function keepUnsettled(out: Answers): void {
+  const { rareIndex, rareVerdict } = out;
   let kept = 0;
   for (let k = 0; k < out.rareCount; k++) {
     const verdict = rareVerdict[k] as number;

@@ -1,13 +1,14 @@
 import {
   type Answers,
   checkRay,
+  chooseFirst,
   createAnswers,
   createRays,
   type Kernel,
+  keepUnsettled,
   list,
   NONE,
   type Rays,
-  selectFirst,
   TWO,
 } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
@@ -49,6 +50,8 @@ export interface FastStages {
   readonly roots: FastRoots;
   /** As a ClassPass, of all the rays: the direct form's answers and what it leaves open. */
   readonly classes: FastRoots;
+  /** As chooseFirst, of all the rays. */
+  readonly first: (out: Answers, count: number, tMin: number, tMax: number) => void;
 }
 
 /** Below, copying the rays costs more than is won. */
@@ -207,7 +210,9 @@ export function certifiedKernel(q: Quadric): Kernel {
     both,
     first(rays, tMin, tMax, out) {
       both(rays, out);
-      selectFirst(out, rays.count, tMin, tMax);
+      if (fast && rays.count >= LEAST_BATCH) fast.first(out, rays.count, tMin, tMax);
+      else chooseFirst(out, 0, rays.count, tMin, tMax);
+      keepUnsettled(out);
     },
     classes(rays, out) {
       prepare(rays, out);

@@ -1,3 +1,4 @@
+import { chooseFirst } from '../../batch/batch.ts';
 import {
   addressOf,
   BLOCK,
@@ -28,6 +29,8 @@ export const HANDED = 128;
 export const LATTICE_NUMBERS = NUMBERS;
 export const SCALED_NUMBERS = NUMBERS + 512;
 export const SURFACE_NUMBERS = SCALED_NUMBERS + 128;
+/** tMin and tMax. */
+export const INTERVAL = SURFACE_NUMBERS + 8 * SURFACE_COUNT;
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
@@ -180,5 +183,15 @@ export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastSta
       for (let j = 0; j < open; j++) left.open[left.count++] = from + (doubtful[j] as number);
     }
   };
-  return { roots, classes };
+  const interval = new Float64Array(buffer, INTERVAL, 2);
+  const first: FastStages['first'] = (out, count, tMin, tMax) => {
+    const { t0, t1 } = out;
+    const inPlace = t0.buffer === buffer && t1.buffer === buffer;
+    const even = inPlace ? count & ~1 : 0;
+    interval[0] = tMin;
+    interval[1] = tMax;
+    if (even > 0) exports.first?.(t0.byteOffset, t1.byteOffset, even);
+    chooseFirst(out, even, count, tMin, tMax);
+  };
+  return { roots, classes, first };
 }
