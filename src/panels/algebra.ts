@@ -14,6 +14,7 @@ import type { Dispatch } from '../state/actions.ts';
 import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { heightsLine } from '../state/heights.ts';
+import type { NumberSpace } from '../state/number-space.ts';
 import type { PutIn } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
 
@@ -25,7 +26,6 @@ import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
 import { hitTable } from './hits.ts';
-import { fitsInto, isHalf, LONG, type NumberSpace, spacesOf } from './number-space.ts';
 import {
   typesetNumbers,
   typesetNumbersInPieces,
@@ -47,7 +47,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
   const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in">
-      <p class="lead"><span class="words">Put the ray into the ${title}:</span>
+      <p class="lead"><span class="words">Put into the ${title}:</span>
         ${formula(equation)}</p>
       <button type="button" class="derive"
         title="Where these lines come from, step by step (d)"
@@ -77,8 +77,23 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
           html`<option value=${id} title=${idea}
             ?selected=${id === state.method}>${title}</option>`,
       )}
-    </select></label>`,
+    </select></label>
+    ${methodWords(state.method)}`,
   );
+}
+
+/** What the chosen method is and promises, where it stands. */
+function methodWords(chosen: string): TemplateResult | typeof nothing {
+  const method = METHODS.find(({ id }) => id === chosen);
+  if (!method) return nothing;
+  const { title, idea, promise } = method;
+  const close = ({ key, currentTarget }: KeyboardEvent): void => {
+    if (key === 'Escape') (currentTarget as HTMLDetailsElement).open = false;
+  };
+  return html`<details class="method-words" @keydown=${close}>
+    <summary aria-label=${`What ${title} means`}>?</summary>
+    <p><strong>${title}</strong>: ${idea} Promise: ${promise}</p>
+  </details>`;
 }
 
 /** Hidden, a line keeps its formula and its place, but not its numbers. */
@@ -133,7 +148,7 @@ const chosenBefore = new WeakMap<Step, Chosen>();
 function chosen(
   step: Step,
   { derivation, found, exactly }: ExploreModel,
-  { putIn, resultsOf }: Digits,
+  { fitsInto, putIn, resultsOf, spacesOf }: Digits,
 ): Chosen {
   const before = chosenBefore.get(step);
   if (before !== undefined) return before;
@@ -155,9 +170,8 @@ function numbersOf(step: Step, model: ExploreModel): NumbersLine {
   const { numbers } = derivation;
   if (code === null) {
     // The line has its place before the numbers come.
-    const { long, below } = spacesOf(step)[0] ?? LONG;
     const content = html`<span class="in-numbers">\u00a0</span>`;
-    return { content, below, long, isFaithful: true };
+    return { content, below: !worked && id !== 'D', long: false, isFaithful: true };
   }
   const put = chosen(step, model, code);
   if (put === null) {
@@ -166,7 +180,7 @@ function numbersOf(step: Step, model: ExploreModel): NumbersLine {
     return { content, below: id === 'D', long: false, isFaithful: true };
   }
   const { digits, isFaithful, space } = put;
-  const { long, below } = space ?? LONG;
+  const { long, below } = space ?? code.LONG;
   const sign = !isFaithful && below ? html`≈ ` : nothing;
   const content = below
     ? html`<span class=${long ? 'in-numbers long' : 'in-numbers'}>${sign}${typesetNumbersInPieces(
@@ -206,7 +220,9 @@ export function conditions(
   why: (i: number) => unknown = () => nothing,
 ): TemplateResult {
   const { conditions: all, numbers } = derivation;
-  const halves = all.every(({ relation: { left, right } }) => isHalf(plus(left, right), numbers));
+  const halves = all.every(
+    ({ relation: { left, right } }) => code?.isHalf(plus(left, right), numbers) !== false,
+  );
   return html`<div class=${all.length > 1 && halves ? 'conditions halves' : 'conditions'}>
     ${all.map((c, i) => conditionLine(c, derivation, code, why(i)))}
   </div>`;

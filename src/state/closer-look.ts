@@ -2,6 +2,7 @@ import { asTyped } from './as-typed.ts';
 import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
 import { nearTangent } from './near-tangent.ts';
 import { nearestTangent } from './nearest-tangent.ts';
+import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
 import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 
 /** What is computed of a ray beyond its verdict, by code that the first frame does not wait for. */
@@ -18,6 +19,10 @@ export const closerLook = {
     conditionDigits,
     putIn,
     resultsOf,
+    fitsInto,
+    isHalf,
+    LONG,
+    spacesOf,
   },
 };
 

@@ -1,6 +1,6 @@
-import { intersect } from '../../src/math/index.ts';
+import { intersect, METHODS } from '../../src/math/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
-import { rayOf, shapeOf } from '../../src/state/state.ts';
+import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { typeInto } from './support/controls.ts';
 import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
@@ -152,6 +152,12 @@ test.describe('without the picture', () => {
     await open(page, '#/explore?shape=sphere&C=0,0,0&r=1&E=3,1,0&d=-1,0,0');
     await expect(page.locator('.verdict')).toContainText('touches');
     await expect(challenge).toHaveCount(0);
+    const { title, idea } = METHODS.find(({ id }) => id === INITIAL.method) ?? METHODS[0];
+    const words = page.locator('.method-words');
+    await words.getByLabel(`What ${title} means`).click();
+    await expect(words).toContainText(idea);
+    await page.keyboard.press('Escape');
+    await expect(words.locator('p')).toBeHidden();
   });
 
   test('the far one says that the textbook formula is contradicted', async ({ page }) => {
