@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
-import { areaPath, curvePath, type Parabola } from './graph-curve.ts';
+import { areaPath, curvePath, type Parabola, parabolaOf } from './graph-curve.ts';
 import { LETTER } from './graph-frame.ts';
 import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
@@ -40,6 +40,25 @@ function visible({ stretches }: GraphModel, { frame, x }: Scales) {
   return stretches
     .map(({ from, to, ...kept }) => ({ from: inPlot(from), to: inPlot(to), ...kept }))
     .filter(({ from, to }) => to > from);
+}
+
+/** The graph of the ray that was kept, and where it crosses the axis. */
+export function ghost(model: GraphModel, scales: Scales, id: string): TemplateResult {
+  if (!model.ghost) return svg``;
+  const { roots, ...coefficients } = model.ghost;
+  // By its coefficients: only its own roots would draw it more exactly, and it has no marks.
+  const kept = parabolaOf({ ...model, ...coefficients, roots: [] });
+  const { frame, x } = scales;
+  const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));
+  const seen = roots.map(x).filter((at) => at >= frame.left && at <= frame.right);
+  return svg`${
+    kept &&
+    svg`<path class="graph-ghost" clip-path="url(#${id}-plot)"
+      d=${curvePath(kept, frame)}></path>`
+  }${seen.map(
+    (at) => svg`<circle class="graph-ghost" cx=${coordinate(at)} cy=${y}
+          r=${4 * frame.mark}></circle>`,
+  )}`;
 }
 
 /** The region where f < 0, and the graph. */

@@ -4,7 +4,7 @@ import { bead, readout } from './graph-bead.ts';
 import { type Parabola, parabolaOf } from './graph-curve.ts';
 import type { Frame } from './graph-frame.ts';
 import { definitions, grid } from './graph-grid.ts';
-import { area, curve, rayAxis, words } from './graph-layers.ts';
+import { area, curve, ghost, rayAxis, words } from './graph-layers.ts';
 import { roots } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
 import { square } from './graph-square.ts';
@@ -70,6 +70,7 @@ function layers(
 ): TemplateResult {
   return svg`${definitions(scales, id)}${grid(scales, id)}
     ${parabola ? area(parabola, scales, id) : ''}${rayAxis(model, scales)}
+    ${ghost(model, scales, id)}
     ${parabola ? curve(parabola, scales, id) : ''}${model.square ? '' : words(model, scales)}
     ${square(model, scales)}${roots(model, scales)}`;
 }

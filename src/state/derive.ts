@@ -129,7 +129,8 @@ export function createDerive(
     const found = solve(shape, r, state.method);
     const exactly = check(shape, r);
     const exactClass = exactly.found.class;
-    const graph = graphFor(found, shape, r, state.bead);
+    const ghost = ghostly(state.ghost);
+    const graph = graphFor(found, shape, r, state.bead, ghost?.found ?? null);
     const derived = steps(shape, r, found);
     const shown = shownLines({ derivation: derived }, state.revealed);
     const s = stage(shape, r, shown.hits ? found : null);
@@ -151,7 +152,7 @@ export function createDerive(
       handles: held,
       graph: graph,
       view: state.view,
-      ghost: ghostly(state.ghost),
+      ghost,
     });
     return {
       state,
@@ -169,7 +170,7 @@ export function createDerive(
       verdict,
       near,
       hits: hitWords(found),
-      graph: shown.hits ? graph : { ...graph, concealed: true },
+      graph: shown.hits ? graph : { ...graph, ghost: null, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene, state),
       shown,
     };

@@ -28,6 +28,13 @@ export interface GraphModel {
   };
   /** Where f turns, how high it is there, and how far from there its roots lie (NaN for none). */
   readonly square?: { readonly t: number; readonly f: number; readonly half: number };
+  /** f of the ray that was kept to compare with, and its roots; null without one. */
+  readonly ghost: {
+    readonly A: number;
+    readonly B: number;
+    readonly C: number;
+    readonly roots: readonly number[];
+  } | null;
   /** f vanishes everywhere: the ray lies in the surface. */
   readonly contained: boolean;
   /** The results are hidden, to be predicted: nothing of the graph is shown. */

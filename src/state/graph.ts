@@ -12,6 +12,7 @@ export function graphOf(
   shape: Shape,
   ray: Ray,
   bead: number | null,
+  ghost: Intersection | null = null,
 ): GraphModel {
   const span = found.class === 'contained' ? spanInFigure(shape, ray) : null;
   const window = graphWindowOf(found, span ? [span.from, span.to] : []);
@@ -33,6 +34,7 @@ export function graphOf(
     })),
     stretches: stretchesOf(found, window, span),
     bead: { t, ...alongRay(shape, ray, t) },
+    ghost: ghost && { ...quadratic(ghost), roots: ghost.hits.map((hit) => hit.t) },
     contained: found.class === 'contained',
     concealed: false,
     description: describe(found, roots),

@@ -383,10 +383,12 @@ test('a kept ray is drawn faintly, with its hits and a word', async ({ page }) =
   for (let k = 0; k < 6; k++) await page.keyboard.press('ArrowUp');
   await still(page);
   await expect(page.locator('[data-mark^="ghost"]')).toHaveCount(3);
+  await expect(page.locator('path.graph-ghost')).toHaveCount(1);
   await expect(page.locator('.scene-overlay').getByText('before')).toBeAttached();
   await page.keyboard.press('g');
   await still(page);
   await expect(page.locator('[data-mark^="ghost"]')).toHaveCount(0);
+  await expect(page.locator('.graph-ghost')).toHaveCount(0);
 });
 
 test.describe('with the picture', () => {

@@ -222,6 +222,18 @@ describe('the graph', () => {
     expect(graph.description).toBe('f(t) is a straight line, f(0) = 6; t₁ = 3, first hit.');
   });
 
+  test('a ray that was kept has its own f there, unless the results are hidden', () => {
+    const derive = createDerive();
+    const first = decode('#/explore?shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0');
+    const kept = update(first, { type: 'ghost', on: true });
+    const moved = update(kept, { type: 'origin', value: [5, 0, 0] });
+    const { graph } = derive(moved);
+    expect(graph.ghost).toEqual({ A: 1, B: -6, C: 8, roots: [2, 4] });
+    expect([graph.B, graph.C]).toEqual([-10, 24]);
+    expect(derive(update(moved, { type: 'reveal', lines: 0 })).graph.ghost).toBeNull();
+    expect(derive(update(moved, { type: 'ghost', on: false })).graph.ghost).toBeNull();
+  });
+
   test('a double root, a ray in the surface, E far away', () => {
     const touching = open('shape=cylinder&C=0,0,0&r=1&E=3,0,1&d=-1,0,0').graph;
     expect(touching.roots).toEqual([{ index: 1, t: 3, role: 'first', double: true }]);
