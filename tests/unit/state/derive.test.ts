@@ -1,5 +1,6 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { setOf } from '../../../src/check/sets.ts';
 import { intersect, SHAPES } from '../../../src/math/index.ts';
 import type { Stage } from '../../../src/math/shapes/drawing.ts';
 import type { ShapeKind } from '../../../src/math/shapes/index.ts';
@@ -26,7 +27,8 @@ const having = (...actions: Action[]): AppState => actions.reduce(update, INITIA
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
 
 describe('the ray of an empty visit', () => {
-  test.each(KINDS)('%s: it meets it ahead, and every number is a short decimal', (kind) => {
+  // A shape that no question set asks about yet may have its parameters chosen later.
+  test.each(setOf('2').shapes)('%s: it meets it ahead, all numbers short decimals', (kind) => {
     const { derivation, found } = createDerive(() => closerLook)({ ...INITIAL, kind });
     const steps = derivation.steps.flatMap(({ value }) => (value === null ? [] : [value]));
     const numbers = [
