@@ -17,7 +17,6 @@ import { decode, encode } from './state/url.ts';
 import { createAnnouncer } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
 import { watchGestures } from './ui/gesture.ts';
-import { watchHighlight } from './ui/highlight.ts';
 import { late, watchStyles } from './ui/late.ts';
 import { onNotKept, recall, remember } from './ui/storage.ts';
 import { THEMES, watchTheme } from './ui/theme.ts';
@@ -344,7 +343,11 @@ onNotKept(() => {
     store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
   }, sayNotLoaded);
 });
-watchHighlight(app);
+// What does not arrive lights nothing: every number and word is there without it.
+late(() => import('./ui/highlight.ts')).then(
+  ({ watchHighlight }) => watchHighlight(app),
+  () => {},
+);
 watchStyles(document);
 renderAll();
 writeLink();

@@ -1,5 +1,5 @@
 import { closestApproach } from '../math/formula.ts';
-import { intersect, type Ray, type Shape } from '../math/index.ts';
+import { type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
 import { definitionOf, type Naming, type Sign } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Side, sideKey } from './verdict-table.ts';
@@ -109,4 +109,23 @@ export function closestWords(shape: Shape, ray: Ray): string | null {
     `Where the line is nearest to the ${what} it is ${display(distance)} away from it, ` +
     `${AGAINST[key]} the radius ${display(radius)}: D ${RELATION[key]} 0`
   );
+}
+
+const FACING: Words = {
+  '-': 'the line meets the front here, N points against d',
+  '0': 'the line touches here, N is at a right angle to d',
+  '+': 'the line meets the back here, −N points against d',
+};
+
+/**
+ * Which side of a curved surface the line meets at a hit, from 0: N·d has the sign of f′ there, and
+ * that is known exactly from A, B and the order of the roots. Null where N is zero, or of a flat
+ * shape.
+ */
+export function facingWords({ class: verdict, details, hits }: Intersection, i: number) {
+  if (details.family === 'flat' || !hits[i] || hits[i].singular) return null;
+  const { A, B } = details.signs;
+  const signs = { two: i === 0 ? -(A ?? 0) : A, tangent: 0, one: B } as const;
+  const sign = verdict in signs ? signs[verdict as keyof typeof signs] : null;
+  return sign === null ? null : said('N·d', Math.sign(sign) as Sign, FACING);
 }

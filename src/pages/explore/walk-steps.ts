@@ -27,7 +27,7 @@ import { typesetNumbers, typesetNumbersInPieces, typesetSymbols } from '../../pa
 import { value } from '../../panels/value.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { putInSideBySide, resultsOf } from '../../state/put-in.ts';
-import { closestWords, type Said, signWords } from '../../state/walk-words.ts';
+import { closestWords, facingWords, type Said, signWords } from '../../state/walk-words.ts';
 import { displayTriple } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -341,7 +341,7 @@ function results(
         ({ index, t }) => html`t${subscript(index)} = ${value(`walk.t${index}`, t)} `,
       )}</p>`;
     case 'normal':
-      return html`<p class="walk-results">${found.hits.map(normalOf)}</p>`;
+      return html`${found.hits.map((hit, i) => normalOf(hit, i, model))}`;
     case 'figure':
       return derivation.conditions.length > 0 ? conditions(derivation, digits) : nothing;
     default:
@@ -355,10 +355,19 @@ function closest({ shape, ray }: ExploreModel): TemplateResult | typeof nothing 
   return words ? sentence(words) : nothing;
 }
 
-const normalOf = ({ normal, singular }: Hit, i: number): TemplateResult =>
-  singular
-    ? html`N${subscript(i + 1)} is zero: every derivative vanishes there. `
-    : html`N${subscript(i + 1)} = ${displayTriple(normal)} `;
+/** The course's normal, that of length 1, and which side the ray meets. */
+function normalOf({ normal, singular }: Hit, i: number, { found, exactly }: ExploreModel) {
+  const name = `N${subscript(i + 1)}`;
+  if (singular) {
+    return html`<p class="walk-results">${name} is zero: every derivative vanishes there.</p>`;
+  }
+  const length = Math.hypot(...normal);
+  const facing = found.class === exactly.found.class ? facingWords(exactly.found, i) : null;
+  const unit = normal.map((x) => x / length) as unknown as typeof normal;
+  return html`<p class="walk-results">${name} = ${displayTriple(normal)},
+      ${name}/|${name}| = ${displayTriple(unit)}</p>
+    ${facing ? sentence(facing) : nothing}`;
+}
 
 /**
  * The line with its numbers, in pieces between which it can be broken; `behind` stays with the last

@@ -1,11 +1,12 @@
 import { describe, expect, test } from 'vitest';
+import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { sideOf } from '../../../src/math/shapes.ts';
-import { closestWords, signWords } from '../../../src/state/walk-words.ts';
+import { closestWords, facingWords, signWords } from '../../../src/state/walk-words.ts';
 import { paraboloid, sphere } from '../math/shorthand.ts';
-import { at, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
+import { at, courseOf, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
 
 /* Every sentence on a sign, on rays of small numbers, against facts found without src/math. */
 
@@ -163,6 +164,38 @@ test('how near the line comes against the radius, by D, for what is round alone'
       expect(which).toBe(height < 0 ? 'less than' : height > 0 ? 'more than' : 'exactly');
       expect(relation).toBe(height < 0 ? '>' : height > 0 ? '<' : '=');
       said.add(which ?? '');
+    }
+  }
+  expect(said.size).toBe(3);
+});
+
+test('front and back are where f falls and rises through 0; a touch is neither', () => {
+  const random = seeded(17);
+  const said = new Set<string>();
+  for (const draw of Object.values(ALL)) {
+    for (let round = 0; round < ROUNDS; round++) {
+      const shape = draw(random);
+      const ray = drawRay(random, shape);
+      const quadric = quadricOf(shape);
+      const found = intersect(shape, ray, 'exact');
+      const words = found.hits.map((_, i) => facingWords(found, i));
+      if (!quadric || quadric.k) {
+        if (!quadric) expect(words.filter(Boolean)).toEqual([]);
+        continue;
+      }
+      const { behind, ahead, atE } = courseOf(quadric, ray);
+      const crossings = [...behind, ...(atE && atE !== 'touches' ? [atE] : []), ...ahead];
+      for (const [i, text] of words.entries()) {
+        if (text === null) continue;
+        const [side] = /front|back|touches/.exec(text) ?? [];
+        const how = found.class === 'tangent' ? 'touches' : crossings[i];
+        const about = `${text} ${JSON.stringify({ shape, ray })}`;
+        expect(
+          { enters: 'front', leaves: 'back', touches: 'touches' }[how ?? 'touches'],
+          about,
+        ).toBe(side);
+        said.add(side ?? '');
+      }
     }
   }
   expect(said.size).toBe(3);
