@@ -1,5 +1,6 @@
 import { asTyped } from './as-typed.ts';
 import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
+import { handlesOf } from './handles.ts';
 import { nearTangent } from './near-tangent.ts';
 import { nearestTangent } from './nearest-tangent.ts';
 import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
@@ -10,6 +11,7 @@ export const closerLook = {
   asTyped,
   nearTangent,
   nearestTangent,
+  handlesOf,
   /** How many digits stand on the page, and which exact ones beside them. */
   digits: {
     exactBeside,

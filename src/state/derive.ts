@@ -8,7 +8,7 @@ import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
-import { type Handle, handlesOf } from './handles.ts';
+import type { Handle } from './handles.ts';
 import type { NearTangent } from './near-tangent.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import { shownLines, withoutResults } from './reveal.ts';
@@ -69,7 +69,7 @@ const NOT_COMPARED: AsTyped = { differs: null, notes: [] };
 /**
  * A derive with a memory of its own, so that parts that did not change keep their identity from
  * call to call. `look` gives the code of a closer look, null as long as it is not loaded: then
- * nothing is said of typed numbers and of near tangency.
+ * nothing is said of typed numbers and of near tangency, and nothing can be dragged.
  */
 export function createDerive(
   look: () => CloserLook | null = () => null,
@@ -99,8 +99,15 @@ export function createDerive(
   );
   const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
   const handles = remember(
-    (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
-      handlesOf({ shape, E, d, unit, ray, drawing }),
+    (
+      closer: CloserLook | null,
+      shape: Shape,
+      E: AppState['E'],
+      d: AppState['d'],
+      unit: boolean,
+      ray: Ray,
+      drawing: Drawing,
+    ): readonly Handle[] => closer?.handlesOf({ shape, E, d, unit, ray, drawing }) ?? [],
   );
   const nearly = remember(
     (
@@ -135,7 +142,7 @@ export function createDerive(
     const shown = shownLines({ derivation: derived }, state.revealed);
     const s = stage(shape, r, shown.hits ? found : null);
     const picture = drawing(shape, s);
-    const held = handles(shape, state.E, state.d, state.unit, r, picture);
+    const held = handles(closer, shape, state.E, state.d, state.unit, r, picture);
     const near = nearly(closer, shape, r, exactly, held, state);
     const words = verdictWords(found, shape, r);
     const verdict =
