@@ -25,7 +25,7 @@ import { rootTexts } from '../text/apart.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { formula } from './formula.ts';
-import { hitTable } from './hits.ts';
+import { hitTable, was } from './hits.ts';
 import {
   typesetNumbers,
   typesetNumbersInPieces,
@@ -201,13 +201,13 @@ function numbersOf(step: Step, model: ExploreModel): NumbersLine {
 function result(
   { id, letter }: Step,
   x: number,
-  { found, exactly, digits }: ExploreModel,
+  { found, exactly, digits, before }: ExploreModel,
 ): TemplateResult {
   const { text = null, beside = null } = digits?.shownResult(id, x, found, exactly) ?? {};
   return html`<span class="result"
-    data-symbol=${letter ? `coefficient-${id}` : nothing}>${value(id, x, { text })}${
-      beside ? html`<span class="beside">${beside}</span>` : nothing
-    }</span>`;
+    data-symbol=${letter ? `coefficient-${id}` : nothing}>${was(before[id], x)}${value(id, x, {
+      text,
+    })}${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
 }
 
 /** Of a line before the code is there that finds how many digits it needs. */

@@ -10,6 +10,13 @@ import { display } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
+/** "8 →": the number of the kept ray before the one of this, where they read differently. */
+export function was(before: number | null | undefined, now: number): unknown {
+  const text = display(before ?? now);
+  if (text === display(now)) return nothing;
+  return html`<span class="was"><span class="visually-hidden">before </span>${text} → </span>`;
+}
+
 /** One column group a root, rows t, P and N, so that x, y and z stand under each other. */
 export function hitTable({
   hits,
@@ -18,6 +25,7 @@ export function hitTable({
   ray,
   state,
   digits,
+  before,
 }: ExploreModel): TemplateResult {
   const texts = rootTexts(hits.map(({ t }) => t));
   const gap = digits?.rootGap(found, exactly) ?? null;
@@ -29,6 +37,7 @@ export function hitTable({
         text: texts[i] ?? null,
         exact: exactHit(words, i, found, exactly.found),
         beside,
+        was: was(before[`t${words.index}`], words.t),
         cut: between !== null && whyCut(ray, words.t, between) !== null,
       }),
     )}
@@ -53,6 +62,8 @@ interface Shown {
   readonly text: string | null;
   readonly exact: Hit | null;
   readonly beside: Beside;
+  /** The kept ray's root with its arrow. */
+  readonly was: unknown;
   /** Not there in the scene that the shape comes from. */
   readonly cut: boolean;
 }
@@ -73,6 +84,7 @@ function column(
       data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
     <p class="row t" data-symbol=${`t${n}`}>
       <span class="name">${symbol('t', n, 'sym', `t${n}`)}</span>
+      ${rejected ? nothing : shown.was}
       ${value(rejected ? 't' : `t${n}`, t, { text: shown.text, keeps: true })}
       ${exactT ? html`<span class="beside">exact: ${exactT}</span>` : nothing}
     </p>

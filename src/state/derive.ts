@@ -41,6 +41,8 @@ export interface ExploreModel {
   /** Where the numbers cannot be set any nearer to tangency. */
   readonly near: Near | null;
   readonly hits: readonly HitWords[];
+  /** Of the kept ray: A, B, C, D, t1 …; empty without one. */
+  readonly before: Readonly<Record<string, number | null>>;
   readonly graph: GraphModel;
   readonly scene: SceneModel;
   /** Which lines of the result are shown, for predicting first. */
@@ -64,6 +66,7 @@ interface Near extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
 
+const NOTHING_BEFORE: ExploreModel['before'] = {};
 const NOT_COMPARED: AsTyped = { differs: null, notes: [] };
 
 /**
@@ -123,9 +126,7 @@ export function createDerive(
       return { ...near, find: closer.nearestTangent(state) && closer.nearestTangent };
     },
   );
-  const ghostly = remember((ghost: Ghost | null) =>
-    ghost ? { ray: ghost.ray, found: intersect(ghost.shape, ghost.ray) } : null,
-  );
+  const ghostly = remember((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
   return (state) => {
     const closer = look();
     const shape = shapeOf(state);
@@ -177,10 +178,23 @@ export function createDerive(
       verdict,
       near,
       hits: hitWords(found),
+      before: ghost?.before ?? NOTHING_BEFORE,
       graph: shown.hits ? graph : { ...graph, ghost: null, concealed: true },
       scene: shown.hits ? scene : withoutResults(scene, state),
       shown,
     };
+  };
+}
+
+/** A kept ray with what is compared: its lines' values by their ids, and its roots. */
+function keptOf({ shape, ray }: Ghost) {
+  const found = intersect(shape, ray);
+  const values = derivation(shape, ray, found).steps.map(({ id, value }) => [id, value]);
+  const roots = found.hits.map(({ t }, i) => [`t${i + 1}`, t]);
+  return {
+    ray,
+    found,
+    before: Object.fromEntries([...values, ...roots]) as ExploreModel['before'],
   };
 }
 

@@ -384,6 +384,8 @@ test('a kept ray is drawn faintly, with its hits and a word', async ({ page }) =
   await still(page);
   await expect(page.locator('[data-mark^="ghost"]')).toHaveCount(3);
   await expect(page.locator('path.graph-ghost')).toHaveCount(1);
+  await expect(page.locator('[data-step="C"] .was')).toHaveText(/^before \S+ →/);
+  await expect(page.locator('.hit .row.t .was')).toHaveCount(2);
   await expect(page.locator('.scene-overlay').getByText('before')).toBeAttached();
   await page.keyboard.press('g');
   await still(page);

@@ -232,6 +232,8 @@ describe('the graph', () => {
     const { graph } = derive(moved);
     expect(graph.ghost).toEqual({ A: 1, B: -6, C: 8, roots: [2, 4] });
     expect([graph.B, graph.C]).toEqual([-10, 24]);
+    expect(derive(moved).before).toMatchObject({ A: 1, B: -6, C: 8, D: 4, t1: 2, t2: 4 });
+    expect(derive(first).before).toEqual({});
     expect(derive(update(moved, { type: 'reveal', lines: 0 })).graph.ghost).toBeNull();
     expect(derive(update(moved, { type: 'ghost', on: false })).graph.ghost).toBeNull();
   });
