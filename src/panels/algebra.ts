@@ -50,7 +50,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
       <p class="lead"><span class="words">Put into the ${title}:</span>
         ${formula(equation)}</p>
       <button type="button" class="derive"
-        title="Where these lines come from, step by step (d)"
+        title="Where these lines come from (d)"
         @click=${() => dispatch({ type: 'derive', step: 1 })}>derive</button>
       ${methodPicker(model, dispatch)}
     </div>

@@ -279,8 +279,9 @@ function readLook(read: Read, before: AppState, steps: number): Look {
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
     between: read<Between | null>('between', heights, null),
-    derive: read<number | null>('derive', number, null, (step) => {
-      if (!Number.isInteger(step) || !(1 <= (step ?? 0) && (step ?? 0) <= steps)) {
+    derive: read<number | null>('derive', number, null, (given) => {
+      const step = Number(given);
+      if (step % 1 !== 0 || step < 1 || step > steps) {
         throw new InvalidInput(`${quote(step)} is not a step from 1 to ${steps}`);
       }
     }),

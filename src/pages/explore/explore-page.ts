@@ -129,7 +129,7 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
       changed();
       return mountWalk(host, dispatch, opener);
     },
-    { waiting: 'loading…', failed: 'The derivation could not be loaded.' },
+    { waiting: 'loading…', failed: 'This could not be loaded.' },
   );
 }
 
