@@ -9,7 +9,6 @@ test('axe finds nothing in the dialogs and the states of the page', async ({ pag
   await page.locator('canvas').waitFor();
   for (const [key, name] of [
     ['x', 'Examples'],
-    ['d', 'The derivation, step by step'],
     ['e', 'File and export'],
     ['?', 'Help'],
   ] as const) {
@@ -20,6 +19,14 @@ test('axe finds nothing in the dialogs and the states of the page', async ({ pag
     await page.keyboard.press('Escape');
     await expect(dialog).toBeHidden();
   }
+  // The derivation beside the scene: a flat shape's last step, and the bill of a cone's terms.
+  for (const link of ['#/explore?shape=square&derive=5', '#/explore?shape=cone&derive=4']) {
+    await open(page, link);
+    await page.locator('.walk').waitFor();
+    expect.soft(await violationsInThemes(page), link).toEqual([]);
+  }
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.walk')).toBeHidden();
   await page.keyboard.press('PageDown');
   // An example with a kept ray, and then with hidden results.
   for (const key of ['g', 'h']) {
