@@ -1,5 +1,6 @@
 import type { Shape, Vec3 } from '../../math/index.ts';
 import { checkParam, findShape, type Param } from '../../math/shapes.ts';
+import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../state/derive.ts';
 import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../../state/state.ts';
 
@@ -16,7 +17,7 @@ export function createTravel(
   host: HTMLElement,
   changed: () => void,
 ): (model: ExploreModel) => ExploreModel {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   let last: ExploreModel | null = null;
   let shown: AppState | null = null;
   let way: { readonly from: AppState; readonly began: number } | null = null;

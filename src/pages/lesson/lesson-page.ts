@@ -5,6 +5,7 @@ import { isLesson } from '../../lesson/read.ts';
 import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/step-state.ts';
 import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
+import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../state/derive.ts';
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
@@ -41,7 +42,7 @@ export const mountLesson: MountPage = (host, context) => {
   cover.textContent = 'Hidden. Predict first.';
   const handIn = createHandIn(dispatch, changed);
   const editing = createEditing(dispatch, changed);
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const travel = createTravel(changed);
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
