@@ -74,6 +74,7 @@ const tools: PageActions = {
       : document.documentElement.requestFullscreen();
     done.catch(() => say('this browser does not allow full screen here'));
   },
+  black: () => clicker().then((black) => black(), sayNotLoaded),
   theme: () => {
     const next = THEMES[(THEMES.indexOf(theme.current()) + 1) % THEMES.length] ?? 'system';
     theme.set(next);
@@ -146,6 +147,14 @@ function loadTheRest(): void {
     },
   );
 }
+
+let watched: (() => void) | null = null;
+/** What a presenter's clicker does beyond the keys of the page. */
+const clicker = (): Promise<() => void> =>
+  late(() => import('./ui/clicker.ts')).then(({ watchClicker }) => {
+    watched ??= watchClicker(() => store.get().page === 'explore', announce);
+    return watched;
+  });
 
 const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
 
@@ -348,6 +357,7 @@ late(() => import('./ui/highlight.ts')).then(
   ({ watchHighlight }) => watchHighlight(app),
   () => {},
 );
+clicker().catch(() => {});
 watchStyles(document);
 renderAll();
 writeLink();

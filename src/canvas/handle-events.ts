@@ -14,10 +14,7 @@ export function listenToHandles(
 ): () => void {
   const controller = new AbortController();
   const { signal } = controller;
-  /**
-   * The handle that a mouse has just taken: it has the focus, but a presenter's clicker still pages
-   * on.
-   */
+  /** The handle that a mouse has just taken: it has the focus, and shows none. */
   let byMouse: Element | null = null;
   const setByMouse = (element: Element | null) => {
     byMouse = element;
@@ -75,7 +72,6 @@ export function listenToHandles(
     const symbol = symbolOf(event.target);
     const handle = placed().find((found) => found.handle.symbol === symbol)?.handle;
     if (!handle || drag.pointer !== null) return;
-    if (event.target === byMouse && event.key.startsWith('Page')) return handOn(event);
     if (!drag.press(handle, event)) return;
     event.preventDefault();
     event.stopPropagation();
@@ -128,11 +124,4 @@ function elementOf(svg: SVGElement, { symbol }: Handle): SVGElement | null {
 
 function modifiers(event: PointerEvent | KeyboardEvent): Modifiers {
   return { free: event.altKey, fine: event.shiftKey };
-}
-
-/** Gives a key to the page, as if it had been pressed on nothing in particular. */
-function handOn(event: KeyboardEvent): void {
-  event.preventDefault();
-  event.stopPropagation();
-  document.body.dispatchEvent(new KeyboardEvent(event.type, event));
 }

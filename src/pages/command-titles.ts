@@ -5,7 +5,9 @@ const TITLES: Readonly<Record<string, string>> = {
   next:
     'next: the next step while deriving; else reveal the next line, the ' +
     'answer, or the next example',
-  previous: 'back: the step before while deriving; else hide the answer, or the example before',
+  previous:
+    'back: the step before while deriving; else take away the last line, hide ' +
+    'the answer, or the example before',
   answer: 'show the answer to the example’s question; or hide it',
   gallery: 'examples',
   derive: 'derive A, B, C, the roots and N step by step; or close that',
@@ -26,6 +28,7 @@ const TITLES: Readonly<Record<string, string>> = {
   export: 'copy or save the derivation, code, picture',
   theme: 'next theme: system, light, dark, projector',
   full: 'full screen',
+  black: 'black screen; the same key, Escape, Page Down, Page Up or a click ends it',
   help: 'help',
 };
 

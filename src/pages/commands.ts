@@ -10,6 +10,8 @@ export interface PageActions {
   gallery(): void;
   help(): void;
   fullScreen(): void;
+  /** The whole page black, until a key or a click. */
+  black(): void;
   theme(): void;
   play(): void;
   /** A second view beside the scene, or none. */
@@ -62,7 +64,10 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
       keys: ['PageUp', 'ArrowLeft'],
       run: () => {
         if (stepped(store, -1)) return;
-        if (tools.answer()) dispatch({ type: 'tell', on: false });
+        const { shown } = tools.lines();
+        if (store.get().revealed !== null && shown > 0) {
+          dispatch({ type: 'reveal', lines: shown - 1 });
+        } else if (tools.answer()) dispatch({ type: 'tell', on: false });
         else dispatch({ type: 'browse', by: -1 });
       },
     },
@@ -152,6 +157,7 @@ function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {
       run: tools.theme,
     },
     { id: 'full', keys: ['f'], run: tools.fullScreen },
+    { id: 'black', keys: ['.'], run: tools.black },
     { id: 'help', keys: ['?'], run: tools.help },
   ];
 }

@@ -42,6 +42,11 @@ export function helpContent(
       V fill all three. Up and Down change it by a step, with Shift by a tenth. A click on a
       result shows all of its digits.</p>
     ${HELP[page]}
+    <h3>Clicker</h3>
+    <p>Page Down and Page Up go on and back in Explore and in lessons, also after a click on a
+      slider, a box, a list or the bead. In Explore a control that Tab, an arrow, Home or End was
+      pressed on since keeps them. What ends the black screen does nothing else; in a text box the
+      full stop is text. Clickers that send b for it are not understood: b plays the bead.</p>
     <h3>Links and files</h3>
     <p>The address holds the whole state and can be written by hand. A saved state can be dropped
       on the page.</p>

@@ -1,4 +1,7 @@
+import type { Page } from '@playwright/test';
 import { SHAPES } from '../../src/math/index.ts';
+import { PAGES } from '../../src/state/state.ts';
+import { violations } from './support/axe.ts';
 import { box, expectInLink, slider } from './support/controls.ts';
 import {
   hashOf,
@@ -87,8 +90,7 @@ test('single keys can be switched off, and stay off', async ({ page }) => {
   await expect(page.locator('.example-name')).toContainText('one point');
 });
 
-const beadAt = async (page: Parameters<typeof quantities>[0]) =>
-  Number((await quantities(page))['bead.t']);
+const beadAt = async (page: Page) => Number((await quantities(page))['bead.t']);
 
 test('the bead plays, and stands still when it is stopped', async ({ page }) => {
   await page.keyboard.press('b');
@@ -116,4 +118,93 @@ test('with less motion the bead steps from root to root', async ({ page }) => {
     .toContain(t1);
   await page.keyboard.press('b');
   expect(seen.size).toBeLessThanOrEqual(3);
+});
+
+test('a clicker turns pages after a click on a slider, a box, a list and the bead', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const title = page.locator('.example-name strong');
+  const thereAndBack = async (of: string): Promise<void> => {
+    const before = await title.innerText();
+    await page.keyboard.press('PageDown');
+    await expect(page.locator('#example-answer'), of).not.toBeEmpty();
+    await page.keyboard.press('PageUp');
+    await expect(page.locator('#example-answer'), of).toBeEmpty();
+    await expect(title, of).toHaveText(before);
+  };
+  await page.keyboard.press('PageDown');
+  await page.keyboard.press('PageDown');
+  await page.keyboard.press('PageDown');
+  await settle(page);
+  const bead = page.locator('.graph-bead');
+  await bead.click();
+  await expect(bead).toBeFocused();
+  await thereAndBack('bead');
+  // An arrow takes the control into the hand again, and with it the page keys.
+  const t = await beadAt(page);
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('PageUp');
+  await settle(page);
+  expect(await beadAt(page)).toBeGreaterThan(t);
+  await page.keyboard.press('PageDown');
+  // A click that moves nothing: what is changed is no example any more, and asks nothing.
+  await box(page, 'E.x').click();
+  await thereAndBack('box');
+  await slider(page, 'E.x').click({ position: { x: 2, y: 6 } });
+  await settle(page);
+  const { 'E.x': x } = await quantities(page);
+  await expect(slider(page, 'E.x')).toBeFocused();
+  const mine = await page.locator('.example-name').innerText();
+  await page.keyboard.press('PageDown');
+  await settle(page);
+  await expect(page.locator('.example-name')).not.toHaveText(mine);
+  expect((await quantities(page))['E.x']).not.toBe(x);
+  // While predicting, back takes one line away; the list of questions has the focus.
+  await page.keyboard.press('h');
+  await page.locator('.predict select').click();
+  await page.keyboard.press('Escape');
+  const at = await title.innerText();
+  const lines: string[][] = [];
+  for (const key of ['PageDown', 'PageDown', 'PageUp']) {
+    await page.keyboard.press(key);
+    await settle(page);
+    lines.push(Object.keys(await quantities(page)));
+  }
+  const [one = [], two = [], again] = lines;
+  expect(two.length).toBeGreaterThan(one.length);
+  expect(again).toEqual(one);
+  await expect(title).toHaveText(at);
+});
+
+test('the screen is black on every page, until a key or a click that does nothing else', async ({
+  page,
+}) => {
+  const black = page.getByRole('dialog', { name: 'Black screen' });
+  for (const { id, title } of PAGES) {
+    await page.locator('header').getByRole('link', { name: title, exact: true }).click();
+    await page.locator(`header [aria-current="page"]`).getByText(title).waitFor();
+    await linkWritten(page);
+    const before = await hashOf(page);
+    for (const end of ['.', 'Escape', 'PageDown', 'PageUp', null]) {
+      await page.keyboard.press('.');
+      await expect(black, id).toBeVisible();
+      await page.keyboard.press('3');
+      await page.keyboard.press('t');
+      if (end) await page.keyboard.press(end);
+      else await page.mouse.click(300, 300);
+      await expect(black, `${id}, ${end}`).toBeHidden();
+    }
+    await linkWritten(page);
+    expect(await hashOf(page), id).toBe(before);
+  }
+  await expect(page.locator('.announcer')).toContainText('The page is shown again.');
+  await page.keyboard.press('.');
+  const window = page.viewportSize();
+  expect(await black.boundingBox()).toEqual({ x: 0, y: 0, ...window });
+  const colours = await black.evaluate((dialog) =>
+    [dialog, dialog.firstElementChild ?? dialog].map((of) => getComputedStyle(of).backgroundColor),
+  );
+  expect(colours).toEqual(['rgb(0, 0, 0)', 'rgb(0, 0, 0)']);
+  expect(await violations(page)).toEqual([]);
 });
