@@ -82,7 +82,9 @@ const tools: PageActions = {
   },
   // It rests at each root, which would tell where they are.
   play: () => {
-    if (modelNow().shown.hits) player?.toggle(modelNow().graph);
+    if (!modelNow().shown.hits) return;
+    if (player) player.toggle(modelNow().graph);
+    else theRest().then(() => player?.toggle(modelNow().graph), sayNotLoaded);
   },
   second: () => secondView?.toggle(),
   turn: (by) => pages.current()?.turn?.(by),

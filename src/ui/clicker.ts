@@ -81,14 +81,19 @@ export function watchClicker(turns: () => boolean, announce: (words: string) => 
   window.addEventListener('keydown', down, true);
   window.addEventListener('keyup', ({ key }) => keys.release(key), true);
   return () => {
-    if (!screen.open) screen.showModal();
+    if (screen.open) return;
+    document.body.append(screen);
+    screen.showModal();
   };
 }
 
 const TEXT = 'input:not([type=range], [type=checkbox], [type=radio])';
 const CONTROLS = 'input, select, [role=slider], [role=application], .scene';
 
-/** A modal dialog, so that nothing below it is reached; the focus returns to where it was. */
+/**
+ * A modal dialog, so that nothing below it is reached; the focus returns to where it was. In the
+ * document only while it is open.
+ */
 function blackScreen(announce: (words: string) => void): HTMLDialogElement {
   const screen = document.createElement('dialog');
   screen.className = 'black-screen';
@@ -102,7 +107,9 @@ function blackScreen(announce: (words: string) => void): HTMLDialogElement {
     screen.close();
   });
   screen.addEventListener('wheel', (event) => event.preventDefault(), { passive: false });
-  screen.addEventListener('close', () => announce('The page is shown again.'));
-  document.body.append(screen);
+  screen.addEventListener('close', () => {
+    screen.remove();
+    announce('The page is shown again.');
+  });
   return screen;
 }

@@ -66,6 +66,8 @@ test.describe('without the picture', () => {
   test('the numbers travel to the next example, and arrive exactly', async ({ page }) => {
     const at = GALLERY.findIndex(({ id }) => id === 'cylinder-miss');
     await open(page, GALLERY[at - 1]?.link ?? '');
+    // The examples come after the first frame.
+    await expect(page.locator('.asks')).toHaveText(GALLERY[at - 1]?.asks ?? '');
     const seen = await page.evaluate(async () => {
       const texts = new Set<string>();
       const main = document.querySelector('main') as HTMLElement;
@@ -100,6 +102,8 @@ test.describe('without the picture', () => {
   test('any key ends the way; with less motion there is none', async ({ page }) => {
     const at = GALLERY.findIndex(({ id }) => id === 'cylinder-tangent');
     await open(page, GALLERY[at - 1]?.link ?? '');
+    // The examples come after the first frame.
+    await expect(page.locator('.asks')).toHaveText(GALLERY[at - 1]?.asks ?? '');
     const main = page.locator('main[data-moving]');
     await page.keyboard.press('PageDown');
     await page.keyboard.press('PageDown');

@@ -303,6 +303,8 @@ test('no arrow is offered along the line of sight, and a key still moves there',
   page,
 }) => {
   await openScene(page, '#/explore?shape=cone&E=0,1.2,1&view=front&method=exact');
+  // After the pointer the page keys are a clicker's, until one moves the focus.
+  await page.keyboard.press('Tab');
   await handle(page, 'E').focus();
   await settle(page);
   await expect(page.locator('.axis-arrow-hit[data-axis="0"]')).toBeAttached();
