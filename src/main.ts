@@ -345,7 +345,9 @@ document.addEventListener('keydown', (event) => {
   });
   if (!wanted) return;
   event.preventDefault();
-  wanted.run();
+  // A key that comes before the examples and the player do is kept until they are there.
+  if (player || store.get().page !== 'explore') wanted.run();
+  else theRest().then(wanted.run, wanted.run);
 });
 onNotKept(() => {
   theRest().then(({ NOT_KEPT }) => {

@@ -7,10 +7,12 @@ import type { Scales } from './graph-scales.ts';
 
 /** Of a label from the mark that it belongs to, in caption em. */
 const AWAY = 1.5;
+/** Of a label from the axis, in caption em, so that the roots' names have room between. */
+const CLEAR = 2.9;
 
 /**
  * The completed square: where f turns, at −B/2A, and how high it is there, −D/4A; with roots the
- * half width √D/2A to both sides.
+ * half width √D/|2A| to both sides.
  */
 export function square({ square }: GraphModel, { frame, x, y }: Scales): TemplateResult | string {
   if (!square) return '';
@@ -24,27 +26,30 @@ export function square({ square }: GraphModel, { frame, x, y }: Scales): Templat
   if (!isInside) return '';
   // Over a lowest value, under a highest one: the side of the axis that the curve leaves free.
   const up = turn >= zero ? -1 : 1;
-  const label = zero + up * 4.2 * em;
+  const label = Math.min(Math.max(zero + up * 4.2 * em, top + em), bottom - em);
   const widths = zero + up * 2.2 * em;
   const half = Number.isFinite(square.half) ? coordinate(x(square.t + square.half) - at) : 0;
   const beside = widths + (up < 0 ? -0.5 : 1.2) * em;
+  const hasHalf = half > 4;
+  // A curve that turns near the axis has its height written clear of the roots' names.
+  const under = Math.max(-up * (turn - zero) + AWAY * em, CLEAR * em);
+  const height = Math.min(Math.max(zero - up * under, top + 0.65 * em), bottom - 0.65 * em);
   const bracket = `M${at - half},${coordinate(widths)}h${2 * half}m0,-4v8m${-2 * half},-8v8`;
   const text = (px: number, py: number, words: string) =>
     svg`<text class="graph-tick graph-word" text-anchor="middle" x=${px} y=${coordinate(py)}
       >${words}</text>`;
   return svg`<g class="graph-square">
-    <path class="graph-plumb" d=${`M${at},${turn}V${coordinate(label)}`}></path>
+    <path class="graph-plumb" d=${`M${at},${turn}V${coordinate(hasHalf ? widths : label)}`}></path>
     <path class="graph-height" d=${`M${at},${zero}V${turn}m-4,0h8`}></path>
     ${
-      half > 4
+      hasHalf
         ? svg`<path class="graph-half" d=${bracket}></path>
-          ${text(at - half / 2, beside, display(square.half))}
-          ${text(at + half / 2, beside, '√D/2A')}`
+          ${text(at, beside, `√D/|2A| = ${display(square.half)}`)}`
         : ''
     }
     <g transform="translate(${at},${turn})">${halo(5, mark)}<circle class="graph-vertex"
       r=${5 * mark}></circle></g>
     ${text(at, label + (up < 0 ? 0 : 0.8 * em), `−B/2A = ${display(square.t)}`)}
-    ${text(at, turn - up * AWAY * em + 0.35 * em, `−D/4A = ${display(square.f)}`)}
+    ${text(at, height + 0.35 * em, `−D/4A = ${display(square.f)}`)}
   </g>`;
 }

@@ -223,7 +223,7 @@ function curved(
       name: 'roots',
       why: linear
         ? 'A straight line is zero once where B ≠ 0; where B = 0 it is zero everywhere or nowhere.'
-        : 'f is 0 where the square is D/4A²: at √D/2A to both sides of −B/2A.',
+        : 'f is 0 where the square is D/4A²: if D ≥ 0, at √D/|2A| to both sides of −B/2A.',
       lines: [is(t, linear ? LINEAR_ROOT : ROOTS)],
     },
     {

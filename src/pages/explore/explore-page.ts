@@ -94,8 +94,9 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       walk?.render(model);
       const card = algebra(model, dispatch);
       render(panelContent(model, card, tools.large), panel);
-      visit ??= model.state.E === INITIAL.E;
-      untouched &&= model.state.E === INITIAL.E && model.example === null;
+      const isFirst = model.state.E.every((x, i) => x === INITIAL.E[i]);
+      visit ??= isFirst;
+      untouched &&= isFirst && model.example === null;
       challenges.render(model, visit && !untouched);
       render(sceneBar(model, tools, untouched, challenges.host), bar);
       tools.story?.(story, model, dispatch);
