@@ -78,7 +78,7 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
     };
     render(
       shown
-        ? html`<p class="look challenge"><span role="status">${praise}${
+        ? html`<p class="challenge"><span role="status">${praise}${
             next ? `Try: ${next.asks}.` : ''
           }</span>
             <button type="button" class="challenge-end" aria-label="No more challenges"
