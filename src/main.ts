@@ -8,7 +8,7 @@ import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
 import { shell } from './pages/shell.ts';
 import type { CloserLook } from './state/closer-look.ts';
-import { createDerive, type ExploreModel } from './state/derive.ts';
+import { createDerive, type ExploreModel, type FullModel, isFull } from './state/derive.ts';
 import { exampleOf, provideExamples } from './state/example.ts';
 import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
@@ -45,7 +45,7 @@ let secondView: ExploreTools['secondView'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 let player: Player | null = null;
-let travel: ((model: ExploreModel) => ExploreModel) | null = null;
+let travel: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
@@ -83,8 +83,10 @@ const tools: PageActions = {
   // It rests at each root, which would tell where they are.
   play: () => {
     if (!modelNow().shown.hits) return;
-    if (player) player.toggle(modelNow().graph);
-    else theRest().then(() => player?.toggle(modelNow().graph), sayNotLoaded);
+    theRest().then(() => {
+      const now = modelNow();
+      if (isFull(now)) player?.toggle(now.graph);
+    }, sayNotLoaded);
   },
   second: () => secondView?.toggle(),
   turn: (by) => pages.current()?.turn?.(by),
@@ -197,7 +199,7 @@ function renderExplore(state: AppState): void {
     const words = announcement?.(before, model);
     if (words) announce(words);
   }
-  explore?.render(travel?.(model) ?? model, {
+  explore?.render(travel && isFull(model) ? travel(model) : model, {
     command,
     story,
     secondView,

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { SHAPES } from '../math/index.ts';
+import { closerLook } from '../state/closer-look.ts';
 import { createDerive } from '../state/derive.ts';
 import type { ShownExample } from '../state/example.ts';
 import type { Example } from '../state/gallery/define.ts';
@@ -43,10 +44,13 @@ function card(
 ): TemplateResult {
   const draw = (element: Element | undefined): void => {
     if (element instanceof HTMLElement && thumbnail && element.childElementCount === 0) {
-      thumbnail(
-        element,
-        createDerive()({ ...decode(example.link), revealed: hidden ? 0 : null }).scene,
-      );
+      thumbnail(element, {
+        ...createDerive(() => closerLook)({
+          ...decode(example.link),
+          revealed: hidden ? 0 : null,
+        }).scene,
+        handles: [],
+      });
     }
   };
   return html`<button

@@ -1,17 +1,13 @@
 import { asTyped } from './as-typed.ts';
 import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
-import { handlesOf } from './handles.ts';
-import { nearTangent } from './near-tangent.ts';
-import { nearestTangent } from './nearest-tangent.ts';
 import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
+import { createPictures } from './pictures.ts';
 import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 
 /** What is computed of a ray beyond its verdict, by code that the first frame does not wait for. */
 export const closerLook = {
   asTyped,
-  nearTangent,
-  nearestTangent,
-  handlesOf,
+  createPictures,
   /** How many digits stand on the page, and which exact ones beside them. */
   digits: {
     exactBeside,

@@ -1,4 +1,3 @@
-import type { Drawing, Stage } from '../math/drawing.ts';
 import { type Derivation, derivation } from '../math/formula.ts';
 import { type Intersection, intersect, type Ray, type Shape, type Verdict } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
@@ -6,15 +5,11 @@ import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
 import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
-import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
-import type { Handle } from './handles.ts';
-import type { NearTangent } from './near-tangent.ts';
-import type { Tangent } from './nearest-tangent.ts';
-import { shownLines, withoutResults } from './reveal.ts';
-import { sceneOf } from './scene.ts';
+import type { Near, Pictures } from './pictures.ts';
+import { remember } from './remember.ts';
+import { shownLines } from './reveal.ts';
 import type { SceneModel } from './scene-model.ts';
-import { sameStage, stageAround, stageOf } from './stage.ts';
 import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
 
@@ -43,28 +38,17 @@ export interface ExploreModel {
   readonly hits: readonly HitWords[];
   /** Of the kept ray: A, B, C, D, t1 …; empty without one. */
   readonly before: Readonly<Record<string, number | null>>;
-  readonly graph: GraphModel;
-  readonly scene: SceneModel;
+  /** Null until the code of a closer look is loaded. */
+  readonly graph: GraphModel | null;
+  readonly scene: SceneModel | null;
   /** Which lines of the result are shown, for predicting first. */
   readonly shown: ReturnType<typeof shownLines>;
 }
 
-/** Keeps the result of the last call while every argument is the same by reference. */
-function remember<Args extends readonly unknown[], R>(
-  f: (...args: Args) => R,
-): (...args: Args) => R {
-  let last: { args: Args; result: R } | null = null;
-  return (...args) => {
-    if (last?.args.every((arg, i) => Object.is(arg, args[i]))) return last.result;
-    last = { args, result: f(...args) };
-    return last.result;
-  };
-}
+/** The same, where the code of a closer look is loaded. */
+export type FullModel = ExploreModel & Pick<Pictures, 'graph' | 'scene'>;
 
-/** How near the ray is to tangency, and what finds a ray that touches, where there is one. */
-interface Near extends NearTangent {
-  readonly find: ((state: AppState) => Tangent | null) | null;
-}
+export const isFull = (model: ExploreModel): model is FullModel => model.scene !== null;
 
 const NOTHING_BEFORE: ExploreModel['before'] = {};
 const NOT_COMPARED: AsTyped = { differs: null, notes: [] };
@@ -72,8 +56,10 @@ const NOT_COMPARED: AsTyped = { differs: null, notes: [] };
 /**
  * A derive with a memory of its own, so that parts that did not change keep their identity from
  * call to call. `look` gives the code of a closer look, null as long as it is not loaded: then
- * nothing is said of typed numbers and of near tangency, and nothing can be dragged.
+ * there is no picture, and nothing is said of typed numbers and of near tangency.
  */
+export function createDerive(look: () => CloserLook): (state: AppState) => FullModel;
+export function createDerive(look?: () => CloserLook | null): (state: AppState) => ExploreModel;
 export function createDerive(
   look: () => CloserLook | null = () => null,
 ): (state: AppState) => ExploreModel {
@@ -95,37 +81,7 @@ export function createDerive(
     ) => closer?.asTyped({ texts, shape, E, d, unit }, ray, found) ?? NOT_COMPARED,
   );
   const steps = remember(derivation);
-  const graphFor = remember(graphOf);
-  // While the hits are hidden their places may not be read off the part of the world that is shown.
-  const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
-    found ? stageOf(shape, r, found) : stageAround(shape, [r.origin]),
-  );
-  const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
-  const handles = remember(
-    (
-      closer: CloserLook | null,
-      shape: Shape,
-      E: AppState['E'],
-      d: AppState['d'],
-      unit: boolean,
-      ray: Ray,
-      drawing: Drawing,
-    ): readonly Handle[] => closer?.handlesOf({ shape, E, d, unit, ray, drawing }) ?? [],
-  );
-  const nearly = remember(
-    (
-      closer: CloserLook | null,
-      shape: Shape,
-      ray: Ray,
-      exactly: Exactly,
-      held: readonly Handle[],
-      state: AppState,
-    ): Near | null => {
-      const near = closer?.nearTangent(shape, ray, exactly, held);
-      if (!closer || !near) return null;
-      return { ...near, find: closer.nearestTangent(state) && closer.nearestTangent };
-    },
-  );
+  let pictures: ReturnType<CloserLook['createPictures']> | undefined;
   const ghostly = remember((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
   return (state) => {
     const closer = look();
@@ -138,29 +94,20 @@ export function createDerive(
     const exactly = check(shape, r);
     const exactClass = exactly.found.class;
     const ghost = ghostly(state.ghost);
-    const graph = graphFor(found, shape, r, state.bead, ghost?.found ?? null);
     const derived = steps(shape, r, found);
     const shown = shownLines({ derivation: derived }, state.revealed);
-    const s = stage(shape, r, shown.hits ? found : null);
-    const picture = drawing(shape, s);
-    const held = handles(closer, shape, state.E, state.d, state.unit, r, picture);
-    const near = nearly(closer, shape, r, exactly, held, state);
-    const words = verdictWords(found, shape, r);
-    const verdict =
-      near && exactClass === found.class
-        ? { ...words, pieces: [near.text], text: near.text }
-        : words;
-    const scene = sceneOf({
+    const verdict = verdictWords(found, shape, r);
+    pictures ??= closer?.createPictures();
+    const seen = pictures?.({
+      state,
+      shape,
       title,
-      verdict: verdict.text,
       ray: r,
       found,
-      stage: s,
-      drawing: picture,
-      handles: held,
-      graph: graph,
-      view: state.view,
+      exactly,
+      shown: shown.hits,
       ghost,
+      verdict,
     });
     return {
       state,
@@ -175,13 +122,10 @@ export function createDerive(
       asTyped: typed(closer, state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
       derivation: derived,
       example: exampleOf(state),
-      verdict,
-      near,
       hits: hitWords(found),
       before: ghost?.before ?? NOTHING_BEFORE,
-      graph: shown.hits ? graph : { ...graph, ghost: null, concealed: true },
-      scene: shown.hits ? scene : withoutResults(scene, state),
       shown,
+      ...(seen ?? { verdict, near: null, graph: null, scene: null }),
     };
   };
 }
@@ -195,18 +139,5 @@ function keptOf({ shape, ray }: Ghost) {
     ray,
     found,
     before: Object.fromEntries([...values, ...roots]) as ExploreModel['before'],
-  };
-}
-
-/** Gives the previous result again while the new one equals it. */
-function keepWhile<Args extends readonly unknown[], R>(
-  same: (a: R, b: R) => boolean,
-  f: (...args: Args) => R,
-): (...args: Args) => R {
-  let last: R | null = null;
-  return (...args) => {
-    const next = f(...args);
-    if (last === null || !same(last, next)) last = next;
-    return last;
   };
 }

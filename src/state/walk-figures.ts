@@ -1,6 +1,6 @@
 import { closestApproach } from '../math/formula.ts';
 import type { Vec3 } from '../math/index.ts';
-import type { ExploreModel } from './derive.ts';
+import type { FullModel } from './derive.ts';
 import type { GraphModel } from './graph-model.ts';
 import type { FigureLine, SceneModel } from './scene-model.ts';
 
@@ -10,13 +10,13 @@ const CORNERS = 96;
 /** The steps at which D is what it is about. */
 const ABOUT_D: ReadonlySet<string> = new Set(['complete', 'roots']);
 
-const isAboutD = ({ shown, exactly }: ExploreModel, step: string): boolean => {
+const isAboutD = ({ shown, exactly }: FullModel, step: string): boolean => {
   const { details } = exactly.found;
   return shown.hits && ABOUT_D.has(step) && details.family === 'curved' && details.signs.A !== 0;
 };
 
 /** The graph with the square completed in it, where the step is about D. */
-export function graphAt(model: ExploreModel, step: string): GraphModel {
+export function graphAt(model: FullModel, step: string): GraphModel {
   const { graph, found } = model;
   if (!isAboutD(model, step) || found.details.family !== 'curved') return graph;
   const { A, B, D } = found.details;
@@ -25,7 +25,7 @@ export function graphAt(model: ExploreModel, step: string): GraphModel {
 }
 
 /** The scene with the closest approach of the line, where the step is about D. */
-export function sceneAt(model: ExploreModel, step: string): SceneModel {
+export function sceneAt(model: FullModel, step: string): SceneModel {
   const { scene } = model;
   const closest = isAboutD(model, step) ? closestApproach(model.shape, model.ray) : null;
   if (!closest) return scene;

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import type { Scene } from '../../src/scene/types.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { heightsLine } from '../../src/state/heights.ts';
 import { surfaceSteps } from '../../src/state/picture/hit-steps.ts';
@@ -60,7 +61,7 @@ describe.each([
     expect(state.problems).toEqual([]);
     expect(state.between).toEqual(meeting.between);
     expect(decode(encode(state)).between).toEqual(meeting.between);
-    const { found } = createDerive()(state);
+    const { found } = createDerive(() => closerLook)(state);
     expect(heightsLine(name, state.between ?? [0, 0], rayOf(state), found.hits)).toMatch(
       /is kept between y = .+ and .+; here it is whole\. t₁ is cut off there: y = \S+ > \S+\.$/,
     );

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { decode } from '../../src/state/url.ts';
 
@@ -8,7 +9,7 @@ import { decode } from '../../src/state/url.ts';
  * forgotten: the radius fell from 43.2 to 5 at once.
  */
 test('the stage lets go of a hit as gradually as it followed it', () => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const radiusAt = (dy: number): number =>
     derive(decode(`#/explore?shape=cone&d=-0.8,${dy},-0.3`)).scene.stage.radius;
   const steps = Array.from({ length: 2001 }, (_, i) => radiusAt(1.5 + (0.05 * i) / 2000));

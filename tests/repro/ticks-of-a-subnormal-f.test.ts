@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { scalesOf } from '../../src/charts/graph-scales.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { decode } from '../../src/state/url.ts';
 
@@ -15,6 +16,6 @@ test.each([
   '#/explore?shape=cylinder&r=1e-170&E=1e-170,0,0&d=1e-160,0,0',
   '#/explore?shape=plane&N=1e308,0,0&E=1e308,1,1',
 ])('%s has ticks, or none, but no error', (link) => {
-  const { graph } = createDerive()(decode(link));
+  const { graph } = createDerive(() => closerLook)(decode(link));
   expect(() => scalesOf(graph, FRAME as Parameters<typeof scalesOf>[1])).not.toThrow();
 });

@@ -4,7 +4,7 @@ import { compactControls, equations } from '../../panels/compact-controls.ts';
 import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
-import type { ExploreModel } from '../../state/derive.ts';
+import { type ExploreModel, isFull } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
 import { late } from '../../ui/late.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
@@ -100,6 +100,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       challenges.render(model, visit && !untouched);
       render(sceneBar(model, tools, untouched, challenges.host), bar);
       tools.story?.(story, model, dispatch);
+      if (!isFull(model)) return;
       const beside = walking ? walk?.view() : null;
       const shown = beside?.scene(model) ?? model.scene;
       tools.secondView?.render(stage, shown);

@@ -1,7 +1,7 @@
 import type { Shape, Vec3 } from '../../math/index.ts';
 import { checkParam, findShape, type Param } from '../../math/shapes.ts';
 import { closerLook } from '../../state/closer-look.ts';
-import { createDerive, type ExploreModel } from '../../state/derive.ts';
+import { createDerive, type FullModel } from '../../state/derive.ts';
 import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../../state/state.ts';
 
 const MILLISECONDS = 900;
@@ -16,9 +16,9 @@ const APART = 20;
 export function createTravel(
   host: HTMLElement,
   changed: () => void,
-): (model: ExploreModel) => ExploreModel {
+): (model: FullModel) => FullModel {
   const derive = createDerive(() => closerLook);
-  let last: ExploreModel | null = null;
+  let last: FullModel | null = null;
   let shown: AppState | null = null;
   let way: { readonly from: AppState; readonly began: number } | null = null;
   const end = (): void => {
@@ -46,7 +46,7 @@ export function createTravel(
 }
 
 /** Whether an example was gone to, as by a clicker, that has a way from what was there before. */
-function isNext(before: ExploreModel, { state, example, scene }: ExploreModel): boolean {
+function isNext(before: FullModel, { state, example, scene }: FullModel): boolean {
   const ratio = before.scene.stage.radius / scene.stage.radius;
   return (
     example?.changed === false &&

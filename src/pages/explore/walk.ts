@@ -4,7 +4,7 @@ import { symbol } from '../../panels/formula.ts';
 import { rayHandles, shapeHandles } from '../../panels/params-of.ts';
 import { classOf } from '../../panels/symbols.ts';
 import type { Dispatch } from '../../state/actions.ts';
-import type { ExploreModel } from '../../state/derive.ts';
+import type { ExploreModel, FullModel } from '../../state/derive.ts';
 import type { GraphModel } from '../../state/graph-model.ts';
 import type { SceneModel } from '../../state/scene-model.ts';
 import { stepShown } from '../../state/state.ts';
@@ -24,8 +24,8 @@ function stepsOf({ shape, exactly, shown }: ExploreModel): readonly Step[] {
 
 export interface MountedWalk extends Mounted<ExploreModel> {
   /** What scene and graph show beside the present step. */
-  scene(model: ExploreModel): SceneModel;
-  graph(model: ExploreModel): GraphModel;
+  scene(model: FullModel): SceneModel;
+  graph(model: FullModel): GraphModel;
 }
 
 const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {

@@ -2,13 +2,13 @@ import { mountGraph } from '../../charts/graph.ts';
 import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import type { Dispatch } from '../../state/actions.ts';
-import type { ExploreModel } from '../../state/derive.ts';
+import type { FullModel } from '../../state/derive.ts';
 import { late } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { lateScene } from '../late-scene.ts';
 
 interface StageModel {
-  readonly model: ExploreModel;
+  readonly model: FullModel;
   /** Whether what has this symbol can be taken in the scene. */
   readonly movable: (symbol: string) => boolean;
   /** Normals are drawn where the text speaks of them: there is little room for arrows. */
@@ -19,7 +19,7 @@ interface StageModel {
 const LARGE = 200;
 
 /** E, where the ray meets the shape, and the shape around its middle. */
-function toBeSeen({ shape, ray, scene }: ExploreModel): Vec3[] {
+function toBeSeen({ shape, ray, scene }: FullModel): Vec3[] {
   const { at, size } = definitionOf(shape).anchor(shape);
   const hits = scene.hits.filter(({ drawn }) => drawn).map(({ point }) => point);
   const around = [-size, size].flatMap((by): Vec3[] => [
@@ -46,7 +46,7 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
   above.append(caption);
   const graph = mountGraph(area('graph-host', area('lesson-graph')), dispatch);
   let code: typeof import('../../canvas/thumbnail.ts') | null = null;
-  let last: ExploreModel | null = null;
+  let last: FullModel | null = null;
   const drawAbove = (): void => {
     const { clientWidth: width, clientHeight: height } = drawn;
     if (!code || !last || width === 0 || height === 0) return;

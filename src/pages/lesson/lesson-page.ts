@@ -6,7 +6,7 @@ import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson
 import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
 import { closerLook } from '../../state/closer-look.ts';
-import { createDerive, type ExploreModel } from '../../state/derive.ts';
+import { createDerive, type FullModel } from '../../state/derive.ts';
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import { download, pickFile } from '../../ui/files.ts';
@@ -46,7 +46,7 @@ export const mountLesson: MountPage = (host, context) => {
   const travel = createTravel(changed);
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
-  let shown: { place: Place; inner: AppState; model: ExploreModel | null } | null = null;
+  let shown: { place: Place; inner: AppState; model: FullModel | null } | null = null;
   let outer: AppState | null = null;
   let last: { readonly link: string; readonly state: AppState } | null = null;
 

@@ -4,6 +4,7 @@ import { overlap } from '../../../src/canvas/labels.ts';
 import { layOut } from '../../../src/canvas/overlay.ts';
 import { Projection } from '../../../src/canvas/projection.ts';
 import { SceneLines } from '../../../src/canvas/scene-lines.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import type { SceneModel } from '../../../src/state/scene-model.ts';
@@ -34,7 +35,7 @@ function laidOut(model: SceneModel, { width, height, scale, label }: (typeof FRA
 }
 
 describe.each(FRAMES)('$window', (frame) => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const all = GALLERY.map((entry) => {
     const { scene } = derive(decode(entry.link));
     return { entry, scene, ...laidOut(scene, frame) };

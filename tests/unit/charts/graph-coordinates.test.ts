@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { frameOf } from '../../../src/charts/graph-frame.ts';
 import { scalesOf } from '../../../src/charts/graph-scales.ts';
 import { page } from '../../../src/charts/graph-view.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import type { AppState } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -29,7 +30,7 @@ function markup(part: unknown): string {
 const GEOMETRY = /\s(x|y|x1|x2|y1|y2|cx|cy|r|d|width|height|transform)="([^"]*)"/g;
 
 function undrawable(state: AppState): string[] {
-  const model = createDerive()(state).graph;
+  const model = createDerive(() => closerLook)(state).graph;
   return [
     [640, 200],
     [340, 150],

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import type { ExploreModel } from '../../../src/state/derive.ts';
+import type { FullModel } from '../../../src/state/derive.ts';
 import { curvedDetails } from '../math/shorthand.ts';
 import { holds as holdsInGallery, type Subject } from '../state/gallery-claims.ts';
 import { at, dot, f, less, quadricOf } from '../state/ray-oracle.ts';
@@ -151,7 +151,7 @@ const CHECKS: readonly (readonly [RegExp, Check])[] = [
 ];
 
 /** Whether a claim holds of what a step shows; throws at a claim that no check knows. */
-export function holds(claim: string, { shape, ray, found, graph }: ExploreModel): boolean {
+export function holds(claim: string, { shape, ray, found, graph }: FullModel): boolean {
   const subject = { shape, ray, found };
   if (claim === 'graph is f') return near(graph.bead.f, along(subject, graph.bead.t), 50);
   for (const [pattern, check] of CHECKS) {
@@ -162,7 +162,7 @@ export function holds(claim: string, { shape, ray, found, graph }: ExploreModel)
 }
 
 /** "B stays", "C follows": of one model against another, of a moved number. */
-export function holdsBetween(claim: string, one: ExploreModel, other: ExploreModel): boolean {
+export function holdsBetween(claim: string, one: FullModel, other: FullModel): boolean {
   const [, letter = '', how] = claim.match(/^([ABCD]) (stays|follows)$/) ?? [];
   const [x, y] = [one, other].map(({ found }) => curvedDetails(found)[letter as 'A']);
   return how === 'stays' ? x === y : x !== y;

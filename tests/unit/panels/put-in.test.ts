@@ -10,6 +10,7 @@ import { inNumbers } from '../../../src/math/formula/print/leaves.ts';
 import type { Marks } from '../../../src/math/formula/print/math-notation.ts';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import { putIntoLine } from '../../../src/panels/check-lines.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { shownResult } from '../../../src/state/exact-digits.ts';
 import { fitsInto, spacesOf } from '../../../src/state/number-space.ts';
@@ -85,7 +86,7 @@ function falseLines(model: ExploreModel): string[] {
     );
 }
 
-const derived = (state: AppState): ExploreModel => createDerive()(state);
+const derived = (state: AppState): ExploreModel => createDerive(() => closerLook)(state);
 const linked = (query: string): ExploreModel => derived(decode(`#/explore?${query}`));
 
 /** Numbers as people type and drag them, thirds among them, and all methods. */

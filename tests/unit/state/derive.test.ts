@@ -9,7 +9,7 @@ import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
-import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
+import { createDerive, type FullModel } from '../../../src/state/derive.ts';
 import {
   type AppState,
   INITIAL,
@@ -21,7 +21,7 @@ import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
 import { anyPicture, PICTURED } from './random-state.ts';
 
-const open = (query: string): ExploreModel =>
+const open = (query: string): FullModel =>
   createDerive(() => closerLook)(decode(`#/explore?${query}`));
 const having = (...actions: Action[]): AppState => actions.reduce(update, INITIAL);
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
@@ -225,7 +225,7 @@ describe('the graph', () => {
   });
 
   test('a ray that was kept has its own f there, unless the results are hidden', () => {
-    const derive = createDerive();
+    const derive = createDerive(() => closerLook);
     const first = decode('#/explore?shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0');
     const kept = update(first, { type: 'ghost', on: true });
     const moved = update(kept, { type: 'origin', value: [5, 0, 0] });

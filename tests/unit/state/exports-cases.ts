@@ -1,6 +1,7 @@
 import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { rayCases } from '../math/read-vectors.ts';
@@ -102,7 +103,7 @@ export const HARD_CASES: readonly ExportCase[] = rayCases
 
 /** The page's model of a case. */
 export function modelOf({ shape, ray: r }: ExportCase, method = 'exact'): ExploreModel {
-  return createDerive()({
+  return createDerive(() => closerLook)({
     ...INITIAL,
     kind: shape.kind,
     shapes: { ...INITIAL.shapes, [shape.kind]: shape },

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import './gallery-loaded.ts';
 import { announcement } from '../../../src/state/announce.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { titleOf } from '../../../src/state/example.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
@@ -13,7 +14,7 @@ import { decode } from '../../../src/state/url.ts';
 import { rootsOf } from '../../../src/state/window.ts';
 
 const at = (link: string, lines: number | null) =>
-  createDerive()(update(decode(link, INITIAL), { type: 'reveal', lines }));
+  createDerive(() => closerLook)(update(decode(link, INITIAL), { type: 'reveal', lines }));
 
 test.each([
   ['#/explore?shape=cone', 7],
@@ -52,7 +53,7 @@ test('the segments of a hidden scene are one piece before and after E', () => {
 });
 
 describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('hidden, %s', (_, entry) => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
   const state = update(decode(entry.link, INITIAL), { type: 'reveal', lines: 0 });
   const { scene, shape, ray, example, graph } = derive(update(state, { type: 'ghost', on: true }));
 
@@ -88,7 +89,7 @@ test('a bead that was put on the ray is shown where that is asked, and nowhere e
 
 test('a line without roots is drawn through the whole stage', () => {
   for (const { id, link } of GALLERY) {
-    const { scene, found, ray } = createDerive()(decode(link, INITIAL));
+    const { scene, found, ray } = createDerive(() => closerLook)(decode(link, INITIAL));
     if (rootsOf(found).length > 0) continue;
     const whole = clipToStage(ray, scene.stage, { from: -Infinity, to: Infinity });
     expect(scene.ray.segments[0]?.from, id).toBe(whole?.from);

@@ -1,12 +1,13 @@
 import { expect, test } from 'vitest';
 import { SHAPES } from '../../../../src/math/index.ts';
 import { CHALLENGES } from '../../../../src/pages/explore/challenges.ts';
+import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive } from '../../../../src/state/derive.ts';
 import { type AppState, INITIAL } from '../../../../src/state/state.ts';
 import { decode } from '../../../../src/state/url.ts';
 
 const metIn = (state: AppState): readonly string[] => {
-  const { found, shape } = createDerive()(state);
+  const { found, shape } = createDerive(() => closerLook)(state);
   return CHALLENGES.filter(
     ({ kind, met }) => (kind ?? shape.kind) === shape.kind && met(found, shape) !== null,
   ).map(({ id }) => id);

@@ -6,11 +6,12 @@ import {
   questionOf,
 } from '../../../../src/pages/explore/predictions.ts';
 import { ASKS } from '../../../../src/state/ask.ts';
+import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../../src/state/derive.ts';
 import { GALLERY } from '../../../../src/state/gallery/index.ts';
 import { decode } from '../../../../src/state/url.ts';
 
-const modelOf = (link: string): ExploreModel => createDerive()(decode(link));
+const modelOf = (link: string): ExploreModel => createDerive(() => closerLook)(decode(link));
 const isCurved = (model: ExploreModel): boolean => model.found.details.family === 'curved';
 
 /** The right answer, by the exact method and without the formulas that the judgement uses. */

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { between } from '../../../../src/pages/explore/travel.ts';
+import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive } from '../../../../src/state/derive.ts';
 import { GALLERY } from '../../../../src/state/gallery/index.ts';
 import { rayOf, shapeOf } from '../../../../src/state/state.ts';
@@ -13,7 +14,7 @@ const PAIRS = GALLERY.slice(1).flatMap((entry, i) => {
 test.each(PAIRS)(
   'to %s: begins and ends exactly there, with an answer all the way',
   (_, from, to) => {
-    const derive = createDerive();
+    const derive = createDerive(() => closerLook);
     const at = (share: number) => between(from, to, share);
     expect([rayOf(at(0)).origin, shapeOf(at(0))]).toEqual([
       from.E,

@@ -1,0 +1,110 @@
+import type { Drawing, Stage } from '../math/drawing.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
+import type { Exactly } from './exactly.ts';
+import { graphOf } from './graph.ts';
+import type { GraphModel } from './graph-model.ts';
+import { handlesOf } from './handles.ts';
+import { type NearTangent, nearTangent } from './near-tangent.ts';
+import { nearestTangent, type Tangent } from './nearest-tangent.ts';
+import { remember } from './remember.ts';
+import { sceneOf, withoutResults } from './scene.ts';
+import type { SceneModel } from './scene-model.ts';
+import { sameStage, stageAround, stageOf } from './stage.ts';
+import type { AppState } from './state.ts';
+import type { VerdictWords } from './words.ts';
+
+/** How near the ray is to tangency, and what finds a ray that touches, where there is one. */
+export interface Near extends NearTangent {
+  readonly find: ((state: AppState) => Tangent | null) | null;
+}
+
+interface Found {
+  readonly state: AppState;
+  readonly shape: Shape;
+  readonly title: string;
+  readonly ray: Ray;
+  readonly found: Intersection;
+  readonly exactly: Exactly;
+  /** Whether the hits are shown. */
+  readonly shown: boolean;
+  readonly ghost: { readonly ray: Ray; readonly found: Intersection } | null;
+  readonly verdict: VerdictWords;
+}
+
+export interface Pictures {
+  readonly graph: GraphModel;
+  readonly scene: SceneModel;
+  /** Where the numbers cannot be set any nearer to tangency. */
+  readonly near: Near | null;
+  /** In other words where the ray is as near to tangency as its numbers can be. */
+  readonly verdict: VerdictWords;
+}
+
+/** What scene and graph show, with a memory of its own. */
+export function createPictures(): (given: Found) => Pictures {
+  const graphFor = remember(graphOf);
+  // While the hits are hidden their places may not be read off the part of the world that is shown.
+  const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
+    found ? stageOf(shape, r, found) : stageAround(shape, [r.origin]),
+  );
+  const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
+  const handles = remember(
+    (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
+      handlesOf({ shape, E, d, unit, ray, drawing }),
+  );
+  const nearly = remember(
+    (
+      shape: Shape,
+      ray: Ray,
+      exactly: Exactly,
+      held: ReturnType<typeof handlesOf>,
+      state: AppState,
+    ): Near | null => {
+      const near = nearTangent(shape, ray, exactly, held);
+      return near && { ...near, find: nearestTangent(state) && nearestTangent };
+    },
+  );
+  return ({ state, shape, title, ray, found, exactly, shown, ghost, verdict: words }) => {
+    const graph = graphFor(found, shape, ray, state.bead, ghost?.found ?? null);
+    const s = stage(shape, ray, shown ? found : null);
+    const picture = drawing(shape, s);
+    const held = handles(shape, state.E, state.d, state.unit, ray, picture);
+    const near = nearly(shape, ray, exactly, held, state);
+    const verdict =
+      near && exactly.found.class === found.class
+        ? { ...words, pieces: [near.text], text: near.text }
+        : words;
+    const scene = sceneOf({
+      title,
+      verdict: verdict.text,
+      ray,
+      found,
+      stage: s,
+      drawing: picture,
+      handles: held,
+      graph,
+      view: state.view,
+      ghost,
+    });
+    return {
+      near,
+      verdict,
+      graph: shown ? graph : { ...graph, ghost: null, concealed: true },
+      scene: shown ? scene : withoutResults(scene, state),
+    };
+  };
+}
+
+/** Gives the previous result again while the new one equals it. */
+function keepWhile<Args extends readonly unknown[], R>(
+  same: (a: R, b: R) => boolean,
+  f: (...args: Args) => R,
+): (...args: Args) => R {
+  let last: R | null = null;
+  return (...args) => {
+    const next = f(...args);
+    if (last === null || !same(last, next)) last = next;
+    return last;
+  };
+}
