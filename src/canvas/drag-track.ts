@@ -1,6 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import type { PointHandle, ReachHandle } from '../state/handles.ts';
-import type { Value, Way } from '../state/snap.ts';
+import type { DragLine, Value } from '../state/snap.ts';
 import type { HandlePlace } from './handle-place.ts';
 import { type LineOnScreen, lineOnScreen } from './line-on-screen.ts';
 import type { Projection } from './projection.ts';
@@ -15,7 +15,7 @@ export interface DragTrack {
   readonly perPixel: number;
   to(dx: number, dy: number): Value;
   /** Lines of values through what `to` gives, for looking around there. */
-  ways(dx: number, dy: number): readonly Way[];
+  lines(dx: number, dy: number): readonly DragLine[];
 }
 
 /**
@@ -53,7 +53,7 @@ function planeTrack(
     start: handle.here,
     perPixel,
     to,
-    ways: (dx, dy) =>
+    lines: (dx, dy) =>
       Array.from({ length: WAYS }, (_, k) => {
         const angle = (2 * Math.PI * k) / WAYS;
         const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -112,7 +112,7 @@ function lineTrack(
     start,
     perPixel,
     to: (dx, dy) => read(line.reach(pixels(dx, dy))),
-    ways: (dx, dy) =>
+    lines: (dx, dy) =>
       [1, -1].map((sign) => (more: number) => read(line.reach(pixels(dx, dy) + sign * more))),
   };
 }

@@ -1,6 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { Handle } from '../state/handles.ts';
-import type { Offer, Value } from '../state/snap.ts';
+import type { SnapTarget, Value } from '../state/snap.ts';
 import { type DragTrack, trackOf } from './drag-track.ts';
 import type { HandlePlace } from './handle-place.ts';
 import { nudged } from './nudge.ts';
@@ -36,7 +36,7 @@ interface Drag {
   readonly handle: Handle;
   readonly track: DragTrack;
   readonly from: { readonly x: number; readonly y: number };
-  readonly axes: (value: Value, dx: number, dy: number) => readonly Offer[];
+  readonly axes: (value: Value, dx: number, dy: number) => readonly SnapTarget[];
   readonly radius: number;
   at: { readonly x: number; readonly y: number };
   moved: boolean;

@@ -2,13 +2,13 @@ import type { Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { Handle } from '../state/handles.ts';
 import {
+  chooseTarget,
   ENTER,
+  finestStep,
   gridUnit,
-  hair,
-  type Offer,
   onGrid,
-  take,
-  tangentOffer,
+  type SnapTarget,
+  tangentTarget,
   type Value,
 } from '../state/snap.ts';
 import type { DragTrack } from './drag-track.ts';
@@ -39,12 +39,12 @@ export function snapDrag(
   track: DragTrack,
   [dx, dy]: readonly [number, number],
   { free, fine }: Modifiers,
-  axes: readonly Offer[],
+  axes: readonly SnapTarget[],
   held: string | null,
   stageRadius: number,
 ): Snapped {
   const raw = track.to(dx, dy);
-  const least = hair(track.perPixel);
+  const least = finestStep(track.perPixel);
   const step = handle.isLength
     ? handle.step * gridUnit(stageRadius, track.perPixel)
     : Math.min(handle.step, least * 10 * MAX_STEP_PX);
@@ -53,8 +53,8 @@ export function snapDrag(
   if (free) return { value: plain, reason: null, held: null };
   const tangent =
     handle.tangency &&
-    tangentOffer(track.ways(dx, dy), handle.tangency, [grid(step), grid(step / 10), grid(least)]);
-  const offer = take(tangent ? [...axes, tangent] : axes, held);
+    tangentTarget(track.lines(dx, dy), handle.tangency, [grid(step), grid(step / 10), grid(least)]);
+  const offer = chooseTarget(tangent ? [...axes, tangent] : axes, held);
   return offer
     ? { value: offer.value, reason: offer.reason, held: offer.key }
     : { value: plain, reason: null, held: null };
@@ -76,7 +76,7 @@ export function axisOffers(
   tip: { readonly x: number; readonly y: number },
   units: StageUnits,
   projection: Projection,
-): Offer[] {
+): SnapTarget[] {
   const origin = handle.type === 'point' ? handle.origin : null;
   const place = origin && units.toStage(origin);
   const from = place && projection.project(place);

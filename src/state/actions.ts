@@ -6,9 +6,9 @@ import type { TypedTexts } from './typed-texts.ts';
 import type { View } from './view.ts';
 
 /**
- * What a value is to be: itself, or made from what it is when the action arrives. The second is for
- * whatever leaves a part as it is: the page may have been drawn before that part was changed last,
- * so what stands on it is no base for an edit.
+ * A new value, or a function that makes it from the value at the moment when the action arrives.
+ * An edit that keeps a part of the value has to be a function: the page may have been drawn before
+ * that part was last changed.
  */
 export type Edit<T> = T | ((now: T) => T);
 
@@ -41,17 +41,17 @@ export type Action =
   | { readonly type: 'bead'; readonly t: number | null }
   | { readonly type: 'reset'; readonly what: 'E' | 'd' | 'all' | { readonly param: string } }
   | { readonly type: 'page'; readonly page: PageId }
-  /** Of the page that is shown. */
+  /** Changes settings of the page that is shown. */
   | { readonly type: 'settings'; readonly values: Changes | ((now: Settings) => Changes) }
   | { readonly type: 'link'; readonly hash: string }
-  /** A whole state: from a file, or made of the one there is. */
+  /** Replaces the whole state: by one from a file, or one made from the present one. */
   | { readonly type: 'open'; readonly state: Edit<AppState> }
   | { readonly type: 'example'; readonly id: string }
   /** The next example, or the one before. */
   | { readonly type: 'browse'; readonly by: 1 | -1 }
   /** How many lines of the result are shown; null for all of them. */
   | { readonly type: 'reveal'; readonly lines: number | null }
-  /** What is to be predicted. */
+  /** Chooses what is to be predicted. */
   | { readonly type: 'ask'; readonly ask: Ask }
   /** Show the answer to the example's question, or hide it. */
   | { readonly type: 'tell'; readonly on: boolean }
@@ -59,7 +59,7 @@ export type Action =
   | { readonly type: 'derive'; readonly step: Edit<number | null> }
   /** Keep the ray and its hits as they are now, to compare with; or drop them. */
   | { readonly type: 'ghost'; readonly on: boolean }
-  /** To a ray and a shape near the present ones that touch exactly, where there are such. */
+  /** Moves ray and shape to near ones that touch exactly, if `find` gives such. */
   | { readonly type: 'tangent'; readonly find: (now: AppState) => Tangent | null }
   | { readonly type: 'say'; readonly problems: readonly string[] }
   | { readonly type: 'dismiss' }

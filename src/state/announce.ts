@@ -19,8 +19,8 @@ export function announcement(before: ExploreModel, after: ExploreModel): string 
 }
 
 /**
- * "Example 5 of 41: in the plane. Which t solve the equation?": it was opened, or what was changed
- * in it was undone.
+ * "Example 5 of 41: in the plane. Which t solve the equation?", if an example was opened or its
+ * changes were undone; '' otherwise.
  */
 function newExample({ example: old }: ExploreModel, { example, state }: ExploreModel): string {
   if (!example || example.changed) return '';

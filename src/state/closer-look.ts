@@ -4,11 +4,11 @@ import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
 import { createPictures } from './pictures.ts';
 import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 
-/** What is computed of a ray beyond its verdict, by code that the first frame does not wait for. */
+/** Everything about a ray that is loaded after the first frame: what its verdict does not need. */
 export const closerLook = {
   asTyped,
   createPictures,
-  /** How many digits stand on the page, and which exact ones beside them. */
+  /** How many digits the page shows, and the exact ones beside them. */
   digits: {
     exactBeside,
     rangeNote,

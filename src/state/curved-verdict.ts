@@ -49,7 +49,7 @@ export function curvedVerdict(found: Intersection, details: CurvedDetails, namin
 
 function tangent({ hits }: Intersection, { singular }: Naming, opens: '-' | '+') {
   if (!hits[0]?.singular) return TOUCHES[opens];
-  // A method may round the normal of a point to zero where no normal is zero.
+  // A method may round a normal to zero although the exact one is not zero.
   return SINGULAR[opens](singular ?? 'a point whose normal is rounded to zero');
 }
 

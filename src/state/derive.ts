@@ -25,23 +25,23 @@ export interface ExploreModel {
   readonly contradicted: Verdict | null;
   /** What exact arithmetic says, for what stands beside the method's digits. */
   readonly exactly: Exactly;
-  /** Null until it is loaded: then lines stand without their numbers put in. */
+  /** Null until its code is loaded; until then lines are shown without numbers put in. */
   readonly digits: CloserLook['digits'] | null;
-  /** Where the numbers as typed give another case than the doubles that store them. */
+  /** The verdict for the numbers as typed, where it differs from that for the stored doubles. */
   readonly asTyped: AsTyped;
   readonly derivation: Derivation;
   /** The example that is shown, as it is or changed. */
   readonly example: ShownExample | null;
   readonly verdict: VerdictWords;
-  /** Where the numbers cannot be set any nearer to tangency. */
+  /** Set if no neighbouring doubles are nearer to tangency; null otherwise. */
   readonly near: Near | null;
   readonly hits: readonly HitWords[];
-  /** Of the kept ray: A, B, C, D, t1 …; empty without one. */
+  /** Values of the ghost by name: A, B, C, D, t1 …; empty without one. */
   readonly before: Readonly<Record<string, number | null>>;
   /** Null until the code of a closer look is loaded. */
   readonly graph: GraphModel | null;
   readonly scene: SceneModel | null;
-  /** Which lines of the result are shown, for predicting first. */
+  /** Which lines of the result are shown; some are hidden while a result is to be predicted. */
   readonly shown: ReturnType<typeof shownLines>;
 }
 
@@ -130,7 +130,7 @@ export function createDerive(
   };
 }
 
-/** A kept ray with what is compared: its lines' values by their ids, and its roots. */
+/** What of a ghost is compared: the values of its derivation by id, and its roots. */
 function keptOf({ shape, ray }: Ghost) {
   const found = intersect(shape, ray);
   const values = derivation(shape, ray, found).steps.map(({ id, value }) => [id, value]);

@@ -13,21 +13,23 @@ import {
 import type { Exactly } from './exactly.ts';
 
 const DIGITS = 6;
-/** The doubles end there. */
+/** The largest and the smallest positive double, as texts. */
 const LARGEST = display(Number.MAX_VALUE, 2);
 const SMALLEST = display(Number.MIN_VALUE, 2);
 
 /** How a result stands on the page. */
 interface ShownResult {
-  /** In place of the double's own digits, where it is no finite number, or 0 for what is not 0. */
+  /**
+   * Shown in place of the double's digits if it overflowed, is NaN, or is a 0 that is not exact.
+   */
   readonly text: string | null;
-  /** What is said beside it. */
+  /** Words beside the number. */
   readonly beside: string | null;
 }
 
 /**
- * A formula in floats means its own 0 and its own ∞; the other methods know more than the doubles
- * that they show.
+ * Whether the method decides by more than the doubles it shows. A float method (`formula`) decides
+ * by them: its 0 and its ∞ count as such.
  */
 const knowsMore = ({ decidedBy }: Pick<Intersection, 'decidedBy'>): boolean =>
   decidedBy !== 'formula';
@@ -53,10 +55,7 @@ export function shownResult(
 const isOutOfRange = (value: number, exactly: Surd): boolean =>
   !Number.isFinite(value) || (value === 0 && exact.sign(exactly) !== 0);
 
-/**
- * Which of the results no double can hold, and how it was solved all the same; null where all are
- * in range.
- */
+/** Which results are out of the doubles' range, and how they were solved; null if none is. */
 export function rangeNote(
   { steps }: Pick<Derivation, 'steps'>,
   found: Intersection,
@@ -80,9 +79,8 @@ const named = (steps: readonly Step[]): string =>
   steps.map(({ id }) => id.replace('.', '·').replace('-', ` ${MINUS} `)).join(', ');
 
 /**
- * The exact digits beside a number whose shown digits differ from them, so many that the difference
- * is seen; null where they are the same. `exactly`, where it is known, gives the digits also beyond
- * the doubles.
+ * The exact digits beside a number whose shown digits differ from them: so many that the difference
+ * shows; null if they are the same. `exactly`, if known, gives digits also beyond the doubles.
  */
 export function exactBeside(value: number, rounded: number, exactly?: Surd): string | null {
   if (value === rounded && (value !== 0 || !exactly || exact.sign(exactly) === 0)) return null;
@@ -102,14 +100,14 @@ export function exactParts(a: Surd): DisplayParts {
   }
   const { negative, digits, exponent } = decimalDigits(a, DIGITS);
   const more = decimalDigits(a, CERTAIN_DIGITS).digits;
-  // As `display` has it: zeros at the end stay where digits were rounded away.
+  // As `display` does it: zeros at the end are kept if digits were rounded away.
   const figures = /^0*$/.test(more.slice(DIGITS)) ? digits.replace(/0+$/, '') : digits;
   const fraction = figures.slice(1);
   const mantissa = `${negative ? MINUS : ''}${figures.charAt(0)}${fraction ? `.${fraction}` : ''}`;
   return { mantissa, exponent };
 }
 
-/** How far apart two roots are that read alike in six digits; null elsewhere. */
+/** The distance of two roots that are the same in six digits; null for other roots. */
 export function rootGap(found: Intersection, exactly: Exactly): string | null {
   const [first, second] = found.hits;
   if (!first || !second || display(first.t) !== display(second.t)) return null;

@@ -8,10 +8,7 @@ export interface ShownExample {
   /** From 1. */
   readonly number: number;
   readonly of: number;
-  /**
-   * Something was changed: the title is still where it came from, and the caption no longer speaks
-   * of what is shown.
-   */
+  /** Whether ray, shape or method were changed, so that its question and answer no longer apply. */
   readonly changed: boolean;
 }
 
@@ -19,8 +16,8 @@ let examples: readonly Example[] = [];
 let numbers: ReadonlyMap<string, number> | null = null;
 
 /**
- * The gallery is loaded after the first frame. Until it is there, no state is known as an example,
- * and there is no next one.
+ * Sets the gallery, which is loaded after the first frame. Before that no state counts as an
+ * example, and there is no next one.
  */
 export function provideExamples(loaded: readonly Example[]): void {
   examples = loaded;
@@ -31,7 +28,8 @@ export function provideExamples(loaded: readonly Example[]): void {
 export const allExamples = (): readonly Example[] => examples;
 
 /**
- * Whoever opens an example's link has the example, and so has whoever undoes what he changed in it.
+ * The example with the values of this state, however the state was reached (its link, undo); else
+ * the one that it was made from, as changed; null for neither.
  */
 export function exampleOf(state: AppState): ShownExample | null {
   numbers ??= new Map(examples.map(({ link }, i) => [valuesOf(decode(link)), i]));
@@ -40,20 +38,20 @@ export function exampleOf(state: AppState): ShownExample | null {
   const entry = examples[at];
   if (!entry) return null;
   const changed = same === undefined;
-  // With another shape nothing of the example is left.
+  // With another shape it is no longer this example.
   if (changed && decode(entry.link).kind !== state.kind) return null;
   return { entry, number: at + 1, of: examples.length, changed };
 }
 
-/** What a caption speaks of: ray, shape and method, however one looks at them. */
+/** Key of what an example is about: ray, shape and method, without view and bead. */
 function valuesOf(state: AppState): string {
   const { view, bead, settings, revealed, ask } = INITIAL;
   return encode({ ...state, page: 'explore', view, bead, settings, revealed, ask });
 }
 
 /**
- * "tangent", or "tangent, changed"; only its number while the results are hidden, as most titles
- * tell them.
+ * "tangent", or "tangent, changed". While results are hidden only its number, "5 of 41", since most
+ * titles give the result away.
  */
 export const titleOf = ({ entry, changed, number, of }: ShownExample, hidden = false): string => {
   const title = hidden ? `${number} of ${of}` : entry.title;

@@ -28,9 +28,7 @@ type Opened =
   | { readonly ok: true; readonly state: AppState }
   | { readonly ok: false; readonly reason: string };
 
-/**
- * The state in a file from anywhere: what is not understood is left out and said, never guessed.
- */
+/** The state in a file of any origin. What cannot be read is left out and reported. */
 export function fromFile(text: string): Opened {
   let data: unknown;
   try {
@@ -55,7 +53,7 @@ export function fromFile(text: string): Opened {
   return { ok: true, state: { ...state, problems: [...problems, ...state.problems] } };
 }
 
-/** Each page judges its own settings when it is opened; here they only have to be text. */
+/** Settings by page. Each page checks its own when it is opened; here they only have to be text. */
 function readSettings(given: unknown): Record<string, Settings> {
   const pages = (given ?? {}) as Readonly<Record<string, unknown>>;
   return Object.fromEntries(

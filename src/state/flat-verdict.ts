@@ -16,7 +16,7 @@ interface Said {
   readonly pieces: readonly Piece[];
 }
 
-/** A plane, or a figure in one. */
+/** The verdict in words for a plane, or for a figure in one. */
 export function flatVerdict(
   found: Intersection,
   details: FlatDetails,
@@ -64,10 +64,7 @@ function planePieces(
   return ['the plane is met ', ...by, `outside the ${name}${where}: no point`];
 }
 
-/**
- * Null where a method knows that a point is outside and not how far, or the distance leaves the
- * doubles.
- */
+/** Distance of a point from the figure; null if the method does not know it or it overflows. */
 export function distanceKnown({ distance }: PlaneHit): number | null {
   return distance > 0 && Number.isFinite(distance) ? distance : null;
 }

@@ -7,10 +7,10 @@ export interface GraphModel {
   readonly A: number;
   readonly B: number;
   readonly C: number;
-  /** The stretch of t that is shown. */
+  /** The interval of t that is shown. */
   readonly from: number;
   readonly to: number;
-  /** The values of f that are shown. */
+  /** The interval of f(t) that is shown. */
   readonly low: number;
   readonly high: number;
   readonly roots: readonly {
@@ -28,7 +28,7 @@ export interface GraphModel {
   };
   /** Where f turns, how high it is there, and how far from there its roots lie (NaN for none). */
   readonly square?: { readonly t: number; readonly f: number; readonly half: number };
-  /** f of the ray that was kept to compare with, and its roots; null without one. */
+  /** Coefficients of f for the ghost, and its roots; null without one. */
   readonly ghost: {
     readonly A: number;
     readonly B: number;

@@ -52,8 +52,8 @@ export function pointAt({ origin, direction }: Ray, t: number): readonly [number
 }
 
 /**
- * The values of f worth seeing: at E, at the turning point, at the roots; with the axis never at
- * the very edge.
+ * The interval of f(t) to show: its values at E, at the vertex and at the roots, with a margin so
+ * that the t axis is never at the edge.
  */
 function heights(
   f: (t: number) => number,

@@ -25,13 +25,13 @@ interface HandleBase {
   readonly label: string;
   readonly text: string;
   readonly step: number;
-  /** The step is a length, and grows with the world. */
+  /** Whether the step is a length, which grows with the stage. */
   readonly isLength: boolean;
   /** Why a value is not allowed, in the math module's words; null if it is. */
   refusal(value: Value): string | null;
-  /** The value itself while it is dragged, and an edit of it for a key. */
+  /** The action that sets the value: a drag gives the value, a key an edit of it. */
   action(value: Edit<Value>): Action;
-  /** Null where there is no discriminant, or where it would give away what is to be predicted. */
+  /** For snapping to D = 0; null without a discriminant, or while results are hidden. */
   readonly tangency: Tangency | null;
 }
 
@@ -41,15 +41,15 @@ export interface PointHandle extends HandleBase {
   readonly at: Vec3;
   readonly value: Vec3;
   /**
-   * What the value is here: E's is the place itself, d's counts from E, and with a unit d its value
-   * is longer or shorter.
+   * The value that `at` stands for: for E the place itself, for d the vector from E. With a unit d
+   * it has another length than `value`.
    */
   readonly here: Vec3;
   /** Where a direction starts; null for a place. */
   readonly origin: Vec3 | null;
 }
 
-/** A number that is read off a distance. */
+/** A handle for a number that is shown as a distance, as a radius. */
 export interface ReachHandle extends HandleBase {
   readonly type: 'reach';
   readonly grip: Extract<Grip, { type: 'reach' }>;
@@ -63,12 +63,12 @@ interface Given {
   readonly E: Vec3;
   readonly d: Vec3;
   readonly unit: boolean;
-  /** The kernel's. */
+  /** The ray that the kernel gets: with `unit`, its direction has length 1. */
   readonly ray: Ray;
   readonly drawing: Drawing;
 }
 
-/** Everything in the scene that can be taken and moved. */
+/** Everything in the scene that can be dragged. */
 export function handlesOf({ shape, E, d, unit, ray, drawing }: Given): Handle[] {
   const { origin, direction } = ray;
   const pointed = (to: Vec3): Ray => ({ origin, direction: unit ? unitVector(to) : to });
@@ -131,7 +131,7 @@ function refusalOf(param: VectorParam | NumberParam, value: Value): string | nul
 
 const NO_PROBE: Probe = { sign: null, size: Number.NaN, isTangent: false };
 
-/** Asks after D of the scene with a value put in. */
+/** D and its sign as functions of a handle's value. */
 function tangencyOf(scene: (value: Value) => readonly [Shape, Ray]): Tangency {
   return {
     quick(value) {

@@ -2,13 +2,13 @@ import type { Ray } from '../math/index.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 
-/** Heights between which a thing of a scene is kept: only low ≤ y ≤ high is there. */
+/** Heights between which a thing of a scene is kept: low ≤ y ≤ high. */
 export type Between = readonly [low: number, high: number];
 
-/** The height of a point, as the tracer works it out. */
+/** The height of a point, computed as the tracer does. */
 const heightAt = ({ origin, direction }: Ray, t: number): number => origin[1] + t * direction[1];
 
-/** "y = 1.774 > 1": why the point at t is not there; null if it is. */
+/** "y = 1.774 > 1", if the point at t is cut off; null otherwise. */
 export function whyCut(ray: Ray, t: number, [low, high]: Between): string | null {
   const y = heightAt(ray, t);
   if (y >= low && y <= high) return null;
@@ -17,7 +17,7 @@ export function whyCut(ray: Ray, t: number, [low, high]: Between): string | null
   return `y = ${own} ${above ? '>' : '<'} ${limit}`;
 }
 
-/** With as many digits as it takes to tell the two apart, at least four. */
+/** Both numbers with as many digits as it takes to tell them apart, at least four. */
 function told(y: number, limit: number): readonly [string, string] {
   for (let digits = 4; digits < 17; digits++) {
     const [a, b] = [display(y, digits), display(limit, digits)];
@@ -26,7 +26,7 @@ function told(y: number, limit: number): readonly [string, string] {
   return [display(y, 17), display(limit, 17)];
 }
 
-/** What the scene that a shape comes from does to it, and to the roots at these t. */
+/** A sentence on how a scene cuts the shape off, and which of the roots at these t it cuts. */
 export function heightsLine(
   name: string,
   between: Between,

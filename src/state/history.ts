@@ -2,23 +2,23 @@ import type { Action } from './actions.ts';
 import type { AppState } from './state.ts';
 import { update } from './update.ts';
 
-/** The state with what it was before. */
+/** The state with earlier ones for undo and later ones for redo. */
 export interface History {
   readonly past: readonly AppState[];
   readonly present: AppState;
   readonly future: readonly AppState[];
   /**
-   * The gesture that made the last step; what belongs to the same one becomes part of that step.
+   * The gesture of the last step; further actions of the same gesture are merged into that step.
    */
   readonly gesture: string | null;
 }
 
-/** Steps that can be taken back. */
+/** Largest number of steps that can be undone. */
 const LONGEST = 200;
 
 /**
- * What undo brings back. Looking around (view, bead, page, what is hidden) is not a step, but undo
- * goes where the step was taken.
+ * The parts of the state whose change is a step of undo. A change of view, bead, page or hidden
+ * lines is none; undoing a step restores them as they were at that step.
  */
 const UNDOABLE = [
   'kind',
@@ -37,8 +37,8 @@ export function historyOf(present: AppState): History {
 }
 
 /**
- * The history after an action. Actions of one gesture (a whole drag, a run of key presses) are one
- * step; null is its own.
+ * The history after an action. All actions of one gesture (a drag, a run of key presses) make one
+ * step; with `gesture` null an action is a step of its own.
  */
 export function advance(history: History, action: Action, gesture: string | null): History {
   if (action.type === 'undo') return back(history);
@@ -50,7 +50,7 @@ export function advance(history: History, action: Action, gesture: string | null
   const goesOn = gesture !== null && gesture === history.gesture;
   const before = past.at(-1);
   if (goesOn && before && sameValues(before, next)) {
-    // A drag that was given up, or came back to where it began, is no step.
+    // A drag that was cancelled, or ended where it began, is no step.
     return { ...history, past: past.slice(0, -1), present: next, gesture: null };
   }
   return {

@@ -14,19 +14,19 @@ import { parseTyped } from '../text/parse.ts';
 import { type AppState, RAY_PARAMS } from './state.ts';
 import { type Place, rayPlaces, shapePlaces, type TypedTexts } from './typed-texts.ts';
 
-/** The scene as it was given: the doubles of the state, and the texts of those that were typed. */
+/** Ray and shape as entered: the doubles of the state, and the texts of those that were typed. */
 export interface Given extends Pick<AppState, 'E' | 'd' | 'unit'> {
   readonly shape: Shape;
   readonly texts: TypedTexts;
 }
 
-/** A number of the ray or the shape, as it was meant. */
+/** A number of the ray or the shape, with the exact value that its text stands for. */
 export interface Meant extends Place {
   readonly text: string;
   /** The typed number; the stored one where the text has no exact value. */
   readonly exact: Surd;
   readonly isStored: boolean;
-  /** Has no exact value: pi, sin(1). */
+  /** Whether the text has no exact value: pi, sin(1). */
   readonly rounded: boolean;
   /** A double of 16 or 17 digits that nobody typed: it came out of a drag or a computation. */
   readonly computed: boolean;
@@ -35,13 +35,13 @@ export interface Meant extends Place {
 export const allMeant = (given: Given): Meant[] =>
   [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
 
-/** Whether the numbers were typed, and are not just what is stored. */
+/** Whether exact values differ from what the kernel gets, and none came out of a computation. */
 export const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
   (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
 
 /**
- * The numbers as typed, d at unit length if it is; null where they are just what is stored, or no
- * one root holds them.
+ * The exact values, with d at unit length if `unit` is set. Null if they are the stored doubles, or
+ * if they do not all lie in one field Q(√D), which exact arithmetic needs.
  */
 export function typedValues(given: Given): Values<Surd> | null {
   const all = allMeant(given);
@@ -61,8 +61,8 @@ export function typedValues(given: Given): Values<Surd> | null {
 }
 
 /**
- * What a double may have been typed as: its shortest text, if that is a decimal that doubles tell
- * from all others.
+ * Most digits of a decimal that somebody is assumed to have typed: doubles tell all decimals of 15
+ * digits apart.
  */
 const TYPED_DIGITS = 15;
 
@@ -92,7 +92,7 @@ function meant(place: Place, { texts }: Given): Meant {
   };
 }
 
-/** Few digits behind the point in binary: its decimal has few too, and is the double itself. */
+/** A multiple of 2^-10 below 10^9: its shortest decimal is exactly the double. */
 const isShort = (x: number): boolean => Number.isInteger(x * 1024) && Math.abs(x) < 1e9;
 
 export const isRoot = ({ exact }: Meant): boolean => exact.v.m !== 0n;
@@ -123,8 +123,8 @@ function put<T>(v: Triple<T> | undefined, index: 0 | 1 | 2, x: T): Triple<T> {
 }
 
 /**
- * What is allowed of the stored numbers need not be of the typed ones: 0.1 + 0.2 - 0.3 is no
- * direction.
+ * Whether the exact values are in their parameters' domains. The stored doubles are, but the exact
+ * value of 0.1 + 0.2 - 0.3 is 0, which is no direction.
  */
 export function isAllowed({ shape }: Given, { scalars, vectors }: Values<Surd>): boolean {
   return [RAY_PARAMS.d, ...definitionOf(shape).params].every((param: Param) => {

@@ -16,23 +16,23 @@ import type { Exactly } from './exactly.ts';
 import type { Handle } from './handles.ts';
 import type { Tangency, Value } from './snap.ts';
 
-/** A ray that could not be brought nearer to tangency by the doubles of what is moved. */
+/** Words on a ray that no neighbouring doubles bring nearer to tangency. */
 export interface NearTangent {
   /** "touches as nearly as doubles can: D = −1.1 · 10⁻¹⁵; exactly, it misses by 1.2 · 10⁻¹⁶" */
   readonly text: string;
-  /** What the words mean: which number's neighbour gives D the other sign. */
+  /** Which number's neighbouring double gives D the other sign. */
   readonly reason: string;
 }
 
 /**
- * |D| beside B² + |4AC|, below which the neighbours are asked. Rounded input moves D by far less.
+ * Largest ratio of |D| to B² + |4AC| at which neighbouring doubles are tried. A step of one ulp
+ * changes D by far less.
  */
 const SMALL = 1e-6;
 
 /**
- * Whether D, which is not 0, is 0 or has the other sign for a neighbouring double of E, of d or of
- * a number of the shape: a step in the last place of each coordinate, at most. Then there is
- * nothing between here and the other side that could be set.
+ * Set if D is not 0, and is 0 or has the other sign after a step of one ulp in a coordinate of E or
+ * d, or in a number of the shape. Then no doubles lie between this ray and the other side.
  */
 export function nearTangent(
   shape: Shape,
@@ -61,10 +61,10 @@ export function nearTangent(
   };
 }
 
-/** Beyond such sizes exact numbers are too long to ask for so many neighbours at every step. */
+/** Outside of this range exact numbers are too long to evaluate all neighbours at every step. */
 const isOrdinary = (x: number): boolean => x === 0 || (Math.abs(x) < 1e50 && Math.abs(x) > 1e-50);
 
-/** By the signs of D and A: where the line is beside the surface. */
+/** What the line does at its nearest point, by the signs of D and A. */
 const DEEDS: Readonly<Record<string, string>> = {
   '-1 1': 'misses by',
   '-1 -1': 'stays inside by',
@@ -77,13 +77,13 @@ function rootsApart({ quantities: { A, D } }: Exactly): string | null {
   return shortly(exact.div(exact.sqrt(D), exact.sign(A) < 0 ? exact.neg(A) : A));
 }
 
-/** Two digits, or more where no double is near it. */
+/** Two digits of a number; six if it is out of the doubles' range. */
 function shortly(a: Surd): string {
   const x = exact.toNumber(a);
   return x === 0 || !Number.isFinite(x) ? exactText(a) : display(x, 2);
 }
 
-/** Whether a step of at most one unit in the last place of each coordinate takes D over 0. */
+/** Whether steps of at most one ulp in the coordinates of a value change the sign of D. */
 function turns(value: Value, side: number, { exact: ask }: Tangency): boolean {
   const parts = typeof value === 'number' ? [value] : [...value];
   const made = (next: readonly number[]): Value =>
@@ -92,7 +92,7 @@ function turns(value: Value, side: number, { exact: ask }: Tangency): boolean {
   const unit = nextUp(largest) - largest;
   const best = [...parts];
   for (const [i, x] of parts.entries()) {
-    // A coordinate near 0 has finer doubles: it is moved as far as the largest one is.
+    // Near 0 doubles are denser: every coordinate is moved by the ulp of the largest one.
     const steps = [Math.max(nextUp(x), x + unit), Math.min(nextDown(x), x - unit)];
     const asked = steps.map((to) => ({ to, probe: ask(made(parts.with(i, to))) }));
     if (asked.some(({ probe }) => probe.sign !== null && probe.sign !== side)) return true;
@@ -103,13 +103,13 @@ function turns(value: Value, side: number, { exact: ask }: Tangency): boolean {
   return sign !== null && sign !== side;
 }
 
-/** Of the distance itself this share may be wrong by the surface's curvature. */
+/** Largest relative error of the distance by the surface's curvature. */
 const LINEAR = 1e-3;
 
 /**
  * How far the line stays from the surface, or goes beyond it: |f| / |∇F| where f turns, with
- * f = −D/4A, in exact arithmetic up to the last rounding. That is the first term of a series in f;
- * null where the next one counts, as beside a vertex.
+ * f = −D/4A, in exact arithmetic up to the last rounding. That is the first term of a series in f.
+ * Null if the second term is larger than `LINEAR` times the first, as near a vertex.
  */
 export function distanceToSurface(shape: Shape, ray: Ray, { quantities }: Exactly): number | null {
   const { A, B, D } = quantities;
@@ -125,7 +125,7 @@ export function distanceToSurface(shape: Shape, ray: Ray, { quantities }: Exactl
   if (exact.sign(steep) === 0) return null;
   const size = Math.abs(exact.toNumber(f));
   const slope = 2 * Math.sqrt(exact.toNumber(steep));
-  // F's second derivatives are 2 and −2a, and half of ∂F/∂y is −a (y − Cy).
+  // Second derivatives of F: 2 along x and z; along y twice the change of ½ ∂F/∂y from y to y + 1.
   const above = exact.add(place[1], exact.of(1));
   const next = evaluateTriple(
     formula.normal,

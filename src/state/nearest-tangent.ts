@@ -2,24 +2,26 @@ import { intersect, type Shape, type Vec3 } from '../math/index.ts';
 import { type CircleNear, definitionOf, short } from '../math/shapes.ts';
 import { type AppState, rayOf, shapeOf } from './state.ts';
 
-/** What is changed to make a ray tangent in exact arithmetic. */
+/** A ray and a shape that touch in exact arithmetic. */
 export interface Tangent {
   readonly shape: Shape;
   readonly E: Vec3;
   readonly d: Vec3;
 }
 
-/** Bits of the numbers that are tried, and the largest leg of their triangles: near ones first. */
+/**
+ * Bits of the numbers to try, with the largest leg of their Pythagorean triangles; nearest first.
+ */
 const TRIES = [16, 14, 12, 10, 8, 6, 5].flatMap((bits) =>
   [48, 24, 12, 6].map((legs) => [bits, legs] as const),
 );
-/** No number is moved farther than by this share of its vector. */
+/** Largest change of a number, relative to its vector's size. */
 const FARTHEST = 0.05;
 
 /**
- * A ray and a shape near those of the state that touch exactly. A point of the surface whose
- * coordinates are short is made from a Pythagorean triangle, a direction of short numbers in the
- * tangent plane there, and E on that line. Only what exact arithmetic calls tangent is given.
+ * A ray and a shape near those of the state that touch exactly; null if none is found. A point of
+ * the surface with short coordinates is made from a Pythagorean triangle; then a direction of short
+ * numbers in the tangent plane there, and E on that line. Exact arithmetic checks the result.
  */
 export function nearestTangent(state: AppState): Tangent | null {
   const shape = shapeOf(state);
@@ -98,7 +100,7 @@ function isNear(state: AppState, shape: Shape, found: Tangent): boolean {
   ].every(([a, b]) => moved(a, b) <= FARTHEST);
 }
 
-/** How far a number or a vector was moved, as a share of its size. */
+/** The change of a number or a vector, relative to its size. */
 function moved(a: unknown, b: unknown): number {
   const [from, to] = [a, b].map((x) => (Array.isArray(x) ? x : [x])) as [unknown[], unknown[]];
   if (typeof from[0] !== 'number') return 0;

@@ -2,24 +2,24 @@ import type { Expr, Step, Values, VectorExpr } from '../math/formula.ts';
 import { AXES, axisIndex } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 
-/** Where numbers that are put in stand: in how many lines of how many characters. */
+/** The space for a formula with its numbers put in: how many lines of how many characters. */
 export interface NumberSpace {
   readonly line: number;
   readonly lines: number;
-  /** In a smaller type, as wide as the panel; it may be broken between its pieces. */
+  /** Smaller type over the whole width of the panel, broken between pieces if need be. */
   readonly long: boolean;
-  /** Under the formula, not behind it. */
+  /** On the next line, not behind the formula. */
   readonly below: boolean;
 }
 
 const BEHIND: NumberSpace = { line: 32, lines: 1, long: false, below: false };
 const BELOW: NumberSpace = { line: 58, lines: 1, long: false, below: true };
-/** Beside a result of more characters than `SHORT`. */
+/** Space beside a result of more than `SHORT` characters. */
 const NARROW: NumberSpace = { ...BELOW, line: 50 };
 const SHORT = 9;
 const WIDE: NumberSpace = { line: 78, lines: 1, long: true, below: true };
 export const LONG: NumberSpace = { ...WIDE, lines: 2 };
-/** Digits of the numbers of t, −B, √D and 2A: there are at most three. */
+/** Most digits of −B, √D and 2A in the line of t, which has no more than these three numbers. */
 const FRACTION_DIGITS = 11;
 const HALF = 20;
 
@@ -53,7 +53,7 @@ export function isHalf(expr: Expr, values: Values<number>): boolean {
   return charactersOf(expr, values, 4) <= HALF;
 }
 
-/** Between the pieces a line may be broken: the terms of a sum, the two sides of a dot product. */
+/** Characters of the pieces between which a line may be broken: terms, sides of a dot product. */
 function piecesOf(expr: Expr, values: Values<number>, digits: number): number[] {
   if (expr.op === 'sum') {
     return expr.terms.map((term) => charactersOf(term.expr, values, digits) + 3);
@@ -65,8 +65,7 @@ function piecesOf(expr: Expr, values: Values<number>, digits: number): number[] 
 }
 
 /**
- * About as many characters as the typeset line has; a pair of parentheses counts for each negative
- * number.
+ * Estimated width of a typeset line in characters; each negative number counts as in parentheses.
  */
 function charactersOf(expr: Expr, values: Values<number>, digits: number): number {
   const of = (e: Expr): number => charactersOf(e, values, digits);

@@ -5,10 +5,7 @@ import { quote } from '../math/shapes.ts';
 /* A text in a link: deflated, in the letters that a link may hold (base64url, RFC 4648). */
 
 const LONGEST = 30_000;
-/**
- * Bytes that are inflated at once: a link that makes too many of them is given up after one more
- * portion.
- */
+/** Bytes that are inflated at a time: a text that is too long is refused within one portion. */
 const PORTION = 1024;
 
 export function packed(text: string): string {
@@ -17,8 +14,11 @@ export function packed(text: string): string {
 }
 
 /**
- * The text again, of at most so many bytes. Throws InvalidInput with what is wrong; `what` is what
- * is packed: 'scene'.
+ * The text of a packed one.
+ *
+ * @param what is packed, for messages: 'scene'.
+ * @param longest bytes of the text, at most.
+ * @throws InvalidInput with what is wrong with it.
  */
 export function unpacked(text: string, what: string, longest: number): string {
   if (text.length > LONGEST) {
@@ -35,7 +35,7 @@ export function unpacked(text: string, what: string, longest: number): string {
   }
 }
 
-/** Deflate makes up to 1032 bytes of one: no more than `longest` are kept. */
+/** Deflate may make 1032 bytes of one, so inflating stops at `longest`. */
 function inflated(bytes: Uint8Array, what: string, longest: number): string {
   const parts: Uint8Array[] = [];
   let length = 0;

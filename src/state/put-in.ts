@@ -18,29 +18,23 @@ import { exactText, shownResult } from './exact-digits.ts';
 import type { Exactly } from './exactly.ts';
 import { rootsOf } from './window.ts';
 
-/** How a line is written with its numbers put in. */
+/** How a formula is written with numbers put in for its symbols. */
 export interface PutIn {
   readonly digits: number;
-  /**
-   * Whether its printed numbers give the printed result in all its digits; else it is written with
-   * ≈.
-   */
+  /** Whether the printed numbers give the printed result in all digits; else ≈ is written for =. */
   readonly isFaithful: boolean;
 }
 
-/**
- * Digits of a number in a line: six as everywhere, more where the result needs them, fewer where
- * there is no room.
- */
+/** Digits to try for the numbers of a line: six, more if the result needs them, fewer for space. */
 const MORE = [6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17] as const;
 const FEWER = [5, 4] as const;
-/** Of a line that no number of digits makes faithful. */
+/** Digits to try for a line that no number of digits makes faithful. */
 const COMPACT = [6, 5, 4, 3] as const;
 
 /**
- * The digits that make the line give its result when it is worked out again, in the first of the
- * spaces that they fit into; and without such digits as many as fit, for a line with ≈. Null where
- * a number of the line is not finite.
+ * The digits (six, else more, else fewer) with which a line, evaluated as printed, gives its
+ * printed result, in the first of the spaces into which it fits. If there are none: as many as fit,
+ * and ≈. Null if a number of the line is not finite.
  */
 export function putIn<Space>(
   step: Pick<Step, 'expr' | 'worked'>,
@@ -85,8 +79,8 @@ const givesAll = (
   );
 
 /**
- * One number of digits for lines that are written side by side, a point's components or both sides
- * of a condition, where room is no matter. Null where a number of them is not finite.
+ * A common number of digits for lines side by side (a point's components, both sides of a
+ * condition), without a limit of space. Null if one of their numbers is not finite.
  */
 export function putInSideBySide(
   lines: readonly { readonly expr: Expr; readonly results: readonly Result[] }[],
@@ -102,15 +96,15 @@ export function putInSideBySide(
 
 const exactTextOf = (x: Ratio | null): string | null => x && exactText(asSurd(x));
 
-/** A number that a line ends with, and the sign that it takes at ±. */
+/** The result of a line, and the sign at ± that gives it. */
 interface Result {
   readonly value: number;
-  /** What is printed for a number that no double can hold. */
+  /** What is printed if the number is out of the doubles' range; null otherwise. */
   readonly text: string | null;
   readonly branch: 1 | -1;
 }
 
-/** What a line has to give: its one value, or for ± the smaller root and the larger one. */
+/** The results of a line: its value, or for ± the smaller and the larger root. */
 export function valuesAsResults(values: readonly number[], A: number | undefined): Result[] {
   const first = values.length === 2 && !(A !== undefined && A < 0) ? -1 : 1;
   return values.map((value, i) => ({
@@ -120,7 +114,7 @@ export function valuesAsResults(values: readonly number[], A: number | undefined
   }));
 }
 
-/** What the line has to give: its value, or for t the roots that are listed below. */
+/** The results of a step's line: its value, or for t the roots. */
 export function resultsOf({ id, value }: Step, found: Intersection, exactly: Exactly): Result[] {
   if (value !== null) {
     return [{ value, text: shownResult(id, value, found, exactly).text, branch: 1 }];
@@ -129,10 +123,7 @@ export function resultsOf({ id, value }: Step, found: Intersection, exactly: Exa
   return valuesAsResults(rootsOf(found), details.family === 'curved' ? details.A : undefined);
 }
 
-/**
- * The digits with which two numbers compare as printed as was decided of them; undefined where none
- * do.
- */
+/** The digits at which two numbers, as printed, compare as `holds` says; undefined if none do. */
 export const comparableDigits = (
   left: number,
   right: number,
@@ -144,9 +135,7 @@ export const comparableDigits = (
 
 const isAtMost = (a: Ratio, b: Ratio): boolean => ratios.sign(ratios.sub(a, b)) <= 0;
 
-/**
- * The digits with which a condition, put in and read as it stands, says what the method decided.
- */
+/** The digits at which a condition, read as printed, holds or fails as the method decided. */
 export function conditionDigits(
   { relation, left, right, holds }: ConditionStep,
   numbers: Values<number>,
@@ -155,7 +144,7 @@ export function conditionDigits(
     const [a, b] = sides(digits);
     return a != null && b != null && isAtMost(a, b) === holds;
   };
-  // Of a length only the value is told.
+  // Of a norm only the value is shown.
   const sides = (digits: number): (Ratio | null)[] =>
     relation.left.op === 'norm'
       ? [left, right].map((x) => (Number.isFinite(x) ? asPrinted(x, digits) : null))

@@ -4,15 +4,12 @@ interface Derived {
   readonly derivation: Derivation;
 }
 
-/**
- * The lines that can be revealed one after another: each step, the conditions, the verdict, the
- * hits.
- */
+/** Number of lines to reveal one by one: each step, the conditions, the verdict, the hits. */
 export function lineCount({ derivation }: Derived): number {
   return derivation.steps.length + (derivation.conditions.length > 0 ? 1 : 0) + 2;
 }
 
-/** What is shown of the result when `revealed` lines of it are; null shows all. */
+/** Which parts of the result are shown when `revealed` lines are; null shows all. */
 export function shownLines(
   model: Derived,
   revealed: number | null,

@@ -9,8 +9,8 @@ import type { View } from './view.ts';
 const EVERYWHERE = { from: Number.NEGATIVE_INFINITY, to: Number.POSITIVE_INFINITY };
 
 /**
- * The scene before anything was computed: shape and ray, and a stage with room for them and for
- * `points`. Nothing of it, neither its size nor where the ray ends, depends on where the two meet.
+ * A scene of shape and ray without results, on a stage with room for them and for `points`. Neither
+ * its size nor the drawn part of the ray depends on where the two meet.
  */
 export function sceneBefore(
   shape: Shape,

@@ -40,15 +40,15 @@ export interface FigureLine {
 }
 
 export interface GhostModel {
-  /** The word beside it. */
+  /** Word that labels it in the scene. */
   readonly title: string;
   readonly origin: Vec3;
   readonly direction: Vec3;
-  /** The stretch of its t that is drawn. */
+  /** The interval of its t that is drawn. */
   readonly from: number;
   readonly to: number;
   readonly hits: readonly Vec3[];
-  /** What its word stands beside; null for its E. */
+  /** The point beside which its word is written; null for its E. */
   readonly beside: Vec3 | null;
 }
 
@@ -75,7 +75,7 @@ export interface SceneModel {
   /** What a step of the derivation draws into the scene. */
   readonly figures?: readonly FigureLine[];
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
-  /** What can be taken and moved. */
+  /** What can be dragged. */
   readonly handles: readonly Handle[];
   readonly view: View;
   /** What the picture cannot show, in words: "t₂ lies outside the drawn part". */

@@ -30,7 +30,7 @@ interface Parts {
 export function sceneOf(parts: Parts): SceneModel {
   const { title, verdict, ray, found, stage, drawing, graph, view, handles, ghost } = parts;
   const all = hitMarks(found, stage);
-  // A float method may know t and lose the place on the way to it.
+  // In a float method t may be finite and the point overflow.
   const hits = all.filter(({ point }) => !point.some(Number.isNaN));
   const reach = clipToStage(ray, stage, drawnOver(found, graph));
   const originDrawn = isDrawn(ray.origin, stage);
@@ -59,8 +59,8 @@ export function sceneOf(parts: Parts): SceneModel {
 }
 
 /**
- * A float method may know that a point is outside the figure and, for an overflow, not where: that
- * one has no mark.
+ * The marks of the hits. A point that a float method knows to be outside the figure, but whose
+ * coordinates overflow, has none.
  */
 function hitMarks(found: Intersection, stage: Stage): HitMark[] {
   const { details, hits } = found;
@@ -76,8 +76,7 @@ function hitMarks(found: Intersection, stage: Stage): HitMark[] {
 }
 
 /**
- * Where the ray, over the graph's stretch of t and a little beyond, is inside the stage; null if
- * nowhere.
+ * The interval of t, within the window and a margin, where the ray is inside the stage, or null.
  */
 export function clipToStage(
   { origin, direction }: Ray,
@@ -99,8 +98,8 @@ export function clipToStage(
 }
 
 /**
- * The stretch of t that the scene draws: what the graph shows, with the tip of d and every root;
- * the whole line where there is no root, as then only the line tells how it passes the shape.
+ * The interval of t that the scene draws: the graph's, extended to the tip of d and every root.
+ * Without a root it is the whole line, so that one sees how it passes the shape.
  */
 function drawnOver(found: Intersection, graph: GraphModel): { from: number; to: number } {
   if (rootsOf(found).length === 0) return { from: -Infinity, to: Infinity };
@@ -122,7 +121,7 @@ function ghostOf(ray: Ray, found: Intersection, stage: Stage): GhostModel | null
   };
 }
 
-/** The graph's stretches; the first and the last go on as far as the line is drawn. */
+/** The graph's stretches, with the first and the last extended as far as the line is drawn. */
 function segmentsOf({ stretches }: GraphModel, reach: { from: number; to: number }): RaySegment[] {
   return stretches
     .map(({ from, to, stretch }, i) => ({

@@ -6,7 +6,7 @@ export function sidesOf(found: Intersection): readonly Sign[] {
   return found.hits.map(({ t }, i) => (t === 0 ? (exactSides(found)[i] ?? 0) : signOf(t)));
 }
 
-/** The same of the place where the plane of a figure is met, in the figure or not. */
+/** The same for the point where the plane is met, in the figure or not. */
 export function sideOfPlane({ details }: Intersection): Sign {
   if (details.family !== 'flat' || !details.plane) return 0;
   const { offset, rate } = details.signs;
@@ -14,7 +14,7 @@ export function sideOfPlane({ details }: Intersection): Sign {
   return t === 0 ? product(offset, rate, -1) : signOf(t);
 }
 
-/** Signs of the roots by those of the coefficients: a root that is rounded to 0 need not be 0. */
+/** Signs of the roots from those of the coefficients: a root that rounds to 0 need not be 0. */
 function exactSides(found: Intersection): readonly Sign[] {
   const { details } = found;
   if (details.family === 'flat') return [sideOfPlane(found)];
@@ -29,6 +29,6 @@ function exactSides(found: Intersection): readonly Sign[] {
 
 const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
 
-/** An unknown sign counts as 0: then t itself is all that is known. */
+/** An unknown sign (null) counts as 0. */
 const product = (a: Sign | null, b: Sign | null, factor: 1 | -1): Sign =>
   signOf((a ?? 0) * (b ?? 0) * factor);

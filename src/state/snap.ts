@@ -6,50 +6,55 @@ import type { Sign } from '../math/shapes.ts';
 export type Value = Vec3 | number;
 
 /**
- * Pixels between a dragged value and what it snaps to: it is taken within the first, and let go
- * beyond the second.
+ * Hysteresis in pixels: a drag snaps to a target nearer than `ENTER`, and leaves it again beyond
+ * `LEAVE`.
  */
 export const ENTER = 8;
 export const LEAVE = 13;
 
 /** A value that a drag may snap to. */
-export interface Offer {
-  /** Tells it from the others from one moment to the next. */
+export interface SnapTarget {
+  /** Identifies the target from one pointer event to the next. */
   readonly key: string;
   readonly value: Value;
-  /** What is said beside the handle. */
+  /** Words beside the handle while it is snapped. */
   readonly reason: string;
-  /** Pixels from where the pointer has the value. */
+  /** Distance in pixels from the pointer. */
   readonly gap: number;
 }
 
-/** The offer that is taken: the one that is held until it is far, else the nearest that is near. */
-export function take(offers: readonly Offer[], held: string | null): Offer | null {
-  const same = offers.find(({ key, gap }) => key === held && gap <= LEAVE);
+/**
+ * The target to snap to, or null: the one with the key `held` within `LEAVE` pixels, else the
+ * nearest within `ENTER`.
+ */
+export function chooseTarget(
+  targets: readonly SnapTarget[],
+  held: string | null,
+): SnapTarget | null {
+  const same = targets.find(({ key, gap }) => key === held && gap <= LEAVE);
   if (same) return same;
-  const near = offers.filter(({ gap }) => gap <= ENTER);
-  return near.reduce<Offer | null>((a, b) => (a && a.gap <= b.gap ? a : b), null);
+  const near = targets.filter(({ gap }) => gap <= ENTER);
+  return near.reduce<SnapTarget | null>((a, b) => (a && a.gap <= b.gap ? a : b), null);
 }
 
 /**
- * The grid of a drag is the parameter's step, coarser in a large world and finer when that is seen
- * from near.
+ * Grid of a drag in world units, 1, 2 or 5 times a power of ten: finer on a small stage or near.
  */
 export function gridUnit(stageRadius: number, worldPerPixel: number): number {
   return roundStep(Math.min(stageRadius / 5, PIXELS_A_UNIT * worldPerPixel));
 }
 
 /**
- * A world length of 1 on the first page, with room to spare, so that the grid there is the
- * sliders'.
+ * Pixels that a grid step of 1 takes at most. A world length of 1 is shorter on the initial page,
+ * so that the grid there is that of the sliders.
  */
 const PIXELS_A_UNIT = 120;
 
 /**
- * A power of ten at or below a tenth of a pixel: values that are not on the grid stay short to read
- * all the same.
+ * The largest power of ten below a tenth of a pixel. Values off the grid are rounded to it, so that
+ * they stay short.
  */
-export function hair(valuePerPixel: number): number {
+export function finestStep(valuePerPixel: number): number {
   return 10 ** Math.floor(Math.log10(valuePerPixel / 10));
 }
 
@@ -62,89 +67,85 @@ export function onGrid(value: Value, start: Value, step: number): Value {
   return [put(0), put(1), put(2)];
 }
 
-/**
- * The multiple of `step`, a power of ten times 1, 2 or 5 times a short decimal, that is nearest to
- * x, as the decimal reads.
- */
+/** The multiple of `step` nearest to x, as the double of its short decimal. */
 export function nearestOn(x: number, step: number): number {
   const rounded = Number((Math.round(x / step) * step).toPrecision(12));
-  // Beyond twelve digits the grid is finer than what can be written; + 0 makes −0 a plain zero.
+  // If the grid is finer than twelve digits, x is kept; + 0 turns −0 into 0.
   return Number.isFinite(rounded) && Math.abs(rounded - x) <= step ? rounded + 0 : x;
 }
 
-/** What the discriminant says of a value. */
+/** The discriminant for a value. */
 export interface Probe {
-  /** Null where the shape has none, or the value is not allowed. */
+  /** Null if the shape has no discriminant, or the value is not allowed. */
   readonly sign: Sign | null;
   readonly size: number;
   readonly isTangent: boolean;
 }
 
-/** The two ways to ask: `quick` in plain doubles, to find the place, `exact` to decide. */
+/** D as a function of a value: `quick` in doubles, to search; `exact`, to decide. */
 export interface Tangency {
   quick(value: Value): number;
   exact(value: Value): Probe;
 }
 
-/** A line of values through the dragged one, by pixels. */
-export type Way = (pixels: number) => Value;
+/** A line of values through the dragged one, as a function of the distance in pixels. */
+export type DragLine = (pixels: number) => Value;
 
 const COARSE = [LEAVE / 3, (2 * LEAVE) / 3, LEAVE];
-/** The bracket in which the exact signs take over, in pixels. */
+/** Width in pixels of the bracket below which exact signs are used. */
 const BRACKET = 1e-4;
 
 /**
- * The nearest place on one of the ways where D changes its sign, as near as doubles come: found by
- * bisection on the exact sign. Where one of the `grids` has a value beside it that is tangent
- * exactly, that one.
+ * The nearest value on one of the lines at which D changes its sign, to the last double, found by
+ * bisection on the exact sign. If rounding to one of the `grids` gives a value beside it that is
+ * exactly tangent, that one.
  */
-export function tangentOffer(
-  ways: readonly Way[],
+export function tangentTarget(
+  lines: readonly DragLine[],
   tangency: Tangency,
   grids: ((value: Value) => Value)[],
-): Offer | null {
-  const first = ways[0];
+): SnapTarget | null {
+  const first = lines[0];
   if (!first) return null;
   const here = tangency.quick(first(0));
-  let best: { way: Way; from: number; to: number } | null = null;
-  for (const way of ways) {
-    const to = COARSE.find((s) => tangency.quick(way(s)) * here <= 0);
+  let best: { line: DragLine; from: number; to: number } | null = null;
+  for (const line of lines) {
+    const to = COARSE.find((s) => tangency.quick(line(s)) * here <= 0);
     if (to === undefined || Number.isNaN(here)) continue;
     let [a, b] = [0, to];
     while (b - a > BRACKET) {
       const middle = (a + b) / 2;
-      if (tangency.quick(way(middle)) * here <= 0) b = middle;
+      if (tangency.quick(line(middle)) * here <= 0) b = middle;
       else a = middle;
     }
-    if (!best || b < best.to) best = { way, from: a, to: b };
+    if (!best || b < best.to) best = { line, from: a, to: b };
   }
   if (!best) return null;
-  const { way, to: gap } = best;
-  const offer = (value: Value, isTangent: boolean): Offer => ({
+  const { line, to: gap } = best;
+  const offer = (value: Value, isTangent: boolean): SnapTarget => ({
     key: 'tangent',
     value,
     reason: isTangent ? 'snapped: tangent' : 'snapped: as near tangent as doubles come',
     gap,
   });
   for (const grid of grids) {
-    const value = grid(way(gap));
+    const value = grid(line(gap));
     if (tangency.exact(value).isTangent) return offer(value, true);
   }
-  const found = bisect(way, Math.max(best.from - BRACKET, 0), gap + BRACKET, tangency);
+  const found = bisect(line, Math.max(best.from - BRACKET, 0), gap + BRACKET, tangency);
   return found && offer(found.value, found.probe.isTangent);
 }
 
 /**
- * Of the two neighbouring doubles between which the exact D changes its sign, the one where it is
- * smaller.
+ * Of the two neighbouring doubles between which exact D changes its sign, the one of smaller |D|.
  */
 function bisect(
-  way: Way,
+  line: DragLine,
   from: number,
   to: number,
   { exact }: Tangency,
 ): { value: Value; probe: Probe } | null {
-  const ask = (s: number) => ({ s, value: way(s), probe: exact(way(s)) });
+  const ask = (s: number) => ({ s, value: line(s), probe: exact(line(s)) });
   let [a, b] = [ask(from), ask(to)];
   for (const end of [a, b]) if (end.probe.sign === null || end.probe.sign === 0) return solved(end);
   if (a.probe.sign === b.probe.sign) return null;

@@ -3,25 +3,23 @@ import type { Intersection, Ray, Shape, Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 
 /**
- * The world at the scale of the sliders: this part of it is shown as long as everything happens
- * there.
+ * The stage at the scale of the sliders, used while the shape is within `reach` of its centre and
+ * everything together is larger than `tiny`; all in world units.
  */
 const HAND = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
-/**
- * What lies this many times farther than the rest is left out of the picture, and the page says so.
- */
+/** A point farther away than this many stage radii is left out, and the page says so. */
 const FAR = 8;
-/** Heights that an unbounded surface is drawn between, in radii from the middle of the stage. */
+/** Heights between which an unbounded surface is drawn, in stage radii from the centre. */
 const LOW = -0.44;
 const HIGH = 0.56;
 
-/** The part of the world that is drawn, with E and where the ray meets the shape. */
+/** The stage for a shape, E and the points where the ray meets the shape. */
 export const stageOf = (shape: Shape, ray: Ray, found: Intersection): Stage =>
-  stageAround(shape, [ray.origin, ...interesting(ray, found)]);
+  stageAround(shape, [ray.origin, ...pointsToShow(ray, found)]);
 
 /**
- * The part of the world with these places. It grows smoothly with what has to be seen, so that a
- * slider never makes the picture jump; far from the origin, or when everything is tiny, it is
+ * The stage for a shape and these points. Its size is a continuous function of them, so that a
+ * slider does not make the picture jump. Far from the origin, or when everything is tiny, it is
  * centred on the shape.
  */
 export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
@@ -34,7 +32,7 @@ export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
     spread >= HAND.tiny;
   const center = atHand ? HAND.center : anchor.at;
   const own = atHand ? HAND.radius : ownScale(anchor, points);
-  const seen = points.map((p) => followed(p, center, FAR * own));
+  const seen = points.map((p) => pulledIn(p, center, FAR * own));
   const needed = [
     distance(anchor.at, center) + anchor.size,
     ...seen.map((p) => distance(p, center)),
@@ -44,11 +42,10 @@ export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
 }
 
 /**
- * The point itself up to `far` from the centre; beyond, the picture lets go of it as gradually as
- * it followed it: the place to be seen comes back along the same line, and is the centre itself
- * from twice as far.
+ * The point itself up to a distance `far` from the centre. Farther points are moved back along
+ * their line, continuously, and reach the centre at twice that distance.
  */
-function followed(p: Vec3, center: Vec3, far: number): Vec3 {
+function pulledIn(p: Vec3, center: Vec3, far: number): Vec3 {
   const away = distance(p, center);
   if (away <= far) return p;
   const share = Math.max(0, 2 * far - away) / away;
@@ -57,10 +54,10 @@ function followed(p: Vec3, center: Vec3, far: number): Vec3 {
 }
 
 /**
- * The hits; without any, where a curved shape is missed most narrowly: at the vertex of f, from
- * which the two hits of the next slider position come. A figure is missed on its plane.
+ * The hits; without any, the point at the vertex of f, where two hits appear when D becomes
+ * positive. For a figure also the point of its plane.
  */
-function interesting({ origin, direction }: Ray, { hits, details }: Intersection): Vec3[] {
+function pointsToShow({ origin, direction }: Ray, { hits, details }: Intersection): Vec3[] {
   const points = hits.map(({ point }) => point);
   if (details.family === 'flat') return details.plane ? [...points, details.plane.point] : points;
   if (points.length > 0 || details.signs.D !== -1) return points;
@@ -68,10 +65,7 @@ function interesting({ origin, direction }: Ray, { hits, details }: Intersection
   return [[0, 1, 2].map((i) => (origin[i] ?? 0) + t * (direction[i] ?? 0)) as unknown as Vec3];
 }
 
-/**
- * A length for a world that is not at the sliders' scale: the shape's own, or what happens nearest
- * to it.
- */
+/** Stage radius off the sliders' scale: from the shape's size, else from the nearest point. */
 function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): number {
   if (anchor.size > 0 && Number.isFinite(anchor.size)) return 1.5 * anchor.size;
   const near = points.map((p) => distance(p, anchor.at)).filter((d) => d > 0 && d < Infinity);
@@ -91,7 +85,7 @@ function withHeights(center: Vec3, radius: number, points: readonly Vec3[]): Sta
   };
 }
 
-/** Within the ball that the camera frames, or just outside of it. */
+/** Whether a point is within 1.3 stage radii, which is what is drawn. */
 export function isDrawn(point: Vec3, { center, radius }: Stage): boolean {
   return distance(point, center) <= 1.3 * radius;
 }

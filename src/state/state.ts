@@ -8,9 +8,9 @@ import type { View } from './view.ts';
 export interface PageEntry {
   readonly id: string;
   readonly title: string;
-  /** Whether the page is about the ray and shape of Explore, so that its link carries them. */
+  /** Whether the page uses the ray and shape of Explore, so that its link carries them. */
   readonly ray: boolean;
-  /** The setting that stands in the path of its link, after the page. */
+  /** Key of the setting that is written in the path of its link, after the page's id. */
   readonly part?: string;
 }
 
@@ -24,16 +24,15 @@ export const PAGES = [
 export type PageId = (typeof PAGES)[number]['id'];
 
 /**
- * What a page's link says beyond the ray and the method, as text under each key; only the page's
- * own code, which is loaded late, knows what it means. Keys are words: the course's single letters
- * are the shapes'.
+ * The settings of a page in its link, besides ray and method: a text for each key. Only the page's
+ * own code, which is loaded late, reads them. Keys are words, since single letters are parameters.
  */
 export type Settings = Readonly<Record<string, string>>;
 
 /**
- * Everything that a page shows follows from this. A link carries it, but for the other shapes and
- * what was typed for them, which only a file has, and for problems, example, its answer, ghost and
- * how many of the hidden lines are revealed, which last as long as the page is open.
+ * Everything that a page shows follows from this. A link carries all of it except the shapes that
+ * are not shown and their typed texts, which only a file has, and `problems`, `example`, `told`,
+ * `ghost` and the number in `revealed`, which last while the page is open.
  */
 export interface AppState {
   readonly page: PageId;
@@ -41,38 +40,35 @@ export interface AppState {
   /** Every shape as it was left, so that coming back to one finds it unchanged. */
   readonly shapes: Readonly<Record<ShapeKind, Shape>>;
   readonly E: Vec3;
-  /** As it was given; with `unit` the kernel gets d / |d| instead. */
+  /** The direction as entered; with `unit` the kernel gets d / |d| instead. */
   readonly d: Vec3;
   readonly unit: boolean;
-  /**
-   * What was typed for the numbers of E, d and the shapes, where it is more than the double's
-   * shortest text.
-   */
+  /** Typed texts of numbers of E, d and the shapes that are not the double's shortest text. */
   readonly typed: Readonly<Record<string, string>>;
   readonly method: string;
   readonly view: View;
-  /** t of the bead; null lets it rest where the picture is clearest. */
+  /** t of the bead; null for its resting place, `restingBead`. */
   readonly bead: number | null;
   /**
-   * Heights between which the scene that this came from keeps the shape; null as soon as ray or
-   * shape are other ones.
+   * Heights between which a Picture scene keeps the shape, if ray and shape were opened from there;
+   * null once either is changed.
    */
   readonly between: Between | null;
-  /** Of each page as it was left. */
+  /** The settings of each page as it was left. */
   readonly settings: Readonly<Record<PageId, Settings>>;
-  /** What was wrong with the link or file that was opened, in words. */
+  /** Messages on what was wrong with the link or file that was opened. */
   readonly problems: readonly string[];
-  /** The example that was opened last, whatever has been moved since: see example.ts. */
+  /** Id of the example that was opened last, also after changes: see example.ts. */
   readonly example: string | null;
   /** How many lines of the result are shown, for predicting first; null shows everything. */
   readonly revealed: number | null;
-  /** What is asked while they are hidden; null leaves the choice of a question to the page. */
+  /** The question that is asked while lines are hidden; null for the page's default. */
   readonly ask: Ask | null;
-  /** The answer to the example's question is shown. */
+  /** Whether the answer to the example's question is shown. */
   readonly told: boolean;
   /** The step of the derivation that is open beside the scene, from 1; null while it is closed. */
   readonly derive: number | null;
-  /** A ray and its hits that were kept to compare with. */
+  /** A ray and its shape that were kept to compare with. */
   readonly ghost: Ghost | null;
 }
 
@@ -81,7 +77,7 @@ export interface Ghost {
   readonly ray: Ray;
 }
 
-/** The same for E and d as shapes have for theirs. */
+/** Parameter entries for E and d, like those that shapes declare. */
 export const RAY_PARAMS = {
   E: {
     type: 'vector',
@@ -113,8 +109,8 @@ export function initialShape(kind: ShapeKind): Shape {
 }
 
 /**
- * An empty visit: a ray and shapes whose coefficients, roots and points are short decimals. A link
- * that leaves a number out means `linkDefault` instead, as long as links have been written.
+ * The state of an empty address: a ray and shapes whose coefficients, roots and points are short
+ * decimals. A number that a link leaves out is the parameter's `linkDefault`, which never changes.
  */
 export const INITIAL: AppState = {
   page: 'explore',

@@ -11,9 +11,8 @@ export interface Store {
 }
 
 /**
- * One state, changed by actions only; listeners hear of a change, not of an action that changed
- * nothing. `gesture` names the drag or run of key presses that is under way, so that it becomes one
- * step of undo.
+ * One state, changed by actions only. Listeners are not called if an action changes nothing.
+ * `gesture` names the drag or run of key presses in progress, which becomes one step of undo.
  */
 export function createStore(initial: AppState, gesture: () => string | null = () => null): Store {
   let history = historyOf(initial);

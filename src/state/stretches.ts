@@ -3,18 +3,18 @@ import type { Sign, Span } from '../math/shapes.ts';
 import type { Stretch } from './scene-model.ts';
 
 /**
- * Where the ray is over an interval of t, by the sign of f there; behind E that is all that is
- * said. A flat shape has two sides and no inside: f > 0 is the side that N points to. Null where
- * the method cannot tell.
+ * Where the ray is over an interval of t, by the sign of f; for t < 0 just 'behind'. A flat shape
+ * has two sides and no inside: f > 0 is the side that N points to. Null if the method does not know
+ * the sign.
  */
 type Place = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
 
 export interface PlacedStretch {
   readonly from: number;
   readonly to: number;
-  /** How it is drawn. */
+  /** Its line style. */
   readonly stretch: Stretch;
-  /** How it is called. */
+  /** Its name. */
   readonly place: Place;
 }
 
@@ -44,19 +44,19 @@ export function stretchesOf(
   return pieces.reduce(joined, []);
 }
 
-/** A figure that is missed: its plane is crossed all the same, and f changes its sign. */
+/** The t at which the plane is crossed: f changes its sign there also if the figure is missed. */
 function planeCut({ details }: Intersection): number[] {
   return details.family === 'flat' && details.plane ? [details.plane.t] : [];
 }
 
-/** What lies behind E is one stretch. */
+/** Joins the stretches behind E into one. */
 function joined(before: PlacedStretch[], next: PlacedStretch): PlacedStretch[] {
   const last = before.at(-1);
   if (last?.place !== 'behind' || next.place !== 'behind') return [...before, next];
   return [...before.slice(0, -1), { ...last, to: next.to }];
 }
 
-/** Outside again between two visits it is 'before' the next one. */
+/** The line style. Outside between two hits the ray is 'before' the second one. */
 function stretchAt({ hits }: Intersection, { to }: Interval, place: Place): Stretch {
   if (place === 'behind') return 'behind';
   if (place === 'inside') return 'inside';

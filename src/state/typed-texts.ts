@@ -6,8 +6,8 @@ import { parseNumber } from '../text/parse.ts';
 import { type AppState, paramValue, RAY_PARAMS } from './state.ts';
 
 /**
- * What was typed for a number, under its name: 'E.x', 'cone.c'. Only where it is more than the
- * shortest text of the double that is stored: 1/3, sqrt(2), 1e7.
+ * Texts that were typed for numbers, by name: 'E.x', 'cone.c'. Only those that differ from the
+ * shortest text of the stored double: 1/3, sqrt(2), 1e7.
  */
 export type TypedTexts = Readonly<Record<string, string>>;
 
@@ -44,8 +44,8 @@ function places(owner: string, param: Param, value: Vec3 | number | string): Pla
 }
 
 /**
- * As it is kept: with decimal points, since commas separate in a link; undefined where there is
- * nothing to keep.
+ * The text to keep, with decimal points, since a comma separates numbers in a link; undefined if it
+ * is the double's own text.
  */
 function keptText(text: string | undefined, value: number): string | undefined {
   const plain = text?.trim().replace(/,(?=\d)/g, '.');
@@ -55,20 +55,18 @@ function keptText(text: string | undefined, value: number): string | undefined {
 }
 
 /**
- * A plus sign turns into a space in some programs that pass links on; the exponent does not need
- * it.
+ * The shortest text of x without the + of an exponent: some programs turn a + in a link to a space.
  */
 export const linkNumber = (x: number): string => withoutPlus(shortest(x));
 
-/** Of +3 and of −3 with a typographic minus there is nothing to keep. */
+/**
+ * The text with an ASCII minus and no leading plus, so that +3 and −3 count as the double's text.
+ */
 const spelled = (text: string): string => withoutPlus(normalise(text)).replace(/^\+/, '');
 
 const withoutPlus = (text: string): string => text.replace('e+', 'e');
 
-/**
- * The state after a change by which `texts` were typed; the texts of other numbers that changed are
- * of the past.
- */
+/** The state after a change with `texts` as typed; other numbers that changed lose their texts. */
 export function retyped(before: AppState, after: AppState, texts: TypedTexts = {}): AppState {
   const old = new Map(allPlaces(before).map(({ key, value }) => [key, value]));
   const typed = textsWhere(allPlaces(after), ({ key, value }) => {
@@ -78,7 +76,7 @@ export function retyped(before: AppState, after: AppState, texts: TypedTexts = {
   return sameTexts(after.typed, typed) ? after : { ...after, typed };
 }
 
-/** The texts of one shape given up, or of the ray's letter. */
+/** The texts without those of these shapes ('cone') or letters of the ray ('E'). */
 export function untyped(texts: TypedTexts, letters: readonly string[]): TypedTexts {
   const stays = ([key]: [string, string]): boolean =>
     !letters.some((letter) => key === letter || key.startsWith(`${letter}.`));
@@ -87,7 +85,7 @@ export function untyped(texts: TypedTexts, letters: readonly string[]): TypedTex
   return staying.length === entries.length ? texts : Object.fromEntries(staying);
 }
 
-/** What a file holds as typed, as far as it is about the shapes that are there. */
+/** The typed texts in a file that belong to numbers of these shapes. */
 export function readTexts(given: unknown, shapes: AppState['shapes']): TypedTexts {
   const texts = (given ?? {}) as Readonly<Record<string, unknown>>;
   return textsWhere(Object.values(shapes).flatMap(shapePlaces), ({ key, value }) => {
@@ -96,9 +94,7 @@ export function readTexts(given: unknown, shapes: AppState['shapes']): TypedText
   });
 }
 
-/**
- * The texts in a link's pairs, which are about the ray and one shape; the other shapes keep theirs.
- */
+/** The typed texts of a link, for the ray and the shown shape; other shapes keep theirs. */
 export function linkedTexts(
   given: ReadonlyMap<string, string>,
   state: Pick<AppState, 'E' | 'd' | 'shapes' | 'kind'>,

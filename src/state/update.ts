@@ -19,8 +19,8 @@ import { decode } from './url.ts';
 import { isView } from './view.ts';
 
 /**
- * The next state. An action whose value is not allowed changes nothing: whoever sent it has said
- * why.
+ * The next state. An action whose value is not allowed changes nothing; the control that sent it
+ * shows why.
  */
 export function update(state: AppState, action: Action): AppState {
   const next = step(state, action);
@@ -29,7 +29,7 @@ export function update(state: AppState, action: Action): AppState {
     : kept(state, next);
 }
 
-/** An example that came by its link is remembered as soon as it is changed. */
+/** Notes the example that a link showed, so that it is known after a change. */
 function kept(state: AppState, next: AppState): AppState {
   if (state.example !== null || next.example !== null) return next;
   const example = exampleOf(state);
@@ -40,7 +40,7 @@ function step(state: AppState, action: Action): AppState {
   const next = updated(state, action);
   const other = next.kind !== state.kind || shapeOf(next) !== shapeOf(state);
   const moved = next.E !== state.E || next.d !== state.d || next.unit !== state.unit;
-  // What a scene says of its own thing and ray is true of no other.
+  // The heights of a scene apply to its own thing and ray only.
   return (other || moved) && next.between && next.between === state.between
     ? { ...next, between: null }
     : next;
@@ -101,12 +101,12 @@ function updated(state: AppState, action: Action): AppState {
       return { ...state, problems: [] };
     case 'undo':
     case 'redo':
-      // The history answers these; a state alone has no past.
+      // The store's history handles these two.
       return state;
   }
 }
 
-/** The step, or the nearest one that the derivation of this shape has. */
+/** The step, clamped to the number of steps of this shape's derivation. */
 const within = (step: number | null, shape: Shape): number | null =>
   step && Math.max(1, Math.min(step, walkLength(shape)));
 
@@ -128,7 +128,7 @@ function allowed(param: Param, value: unknown): boolean {
   }
 }
 
-/** To the sign of a zero. */
+/** Equality that tells −0 from 0. */
 function same(a: ParamValue, b: ParamValue): boolean {
   if (typeof a !== 'object' || typeof b !== 'object') return Object.is(a, b);
   return a.length === b.length && a.every((x, i) => Object.is(x, b[i]));
@@ -193,7 +193,7 @@ function openExample(state: AppState, id: string): AppState {
   return found ? { ...decode(found.link, state), example: id, derive: state.derive } : state;
 }
 
-/** Round the gallery; from nowhere, its first or last entry. */
+/** Id of the next or previous example, cyclically; without one the first or the last. */
 function neighbour(id: string | null, by: 1 | -1): string {
   const all = allExamples();
   const at = all.findIndex((entry) => entry.id === id);

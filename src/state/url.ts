@@ -30,10 +30,7 @@ import {
 import { linkedTexts, linkNumber, type Place, rayPlaces, shapePlaces } from './typed-texts.ts';
 import { isView, type View } from './view.ts';
 
-/**
- * Text of one key, and the reading of it. `read` throws InvalidInput with words that quote what was
- * written.
- */
+/** Writes and reads the text of one key. `read` throws InvalidInput that quotes the text. */
 interface Codec<V> {
   write(value: V): string;
   read(text: string): V;
@@ -85,7 +82,7 @@ const view: Codec<View> = {
       const given = { azimuth, elevation, zoom } as View;
       if (elevation !== undefined && more.length === 0 && isView(given)) return given;
     } catch {
-      // Said below, with the whole text.
+      // The message below quotes the whole text.
     }
     throw new InvalidInput(`${quote(text)} is not a view`);
   },
@@ -93,7 +90,7 @@ const view: Codec<View> = {
 
 export const viewText = view.write;
 
-/** What a link means that says nothing of a parameter. */
+/** The value of a parameter that a link leaves out. */
 function unsaid(param: Param): ParamValue {
   return param.linkDefault ?? param.initial;
 }
@@ -104,8 +101,8 @@ function codecOf(param: Param): Codec<ParamValue> {
 }
 
 /**
- * The link of a state: readable, and writable by hand. Link defaults are left out; the method
- * never is, as its default may change.
+ * The link of a state, readable and writable by hand. Values equal to their link defaults are left
+ * out; the method never is, since its default may change.
  */
 export function encode(state: AppState): string {
   const { page } = state;
@@ -121,8 +118,7 @@ export function encode(state: AppState): string {
 }
 
 /**
- * The link of a shape and a ray on Explore, from wherever they are shown; with the heights that the
- * shape is kept between there.
+ * The link to Explore with a shape and a ray of another page, and the heights it is kept between.
  */
 export function exploreLink(
   shape: Shape,
@@ -139,9 +135,9 @@ const entryOf = (page: PageId): PageEntry | undefined => PAGES.find(({ id }) => 
 const partOf = (page: PageId): string | undefined => entryOf(page)?.part;
 const aboutRay = (page: PageId): boolean => entryOf(page)?.ray === true;
 
-/** What would end the pair, or not come back the same. */
+/** The text with characters percent-encoded that would end the pair or not survive a link. */
 function escaped(text: string): string {
-  // Half a surrogate pair has no UTF-8, and encodeURIComponent throws at it.
+  // encodeURIComponent throws for half a surrogate pair, which UTF-8 cannot encode.
   return text
     .replace(/\p{Surrogate}/gu, '\ufffd')
     .replace(/[^\w.,:;/~!*()'-]/gu, encodeURIComponent);
@@ -153,7 +149,7 @@ function rayPairs(state: AppState): [string, string][] {
   const add = (key: string, value: string, initial: string): void => {
     if (value !== initial) pairs.push([key, value]);
   };
-  /** The numbers of one letter, each as it was typed. */
+  /** The numbers of one parameter, each as typed. */
   const written = (places: readonly Place[], symbol: string): string =>
     places
       .filter((place) => place.symbol === symbol)
@@ -183,8 +179,8 @@ function lookPairs(state: AppState): [string, string][] {
 }
 
 /**
- * The state that a link asks for. It never throws: what cannot be read keeps its default, and is
- * said in `problems`. The other shapes stay as `before` left them.
+ * The state of a link. It never throws: what cannot be read gets its default, with a message in
+ * `problems`. The other shapes stay as in `before`.
  */
 export function decode(hash: string, before: AppState = INITIAL): AppState {
   const problems: string[] = [];
@@ -209,7 +205,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     : aboutRay(page)
       ? readRay(read, before)
       : before;
-  // A page with a place of its own in the path shows states of their own, method included.
+  // A page with a part in its path (lessons) shows states of its own, with their methods.
   const method = partOf(page)
     ? before.method
     : read('method', word, DEFAULT_METHOD, (v) => {
@@ -270,7 +266,9 @@ interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask' | 'der
   readonly hidden: boolean;
 }
 
-/** A link that says nothing of hiding leaves it as it is: a lecture goes on from link to link. */
+/**
+ * A link without `hide` keeps lines hidden or shown, so that a lecture can go from link to link.
+ */
 function readLook(read: Read, before: AppState, steps: number): Look {
   const unsaid = before.revealed === null ? '0' : '1';
   return {
@@ -293,7 +291,7 @@ function readShape(kind: ShapeKind, read: (param: Param) => Vec3 | number | stri
   return { ...initialShape(kind), ...Object.fromEntries(params) } as Shape;
 }
 
-/** A link from a stranger may hold anything; beyond this it is not one of ours. */
+/** Most keys that are read; no link that Graze writes has as many. */
 export const MAX_KEYS = 40;
 
 function split(
@@ -320,7 +318,7 @@ function split(
   return { page: page ?? INITIAL.page, given, empty: path === '' && given.size === 0 };
 }
 
-/** Percent signs undone where they can be. */
+/** The percent-decoded text, or the text itself if it cannot be decoded. */
 function plain(text: string): string {
   try {
     return decodeURIComponent(text);

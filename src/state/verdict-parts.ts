@@ -1,7 +1,7 @@
 import type { Sign } from '../math/shapes.ts';
 
 export interface Comparison {
-  /** A quantity's name as the derivation calls it. */
+  /** The name of a quantity, as in the derivation. */
   readonly left: string;
   readonly relation: '=' | '<' | '>' | '≠' | '≤';
   readonly right: string;
@@ -12,7 +12,7 @@ export type Piece = string | { readonly quantity: string; readonly value: number
 
 export const zero = (left: string): Comparison => ({ left, relation: '=', right: '0' });
 
-/** Why a method has no class: a number left the doubles, or its bounds hold both signs. */
+/** Why a method has no class: a number overflowed, or its bounds contain both signs. */
 export function cannotDecide<Key extends string>(
   numbers: Readonly<Record<Key, number>>,
   signs: Readonly<Record<Key, Sign | null>>,

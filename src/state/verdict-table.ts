@@ -38,7 +38,7 @@ export const TOUCHES: Readonly<Record<'-' | '+', Row<Side>>> = {
   },
 };
 
-/** `place` has no normal: the vertex, an axis that is all there is. */
+/** Double root at a `place` without a normal: a vertex, or a surface that is only an axis. */
 export const SINGULAR: Readonly<Record<'-' | '+', (place: string) => Row<Side>>> = {
   '+': (place) => ({
     '+': `through ${place}: one double root, no normal there`,
@@ -78,10 +78,10 @@ export const CONSTANT: Row<'-' | '+'> = {
   '-': 'inside for ever: no root',
 };
 
-/** What is said of the place of a flat shape's root, behind the rest of the sentence. */
+/** End of the sentence on a flat shape: on which side of E the root is. */
 export const WHERE: Row<Side> = { '+': '', '0': ', at E itself', '-': ', behind E' };
 
-/** A stretch of a line in a figure's plane, by the sides of its two ends. */
+/** End of the sentence on a line in a figure's plane, by the sides of the stretch's two ends. */
 export const STRETCH: Row<Sides> = {
   '++': '',
   '0+': ', starting at E itself',

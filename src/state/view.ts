@@ -9,11 +9,11 @@ export interface FreeView {
   readonly azimuth: number;
   /** Degrees above the ground, −90 to 90. */
   readonly elevation: number;
-  /** 1 frames the stage; larger is nearer. */
+  /** 1: the stage fills the frame; larger values are nearer. */
   readonly zoom: number;
 }
 
-/** Angles alone: zoomed and shifted as it takes to have everything in the frame, see framing.ts. */
+/** Angles alone; zoom and shift are chosen so that everything is in the frame (framing.ts). */
 interface AimedView extends Omit<FreeView, 'zoom'> {
   readonly zoom: null;
 }

@@ -4,10 +4,10 @@ import type { FullModel } from './derive.ts';
 import type { GraphModel } from './graph-model.ts';
 import type { FigureLine, SceneModel } from './scene-model.ts';
 
-/** Corners of a circle that is drawn as a polygon. */
+/** Number of corners of the polygon that a circle is drawn as. */
 const CORNERS = 96;
 
-/** The steps at which D is what it is about. */
+/** The steps that are about D. */
 const ABOUT_D: ReadonlySet<string> = new Set(['complete', 'roots']);
 
 const isAboutD = ({ shown, exactly }: FullModel, step: string): boolean => {
@@ -15,7 +15,7 @@ const isAboutD = ({ shown, exactly }: FullModel, step: string): boolean => {
   return shown.hits && ABOUT_D.has(step) && details.family === 'curved' && details.signs.A !== 0;
 };
 
-/** The graph with the square completed in it, where the step is about D. */
+/** The graph, at a step about D with the completed square drawn in. */
 export function graphAt(model: FullModel, step: string): GraphModel {
   const { graph, found } = model;
   if (!isAboutD(model, step) || found.details.family !== 'curved') return graph;
@@ -24,7 +24,7 @@ export function graphAt(model: FullModel, step: string): GraphModel {
   return Number.isFinite(square.t) && Number.isFinite(square.f) ? { ...graph, square } : graph;
 }
 
-/** The scene with the closest approach of the line, where the step is about D. */
+/** The scene, at a step about D with the closest approach of the line drawn in. */
 export function sceneAt(model: FullModel, step: string): SceneModel {
   const { scene } = model;
   const closest = isAboutD(model, step) ? closestApproach(model.shape, model.ray) : null;
@@ -46,7 +46,7 @@ export function sceneAt(model: FullModel, step: string): SceneModel {
 
 type Closest = NonNullable<ReturnType<typeof closestApproach>>;
 
-/** Two unit vectors at a right angle: the circle's plane, the first towards the line. */
+/** Two orthogonal unit vectors that span the circle's plane, the first towards the line. */
 function planeOf(
   { point, foot }: Closest,
   d: Vec3,
@@ -64,7 +64,7 @@ function planeOf(
   return [unit(towards), along];
 }
 
-/** Some vector at a right angle to this one. */
+/** A vector orthogonal to this one. */
 const across = ([x, y, z]: Vec3): Vec3 => (x === 0 && z === 0 ? [1, 0, 0] : [z, 0 * y, -x]);
 
 function unit(v: Vec3): Vec3 {

@@ -6,7 +6,7 @@ import { type Side, sideKey } from './verdict-table.ts';
 
 type Words = Readonly<Record<Side, string>>;
 
-/** What the sign of B, or of N·d, says: f′(0) is that number. */
+/** Words for the sign of B or N·d, which is f′(0). */
 const SLOPE: Words = { '-': 'f falls at E', '0': 'f is level at E', '+': 'f rises at E' };
 
 /** f < 0 is inside, and far from E the sign of f is that of A. */
@@ -16,7 +16,7 @@ const opening = ({ straight }: Naming): Words => ({
   '+': 'far from E, both ways, the line is outside',
 });
 
-/** An axis or a point has nothing inside. */
+/** Words for the sign of C, which is f(0). An axis or a point has no inside. */
 const place = ({ name }: Naming): Words => ({
   '-': `E is inside the ${name}`,
   '0': `E is on the ${name}`,
@@ -29,7 +29,7 @@ const OF_PLANE: Words = {
   '+': 'E is on the side that N points to',
 };
 
-/** f turns once, at −D/4A: that of D against A says on which side of 0. */
+/** Words for the signs of A and D: the vertex of f is at the value −D/4A. */
 const TURN: Readonly<Record<'-' | '+', Words>> = {
   '+': {
     '-': 'the lowest value of f is above 0, so there is no root',
@@ -43,7 +43,7 @@ const TURN: Readonly<Record<'-' | '+', Words>> = {
   },
 };
 
-/** A = 0: the slope of a straight line, and of a level one its height. */
+/** Words for A = 0 by the sign of B, the slope of the straight line f. */
 const LINE: Words = {
   '-': 'the straight line f falls, and is 0 once',
   '0': '',
@@ -55,15 +55,14 @@ const LEVEL: Words = {
   '+': 'f is above 0 everywhere, so there is no root',
 };
 
-/** Of which line of the walk a sentence is. */
-export type Said = 'A' | 'B' | 'C' | 'D' | 'N·d' | 'N·(E − P)';
+/** The line of the walk that a sentence belongs to. */
+export type SignedLine = 'A' | 'B' | 'C' | 'D' | 'N·d' | 'N·(E − P)';
 
 /**
- * What the exact signs of the coefficients say of this ray, a sentence for each: "B < 0: f falls at
- * E". They are those of the stored numbers, whatever the chosen method rounds them to. D's is on B
- * or C where A = 0.
+ * A sentence for the exact sign of each coefficient: "B < 0: f falls at E". Signs are those of the
+ * stored numbers, not of the chosen method's rounded ones. If A = 0, D's sentence is on B or C.
  */
-export function signWords(shape: Shape, ray: Ray): Readonly<Partial<Record<Said, string>>> {
+export function signWords(shape: Shape, ray: Ray): Readonly<Partial<Record<SignedLine, string>>> {
   const { details } = intersect(shape, ray, 'exact');
   if (details.family === 'flat') {
     const { rate, offset } = details.signs;
@@ -96,8 +95,8 @@ function said(symbol: string, sign: Sign | null, words: Words): string {
 const AGAINST: Words = { '-': 'more than', '0': 'exactly', '+': 'less than' };
 
 /**
- * How near the line comes to the axis or the centre of a round surface, against its radius; null
- * for other surfaces. By the exact sign of D, whatever the six digits of both are.
+ * The line's distance from the axis or centre of a round surface, compared with the radius; null
+ * for other surfaces. The comparison is by the exact sign of D, not by the printed digits.
  */
 export function closestWords(shape: Shape, ray: Ray): string | null {
   const closest = closestApproach(shape, ray);
@@ -118,9 +117,8 @@ const FACING: Words = {
 };
 
 /**
- * Which side of a curved surface the line meets at a hit, from 0: N·d has the sign of f′ there, and
- * that is known exactly from A, B and the order of the roots. Null where N is zero, or of a flat
- * shape.
+ * Which side of a curved surface the line meets at hit `i` (from 0): N·d has the sign of f′ there,
+ * which is known exactly from A, B and the order of the roots. Null if N is zero or the shape flat.
  */
 export function facingWords({ class: verdict, details, hits }: Intersection, i: number) {
   if (details.family === 'flat' || !hits[i] || hits[i].singular) return null;

@@ -1,41 +1,35 @@
 import { roundStep } from '../math/drawing.ts';
 import type { Intersection } from '../math/index.ts';
 
-/** The stretch of t that the graph shows, and the ray is drawn over. */
+/** The interval of t that the graph shows. */
 interface Window {
   readonly from: number;
   readonly to: number;
-  /** What it leaves out, in words. */
+  /** Words on what it leaves out; null if nothing. */
   readonly note: string | null;
 }
 
-/** Roots closer together than this share of their distance from E are looked at by themselves. */
+/** Two roots whose distance is below this share of their |t| are shown without E. */
 const CLOSE = 0.02;
-/**
- * Closer than this they fall on one pixel even so, and f has lost the digits to be drawn between
- * them.
- */
+/** Below this share they fall on one pixel even so, and f between them is lost in rounding. */
 const TOO_CLOSE = 1e-5;
-/** A root nearer to E than this share of the other one's distance is looked at without that one. */
+/** A root whose |t| is below this share of the other root's is shown without that one. */
 const FAR = 1e-3;
 
 const TOGETHER = 't₁ and t₂ lie too close together to be told apart here';
 
-/** Room for differences of two such numbers. */
+/** Largest |t| of a window: differences of two such numbers do not overflow. */
 const LARGEST = Number.MAX_VALUE / 4;
 
 /**
- * All roots, E and the tip of d, with room on both sides; or the roots alone when E is too far away
- * to show both. `ends`: of what a line in a figure's plane has in common with the figure.
+ * All roots, E and the tip of d, with a margin on both sides; or the roots alone if E is too far
+ * away. `ends`: the t's between which a line in a figure's plane is in the figure.
  */
 export function windowOf(found: Intersection, ends: readonly number[] = []): Window {
   return within(found, [1, ...ends]);
 }
 
-/**
- * The same for the graph alone: without the tip of d where that is so far off that two roots fall
- * together.
- */
+/** The window of the graph: without the tip of d if that is so far off that two roots coincide. */
 export function graphWindowOf(found: Intersection, ends: readonly number[] = []): Window {
   const whole = windowOf(found, ends);
   const [first, last] = rootsOf(found);
@@ -50,7 +44,7 @@ export function graphWindowOf(found: Intersection, ends: readonly number[] = [])
   return near.note === TOGETHER ? whole : near;
 }
 
-/** Where one root is so far off that the other one would fall on E: the near one with E. */
+/** The window of E and the near root, if the other is so far off that both would coincide. */
 function nearRootAlone(first: number, last: number): Window | null {
   const [near, far] = Math.abs(first) < Math.abs(last) ? [first, last] : [last, first];
   if (near === 0 || !(Math.abs(near) < FAR * Math.abs(far))) return null;
@@ -74,16 +68,13 @@ function within(found: Intersection, ends: readonly number[]): Window {
   return around([0, ...roots, ...ends.filter(Number.isFinite), ...turningPoint(found)], roots);
 }
 
-/**
- * The points in t that the picture is about: the roots, and the plane's root where the figure is
- * missed.
- */
+/** The roots; for a flat shape the t of its plane, also if the figure is missed. */
 export function rootsOf({ hits, details }: Intersection): number[] {
   if (details.family === 'flat' && details.plane) return [details.plane.t];
   return hits.map(({ t }) => t);
 }
 
-/** For a miss, the t of the smallest |f|, unless it is far off. */
+/** For a miss the t of the vertex of f, if its |t| is below 100. */
 function turningPoint({ class: verdict, details }: Intersection): number[] {
   if (details.family !== 'curved' || verdict !== 'none' || !details.signs.A) return [];
   const t = -details.B / (2 * details.A);
@@ -103,8 +94,7 @@ function around(points: readonly number[], roots: readonly number[]): Window {
 }
 
 /**
- * t at rest: the middle between two roots, else a little beyond the tip of d. Short, so that it
- * reads well.
+ * t of a bead that was not moved: midway between two roots, else 1.5; rounded to a short decimal.
  */
 export function restingBead(found: Intersection, { from, to }: Window): number {
   const [first, second] = found.hits;

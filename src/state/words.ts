@@ -19,7 +19,7 @@ export interface VerdictWords {
   readonly text: string;
 }
 
-/** What a root is to someone who follows the ray from E. */
+/** A root's role and words as seen from E along the ray. */
 export interface HitWords {
   readonly index: number;
   readonly t: number;
@@ -29,8 +29,8 @@ export interface HitWords {
 }
 
 /**
- * The case in words, true of the line and of the ray from E. The table behind it: verdict-table.ts.
- * `given` are the numbers that `found` is about, where they are not those that shape and ray store.
+ * The class in words, true of the line and of the ray from E, from the table in verdict-table.ts.
+ * `given`: the numbers that `found` is about, if they are not those stored in shape and ray.
  */
 export function verdictWords(
   found: Intersection,
@@ -51,7 +51,7 @@ export function verdictWords(
 export const textOf = (pieces: readonly Piece[]): string =>
   pieces.map((piece) => (typeof piece === 'string' ? piece : display(piece.value))).join('');
 
-/** Every root with its role; a point of the plane outside the figure is listed too, as rejected. */
+/** Every root with its role; also a point of the plane outside of the figure. */
 export function hitWords(found: Intersection): HitWords[] {
   const { details } = found;
   if (details.family === 'flat' && details.plane && details.plane.inside === false) {
@@ -73,10 +73,7 @@ function hitText(found: Intersection, i: number, role: HitRole, atE: boolean): s
   return [start, crossing(found, i)].filter(Boolean).join(', ');
 }
 
-/**
- * Whether f changes from outside (+) to inside (−) there, from the sign of f′; nothing for a flat
- * shape.
- */
+/** "enters" or "leaves" by the sign of f′ at hit `i`, and words for a double root; '' if flat. */
 export function crossing(found: Intersection, i: number): string {
   const { class: verdict, hits, details } = found;
   if (details.family === 'flat') return sideOfPlane(found) === 0 ? 'in the plane' : '';

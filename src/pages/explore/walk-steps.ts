@@ -27,7 +27,7 @@ import { typesetNumbers, typesetNumbersInPieces, typesetSymbols } from '../../pa
 import { value } from '../../panels/value.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { putInSideBySide, resultsOf } from '../../state/put-in.ts';
-import { closestWords, facingWords, type Said, signWords } from '../../state/walk-words.ts';
+import { closestWords, facingWords, type SignedLine, signWords } from '../../state/walk-words.ts';
 import { displayTriple } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -64,7 +64,7 @@ function present(step: Step, model: ExploreModel): TemplateResult {
   const said = shown ? signWords(model.shape, model.ray) : {};
   return html`${lines.map((line) => {
     const letter = walkSide(line.left);
-    const words = letter.op === 'scalar' ? said[letter.id as Said] : undefined;
+    const words = letter.op === 'scalar' ? said[letter.id as SignedLine] : undefined;
     return html`<div class="walk-line" data-tex=${texOf(line)}>
       <div class="walk-symbols">${sides(line, true)}</div>
       ${shown && id !== 'figure' ? numbersOf(step, line, model) : nothing}
@@ -323,7 +323,7 @@ function atHits(left: Expr, right: Expr, { derivation, found }: ExploreModel) {
 function results(
   { id }: Step,
   model: ExploreModel,
-  said: Partial<Record<Said, string>>,
+  said: Partial<Record<SignedLine, string>>,
 ): TemplateResult | typeof nothing {
   const { hits, found, derivation, digits } = model;
   switch (id) {

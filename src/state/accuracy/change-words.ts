@@ -28,7 +28,7 @@ export function flips(before: Rows, after: Rows): string {
   return changed.join('; ');
 }
 
-/** What an input that moved has changed: verdicts, else the chosen method's roots. */
+/** What moving an input has changed: verdicts; if none, the chosen method's roots. */
 export function changeWords(before: Rows, after: Rows, chosen: string): string {
   const changed = flips(before, after);
   if (changed) return changed;

@@ -10,19 +10,22 @@ export interface Column {
   readonly rows: readonly MeasuredRow[];
   /** Whether the prices are those of typical rays where the page was built. */
   readonly isFaint: boolean;
-  /** Why it is not the target that was asked for, as a sentence; '' if it is. */
+  /** Why the target is not the one asked for, as a sentence; '' if it is. */
   readonly why: string;
 }
 
 export const targetTitle = (target: Target): string =>
   TARGETS.find(({ id }) => id === target)?.title ?? target;
 
-/** JavaScript has no numbers of 24 bits: each operation is one of 53, rounded once more. */
+/**
+ * Whether the method's float32 is emulated: TypeScript computes in 53 bits and rounds each result
+ * to 24.
+ */
 export function isEmulated(id: string, target: Target): boolean {
   const method = findMethod(id);
   return target === 'typescript' && method !== undefined && formatOf(method) === 'float32';
 }
 
-/** The methods whose arithmetic the target has: those whose prices compare. */
+/** The rows that are not emulated: only their prices can be compared. */
 export const comparable = ({ rows, target }: Pick<Column, 'rows' | 'target'>) =>
   rows.filter(({ id }) => !isEmulated(id, target));

@@ -9,17 +9,17 @@ import type { Cost, Worth } from './settings.ts';
 
 export interface FrontierMark {
   readonly id: string;
-  /** What stands beside the mark, and what follows it in lighter type. */
+  /** Label beside the mark, and the text after it in lighter type. */
   readonly name: string;
   readonly note: string;
-  /** The whole truth in words, for the screen reader. */
+  /** Name, price and quality in words, for screen readers. */
   readonly words: string;
   readonly cost: Price;
   /** Larger is better. */
   readonly worth: number;
-  /** The price is another machine's. */
+  /** The price was measured on another machine. */
   readonly isFaint: boolean;
-  /** The price is no matter of choice, so that it is not on the frontier. */
+  /** The mark takes no part in the frontier, since its price cannot be compared. */
   readonly isApart: boolean;
 }
 
@@ -27,24 +27,21 @@ export interface FrontierModel {
   readonly marks: readonly FrontierMark[];
   readonly chosen: string;
   readonly costTitle: string;
-  /** Nanoseconds that a cost of 1 is, for the second scale; null if it is not known. */
+  /** Nanoseconds per unit of cost, for the second scale; null if unknown. */
   readonly unit: number | null;
-  /** Whether the grid is the second scale's. */
+  /** Whether grid lines follow the second scale (ns) instead of the first (multiples). */
   readonly gridByUnit: boolean;
   readonly worthTitle: string;
   /** The worths that the axis shows, from the worst to the best, and their labels. */
   readonly worthTicks: readonly { readonly value: number; readonly label: string }[];
 }
 
-/** A verdict alone costs less than roots do: the plot, the table and the sentence ask the same. */
+/** Which cost belongs to a measure of worth: the class alone is cheaper than the roots. */
 export const questionOf = (worth: Worth): Question => (worth === 'wrong' ? 'classes' : 'roots');
 
 export const titleOf = (id: string): string => findMethod(id)?.title ?? id;
 
-/**
- * The plot of what was measured. Null before there is a price, or where no ray has a root to have
- * digits.
- */
+/** The plot of digits against time. Null before there is a price, or if no ray has a root. */
 export function frontierOf(
   { rows, target, isFaint }: Omit<Column, 'why'>,
   { worth, cost }: { readonly worth: Worth; readonly cost: Cost },
@@ -97,13 +94,13 @@ const WORTH_TITLES: Readonly<Record<Worth, string>> = {
 
 const DIGIT_TICKS = [0, 4, 8, 12, 16].map((value) => ({ value, label: String(value) }));
 
-/** More is better: a share of failures counts below zero. */
+/** Larger is better, so a share of failures is negated. */
 function worthOf({ quality }: MeasuredRow, worth: Worth): number {
   if (worth === 'wrong') return 0 - (quality.wrong + quality.undecided) / quality.rays;
   return worth === 'digits' ? quality.digits : quality.leastDigits;
 }
 
-/** 0 % on top, and round shares down to the worst. */
+/** Ticks of the failure axis: 0 % on top, then round shares down to the worst one. */
 function shareTicks(marks: readonly { readonly worth: number }[]) {
   const worst = Math.max(0.001, ...marks.map(({ worth }) => -worth));
   const step =

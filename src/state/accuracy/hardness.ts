@@ -49,7 +49,7 @@ export function hardnessOf(points: readonly SweepPoint[], dial: Dial, worth: Wor
 /**
  * What a dial's rays have in common: “E is 10³ … 10⁹ radii away”.
  *
- * @param at where it stands; null: where the family itself turns it.
+ * @param at value of the dial; null if the family draws it for each ray.
  */
 export function dialWords(dial: Dial, at: number | null): string {
   const tick = tickOf(dial);
@@ -59,12 +59,12 @@ export function dialWords(dial: Dial, at: number | null): string {
   return POWER.test(title) ? title.replace(POWER, range) : `${title}: ${range}`;
 }
 
-/** With raised powers. */
+/** The dial's title with its power as a superscript. */
 export const dialTitle = ({ title }: Dial): string => title.replace('^-k', '⁻ᵏ').replace('^k', 'ᵏ');
 
 const POWER = /(\d+)\^(-?)k/;
 
-/** 10⁴, 2³ or 40 %, as the dial's own title has it. */
+/** Writes a dial value in the unit of its title: 10⁴, 2³ or 40 %. */
 export function tickOf({ title }: Dial): (k: number) => string {
   const [, base, minus] = POWER.exec(title) ?? [];
   if (!base) return (k) => display(k, 3);

@@ -13,7 +13,7 @@ export interface RayModel extends ThisRay {
   readonly chosenTitle: string;
 }
 
-/** Keeps its last answer, since a page is drawn more often than its ray changes. */
+/** Caches the last result, since a page is drawn more often than its ray changes. */
 export function createRayModel(): (state: AppState) => RayModel {
   let last: { key: readonly unknown[]; model: RayModel } | null = null;
   return (state) => {

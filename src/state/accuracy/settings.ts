@@ -8,14 +8,14 @@ import type { Settings } from '../state.ts';
 export interface AccuracySettings {
   /** The family whose rays are measured. */
   readonly family: string;
-  /** Where its dial stands; null: where the family itself turns it. */
+  /** Value of its dial; null if the family draws it for each ray. */
   readonly dial: number | null;
   readonly worth: Worth;
-  /** Which of the two scales of time has the grid. */
+  /** Which of the two scales of time the grid lines follow. */
   readonly cost: Cost;
   /** Which kernels are compared with each other. */
   readonly target: Target;
-  /** In which order the rays are met. */
+  /** The order in which the rays are passed to the kernels. */
   readonly order: Order;
   /** The family whose difficulty is swept. */
   readonly hard: string;
@@ -61,7 +61,7 @@ interface Read<T> {
   readonly problem: string | null;
 }
 
-/** What each key of the link may say; null for what it may not. */
+/** Reads the text of each key of the link; null for an invalid one. */
 const READERS: {
   readonly [K in keyof AccuracySettings]: (text: string) => AccuracySettings[K] | null;
 } = {
@@ -94,8 +94,7 @@ function read<K extends keyof AccuracySettings>(
 }
 
 /**
- * The settings that texts of a link stand for, defaults where they say nothing usable; and what was
- * not.
+ * The settings in a link's texts, with defaults for invalid ones, and what was wrong with those.
  */
 export function readAccuracy(given: Settings): {
   readonly values: AccuracySettings;
@@ -109,13 +108,13 @@ export function readAccuracy(given: Settings): {
   return { values: { ...values, dial: withinDial(values) }, problems };
 }
 
-/** A dial has ends, and some families have none. */
+/** The dial's value within its range; null if the family has no dial. */
 function withinDial({ family, dial }: AccuracySettings): number | null {
   const range = findFamily(family)?.dial?.range;
   return range && dial !== null ? Math.min(Math.max(dial, range[0]), range[1]) : null;
 }
 
-/** The texts under which a link keeps them; null for what is as it is anyway. */
+/** The texts of these settings in a link; null for a default, which a link leaves out. */
 export function writeAccuracy(values: Partial<AccuracySettings>): Record<string, string | null> {
   return Object.fromEntries(
     Object.entries(values).map(([key, value]) => {

@@ -5,10 +5,7 @@ import { body, inBraces, type Language, vectorCode } from './language.ts';
 import { type Constant, partsOf } from './parts.ts';
 import type { Test } from './program.ts';
 
-/**
- * A fragment shader for WebGL2 that compiles as it stands; its functions can be copied into another
- * one.
- */
+/** A WebGL2 fragment shader that compiles as it stands. */
 export const glsl: Export = {
   id: 'glsl',
   title: 'the ray as GLSL',
@@ -17,7 +14,7 @@ export const glsl: Export = {
   text: rayGlsl,
 };
 
-/** The case as the shader tells it, by its place here. */
+/** The class as the shader returns it: the index in this list. */
 export const GLSL_CASES = ['undecided', 'none', 'one', 'tangent', 'two', 'contained'] as const;
 
 const LANGUAGE: Language = {

@@ -5,7 +5,7 @@ import type { ExploreModel } from '../derive.ts';
 import type { HitWords } from '../words.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';
 
-/** Every root of the page with its point and normal; a rejected one too. */
+/** Lines for every root on the page, with its point and normal; also for a rejected one. */
 export function hitLines<M>({ hits, found }: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { details } = found;
   const plane = details.family === 'flat' ? details.plane : null;
@@ -37,7 +37,7 @@ function rootLines<M>(
   return [...lines, equation(marks.indexed('P', index), point), normal];
 }
 
-/** Where the plane is met outside of the figure: X, and no hit. */
+/** Lines for a point X of the plane outside of the figure, which is no hit. */
 function rejectedLines<M>({ t, text }: HitWords, hit: PlaneHit | null, marks: Marks<M>): Line<M>[] {
   return [
     equation(marks.symbol('t', 'scalar'), number(t, marks), text),

@@ -12,18 +12,18 @@ import type { Program, Statement, Test } from './program.ts';
 export interface Language {
   readonly syntax: CodeSyntax;
   comment(text: string): string;
-  /** A scalar gets its value. */
+  /** Assigns a scalar. */
   put(name: string, value: string): string;
   vector(parts: readonly string[]): string;
   putVector(name: string, value: string): string;
   test(test: Test): string;
-  /** The statement that does these lines if the test holds. */
+  /** An if statement with these lines as its body. */
   when(test: string, then: readonly string[]): readonly string[];
   answer(verdict: Verdict, ts: readonly string[]): string;
   readonly indent: string;
 }
 
-/** As languages with braces write it; a single line needs none. */
+/** An if statement of a language with braces, without them around a single line. */
 export function inBraces(test: string, then: readonly string[], indent: string): string[] {
   if (then.length === 1) return [`if (${test}) ${then[0]}`];
   return [`if (${test}) {`, ...then.map((line) => indent + line), '}'];
@@ -69,7 +69,7 @@ function code(
   { syntax }: Language,
   names: Names,
 ): string {
-  // The statement that gives a subtree its name is the one that has to write it out.
+  // A statement that defines a name writes the subtree out instead of using the name.
   const named = known.has(expr) ? new Map() : known;
   return printCode(expr, syntax, names, { branch, known: named });
 }

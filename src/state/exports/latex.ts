@@ -25,7 +25,7 @@ export function derivationLatex(model: ExploreModel): string {
   ].join('\n');
 }
 
-/** One alignment a line, at its relation. */
+/** A line of the `align` environment, aligned at its relation. */
 function row({ left, relation, right, words }: Line<string>): string {
   const sign = relation === null ? '' : LATEX.operator(relation).trimStart();
   const said = words && latexText(words);

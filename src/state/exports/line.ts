@@ -2,14 +2,14 @@ import { type Marks, numberPiece, type PrintedSign as Sign } from '../../math/fo
 
 /** One line of the derivation: left, a relation, right, and what it means in words. */
 export interface Line<M> {
-  /** Null where the line before goes on, or where there is nothing to align. */
+  /** Null if the line continues the one before, or has nothing to align. */
   readonly left: M | null;
   readonly relation: Sign | null;
   readonly right: M | null;
   readonly words: string;
 }
 
-/** As on the page. */
+/** Significant digits, as on the page. */
 export const DIGITS = 6;
 
 export const number = <M>(x: number, marks: Marks<M>): M => numberPiece(x, marks, DIGITS).m;

@@ -15,10 +15,7 @@ import { putIn, resultsOf } from '../put-in.ts';
 import { hitLines } from './hit-lines.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';
 
-/**
- * The page's algebra from the ray to the hits: symbols, numbers put in, value; digits as on the
- * page.
- */
+/** The page's algebra from the ray to the hits: symbols, numbers, value, in the page's digits. */
 export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { derivation, contradicted, found, exactly } = model;
   const range = rangeNote(derivation, found, exactly);
@@ -48,8 +45,8 @@ const wordsLine = <M>(words: string): Line<M> => ({
 });
 
 /**
- * E, d and the shape's own numbers. A, B, C and D are among the derivation's numbers, but they are
- * its results.
+ * Lines for E, d and the shape's parameters. The derivation's numbers also hold A, B, C and D,
+ * which are results and are left out here.
  */
 function given<M>({ derivation }: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { scalars, vectors } = derivation.numbers;
@@ -70,7 +67,7 @@ function relationLine<M>({ left, relation, right }: Relation, marks: Marks<M>): 
   return { left: inSymbols(left, marks), relation, right: inSymbols(right, marks), words: '' };
 }
 
-/** A quantity without a letter of its own is its symbols: they stand on the left. */
+/** Lines of a step. A quantity without a letter has its symbols on the left. */
 function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { id, letter, expr, value, worked } = step;
   const { derivation, found, exactly } = model;
@@ -81,14 +78,14 @@ function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): Line<M>
   const numbers = put && inNumbers(expr, marks, derivation.numbers, { worked, digits: put.digits });
   const parts = [numbers, result].filter((m) => m !== null);
   const right = marks.join(parts.flatMap((m, i) => (i > 0 ? [marks.operator(sign), m] : [m])));
-  // A line that ends with its numbers gives the roots below.
+  // A line without a result leads to the roots in the lines below it.
   const relation = result === null ? sign : '=';
   const lines: Line<M>[] = letter ? [equation(inSymbols(letter, marks), symbols)] : [];
   if (parts.length === 0) return lines;
   return [...lines, { left: letter ? null : symbols, relation, right, words: '' }];
 }
 
-/** The value; for what no double holds the exact power of ten. */
+/** The value; if it is out of the doubles' range, the exact one with a power of ten. */
 function resultPiece<M>(
   id: string,
   value: number,
@@ -102,9 +99,7 @@ function resultPiece<M>(
     : number(value, marks);
 }
 
-/**
- * The condition in symbols, then in numbers; of a length only the value is told, as on the page.
- */
+/** A condition in symbols, then in numbers; for a norm only its value, as on the page. */
 function conditionLines<M>(
   { relation, left, right, holds }: ConditionStep,
   { derivation }: ExploreModel,

@@ -5,7 +5,7 @@ import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
 import { type Program, programOf } from './program.ts';
 
-/** A number or vector of the shape or the ray, as the program calls it. */
+/** A number or vector of the shape or the ray, by its name in the program. */
 export interface Constant {
   readonly name: string;
   readonly value: number | Triple<number>;
@@ -13,7 +13,7 @@ export interface Constant {
   readonly title: string;
 }
 
-/** What every exported program is made of, whatever its language. */
+/** The parts of an exported program that do not depend on its language. */
 interface Parts {
   readonly program: Program;
   readonly shape: readonly Constant[];
@@ -30,7 +30,7 @@ export function partsOf(model: ExploreModel): Parts {
   const program = programOf(definition.formula(model.shape));
   const taken = program.statements.flatMap((s) => (s.do === 'put' ? [s.name] : []));
   const param = (symbol: string) => definition.params.find((p) => p.symbol === symbol);
-  // A centre C gives way to the coefficient C.
+  // The coefficient is called C, so a centre C gets its parameter's key as its name.
   const vectorName = (id: string): string => (taken.includes(id) ? (param(id)?.key ?? id) : id);
   const title = (id: string): string => param(id)?.title ?? (id === 'N' ? 'normal' : id);
   const { E, d } = valuesOf(model.shape, model.ray, float64).vectors;
@@ -66,7 +66,7 @@ function isAxis(id: string): id is Axis {
   return (AXES as readonly string[]).includes(id);
 }
 
-/** What the program answers, and what the page says, if that is something else. */
+/** Comment lines: what the program answers, and what the page says if that differs. */
 function expected({ shape, ray, found }: ExploreModel): string[] {
   const textbook = intersect(shape, ray, 'textbook');
   const ts = textbook.hits.map(({ t }) => shortest(t)).join(' and ');

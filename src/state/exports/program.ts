@@ -14,7 +14,7 @@ import {
 import type { Verdict } from '../../math/index.ts';
 import type { Formula } from '../../math/shapes.ts';
 
-/** The course's algorithm in the few statements that it takes, to be written in any language. */
+/** A statement of the course's algorithm, independent of the language it is written in. */
 export type Statement =
   | { readonly do: 'put'; readonly name: string; readonly expr: Expr; readonly branch?: 1 | -1 }
   | { readonly do: 'point'; readonly name: string; readonly exprs: ExprTriple }
@@ -24,23 +24,23 @@ export type Statement =
 
 export type Test =
   | { readonly is: 'zero' | 'negative'; readonly name: string }
-  /** One of them overflowed, or is no number. */
+  /** One of them is NaN or infinite. */
   | { readonly is: 'lost'; readonly names: readonly string[] }
-  /** One of them is a positive number: that condition fails. */
+  /** One of them is greater than 0, so that a condition fails. */
   | { readonly is: 'positive'; readonly names: readonly string[] }
   | { readonly is: 'greater'; readonly name: string; readonly than: string };
 
 export interface Program {
   readonly statements: readonly Statement[];
-  /** Subtrees that the statements have given a name to. */
+  /** Subtrees for which a statement has defined a name. */
   readonly known: ReadonlyMap<Expr, string>;
   /** The normal at the point X. */
   readonly normal: ExprTriple;
 }
 
 /**
- * What the textbook method does, in its order: nothing is compared with an epsilon, and an overflow
- * is told. Answers are the t's of the whole line, ascending.
+ * The textbook method, step by step. It compares nothing with an epsilon and reports overflow. Its
+ * answers are the t's of the whole line, ascending.
  */
 export function programOf(formula: Formula): Program {
   return formula.family === 'curved' ? curved(formula) : flat(formula);

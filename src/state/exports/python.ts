@@ -5,7 +5,7 @@ import { body, type Language, vectorCode } from './language.ts';
 import { type Constant, partsOf } from './parts.ts';
 import type { Test } from './program.ts';
 
-/** The same program as in TypeScript; nothing but the standard library. */
+/** The same program as the TypeScript export; it uses the standard library only. */
 export const python: Export = {
   id: 'python',
   title: 'the ray as Python',

@@ -6,9 +6,7 @@ import { body, inBraces, type Language, vectorCode } from './language.ts';
 import { type Constant, partsOf } from './parts.ts';
 import type { Test } from './program.ts';
 
-/**
- * The ray and the shape, the course's formula, and what it finds, as a program that prints JSON.
- */
+/** A program with the ray, the shape and the course's formula, that prints its result as JSON. */
 export const typescript: Export = {
   id: 'typescript',
   title: 'the ray as TypeScript',

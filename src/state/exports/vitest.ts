@@ -3,7 +3,7 @@ import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
 
-/** What the page shows as a test of the math module, to the last bit. */
+/** A test that the math module gives what the page shows, bit by bit. */
 export const vitest: Export = {
   id: 'vitest',
   title: 'the ray as a test case',
@@ -12,7 +12,7 @@ export const vitest: Export = {
   text: (model) => vitestCase(model),
 };
 
-/** `mathModule`: where the test finds the math module, seen from the file that it is saved as. */
+/** @param mathModule import path of the math module, relative to the test's file. */
 export function vitestCase(model: ExploreModel, mathModule = './src/math/index.ts'): string {
   const { shape, ray, found, title, verdict } = model;
   return `import { expect, test } from 'vitest';

@@ -2,19 +2,18 @@ import { viewText } from '../url.ts';
 import type { View } from '../view.ts';
 
 /**
- * Some words, and the claims that make them true: 'D > 0', 'E inside', 't2 leaves', 'textbook class
- * none'. Each kind of claim has a check in tests/unit/state/gallery-claims.ts, and words that claim
- * something must name a claim for it.
+ * Words, and the claims that they make: 'D > 0', 'E inside', 't2 leaves', 'textbook class none'.
+ * Each kind of claim is checked in tests/unit/state/gallery-claims.ts.
  */
 type Clause = readonly [words: string, ...claims: string[]];
 
 interface ExampleParts {
   readonly title: Clause;
-  /** A question that can be answered before it is; what it takes for granted is claimed too. */
+  /** A question, with claims for what it takes for granted. */
   readonly asks: Clause;
   /** One sentence, in clauses: what to look at. */
   readonly answer: readonly Clause[];
-  /** From where the story is seen. */
+  /** The view from which the answer can be seen. */
   readonly view: View;
   /**
    * What lies too far out for the frame. E, the other points and the shape's own one are in it,
@@ -25,10 +24,7 @@ interface ExampleParts {
   readonly link: string;
 }
 
-/**
- * A state worth looking at. It is a link like any other, so whatever an example can show, a person
- * can send.
- */
+/** A state with a title, a question and its answer. Its link is an ordinary link. */
 export interface Example extends Pick<ExampleParts, 'view' | 'outside' | 'link'> {
   readonly id: string;
   readonly title: string;

@@ -37,8 +37,8 @@ export const AGAINST = {
 } as const;
 
 /**
- * What Compare begins with: what the scene's reason speaks of, or else the start rule. Never a
- * picture with itself.
+ * The comparison that the button Compare starts: the preset's own, else one without a start rule.
+ * It always differs from the main picture.
  */
 export function firstAgainst(sceneText: string, start: StartRule, method: string): string {
   const wanted = findPreset(sceneText)?.compare ?? 'start:none';
@@ -54,10 +54,7 @@ export function otherSide(settings: TraceSettings, against: Against): TraceSetti
   return { ...settings, forced };
 }
 
-/**
- * What a side is, in the words of a picker: method and start rule, and an effect if that is the
- * cause.
- */
+/** Words for a side in a picker: method and start rule, or the effect if that is the difference. */
 export function sideWords(settings: TraceSettings, against: Against | null): string {
   const method = findMethod(settings.method)?.title ?? settings.method;
   const start = startWords(settings.start);

@@ -12,10 +12,7 @@ export interface SideOption {
   readonly words: string;
 }
 
-/**
- * Everything that one side can differ in: another method, another start rule, one effect the other
- * way.
- */
+/** Everything in which a side can differ: method, start rule, or one effect switched. */
 export function sideOptions(
   scene: Scene,
   settings: TraceSettings,
@@ -39,7 +36,7 @@ export function sideOptions(
   }));
 }
 
-/** What the right side can be changed to. */
+/** The options for the right side, which is the main picture: methods and start rules. */
 export function mainOptions(settings: TraceSettings): readonly SideOption[] {
   return sideOptions({ ...NO_SCENE }, settings, null).filter(
     ({ value }) => value.startsWith('method') || value.startsWith('start'),
@@ -55,7 +52,7 @@ const NO_SCENE: Scene = {
   lights: [],
 };
 
-/** What is the same on both sides, and the one thing that is not. */
+/** Sentences on what both sides share and the one thing in which they differ. */
 export function causeWords(settings: TraceSettings, against: Against): string {
   if (AGAINST.write(against) === AGAINST.write(sameAs(settings, against))) {
     return 'Both sides are the same picture.';
@@ -68,7 +65,7 @@ export function causeWords(settings: TraceSettings, against: Against): string {
   return `Both by ${method}; only ${title} ${what} on the left.`;
 }
 
-/** What a side would have to be to be no change. */
+/** The comparison of the main picture with itself; null for an effect. */
 function sameAs(settings: TraceSettings, against: Against): Against | null {
   if (against.change === 'method') return { change: 'method', method: settings.method };
   if (against.change === 'start') return { change: 'start', start: settings.start };

@@ -25,25 +25,22 @@ export function refusalOf(scene: Scene): string | null {
   }
 }
 
-/** Whether a parameter says where the shape is: moving it moves the whole shape. */
+/** Whether a parameter is a position: changing it moves the whole shape. */
 export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
 
-/**
- * A thing with one parameter of its shape changed. Where it is kept between heights they go along
- * with it.
- */
+/** A thing with one parameter of its shape changed. If it moves, its heights move with it. */
 export function withParam(thing: Placed, param: Param, value: Vec3 | number | string): Placed {
   const shape = { ...thing.shape, [param.key]: value } as Shape;
   if (!isPlace(param) || !thing.between) return { ...thing, shape };
   const before = (thing.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
   const up = (value as Vec3)[1] - (before?.[1] ?? 0);
   const [low, high] = thing.between;
-  // Sums of short decimal numbers are such again.
+  // Rounded to 14 digits, so that a sum of short decimals is a short decimal.
   const raised = (y: number): number => Number((y + up).toPrecision(14));
   return up === 0 ? { ...thing, shape } : { ...thing, shape, between: [raised(low), raised(high)] };
 }
 
-/** Cut off at two heights about where it is, or no more. */
+/** The thing cut off at two heights about its anchor, or no longer cut off. */
 export function withHeights(thing: Placed, on: boolean): Placed {
   const { between: _, capped: __, ...whole } = thing;
   if (!on) return whole;
@@ -52,7 +49,7 @@ export function withHeights(thing: Placed, on: boolean): Placed {
   return { ...whole, between: [at[1] - half, at[1] + half], capped: canBeCapped(thing.shape) };
 }
 
-/** Only round shapes have circles for ends. */
+/** Whether the ends of a cut shape are circles, which caps can close. */
 export const canBeCapped = (shape: Shape): boolean => definitionOf(shape).body.circleAt !== null;
 
 export function withPattern(material: Material, pattern: Paint['pattern']): Material {
@@ -70,16 +67,14 @@ export function withGlass(material: Material, on: boolean): Material {
   return on ? { ...rest, glass: { index: 1.5, absorption: [0, 0, 0] } } : rest;
 }
 
-/** Half the height of what the camera sees at its target: the size that something new has. */
+/** Size of new things: a quarter of half the height that the camera sees at its target. */
 function viewSize({ camera: { eye, target, angle } }: Scene): number {
   const distance = Math.hypot(...eye.map((x, i) => x - (target[i] ?? 0)));
   const half = distance * Math.tan((angle * Math.PI) / 360);
   return Number((half / 4).toPrecision(1));
 }
 
-/**
- * A grey shape in the middle of the picture, of a size that is seen; cut off where it has no end.
- */
+/** A new grey shape in the middle of the picture; cut off at two heights if it is unbounded. */
 export function newThing(scene: Scene, kind: ShapeKind): Placed {
   const unit = viewSize(scene);
   const { target } = scene.camera;
@@ -104,7 +99,7 @@ export const LIGHT_WORDS = {
   sphere: 'a lamp with a size',
 } as const;
 
-/** Above the camera, to its left. */
+/** A new light above the camera and to its left. */
 export function newLight(scene: Scene, kind: Light['light']): Light {
   const { eye, target } = scene.camera;
   const up = 8 * viewSize(scene);
@@ -113,7 +108,7 @@ export function newLight(scene: Scene, kind: Light['light']): Light {
   return asLight({ ...lamp, id: freeId(scene, kind === 'sun' ? 'sun' : 'lamp') }, kind, target);
 }
 
-/** The same light of another kind; a sun stands where the lamp was, seen from the target. */
+/** The same light as another kind; a sun shines from where the lamp was as seen from the target. */
 export function asLight(light: Light, kind: Light['light'], target: Vec3): Light {
   const { id, colour, strength, effects } = light;
   const common = { id, colour, strength };

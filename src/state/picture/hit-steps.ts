@@ -8,7 +8,7 @@ import { type Meeting, type RootFate, rootFates } from './root-fates.ts';
 export interface SurfaceStep {
   readonly step: Step;
   readonly numbers: Values<number>;
-  /** Null where one of them is not finite. */
+  /** Null if one of the numbers is not finite. */
   readonly put: PutIn | null;
 }
 
@@ -21,8 +21,8 @@ interface SurfaceSteps {
 }
 
 /**
- * The course's algebra of one ray and the whole shape, and what became of each root; null for a ray
- * that the math module refuses (an overflowed direction).
+ * The course's algebra of one ray and the whole shape, with the fate of each root. Null for a ray
+ * that the math module refuses, as one whose direction overflowed.
  */
 export function surfaceSteps(shape: Shape, meeting: Meeting, method: string): SurfaceSteps | null {
   const { ray, between } = meeting;

@@ -7,7 +7,7 @@ import type { Cost, Ledger, RayKind, TraceSettings } from '../../tracer/types.ts
 export interface LedgerRow extends PlannedEffect {
   /** Null while nothing has been traced, and for what does not run. */
   readonly cost: Cost | null;
-  /** Which part of the time it took, 0 … 1, and where its part begins behind those above it. */
+  /** Its share of the time, 0 … 1, and the sum of the shares in the rows above. */
   readonly share: number;
   readonly from: number;
   /**
@@ -26,12 +26,12 @@ export interface LedgerModel {
   readonly kinds: readonly KindRow[];
   readonly saved: number;
   readonly cut: number;
-  /** Of the picture. */
+  /** Pixels of the picture. */
   readonly pixels: number;
   readonly samples: number;
 }
 
-/** Rays of one kind, and which effects fired them: the parts add up to all of them. */
+/** Number of rays of one kind, split by the effect that fired them. */
 export interface KindRow {
   readonly kind: RayKind;
   readonly rays: number;
@@ -47,7 +47,7 @@ export const EMPTY_LEDGER: Ledger = {
   cut: 0,
 };
 
-/** What the page's ledger says of a scene, its settings, and what has been measured so far. */
+/** The ledger of a scene and its settings, with what has been measured so far. */
 export function ledgerModel(
   scene: Scene,
   settings: TraceSettings,
@@ -121,10 +121,7 @@ const sum = (a: Cost, b: Cost): Cost => ({
   ms: a.ms + b.ms,
 });
 
-/**
- * The ledger for a table program, one effect a line; what did not run is there too, with its
- * reason.
- */
+/** The ledger as CSV, one effect per line, also those that did not run, with their reasons. */
 export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): string {
   const head =
     'effect,needed,forced,reason,rays,questions,solves,ms of all workers,share,pixels changed';
@@ -157,14 +154,14 @@ export function grouped(n: number): string {
   return String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 }
 
-/** Milliseconds as they are worth reading: 0.42, 7.4, 1 005. */
+/** Milliseconds with two digits, or as a whole number from 10 on: 0.42, 7.4, 1 005. */
 export function msWords(ms: number): string {
   if (ms >= 10) return grouped(Math.round(ms));
   if (ms === 0) return '0';
   return ms < 0.005 ? '< 0.01' : ms.toFixed(ms >= 1 ? 1 : 2);
 }
 
-/** A share in percent; what is not nothing is never 0 %, and what is not all is never 100 %. */
+/** A share in percent; 0 % and 100 % are only shown for exactly none and all. */
 export function percent(part: number, whole: number): string {
   if (whole === 0 || part === 0) return '0 %';
   const p = (100 * part) / whole;

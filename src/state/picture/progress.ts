@@ -1,13 +1,13 @@
-/** How far a picture has come; the driver of the workers says so. */
+/** How much of a picture is traced, as the trace queue reports it. */
 export interface Progress {
   readonly state: 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
-  /** Pixels. */
+  /** Pixels that are done, of how many. */
   readonly done: number;
   readonly total: number;
-  /** The size of the blocks: 1 when the finest pass runs. */
+  /** Size in pixels of the blocks of the present pass; 1 for the last pass. */
   readonly step: number;
   readonly msSpent: number;
-  /** NaN while nobody can tell. */
+  /** Estimate; NaN while there is none. */
   readonly msLeft: number;
   readonly workers: number;
   /** Why it failed; '' otherwise. */

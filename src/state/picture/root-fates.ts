@@ -5,16 +5,16 @@ import type { StartRule } from '../../tracer/types.ts';
 import { type Between, whyCut } from '../heights.ts';
 import { crossing } from '../words.ts';
 
-/** What a ray that the tracer has fired makes of a surface. */
+/** A ray of the tracer and what decides which of its roots on one surface count. */
 export interface Meeting {
   readonly ray: Ray;
   readonly between: Between | null;
   /** It starts on this surface, and the root there is dropped by identity. */
   readonly leaves: boolean;
-  /** From which t on roots count, and up to which; ∞ unless a light ends the ray. */
+  /** Roots count if least ≤ t < most; `most` is ∞ unless a light ends the ray. */
   readonly least: number;
   readonly most: number;
-  /** Light on its way to what it lights goes through glass. */
+  /** Whether the ray passes through this surface: a shadow ray through glass. */
   readonly passes: boolean;
 }
 
@@ -63,7 +63,7 @@ export function rootFates(found: Intersection, meeting: Meeting): RootFate[] {
   });
 }
 
-/** The root nearest to 0 (scene/start.ts); of two as near the later one. */
+/** Index of the root nearest to 0 (scene/start.ts); of two equally near ones the later. */
 function startOf({ hits }: Intersection): number {
   return hits.reduce(
     (nearest, { t }, i) => (Math.abs(t) <= Math.abs(hits[nearest]?.t ?? t) ? i : nearest),

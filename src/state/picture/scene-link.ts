@@ -23,7 +23,7 @@ export function sceneFromText(text: string): Scene {
   return preset.scene;
 }
 
-/** The id of a preset's scene, also of one that was edited back to it; else the packed scene. */
+/** The preset's id if the scene equals a preset, else the packed scene. */
 export function textOfScene(scene: Scene): string {
   const json = sceneToJson(scene);
   const preset = PRESETS.find(

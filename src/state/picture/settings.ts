@@ -9,7 +9,7 @@ import { AGAINST, type Against } from './against.ts';
 import { DEFAULT_SCENE, sceneFromText } from './scene-link.ts';
 import { readStart } from './start.ts';
 
-/** What the link says of the Picture page. */
+/** The settings of the Picture page, which its link carries. */
 export interface PictureSettings {
   /** As the link has it: a preset's id, or an edited scene. */
   readonly sceneText: string;
@@ -22,7 +22,7 @@ export interface PictureSettings {
   readonly forced: Forced;
   /** The other side of a comparison: the same picture with one thing changed. */
   readonly against: Against | null;
-  /** Where the divider stands, in percent of the width. */
+  /** Position of the divider, in percent of the width. */
   readonly split: number;
   /** Two pictures side by side, or the map of their differences. */
   readonly show: 'both' | 'errors';
@@ -37,7 +37,7 @@ const MOST_SIDE = 2000;
 
 interface Key {
   readonly initial: string;
-  /** Throws InvalidInput in words that quote it. */
+  /** Throws InvalidInput that quotes the text. */
   readonly read: (text: string) => unknown;
 }
 
@@ -87,7 +87,7 @@ export function pictureSettings(settings: Settings): PictureSettings {
   };
 }
 
-/** What of a link's settings is usable, and what was wrong with the rest. */
+/** The valid settings of a link, and what is wrong with the others. */
 export function readPicture(settings: Settings): {
   readonly settings: Settings;
   readonly problems: readonly string[];
@@ -118,10 +118,7 @@ export function readPicture(settings: Settings): {
   return { settings: found, problems };
 }
 
-/**
- * A change of settings as the action 'settings' wants it: what is a default is taken out of the
- * link.
- */
+/** Values for the action 'settings': null for a default, which the link leaves out. */
 export function changed(
   values: Readonly<Partial<Record<PictureKey, string>>>,
 ): Readonly<Record<string, string | null>> {
@@ -132,7 +129,7 @@ export function changed(
   return Object.fromEntries(pairs);
 }
 
-/** The texts under `on` and `off` once an effect is forced, or left to the scene ('no'). */
+/** The texts of the keys `on` and `off` after an effect is forced, or no longer is ('no'). */
 export function forcedTexts(
   forced: Forced,
   id: EffectId,
@@ -212,9 +209,7 @@ function word(words: readonly string[]) {
   };
 }
 
-/**
- * A scene keeps its identity while its text is the same; of many, the latest few are remembered.
- */
+/** Caches the latest few results, so that a scene keeps its identity while its text is the same. */
 function memoised<T>(read: (text: string) => T): (text: string) => T {
   const known = new Map<string, T>();
   return (text) => {

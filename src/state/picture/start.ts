@@ -4,10 +4,7 @@ import { display, shortest } from '../../text/format.ts';
 import { parseNumber } from '../../text/parse.ts';
 import type { StartRule } from '../../tracer/types.ts';
 
-/**
- * The rules that a menu offers: the one that is right, none, and epsilons from too small to too
- * large.
- */
+/** The start rules in the menu: the right one, none, and epsilons from too small to too large. */
 export const START_TEXTS = ['from', 'none', '1e-15', '1e-9', '0.001', '0.3'] as const;
 
 /** 'from', 'none', or an epsilon. */
@@ -24,7 +21,7 @@ export function readStart(text: string): StartRule {
 export const startText = (start: StartRule): string =>
   start.rule === 'epsilon' ? shortest(start.epsilon).replace('e+', 'e') : start.rule;
 
-/** Short, beside a method's name. */
+/** Short words for a start rule, to stand beside a method's name. */
 export function startWords(start: StartRule): string {
   if (start.rule === 'from') return 'start rule';
   return start.rule === 'none' ? 'no start rule' : `t ≥ ${display(start.epsilon, 3)}`;

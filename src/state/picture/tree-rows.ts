@@ -7,36 +7,35 @@ import type { RayKind, RayNode, TraceSettings } from '../../tracer/types.ts';
 import { surfaceSteps } from './hit-steps.ts';
 import { leastOf, type Meeting } from './root-fates.ts';
 
-/** A ray of a pixel's tree as a line of the list. */
+/** A row of the list of a pixel's rays. */
 export interface TreeRow {
-  /** Which child of which: '0', '0.2', '0.2.1'; the same ray in two trees has one path. */
+  /**
+   * Indices of children from the root: '0', '0.2', '0.2.1'; equal for the same ray in two trees.
+   */
   readonly path: string;
   readonly depth: number;
   readonly kind: RayKind;
   readonly ray: Ray;
   readonly weight: number;
-  /** What became of it; the first part is the verdict. */
+  /** Words on where the ray ended: first the verdict, then the rest. */
   readonly verdict: string;
   readonly rest: string;
-  /** Where it ended: its t on that surface, with the shape to open it with. */
+  /** The shape of the surface where it ended, which Explore can open; null if it ended nowhere. */
   readonly shape: Shape | null;
   readonly meeting: Meeting;
   readonly t: number | null;
   readonly node: RayNode;
-  /** So many shadow rays to one light are one line; those that are blocked. */
+  /** If the row stands for several shadow rays to one light: how many, and how many are blocked. */
   readonly group: { readonly count: number; readonly blocked: number } | null;
 }
 
-/** What of a picture's settings decides which root counts. */
+/** The settings of a picture that decide which root counts. */
 type Tracing = Pick<TraceSettings, 'method' | 'start' | 'forced'>;
 
-/** Fewer shadow rays to one light than this stand each on its own line. */
+/** From this many shadow rays to one light on, they share a row. */
 const GROUP_FROM = 3;
 
-/**
- * The lines of a tree, each ray before those that it fires. `open`: paths of groups that are shown
- * ray by ray.
- */
+/** The rows of a tree, each ray before those it fires. `open`: paths of groups shown ray by ray. */
 export function treeRows(
   scene: Scene,
   root: RayNode,
@@ -66,7 +65,7 @@ export function treeRows(
   return walk(root, '0', 0);
 }
 
-/** The path of the group's own line: its first ray's. */
+/** The path of a group's row: that of its first ray. */
 function groupPath(parent: RayNode, child: RayNode, path: string): string {
   return `${path}.${parent.children.findIndex((other) => sameLight(child, other))}`;
 }
@@ -104,7 +103,7 @@ function rowOf(
   how: Tracing,
 ): TreeRow {
   const { kind, ray, weight, end } = node;
-  // A ray that meets nothing is asked of the surface that it leaves.
+  // A ray that meets nothing is shown with the surface that it leaves.
   const asked = 'surface' in end ? end.surface : surfaces[node.from] ? node.from : 0;
   const surface = surfaces[asked];
   const meetingOf = (index: number): Meeting => ({
@@ -116,7 +115,7 @@ function rowOf(
     passes: kind === 'shadow' && isClear(scene, surface),
   });
   const { verdict, rest } = verdictOf(node, scene, surfaces);
-  // Before a circle that closes an end the ray may have passed a root of what it closes.
+  // Before it hits a cap, the ray may have passed a root of the capped shape.
   const side = surfaces.findIndex(
     ({ thing, part }) => thing === surface?.thing && part === 'shape',
   );
@@ -138,7 +137,7 @@ function isClear({ things }: Scene, surface: Surface | undefined): boolean {
   return thing !== undefined && isGlass(thing);
 }
 
-/** The roots of a shape that the ray has passed before its hit, since they are cut off. */
+/** Words on roots of the shape before the hit, which the heights cut off. */
 function cutWords(
   shape: Shape,
   meeting: Meeting,

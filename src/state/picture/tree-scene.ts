@@ -5,17 +5,14 @@ import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';
 
-/** A ray of the tree in space, cut to what the picture shows. */
+/** A ray of the tree in space, clipped to what the space view shows. */
 export interface TreeLine {
   readonly path: string;
   readonly kind: RayKind;
   readonly from: Vec3;
   readonly to: Vec3;
   readonly weight: number;
-  /**
-   * What stands at its end: a point of a surface, what blocks it, the light; nothing where it goes
-   * on.
-   */
+  /** What is at its end: a hit, a blocking surface, a light; 'background' if nothing ends it. */
   readonly end: 'hit' | 'blocked' | 'light' | 'background';
   readonly light: string | null;
 }
@@ -23,23 +20,17 @@ export interface TreeLine {
 /** The pixel's rays among the scene's shapes, in world coordinates. */
 export interface TreeScene {
   readonly stage: Stage;
-  /** What the rays touch, and the rest of the scene. */
+  /** The shapes that the rays touch, and the others. */
   readonly touched: Figure;
   readonly others: Figure;
   readonly lines: readonly TreeLine[];
-  /**
-   * Degrees about the vertical at which the view begins: beside the camera, from where its ray is
-   * seen as a line.
-   */
+  /** Initial azimuth in degrees: to the side of the camera, so that its ray is seen as a line. */
   readonly azimuth: number;
   readonly description: string;
 }
 
 const BESIDE_CAMERA = 50;
-/**
- * Rays are drawn so many stage radii long where nothing ends them, or where their end is farther
- * away.
- */
+/** Drawn length, in stage radii, of rays that nothing ends or whose end is farther away. */
 const LONG = 1.9;
 const OPEN_END = 1.1;
 
@@ -78,8 +69,8 @@ const flat = (node: RayNode, path: string): Named[] => [
 ];
 
 /**
- * About the points that are hit, with what is hit in full where that is no larger than a few times
- * as much.
+ * A stage about the hit points. It holds the hit shapes whole if they are no larger than a few
+ * times the spread of the points.
  */
 function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[]): Stage {
   const hits = nodes.flatMap(({ node: { end, ray } }) =>
@@ -103,7 +94,7 @@ function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[])
   );
   const center = pick((a, b) => (a + b) / 2, box[0], box[1]);
   const spread = Math.hypot(...minus(box[1], box[0])) / 2;
-  // What is large beside the rays, a floor or a wall, is not shown in full.
+  // A shape that is large beside the rays, as a floor or a wall, is not shown whole.
   const size = Math.max(0, ...sizes);
   const wanted = spread > 0 ? Math.min(1.5 * size, 2.4 * spread) : 1.5 * size;
   const radius = Math.max(1.4 * spread, wanted, far / 50) || 1;
@@ -119,7 +110,7 @@ function lineOf(node: RayNode, path: string, stage: Stage): TreeLine {
   const atEnd = end.end === 'hit' ? end.point : end.end === 'background' ? null : along(ray, end.t);
   const start =
     from ?? (atEnd ? plus(atEnd, unit, -LONG * reach) : nearest(ray.origin, unit, stage));
-  // A camera ray was begun near its end; any other one may end out of the picture.
+  // A camera ray is drawn from a point near its end; any other may end outside of the stage.
   const isNear =
     atEnd !== null && (from === null || Math.hypot(...minus(atEnd, start)) <= LONG * reach);
   const length = kind === 'camera' ? 2 * LONG * reach : OPEN_END * reach;
@@ -129,7 +120,7 @@ function lineOf(node: RayNode, path: string, stage: Stage): TreeLine {
   return { path, kind, from: start, to, weight, end: what, light };
 }
 
-/** A camera ray that meets nothing, from before where it passes the middle of the picture. */
+/** Where a camera ray that hits nothing is drawn from: before its point nearest to the centre. */
 function nearest(origin: Vec3, unit: Vec3, { center, radius }: Stage): Vec3 {
   const [x, y, z] = minus(center, origin);
   const t = x * unit[0] + y * unit[1] + z * unit[2];
@@ -145,7 +136,7 @@ function figureOf(things: readonly Placed[], stage: Stage): Figure {
   return { patches, lines: [], marks: [], normals: [] };
 }
 
-/** It does not go on beyond the heights. */
+/** The patch with rims at both ends: a cut shape does not go on. */
 const cut = (patch: Patch): Patch => ({
   ...patch,
   start: patch.start === 'goes-on' ? 'rim' : patch.start,

@@ -15,7 +15,7 @@ import { exactlyOf } from '../../../src/state/exactly.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
 import { distanceToSurface } from '../../../src/state/near-tangent.ts';
 import { nearestTangent } from '../../../src/state/nearest-tangent.ts';
-import { tangentOffer } from '../../../src/state/snap.ts';
+import { tangentTarget } from '../../../src/state/snap.ts';
 import { type AppState, INITIAL, rayOf, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
@@ -63,7 +63,7 @@ function snapped(state: AppState, symbol: 'E' | 'd', random: Random): AppState |
   if (!handle?.tangency || typeof handle.value === 'number') return null;
   const [from, course] = [handle.value, vector(random, symbol === 'E' ? 0.3 : 0.05)];
   const way = (s: number): Vec3 => from.map((x, i) => x + s * (course[i] ?? 0)) as unknown as Vec3;
-  const offer = tangentOffer([way], handle.tangency, []);
+  const offer = tangentTarget([way], handle.tangency, []);
   return offer && update(state, handle.action(offer.value));
 }
 

@@ -1,40 +1,40 @@
 import { describe, expect, test } from 'vitest';
 import type { Sign } from '../../../src/math/intersection.ts';
 import {
+  chooseTarget,
   ENTER,
+  finestStep,
   gridUnit,
-  hair,
   LEAVE,
   nearestOn,
-  type Offer,
   onGrid,
+  type SnapTarget,
   type Tangency,
-  take,
-  tangentOffer,
+  tangentTarget,
   type Value,
 } from '../../../src/state/snap.ts';
 
-const offer = (key: string, gap: number): Offer => ({ key, value: 0, reason: key, gap });
+const offer = (key: string, gap: number): SnapTarget => ({ key, value: 0, reason: key, gap });
 
 describe('what a drag is taken by', () => {
   test('nothing beyond the first distance, the nearest within it', () => {
-    expect(take([], null)).toBeNull();
-    expect(take([offer('a', ENTER + 0.01)], null)).toBeNull();
-    expect(take([offer('a', ENTER)], null)?.key).toBe('a');
-    expect(take([offer('a', 5), offer('b', 3), offer('c', 7)], null)?.key).toBe('b');
+    expect(chooseTarget([], null)).toBeNull();
+    expect(chooseTarget([offer('a', ENTER + 0.01)], null)).toBeNull();
+    expect(chooseTarget([offer('a', ENTER)], null)?.key).toBe('a');
+    expect(chooseTarget([offer('a', 5), offer('b', 3), offer('c', 7)], null)?.key).toBe('b');
   });
 
   test('what holds it goes on to hold it until the second distance, whatever is nearer', () => {
     const offers = [offer('a', LEAVE), offer('b', 1)];
-    expect(take(offers, 'a')?.key).toBe('a');
-    expect(take([offer('a', LEAVE + 0.01), offer('b', 1)], 'a')?.key).toBe('b');
-    expect(take([offer('a', LEAVE + 0.01)], 'a')).toBeNull();
+    expect(chooseTarget(offers, 'a')?.key).toBe('a');
+    expect(chooseTarget([offer('a', LEAVE + 0.01), offer('b', 1)], 'a')?.key).toBe('b');
+    expect(chooseTarget([offer('a', LEAVE + 0.01)], 'a')).toBeNull();
   });
 
   test('a slow way across is one stretch, not a flicker', () => {
     let held: string | null = null;
     const seen = Array.from({ length: 41 }, (_, k) => {
-      held = take([offer('a', Math.abs(k - 20))], held)?.key ?? null;
+      held = chooseTarget([offer('a', Math.abs(k - 20))], held)?.key ?? null;
       return held ? 'x' : '.';
     }).join('');
     expect(seen).toBe(`${'.'.repeat(12)}${'x'.repeat(22)}${'.'.repeat(7)}`);
@@ -67,9 +67,9 @@ describe('the grid', () => {
     expect(nearestOn(1e300, 0.1), 'a grid that is finer than the doubles').toBe(1e300);
   });
 
-  test('a hair is a power of ten below a tenth of a pixel', () => {
-    expect(hair(1 / 85)).toBe(0.001);
-    expect(hair(1)).toBe(0.1);
+  test('a finestStep is a power of ten below a tenth of a pixel', () => {
+    expect(finestStep(1 / 85)).toBe(0.001);
+    expect(finestStep(1)).toBe(0.1);
   });
 });
 
@@ -86,14 +86,14 @@ const line = (from: number, perPixel: number) =>
 
 describe('tangency', () => {
   test('is found on either side, with its distance in pixels', () => {
-    const found = tangentOffer(
+    const found = tangentTarget(
       line(1, 0.01),
       where((x) => x - 1.04),
       [],
     );
     expect(found?.gap).toBeCloseTo(4, 3);
     expect(found?.value).toBeCloseTo(1.04, 15);
-    const below = tangentOffer(
+    const below = tangentTarget(
       line(1, 0.01),
       where((x) => x - 0.97),
       [],
@@ -103,28 +103,28 @@ describe('tangency', () => {
 
   test('beyond the second distance there is none', () => {
     expect(
-      tangentOffer(
+      tangentTarget(
         line(1, 0.01),
         where((x) => x - 1.14),
         [],
       ),
     ).toBeNull();
     expect(
-      tangentOffer(
+      tangentTarget(
         line(1, 0.01),
         where(() => 1),
         [],
       ),
     ).toBeNull();
     expect(
-      tangentOffer(
+      tangentTarget(
         line(1, 0.01),
         where(() => Number.NaN),
         [],
       ),
     ).toBeNull();
     expect(
-      tangentOffer(
+      tangentTarget(
         [],
         where((x) => x),
         [],
@@ -143,7 +143,7 @@ describe('tangency', () => {
         return { sign: Math.sign(D) as Sign, size: D, isTangent: false };
       },
     };
-    const found = tangentOffer(line(1.4, 0.01), tangency, [
+    const found = tangentTarget(line(1.4, 0.01), tangency, [
       (value) => nearestOn(value as number, 0.1),
     ]);
     expect(found?.value).toBe(Math.SQRT2);
@@ -152,7 +152,7 @@ describe('tangency', () => {
 
   test('a value on the grid that is exactly tangent is preferred', () => {
     const tangency = where((x) => (x === 1.1 ? 0 : x - 1.1));
-    const found = tangentOffer(line(1.07, 0.01), tangency, [
+    const found = tangentTarget(line(1.07, 0.01), tangency, [
       (value) => nearestOn(value as number, 0.1),
     ]);
     expect(found).toMatchObject({ value: 1.1, reason: 'snapped: tangent', key: 'tangent' });
