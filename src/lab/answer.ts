@@ -3,12 +3,12 @@ import type { Clock } from './run.ts';
 import { measureSession } from './session.ts';
 import { sweepSession } from './sweep.ts';
 
-/** A page that is drawn more often would take time from what is being measured. */
+/** Least ms between two replies: redrawing the page takes time from what is being measured. */
 const EVERY_MS = 100;
 
 /**
- * Does what was asked and posts what is found as it comes. An error becomes a reply: a worker that
- * dies says nothing. `whyNot` is for `measureSession`.
+ * Does the requested work and posts results as they come. An error becomes a reply, since a worker
+ * that dies posts nothing. `whyNot` is for `measureSession`.
  */
 export function answer(
   asked: LabRequest,

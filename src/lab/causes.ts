@@ -34,17 +34,16 @@ import type { Operation } from './trace.ts';
 export type Cause =
   | { readonly kind: 'input' | 'division' | 'zero' | 'total' | 'rounding' }
   /**
-   * `within`: not to what is exactly the result, but to a number on the way, which has no line of
-   * its own.
+   * `within`: not the result itself overflowed, but a partial sum or product without a line of its
+   * own.
    */
   | { readonly kind: 'overflow'; readonly within: boolean }
-  /** `flushed`: what underflowed became 0. */
+  /** `flushed`: the number became 0. */
   | { readonly kind: 'underflow'; readonly within: boolean; readonly flushed: boolean }
   | { readonly kind: 'cancellation'; readonly digits: number };
 
 /**
- * The smallest normal number and the largest of each format; those that are not named have the
- * doubles' range.
+ * Smallest normal and largest number of each format; formats not listed have the doubles' range.
  */
 const LEAST_NORMAL: Readonly<Record<string, number>> = { float32: 2 ** -126 };
 const LARGEST: Readonly<Record<string, number>> = { float32: (2 - 2 ** -23) * 2 ** 127 };
@@ -73,7 +72,7 @@ function causeOfSum(operation: Operation): Cause {
   return cancelled >= 1 ? { kind: 'cancellation', digits: cancelled } : { kind: 'rounding' };
 }
 
-/** Whether the operation itself left the range of the numbers upwards. */
+/** Whether the result of finite inputs is not finite. */
 export const overflows = ({ own, inputs }: Operation): boolean =>
   !Number.isFinite(own) && inputs.length > 0 && inputs.every((input) => Number.isFinite(input.own));
 
@@ -89,7 +88,7 @@ function isBeyond(link: Operation, format: string): boolean {
   return truth !== null && compare(size(truth), fromNumber(LARGEST[format] ?? MAX_VALUE)) > 0;
 }
 
-/** The exact result for the method's own numbers; null for a root, which leaves no range. */
+/** The exact result for the method's own inputs; null for a root, which cannot leave the range. */
 function ofOwn({ expr, inputs }: Operation): Surd | null {
   const numbers = inputs.map(({ own }) => own);
   const [a, b] = numbers;
@@ -103,7 +102,7 @@ function ofOwn({ expr, inputs }: Operation): Surd | null {
   return expr.op === 'quotient' && b !== 0 ? div(fromNumber(a), fromNumber(b)) : null;
 }
 
-/** What the method's numbers are off where they enter the last step of the sum, all added up. */
+/** Sum of the absolute errors of the numbers that enter the last step of the sum. */
 function errorsOf({ inputs }: Operation): Surd {
   return inputs.reduce(
     (sum, { own, exact }) =>
@@ -112,10 +111,7 @@ function errorsOf({ inputs }: Operation): Surd {
   );
 }
 
-/**
- * How many times the exact sum can be multiplied by ten before it is larger than every exact term;
- * at most all digits.
- */
+/** Number of powers of ten between the exact sum and its largest exact term; at most all digits. */
 function agreeing(operation: Operation): number {
   const terms = inputsOf(operation).flatMap(({ exact }) => (exact === null ? [] : [size(exact)]));
   const largest = terms.reduce((most, term) => (compare(term, most) > 0 ? term : most));
@@ -133,8 +129,7 @@ const TEN = fromNumber(10);
 export const size = (x: Surd): Surd => (sign(x) < 0 ? neg(x) : x);
 
 /**
- * A sum that only became a longer sum has no line of its own, nor a product that became a longer
- * product.
+ * A partial sum of a longer sum, or partial product of a longer product, gets no line of its own.
  */
 export function absorbedBy({ expr, inputs }: Operation): readonly Operation[] {
   const [first] = inputs;
@@ -146,7 +141,7 @@ export function absorbedBy({ expr, inputs }: Operation): readonly Operation[] {
 const hiddenIn = (operation: Operation): readonly Operation[] =>
   absorbedBy(operation).flatMap((part) => [part, ...hiddenIn(part)]);
 
-/** What really went in: the terms or factors, not the partial sums. */
+/** The terms or factors of the whole sum or product, instead of its partial sums or products. */
 export function inputsOf(operation: Operation): readonly Operation[] {
   const [first, ...rest] = operation.inputs;
   return first && absorbedBy(operation).includes(first)

@@ -5,27 +5,25 @@ import { MINUS } from '../text/format.ts';
  * A double has 53 bits: log10 2^53. No number that is rounded to one has more right digits to show.
  */
 export const MOST_DIGITS = 15.95;
-/** The places in which a number is written out to be marked. */
+/** Number of digits with which a marked number is written. */
 export const PLACES = 16;
-/** So that the most that a double can have counts as all of its places, and 7.9 as 7. */
+/** Added before rounding down, so that MOST_DIGITS counts as 16 and 7.9 as 7. */
 const SLACK = 0.05;
 
 /**
- * What any double but the nearest has at most, so that one step off is never 16 digits in one row
- * and 15 in the next.
+ * Limit for any double but the nearest one: one ulp off always counts as 15 digits, never as 16.
  */
 const MOST_BUT_NEAREST = 15.9;
 
-/** −log10 of a relative error, between 0 and MOST_DIGITS; NaN errors leave no digit standing. */
+/** −log10 of a relative error, between 0 and MOST_DIGITS; 0 for NaN. */
 function digitsOfError(relative: number): number {
   if (relative === 0) return MOST_DIGITS;
   return relative < 1 ? Math.min(MOST_DIGITS, Math.max(0, -Math.log10(relative))) : 0;
 }
 
 /**
- * How many digits of x are right, against the exact number. The double nearest to it has all of
- * them by definition: none is nearer, even where doubles are sparse (subnormals) or end
- * (±Infinity).
+ * Number of right digits of x, 0 … 15.95. The double nearest to the exact number has all by
+ * definition, even where doubles are sparse (subnormals) or end (±Infinity).
  */
 export function rightDigits(x: number, exact: Surd): number {
   const nearest = toNumber(exact);
@@ -34,8 +32,8 @@ export function rightDigits(x: number, exact: Surd): number {
 }
 
 /**
- * How many digits of an intermediate result can be relied on. Here the nearest double is no excuse:
- * what under- or overflowed is lost to all that follows.
+ * Number of right digits of an intermediate result. Other than in `rightDigits` the nearest double
+ * is no exception: digits that under- or overflow lose are lost to all later steps.
  */
 export function trustedDigits(x: number, exact: Surd): number {
   if (isZero(exact)) return x === 0 ? MOST_DIGITS : 0;
@@ -57,12 +55,12 @@ export function rightDigitsOfDouble(x: number, nearest: number): number {
 export const digitCount = (digits: number): number =>
   Math.min(PLACES, Math.max(0, Math.floor(digits + SLACK)));
 
-/** A number in 16 places, cut where its digits stop being right. */
+/** A number with 16 digits, split after its last right one. */
 export interface Marked {
   /** With sign and leading zeros. */
   readonly right: string;
   readonly wrong: string;
-  /** Of the power of ten behind it; null when the number is written out. */
+  /** Exponent of the power of ten behind it; null if the number is written without one. */
   readonly exponent: number | null;
 }
 

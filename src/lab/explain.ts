@@ -62,7 +62,7 @@ const isOut = ({ own }: Step): boolean => own === 0 || !Number.isFinite(own);
 const within = (name: string, cause: { readonly within: boolean }): string =>
   cause.within ? `${name}: a number on the way` : name;
 
-/** Two terms of a difference agree; of more than two only their sum can be said to be small. */
+/** Of two terms one can say that their digits agree; of more, only that they cancel. */
 const leading = (terms: readonly string[]): string =>
   terms.length === 2
     ? `all leading digits of ${listed(terms)} agree; the difference`
@@ -108,7 +108,7 @@ function shortName(step: Step): string {
   return step.letter && step.text.length > LONGEST ? plainText(step.letter) : step.text;
 }
 
-/** The sign that the method could not tell, the first of them. */
+/** Words on the first sign that the method could not determine. */
 function undecidedBy({ steps }: Losses): string {
   const overflow = steps.find(({ cause }) => cause?.kind === 'overflow');
   if (overflow) return `${shortName(overflow)} overflows`;

@@ -1,6 +1,6 @@
 import type { Expr, Term } from '../math/formula.ts';
 
-/** Sums and products are written flat, as they are evaluated: from the left. */
+/** A sum with one more term; nested sums become one, since they are evaluated from the left. */
 export function sumOf(left: Expr, term: Term): Expr {
   const terms = left.op === 'sum' ? left.terms : [{ sign: 1 as const, expr: left }];
   return { op: 'sum', terms: [...terms, term] };

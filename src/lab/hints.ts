@@ -1,7 +1,4 @@
-/**
- * What a method does, in a line that fits under its name. A method without one here tells its own
- * idea.
- */
+/** One line on what a method does, shown under its name. A method without one shows its `idea`. */
 export const HINTS: Readonly<Record<string, string>> = {
   textbook32: 'every step with 24 bits',
   textbook: '(−B ± √D) / 2A with 53 bits',

@@ -11,9 +11,9 @@ import type { Operation } from './trace.ts';
 export interface Step extends Operation {
   /** In plain text: what is computed. */
   readonly text: string;
-  /** How many digits fewer than the worst of its inputs has; 0 if none. */
+  /** Right digits that the step lost, compared with the worst of its inputs; 0 if none. */
   readonly lost: number;
-  /** Why; null where it lost less than half a digit and stayed within the range. */
+  /** Cause of the loss; null if it lost less than half a digit and stayed in range. */
   readonly cause: Cause | null;
 }
 
@@ -23,7 +23,7 @@ export interface Losses {
   readonly worst: Step | null;
 }
 
-/** Below this, rounding is what it always is. */
+/** Loss in digits below which no cause is given: each rounding loses a little. */
 const WORTH_TELLING = 0.5;
 
 /**
@@ -40,11 +40,11 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
     if (absorbed.has(operation) || isTrivial(operation)) continue;
     const text = plainText(operation.expr);
     const key = operation.letter === null ? text : `${plainText(operation.letter)} = ${text}`;
-    // Both roots are t, and both are told.
+    // Both roots have the letter t, and each has a line.
     if (seen.has(key)) continue;
     seen.add(key);
     const lost = lostBy(operation);
-    // Exact numbers have no end: only how they are shown has.
+    // An exact number cannot overflow, although the double that shows it may.
     const leaves = format !== exact.id && overflows(operation);
     const cause = lost > WORTH_TELLING || leaves ? causeOf(operation, format) : null;
     steps.push({ ...operation, text, lost, cause });
@@ -56,14 +56,11 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
   return { steps, worst };
 }
 
-/**
- * Changes of sign and doublings are exact, and an input is worth a line only where it had to be
- * rounded.
- */
+/** Steps that get no line: a change of sign, a product with a number (2A), an unrounded input. */
 function isTrivial({ expr, letter, inputs, digits }: Operation): boolean {
   if (inputs.length === 0) return digits === null || digits >= MOST_DIGITS;
   if (letter !== null) return false;
-  // Which of two roots is the lesser.
+  // The choice of the smaller root.
   if (inputs.every((input) => input.letter?.op === 'scalar' && input.letter.id === 't'))
     return true;
   if (expr.op === 'negative') return true;

@@ -1,7 +1,7 @@
 import type { Measured, MeasureRequest } from './session.ts';
 import type { SweepPoint, SweepRequest } from './sweep.ts';
 
-/** What the page asks of the worker; one job a worker, which is ended to cancel it. */
+/** A request of the page to a worker. A worker does one job, and is terminated to cancel it. */
 export type LabRequest =
   | { readonly type: 'measure'; readonly request: MeasureRequest }
   | { readonly type: 'sweep'; readonly request: SweepRequest };

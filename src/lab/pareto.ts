@@ -5,9 +5,9 @@ export interface Priced {
 }
 
 /**
- * Those that nothing else beats, by rising cost: another one beats it that costs no more and is
- * worth no less, and is better in one of the two. Equal ones do not beat each other. What has no
- * cost or worth yet is left out.
+ * The Pareto frontier, by rising cost: entries that no other beats. One beats another if it costs
+ * no more, is worth no less, and is better in one of the two. Entries whose cost or worth is NaN
+ * are left out.
  */
 export function frontier<P extends Priced>(all: readonly P[]): P[] {
   const known = all.filter(({ cost, worth }) => !Number.isNaN(cost) && !Number.isNaN(worth));
@@ -19,7 +19,7 @@ export function frontier<P extends Priced>(all: readonly P[]): P[] {
 const beats = (a: Priced, b: Priced): boolean =>
   a.cost <= b.cost && a.worth >= b.worth && (a.cost < b.cost || a.worth > b.worth);
 
-/** The corners of the step line through a frontier: what can be had for a cost of at most x. */
+/** Corners of the step line through a frontier: the largest worth for a cost of at most x. */
 export function steps(
   front: readonly Priced[],
 ): readonly (readonly [cost: number, worth: number])[] {

@@ -14,7 +14,7 @@ import { type Random, seeded } from '../math/rng.ts';
 import type { Method } from '../math/shapes.ts';
 import type { Task } from './run.ts';
 
-/** Shapes of a family with rays for each, and what is exactly right. */
+/** A shape of a family with rays for it, and their exact classes and roots. */
 export interface Batch {
   readonly shape: Shape;
   readonly rays: Rays;
@@ -30,7 +30,7 @@ export interface Sample {
   readonly seed: number;
   readonly shapes: number;
   readonly count: number;
-  /** Where the family's dial stands; absent: as the family itself draws it. */
+  /** Value of the family's dial; absent if the family draws it for each ray. */
   readonly difficulty?: number | undefined;
 }
 
@@ -45,12 +45,12 @@ export function batchesOf(family: Family, { seed, shapes, count, difficulty }: S
   });
 }
 
-/** Both roots, or only "is it hit?" */
+/** The question of a batch: class and both roots, or the class alone. */
 export type Form = 'both' | 'classes';
 
 /**
- * One task a method, with its own loops inside unless `kernelOf` gives others. What they write is
- * read, so that no engine may leave it out.
+ * A task for each method, with the method's own kernels unless `kernelOf` gives others. Results are
+ * read, so that an engine cannot skip computing them.
  */
 export function tasksOf(
   methods: readonly Method[],

@@ -1,15 +1,14 @@
 import { quantile, sorted } from './stats.ts';
 
 /*
- * One statistic for every price on the page, its own in table, plot and sentence and the
- * reference that stands there before: the lower quartile of many interleaved rounds. Whatever else
- * the machine does only adds to a time, so it may disturb three rounds in four and change nothing;
- * and no single round decides.
+ * Every price on the page, measured here or at the build, is the lower quartile of many interleaved
+ * rounds. Other work of the machine only adds to a time, so the quartile is right even if three
+ * rounds in four are disturbed, and does not depend on a single round.
  */
 
-/** What something costs. */
+/** A measured cost. */
 export interface Price {
-  /** Rounded to so many figures: what is shown, and what multiples are computed from. */
+  /** Rounded to `figures`; this number is shown, and multiples are computed from it. */
   readonly value: number;
   readonly figures: Figures;
   /** The quartiles of the rounds, not rounded. */
@@ -19,18 +18,15 @@ export interface Price {
 
 type Figures = 1 | 2 | 3;
 
-/** Fewer rounds than this say nothing of how far they spread. */
+/** Least number of rounds from which a spread is estimated. */
 const ENOUGH = 4;
-/** Up to which distance of the quartile from the best round, as a share, so many figures stand. */
+/** Figures to show, by the largest relative distance of the quartile from the best round. */
 const LETS_STAND = [
   [0.01, 3],
   [0.3, 2],
 ] as const satisfies readonly (readonly [spread: number, figures: Figures])[];
 
-/**
- * From the times of some rounds, each of which may be a multiple of what is wanted. NaN without
- * rounds.
- */
+/** The price from the times of some rounds, multiplied by `scale`. NaN without rounds. */
 export function priceOf(rounds: readonly number[], scale = 1): Price {
   const all = sorted(rounds);
   const quarter = quantile(all, 0.25);
@@ -55,8 +51,8 @@ export function multipleOf(price: Price, base: Price): Price {
 
 export const rounded = (x: number, figures: number): number => Number(x.toPrecision(figures));
 
-/** How much longer than the best quarter one round in four took or more, as a share. */
+/** Relative distance of the price's `most` from its `low`. */
 export const spreadOf = ({ low, most }: Price): number => most / low - 1;
 
-/** Above this something else was running. */
+/** Spread above which the page says that the machine was busy. */
 export const BUSY = 0.2;

@@ -12,27 +12,27 @@ import type { Batch } from './plan.ts';
 import { quantile, sorted } from './stats.ts';
 import { type Judgement, judge } from './verdict.ts';
 
-/** A ray of a batch. */
+/** Indices of a ray: its batch, and its place in that batch. */
 interface Place {
   readonly batch: number;
   readonly ray: number;
 }
 
-/** What a method gets right and wrong on every ray of some batches, told beside its price. */
+/** What a method gets right and wrong on all rays of some batches. */
 export interface Quality {
   readonly rays: number;
   readonly judged: Readonly<Record<Judgement, number>>;
   /** Every verdict but the right ones and the undecided. */
   readonly wrong: number;
   readonly undecided: number;
-  /** Of the roots of rays whose class is right, ascending. */
+  /** Errors in ulps of the roots of rays whose class is right, ascending. */
   readonly ulps: readonly number[];
   /**
-   * Right digits that 9 rays of 10 have at least; NaN where no ray has a root. A wrong or missing
-   * verdict has none.
+   * Right digits that at least 9 of 10 rays have; NaN if no ray has a root. A ray whose verdict is
+   * wrong or undecided has 0.
    */
   readonly digits: number;
-  /** Of the worst ray. */
+  /** Right digits of the worst ray. */
   readonly leastDigits: number;
   /** The first ray with the wrong verdict, else the one with the fewest digits. */
   readonly worst: Place | null;
@@ -62,13 +62,13 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
     verdictsOfRoots(out, rays.count).forEach((verdict, i) => {
       const truth = verdicts[i] ?? 'none';
       const said = judge(verdict, truth);
-      // A verdict counts as right only if both questions got it.
+      // The verdict has to be right for both questions: with roots, and class only.
       const judgement = said === 'right' ? judge(byClasses[i] ?? 'undecided', truth) : said;
       judged[judgement] += 1;
       const found = judgement === 'right' ? digitsAt(batch, out, i, ulps) : 0;
       if (Number.isNaN(found)) return;
       digits.push(found);
-      // A wrong verdict is worse than no digit at all.
+      // A wrong verdict ranks below one without a right digit.
       const rank = judgement === 'right' ? found : judgement === 'undecided' ? -1 : -2;
       if (rank < least) {
         least = rank;
@@ -89,10 +89,7 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
   };
 }
 
-/**
- * The fewer digits of the two roots; NaN where there is none to have any. Notes their distances in
- * ulps.
- */
+/** The smaller digit count of the two roots; NaN without roots. Appends their errors to `ulps`. */
 function digitsAt({ t0, t1 }: Batch, out: Answers, i: number, ulps: number[]): number {
   let fewest = Number.NaN;
   for (const [own, nearest] of [

@@ -18,10 +18,10 @@ export interface ExactHit {
   readonly point: Triple<Surd>;
 }
 
-/** What is true of a ray and a shape, before anything is rounded. */
+/** The exact answer for a ray and a shape, with numbers that are not rounded. */
 export interface Reference {
   readonly found: Intersection;
-  /** One for each of `found.hits`. */
+  /** Exact numbers of each of `found.hits`. */
   readonly hits: readonly ExactHit[];
 }
 

@@ -1,43 +1,42 @@
 import { quantile, sorted } from './stats.ts';
 
 /**
- * Something to be timed; one call works through a whole batch, so that the call itself costs
- * nothing.
+ * Something to be timed. One call processes a whole batch, so that the call's own cost is small.
  */
 export interface Task {
   readonly id: string;
   run(): void;
 }
 
-/** Milliseconds from any start, with whatever step the platform allows: performance.now. */
+/** Milliseconds since some start, in steps that depend on the platform: performance.now. */
 export type Clock = () => number;
 
 export interface Plan {
-  /** At most so many. */
+  /** Largest number of rounds. */
   readonly rounds: number;
-  /** A sample takes at least this many milliseconds, … */
+  /** Least milliseconds of a sample. */
   readonly least: number;
-  /** … and at least this many steps of the clock. */
+  /** Least steps of the clock in a sample. */
   readonly steps: number;
-  /** Untimed rounds before, in which the engine compiles and forgets its first guesses. */
+  /** Untimed rounds before, in which the engine compiles. */
   readonly warmUp: number;
-  /** When fewer rounds will do; absent: never. */
+  /** When fewer rounds are enough; absent: never. */
   readonly settles?: Settling | undefined;
 }
 
 /**
- * Enough is measured when a quarter of each task's rounds took at most a share `spread` more than
- * its least, and not before so many rounds.
+ * A measurement ends early after `rounds` rounds if for each task the lower quartile is at most a
+ * share `spread` above the least time.
  */
 interface Settling {
   readonly rounds: number;
   readonly spread: number;
 }
 
-/** What the design asks for: 15 rounds of samples of 10 ms and 100 steps. */
+/** 15 rounds of samples of 10 ms and 100 clock steps, so that a step is at most 1 % of a sample. */
 const USUAL: Plan = { rounds: 15, least: 10, steps: 100, warmUp: 3 };
 
-/** Milliseconds a call, by task, one for each round. */
+/** Milliseconds per call, by task id, one number for each round. */
 export type Times = ReadonlyMap<string, readonly number[]>;
 
 /** The state of a measurement after one more sample. */
@@ -50,7 +49,7 @@ interface Progress {
   readonly times: Times;
 }
 
-/** The smallest difference that the clock shows, of a few tries. */
+/** The smallest difference in ms that the clock shows in a few tries. */
 export function clockStep(clock: Clock): number {
   let step = Number.POSITIVE_INFINITY;
   for (let k = 0; k < 10; k++) {
@@ -63,9 +62,8 @@ export function clockStep(clock: Clock): number {
 }
 
 /**
- * Measures sample by sample: whoever asks for the next one may do other work between, or stop. The
- * tasks take turns within each round, so that whatever else the machine does meets all of them
- * alike; only ratios within one round say much.
+ * Measures sample by sample; the caller may do other work between two samples, or stop. The tasks
+ * take turns within each round, so that other load on the machine affects all of them alike.
  */
 export function* measuring(
   tasks: readonly Task[],
@@ -91,7 +89,7 @@ export function* measuring(
   return times;
 }
 
-/** The same in one go. */
+/** Measures without a pause. */
 export function measure(tasks: readonly Task[], clock: Clock, plan: Plan = USUAL): Times {
   const samples = measuring(tasks, clock, plan, clockStep(clock));
   for (;;) {

@@ -9,19 +9,19 @@ export const grouped = (n: number): string => String(n).replace(/\B(?=(\d{3})+$)
 export const priceText = ({ value }: Price): string =>
   value >= 1000 ? grouped(value) : String(value);
 
-/** A verdict alone, or both roots with it. */
+/** What a method is asked: the class alone, or class and both roots. */
 export type Question = 'classes' | 'roots';
 
 const isCorrect = ({ quality }: MeasuredRow): boolean =>
   quality.wrong === 0 && quality.undecided === 0;
-/** One of the two doubles around the exact root: at most one step from the nearest. */
+/**
+ * Whether each root is one of the two doubles around the exact one, at most 1 ulp from the nearest.
+ */
 const isFaithful = (row: MeasuredRow): boolean => isCorrect(row) && !(row.quality.mostUlps > 1);
 
 type TitleOf = (id: string) => string;
 
-/**
- * The cheapest method for the question among those that are good enough; null if none is measured.
- */
+/** The cheapest method for the question that satisfies `good`; null if none is measured. */
 function cheapest(
   rows: readonly MeasuredRow[],
   question: Question,
@@ -33,16 +33,16 @@ function cheapest(
     (best, row) => (best && low(best) <= low(row) ? best : row),
     null,
   );
-  // Rounds that spread as far as to the textbook's price do not tell that it is lower.
+  // If the spread of its rounds reaches the textbook's price, it is not shown to be cheaper.
   const base = known.find(({ id }) => id === BASE_METHOD);
   const most = found?.[question]?.times.most ?? Number.NaN;
   return base && !(most < 1) ? base : found;
 }
 
 /**
- * What right answers cost on the rays of these rows, with the table's own numbers. Empty until both
- * questions have a time. `rows` are methods in their own arithmetic, none emulated; `lead` says
- * what the prices are of, `rays` on which rays the verdicts are counted.
+ * A sentence on what right answers cost on the rays of these rows, with the numbers of the table.
+ * Empty until both questions have a time. No row may be emulated. `lead` says what the prices are
+ * of, `rays` on which rays the verdicts are counted.
  */
 export function headlineOf(
   rows: readonly MeasuredRow[],
@@ -65,7 +65,7 @@ function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf, rays: string):
         'and nothing right is clearly cheaper'
       : `A verdict that is right for all of these ${rays} costs ` +
         priceWords(verdict, 'classes', titleOf);
-  // Where no ray has a root, there is none to be faithful.
+  // Without a root on any ray the sentence ends here.
   if (!rows.some(({ quality }) => !Number.isNaN(quality.digits))) return `${first}.`;
   const roots = cheapest(rows, 'roots', isFaithful);
   if (!roots) return `${first}; no method gives both roots to the last digit.`;
@@ -77,7 +77,7 @@ function answerOf(rows: readonly MeasuredRow[], titleOf: TitleOf, rays: string):
   );
 }
 
-/** “about 1.2 times the textbook formula (certified)”, both asked the same. */
+/** “about 1.2 times the textbook formula (certified)”, both for the same question. */
 function priceWords(row: MeasuredRow, question: Question, titleOf: TitleOf | null): string {
   const times = row[question]?.times;
   if (!times) return '';
@@ -93,9 +93,8 @@ function priceWords(row: MeasuredRow, question: Question, titleOf: TitleOf | nul
 }
 
 /**
- * What the textbook formula gets wrong on these rays, what the cheapest method does, and whether
- * the
- * machine was busy. Empty while nothing is counted.
+ * Sentences on what the textbook formula gets wrong on these rays, what the cheapest method does,
+ * and whether the machine was busy. Empty while nothing is counted.
  */
 export function detailsOf(
   rows: readonly MeasuredRow[],
@@ -138,7 +137,7 @@ function cheapestWords(rows: readonly MeasuredRow[], question: Question, titleOf
   );
 }
 
-/** A reader who knows that something else was running will not take the last figure at its word. */
+/** A sentence that the machine was busy, so that the last figure may be wrong; '' if it was not. */
 function busyWords(rows: readonly MeasuredRow[], question: Question): string {
   const spread = spreadOfRows(rows, question);
   if (!(spread > BUSY)) return '';
@@ -148,6 +147,6 @@ function busyWords(rows: readonly MeasuredRow[], question: Question): string {
   );
 }
 
-/** How far the rounds of the least steady method spread; −∞ before there is a time. */
+/** Largest spread of any method's rounds; −∞ before there is a time. */
 export const spreadOfRows = (rows: readonly MeasuredRow[], question: Question): number =>
   Math.max(...rows.flatMap((row) => (row[question] ? [spreadOf(row[question].ns)] : [])));

@@ -17,8 +17,8 @@ import {
 } from './timed.ts';
 
 /**
- * What is to be measured: verdicts and digits on the rays of the sample, times on those and `timed`
- * of each shape in all.
+ * A measurement: verdicts and digits on the rays of the sample; times on `timed` rays of each
+ * shape, of which the sample's are the first.
  */
 export interface MeasureRequest extends Sample {
   readonly family: string;
@@ -28,9 +28,9 @@ export interface MeasureRequest extends Sample {
   readonly plan: Plan;
 }
 
-/** What one question costs a method. */
+/** The cost of one question to a method. */
 export interface Timing {
-  /** Nanoseconds a ray. */
+  /** Nanoseconds per ray. */
   readonly ns: Price;
   /** As a multiple of the textbook method in the same target. */
   readonly times: Price;
@@ -47,26 +47,26 @@ export interface MeasuredRow {
   readonly classes?: Timing;
 }
 
-/** Every method in each target: the same verdicts, times of its own. */
+/** The rows of all methods, by target: verdicts are the same in each, times are not. */
 export type Columns = Readonly<Record<Target, readonly MeasuredRow[]>>;
 
 export interface Measured {
   readonly rays: number;
-  /** Milliseconds: the smallest difference that the clock shows. */
+  /** The smallest difference that the clock shows, in ms. */
   readonly clockStep: number;
   /** Rounds that are complete, and how many there will be at most. */
   readonly round: number;
   readonly rounds: number;
-  /** 0 … 1 */
+  /** Part of the work that is done, 0 … 1. */
   readonly share: number;
   readonly secondsLeft: number;
-  /** False for what was cancelled, or is still going on. */
+  /** False while it is running, or if it was cancelled. */
   readonly complete: boolean;
-  /** Whether there is a SIMD kernel of the textbook, which all others there are compared with. */
+  /** Whether the textbook has a SIMD kernel, with which all others in that target are compared. */
   readonly simd: boolean;
-  /** Why not, as a sentence; '' if there is. */
+  /** Why it has none, as a sentence; '' if it has. */
   readonly noSimd: string;
-  /** How many rays one pass meets at most. */
+  /** Largest number of rays that one run of a task processes. */
   readonly timedRays: number;
   readonly columns: Columns;
 }
@@ -74,8 +74,10 @@ export interface Measured {
 export const BASE_METHOD = 'textbook';
 
 /**
- * Measures what was asked for and tells how far it is, sample by sample. Throws InvalidInput for an
- * unknown family. `whyNot` is the reason why there is no WebAssembly with SIMD, if there is none.
+ * Measures sample by sample and yields what is known so far.
+ *
+ * @param whyNot why there is no WebAssembly with SIMD; null if there is.
+ * @throws InvalidInput for an unknown family.
  */
 export function* measureSession(
   request: MeasureRequest,

@@ -1,7 +1,4 @@
-/**
- * Order statistics of a measurement; the mean of times says more about the machine's other work
- * than about ours.
- */
+/** Quartiles of a measurement, which outliers by other load on the machine hardly change. */
 export interface Quartiles {
   readonly low: number;
   readonly median: number;
@@ -16,7 +13,7 @@ export function quantile(ascending: readonly number[], q: number): number {
   const below = ascending[Math.floor(place)];
   const above = ascending[Math.ceil(place)];
   if (below === undefined || above === undefined) return Number.NaN;
-  // Equal neighbours may be infinite, and ∞ − ∞ is no number.
+  // Equal neighbours may be infinite, and ∞ − ∞ is NaN.
   return below === above ? below : below + (above - below) * (place - Math.floor(place));
 }
 

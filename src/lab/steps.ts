@@ -30,9 +30,9 @@ import { AXES, definitionOf, type Method } from '../math/shapes.ts';
 import { type Operation, type Trace, type Traced, traceIn } from './trace.ts';
 
 /**
- * Every operation of the method on this ray, beside the exact one, with the letters of the course
- * put in. A method that is not made of trees (certified) is told by the exact one, whose class is
- * its own.
+ * Every operation of the method on this ray beside the exact result, named by the course's letters.
+ * For a method that is not made of trees (certified): the operations of `exact`, which has the same
+ * class.
  */
 export function operationsOf(method: Method, shape: Shape, ray: Ray): readonly Operation[] {
   const parts = method.parts ?? exact.parts;
@@ -63,7 +63,7 @@ function run<T>(
   return [...trace.inputs, ...trace.operations];
 }
 
-/** What a letter stands for must not matter where it is named: only what is written is compared. */
+/** Placeholders for letters, used to name trees: names are found by the trees, not by values. */
 const letters = <T>(trace: Trace<T>, ...ids: readonly string[]): Record<string, Traced<T>> =>
   Object.fromEntries(ids.map((id) => [id, trace.placeholder(scalar(id))]));
 

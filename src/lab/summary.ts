@@ -3,15 +3,14 @@ import { type Batch, rayAt } from './plan.ts';
 import type { Quality } from './quality.ts';
 import { quantile } from './stats.ts';
 
-/** A quality that travels: without the lists, and with its worst ray as numbers. */
+/** A quality that can be posted to another thread: no lists, and the worst ray as numbers. */
 export interface Summary extends Omit<Quality, 'ulps' | 'worst'> {
   /**
-   * Steps from double to double that 999 of 1000 right roots are off at most, and the most of all;
-   * NaN without roots.
+   * Error in ulps that 999 of 1000 right roots do not exceed, and the largest; NaN without roots.
    */
   readonly ulps: number;
   readonly mostUlps: number;
-  /** Absent where no ray has a root and every verdict is right. */
+  /** Absent if no ray has a root and every verdict is right. */
   readonly worst?: Question;
 }
 

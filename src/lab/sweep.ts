@@ -6,7 +6,7 @@ import { familyOf } from './session.ts';
 import { type Summary, summaryOf } from './summary.ts';
 import type { Judgement } from './verdict.ts';
 
-/** What is to be swept: a family with a dial, at so many places of it. */
+/** A sweep: a family with a dial, at `points` values of the dial. */
 export interface SweepRequest extends Omit<Sample, 'difficulty'> {
   readonly family: string;
   readonly points: number;
@@ -22,19 +22,20 @@ interface DialFamily extends Family {
   readonly dial: Dial;
 }
 
-/** The families whose difficulty can be turned. */
+/** The families that have a dial. */
 export const DIAL_FAMILIES: readonly DialFamily[] = FAMILIES.filter(
   (family): family is DialFamily => family.dial !== null,
 );
 
-/** Where the dial is read: from one end of its range to the other, evenly. */
+/** Values of the dial from one end of its range to the other, evenly spaced. */
 export function difficulties({ range: [from, to] }: Dial, points: number): number[] {
   return Array.from({ length: points }, (_, i) => from + ((to - from) * i) / (points - 1));
 }
 
 /**
- * One difficulty after the other, each on rays drawn from the same seed. Throws InvalidInput for an
- * unknown family.
+ * One difficulty after the other, each on rays drawn from the same seed.
+ *
+ * @throws InvalidInput for an unknown family.
  */
 export function* sweepSession(request: SweepRequest): Generator<SweepPoint, void> {
   const family = familyOf(request.family);
@@ -52,9 +53,9 @@ export function* sweepSession(request: SweepRequest): Generator<SweepPoint, void
 /** A method's line through a sweep. */
 interface Line {
   readonly id: string;
-  /** Up to the last difficulty at which 9 rays of 10 have a right digit. */
+  /** The points up to the last difficulty at which 9 of 10 rays have a right digit. */
   readonly points: readonly { readonly difficulty: number; readonly quality: Summary }[];
-  /** The first difficulty at which any verdict is wrong, or left open. */
+  /** The first difficulty at which a verdict is wrong or undecided. */
   readonly firstFailure?: Failure;
   /** Where the line ends: from here on more than one ray in ten fails. */
   readonly end?: Failure;
@@ -62,7 +63,7 @@ interface Line {
 
 export interface Failure {
   readonly difficulty: number;
-  /** What most of the failing rays do. */
+  /** The commonest judgement of the failing rays. */
   readonly reason: Exclude<Judgement, 'right'>;
   readonly share: number;
   readonly quality: Summary;

@@ -17,14 +17,11 @@ import { type Judgement, judge } from './verdict.ts';
 /** A root of a method beside the exact one. */
 export interface RootRow {
   readonly t: number;
-  /**
-   * 0 … 15.95; null where there is no exact root to compare with: the root is invented, or its
-   * partner is missing.
-   */
+  /** Right digits, 0 … 15.95; null if there is no exact root to compare with. */
   readonly digits: number | null;
   readonly count: number;
   readonly marked: Marked;
-  /** Steps from double to double to the correctly rounded root. */
+  /** Error in ulps: doubles between this root and the correctly rounded one. */
   readonly ulps: number | null;
   /** How far the point lies from the exact one, in the unit of the coordinates. */
   readonly pointError: number | null;
@@ -35,7 +32,7 @@ export interface MethodRow {
   readonly found: Intersection;
   readonly judgement: Judgement;
   readonly roots: readonly RootRow[];
-  /** Of the root that has the fewest; null where there is none that could have any. */
+  /** Right digits of the worse root; null if there is none to compare. */
   readonly digits: number | null;
 }
 
@@ -44,7 +41,7 @@ export interface ThisRay {
   readonly rows: readonly MethodRow[];
 }
 
-/** One ray through the whole ladder, each answer beside the exact one. */
+/** One ray by every method, each answer beside the exact one. */
 export function thisRay(shape: Shape, ray: Ray): ThisRay {
   const reference = referenceOf(shape, ray);
   return { reference, rows: METHODS.map((method) => rowOf(method, shape, ray, reference)) };
@@ -59,8 +56,8 @@ function rowOf(method: Method, shape: Shape, ray: Ray, reference: Reference): Me
 }
 
 /**
- * The exact root that this one stands for: the one of its rank where there are as many, else the
- * nearest. Null where the line meets nothing.
+ * Index of the exact root to compare a root with: the one of the same rank if there are as many,
+ * else the nearest; −1 if there is none.
  */
 function partnerOf(hit: Hit, found: Intersection, { hits }: Reference): number {
   if (hits.length === found.hits.length) return found.hits.indexOf(hit);
@@ -83,10 +80,7 @@ function rootRow(hit: Hit, partner: number, { found, hits }: Reference): RootRow
   };
 }
 
-/**
- * Each difference is exact before it is rounded, so that an error of half a unit in the last place
- * shows.
- */
+/** Distance of a point from the exact one; differences are exact, so that half an ulp shows. */
 function distance(point: Vec3, { point: exact }: ExactHit): number {
   const off = (x: number, y: Surd): number =>
     Number.isFinite(x) ? toNumber(sub(fromNumber(x), y)) : Number.POSITIVE_INFINITY;

@@ -15,9 +15,7 @@ import { DEFAULT_METHOD, findMethod, type Method } from '../math/shapes.ts';
 import { type Batch, type Form, type Sample, tasksOf } from './plan.ts';
 import type { Clock, Task } from './run.ts';
 
-/**
- * As they are drawn, or those that meet the shape first: then a processor foresees its branches.
- */
+/** Order of the rays: as drawn, or hits first, which makes branches predictable. */
 export type Order = 'random' | 'sorted';
 
 const FORMS: readonly Form[] = ['both', 'classes'];
@@ -26,8 +24,8 @@ type Timed = Pick<Batch, 'shape' | 'rays'>;
 type Drawn = ReturnType<Family['batch']>;
 
 /**
- * The shapes and rays of `batchesOf`, each shape with `count` rays, of which those are the first:
- * so many that no processor knows them by heart, in the order that is asked for.
+ * The shapes of `batchesOf`, each with `count` rays, of which those of `batchesOf` are the first,
+ * in the order asked for. There should be more rays than a branch predictor can learn.
  */
 export function timedBatches(
   family: Family,
@@ -62,7 +60,7 @@ function hitsFirst({ shape, rays }: Drawn): readonly Ray[] {
   return [...rays.filter(meets), ...rays.filter((ray, i) => !meets(ray, i))];
 }
 
-/** A method, asked one question in one target; `rays` are those that one run meets. */
+/** A method with one question in one target; `rays` is the number that one run processes. */
 export interface TimedTask extends Task {
   readonly method: string;
   readonly target: Target;
@@ -74,15 +72,15 @@ export interface TimedTask extends Task {
 export const runsIn = (target: Target, method: Method, batches: readonly Timed[]): boolean =>
   batches.every(({ shape }) => targetOf(method, shape, target) === target);
 
-/** How many rays of each shape a run meets. */
+/** Limits for the number of rays of each shape in a run. */
 export interface Budget {
-  /** Never fewer than this, … */
+  /** Least number of rays. */
   readonly least: number;
-  /** … and no more than such that a run takes about so many milliseconds. */
+  /** Approximate time limit of a run, in ms. */
   readonly most: number;
 }
 
-/** Each question to each method in each of the targets that it has a kernel for. */
+/** Tasks for each question, method, and target in which the method has a kernel. */
 export function timedTasks(
   methods: readonly Method[],
   batches: readonly Timed[],
@@ -116,8 +114,8 @@ export function timedTasks(
 }
 
 /**
- * Gives the task as many rays of each shape as the budget allows, found by tries with four times as
- * many each, of which a first run is slower than all others. Returns how many rays that is.
+ * Gives the task as many rays of each shape as the budget allows: four times as many at each try,
+ * timed twice because a first run is slower. Returns the number of rays of a run.
  */
 function fill(
   task: Task,

@@ -18,51 +18,47 @@ import { AXES } from '../math/shapes.ts';
 import { MOST_DIGITS, trustedDigits } from './digits.ts';
 import { keyOf, productOf, sumOf } from './flat-trees.ts';
 
-/**
- * A number on its way through a formula: what the method has, what it should be, and how it came
- * about.
- */
+/** A number in a traced formula: the method's value, the exact one, and the formula so far. */
 export interface Traced<T> {
   readonly own: T;
-  /** Null where there is no such number: the root of a negative one, a quotient by zero. */
+  /** Null if there is no exact value: the root of a negative number, a quotient by zero. */
   readonly exact: Surd | null;
-  /** In the symbols of the course; letters that have been worked out stand for themselves. */
+  /** The formula in the course's symbols; results that have a letter appear as that letter. */
   readonly expr: Expr;
 }
 
-/** One operation that a method made, in the order in which it made them. */
+/** One operation of a method. */
 export interface Operation {
   readonly expr: Expr;
-  /** What the course calls the result: A, B, C, D, q, … */
+  /** The course's letter for the result: A, B, C, D, q, …; null without one. */
   readonly letter: Expr | null;
-  /** As the nearest double. */
+  /** The method's result as the nearest double. */
   readonly own: number;
   readonly exact: Surd | null;
-  /** −1, 0, 1, or NaN where the method cannot tell. */
+  /** −1, 0, 1, or NaN if the method does not know the sign. */
   readonly sign: number;
   /** Right digits of the result, 0 … 15.95; null without an exact number. */
   readonly digits: number | null;
-  /** What went into it. */
+  /** The operations whose results it uses. */
   readonly inputs: readonly Operation[];
 }
 
 export interface Trace<T> {
   readonly arithmetic: Arithmetic<Traced<T>>;
-  /** The ray's and the shape's numbers, traced; `inputs` notes them. */
+  /** The numbers of ray and shape as traced values; they are appended to `inputs`. */
   symbols(values: Values<number>): Values<Traced<T>>;
   /** A letter without a number of its own, to name trees with. */
   placeholder(letter: Expr): Traced<T>;
-  /** Results of this tree's operations shall be called so. */
+  /** Gives a letter to results of operations that this tree describes. */
   name(letter: Expr, tree: Expr, values: Values<Traced<T>>, branch?: 1 | -1): void;
   readonly inputs: readonly Operation[];
   readonly operations: readonly Operation[];
 }
 
 /**
- * An arithmetic that does every operation twice, in the method's own numbers and exactly, and notes
- * what was done. A method's form and solver run in it unchanged, so that what is shown is what the
- * method does, and no formula is written a second time. Signs are the method's own: the trace takes
- * its branches, right or wrong.
+ * An arithmetic that does every operation in the method's own numbers and exactly, and records it.
+ * A method's form and solver run in it unchanged, so that the record is what the method does. Signs
+ * are the method's own: the trace takes its branches, right or wrong.
  */
 export function traceIn<T>(own: Arithmetic<T>): Trace<T> {
   const inputs: Operation[] = [];
@@ -171,8 +167,7 @@ function sortedBy<T>(
   b: Traced<T>,
 ): readonly [Traced<T>, Traced<T>] {
   const [first, second] = own.sorted?.(a.own, b.own) ?? [a.own, b.own];
-  // An enclosure may be cut: the numbers are then new, and which of the two they come from is told
-  // by their place.
+  // Sorting may clip intervals and so give new numbers: they are matched to a and b by their order.
   const swapped = own.toNumber(a.own) > own.toNumber(b.own);
   const [low, high] = swapped ? [b, a] : [a, b];
   return [

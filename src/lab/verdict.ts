@@ -1,6 +1,6 @@
 import type { Verdict } from '../math/index.ts';
 
-/** What a method's class is worth against the exact one. */
+/** How a method's class compares with the exact one. */
 export type Judgement = 'right' | 'misses' | 'invents' | 'misnames' | 'undecided';
 
 const POINTS: Readonly<Record<Verdict, number>> = {
@@ -13,8 +13,8 @@ const POINTS: Readonly<Record<Verdict, number>> = {
 };
 
 /**
- * Fewer points than there are: misses; more: invents; as many under another name (a tangent for a
- * single root): misnames.
+ * 'misses': fewer points than there are; 'invents': more; 'misnames': as many in another class (a
+ * tangent for a single root).
  */
 export function judge(verdict: Verdict, truth: Verdict): Judgement {
   if (verdict === 'undecided') return 'undecided';
