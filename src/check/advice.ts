@@ -1,4 +1,4 @@
-/** Ways of writing that people use and that are not read, each with what to write in its place. */
+/** Notations that are not read, each with what to write instead. */
 const FORMS: readonly (readonly [RegExp, string])[] = [
   [/[=≈]/, 'type the value alone, without a name before it'],
   [/\|/, 'separate the three numbers by commas or semicolons'],
@@ -11,7 +11,7 @@ const FORMS: readonly (readonly [RegExp, string])[] = [
 
 /** What to write in place of a text that could not be read; '' where nothing is known. */
 export function adviceFor(text: string, isNumber: boolean): string {
-  // A mixed number's space separates the numbers of a point.
+  // A space is read as a separator in a point, but as a mixed number in a single number.
   const usable = isNumber ? FORMS.filter(([, advice]) => !advice.includes('three')) : FORMS;
   return usable.find(([form]) => form.test(text))?.[1] ?? '';
 }

@@ -8,9 +8,9 @@ const MOST = 2;
 type Mistakes = readonly Misconception[];
 
 /**
- * The mistakes that, made together, give every line: the wrong ones and the right ones, each from
- * the start or from the student's own lines before it. As few as can be; none where several sets
- * would do.
+ * The smallest set of mistakes that together give every line, wrong and right ones, each computed
+ * from the start or from the student's own earlier lines. Empty if there is none, or if several
+ * sets explain the lines equally well.
  */
 export function causesOf(derivation: Derivation, course: Course, lines: readonly Line[]): Mistakes {
   for (let count = 1; count <= MOST; count++) {
@@ -38,7 +38,7 @@ function search(
   return found;
 }
 
-/** A mistake that explains a line must leave the lines before it as they are. */
+/** Whether these formulas give all lines up to `last`. */
 function fitsUpTo(
   derivation: Derivation,
   course: Course,
@@ -50,8 +50,8 @@ function fitsUpTo(
 }
 
 /**
- * The one set; of several the one that the question is about, or the one whose lines the student
- * shows.
+ * The only set; of several the only one that the question watches for, else the only one whose
+ * mistakes are in lines that the student filled in; else none.
  */
 function only(found: readonly Mistakes[], { watch }: Derivation, lines: readonly Line[]): Mistakes {
   const shown = new Set(lines.map(({ field }) => lineOf(field.id)));
@@ -70,5 +70,5 @@ function only(found: readonly Mistakes[], { watch }: Derivation, lines: readonly
 const sameSet = (a: Mistakes, b: Mistakes): boolean =>
   a.length === b.length && a.every((mistake) => b.includes(mistake));
 
-/** t1 and t2 are both the line t of the derivation. */
+/** The line of the derivation that a field belongs to: t for t1 and t2. */
 const lineOf = (id: string): string => id.replace(/[12]$/, '');

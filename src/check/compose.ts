@@ -9,15 +9,14 @@ import { findMisconception } from './misconceptions/index.ts';
 import type { Answers, Field } from './types.ts';
 import { work } from './work.ts';
 
-/** A known mistake with its answers on this input. */
+/** A misconception with the answers that it gives for an input. */
 interface Suspect {
   readonly misconception: Misconception;
   readonly answers: Answers;
 }
 
 /**
- * A question with its numbers, what is right, and what each mistake gives that it was drawn to tell
- * apart.
+ * A question with its numbers, the right answers, and those of the misconceptions it watches for.
  */
 export interface Posed {
   readonly exercise: Exercise;
@@ -37,14 +36,15 @@ export function derivationFor({ exercise, draft, fields, given }: Posed): Deriva
 }
 
 /**
- * Random numbers for one question. The most that was seen is 200,000 (tangent, hyperboloid); an
- * exercise that needs more than this cannot be posed, and says so within seconds.
+ * Largest count of random numbers for one question; an exercise that needs more cannot be posed.
+ * The exercises here need 200,000 at most (tangent, hyperboloid); this limit takes some seconds.
  */
 const MOST_NUMBERS = 3_000_000;
 
 /**
- * The same question for the same seed everywhere. Throws RangeError for a kind of shape that the
- * exercise cannot be posed about.
+ * The question of a seed, the same on every machine.
+ *
+ * @throws RangeError if the exercise cannot be posed about this kind of shape.
  */
 export function pose(exercise: Exercise, kind: ShapeKind, seed: number, level: Level): Posed {
   const random = atMost(MOST_NUMBERS, seeded(seed), () => {
@@ -70,9 +70,8 @@ function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Rand
 }
 
 /**
- * The question about this input; null unless all that is watched gives answers that differ from the
- * truth and from each other. The lists of what is watched stay as they are: another entry would
- * make old seeds pose other questions.
+ * The question about this input; null unless all misconceptions in `watch` give answers that differ
+ * from the right ones and from each other. Adding to a `watch` list changes what old seeds pose.
  */
 function posedOf(exercise: Exercise, draft: Draft): Posed | null {
   const course = courseOf(draft.shape);

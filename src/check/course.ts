@@ -11,10 +11,7 @@ import {
 import type { Shape } from '../math/index.ts';
 import { definitionOf, type Formula } from '../math/shapes.ts';
 
-/**
- * The choices that the course makes around its formulas. A misconception may make one of them
- * otherwise.
- */
+/** The decisions that the course makes besides its formulas. A misconception may change one. */
 export interface Rules {
   /** D = 0 is one point (a tangent), or taken for a miss; or |D| below 10⁻⁶ is taken for 0. */
   readonly tangent: 'counts' | 'lost' | 'epsilon';
@@ -66,7 +63,7 @@ export interface CurvedCourse {
   readonly rules: Rules;
 }
 
-/** The same for a flat one. */
+/** Every line that a student writes for a flat shape, as trees. */
 export interface FlatCourse {
   readonly family: 'flat';
   readonly rate: Expr;
@@ -79,12 +76,10 @@ export interface FlatCourse {
 
 export type Course = CurvedCourse | FlatCourse;
 
-/**
- * A shape's trees are the same objects each time (the square's, per axis): its course is made once.
- */
+/** Cache: a shape's trees are the same objects each time (a square's for each axis). */
 const made = new WeakMap<Formula, Course>();
 
-/** What the course teaches about this shape, without an error. */
+/** The right formulas and rules for this shape. */
 export function courseOf(shape: Shape): Course {
   const formula = definitionOf(shape).formula(shape);
   const known = made.get(formula);

@@ -11,16 +11,16 @@ export interface Line {
   readonly given: Given;
 }
 
-/** What is asked for, line by line, and what right or edited formulas give for it. */
+/** The fields of a question, and the answers that right or edited formulas give for them. */
 export interface Derivation {
   /** In the order of the derivation: a line depends on lines before it only. */
   readonly fields: readonly Field[];
   readonly course: Course;
-  /** The mistakes that the input was drawn to tell apart: preferred where others give the same. */
+  /** Ids of the misconceptions that the input tells apart; preferred if others give the same. */
   readonly watch: readonly string[];
-  /** What these formulas give from the start. */
+  /** Answers of these formulas from ray and shape. */
   truth(course: Course): Answers;
-  /** The same from values that a student already has. */
+  /** Answers of these formulas from the student's own earlier values. */
   next(course: Course, own: Answers): Answers;
 }
 
@@ -47,9 +47,7 @@ export function derivationOf(
 
 const edits = new WeakMap<Course, ReadonlyMap<Misconception, Course>>();
 
-/**
- * Every known mistake that these formulas have room for, with the formulas that it makes of them.
- */
+/** Every misconception that applies to these formulas, with the edited formulas. */
 export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
   const known = edits.get(course);
   if (known) return known;
@@ -64,9 +62,7 @@ export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
 
 const ways = new WeakMap<Course, Map<Way, Course | null>>();
 
-/**
- * The course as this way writes it. A way that depends on what was typed is made anew each time.
- */
+/** The course with a way's lines; cached, unless the way depends on what was typed. */
 export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Course | null {
   if (way.isOwn) return way.edit(course, own, truth(course));
   const known = ways.get(course) ?? new Map<Way, Course | null>();
@@ -76,10 +72,7 @@ export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Co
   return found;
 }
 
-/**
- * Whether these formulas give line `i`, from the start or from the lines that the student has
- * before it.
- */
+/** Whether these formulas give line `i`, from the start or from the student's earlier lines. */
 export function fits(
   { truth, next }: Derivation,
   course: Course,
@@ -91,7 +84,7 @@ export function fits(
   const { field, given } = line;
   const fromStart = truth(course);
   if (agrees(field, given, fromStart[field.id])) return true;
-  // Only where an earlier line differs can its own values lead to another result.
+  // The student's own values lead to another result only if an earlier line differs.
   const leadsElsewhere = lines.slice(0, i).some((one) => !isSame(one, fromStart));
   return leadsElsewhere && agrees(field, given, next(course, before(lines, i))[field.id]);
 }

@@ -5,8 +5,8 @@ import { withParam } from './exercises/params.ts';
 import type { Answers, Input } from './types.ts';
 
 /**
- * What of a question may be drawn before it is solved. A parameter that is asked for is drawn as
- * the student has it, and before that as every shape of the kind begins.
+ * The input to draw before a question is solved. A parameter that is asked for has the student's
+ * value, or without one the shape's initial value.
  */
 export function drawnInput(
   { exercise, draft }: Posed,

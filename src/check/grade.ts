@@ -4,10 +4,10 @@ import { adviceFor } from './advice.ts';
 import { atLengthOf, rightDigits, unitsOf } from './precision.ts';
 import { ABSENT, type Answer, type Answers, type Field } from './types.ts';
 
-/** What a student typed, by field. */
+/** What a student typed, by the field's id. */
 export type Texts = Readonly<Record<string, string>>;
 
-/** A value, and the unit of the last digit of each of its numbers; 0 for an expression. */
+/** A value that was read, and for each of its numbers the unit of its last digit (0: exact). */
 export interface Given {
   readonly value: Answer;
   readonly units: readonly number[];
@@ -19,27 +19,24 @@ type Read =
 
 export type Mark =
   | ({ readonly verdict: 'correct' | 'wrong' } & Given)
-  /** So many digits of it are right, and there are no more of them. */
+  /** All its digits are right, but there are only `digits` of them. */
   | ({ readonly verdict: 'rounded'; readonly digits: number } & Given)
-  /** Not answered, or no number: nobody is to blame. */
+  /** Not answered, or not readable as a number; it does not count as wrong. */
   | { readonly verdict: 'invalid'; readonly reason: string };
 
 /**
- * Half a unit of the fourth significant digit, in the worst case of a leading 1: whoever rounds
- * rightly to four digits is within it. The box says so: FOUR_DIGITS_WORDS.
+ * Relative tolerance: half a unit of the fourth significant digit for a leading 1, the worst case.
+ * A value that is rounded rightly to four digits is within it, as FOUR_DIGITS_WORDS promises.
  */
 export const FOUR_DIGITS = 5e-4;
 export const FOUR_DIGITS_WORDS = 'four right digits are enough; 1/3 and sqrt(2) are fine';
-/** So many digits are right; fewer than the two of `ROUNDED`, and they could be chance. */
+/** Digits that are enough, and the least that count as a rounded value rather than chance. */
 const ENOUGH_DIGITS = 4;
 const ROUNDED = 2;
-/** A mistake is recognised by no fewer digits than these. */
+/** Least digits by which a value is recognised as that of a mistake. */
 const EVIDENCE = 3;
 
-/**
- * Text to a value; an infinite value is an answer (a division by zero gives one), and not a right
- * one.
- */
+/** The value of a text. An infinite value, as from a division by zero, is read, but never right. */
 export function readAnswer(field: Field, text: string): Read {
   if (field.mayBeAbsent && SAYS_NONE.test(text)) return read(ABSENT);
   if (text.trim() === '') return { ok: false, reason: 'not answered' };
@@ -60,10 +57,10 @@ const read = (value: Answer, text = ''): Read => ({
   given: { value, units: unitsOf(text, value) },
 });
 
-/** A line may also say that its quantity does not exist. */
+/** Texts that say that a quantity does not exist. */
 const SAYS_NONE = /^\s*(none|no|no root|does not exist|[-–—−∅])?\s*$/i;
 
-/** How a value that was read stands to a right one: right, right as far as it goes, or wrong. */
+/** Compares a value with the right one: right, rightly rounded to too few digits, or wrong. */
 export function compared(
   field: Field,
   { value, units }: Given,
@@ -81,17 +78,17 @@ function digitsRight(field: Field, { value, units }: Given, truth: Answer | unde
   return rightDigits(value, units, atLengthOf(value, truth));
 }
 
-/** Right, or rounded so that it is right as far as it goes. */
+/** Whether a value is right, or rightly rounded to too few digits. */
 export const roughly = (field: Field, given: Given, truth: Answer | undefined): boolean =>
   compared(field, given, truth) !== 'wrong';
 
-/** Close enough to be evidence of a mistake that gives `truth`. */
+/** Whether a value has enough digits of `truth` to be evidence of a mistake that gives it. */
 export function agrees(field: Field, given: Given, truth: Answer | undefined): boolean {
   const found = compared(field, given, truth);
   return found === 'correct' || (found !== 'wrong' && found.digits >= EVIDENCE);
 }
 
-/** What was typed, against what is right. A quantity that does not exist is met by saying so. */
+/** Marks a text. For a quantity that does not exist, a text that says so is right. */
 export function grade(field: Field, text: string, truth: Answer | undefined): Mark {
   const answer = readAnswer(field, text);
   if (!answer.ok) return { verdict: 'invalid', reason: answer.reason };
@@ -105,9 +102,7 @@ export function grade(field: Field, text: string, truth: Answer | undefined): Ma
 export const roundedWords = (digits: number): string =>
   `right to ${digits} digits, give ${digits === ENOUGH_DIGITS - 1 ? 'one' : 'two'} more`;
 
-/**
- * Whether two answers to a field count as the same. A value of NaN is met by an infinite one only.
- */
+/** Whether two answers to a field count as the same. Only an infinite one matches NaN. */
 export function matches(field: Field, given: Answer, truth: Answer | undefined): boolean {
   if (truth === undefined) return given === ABSENT;
   if (typeof given === 'number' && typeof truth === 'number') return near(given, truth);
@@ -123,17 +118,14 @@ function near(x: number, truth: number): boolean {
 }
 
 /**
- * The relative tolerance leaves nothing at 0 itself; exercises have lengths of about 1, so four
- * digits end at 10⁻⁴ there.
+ * Absolute tolerance at 0, where a relative one is 0. Lengths in exercises are about 1, so it is
+ * the same number.
  */
 const atZero = (truth: number): number => (truth === 0 ? FOUR_DIGITS : 0);
 
 const sizeOf = (v: Vec3): number => Math.max(...v.map(Math.abs));
 
-/**
- * By the largest component: a component that should be 0 need not be met more closely than the
- * others.
- */
+/** Compares components with a tolerance relative to the largest one. */
 function nearTriple(v: Vec3, truth: Vec3): boolean {
   const size = sizeOf(truth);
   if (!Number.isFinite(size)) return v.every((x, i) => near(x, truth[i] ?? Number.NaN));
@@ -141,7 +133,7 @@ function nearTriple(v: Vec3, truth: Vec3): boolean {
   return v.every((x, i) => Math.abs(x - (truth[i] ?? 0)) <= allowed);
 }
 
-/** Positive multiples of each other. */
+/** Whether two vectors are positive multiples of each other. */
 function sameDirection(v: Vec3, truth: Vec3): boolean {
   const [own, size] = [sizeOf(v), sizeOf(truth)];
   if (own === 0 || size === 0) return own === size;
@@ -152,7 +144,7 @@ function sameDirection(v: Vec3, truth: Vec3): boolean {
 
 const length = (v: Vec3): number => Math.hypot(...v);
 
-/** The readable answers; what cannot be read is left out. */
+/** The values of all texts that can be read. */
 export function readAll(fields: readonly Field[], texts: Texts): Answers {
   const answers: Record<string, Answer> = {};
   for (const field of fields) {
@@ -162,7 +154,7 @@ export function readAll(fields: readonly Field[], texts: Texts): Answers {
   return answers;
 }
 
-/** Whether two sets of answers would be marked alike in every field. */
+/** Whether two sets of answers match in every field. */
 export const alike = (fields: readonly Field[], a: Answers, b: Answers): boolean =>
   fields.every((field) => {
     const [x, y] = [a[field.id], b[field.id]];

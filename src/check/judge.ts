@@ -7,31 +7,23 @@ import { WAYS, type Way } from './ways.ts';
 
 export interface Judged {
   readonly marks: Readonly<Record<string, Mark>>;
-  /**
-   * The mistakes that together give just these answers, wrong ones and right ones; none if no known
-   * ones do.
-   */
+  /** The misconceptions that together give exactly these answers; empty if none do. */
   readonly causes: readonly Misconception[];
   /**
-   * Fields that are wrong, and yet right for the student's own earlier values; with the fields
-   * whose values these are.
+   * Wrong fields that are right for the student's own earlier values; each with the wrong fields
+   * that it follows from.
    */
   readonly follow: Readonly<Record<string, readonly Field[]>>;
-  /**
-   * Another way to derive it than the course's, on which every field that is marked right is right.
-   */
+  /** Another way than the course's, by which the fields are marked; null for the course's. */
   readonly way: Way | null;
   readonly verdict: 'correct' | 'rounded' | 'wrong' | 'invalid';
 }
 
-/**
- * Marks every line by itself and by those before it, and finds the mistakes that explain all of
- * them.
- */
+/** Marks every field by itself and by those before it, and finds misconceptions behind all. */
 export function judge(derivation: Derivation, texts: Texts): Judged {
   const { fields } = derivation;
   const textOf = ({ id }: Field): string => texts[id] ?? '';
-  // An empty box says that there is none only where all else is answered.
+  // An empty box means "does not exist" only if all other fields are answered.
   const complete = fields.every((field) => readAnswer(field, textOf(field)).ok);
   const isOpen = (field: Field): boolean => !complete && textOf(field).trim() === '';
   const lines = fields.flatMap((field): Line[] => {
@@ -63,8 +55,8 @@ export function judge(derivation: Derivation, texts: Texts): Judged {
 }
 
 /**
- * A line that follows is no mistake; but where it follows from nothing wrong, only from too few
- * digits.
+ * The verdict on all marks. If no field is wrong by itself, one that follows from another follows
+ * from a value with too few digits: 'rounded'.
  */
 function verdictOf(wrong: boolean, marks: readonly Mark[]): Judged['verdict'] {
   const some = (verdict: Mark['verdict']): boolean =>
@@ -84,7 +76,7 @@ interface Found {
 
 const wrongIn = ({ standing }: Found): number => standing.filter((s) => s === 'wrong').length;
 
-/** The course, or the way on which fewer lines are wrong than on the course. */
+/** The course, or the way by which the fewest lines are wrong, if those are fewer. */
 function bestOf(derivation: Derivation, lines: readonly Line[]): Found {
   const plain = foundBy(derivation, lines, derivation.course, null);
   if (wrongIn(plain) === 0) return plain;
@@ -129,10 +121,7 @@ function foundBy(
   return { course, way, standing };
 }
 
-/**
- * The wrong lines that a line follows from: with the right value in such a line's place it would
- * come out otherwise.
- */
+/** The wrong fields that a line follows from: with their right values it would be another one. */
 function sources(
   derivation: Derivation,
   { course, standing }: Found,

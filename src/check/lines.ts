@@ -21,18 +21,18 @@ import { asExactly, work } from './work.ts';
 /** One line of a derivation, right or edited, with the numbers that go into it. */
 export interface Line {
   readonly id: string;
-  /** What stands left of the equals sign; null where the tree itself is the name (N·d). */
+  /** The left side; null if the tree itself is the name (N·d). */
   readonly letter: Expr | null;
   /** One tree, or three for a point or normal. */
   readonly exprs: readonly Expr[];
-  /** For a condition of a figure, in place of a value. */
+  /** The condition of a figure, instead of a value. */
   readonly relation: Relation | null;
   /** Whether the condition holds. */
   readonly holds: boolean | null;
   /** Both roots of the line t; the components of a triple; the two sides of a condition. */
   readonly values: readonly number[];
   readonly numbers: Values<number>;
-  /** −B, √D and 2A worked out before they are put in. */
+  /** Whether −B, √D and 2A are evaluated before they are put in. */
   readonly worked: boolean;
 }
 
@@ -128,10 +128,7 @@ function flatLines(
   ];
 }
 
-/**
- * The lines that these mistakes change: the edited ones, and those whose values follow from them.
- * At most three.
- */
+/** The lines that these mistakes change, edited or in their values; at most three. */
 export function editedLines(mistakes: readonly Misconception[], input: Input): readonly Line[] {
   const course = courseOf(input.shape);
   const edited = mistakes.reduce((made: Course, { edit }) => edit(made) ?? made, course);

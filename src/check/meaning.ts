@@ -3,15 +3,12 @@ import { display, displayTriple } from '../text/format.ts';
 import { courseOf } from './course.ts';
 import type { Answers, Input } from './types.ts';
 
-/**
- * How far f may be from 0 where the student's t was rounded to four digits, in parts of the sizes
- * that make f up.
- */
+/** Largest |f| at a t rounded to four digits, relative to the sum of the sizes of f's terms. */
 const NEARLY = 2e-3;
 
 /**
- * What an answer means in the scene: where the t of one of these fields leads to, the first that
- * has one, and on which side of the surface that is. '' if none has.
+ * A sentence on the point R(t) of the first of these fields that has a t: where it is, and on which
+ * side of the surface. '' if none has.
  */
 export function meaningOf(input: Input, answers: Answers, fields: readonly string[]): string {
   const t = fields

@@ -21,11 +21,11 @@ import { work } from './work.ts';
 export interface OwnLine {
   readonly field: Field;
   /**
-   * 'absent': rightly said not to exist. 'follows': wrong, and right for the student's own earlier
+   * 'absent': rightly said not to exist. 'follows': wrong, but right for the student's own earlier
    * values.
    */
   readonly verdict: 'correct' | 'rounded' | 'wrong' | 'follows' | 'absent' | 'invalid';
-  /** Why it is wrong or unread, in a few words; '' if there is nothing to add. */
+  /** Words on why it is wrong or cannot be read; '' for none. */
   readonly note: string;
 }
 
@@ -33,9 +33,9 @@ export interface OwnReport {
   readonly lines: readonly OwnLine[];
   /** The first line that is wrong by itself. */
   readonly firstWrong: Field | null;
-  /** What explains all lines, wrong ones and right ones. */
+  /** The misconceptions that together give all lines. */
   readonly causes: readonly Misconception[];
-  /** Another way than the course's, on which the lines marked right are right. */
+  /** Another way than the course's, by which the lines are marked; null for the course's. */
   readonly way: Way | null;
   /** "B is wrong; your t₁ and t₂ are right for your B." */
   readonly says: string;
@@ -60,7 +60,7 @@ const FLAT: readonly Field[] = [
 
 const FIGURE: readonly Field[] = [...FLAT, choiceField('inside', 'the point is', INSIDE)];
 
-/** What can be typed for this shape, in the order of the derivation. */
+/** The fields for this shape, in the order of the derivation. */
 export function ownFields({ shape }: Input): readonly Field[] {
   const course = courseOf(shape);
   if (course.family === 'curved') return CURVED;
@@ -68,9 +68,8 @@ export function ownFields({ shape }: Input): readonly Field[] {
 }
 
 /**
- * Marks each line that was typed, as far as the student got, and finds the first wrong step. What
- * is right for the scene's numbers as they were typed is right, and so is what is right for the
- * doubles that store them.
+ * Marks each line that was typed and finds the first wrong one. A line is right if it is right for
+ * the numbers as typed or for the doubles that store them.
  */
 export function checkOwn(input: Input, texts: Texts): OwnReport {
   const { shape, ray } = input;
@@ -104,8 +103,8 @@ function reportOf({ lines, judged }: Marked, aside = ''): OwnReport {
 }
 
 /**
- * Of two ways to take the numbers, the one with fewer faults; a line that is right by the other is
- * right.
+ * The report of stored or typed numbers that has fewer wrong lines, in which lines that are right
+ * by the other count as right.
  */
 function better(stored: Marked, typed: Marked): OwnReport {
   const faults = ({ lines }: Marked): number =>
@@ -116,7 +115,7 @@ function better(stored: Marked, typed: Marked): OwnReport {
     return line.verdict === 'wrong' && second && isRight(second) ? second : line;
   });
   const rescued = lines.some((line, i) => line !== best.lines[i]);
-  // What would explain a line that is right after all explains nothing.
+  // A misconception that explains a line that is right after all is dropped.
   const judged = rescued ? { ...best.judged, causes: [] } : best.judged;
   const only = (by: Marked, others: Marked): Field[] =>
     lines.flatMap(({ field }, i) => {

@@ -2,7 +2,7 @@ import type { Arithmetic, Triple } from '../math/formula.ts';
 import type { Vec3 } from '../math/index.ts';
 import type { Answer, Answers } from './types.ts';
 
-/** A student's own value of a quantity, if there is a usable one. */
+/** A student's own finite value of a quantity; undefined without one. */
 export function ownNumber<T>(own: Answers, id: string, ar: Arithmetic<T>): T | undefined {
   const x = own[id];
   return typeof x === 'number' && Number.isFinite(x) ? ar.of(x) : undefined;

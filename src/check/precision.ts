@@ -2,13 +2,10 @@ import type { Vec3 } from '../math/index.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { Answer } from './types.ts';
 
-/**
- * A number as it is written down: digits, perhaps a point or comma and digits, perhaps a power of
- * ten.
- */
+/** A decimal number: digits, optionally a point or comma with digits, optionally an exponent. */
 const LITERAL = /^[-+−–]?\s*\d*(?:[.,](\d*))?(?:e([-+−]?\d{1,3}))?$/i;
 
-/** One unit in the last digit that was written; 0 for an expression, which is exact. */
+/** One unit of the last written digit; 0 for an expression such as 1/3, which is exact. */
 function unitOf(text: string): number {
   const match = LITERAL.exec(text.trim());
   if (!match) return 0;
@@ -16,11 +13,11 @@ function unitOf(text: string): number {
   return 10 ** (Number(power.replace('−', '-')) - decimals.length);
 }
 
-/** As parseTriple separates; which of these it was is told by the values. */
+/** Separators of parseTriple. The right one is the one whose parts give the values. */
 const SEPARATORS = [/;/, /,/, /,\s+/, /\s+/];
 const AROUND = /^[\s\w]*[([{]+|[)\]}]+\s*$/g;
 
-/** The last written digit's unit of each number in the text that gave this value. */
+/** For each number in a text with this value: one unit of its last written digit. */
 export function unitsOf(text: string, value: Answer): readonly number[] {
   if (typeof value === 'number') return [unitOf(text)];
   if (typeof value !== 'object') return [];
@@ -39,24 +36,24 @@ function read(text: string): number | null {
   return parsed.ok ? parsed.value : null;
 }
 
-/** Room for the rounding of a decimal that was typed as a double. */
+/** Factor of tolerance for the rounding of a typed decimal to a double. */
 const SLACK = 1 + 1e-9;
 
-/** x rounded to this unit, or cut off there. */
+/** Whether x is `truth` rounded or truncated to this unit. */
 function isShort(x: number, truth: number, unit: number): boolean {
   const off = Math.abs(x - truth);
   if (off <= (unit / 2) * SLACK) return true;
   return off < unit && Math.abs(x) <= Math.abs(truth) && x * truth >= 0;
 }
 
-/** How many digits of a value of this size end at the unit. */
+/** Number of significant digits down to the unit in a value of this size. */
 const digitsOf = (size: number, unit: number): number =>
   Math.floor(Math.log10(size) + 1e-12) - Math.round(Math.log10(unit)) + 1;
 
 /**
- * How many digits of `truth` were written rightly, rounded or cut off: 0 where it is not right, or
- * is no decimal. Of three numbers the largest counts, and all end where the coarsest ends that is
- * not right by itself.
+ * Number of significant digits of `truth` that were rightly written, rounded or truncated; 0 if the
+ * value is wrong or no decimal. For a triple the digits of the largest component down to the
+ * coarsest unit of a component that is not exact.
  */
 export function rightDigits(
   given: Answer,
@@ -90,10 +87,10 @@ function digitsOfAll(
   return coarsest === 0 ? 0 : Math.max(0, digitsOf(size, coarsest));
 }
 
-/** Far below any digit that somebody types, far above the rounding of doubles. */
+/** Relative tolerance: far below any digit that is typed, far above the rounding of doubles. */
 const EXACT = 1e-12;
 
-/** `truth` at the length that was given: a direction may have any. */
+/** `truth` scaled to the length that was given, since a direction may have any length. */
 export function atLengthOf(given: Vec3, truth: Vec3): Vec3 {
   const k = Math.hypot(...given) / Math.hypot(...truth);
   return [k * truth[0], k * truth[1], k * truth[2]];

@@ -3,17 +3,17 @@ import type { Judged } from './judge.ts';
 import { plan } from './session.ts';
 import { FIRST_SET } from './sets.ts';
 
-/** How far one question got. */
+/** A student's progress on one question. */
 export interface Asked {
-  /** What stands in the boxes. */
+  /** The texts in the boxes. */
   readonly texts: Texts;
-  /** Answers that were judged; invalid ones are no tries. */
+  /** Number of answers that were right or wrong; unreadable ones do not count. */
   readonly tries: number;
   /** The try at which it was right, or null. */
   readonly solvedAt: number | null;
   readonly hints: number;
   readonly solutionShown: boolean;
-  /** Misconceptions that were named, once each. */
+  /** Ids of the misconceptions that were named, each once. */
   readonly causes: readonly string[];
 }
 
@@ -50,8 +50,8 @@ export const typed = (progress: Progress, index: number, field: string, text: st
   changed(progress, index, { texts: { ...askedAt(progress, index).texts, [field]: text } });
 
 /**
- * A judged answer; one that could not be read, or has too few digits, is no try. What comes after
- * the solution was shown, or after a right answer, no longer counts.
+ * The progress after a judged answer. An answer that could not be read or has too few digits is no
+ * try, and none counts after the solution was shown or the question was solved.
  */
 export function tried(progress: Progress, index: number, judged: Judged): Progress {
   const before = askedAt(progress, index);
@@ -74,13 +74,13 @@ export const hinted = (progress: Progress, index: number, most: number): Progres
 export const solutionShown = (progress: Progress, index: number): Progress =>
   changed(progress, index, { solutionShown: true });
 
-/** A stored session; null for a text that is none, since the device may hold anything. */
+/** A stored session; null for any other text, since the storage may hold anything. */
 export function readProgress(text: string | null): Progress | null {
   try {
     const value: unknown = JSON.parse(text ?? '');
     if (!isRecord(value) || !Number.isSafeInteger(value.seed) || !isRecord(value.asked))
       return null;
-    // What was kept before there were sets is of the first one.
+    // Sessions that were stored before there were sets belong to the first one.
     const { set = FIRST_SET } = value;
     if (typeof set !== 'string') return null;
     const slots = plan(value.seed as number, set);
@@ -96,18 +96,16 @@ export function readProgress(text: string | null): Progress | null {
   }
 }
 
-/**
- * The t of flat questions was once kept as 't', and is 't1' since: what was typed is still there.
- */
+/** Renames the field 't' of flat questions, as older versions stored it, to 't1'. */
 function renamed(texts: Texts, exercise: string | undefined): Texts {
   const { t, ...others } = texts;
   return exercise === 'flat' && t !== undefined ? { t1: t, ...others } : texts;
 }
 
-/** Sessions that a device keeps; the one that was touched longest ago goes first. */
+/** Largest number of stored sessions; the one that was used longest ago is dropped. */
 const MOST_SESSIONS = 12;
 
-/** All stored sessions, the latest last; anything unreadable is left out. */
+/** All stored sessions, the latest last; unreadable ones are left out. */
 export function readSessions(text: string | null): readonly Progress[] {
   try {
     const list: unknown = JSON.parse(text ?? '');
@@ -118,7 +116,7 @@ export function readSessions(text: string | null): readonly Progress[] {
   }
 }
 
-/** This session put in, last. */
+/** The sessions with this one put last. */
 export function withSession(all: readonly Progress[], progress: Progress): readonly Progress[] {
   const others = all.filter(({ seed, set }) => seed !== progress.seed || set !== progress.set);
   return [...others, progress].slice(-MOST_SESSIONS);

@@ -1,12 +1,9 @@
 import type { Expr, Relation, Term } from '../math/formula.ts';
 
-/** What stands in a subtree's place, or null to leave it and look further down. */
+/** The replacement of a subtree, or null to keep it and look at its parts. */
 type Edit = (expr: Expr) => Expr | null;
 
-/**
- * The tree with every subtree that the edit answers replaced, from the outside inwards. The same
- * tree if nothing was.
- */
+/** The tree with subtrees replaced by the edit, outermost first. The same object if none was. */
 export function rewrite(expr: Expr, edit: Edit): Expr {
   const replaced = edit(expr);
   if (replaced) return replaced;
@@ -39,7 +36,7 @@ export function rewrite(expr: Expr, edit: Edit): Expr {
   }
 }
 
-/** Both sides of a relation. */
+/** A relation with both sides rewritten. */
 export function rewriteRelation(relation: Relation, edit: Edit): Relation {
   const left = rewrite(relation.left, edit);
   const right = rewrite(relation.right, edit);
@@ -48,7 +45,7 @@ export function rewriteRelation(relation: Relation, edit: Edit): Relation {
     : { ...relation, left, right };
 }
 
-/** Whether a subtree like this occurs. */
+/** Whether a subtree satisfies `wanted`. */
 export function occurs(expr: Expr, wanted: (e: Expr) => boolean): boolean {
   return rewrite(expr, (e) => (wanted(e) ? { op: 'number', value: Number.NaN } : null)) !== expr;
 }
@@ -58,6 +55,6 @@ export const isScalar = (expr: Expr, id: string): boolean => expr.op === 'scalar
 export const isNumber = (expr: Expr | undefined, value: number): boolean =>
   expr?.op === 'number' && expr.value === value;
 
-/** Whether a component along this axis occurs. */
+/** Whether a vector's component along this axis occurs. */
 export const mentionsAxis = (expr: Expr, axis: string): boolean =>
   occurs(expr, (e) => e.op === 'component' && e.axis === axis);

@@ -14,7 +14,7 @@ interface Slot {
 const levelAt = (i: number, count: number): Level =>
   i * 3 < count ? 1 : i * 3 < 2 * count ? 2 : 3;
 
-/** The questions of a session, easy ones first. Which shape is asked where depends on the seed. */
+/** The questions of a session, easy ones first. The seed decides the shape of each. */
 export function plan(seed: number, set: string = FIRST_SET): readonly Slot[] {
   const random = seeded(seed);
   let turn = integer(random, 0, 2);
@@ -32,7 +32,6 @@ export function question(seed: number, index: number, set: string = FIRST_SET): 
   const slot = plan(seed, set)[index];
   const exercise = EXERCISES.find(({ id }) => id === slot?.exercise);
   if (!slot || !exercise) throw new RangeError(`no question ${index + 1}`);
-  // Neighbouring seeds and questions must not share their numbers: an odd factor spreads them over
-  // 32 bits.
+  // An odd factor spreads the seeds of neighbouring sessions and questions over 32 bits.
   return pose(exercise, slot.kind, Math.imul(seed * 64 + index + 1, 0x9e3779b1), slot.level);
 }

@@ -9,7 +9,7 @@ interface Turn {
   readonly kinds: readonly ShapeKind[];
 }
 
-/** What a seed draws from. */
+/** The exercises and shapes from which a seed makes a session. */
 interface QuestionSet {
   /** Shapes that "all shapes" means for own programs. */
   readonly shapes: readonly ShapeKind[];
@@ -21,9 +21,9 @@ const ROUND = ['cylinder', 'cone', 'hyperboloid'] as const;
 const CURVED = [...ROUND, 'sphere', 'paraboloid'] as const;
 
 /**
- * A set is frozen once a release has posed it: the same set and seed pose the same questions for
- * ever. What is new goes into a set of its own, with the next number; a link names its set. Until
- * then what is new is posed by the newest set with its name added to the id (`setOf`).
+ * A set is frozen once a release has it: set and seed pose the same questions for ever, and a link
+ * names its set. New shapes and exercises go into a new set, with the next number. Until then new
+ * sessions use the newest set with their names added to its id (`setOf`).
  */
 export const SETS: Readonly<Record<string, QuestionSet>> = {
   1: {
@@ -69,7 +69,7 @@ export const SETS: Readonly<Record<string, QuestionSet>> = {
   },
 };
 
-/** What a link without a set means. */
+/** The set of a link that names none. */
 export const FIRST_SET = '1';
 
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
@@ -79,7 +79,7 @@ const isKind = (name: string): name is ShapeKind => KINDS.some((kind) => kind ==
  * The set of this id, and what its id adds: `2,torus,gap` is set 2 with the shape torus in every
  * exercise that can be posed about it, and the exercise gap at the end.
  *
- * @throws RangeError for a set that there is not, and for a name that it has already.
+ * @throws RangeError for an unknown set or name, and for a name that the set has already.
  */
 export function setOf(id: string): QuestionSet {
   const [number = '', ...added] = id.split(',');
@@ -121,7 +121,7 @@ export const isSet = (id: string): boolean => {
   }
 };
 
-/** What a new seed draws from: the newest table, and the shapes and exercises that it lacks. */
+/** The set id of new sessions: the newest set, with the shapes and exercises that it lacks. */
 export const LATEST_SET = [
   '2',
   ...KINDS.filter((kind) => !SETS[2]?.shapes.includes(kind)),

@@ -4,10 +4,7 @@ import type { Argument } from './exercises/define.ts';
 import { type Line, linesOf } from './lines.ts';
 import { work } from './work.ts';
 
-/**
- * Words, and under them lines of the derivation: in symbols, or with the numbers put in and the
- * result left open.
- */
+/** Words with lines of the derivation below: in symbols, or in numbers without results. */
 interface Hint {
   readonly words: string;
   readonly lines: readonly Line[];
@@ -19,12 +16,13 @@ const NO_ARGUMENT: Argument = { rule: '', put: '', decision: [] };
 const argumentOf = ({ exercise, draft }: Posed): Argument =>
   exercise.argue?.(draft, work(courseOf(draft.shape), draft)) ?? NO_ARGUMENT;
 
-/** The words, the formula in symbols, the formula with numbers: all of them after what is given. */
+/** Three hints: words, formulas in symbols, formulas in numbers; without the given lines. */
 export function hintsOf(posed: Posed): readonly [Hint, Hint, Hint] {
   const { rule, put } = argumentOf(posed);
   const lines = linesAfterGiven(posed);
-  // The last hint puts the numbers in and leaves the arithmetic to the student; not a number that
-  // is asked for.
+  // The last hint leaves the arithmetic to the student. It has no lines if a parameter is asked
+  // for,
+  // since they contain it.
   const open = posed.exercise.asksForParam ? [] : lines.map((line) => ({ ...line, values: [] }));
   return [
     { words: posed.exercise.clue, lines: [], layer: 'symbols' },
@@ -33,10 +31,7 @@ export function hintsOf(posed: Posed): readonly [Hint, Hint, Hint] {
   ];
 }
 
-/**
- * The lines that lead from what is given to what is asked, and why they decide it; the answers come
- * last.
- */
+/** The lines from what is given to what is asked, and the sentences before the answers. */
 export const solutionOf = (
   posed: Posed,
 ): { readonly lines: readonly Line[]; readonly decision: readonly string[] } => ({
@@ -47,7 +42,7 @@ export const solutionOf = (
 function linesAfterGiven({ exercise, draft, given, fields }: Posed): readonly Line[] {
   const all = linesOf(courseOf(draft.shape), draft);
   const isGiven = (id: string): boolean => given[id] !== undefined || given[`${id}1`] !== undefined;
-  // A plane's point is only asked for where a figure ends.
+  // The line P is needed only if it is asked whether the point is in a figure.
   const needless =
     fields.some(({ id }) => id === 'inside') || !exercise.lines.includes('inside') ? '' : 'P';
   return all.filter(({ id }) => exercise.lines.includes(id) && id !== needless && !isGiven(id));

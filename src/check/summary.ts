@@ -13,7 +13,7 @@ interface SummaryLine {
   readonly solvedAt: number | null;
   readonly hints: number;
   readonly solutionShown: boolean;
-  /** What was named on the way. */
+  /** Ids of the misconceptions that were named. */
   readonly misconceptions: readonly string[];
   /** "right at try 2", "not tried" */
   readonly says: string;
@@ -27,7 +27,7 @@ export interface Summary {
   readonly lines: readonly SummaryLine[];
 }
 
-/** Per topic: what was right at which try. */
+/** For each question: at which try it was right. */
 export function summary(progress: Progress): Summary {
   const lines = plan(progress.seed, progress.set).map(({ exercise, kind }, i): SummaryLine => {
     const asked = askedAt(progress, i);
@@ -52,6 +52,6 @@ function inWords({ tries, solvedAt, solutionShown }: Asked): string {
   return tries === 0 ? 'not tried' : `not right yet, ${tries === 1 ? '1 try' : `${tries} tries`}`;
 }
 
-/** For a lecturer's own evaluation; nobody but the student sends it. */
+/** The summary as JSON, which a student can save and hand in. */
 export const summaryJson = (progress: Progress): string =>
   `${JSON.stringify({ graze: 'check-summary', version: 1, ...summary(progress) }, null, 2)}\n`;

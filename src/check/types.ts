@@ -2,14 +2,11 @@ import type { Surd } from '../math/exact.ts';
 import type { Values } from '../math/formula.ts';
 import type { Ray, Shape, Vec3 } from '../math/index.ts';
 
-/** A ray and the shape it is asked about. */
+/** A ray and the shape that it is intersected with. */
 export interface Input {
   readonly shape: Shape;
   readonly ray: Ray;
-  /**
-   * The numbers exactly as they were typed, where those are others than the doubles that store
-   * them.
-   */
+  /** The exact values of the typed numbers, if they differ from the stored doubles. */
   readonly typed?: Values<Surd> | null;
 }
 
@@ -17,13 +14,13 @@ export interface Input {
 export type Answer = number | Vec3 | string;
 
 /**
- * By quantity, in one vocabulary for questions and own numbers. Curved: A, B, C, D, case, and of
- * the roots t1, t2, P1, P2, N1, N2. Flat: N.d, N.(E-P), place, t1, P1, N1, inside. Of the first
- * visible hit: first, why, t, P, N. One that does not exist is absent.
+ * Answers by quantity. Curved shapes: A, B, C, D, case, t1, t2, P1, P2, N1, N2. Flat shapes: N.d,
+ * N.(E-P), place, t1, P1, N1, inside. First visible hit: first, why, t, P, N. A quantity that does
+ * not exist has no entry.
  */
 export type Answers = Readonly<Record<string, Answer>>;
 
-/** A student's answer that says that a quantity does not exist. */
+/** The answer of a student who says that a quantity does not exist. */
 export const ABSENT = 'does not exist';
 
 interface Option {
@@ -31,17 +28,17 @@ interface Option {
   readonly title: string;
 }
 
-/** One thing that a question asks for. A direction is right at any positive length. */
+/** One quantity that a question asks for. A direction is right at any positive length. */
 export interface Field {
-  /** The quantity. */
+  /** The quantity's name. */
   readonly id: string;
   readonly kind: 'number' | 'triple' | 'direction' | 'choice';
   readonly label: string;
-  /** What sentences call it: "N·d", or a choice's label in quotes. */
+  /** Its name in sentences: "N·d", or a choice's label in quotes. */
   readonly name: string;
-  /** For a choice. */
+  /** The options of a choice; else empty. */
   readonly options: readonly Option[];
-  /** Whether a dash, or nothing, is an answer: the quantity may not exist. */
+  /** Whether the quantity may not exist, so that a dash or an empty box is an answer. */
   readonly mayBeAbsent: boolean;
 }
 

@@ -15,21 +15,16 @@ import {
 import type { Course, FlatCourse } from './course.ts';
 import type { Answers } from './types.ts';
 
-/**
- * Another way through the derivation that is as right as the course's: the lines that it writes
- * otherwise.
- */
+/** A derivation that is as right as the course's, with some lines written in another form. */
 export interface Way {
   readonly id: string;
   /** "Right, with …" */
   readonly says: string;
-  /**
-   * So many lines must agree with it that do not agree with the course: one alone may be a mistake.
-   */
+  /** Least number of lines that agree with it and not with the course; one may be a mistake. */
   readonly evidence: number;
   /** Whether it depends on what was typed. */
   readonly isOwn: boolean;
-  /** Null where the formulas have no room for it. */
+  /** The course in this form; null if it does not apply. */
   edit(course: Course, own: Answers, truth: Answers): Course | null;
 }
 
@@ -70,7 +65,7 @@ const quarterD: Way = {
         },
 };
 
-/** N·(E − P) and N·d with another N, and t as before. */
+/** The course with another N in N·(E − P) and N·d, which leaves t as it is. */
 function withNormal(course: Course, longer: (e: Expr) => Expr): FlatCourse | null {
   if (course.family === 'curved') return null;
   const [offset, rate] = [longer(course.offset), longer(course.rate)];
@@ -93,7 +88,7 @@ const otherNormal: Way = {
   edit(course, own, truth) {
     const [ownRate, rate] = [own['N.d'], truth['N.d']];
     if (typeof ownRate !== 'number' || typeof rate !== 'number') return null;
-    // With the line N·(E − P) as well, the factor is not just what one wrong number needs.
+    // Both lines are needed: a factor from N·d alone would explain any wrong number.
     const factor = ownRate / rate;
     if (own['N.(E-P)'] === undefined || !(factor > 0) || !Number.isFinite(factor)) return null;
     return withNormal(course, (e) => times(num(factor), e));

@@ -40,7 +40,7 @@ export function curvedWork<T>(
   const forgotten = ordered.flatMap((root, i) =>
     known[i] ? [] : [{ ...hitAt(course, all, root, undefined, ar), place: i, known: false }],
   );
-  // The student's t1 and t2 count those roots only that were not forgotten.
+  // t1 and t2 number only the roots on a nappe that was not forgotten.
   const places = ordered.flatMap((_, i) => (known[i] ? [i] : []));
   const kept = ([1, 2] as const).map((i): Hit => {
     const place = places[i - 1] ?? i + 1;
@@ -60,15 +60,12 @@ export function curvedWork<T>(
   return { ...found, ...seen, P: roundedTriple(point, ar), N };
 }
 
-/**
- * A root that a student has, or has found not to be there, is the student's; otherwise the
- * formula's, if there is one.
- */
+/** The student's root if there is one or it was said not to exist, else that of the formula. */
 function ownRoot<T>(own: Answers, i: 1 | 2, root: T | undefined, ar: Arithmetic<T>): T | undefined {
   return own[`t${i}`] === ABSENT ? undefined : (ownNumber(own, `t${i}`, ar) ?? root);
 }
 
-/** What exists of a hit: its t, the point there and the normal at the point. */
+/** t, point and normal of a hit, as far as they exist. */
 interface Place {
   readonly t: number | undefined;
   readonly P: Vec3 | undefined;
@@ -76,9 +73,9 @@ interface Place {
 }
 
 interface Hit extends Place {
-  /** Among the roots in the student's order, from 0. */
+  /** Index among the roots in the student's order, from 0. */
   readonly place: number;
-  /** Not on a nappe that was forgotten. */
+  /** False if it is on a nappe that was forgotten. */
   readonly known: boolean;
 }
 
@@ -86,10 +83,7 @@ type Met = Hit & { readonly t: number };
 
 const COUNTED = ['none', 'one', 'two'];
 
-/**
- * The absolute threshold that many programs compare with. It is right at one scale only: that is
- * the misconception.
- */
+/** The absolute threshold of the misconceptions about epsilons, as in many programs. */
 const EPSILON = 1e-6;
 
 function solve<T>(
@@ -112,7 +106,7 @@ function solve<T>(
   return { case: 'two', roots: swapped ? [pair[1], pair[0]] : pair };
 }
 
-/** Only where the second nappe is forgotten does this drop a root. */
+/** Whether a root is on the upper nappe, or both nappes count. */
 function onKnownNappe<T>(
   { rules, P }: CurvedCourse,
   values: Values<T>,
@@ -143,7 +137,7 @@ function hitAt<T>(
   };
 }
 
-/** Of one or two roots, as the student has them. A tangent's one root is t1. */
+/** The first visible of the student's hits. A tangent's one root is t1. */
 function firstVisible(
   hits: readonly Met[],
   verdict: string,

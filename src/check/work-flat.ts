@@ -64,7 +64,7 @@ export function flatWork<T>(
 const RATE = 'N.d';
 const OFFSET = 'N.(E-P)';
 
-/** t in terms of the two lines before it, which a student may have otherwise. */
+/** The tree of t in terms of the two lines before it, so that a student's values can be used. */
 const inTheirNames = ({ t, rate, offset }: FlatCourse): Expr =>
   rewrite(t, (e) => (e === rate ? scalar(RATE) : e === offset ? scalar(OFFSET) : null));
 

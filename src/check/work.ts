@@ -5,18 +5,14 @@ import type { Answers, Input } from './types.ts';
 import { curvedWork } from './work-curved.ts';
 import { flatWork } from './work-flat.ts';
 
-/**
- * Values that a student already has, right or not: later lines are worked out from them. Only
- * finite ones count.
- */
+/** The student's values, right or wrong, from which later lines are computed; finite ones only. */
 type Own = Answers;
 
 const NOTHING: Own = {};
 
 /**
- * Everything that these formulas give for this input. Exactly, rounded once at the end; where an
- * edited formula has two different square roots, or divides by zero, in doubles, as a program
- * would.
+ * All answers of these formulas for this input, in exact arithmetic and rounded once at the end. If
+ * an edited formula has two different square roots or divides by zero: in doubles.
  */
 export const work = (course: Course, input: Input, own: Own = NOTHING): Answers =>
   asExactly((ar, take) =>
@@ -36,7 +32,7 @@ export function asExactly<R>(f: <T>(ar: Arithmetic<T>, take: (x: Surd) => T) => 
 const numbersOf = <T>({ shape, ray }: Input, ar: Arithmetic<T>): Values<T> =>
   valuesOf(shape, ray, ar);
 
-/** The same in doubles throughout: for looking through many inputs. */
+/** All answers computed in doubles, which is faster, for searching among many inputs. */
 export const roughWork = (course: Course, input: Input): Answers =>
   workIn(course, numbersOf(input, float64), NOTHING, float64);
 

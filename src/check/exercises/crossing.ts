@@ -9,7 +9,7 @@ import { drawInput, drawUntil, kindsOf, mayBeStraight, numberOf } from './draw.t
 import { numberParams, withParam } from './params.ts';
 import { caseWords } from './words.ts';
 
-/** Two distances for "a little": the case must be the same at both. */
+/** Two changes of the parameter that count as "a little": the class must be the same after both. */
 const LITTLE = 1 / 64;
 const MORE = 1 / 8;
 
@@ -36,7 +36,7 @@ export const crossing: Exercise = {
     const draft: Draft = { shape, ray, param, watch: [bySlope ? 'a-zero' : 'strict'] };
     const near = answersAt(course, draft, LITTLE);
     const wide = answersAt(course, draft, MORE);
-    // Something must change, and in one way only.
+    // The class must change, and in the same way for both distances.
     if (near.before !== wide.before || near.after !== wide.after) return null;
     return near.before === near.at && near.at === near.after ? null : draft;
   },

@@ -16,7 +16,7 @@ const LINES = [
   { id: 'nowhere', title: 'nowhere: all lines keep their digits' },
 ];
 
-/** Methods that may be the cure, from the cheapest to the most expensive. */
+/** Methods that may restore the digits, from the cheapest to the most expensive. */
 const CURES = [
   { id: 'textbook', title: 'nothing: the textbook formula will do' },
   { id: 'stable', title: 'another formula for the smaller root (stable)' },
@@ -63,11 +63,11 @@ const DRAWS: readonly [Draw, ...Draw[]] = [
   alongGenerator,
 ];
 
-/** "A 16, B 12": how many digits each has kept. */
+/** "A 16, B 12": names with their right digits. */
 const listed = (each: readonly (readonly [string, number])[]): string =>
   each.map(([name, kept]) => `${name} ${Math.floor(kept)}`).join(', ');
 
-/** Digits that count as lost (fewer) and as kept (at least); between them nothing is asked. */
+/** Fewer than `LOST` right digits count as lost, `KEPT` or more as kept; between is not asked. */
 const LOST = 9;
 const KEPT = 13;
 
@@ -75,7 +75,7 @@ export const digits: Exercise = {
   id: 'digits',
   topic: 'where the digits go',
   paper: false,
-  // The shapes that the draws above are about.
+  // The draws above are about shapes with families of their own.
   kinds: kindsOf('curved').filter((kind) => findShape(kind)?.ownFamilies),
   draw(random, kind) {
     const make = pick(random, DRAWS);
@@ -127,10 +127,7 @@ export function digitsRight(x: number, truth: number): number {
   return Number.isFinite(error) ? Math.min(16, Math.max(0, -Math.log10(error))) : 0;
 }
 
-/**
- * Right digits of each line of the textbook method, and of the roots by each method; null where it
- * has no two roots.
- */
+/** Right digits of the textbook's lines, and of each method's roots; null without two roots. */
 function keptDigits({ shape, ray }: Input): Kept | null {
   const of = (id: string) => findMethod(id)?.intersect(shape, ray);
   const exact = of('exact');
@@ -158,7 +155,7 @@ interface Kept {
   readonly cures: readonly { readonly id: string; readonly kept: number }[];
 }
 
-/** The answers; null where a line lies between lost and kept. */
+/** The answers; null if a line is between lost and kept. */
 function measured(input: Input): Answers | null {
   const found = keptDigits(input);
   if (!found) return null;
@@ -169,7 +166,7 @@ function measured(input: Input): Answers | null {
   const best = cures.findIndex(({ kept }) => kept >= KEPT);
   const cure = cures[best];
   if (!cure || cures.slice(0, best).some(({ kept }) => kept > LOST)) return null;
-  // Not asked: a line that loses digits which the roots do not need.
+  // Not asked if a line loses digits that the roots do not need.
   if ((line === undefined) !== (cure.id === 'textbook')) return null;
   return { line: line?.[0] ?? 'nowhere', cure: cure.id };
 }

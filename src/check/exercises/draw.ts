@@ -61,7 +61,7 @@ export function drawInput(random: Random, kind: ShapeKind, level: Level): Input 
   return { shape: drawShape(random, kind, level), ray: { origin, direction } };
 }
 
-/** Draws until one will do; null after so many that another wish should be tried. */
+/** Draws until `accept` holds; null after 4000 draws. */
 export function drawUntil<T>(draw: () => T, accept: (drawn: T) => boolean): T | null {
   for (let i = 0; i < 4000; i++) {
     const drawn = draw();
@@ -70,7 +70,7 @@ export function drawUntil<T>(draw: () => T, accept: (drawn: T) => boolean): T | 
   return null;
 }
 
-/** Every shape's kind of one family of formulas, in the order of the menu. */
+/** The kinds of all curved or all flat shapes, in the order of the menu. */
 export function kindsOf(family: 'curved' | 'flat'): ShapeKind[] {
   return SHAPES.map(({ kind }) => kind).filter((kind) => {
     const params = findShape(kind)?.params ?? [];
@@ -79,7 +79,7 @@ export function kindsOf(family: 'curved' | 'flat'): ShapeKind[] {
   });
 }
 
-/** Whether A may be 0: on a sphere it never is. */
+/** Whether A may be 0 for some direction; not so for a sphere. */
 export const mayBeStraight = (kind: ShapeKind): boolean => {
   const shape = drawShape(seeded(1), kind, 1);
   return definitionOf(shape).named(shape).straight !== null;
@@ -88,8 +88,8 @@ export const mayBeStraight = (kind: ShapeKind): boolean => {
 const DENOMINATORS = [1, 2, 3, 4, 5, 6, 8, 10];
 
 /**
- * A fraction that is easy on paper; float64 noise is far below this and fractions that are not
- * clean far above.
+ * Tolerance in the test for a fraction that is easy on paper: rounding errors are far below it,
+ * other fractions far above.
  */
 const NOISE = 1e-9;
 
@@ -116,13 +116,10 @@ export const chosen = (answers: Answers, ids: readonly string[]): Answers =>
     }),
   );
 
-/** |d| = 1 would hide a t taken for a distance. */
+/** Whether |d| = 1, where a t taken for a distance cannot be noticed. */
 export const hasUnitLength = ([x, y, z]: Vec3): boolean => x * x + y * y + z * z === 1;
 
-/**
- * Everything about an input with two clean roots; null for any other, which most are: A, B and C
- * tell that cheaply.
- */
+/** All answers for an input with two clean roots; null for others, mostly by A, B and C alone. */
 export function withTwoCleanRoots(input: Input): Answers | null {
   const course = courseOf(input.shape);
   if (course.family === 'flat') return null;

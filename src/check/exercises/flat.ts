@@ -26,7 +26,7 @@ const hasBound = ({ shape }: Input): boolean => {
 const LINES = ['flat-no-P', 'flat-inverted', 'flat-lost-minus', 'flat-distance'];
 const BOUNDS = ['rim-squared', 'corner-as-middle'];
 
-/** Clean, and where a figure's bound is watched, such that mistaking it matters. */
+/** Whether the numbers are clean and, unless `plain`, a mistaken bound changes the answer. */
 function isFit(input: Input, plain: boolean): boolean {
   const course = courseOf(input.shape);
   const found = roughWork(course, input);
@@ -47,7 +47,7 @@ export const flat: Exercise = {
   paper: true,
   kinds: kindsOf('flat'),
   draw(random, kind, level) {
-    // One in four has the usual answer, so that the surprising one cannot be guessed.
+    // One in four has the usual answer, so that the unusual one cannot be guessed.
     const plain = random() < 0.25;
     const input = drawUntil(
       () => drawInput(random, kind, level),

@@ -10,7 +10,7 @@ const SHADOW = [
   { id: 'dark', title: 'E is in the shadow' },
 ];
 
-/** Id of the mistake that this input tells apart; null if the numbers are not clean. */
+/** Id of the misconception that this input reveals; null if the numbers are not clean. */
 function tempting(input: Input): string | null {
   const found = withTwoCleanRoots(input);
   if (!found) return null;

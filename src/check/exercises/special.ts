@@ -29,7 +29,8 @@ export const linear: Exercise = {
         return found.case !== 'one' || allClean(found, ['t1']);
       },
     );
-    // Rays that meet nothing are common among drawn ones, and a cylinder has no others.
+    // Half of the drawn rays without a root are dropped, as they are too many; a cylinder has no
+    // others.
     const { case: verdict } = input ? roughWork(courseOf(input.shape), input) : {};
     return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
@@ -37,7 +38,7 @@ export const linear: Exercise = {
     'In how many points does the line of the ray meet the surface? If it crosses in one, at ' +
     'which t? (Otherwise leave t₁ empty.)',
   given: ['A', 'B', 'C'],
-  // The box stands there in any case: whether it is needed is part of the question.
+  // The box for t₁ is always shown: whether it is needed is part of the question.
   fields: () => [choiceField('case', 'the line has', CASES), mayBeAbsent(numberField('t1', 't₁'))],
   answers: (course, draft, own) => chosen(work(course, draft, own), ['case', 't1']),
   argue: (_, found) => {

@@ -27,8 +27,7 @@ export const tangent: Exercise = {
     const draft: Draft = { shape, ray, param, watch: [] };
     const [root, another] = tangentValues(course, draft);
     if (root === undefined || another !== undefined) return null;
-    // The drawn value may be a double root of D, which does not change sign there: two right
-    // answers.
+    // The drawn value may be a double root of D, where D does not change its sign.
     if (Math.abs(root - param.value) > NO_LINE) return null;
     return { ...draft, watch: WATCH };
   },
@@ -50,7 +49,7 @@ export const tangent: Exercise = {
     const { symbol, value } = draft.param;
     const { start, linear, square } = by.D;
     const form = `D = ${quadraticWords(by.D, symbol)}`;
-    // Without a linear term the root of a number is all that is left to draw.
+    // Without a linear term p² is given, and p is a square root.
     const zero = -start / square;
     const so =
       linear === 0
@@ -66,7 +65,7 @@ export const tangent: Exercise = {
   lines: ['A', 'B', 'C', 'D'],
 };
 
-/** Whether one of the lines is edited that the value depends on. */
+/** Whether A, B, C or D is edited, on which the value depends. */
 function isOther(course: Course, { shape }: Draft): boolean {
   const right = courseOf(shape);
   if (course.family === 'flat' || right.family === 'flat') return true;
@@ -75,7 +74,7 @@ function isOther(course: Course, { shape }: Draft): boolean {
 
 const known = new WeakMap<Draft, number[]>();
 
-/** Most mistakes lie on other lines: the search is long, and made once for all of them. */
+/** Cached, since the search takes long and most mistakes are on other lines. */
 function rightValues(draft: Draft): number[] {
   const found = known.get(draft) ?? tangentValues(courseOf(draft.shape), draft);
   known.set(draft, found);
@@ -83,17 +82,11 @@ function rightValues(draft: Draft): number[] {
 }
 
 const LARGEST = 27;
-/**
- * An odd count of steps to the whole, so that no step ends on the values that are likely to be
- * roots.
- */
+/** Intervals in which a root is looked for; odd, so that none ends at a likely root. */
 const STEPS = 367;
 const HALVINGS = 52;
 
-/**
- * The positive values of the parameter, up to 27, where D of these formulas changes its sign and A
- * is not 0.
- */
+/** The positive values of the parameter, up to `LARGEST`, where D changes sign and A is not 0. */
 function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
   if (!param) return [];
   const at = coefficientsBy(course, { shape, ray }, param.symbol);
@@ -109,10 +102,7 @@ function tangentValues(course: Course, { shape, ray, param }: Draft): number[] {
   return found.filter((value) => Math.abs(at(value).A) > NO_LINE);
 }
 
-/**
- * A root at which A vanishes, too, is where the quadratic becomes a line, not a tangent. Other A
- * are of size 1.
- */
+/** |A| below this counts as 0, where the ray is no tangent: f is linear. Other |A| are about 1. */
 const NO_LINE = 1e-6;
 
 /** A and D as functions of one parameter. */

@@ -18,7 +18,6 @@ const withoutSquare =
 export const radiusNotSquared = ofCurved(
   {
     id: 'r-for-r2',
-    code: 'X8',
     says: 'r in place of r²',
     line: 'C',
     remedy: 'The surface’s equation has r², the square of the radius.',
@@ -29,7 +28,6 @@ export const radiusNotSquared = ofCurved(
 export const slopeNotSquared = ofCurved(
   {
     id: 'c-for-c2',
-    code: 'X8',
     says: 'c in place of c²',
     line: 'A',
     remedy: 'At height h the radius is c·h, and its square is c²h².',
@@ -40,7 +38,6 @@ export const slopeNotSquared = ofCurved(
 export const flareSquared = ofCurved(
   {
     id: 'a2-for-a',
-    code: 'X8',
     says: 'a² in place of a',
     line: 'A',
     remedy: 'In the hyperboloid’s equation a stands as it is; only the cone’s c is squared.',
@@ -51,7 +48,6 @@ export const flareSquared = ofCurved(
 export const radiusAdded = ofCurved(
   {
     id: 'plus-r2',
-    code: 'X14',
     says: '+ r² in place of − r²',
     line: 'C',
     remedy: 'r² comes from the right side of the equation: its sign turns.',
@@ -64,7 +60,6 @@ export const radiusAdded = ofCurved(
 export const heightAdded = ofCurved(
   {
     id: 'plus-y',
-    code: 'X1',
     says: 'a lost minus sign: the term in y added in place of subtracted',
     line: 'A',
     remedy: 'The term in y comes from the right side of the equation: its sign turns.',
@@ -88,7 +83,6 @@ function flipTerms(expr: Expr, which: (e: Expr) => boolean): Expr {
 export const twoInBLost = ofCurved(
   {
     id: 'half-b',
-    code: 'X1',
     says: 'b = B/2 in place of B',
     line: 'B',
     remedy: 'B carries a factor 2 in every term. With b = B/2 the other formulas change, too.',
@@ -104,7 +98,6 @@ export const twoInBLost = ofCurved(
 export const swappedInB = ofCurved(
   {
     id: 'swap-E-d',
-    code: 'X13',
     says: 'E and d swapped in B',
     line: 'B',
     remedy: 'In B each component of d multiplies the matching component of E − C.',
@@ -123,7 +116,6 @@ const SWAPPED: Readonly<Record<string, string>> = { E: 'd', d: 'E' };
 export const differenceTurned = ofCurved(
   {
     id: 'C-minus-E',
-    code: 'X14',
     says: 'C − E in place of E − C in B',
     line: 'B',
     remedy: 'B is formed with E − C, from the centre to E. C − E turns its sign.',

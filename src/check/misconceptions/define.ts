@@ -1,23 +1,23 @@
 import type { Course, CurvedCourse, FlatCourse, Rules } from '../course.ts';
 
-/** A known mistake: the course's formulas with one edit. */
+/** A known mistake as one edit of the course's formulas. */
 export interface Misconception {
   readonly id: string;
-  /** Its number in the list that the project keeps: X1 … X14. */
-  readonly code: string;
   /** "this is what comes out with …" */
   readonly says: string;
   /** The line of the derivation where it happens: A, B, C, D, t, first, P, N, N.d, inside, case. */
   readonly line: string;
-  /** What to look at again, in one sentence. */
+  /** One sentence on what to look at again. */
   readonly remedy: string;
-  /** Null where these formulas leave no room for it. */
+  /** The edited course; null if the mistake cannot be made in these formulas. */
   edit(course: Course): Course | null;
 }
 
 type About = Omit<Misconception, 'edit'>;
 
-/** An edit of a curved shape's lines; null, or the same lines, where there is nothing to edit. */
+/**
+ * A mistake in a curved shape's lines; `edit` gives null or the same trees if it does not apply.
+ */
 export const ofCurved = (
   about: About,
   edit: (course: CurvedCourse) => Partial<CurvedCourse> | null,
@@ -34,7 +34,7 @@ export const ofFlat = (
   edit: (course) => (course.family === 'flat' ? changed(course, edit(course)) : null),
 });
 
-/** Another choice around the formulas. */
+/** A mistake in the decisions besides the formulas. */
 export const ofRules = (about: About, rules: Partial<Rules>): Misconception => ({
   ...about,
   edit: (course) => ({ ...course, rules: { ...course.rules, ...rules } }),
@@ -46,7 +46,7 @@ function changed<C extends Course>(course: C, edited: Partial<C> | null): C | nu
   return some ? { ...course, ...edited } : null;
 }
 
-/** The same tree, or three components that are: on a sphere P − C is the normal. */
+/** Whether two trees, or triples of trees, are equal, as N and P − C are for a sphere. */
 function same(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return JSON.stringify(a) === JSON.stringify(b);
   return a.length === b.length && a.every((x, i) => same(x, b[i]));

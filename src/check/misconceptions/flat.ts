@@ -5,7 +5,6 @@ import { ofFlat, ofRules } from './define.ts';
 export const flatMinusLost = ofFlat(
   {
     id: 'flat-lost-minus',
-    code: 'X14',
     says: 'the minus sign lost, or P − E in place of E − P',
     line: 't',
     remedy: 't = −N·(E − P) / (N·d). With P − E the minus sign goes away, but not with E − P.',
@@ -18,7 +17,6 @@ export const flatMinusLost = ofFlat(
 export const flatInverted = ofFlat(
   {
     id: 'flat-inverted',
-    code: 'X13',
     says: 'E − P and d swapped, N·d divided by N·(E − P)',
     line: 't',
     remedy: 'N·d, how fast the ray nears the plane, is what is divided by.',
@@ -34,7 +32,6 @@ export const flatInverted = ofFlat(
 export const flatPointForgotten = ofFlat(
   {
     id: 'flat-no-P',
-    code: 'X14',
     says: 'N·E in place of N·(E − P)',
     line: 'N.(E-P)',
     remedy: 'The plane need not pass through the origin: its point P is subtracted from E.',
@@ -49,7 +46,6 @@ export const flatPointForgotten = ofFlat(
 export const flatDistance = ofFlat(
   {
     id: 'flat-distance',
-    code: 'X5',
     says: 't taken for a distance, t·|d| in place of t',
     line: 't',
     remedy: 't counts in lengths of d: it is a distance only where |d| = 1.',
@@ -60,7 +56,6 @@ export const flatDistance = ofFlat(
 export const rimSquared = ofFlat(
   {
     id: 'rim-squared',
-    code: 'X8',
     says: '|X − C|² compared with r in place of r²',
     line: 'inside',
     remedy: 'Compare |X − C| with r, or |X − C|² with r².',
@@ -76,7 +71,6 @@ export const rimSquared = ofFlat(
 export const cornerIsMiddle = ofFlat(
   {
     id: 'corner-as-middle',
-    code: 'X8',
     says: 'P taken for the middle of the square in place of its corner',
     line: 'inside',
     remedy: 'P is the lower-left corner: the square reaches from P to P + L.',
@@ -96,7 +90,6 @@ export const cornerIsMiddle = ofFlat(
 export const alwaysBeside = ofRules(
   {
     id: 'parallel-misses',
-    code: 'X12',
     says: 'N·d = 0 taken for a miss without asking where E is',
     line: 'case',
     remedy: 'With N·d = 0 the ray may also lie in the plane: N·(E − P) tells.',
@@ -107,7 +100,6 @@ export const alwaysBeside = ofRules(
 export const alwaysIn = ofRules(
   {
     id: 'parallel-lies-in',
-    code: 'X12',
     says: 'N·d = 0 taken to mean that the ray lies in the plane',
     line: 'case',
     remedy: 'N·d = 0 says parallel. Only N·(E − P) = 0 says in the plane.',
@@ -118,7 +110,6 @@ export const alwaysIn = ofRules(
 export const alwaysTheRoot = ofRules(
   {
     id: 'loss-always-t',
-    code: 'X9',
     says: 'the formula for the roots blamed for every lost digit',
     line: 't',
     remedy: 'Compare line by line: a root cannot have more digits than the D that it is made from.',

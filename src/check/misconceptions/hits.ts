@@ -5,7 +5,6 @@ import { ofCurved, ofRules } from './define.ts';
 export const behindAccepted = ofRules(
   {
     id: 'behind',
-    code: 'X2',
     says: 't < 0 accepted',
     line: 'first',
     remedy: 'A ray begins at E: what lies at t < 0 is behind it.',
@@ -16,7 +15,6 @@ export const behindAccepted = ofRules(
 export const farForNear = ofRules(
   {
     id: 'far-root',
-    code: 'X11',
     says: 'the far root taken for the near one',
     line: 'first',
     remedy: 'Of the roots that are not negative, the smallest is seen first.',
@@ -27,7 +25,6 @@ export const farForNear = ofRules(
 export const lightForgotten = ofRules(
   {
     id: 'no-light-bound',
-    code: 'X10',
     says: 'a shadow ray that does not end at its light',
     line: 'first',
     remedy: 'What lies behind the light, at t > 1, casts no shadow here.',
@@ -38,7 +35,6 @@ export const lightForgotten = ofRules(
 export const oneNappe = ofCurved(
   {
     id: 'one-nappe',
-    code: 'X7',
     says: 'the second nappe forgotten',
     line: 'case',
     remedy:
@@ -53,7 +49,6 @@ export const oneNappe = ofCurved(
 export const startForgotten = ofCurved(
   {
     id: 'from-origin',
-    code: 'X14',
     says: 'P = t d in place of P = E + t d',
     line: 'P',
     remedy: 'The ray starts at E: add it.',
@@ -67,7 +62,6 @@ const keep = (e: Parameters<typeof rewrite>[0]) => e;
 export const backwards = ofCurved(
   {
     id: 'backwards',
-    code: 'X14',
     says: 'P = E − t d in place of P = E + t d',
     line: 'P',
     remedy: 'The ray runs along d, not against it.',
@@ -83,7 +77,6 @@ const turned: typeof keep = (e) =>
 export const alongUnit = ofCurved(
   {
     id: 'unit-d',
-    code: 'X5',
     says: 'P = E + t d/|d| in place of P = E + t d',
     line: 'P',
     remedy: 't counts in lengths of d, whatever its length: do not divide by |d|.',

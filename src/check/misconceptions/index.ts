@@ -96,7 +96,7 @@ export const MISCONCEPTIONS: readonly Misconception[] = [
   alwaysTheRoot,
 ];
 
-/** And those that only lines on paper show. */
+/** All mistakes, also those that only lines on paper can show. */
 export const ALL_MISCONCEPTIONS: readonly Misconception[] = [...MISCONCEPTIONS, ...ON_PAPER];
 
 export const findMisconception = (id: string): Misconception | undefined =>

@@ -5,7 +5,6 @@ import { ofCurved } from './define.ts';
 export const normalTurned = ofCurved(
   {
     id: 'normal-turned',
-    code: 'X4',
     says: 'the normal turned round, inside for outside',
     line: 'N',
     remedy: 'The course’s normal points away from the axis: it begins with x − Cx.',
@@ -16,7 +15,6 @@ export const normalTurned = ofCurved(
 export const normalOfSphere = ofCurved(
   {
     id: 'normal-sphere',
-    code: 'X4',
     says: 'P − C taken for the normal, as on a sphere',
     line: 'N',
     remedy: 'The y component is not y − Cy: its factor comes from the surface’s equation.',
@@ -36,7 +34,6 @@ export const normalOfSphere = ofCurved(
 export const normalSign = ofCurved(
   {
     id: 'normal-plus',
-    code: 'X4',
     says: 'the sign of the normal’s y component lost',
     line: 'N',
     remedy: 'The term in y is subtracted in f, so its derivative is negative.',
@@ -49,7 +46,6 @@ export const normalSign = ofCurved(
 export const normalFactor = ofCurved(
   {
     id: 'normal-factor',
-    code: 'X4',
     says: 'c in place of c², or a² in place of a, in the normal',
     line: 'N',
     remedy:
@@ -71,7 +67,6 @@ export const normalFactor = ofCurved(
 export const normalIsPoint = ofCurved(
   {
     id: 'normal-is-P',
-    code: 'X4',
     says: 'P itself taken for the normal, without the centre',
     line: 'N',
     remedy:

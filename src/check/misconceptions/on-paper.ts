@@ -14,11 +14,10 @@ import {
 import { rewrite } from '../rewrite.ts';
 import { type Misconception, ofCurved, ofFlat } from './define.ts';
 
-/** D/4 is what belongs to b = B/2. */
+/** D/4, which belongs to the formula with b = B/2. */
 const quarterOfD = ofCurved(
   {
     id: 'quarter-d',
-    code: 'X1',
     says: 'a quarter of D, the b² − AC of b = B/2, in place of B² − 4AC',
     line: 'D',
     remedy: 'With B itself the discriminant is B² − 4AC; b² − AC belongs to b = B/2.',
@@ -26,11 +25,10 @@ const quarterOfD = ofCurved(
   ({ D }) => ({ D: over(D, num(4)) }),
 );
 
-/** The root is drawn too early, and not again in the formula for the roots. */
+/** √D written in the line D, and not again in the formula for the roots. */
 const rootForD = ofCurved(
   {
     id: 'root-for-d',
-    code: 'X1',
     says: '√D in place of D',
     line: 'D',
     remedy: 'D is B² − 4AC itself. Its root is drawn on the line of the roots.',
@@ -41,7 +39,6 @@ const rootForD = ofCurved(
 const rootForgotten = ofCurved(
   {
     id: 'no-root',
-    code: 'X1',
     says: '(−B ± D)/2A in place of (−B ± √D)/2A',
     line: 't',
     remedy: 'It is the square root of D that is added and subtracted.',
@@ -53,11 +50,10 @@ function withoutRoot(roots: Expr): Expr {
   return rewrite(roots, (e) => (e.op === 'root' ? e.of : null));
 }
 
-/** As a line of a program has it: (−B ± √D)/2*A. */
+/** (−B ± √D)/2*A, as often written in programs. */
 const timesA = ofCurved(
   {
     id: 'times-a',
-    code: 'X1',
     says: '(−B ± √D)/2 · A in place of (−B ± √D)/(2A)',
     line: 't',
     remedy: 'All of 2A is divided by. On one line it needs brackets: /(2*A).',
@@ -72,7 +68,6 @@ const timesA = ofCurved(
 const onlyRootDivided = ofCurved(
   {
     id: 'only-root-over-2a',
-    code: 'X1',
     says: '−B ± √D/2A in place of (−B ± √D)/2A',
     line: 't',
     remedy: 'The fraction bar goes under −B as well: −B is divided by 2A, too.',
@@ -87,7 +82,6 @@ const onlyRootDivided = ofCurved(
 const linearSign = ofCurved(
   {
     id: 'linear-sign',
-    code: 'X6',
     says: 'C/B in place of −C/B',
     line: 't',
     remedy: 'From Bt + C = 0 follows t = −C/B.',
@@ -98,7 +92,6 @@ const linearSign = ofCurved(
 const flatDifferenceTurned = ofFlat(
   {
     id: 'flat-P-minus-E',
-    code: 'X14',
     says: 'P − E in place of E − P',
     line: 'N.(E-P)',
     remedy: 'E − P leads from the plane’s point to E: N·(E − P) says on which side E is.',
@@ -111,11 +104,10 @@ const flatDifferenceTurned = ofFlat(
   },
 );
 
-/** The same mistakes in P as on curved shapes. */
+/** Mistakes in P as for curved shapes. */
 const flatFromOrigin = ofFlat(
   {
     id: 'flat-from-origin',
-    code: 'X14',
     says: 'P = t d in place of P = E + t d',
     line: 'P',
     remedy: 'The ray starts at E: add it.',
@@ -126,7 +118,6 @@ const flatFromOrigin = ofFlat(
 const flatBackwards = ofFlat(
   {
     id: 'flat-backwards',
-    code: 'X14',
     says: 'P = E − t d in place of P = E + t d',
     line: 'P',
     remedy: 'The ray runs along d, not against it.',
@@ -142,7 +133,6 @@ const turnedSecond = (e: Extract<Expr, { op: 'sum' }>): Expr => ({
 const flatAlongUnit = ofFlat(
   {
     id: 'flat-unit-d',
-    code: 'X5',
     says: 'P = E + t d/|d| in place of P = E + t d',
     line: 'P',
     remedy: 't counts in lengths of d, whatever its length: do not divide by |d|.',
@@ -162,10 +152,7 @@ const inEach = ([x, y, z]: ExprTriple, edit: (e: Expr) => Expr): ExprTriple => [
   edit(z),
 ];
 
-/**
- * Mistakes that lines on paper show, and a program does not, or not in this way: it returns no
- * point, and its roots alone cannot tell them from others.
- */
+/** Mistakes that only lines on paper can show: a program returns no points, only roots. */
 export const ON_PAPER: readonly Misconception[] = [
   quarterOfD,
   rootForD,

@@ -5,7 +5,6 @@ import { ofCurved, ofRules } from './define.ts';
 export const fourLost = ofCurved(
   {
     id: 'b2-ac',
-    code: 'X1',
     says: 'B² − AC in place of B² − 4AC',
     line: 'D',
     remedy: 'With B itself the discriminant is B² − 4AC; b² − AC belongs to b = B/2.',
@@ -22,7 +21,6 @@ export const fourLost = ofCurved(
 export const fourAdded = ofCurved(
   {
     id: 'b2-plus-4ac',
-    code: 'X1',
     says: 'B² + 4AC in place of B² − 4AC',
     line: 'D',
     remedy: 'Watch the signs: when AC is negative, −4AC is positive.',
@@ -35,7 +33,6 @@ export const fourAdded = ofCurved(
 export const dividedByA = ofCurved(
   {
     id: 'over-a',
-    code: 'X1',
     says: '(−B ± √D)/A in place of (−B ± √D)/2A',
     line: 't',
     remedy: 'The denominator is 2A. Only with b = B/2 is it A.',
@@ -49,11 +46,10 @@ export const dividedByA = ofCurved(
   },
 );
 
-/** Also what the opposite ray would give. */
+/** It gives the roots of the opposite ray. */
 export const minusLost = ofCurved(
   {
     id: 'lost-minus',
-    code: 'X1',
     says: 'B in place of −B',
     line: 't',
     remedy: 'The formula begins with −B. With +B the roots belong to the opposite ray.',
@@ -68,7 +64,6 @@ export const minusLost = ofCurved(
 export const tIsDistance = ofCurved(
   {
     id: 'distance',
-    code: 'X5',
     says: 't taken for a distance, t·|d| in place of t',
     line: 't',
     remedy: 't counts in lengths of d: it is a distance only where |d| = 1.',
@@ -86,7 +81,6 @@ export const tIsDistance = ofCurved(
 export const rootsSwapped = ofRules(
   {
     id: 'swapped-roots',
-    code: 'X11',
     says: 'the two roots swapped',
     line: 't',
     remedy: 't₁ is the smaller root. Where A < 0, it is the one with the plus sign.',
@@ -97,7 +91,6 @@ export const rootsSwapped = ofRules(
 export const tangentLost = ofRules(
   {
     id: 'strict',
-    code: 'X3',
     says: 'D > 0 in place of D ≥ 0',
     line: 'case',
     remedy: 'D = 0 is a hit, too: the ray touches the surface in one point.',
@@ -108,7 +101,6 @@ export const tangentLost = ofRules(
 export const linearIgnored = ofRules(
   {
     id: 'a-zero',
-    code: 'X6',
     says: 'A = 0 not told apart, so that the formula divides by 0',
     line: 'A',
     remedy: 'With A = 0 the equation is Bt + C = 0: one root, −C/B, or none.',
@@ -119,7 +111,6 @@ export const linearIgnored = ofRules(
 export const aEpsilon = ofRules(
   {
     id: 'a-epsilon',
-    code: 'X6',
     says: 'A compared with an epsilon in place of 0',
     line: 'A',
     remedy:
@@ -131,7 +122,6 @@ export const aEpsilon = ofRules(
 export const dEpsilon = ofRules(
   {
     id: 'd-epsilon',
-    code: 'X9',
     says: 'D compared with an epsilon in place of 0',
     line: 'case',
     remedy:

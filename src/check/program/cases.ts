@@ -4,7 +4,7 @@ import { pick, type Random, seeded } from '../../math/rng.ts';
 import { findShape, type ShapeKind } from '../../math/shapes.ts';
 import type { Input } from '../types.ts';
 
-/** What a right program returns: every root of the whole line, ascending, a tangent's once. */
+/** What a right program returns: all roots of the whole line, ascending; a double root once. */
 interface Expected {
   readonly class: Intersection['class'];
   readonly t: readonly number[];
@@ -12,16 +12,18 @@ interface Expected {
 }
 
 export interface Case extends Input {
-  /** Stays the same for the same shapes and seed: results from elsewhere are matched by it. */
+  /** Depends on shape and seed only, so that files of results can be matched by it. */
   readonly id: string;
   readonly group: GroupId;
-  /** What is special about it, in a few words. */
+  /** Title of the family, or of the kind of invalid input. */
   readonly family: string;
-  /** Null for an invalid input: the program must throw, or return no t. */
+  /** Null for an invalid input, for which a program has to throw or return no t. */
   readonly expected: Expected | null;
 }
 
-/** Each group is graded by itself. A family of src/math/families belongs to one. */
+/**
+ * Groups of cases, each with a score of its own. A family of src/math/families is in one at most.
+ */
 export const GROUPS = [
   {
     id: 'ordinary',
@@ -53,12 +55,12 @@ export const GROUPS = [
 
 export type GroupId = (typeof GROUPS)[number]['id'];
 
-/** Families made for one shape are fewer: more is asked of each. */
+/**
+ * Cases of a family that was made from a shape's parameters: more, since there are fewer families.
+ */
 const MADE_EACH = 14;
 
-/**
- * A family may be about other shapes: this many draws without one of the wanted kind, and it is.
- */
+/** Draws without the wanted shape after which a family counts as one about other shapes. */
 const MAX_DRAWS = 60;
 
 /** The exact cases for these shapes, the same for the same seed everywhere. */
@@ -110,7 +112,7 @@ function familyCases(
       continue;
     }
     const { class: verdict, hits } = intersect(input.shape, input.ray, 'exact');
-    // Beyond the doubles there is nothing that a program could return.
+    // A root out of the doubles' range cannot be returned.
     if (hits.some(({ t }) => !Number.isFinite(t))) {
       misses++;
       continue;
@@ -131,26 +133,23 @@ function familyCases(
 }
 
 /**
- * Rims and edges exactly, moved by 2^-2000, that is by no double: to which side a rounding falls is
- * no fair question.
+ * Dial for points exactly on a rim or an edge: 2^-2000 is 0 as a double. Next to a border the class
+ * would depend on a program's rounding.
  */
 const NOT_NUDGED = -2000;
 
-/**
- * Some families draw |d| = 1, where a t taken for a distance would not show. Powers of two round
- * nothing.
- */
+/** The input with d times a power of two, which is exact: with |d| = 1, t would be a distance. */
 function stretched({ shape, ray }: Input, random: Random): Input {
   const k = pick(random, [0.5, 2, 4]);
   const [x, y, z] = ray.direction;
   return { shape, ray: { origin: ray.origin, direction: [k * x, k * y, k * z] } };
 }
 
-/** So that each family has numbers of its own, whatever stands before it. */
+/** FNV-1a hash of a family's name, so that its numbers do not depend on other families. */
 const hash = (text: string): number =>
   [...text].reduce((h, c) => Math.imul(h ^ (c.codePointAt(0) ?? 0), 0x01000193), 0x811c9dc5);
 
-/** One wrong number at a time, all else in order. */
+/** Invalid inputs, each with one wrong number. */
 function invalidCases(kind: ShapeKind): Case[] {
   const params = findShape(kind)?.params ?? [];
   const initial = Object.fromEntries(

@@ -6,8 +6,8 @@ const INFINITE = /^([-+]?)(?:inf(?:inity)?|1\.#inf\d*|∞)$/i;
 const NUMBER = /^[-+−]?(?:\d+\.?\d*|\.\d+)(?:[ed][-+−]?\d+)?$/i;
 
 /**
- * A number; null for none; undefined for what is neither. A comma is read as a point: it cannot
- * separate within a cell.
+ * The number in a cell; null for words that mean none; undefined for other text. A comma is read as
+ * a decimal point.
  */
 export function numberIn(cell: string): number | null | undefined {
   const text = cell.trim();
@@ -20,14 +20,14 @@ export function numberIn(cell: string): number | null | undefined {
 }
 
 export interface Line {
-  /** Where it begins, from 1. */
+  /** Line number in the text, from 1. */
   readonly number: number;
   readonly cells: readonly string[];
 }
 
 /**
- * Lines of cells between separators (a character, or ' ' for any white space); a cell in quotes may
- * hold anything.
+ * Splits a table into lines and cells. `separator` is a character, or ' ' for any white space; a
+ * quoted cell may contain it.
  */
 export function linesOf(text: string, separator: string): Line[] {
   const lines: Line[] = [];

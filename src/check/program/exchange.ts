@@ -4,12 +4,12 @@ import type { Case } from './cases.ts';
 import { LONGEST_RESULTS } from './results.ts';
 
 /*
- * The same cases for programs in C++, Python, Java and so on. A file of cases goes out, a file of
- * results comes back (results.ts); what is expected stays here.
+ * Writes the cases to a file for programs in C++, Python, Java and so on. Their file of results is
+ * read by results.ts; expected results are not in the file.
  *
- * JSON: { "graze": "check-cases", "version": 1, "seed": 41, "cases": [ { "id", "shape", "ray" }, …
- * ] } CSV: id, kind, Ex … dz, and a column for each number of the shapes; empty where a shape has
- * none
+ *   JSON: { "graze": "check-cases", "version": 1, "seed": 41,
+ *           "cases": [ { "id", "shape", "ray" }, … ] }
+ *   CSV:  id, kind, Ex … dz, and a column for each number of the shapes; empty if a shape lacks it
  *
  * JSON has no NaN and no infinities: they are the strings "NaN", "Infinity", "-Infinity". Numbers
  * have all digits that their doubles need.
@@ -41,7 +41,7 @@ export function casesJson(cases: readonly Case[], seed: number): string {
 const replaced = (_: string, value: unknown): unknown =>
   typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;
 
-/** Names of the columns of a shape's numbers: C.x, C.y, C.z, r; the axis is one, too. */
+/** Column names of a parameter's numbers: Cx, Cy, Cz, or r; an axis has one column. */
 const columnsOf = ({ symbol, type }: Param): string[] =>
   type === 'vector' ? ['x', 'y', 'z'].map((axis) => `${symbol}${axis}`) : [symbol];
 

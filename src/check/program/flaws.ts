@@ -21,21 +21,18 @@ export interface Root {
   readonly normal: readonly number[];
 }
 
-/** What led to the roots: the case, and what the program's formulas give for it. */
+/** An input with the answers of the program's formulas. */
 interface About {
   readonly input: Input;
   readonly found: Answers;
 }
 
-/**
- * A mistake that programs make: in what they take, in their formulas, or in what they do with the
- * roots.
- */
+/** A mistake of programs: in reading the input, in a formula, or in using the roots. */
 export interface Flaw {
   readonly id: string;
-  /** "it looks like …" */
+  /** End of the sentence "it looks like …". */
   readonly says: string;
-  /** The line of the derivation where it happens, as of a misconception. */
+  /** The line of the derivation where it happens, as in `Misconception`. */
   readonly line: string;
   readonly remedy: string;
   input?(input: Input): Input;
@@ -85,7 +82,7 @@ const FORMULAS: readonly Flaw[] = [
   },
 ];
 
-/** A shape with this number times k. */
+/** Reads one number of the shape as k times itself. */
 const scaled =
   (key: string, k: number) =>
   (input: Input): Input => {
@@ -97,7 +94,7 @@ const scaled =
 const exchanged = (i: number, k: number) => (v: readonly number[]) =>
   v.map((x, at) => (at === i ? v[k] : at === k ? v[i] : x) as number);
 
-/** The axis of a curved shape taken along another coordinate. */
+/** Takes the axis of a curved shape along another coordinate. */
 function axisTaken(axis: string, k: number): Flaw {
   const exchange = exchanged(1, k);
   const vector = (v: unknown): unknown => (Array.isArray(v) ? exchange(v) : v);
@@ -174,7 +171,7 @@ const NORMALS: readonly Flaw[] = [
   },
 ];
 
-/** A flat shape that is hit from one side only: where N·d has this sign. */
+/** Lets rays hit a flat shape from one side only, where N·d has this sign. */
 const oneSided = (id: string, wanted: 1 | -1, side: string): Flaw => ({
   id,
   says: `only rays with N·d ${side} 0 let through, as on a one-sided plane`,
@@ -184,7 +181,7 @@ const oneSided = (id: string, wanted: 1 | -1, side: string): Flaw => ({
     isFlat(input) && sign(Number(found['N.d'])) !== wanted ? [] : roots,
 });
 
-/** Whether t leads exactly to where a figure ends. */
+/** Whether R(t) is exactly on the border of a figure. */
 function onBorder({ input }: About, t: number): boolean {
   const course = courseOf(input.shape);
   if (course.family !== 'flat') return false;
@@ -196,7 +193,7 @@ function onBorder({ input }: About, t: number): boolean {
   );
 }
 
-/** Where A < 0, the root with the minus sign is the larger one. */
+/** Returns roots unsorted: if A < 0, the root with the minus sign is the larger one. */
 const unsorted = (id: string, order: string, swaps: (A: number) => boolean): Flaw => ({
   id,
   says: `the roots returned as ${order}, without putting them in order`,
@@ -219,10 +216,7 @@ const inFront = (
   answer: (roots) => roots.filter(({ t }) => kept(t)).slice(0, most),
 });
 
-/**
- * Of a misconception of this name: the same t, with the normal where the ray really meets the
- * surface.
- */
+/** The misconception's t, but with normals at the true points. */
 function distanceReturned(id: string, applies: (input: Input) => boolean): Flaw {
   const { says = '', line = '', remedy = '' } = findMisconception(id) ?? {};
   return {
@@ -271,8 +265,8 @@ const ROOTS: readonly Flaw[] = [
 ];
 
 /**
- * The misconceptions of the questions, and what else is common in programs. In the order in which a
- * program would make them: what is done to the roots comes after what is done to the formulas.
+ * The misconceptions of the questions and further mistakes of programs, in the order in which they
+ * take effect: input, formulas, roots.
  */
 export const FLAWS: readonly Flaw[] = [
   ...INPUTS,

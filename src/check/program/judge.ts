@@ -1,7 +1,7 @@
 import { digitsRight } from '../exercises/digits.ts';
 import type { Case } from './cases.ts';
 
-/** What came back for one case. */
+/** What a program returned for a case. */
 export type Output =
   | {
       readonly type: 'value';
@@ -9,36 +9,32 @@ export type Output =
       readonly normal: readonly (readonly number[])[] | null;
     }
   | { readonly type: 'threw'; readonly message: string; readonly line: number | null }
-  /** A result of another form than `{ t, normal? }`. */
+  /** A result that is not of the form `{ t, normal? }`. */
   | {
       readonly type: 'shape';
       readonly message: string;
-      /** The roots that it holds all the same, if that is plain. */
+      /** The roots that it evidently contains; null if there are none. */
       readonly meant: readonly number[] | null;
     }
-  /** It did not come back: the watchdog ended the run. */
+  /** The watchdog ended the run in this case. */
   | { readonly type: 'stopped' }
-  /** There is none: the run ended before, or a file has no result for it. */
+  /** No result: the run ended before this case, or a file has none for it. */
   | { readonly type: 'missing' };
 
 export interface Verdict {
   readonly passed: boolean;
-  /** Of the worst root, 0 to 16; null where there are no roots to compare. */
+  /** Right digits of the worst root, 0 to 16; null if there are no roots to compare. */
   readonly digits: number | null;
-  /** '' if it passed. */
+  /** Why it failed; '' if it passed. */
   readonly says: string;
 }
 
 /**
- * A program that takes care of cancellation has 12 or more; a rounding error at every step still
- * leaves 13 or so.
+ * Least right digits of a root that passes. Programs that avoid cancellation have 12 or more.
  */
 export const NEEDED_DIGITS = 9;
 
-/**
- * Of a normal's direction: the sine of the angle that may be left. The point it stands on has been
- * rounded, too.
- */
+/** Largest sine of the angle between a normal and the right one; its point is rounded as well. */
 const NORMAL_TOLERANCE = 1e-6;
 
 const passed = (digits: number | null): Verdict => ({ passed: true, digits, says: '' });
@@ -75,7 +71,7 @@ function invalidAccepted(t: readonly number[], family: string): Verdict {
 
 const listed = (t: readonly number[]): string => t.map((x) => String(x)).join(', ');
 
-/** Null if the roots are right. */
+/** The verdict on wrong roots; null if they are right. */
 function judgeRoots(
   truth: readonly number[],
   verdict: string,
@@ -106,7 +102,7 @@ function countWrong(truth: readonly number[], verdict: string, t: readonly numbe
   return t.length === 0 ? 'misses the hit' : 'misses one of two hits';
 }
 
-/** Relative, but a root that is exactly 0 is compared in lengths of d, or of the other root. */
+/** Right digits of a root. For an exact 0 they are counted relative to the other root, or to 1. */
 function digitsOf(x: number, truth: number, all: readonly number[]): number {
   if (truth !== 0) return digitsRight(x, truth);
   const scale = Math.max(1, ...all.map(Math.abs));
@@ -131,7 +127,7 @@ function judgeNormals(
   return wrong ? failed('a normal points elsewhere', digits) : passed(digits);
 }
 
-/** Any positive length. Where the course's normal is exactly zero there is none to compare. */
+/** Whether v is a positive multiple of `truth`. A normal that is exactly zero matches any. */
 export function sameDirection(v: readonly number[], truth: readonly number[]): boolean {
   const size = Math.hypot(...truth);
   if (size === 0) return true;

@@ -1,55 +1,55 @@
 import { quote } from '../../math/shapes.ts';
 import type { Output } from './judge.ts';
 
-/** What the page sends into the sandbox. Nothing of what is expected is among it. */
+/** The message of the page to the sandbox. It contains no expected results. */
 export interface Run {
   readonly type: 'run';
   readonly id: number;
   readonly source: string;
-  /** The textbook method as a program, to be timed beside it. */
+  /** The textbook method as a program, timed for comparison. */
   readonly textbook: string;
   readonly cases: readonly { readonly shape: unknown; readonly ray: unknown }[];
-  /** Which of the cases are timed. */
+  /** Indices of the cases that are timed. */
   readonly timed: readonly number[];
 }
 
-/** The program's time in textbook times: the quartiles of several rounds. */
+/** The program's time divided by the textbook's: quartiles of several rounds. */
 export interface Timing {
   readonly low: number;
   readonly median: number;
   readonly high: number;
 }
 
-/** A line that the program wrote on its console; 'more' stands for all that come after it. */
+/** A line that the program wrote to its console; level 'more' stands for all further ones. */
 export interface ConsoleLine {
   readonly level: string;
   readonly text: string;
-  /** During which case; null before the first. */
+  /** Index of the case during which it was written; null before the first. */
   readonly index: number | null;
 }
 
-/** What comes back. */
+/** A message of the sandbox to the page. */
 export type Reply =
   | { readonly type: 'ready' }
   | { readonly type: 'case'; readonly id: number; readonly index: number; readonly output: Output }
-  /** The program does not begin: a syntax error, or no function intersect. */
+  /** The program cannot start: a syntax error, or no function intersect. */
   | {
       readonly type: 'refused';
       readonly id: number;
       readonly message: string;
       readonly line: number | null;
     }
-  /** Something that was tried outside of any case. */
+  /** Something the program tried outside of any case. */
   | { readonly type: 'note'; readonly id: number; readonly message: string }
   | ({ readonly type: 'console'; readonly id: number } & ConsoleLine)
-  /** The same case, run twice, gave two answers. */
+  /** A case that was run twice gave different results. */
   | { readonly type: 'unsteady'; readonly id: number; readonly index: number }
   | ({ readonly type: 'timing'; readonly id: number } & Timing)
-  /** Why its time was not measured. */
+  /** The time was not measured, and why. */
   | { readonly type: 'untimed'; readonly id: number; readonly message: string }
   /** Still measuring. */
   | { readonly type: 'tick'; readonly id: number }
-  /** Too long without a sign of life, or too long at all: the worker was ended. */
+  /** The worker was terminated: no message for too long, or the run took too long. */
   | { readonly type: 'stopped'; readonly id: number; readonly message: string }
   | { readonly type: 'done'; readonly id: number };
 
@@ -58,9 +58,7 @@ const LONGEST_MESSAGE = 300;
 
 type Unknown = Readonly<Record<string, unknown>>;
 
-/**
- * A message from the sandbox, taken apart and put together anew; null for anything that is none.
- */
+/** A message of the sandbox, with every field checked and copied; null if it is none. */
 export function readReply(data: unknown): Reply | null {
   if (!isRecord(data)) return null;
   if (data.type === 'ready') return { type: 'ready' };
@@ -111,7 +109,7 @@ function readOutput(data: unknown): Output | null {
   }
 }
 
-/** `{ t: number[], normal?: number[][] }`, or what is wrong with it. */
+/** Reads a result `{ t: number[], normal?: number[][] }`, or says what is wrong with it. */
 export function readValue(value: unknown): Output {
   const wrong = (message: string, t: unknown = null): Output => ({
     type: 'shape',
@@ -135,7 +133,7 @@ export function readValue(value: unknown): Output {
   return { type: 'value', t, normal: normal.slice(0, MOST_ROOTS) };
 }
 
-/** The roots in a result of another form, if they are plain; null otherwise. */
+/** The roots that a result of another form evidently contains; null if none. */
 function meantBy(value: unknown): readonly number[] | null {
   const list = Array.isArray(value) ? value : [value];
   const isWritten = (x: unknown): boolean =>

@@ -7,7 +7,7 @@ interface Pair {
   readonly truth: number;
 }
 
-/** What can be said in one line of all results together, whatever the formulas are. */
+/** Sentences on all results together that do not depend on the formulas. */
 export function remarks(cases: readonly Case[], outputs: readonly Output[]): string[] {
   return [
     nullForMiss(cases, outputs),
@@ -16,7 +16,7 @@ export function remarks(cases: readonly Case[], outputs: readonly Output[]): str
   ].filter((words) => words !== '');
 }
 
-/** So many cases of one kind are no accident. */
+/** Least number of cases that count as evidence. */
 const LEAST = 3;
 
 function nullForMiss(cases: readonly Case[], outputs: readonly Output[]): string {
@@ -33,7 +33,7 @@ function nullForMiss(cases: readonly Case[], outputs: readonly Output[]): string
   );
 }
 
-/** Roots elsewhere, and none where there are two: whatever it is, D decides it. */
+/** Roots in other cases but none where there are two: probably a mistake in D. */
 function nothingForTwo(cases: readonly Case[], outputs: readonly Output[]): string {
   const of = (one: Case, i: number): readonly number[] | null => {
     const output = outputs[i];
@@ -49,7 +49,7 @@ function nothingForTwo(cases: readonly Case[], outputs: readonly Output[]): stri
     : '';
 }
 
-/** Roots beside the true ones, where as many were returned. */
+/** Pairs of a returned and a true root, of cases with the right number of roots. */
 const pairsOf = (cases: readonly Case[], outputs: readonly Output[]): Pair[] =>
   cases.flatMap(({ expected, group }, i) => {
     const output = outputs[i];
@@ -58,10 +58,7 @@ const pairsOf = (cases: readonly Case[], outputs: readonly Output[]): Pair[] =>
     return output.t.map((t, k) => ({ t, truth: expected.t[k] ?? Number.NaN }));
   });
 
-/**
- * Rounded to decimals or digits, or kept in single precision: each t, and not because the truth is
- * so.
- */
+/** Whether each t is rounded to some decimals, digits or to float32 while the true one is not. */
 function roundedRoots(cases: readonly Case[], outputs: readonly Output[]): string {
   const pairs = pairsOf(cases, outputs);
   const is = (round: (x: number) => number): boolean =>
@@ -84,7 +81,7 @@ function roundedRoots(cases: readonly Case[], outputs: readonly Output[]): strin
     : '';
 }
 
-/** Nowhere more than float32 gives, though right: single precision somewhere on the way. */
+/** Whether no root has more digits than float32, so that single precision is used somewhere. */
 function fewDigits(cases: readonly Case[], outputs: readonly Output[]): string {
   const ordinary = cases.flatMap((one, i) => {
     const output = outputs[i];

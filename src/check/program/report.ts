@@ -15,35 +15,34 @@ export interface FamilyReport {
   readonly family: string;
   readonly passed: number;
   readonly total: number;
-  /** Digits right of the worst root; null where nothing was compared. */
+  /** Right digits of the worst root; null if no root was compared. */
   readonly digits: number | null;
   /** "all right", or the reasons of the failures, the commonest first. */
   readonly says: string;
   readonly first: Failure | null;
 }
 
-/** How many of a group are right: the program's, and what methods of the ladder get there. */
+/** How many cases of a group are right: by the program, and by methods of the ladder. */
 export interface GroupScore {
   readonly id: GroupId;
   readonly title: string;
   readonly passed: number;
   readonly total: number;
-  /** Only of hard cases: elsewhere both get all. */
+  /** For hard cases only: in the other groups these methods get all right. */
   readonly others: readonly { readonly method: string; readonly passed: number }[];
 }
 
 export interface Report {
   readonly groups: readonly GroupScore[];
-  /** Cases without a result. They count as not right. */
+  /** Number of cases without a result; they count as not right. */
   readonly left: number;
   /**
-   * It returned a root for no valid input: then a miss, too, is no more than silence, and counts
-   * for nothing.
+   * It never returned a root for a valid input; then cases without a root do not count as right.
    */
   readonly silent: boolean;
-  /** The reason of all failures, if there are many and they have one; '' otherwise. */
+  /** The common reason of all failures, if there are many; '' otherwise. */
   readonly common: string;
-  /** What can be said of the results as a whole. */
+  /** Sentences on the results as a whole. */
   readonly remarks: readonly string[];
   readonly families: readonly FamilyReport[];
   readonly findings: readonly Finding[];
@@ -51,10 +50,10 @@ export interface Report {
 
 const MISSING: Output = { type: 'missing' };
 
-/** Group by group, family by family. `outputs` may be shorter than `cases`, or have holes. */
+/** The report by groups and families. `outputs` may be shorter than `cases` or have holes. */
 export function reportOf(cases: readonly Case[], outputs: readonly (Output | undefined)[]): Report {
   const all = cases.map((_, i) => outputs[i] ?? MISSING);
-  // What comes back for an invalid input is no root.
+  // Results for invalid inputs do not count as roots.
   const silent = all.every((output, i) => !cases[i]?.expected || isSilent(output));
   const run = cases.map((one, i): Failure => {
     const output = all[i] ?? MISSING;
@@ -92,9 +91,7 @@ const SILENCE: Verdict = {
   says: 'no root, but it never returns one',
 };
 
-/**
- * What hard cases are compared with: the formula as it is taught, and the best that doubles allow.
- */
+/** Methods whose scores on hard cases are shown beside the program's. */
 const COMPARED = ['textbook', 'certified'];
 
 function scoreOf(id: GroupId, title: string, run: readonly Failure[]): GroupScore {
@@ -142,7 +139,7 @@ function familyReport(group: GroupId, family: string, members: readonly Failure[
   };
 }
 
-/** What each failure says without its numbers, counted. */
+/** The reasons of failures without their numbers, counted. */
 function reasons(failures: readonly Failure[]): string {
   const counts = new Map<string, number>();
   for (const { verdict } of failures) {

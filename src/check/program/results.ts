@@ -5,16 +5,18 @@ import type { Output } from './judge.ts';
 import { readValue } from './protocol.ts';
 
 /*
- * Results of programs in other languages, as these write them: JSON, with NaN and Infinity bare
- * (Python) or as strings, as an array, as lines, or as an object by id; tables with commas,
- * semicolons, tabs or blanks, cells quoted or not, with or without a head.
+ * Reads results of programs in other languages. JSON: an array, an object by id, or one result per
+ * line; NaN and Infinity bare (Python) or as strings. Tables: separated by commas, semicolons, tabs
+ * or blanks; cells quoted or not; with or without a head.
  *
- * { "graze": "check-results", "results": [ { "id", "t": [ … ], "normal"?: [ [x, y, z], … ] } | {
- * "id", "error": "words" }, … ] } id, t1, t2[, N1x, N1y, N1z, N2x, N2y, N2z], empty for none, or
- * id, error, words
+ *   { "graze": "check-results", "results": [
+ *     { "id", "t": [ … ], "normal"?: [ [x, y, z], … ] },
+ *     { "id", "error": "words" }, … ] }
  *
- * What cannot be read is said of the file, with its place; it is never taken for an answer of the
- * program.
+ *   id, t1, t2[, N1x, N1y, N1z, N2x, N2y, N2z]     empty cells for no root
+ *   id, error, words
+ *
+ * What cannot be read is reported with its place in the file; it does not count as a result.
  */
 
 export const LONGEST_RESULTS = 2_000_000;
@@ -22,9 +24,9 @@ export const LONGEST_RESULTS = 2_000_000;
 type Results =
   | {
       readonly ok: true;
-      /** In the order of the cases; undefined where there is none. */
+      /** In the order of the cases; undefined for a case without a result. */
       readonly outputs: readonly (Output | undefined)[];
-      /** Words on what could not be used. */
+      /** Messages on results that could not be used. */
       readonly problems: readonly string[];
     }
   | { readonly ok: false; readonly reason: string };
@@ -34,10 +36,10 @@ interface Row {
   readonly output: Output;
 }
 
-/** What is wrong with the file. */
+/** Thrown with what is wrong with the file. */
 class Unreadable extends Error {}
 
-/** Never throws. */
+/** Reads a file of results. It never throws. */
 export function readResults(text: string, cases: readonly Case[]): Results {
   if (text.length > LONGEST_RESULTS) {
     const reason =
@@ -52,9 +54,7 @@ export function readResults(text: string, cases: readonly Case[]): Results {
   }
 }
 
-/**
- * Without byte order marks; text in UTF-16 that was read as UTF-8 has a zero beside each letter.
- */
+/** The text without byte order marks, and without the zeros of UTF-16 that was read as UTF-8. */
 const plain = (text: string): string =>
   text
     .replace(/^[\uFEFF\uFFFD]+/, '')
@@ -107,15 +107,14 @@ const isFields = (x: unknown): x is Fields =>
   typeof x === 'object' && x !== null && !Array.isArray(x);
 
 /**
- * JSON has no NaN; Python and others write it all the same. They become strings, which are read as
- * numbers later.
+ * Quotes bare NaN and Infinity, which Python writes although JSON has none; read as numbers later.
  */
 const quotedNumbers = (text: string): string =>
   text.replace(/("(?:[^"\\]|\\.)*")|([-+]?)\b(NaN|Infinity|inf)\b/gi, (all, string, sign, word) =>
     string === undefined ? `"${sign}${word}"` : all,
   );
 
-/** Undefined for what is no JSON. */
+/** The JSON value of a text; undefined if it is no JSON. */
 function parsed(text: string): unknown {
   try {
     return JSON.parse(quotedNumbers(text));
@@ -147,7 +146,7 @@ function jsonRows(text: string): Row[] {
   return byId.map(([id, one]) => rowOf(isFields(one) ? { ...one, id } : { id, t: one }, quote(id)));
 }
 
-/** One result a line: the whole is no JSON then, but each line is. */
+/** Reads JSON Lines: one result on each line. */
 function jsonLines(text: string): Row[] {
   const lines = text.split('\n').filter((line) => line.trim() !== '');
   return lines.map((line, i) => {
@@ -159,7 +158,7 @@ function jsonLines(text: string): Row[] {
   });
 }
 
-/** { id, t: [ … ] }, { id, t1, t2 }, { id, error }, or [id, t1, t2]. */
+/** A result of the form { id, t: [ … ] }, { id, t1, t2 }, { id, error } or [id, t1, t2]. */
 function rowOf(one: unknown, where: string): Row {
   if (Array.isArray(one)) {
     const [id, ...t] = one;
@@ -181,13 +180,13 @@ function rowOf(one: unknown, where: string): Row {
 const isNothing = (x: unknown): boolean =>
   x === undefined || x === null || (typeof x === 'string' && numberIn(x) === null);
 
-/** A bare number is the one root; null and words like none are no root. */
+/** The list of roots: a bare number is one root; null and words like "none" are no root. */
 const listOf = (t: unknown): unknown => {
   if (isNothing(t)) return [];
   return Array.isArray(t) ? t.filter((x) => x === null || !isNothing(x)) : [t];
 };
 
-/** What is written as text and is a number; anything else stays what it is. */
+/** Texts that are numbers become numbers; other values are kept. */
 function numbers(x: unknown): unknown {
   if (Array.isArray(x)) return x.map(numbers);
   return typeof x === 'string' ? (numberIn(x) ?? x) : x;
@@ -215,8 +214,8 @@ function tableRows(text: string, known: ReadonlySet<string>): Row[] {
 }
 
 /**
- * Results that are all whole do not happen: where no number has a point, commas within numbers were
- * taken for separators.
+ * Refuses a table without a decimal point in any number: decimal commas have been taken for
+ * separators, since true results are never all integers.
  */
 function refuseDecimalCommas(lines: readonly Line[]): void {
   const numbers = lines.flatMap(({ cells }) => cells.slice(1).filter((one) => /\d/.test(one)));
@@ -227,7 +226,7 @@ function refuseDecimalCommas(lines: readonly Line[]): void {
   );
 }
 
-/** The names of the columns, if the first line has them. */
+/** The column names in lower case, if the first line has them; else null. */
 function headOf(line: Line | undefined): readonly string[] | null {
   const names = line?.cells.map((one) => one.toLowerCase()) ?? [];
   if (!names.includes('id')) return null;

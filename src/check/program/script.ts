@@ -1,8 +1,8 @@
-/** Longer texts are not taken as a program: an editor of so many lines would hold up the page. */
+/** Largest number of characters and lines of a program: a longer text blocks the editor. */
 export const LONGEST_PROGRAM = 100_000;
 const MOST_LINES = 10_000;
 
-/** Why a text of this length is not taken, or '' if it is. */
+/** Why a text is too long to be a program; '' if it is not. */
 export function tooLong(text: string): string {
   const may = (size: number, what: string, most: number): string =>
     size > most ? `it has ${size} ${what}, and a program may have up to ${most}` : '';
@@ -13,9 +13,9 @@ export function tooLong(text: string): string {
 }
 
 /**
- * A program runs inside a function, where a module's `export` has no place. What is exported by
- * default is taken for intersect if nothing has that name (`graze_default` is known to the
- * sandbox). Every line stays where it is.
+ * The program without `export`, since it runs inside a function. The default export counts as
+ * `intersect` if nothing has that name (the sandbox knows it as `graze_default`). Line numbers do
+ * not change.
  */
 export const asScript = (source: string): string =>
   source
@@ -39,7 +39,7 @@ const TYPESCRIPT = new RegExp(
 );
 const IMPORT = /^\s*import\b(?!\s*\()/m;
 
-/** What to do about a program that does not begin, where its text tells; '' where it does not. */
+/** Advice for a program that cannot start, if its text shows the cause; '' otherwise. */
 export function adviceFor(source: string, message: string): string {
   const syntax = message.startsWith('syntax error');
   if (syntax && TYPESCRIPT.test(source)) {

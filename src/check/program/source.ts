@@ -5,10 +5,7 @@ import { AXES, definitionOf, type ShapeKind } from '../../math/shapes.ts';
 import { type Course, type CurvedCourse, courseOf, type FlatCourse } from '../course.ts';
 import { drawShape } from '../exercises/draw.ts';
 
-/**
- * The centre C and the coefficient C cannot both be C in a program; nor can the point P and its
- * value.
- */
+/** Names in programs: a shape's point gets a 0 (C0, P0), since C is a coefficient and P a hit. */
 const NAMES: Names = {
   scalar: (id) => id,
   vector: (id) => (/^[A-Z]$/.test(id) && id !== 'E' && id !== 'N' ? `${id}0` : id),
@@ -18,15 +15,14 @@ const code = (expr: Expr, branch: 1 | -1 = 1): string =>
   printCode(expr, TYPESCRIPT, NAMES, { branch });
 const triple = (exprs: readonly Expr[]): string => `[${exprs.map((e) => code(e)).join(', ')}]`;
 
-/** How these formulas are changed first, or null where there is nothing to change. */
+/** An edit of the formulas; null if it does not apply. */
 type CourseEdit = (course: Course) => Course | null;
 
 const UNEDITED: CourseEdit = (course) => course;
 
 /**
- * A program that computes just what the (right or edited) formulas of this shape say, in the order
- * of their trees: the textbook method of the sandbox, the examples, and in the tests one program
- * for each misconception.
+ * A program that evaluates the right or edited formulas of this shape as their trees are written:
+ * used as the sandbox's textbook method, as the example, and by tests of each misconception.
  */
 export function programOf(
   kind: ShapeKind,
@@ -42,9 +38,7 @@ export function programOf(
   return [`function ${name}(shape, ray) {`, ...lines, '}', ''].join('\n');
 }
 
-/**
- * The figure's conditions as one expression; where they depend on the shape's axis, one for each.
- */
+/** The figure's conditions as one expression, which selects by the axis if the shape has one. */
 function insideTest(shape: Shape, edit: CourseEdit): string | null {
   const axis = definitionOf(shape).params.find(({ type }) => type === 'axis');
   const testOf = (one: Shape): string | null => {
@@ -61,7 +55,9 @@ function insideTest(shape: Shape, edit: CourseEdit): string | null {
   return `{ ${tests.join(', ')} }[shape.${axis.key}]`;
 }
 
-/** const E = ray.origin, …; the square's normal follows from its axis. */
+/**
+ * Declarations of the symbols: const E = ray.origin, …; a normal N from the axis if there is one.
+ */
 function symbolsOf(shape: Shape): string[] {
   const params = definitionOf(shape).params.map((param) =>
     param.type === 'axis'

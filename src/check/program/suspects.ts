@@ -6,22 +6,22 @@ import type { Case } from './cases.ts';
 import { FLAWS, type Flaw, type Root } from './flaws.ts';
 import { type Output, sameDirection } from './judge.ts';
 
-/** A cause that explains every case of its branch, those that come out right included. */
+/** A flaw that explains every case of its branch, also those with right results. */
 export interface Finding {
   readonly flaw: Flaw;
-  /** Another that gives the same on all of these cases. */
+  /** Another flaw with the same results on all of these cases; null if there is none. */
   readonly or: Flaw | null;
   readonly branch: Branch;
-  /** Cases of the branch: so many in all, and so many that it makes different. */
+  /** Number of cases of the branch, and of those whose results the flaw changes. */
   readonly cases: number;
   readonly changed: number;
   readonly kinds: readonly ShapeKind[];
 }
 
 /**
- * Cases that a program usually treats in lines of their own. What is in general position is
- * explained first; a special branch is explained only on top of that, so that no flaw of a branch
- * is named for what is wrong everywhere.
+ * Branches of programs: cases that they usually treat in code of their own. Cases in general
+ * position are explained first, other branches on top of that, so that a flaw of a branch is not
+ * named for results that are wrong everywhere.
  */
 export const BRANCHES = {
   general: 'in general position',
@@ -34,24 +34,21 @@ export const BRANCHES = {
 } as const;
 type Branch = keyof typeof BRANCHES;
 
-/** Fewer cases than this are no evidence. */
+/** Least number of cases that count as evidence. */
 const LEAST = 3;
-/** Of the hard cases some may be lost to rounding in another order of operations. */
+/** Share of hard cases that has to fit; others may differ by the order of operations. */
 const HARD_SHARE = 0.9;
 
 interface Seen {
   readonly one: Case;
   readonly branch: Branch;
   readonly right: readonly Root[];
-  /** Null where the program threw. */
+  /** The program's roots; null if it threw. */
   readonly t: readonly number[] | null;
   readonly normal: readonly (readonly number[])[] | null;
 }
 
-/**
- * The flaws that a program's own values show, shape by shape: each shape may have a program of its
- * own.
- */
+/** The flaws that explain a program's results, found for each shape by itself. */
 export function findings(cases: readonly Case[], outputs: readonly Output[]): Finding[] {
   const kinds = [...new Set(cases.map(({ shape }) => shape.kind))];
   const merged = new Map<string, Finding>();
@@ -60,7 +57,7 @@ export function findings(cases: readonly Case[], outputs: readonly Output[]): Fi
       const output = outputs[i];
       return Object.is(one.shape.kind, kind) && output ? seenOf(one, output) : [];
     });
-    // What has roots tells most formulas apart at once.
+    // Cases with roots come first, since they tell most formulas apart.
     const telling = [...seen.filter(hasRoots), ...seen.filter((one) => !hasRoots(one))];
     for (const found of findingsFor(kind, telling)) {
       const key = `${found.flaw.id} ${found.branch}`;
@@ -73,7 +70,7 @@ export function findings(cases: readonly Case[], outputs: readonly Output[]): Fi
 
 const sum = (a: Finding, b: Finding): Finding => ({
   ...a,
-  // Only what is as likely on both.
+  // The alternative is kept only if it is the same for both.
   or: a.or === b.or ? a.or : null,
   cases: a.cases + b.cases,
   changed: a.changed + b.changed,
@@ -93,8 +90,8 @@ function seenOf(one: Case, output: Output): Seen[] {
 const hasRoots = ({ t }: Seen): boolean => t !== null && t.length > 0;
 
 /**
- * Whether doubles find what is exactly there: elsewhere rounding decides, and no formula can be
- * told from another.
+ * Whether the right formulas in doubles find the exact roots. In other cases rounding decides, and
+ * no formula can be told from another.
  */
 const settled = (truth: readonly number[], right: readonly Root[]): boolean =>
   truth.length === right.length && truth.every((t, i) => near(t, right[i]?.t ?? Number.NaN, 1));
@@ -120,8 +117,7 @@ function rootsOf(found: Answers): Root[] {
 type Predict = (flaws: readonly Flaw[], one: Input) => readonly Root[];
 
 /**
- * What a program with these flaws, and no other, would return. What the same formulas give is
- * worked out once.
+ * Predicts what a program with exactly these flaws returns; results of equal formulas are cached.
  */
 function prediction(): Predict {
   const edits = rememberedEdits();
@@ -154,7 +150,7 @@ interface Worked {
 
 type Edits = (flaws: readonly Flaw[], course: Course) => Course;
 
-/** Courses with their edits, each made once. */
+/** Edits courses by flaws, with a cache. */
 function rememberedEdits(): Edits {
   const known = new Map<Course, Map<Flaw, Course>>();
   const edited = (course: Course, flaw: Flaw): Course => {
@@ -172,7 +168,7 @@ function findingsFor(kind: ShapeKind, seen: readonly Seen[]): Finding[] {
   const within = (branch: Branch): readonly Seen[] => seen.filter((one) => one.branch === branch);
   const general = within('general');
   const hard = within('hard');
-  // What is wrong everywhere has no name: then nothing that is wrong somewhere can be told from it.
+  // Without an explanation of the general cases, flaws of a branch cannot be told from it.
   const causes = causesOf(general, hard, trial);
   if (!causes) return [];
   const found: Finding[] = [];
@@ -207,16 +203,16 @@ interface Cause {
   readonly or: Flaw | null;
 }
 
-/** The first of several that cannot be told apart, and the next that is not called the same. */
+/** The first of several flaws with equal results, and the next one with another id. */
 function causeOf([flaw, ...others]: readonly Flaw[]): Cause | null {
   if (!flaw) return null;
   return { flaw, or: others.find(({ id }) => id !== flaw.id) ?? null };
 }
 
 /**
- * The one flaw or the two that explain all cases in general position; none for a right program;
- * null if there are none such. Hard cases do not decide, but they add evidence and tell two apart
- * that are alike elsewhere.
+ * The one or two flaws that explain all cases in general position; empty for a right program; null
+ * if nothing explains them. Hard cases are not decisive, but are evidence and tell flaws apart that
+ * agree in the others.
  */
 function causesOf(
   general: readonly Seen[],
@@ -226,8 +222,8 @@ function causesOf(
   if (misfits([], general, 1).length === 0) return [];
   const both = [...general, ...hard];
   if (!both.some(hasRoots)) return null;
-  // A wrong root that is just the flaw's is a sign, and so are a few roots; whatever leaves no
-  // roots fits much too often.
+  // Evidence is a wrong root that the flaws predict, or some right ones. Flaws that only remove
+  // roots fit too many programs.
   const isEvidence = (flaws: readonly Flaw[]): boolean => {
     const off = new Set(misfits(flaws, both));
     const fitting = both.filter((one) => !off.has(one) && hasRoots(one));
@@ -255,20 +251,20 @@ function causesOf(
   return null;
 }
 
-/** What programs with these flaws return, compared with what was seen. */
+/** Comparisons of what programs with some flaws return with what was seen. */
 interface Trial {
-  /** The cases that come out otherwise; no more than so many are looked for. */
+  /** The cases whose results differ from the prediction, `most` of them at most. */
   misfits(flaws: readonly Flaw[], of: readonly Seen[], most?: number): readonly Seen[];
-  /** The cases that a flaw makes different, on top of the others. */
+  /** The cases whose predicted results a flaw changes, on top of the others. */
   changes(flaw: Flaw, others: readonly Flaw[], of: readonly Seen[]): readonly Seen[];
-  /** All cases come out as with it, and enough of these, or of a larger set, are changed by it. */
+  /** Whether it predicts all cases, and changes at least `LEAST` of them or of a larger set. */
   explains(
     flaw: Flaw,
     others: readonly Flaw[],
     of: readonly Seen[],
     larger?: readonly Seen[],
   ): boolean;
-  /** Nearly all that it changes come out as with it, and many that did not before. */
+  /** Whether it predicts most of the cases it changes, and at least `LEAST` that misfit before. */
   helps(flaw: Flaw, others: readonly Flaw[], of: readonly Seen[]): boolean;
 }
 
@@ -308,14 +304,12 @@ function newTrial(): Trial {
   };
 }
 
-/**
- * As they come in a program: what is done to the roots comes after what is done to the formulas.
- */
+/** The flaws in the order in which they take effect: input, formulas, roots. */
 const inOrder = (flaws: readonly Flaw[]): readonly Flaw[] =>
   [...flaws].sort((a, b) => (ORDER.get(a) ?? 0) - (ORDER.get(b) ?? 0));
 const ORDER = new Map(FLAWS.map((flaw, i) => [flaw, i] as const));
 
-/** Two programs that do the same, each in its own order of operations. */
+/** Relative tolerance for the roots of two programs with another order of operations. */
 const ALIKE = 1e-6;
 
 function same(
@@ -329,7 +323,7 @@ function same(
   return !normals || roots.every(({ normal }, i) => sameDirection(normals[i] ?? [], normal));
 }
 
-/** A root that is exactly 0 is compared in lengths of d, or of the other root. */
+/** Whether two roots agree: relative to their size, or near 0 relative to `size`. */
 function near(x: number, y: number, size: number): boolean {
   if (!Number.isFinite(x) || !Number.isFinite(y)) return Number.isFinite(x) === Number.isFinite(y);
   const off = Math.abs(x - y);

@@ -12,7 +12,7 @@ function typeOfShape(kind: ShapeKind): string {
   return `{ kind: '${kind}', ${params.join(', ')} }`;
 }
 
-/** What a program gets and has to return, as a comment above an empty function. */
+/** An empty function, with a comment on what it gets and has to return. */
 export function template(kinds: readonly ShapeKind[]): string {
   return [
     '// ray: { origin: [x, y, z], direction: [x, y, z] }, E and d',
@@ -31,11 +31,11 @@ export function template(kinds: readonly ShapeKind[]): string {
   ].join('\n');
 }
 
-/** The textbook program for these shapes, with what it takes to refuse wrong input. */
+/** The textbook program for these shapes, which also refuses invalid input. */
 export const example = (kinds: readonly ShapeKind[]): string =>
   textbookFor(kinds, 'intersect', refusals);
 
-/** What throws where a number is none, or is out of its range; in the symbols of the program. */
+/** Statements that throw if a number is not finite or out of its range. */
 function refusals(kind: ShapeKind): string[] {
   const params = findShape(kind)?.params ?? [];
   const vectors = params.filter(({ type }) => type === 'vector').map((p) => `...shape.${p.key}`);
@@ -56,10 +56,7 @@ function refusals(kind: ShapeKind): string[] {
   ];
 }
 
-/**
- * The textbook method for several shapes, as one function of this name; each begins with these
- * lines.
- */
+/** The textbook method for several shapes as one function; `before` adds lines for each shape. */
 export function textbookFor(
   kinds: readonly ShapeKind[],
   name: string,
