@@ -364,6 +364,11 @@ late(() => import('./ui/highlight.ts')).then(
   () => {},
 );
 clicker().catch(() => {});
+// Without it every control is a stop of its own.
+late(() => import('./ui/tab-stops.ts')).then(
+  ({ watchTabStops }) => watchTabStops(main),
+  () => {},
+);
 watchStyles(document);
 renderAll();
 writeLink();

@@ -100,8 +100,9 @@ export function listenToHandles(
   svg.addEventListener('pointercancel', up, { signal });
   svg.addEventListener('lostpointercapture', up, { signal });
   svg.addEventListener('pointerleave', () => drag.hover(null), { signal });
-  svg.addEventListener('focusin', focus, { signal });
-  svg.addEventListener('focusout', blur, { signal });
+  // Not on the drawing itself: Chromium would make that a Tab stop.
+  svg.parentElement?.addEventListener('focusin', focus, { signal });
+  svg.parentElement?.addEventListener('focusout', blur, { signal });
   svg.addEventListener('keydown', key, { signal });
   window.addEventListener('keydown', duringDrag, { signal, capture: true });
   window.addEventListener('keyup', duringDrag, { signal, capture: true });

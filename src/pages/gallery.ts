@@ -23,7 +23,7 @@ export function galleryContent(
 ): TemplateResult {
   return html`<div class="gallery">
     <p>New to this? <a href="#/lesson/ray" @click=${leave}>Begin with the first lesson.</a></p>
-    ${SHAPES.map(({ kind, title }) => {
+    <div role="group" aria-label="Examples">${SHAPES.map(({ kind, title }) => {
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>
         <h3>${title}</h3>
@@ -31,7 +31,7 @@ export function galleryContent(
           card(example, current?.entry === example ? current : null, pick, thumbnail, hidden),
         )}</div>
       </section>`;
-    })}
+    })}</div>
   </div>`;
 }
 

@@ -24,8 +24,7 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       worst ray there, which opens in Explore.</p>
     <p>The table takes the ray of Explore through every method; the row that is chosen is the
       method of Explore and Picture too. Bold digits are right, faded ones are not. Every number
-      of the ray can be moved by one double, with the buttons or, on them, with the arrow
-      keys.</p>`,
+      of the ray can be moved by one double, with the buttons or, on them, with Up and Down.</p>`,
   picture: html`<h3>This page</h3>
     <p>Only what the scene needs is simulated; the list beside the picture says what that was,
       what it cost, and what was left out and why. “Scene” opens the forms in which everything can

@@ -41,6 +41,9 @@ export function helpContent(
       <code>-2^-40</code>, <code>0,5</code >. Three numbers pasted into a box of E, d, N, P, C or
       V fill all three. Up and Down change it by a step, with Shift by a tenth. A click on a
       result shows all of its digits.</p>
+    <h3>Keyboard</h3>
+    <p>Tab stops once in a group of buttons, boxes or results; arrows, Home and End go on within it.
+      In a box Left and Right do so at the ends of its text, and while all of it is selected.</p>
     ${HELP[page]}
     <h3>Clicker</h3>
     <p>Page Down and Page Up go on and back in Explore and in lessons, also after a click on a

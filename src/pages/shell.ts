@@ -36,7 +36,7 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
               aria-current=${id === state.page ? 'page' : nothing}>${title}</a>`,
         )}
       </nav>
-      <div class="tools">
+      <div class="tools" role="group" aria-label="Tools">
         <span class="said" role="status">${tools.said}</span>
         ${tool(tools, 'undo', 'Undo', !tools.canUndo)} ${tool(
           tools,

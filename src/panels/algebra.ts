@@ -46,7 +46,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
   const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
   const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
   return html`<section class="algebra" aria-label="Algebra">
-    <div class="put-in">
+    <div class="put-in" role="group" aria-label="Derivation and method">
       <p class="lead"><span class="words">Put into the ${title}:</span>
         ${formula(equation)}</p>
       <button type="button" class="derive"
@@ -54,7 +54,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
         @click=${() => dispatch({ type: 'derive', step: 1 })}>derive</button>
       ${methodPicker(model, dispatch)}
     </div>
-    <div class="steps">
+    <div class="steps" role="group" aria-label="Lines">
       ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps, dispatch))}
       ${shown.conditions ? conditions(derivation, digits, whyCondition) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}

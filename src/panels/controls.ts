@@ -44,7 +44,7 @@ export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): Tem
   });
   const setUnit = (event: Event): void =>
     dispatch({ type: 'unit', on: (event.target as HTMLInputElement).checked });
-  return html`<div class="group">
+  return html`<div class="group" role="group" aria-label="Ray">
     <h2>Ray</h2>
     ${formula(mathml`${R}<mo>=</mo>${E}<mo>+</mo><mi>t</mi>${d}`)}
     ${state.unit ? html`<span class="unit-d">(${components})</span>` : nothing}

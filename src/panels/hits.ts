@@ -78,7 +78,7 @@ function column(
   const text = cut ? `${own}; cut off in the scene` : own;
   const rejected = role === 'outside';
   const exactT = exact && beside(t, exact.t);
-  return html`<section class="hit hit-${role}" data-fate=${cut ? 'cut' : nothing}
+  return html`<section class="hit hit-${role}" role="group" data-fate=${cut ? 'cut' : nothing}
     aria-label=${`Root ${index}: ${text}`}>
     <p class="chip"
       data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>

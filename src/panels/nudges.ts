@@ -54,9 +54,7 @@ function move({ symbol, send }: Source, index: number | null, step: Step, moved:
 
 const STEPS: Readonly<Record<string, Step>> = {
   ArrowUp: nextUp,
-  ArrowRight: nextUp,
   ArrowDown: nextDown,
-  ArrowLeft: nextDown,
 };
 
 function nudge(

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { display, displayAll, shortest } from '../text/format.ts';
+import { spokenName } from '../text/spoken.ts';
 
 interface Look {
   /**
@@ -32,6 +33,7 @@ export function value(
     class=${short.length > room ? 'value tight' : 'value'}
     data-quantity=${has ? quantity : nothing}
     data-value=${has ? shortest(x) : nothing}
+    aria-label=${`${spokenName(quantity)} ${short}`}
     title=${`${long} (click for all digits)`}
     @click=${toggleDigits}
   ><span class="short">${short}</span><span class="long">${long}</span></button>`;

@@ -24,7 +24,7 @@ export function sceneBar(
   const hidden = state.revealed !== null;
   const hideWord = hidden ? 'show results' : 'hide results';
   const invites = untouched && !hidden && found.details.family === 'curved';
-  return html`<div class="example">
+  return html`<div class="example" role="group" aria-label="Examples">
       <button type="button" class="example-name" aria-haspopup="dialog" @click=${run('gallery')}>
         <span class="words">example:</span>
         <strong>${example ? titleOf(example, hidden) : 'choose one'}</strong>
@@ -43,7 +43,7 @@ export function sceneBar(
             : challenges
       }
     </div>
-    <div class="ray-tools">
+    <div class="ray-tools" role="group" aria-label="This ray">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
       ${toggle('two views', second, run('second'), 'A second view beside this one (v)')}

@@ -53,17 +53,17 @@ export function mountWalk(
   const key = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
     if (document.querySelector('dialog[open]')) return;
-    if (event.key === 'Escape' && drawn !== null) {
-      event.preventDefault();
-      close();
-      return;
-    }
-    const to = host.contains(event.target as Node) && MOVES[event.key]?.(drawn ?? 1, last);
-    if (!to) return;
+    if (event.key !== 'Escape' || drawn === null) return;
     event.preventDefault();
-    go(to);
+    close();
   };
   document.addEventListener('keydown', key);
+  host.addEventListener('keydown', (event) => {
+    const to = MOVES[event.key]?.(drawn ?? 1, last);
+    if (!to || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    go(to);
+  });
   lightTerms(host);
 
   /** What is new comes into view, from its beginning where there is no room for all of it. */
@@ -174,7 +174,7 @@ function bar(steps: readonly Step[], at: number, go: (to: number) => void): Temp
     const nearest = away.indexOf(Math.min(...away)) + 1;
     if (nearest !== at) go(nearest);
   };
-  return html`<nav class="walk-bar" aria-label="Steps of the derivation">
+  return html`<div class="walk-bar" role="group" aria-label="Steps of the derivation">
     <button type="button" class="button" aria-disabled=${at === 1}
       @click=${() => go(at - 1)}>Back</button>
     <ol @pointermove=${scrub}>
@@ -188,5 +188,5 @@ function bar(steps: readonly Step[], at: number, go: (to: number) => void): Temp
     </ol>
     <button type="button" class="button primary" aria-disabled=${at === steps.length}
       @click=${() => go(at + 1)}>Next</button>
-  </nav>`;
+  </div>`;
 }

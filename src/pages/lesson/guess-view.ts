@@ -2,7 +2,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { CLASS_WORDS, judgeGuess, type Seen, whyNoGuess } from '../../lesson/judge.ts';
 import type { Guess, Step } from '../../lesson/lesson.ts';
 import { namedCauses, whereAndWhat } from '../../panels/check-feedback.ts';
-import { type ProseTools, proseView, spokenName } from './prose-view.ts';
+import { spokenName } from '../../text/spoken.ts';
+import { type ProseTools, proseView } from './prose-view.ts';
 
 export interface GuessTools {
   /** What is written in the box, or chosen, and not yet handed in. */

@@ -5,7 +5,6 @@ import { formula } from '../../panels/formula.ts';
 import { classOf, highlightOf } from '../../panels/symbols.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { shortest } from '../../text/format.ts';
-import { subscript } from '../../text/scripts.ts';
 
 /** A value, and the text that the page shows for it. */
 export interface ShownValue {
@@ -283,7 +282,3 @@ function liveInFormula(name: string, tools: ProseTools): TemplateResult {
     data-quantity=${quantity}
     data-value=${value}>${text}</mn>`;
 }
-
-/** "t₁" for reading aloud and for labels of what is asked. */
-export const spokenName = (quantity: string): string =>
-  quantity.replace(/^([tPN])([12])/, (_, letter, n) => `${letter}${subscript(Number(n))}`);

@@ -45,7 +45,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
               : nothing
           }
           ${asked}
-          <p class="lesson-tools">
+          <p class="lesson-tools" role="group" aria-label="This lesson">
             <button type="button" class="quiet" @click=${tools.edit}>Edit</button>
             <button type="button" class="quiet" @click=${tools.add}>Add a step from here</button>
             <button type="button" class="quiet" @click=${tools.save}>Save the lesson</button>
@@ -56,7 +56,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
 }
 
 function dots({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {
-  return html`<nav class="lesson-dots" aria-label="Steps">${steps.map((step, i) => {
+  return html`<div class="lesson-dots" role="group" aria-label="Steps">${steps.map((step, i) => {
     const at = i + 1;
     const look = at < number ? 'done' : at === number ? 'present' : 'to-come';
     return html`<button
@@ -67,7 +67,7 @@ function dots({ steps }: Lesson, number: number, go: (number: number) => void): 
       aria-current=${at === number ? 'step' : nothing}
       @click=${() => go(at)}
     ></button>`;
-  })}</nav>`;
+  })}</div>`;
 }
 
 function foot({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {
