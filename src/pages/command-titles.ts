@@ -1,6 +1,6 @@
 import { SHAPES } from '../math/index.ts';
 
-/** What each command does, for the help: it is loaded when that is opened. */
+/** Titles of the commands in the help, which is loaded when it is opened. */
 const TITLES: Readonly<Record<string, string>> = {
   next:
     'next: the next step while deriving; else reveal the next line, the ' +
@@ -32,6 +32,6 @@ const TITLES: Readonly<Record<string, string>> = {
   help: 'help',
 };
 
-/** The title of a command, by its id; undefined for none that there is. */
+/** The title of a command by its id; undefined for an unknown one. */
 export const commandTitle = (id: string): string | undefined =>
   TITLES[id] ?? SHAPES.find(({ kind }) => id === `shape-${kind}`)?.title;

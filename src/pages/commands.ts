@@ -10,29 +10,29 @@ export interface PageActions {
   gallery(): void;
   help(): void;
   fullScreen(): void;
-  /** The whole page black, until a key or a click. */
+  /** Makes the page black until a key or a click. */
   black(): void;
   theme(): void;
   play(): void;
-  /** A second view beside the scene, or none. */
+  /** Shows or hides a second view beside the scene. */
   second(): void;
-  /** One step of a lesson on or back. */
+  /** Goes one step of a lesson forward or back. */
   turn(by: 1 | -1): void;
   /** Adds what is shown to the own lesson, as its next step. */
   collect(): void;
-  /** How many lines the result on the page has, and whether all are shown. */
+  /** Number of lines of the result, and how many are shown. */
   lines(): { total: number; shown: number };
   /** Whether the answer to the example's question is shown; null where none is asked. */
   answer(): boolean | null;
 }
 
-/** Something a person can do, by key and by button; the help is written from this table. */
+/** Something a person can do by key and by button; the help lists all of them. */
 export interface Command {
-  /** Its title stands in command-titles.ts. */
+  /** Its title is in command-titles.ts. */
   readonly id: string;
-  /** As KeyboardEvent.key has them; 'Ctrl+' stands for the command key on a Mac too. */
+  /** Values of KeyboardEvent.key; 'Ctrl+' also means the command key on a Mac. */
   readonly keys: readonly string[];
-  /** Where it means something; everywhere if absent. */
+  /** Ids of the pages on which it works; absent: all. */
   readonly pages?: readonly string[];
   run(): void;
 }
@@ -45,7 +45,7 @@ export function commandsOf(store: Store, tools: PageActions): readonly Command[]
   ];
 }
 
-/** What is done with the one ray that Explore shows. */
+/** The commands for the ray and shape on Explore. */
 function exploreCommands(store: Store, tools: PageActions): Command[] {
   const { dispatch } = store;
   const commands: Command[] = [
@@ -169,17 +169,14 @@ function reveal({ get, dispatch }: Store, tools: PageActions): void {
   dispatch({ type: 'reveal', lines: Math.min(revealed + 1, total) });
 }
 
-/** One step of the derivation on or back, if it is open. */
+/** Goes one step of the derivation forward or back; false if it is closed. */
 function stepped({ get, dispatch }: Store, by: 1 | -1): boolean {
   if (!get().derive) return false;
   dispatch({ type: 'derive', step: (now) => now && now + by });
   return true;
 }
 
-/**
- * A presenter's clicker has one key for "go on": first what is hidden, then the answer, then the
- * next example.
- */
+/** A clicker's key for "next": reveals a line, then the answer, then opens the next example. */
 function next(store: Store, tools: PageActions): void {
   if (stepped(store, 1)) return;
   const state = store.get();
@@ -189,18 +186,13 @@ function next(store: Store, tools: PageActions): void {
   else store.dispatch({ type: 'browse', by: 1 });
 }
 
-/**
- * Keys without a modifier can be switched off: speech input and a slip of the hand type letters
- * too.
- */
+/** Keys without a modifier can be switched off, for speech input and unintended key presses. */
 interface KeySettings {
   readonly singleKeys: boolean;
   readonly page: string;
 }
 
-/**
- * The command that a key press asks for, if the control it is pressed in does not need it itself.
- */
+/** The command of a key press, unless the control that has the focus uses the key itself. */
 export function commandFor(
   event: KeyboardEvent,
   commands: readonly Command[],

@@ -13,10 +13,10 @@ import { helpContent } from './help.ts';
 
 export interface DialogParts {
   readonly commands: readonly Command[];
-  /** Draws small pictures, once the scene's code is there. */
+  /** Draws small pictures; null until the scene's code is loaded. */
   readonly thumbnail: () => Thumbnail | null;
   readonly example: () => ShownExample | null;
-  /** Whether the results are hidden: then no card tells them. */
+  /** Whether results are hidden, so that the gallery must not show them. */
   readonly hidden: () => boolean;
   readonly page: () => PageId;
   readonly exports: () => Promise<readonly ExportItem[]>;

@@ -1,7 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import './export-dialog.css';
 
-/** One thing that can be taken away from the page. */
+/** One export: something that can be copied or saved. */
 export interface ExportItem {
   readonly id: string;
   readonly title: string;
@@ -20,7 +20,7 @@ interface ExportActions {
   readonly print: () => void;
 }
 
-/** The state as a file, and everything else that can be copied or saved. */
+/** The content of the dialog: the state as a file, and the exports. */
 export function exportContent(
   items: readonly ExportItem[],
   actions: ExportActions,

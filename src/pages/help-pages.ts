@@ -1,7 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import type { PageId } from '../state/state.ts';
 
-/** How each page is worked: what it is for, and what no label on it says. */
+/** Help on each page: its purpose, and controls that have no label. */
 export const HELP: Readonly<Record<PageId, TemplateResult>> = {
   explore: html`<h3>In the scene</h3>
     <p>Drag E, the tip of d, the shape’s own point or its radius; drag the background to look from

@@ -10,10 +10,7 @@ interface KeyChoice {
   readonly choose: (on: boolean) => void;
 }
 
-/**
- * Every key that works on the page, from the same table that the keys come from, and how the
- * controls are worked.
- */
+/** The help: every key that works on the page, from the table of commands, and its controls. */
 export function helpContent(
   commands: readonly Command[],
   page: PageId,
@@ -57,7 +54,7 @@ export function helpContent(
   </div>`;
 }
 
-/** The offline file holds the licences itself; a site has them in a file beside it. */
+/** The licences: inline in the offline file, a link to a file on a site. */
 function licences(): TemplateResult {
   const kept = document.getElementById('third-party');
   if (kept instanceof HTMLTemplateElement) {

@@ -2,7 +2,7 @@ import type { PageId } from '../state/state.ts';
 import { late } from '../ui/late.ts';
 import type { MountPage } from './page.ts';
 
-/** The pages but Explore that show one thing: a lesson shows them too, step by step. */
+/** The code of the pages, except Explore and Lessons, which a step of a lesson can show as well. */
 export const SINGLE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
   accuracy: () =>
     late(() => import('./accuracy/accuracy-page.ts')).then(({ mountAccuracy }) => mountAccuracy),

@@ -2,7 +2,7 @@ import { html, nothing, render } from 'lit';
 import { notLoaded } from '../ui/late.ts';
 import type { Mounted } from '../ui/mounted.ts';
 
-/** Loading that takes longer than this is said. */
+/** ms after which the page says that something is being loaded. */
 const PATIENCE_MS = 300;
 
 interface LateView<Model, Code> extends Mounted<Model> {
@@ -11,9 +11,8 @@ interface LateView<Model, Code> extends Mounted<Model> {
 }
 
 /**
- * A view whose code is a chunk of its own: the rest of the page stands before it arrives, and
- * without it if it does not. `load` asks by `late`; `waiting` is said while it loads, `failed`
- * where it does not come.
+ * A view whose code is a chunk of its own; the rest of the page works before and without it. `load`
+ * loads it by `late`; `waiting` is shown while it loads, `failed` if it cannot be loaded.
  */
 export function lateView<Model, Code, View extends Mounted<Model>>(
   host: HTMLElement,

@@ -4,9 +4,9 @@ import { late, notLoaded } from '../ui/late.ts';
 import { SINGLE_PAGES } from './late-pages.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
 
-/** Loading that takes longer than this is said. */
+/** ms after which the page says that it is being loaded. */
 const PATIENCE_MS = 300;
-/** After this long the request may be lost. */
+/** ms after which the request may be lost. */
 const LONG_MS = 15_000;
 
 /** The code of each page but Explore, loaded when the page is first shown. */
@@ -19,28 +19,27 @@ const LATE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = 
 interface PageSwitcher {
   /** Shows the page of this state, and draws it. */
   show(state: AppState): void;
-  /** Asks again for the page that is shown, if its code did not come. */
+  /** Loads the code of the shown page again, if that failed. */
   again(): void;
-  /** The page that lies there, if its code has arrived; Explore is not among them. */
+  /** The shown page if its code is loaded; null for Explore. */
   current(): PageView | null;
 }
 
 interface PageSwitcherTools extends PageContext {
   /** Draws Explore into the element that it got at first. */
   readonly explore: { mount(host: HTMLElement): void; render(state: AppState): void };
-  /** A page's code has arrived; its settings have not been read yet. */
+  /** Called when a page's code is loaded, before its settings are read. */
   readonly arrived: (view: PageView) => void;
 }
 
 /**
- * One page at a time is in the document. The others are kept as they were left, out of it, so that
- * coming back to a measurement or a picture finds it, and each quantity stands in the document
- * once.
+ * Keeps one page in the document, and the others outside of it as they were left: a measurement or
+ * a picture is still there on return, and each quantity is in the document only once.
  */
 export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools): PageSwitcher {
   const hosts = new Map<PageId, HTMLElement>();
   const views = new Map<PageId, PageView>();
-  /** Pages whose code did not come, each with a way to ask for it again. */
+  /** Pages whose code could not be loaded, each with a function that tries again. */
   const failed = new Map<PageId, () => void>();
   let shown: PageId | null = null;
 
@@ -80,7 +79,7 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
     code().then(
       (mountPage) => {
         settled();
-        // What was asked for twice comes twice.
+        // Code that was requested twice arrives twice.
         if (views.has(page)) return;
         host.replaceChildren();
         const view = mountPage(host, tools);

@@ -23,22 +23,17 @@ export interface PageContext {
 }
 
 export interface PageView {
-  /** Takes any settings: what `read` would drop has its default. */
+  /** Draws the page. Settings that `read` would drop get their defaults. */
   render(state: AppState): void;
-  /**
-   * What of a link's settings is usable, and what was wrong with the rest, in words that quote it.
-   */
+  /** The valid settings of a link, and messages that quote the others. */
   read(settings: Settings): Readable;
-  /** What can be copied or saved from here, for the dialog 'File and export'. */
+  /** The page's entries in the dialog 'File and export'. */
   exports(): readonly ExportItem[];
-  /** A file that was opened or dropped and is no saved state: true if the page took it. */
+  /** Opens a file that is no saved state; true if the page could use it. */
   open?(text: string): boolean;
-  /** One step on or back, for the keys of a clicker. */
+  /** Goes one step forward or back, for the keys of a clicker. */
   turn?(by: 1 | -1): void;
-  /**
-   * Another page is shown; the element stays as it is, out of the document, until this one is shown
-   * again.
-   */
+  /** Called when another page is shown; the element is kept outside of the document. */
   rest?(): void;
 }
 

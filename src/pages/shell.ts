@@ -10,17 +10,17 @@ import './shell.css';
 interface ShellTools {
   readonly theme: Theme;
   readonly command: (id: string) => Command | undefined;
-  /** Shows a page; one that could not be loaded is tried again. */
+  /** Shows a page; loads its code again if that failed. */
   readonly turn: (page: PageId) => void;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
-  /** What was just done, in words; '' for nothing. */
+  /** Words on the last action; '' for none. */
   readonly said: string;
 }
 
-/** The header of every page, and what was wrong with the link that was opened. */
+/** The header of every page, and the messages on the opened link or file. */
 export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): TemplateResult {
-  // The link is there to be copied and opened beside; a plain click keeps what no link carries.
+  // The links can be copied or opened in a tab. A plain click keeps the state that no link carries.
   const turnTo = (page: PageId) => (event: MouseEvent) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
     event.preventDefault();

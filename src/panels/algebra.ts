@@ -36,8 +36,7 @@ import { value } from './value.ts';
 import './algebra.css';
 
 /**
- * From the surface's equation to the roots: symbols, numbers put in, value; the case in words; the
- * hits.
+ * The surface's equation, each step in symbols and numbers with its value, the verdict, the hits.
  */
 export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { derivation, title, shown, found, exactly, digits } = model;
@@ -82,7 +81,7 @@ function methodPicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
   );
 }
 
-/** What the chosen method is and promises, where it stands. */
+/** The chosen method's title, idea and promise. */
 function methodWords(chosen: string): TemplateResult | typeof nothing {
   const method = METHODS.find(({ id }) => id === chosen);
   if (!method) return nothing;
@@ -96,7 +95,7 @@ function methodWords(chosen: string): TemplateResult | typeof nothing {
   </details>`;
 }
 
-/** Hidden, a line keeps its formula and its place, but not its numbers. */
+/** A step's line. A hidden one keeps its formula and its height, but not its numbers. */
 function stepLine(
   step: Step,
   model: ExploreModel,
@@ -127,7 +126,7 @@ function stepLine(
   </div>`;
 }
 
-/** Opens the walk at the step that says where the line comes from. */
+/** A button that opens the walk at the step that derives the line. */
 const why = (id: string, step: number, dispatch: Dispatch): TemplateResult =>
   html`<button type="button" class="why" aria-label=${`why ${id}`}
     @click=${() => dispatch({ type: 'derive', step })}>why</button>`;
@@ -142,7 +141,7 @@ interface NumbersLine {
 type Digits = NonNullable<ExploreModel['digits']>;
 type Chosen = (PutIn & { readonly space: NumberSpace | null }) | null;
 
-/** A step is made anew whenever one of its numbers changes; the page is drawn more often. */
+/** Cache by step, since the page is drawn more often than a step's numbers change. */
 const chosenBefore = new WeakMap<Step, Chosen>();
 
 function chosen(
@@ -160,16 +159,13 @@ function chosen(
   return now;
 }
 
-/**
- * The numbers put in, with so many digits that they give the result; or words where one of them is
- * no finite number.
- */
+/** The formula with its numbers put in; words if one of them is not finite. */
 function numbersOf(step: Step, model: ExploreModel): NumbersLine {
   const { derivation, digits: code } = model;
   const { id, expr, worked } = step;
   const { numbers } = derivation;
   if (code === null) {
-    // The line has its place before the numbers come.
+    // Keeps the line's height until the numbers are loaded.
     const content = html`<span class="in-numbers">\u00a0</span>`;
     return { content, below: !worked && id !== 'D', long: false, isFaithful: true };
   }
@@ -195,9 +191,7 @@ function numbersOf(step: Step, model: ExploreModel): NumbersLine {
   return { content, below, long, isFaithful };
 }
 
-/**
- * The value by the method, and beside it the exact digits where they differ, or what it is beyond.
- */
+/** The method's value, and beside it the exact digits if they differ. */
 function result(
   { id, letter }: Step,
   x: number,
@@ -210,10 +204,10 @@ function result(
     })}${beside ? html`<span class="beside">${beside}</span>` : nothing}</span>`;
 }
 
-/** Of a line before the code is there that finds how many digits it needs. */
+/** Digits of a line until the code that chooses them is loaded. */
 const UNCHECKED: PutIn = { digits: 6, isFaithful: true };
 
-/** Two in a line where the numbers are short enough. */
+/** The conditions of a figure; two share a line if their numbers are short enough. */
 export function conditions(
   derivation: Derivation,
   code: Digits | null,
@@ -279,7 +273,7 @@ function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   ${typedWords(asTyped)}`;
 }
 
-/** What the numbers as typed give, where that is another case; and what is to be known of them. */
+/** The verdict for the numbers as typed, if it differs, and notes on them. */
 function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothing {
   if (!differs && notes.length === 0) return nothing;
   const pieces = (words: VerdictWords, which: string): (TemplateResult | string)[] =>
@@ -299,7 +293,7 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
   </p>`;
 }
 
-/** Where the shape comes from a scene that shows only a part of it. */
+/** Words on the heights between which the scene keeps the shape; nothing without them. */
 function heights({ state, title, ray, found }: ExploreModel): TemplateResult | typeof nothing {
   const { between } = state;
   if (!between) return nothing;
@@ -314,7 +308,7 @@ function concealed(): TemplateResult {
   return html`<p class="verdict">Hidden. Predict first, then reveal line by line.</p>`;
 }
 
-/** A step's name stands for its own tree: N·(E − P), or N·(E − C) for a circle. */
+/** A relation of the verdict; a step's name is shown as its tree, N·(E − C) for a circle. */
 function comparison(
   { left, relation, right }: Comparison,
   i: number,

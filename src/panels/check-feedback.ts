@@ -15,8 +15,7 @@ import { HINTS, type QuestionTools, type QuestionView } from './check-question-v
 import { value } from './value.ts';
 
 /**
- * Right, wrong and by which mistake, or unread; what it means in the scene, and what can be done
- * next.
+ * The verdict on an answer, the mistakes behind it, its meaning in the scene, and what to do next.
  */
 export function feedback(judged: Judged, view: QuestionView, tools: QuestionTools): TemplateResult {
   const { posed, index, count, progress } = view;
@@ -100,7 +99,7 @@ function roundedVerdict({ marks }: Judged): string {
 export const namedCauses = (causes: readonly Misconception[]): string =>
   `This is what comes out with ${causes.map(({ says }) => says).join(', together with ')}.`;
 
-/** Where a mistake happens and what to look at; which one it is where there are two. */
+/** The line of a mistake and its remedy, preceded by its name if there are several. */
 export const whereAndWhat = (
   { says, line, remedy }: Misconception,
   isOneOfSome: boolean,
@@ -123,7 +122,7 @@ const NAMES: Readonly<Record<string, string>> = {
 /** "the line B", "the choice of the first visible hit" */
 export const lineName = (line: string): string => NAMES[line] ?? `the line ${line}`;
 
-/** Hints come after a try. */
+/** Whether hints are offered: after a first try. */
 export const mayBeHelped = ({ tries, solutionShown }: Asked): boolean => tries > 0 || solutionShown;
 
 export function helpButtons(
@@ -164,7 +163,7 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
   const last = given.length - 1;
   return html`<div class="helps" role="status">
     ${given.map(({ words, lines, layer }, i) => {
-      // Each set of lines takes the place of the one before; the words stay.
+      // Only the last hint shows its lines; the words of earlier ones stay.
       const shown = i === last && !asked.solutionShown && lines.length > 0;
       return html`${
         words
@@ -177,7 +176,7 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
   </div>`;
 }
 
-/** The lines, why they decide it, and last the answers to what was asked. */
+/** The lines of the solution, why they decide the question, and the answers. */
 function solution(posed: Posed): TemplateResult {
   const { lines, decision } = solutionOf(posed);
   const answers = posed.fields.map(

@@ -6,9 +6,9 @@ export interface FieldView {
   /** Unique on the page. */
   readonly id: string;
   readonly text: string;
-  /** Right, wrong or unread, in a word; '' before anything was judged. */
+  /** The verdict in a word; '' before the answer was judged. */
   readonly mark: string;
-  /** Which glyph stands beside the word. */
+  /** Glyph beside the word. */
   readonly glyph: '' | '=' | '≠' | '?' | '→' | '≈';
   readonly invalid: boolean;
   readonly onText: (text: string) => void;

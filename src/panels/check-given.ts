@@ -6,7 +6,7 @@ import { display, displayTriple } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { classOf } from './symbols.ts';
 
-/** More digits than the page's usual six: these numbers are to be copied onto paper. */
+/** Significant digits; more than the usual six, since the numbers are copied onto paper. */
 const DIGITS = 8;
 
 const text = (value: unknown): string => {
@@ -14,10 +14,7 @@ const text = (value: unknown): string => {
   return typeof value === 'number' ? display(value, DIGITS) : String(value);
 };
 
-/**
- * E, d and the shape's parameters, each in its symbol's colour; `unknown` is the one that is asked
- * for.
- */
+/** E, d and the shape's parameters in their colours; `unknown` is the symbol that is asked for. */
 export function inputRow({ shape, ray }: Input, unknown: string | null = null): TemplateResult {
   const { params, title } = definitionOf(shape);
   const given = shape as unknown as Readonly<Record<string, unknown>>;
@@ -42,7 +39,7 @@ function item(letter: string, sort: 'vector' | 'scalar', words: string): Templat
     class=${cls}>${words}</span></li>`;
 }
 
-/** An answer that is told: all the digits that paper needs. */
+/** An answer in `DIGITS` digits. */
 export const shownAnswer = (answer: Answer): string => {
   if (typeof answer === 'number') return display(answer, DIGITS);
   return typeof answer === 'object' ? displayTriple(answer, DIGITS) : answer;

@@ -13,7 +13,7 @@ import {
 } from './typeset.ts';
 import './check-lines.css';
 
-/** Symbols only (a hint), or with the numbers put in and the value behind. */
+/** In symbols only, as in a hint, or also with numbers put in and the value. */
 type Layer = 'symbols' | 'numbers';
 
 /** Lines of a derivation, one under the other; each may break between its layers. */
@@ -67,10 +67,7 @@ function written(line: Line, layer: Layer): TemplateResult {
 
 const BEYOND = 'a number of it is beyond the doubles';
 
-/**
- * The digits with which the line gives what it ends with; an open line has no end, and gives what
- * it is worth.
- */
+/** The digits with which the line gives its results; a line without shown results, its value. */
 export function putIntoLine({ exprs, relation, values, numbers, worked }: Line): PutIn | null {
   const trees = relation ? [relation.left, relation.right] : exprs;
   const [only, ...others] = trees;
@@ -85,7 +82,7 @@ export function putIntoLine({ exprs, relation, values, numbers, worked }: Line):
 const resultsIn = (ends: readonly number[], { scalars }: Line['numbers']) =>
   valuesAsResults(ends, scalars.A).filter(({ value }) => Number.isFinite(value));
 
-/** One value for each tree; of ± both, the smaller one first. */
+/** The value of each tree; for ± both, the smaller one first. */
 function worths(trees: readonly Expr[], numbers: Line['numbers']): number[] {
   return trees.flatMap((tree) =>
     [...new Set(([1, -1] as const).map((branch) => evaluate(tree, float64, numbers, branch)))].sort(
@@ -103,7 +100,7 @@ function sides({ relation }: Relation, values: readonly number[], holds: boolean
   )}: ${holds ? 'true' : 'false'}`;
 }
 
-/** One tree as it is, three as a triple. */
+/** One tree by itself, three as a triple. */
 function row(parts: readonly TemplateResult[]): TemplateResult {
   const [only, ...others] = parts;
   if (only && others.length === 0) return only;

@@ -32,10 +32,10 @@ const MARKS: Readonly<Record<OwnLine['verdict'], readonly [FieldView['glyph'], s
   invalid: ['?', ''],
 };
 
-/** What the mark's own words do not say yet. */
+/** The note on a line. */
 const says = (line: OwnLine | undefined): string => line?.note ?? '';
 
-/** A student's own derivation, line by line; whatever is empty is not asked for. */
+/** A student's own derivation, line by line; empty lines are not marked. */
 export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): TemplateResult {
   const lineOf = (id: string): OwnLine | undefined =>
     report?.lines.find(({ field }) => field.id === id);

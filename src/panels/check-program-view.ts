@@ -3,35 +3,35 @@ import type { Failure, Report } from '../check/program/report.ts';
 
 export interface ProgramView {
   readonly source: string;
-  /** Why a text was not taken into the box; '' if none was refused. */
+  /** Why a text was not put into the box; '' if none was refused. */
   readonly refusal: string;
-  /** A remembered program that is too long for the box: it can still be saved. */
+  /** Whether a stored program is too long for the box; it can still be saved. */
   readonly unshown: boolean;
   /** A shape's kind, or 'all'. */
   readonly kind: string;
-  /** How 'all' is called. */
+  /** Label of 'all'. */
   readonly all: string;
-  /** While it runs: how many of the cases came back. */
+  /** Number of cases that are done while it runs; null while it does not. */
   readonly running: { readonly done: number; readonly total: number } | null;
-  /** Why it did not run, or not to the end; '' if it did. */
+  /** Why it did not run to the end; '' if it did. */
   readonly trouble: string;
   readonly notes: readonly string[];
   readonly lines: readonly ConsoleLine[];
   readonly report: Report | null;
-  /** Its time in textbook times; null if it was not measured. */
+  /** Its time divided by the textbook's; null if it was not measured. */
   readonly timing: Timing | null;
-  /** Why it was not. */
+  /** Why the time was not measured; '' if it was. */
   readonly untimed: string;
   readonly selected: Failure | null;
-  /** How many runs have come to their end. */
+  /** Number of runs that have ended. */
   readonly finished: number;
-  /** The selected case in Explore. */
+  /** Link to the selected case on Explore. */
   readonly link: string | null;
 }
 
 export interface ProgramTools {
   edit(source: string): void;
-  /** Whether the box may hold this; if not, it is said why. */
+  /** Whether the text may be put into the box; if not, the page says why. */
   takes(source: string): boolean;
   pick(kind: string): void;
   run(): void;

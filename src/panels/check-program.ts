@@ -58,27 +58,24 @@ export function editor(view: ProgramView, tools: ProgramTools): TemplateResult {
     </div>`;
 }
 
-/**
- * What would be too long does not even get into the box: laying it out could take longer than
- * anybody waits.
- */
+/** Refuses input that would make the text too long, before the browser lays it out. */
 function refuse(event: InputEvent, tools: ProgramTools): void {
   const { value, selectionStart, selectionEnd } = event.target as HTMLTextAreaElement;
   const text = value.slice(0, selectionStart) + (event.data ?? '') + value.slice(selectionEnd);
   if (event.data && !tools.takes(text)) event.preventDefault();
 }
 
-/** One text: as many elements as lines would hold up the page. */
+/** Line numbers as one text, since an element for each would be slow. */
 const numbersTo = (count: number): string =>
   Array.from({ length: count }, (_, i) => i + 1).join('\n');
 
-/** The numbers stay beside their lines. */
+/** Scrolls the line numbers with the text. */
 function follow(event: Event): void {
   const { scrollTop, previousElementSibling } = event.target as HTMLTextAreaElement;
   if (previousElementSibling) previousElementSibling.scrollTop = scrollTop;
 }
 
-/** C++, Python, Java: the same cases as files, and the results back. */
+/** Controls to save the cases for a program in another language and to open its results. */
 export function exchange(tools: ProgramTools): TemplateResult {
   return html`<details class="exchange">
     <summary>A program in C++, Python, Java, …</summary>

@@ -8,7 +8,7 @@ export interface QuestionView {
   readonly index: number;
   readonly count: number;
   readonly progress: Progress;
-  /** The answer that was committed last, if the boxes still hold it. */
+  /** The judgement of the last answer, if the boxes have not changed since. */
   readonly judged: Judged | null;
 }
 
@@ -21,5 +21,5 @@ export interface QuestionTools {
   seed(seed: number): void;
 }
 
-/** The words, the formula in symbols, the formula with numbers. */
+/** Number of hints: words, formula in symbols, formula in numbers. */
 export const HINTS = 3;

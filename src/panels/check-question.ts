@@ -31,7 +31,7 @@ export function questionHead(view: QuestionView, tools: QuestionTools): Template
   </div>`;
 }
 
-/** Another seed, other numbers; the same seed, the same ones for everybody. */
+/** Form for the seed, which decides the session's questions. */
 export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
   return html`<form class="seed" @submit=${(event: Event) => {
     event.preventDefault();

@@ -30,10 +30,7 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
   </div>`;
 }
 
-/**
- * Four scores: a program that is right where it is taught, and wrong only where doubles end, is to
- * look so.
- */
+/** A score for each group, so that failures in hard cases alone are seen as such. */
 function summary(report: Report, view: ProgramView): TemplateResult {
   const { groups, common, findings, remarks, silent, left } = report;
   return html`<ul class="scores" aria-label="Exact cases right, by group">${groups.map(score)}</ul>
@@ -61,7 +58,9 @@ function score({ id, title, passed, total, others }: GroupScore): TemplateResult
       }</li>`;
 }
 
-/** Quartiles farther apart than this say more of the machine than of the program. */
+/**
+ * Ratio of a time's quartiles above which the page calls it unsteady and shows only their range.
+ */
 const STEADY = 1.5;
 
 function time({ timing, untimed }: ProgramView): TemplateResult | typeof nothing {

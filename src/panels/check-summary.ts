@@ -8,7 +8,7 @@ interface SummaryTools {
   restart(): void;
 }
 
-/** Per topic, what was right at which try. */
+/** A row for each question: at which try it was right. */
 export function summaryTable(
   { seed, set, right, total, lines }: Summary,
   tools: SummaryTools,

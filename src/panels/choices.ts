@@ -7,7 +7,7 @@ export interface Choice {
   readonly title: string;
 }
 
-/** A few choices as words, the chosen one underlined; `more` of them behind a list. */
+/** A few choices as words, the chosen one underlined; the others, `more`, in a list. */
 export function tabs(
   label: string,
   all: readonly Choice[],

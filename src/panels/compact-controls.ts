@@ -12,12 +12,12 @@ import { classOf } from './symbols.ts';
 import { typesetRelation } from './typeset.ts';
 import './compact-controls.css';
 
-/** Which parameter is open: the view's own affair, kept from render to render. */
+/** Symbol of the parameter whose sliders are shown. */
 let open = '';
 
 /**
- * All parameters with their values in one line, and the sliders of the one that is open: for a
- * phone's dock. `changed` asks for another render.
+ * Parameters with their values in one line, and the sliders of one of them: for phones. `changed`
+ * asks for another render.
  */
 export function compactControls(
   model: ExploreModel,
@@ -39,7 +39,7 @@ export function compactControls(
   </section>`;
 }
 
-/** The ray, the surface's equation and what its numbers mean, which the dock has no room for. */
+/** The ray, the surface's equation and its meaning, which `compactControls` leaves out. */
 export function equations(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { derivation, meaning } = model;
   return html`${rayHeader(model, dispatch)}<p

@@ -11,7 +11,7 @@ import { typesetRelation } from './typeset.ts';
 import { value } from './value.ts';
 import './controls.css';
 
-/** Sliders, boxes and resets for the ray and for whatever the shape declares. */
+/** Sliders, boxes and resets for the ray and the shape's parameters. */
 export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { title, meaning, derivation } = model;
   const own = shapeHandles(model, dispatch);
@@ -29,7 +29,7 @@ export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResul
   </section>`;
 }
 
-/** R(t) = E + t d, and whether d is taken at unit length. */
+/** R(t) = E + t d, and the switch for a d of unit length. */
 export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): TemplateResult {
   const length = Math.hypot(...state.d);
   const R = mathml`<mi>R</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;

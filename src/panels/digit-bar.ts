@@ -4,10 +4,7 @@ import { shortest } from '../text/format.ts';
 import { superscript } from '../text/scripts.ts';
 import './digit-bar.css';
 
-/**
- * A number with its right digits bold and the others faded; the words say it for those who cannot
- * see it.
- */
+/** A number with its right digits bold and the others faded, and words for screen readers. */
 export function markedNumber({ right, wrong, exponent }: Marked): TemplateResult {
   return html`<span class="marked">${right ? html`<b>${right}</b>` : ''}${
     wrong ? html`<span class="wrong-digits">${wrong}</span>` : ''
@@ -30,10 +27,7 @@ function digitBar(count: number): TemplateResult {
   return html`<svg class="digit-bar" viewBox="0 0 142 14" aria-hidden="true">${cells}</svg>`;
 }
 
-/**
- * The count and the bar; a dash where there is no digit to count. `quantity` names it for those who
- * read the page by its data.
- */
+/** The count of right digits and the bar; a dash for null. `quantity`: value of `data-quantity`. */
 export function digitCell(digits: number | null, quantity: string | null): TemplateResult {
   if (digits === null || Number.isNaN(digits)) {
     return html`<span class="digit-cell"><span class="count">–</span>${digitBar(0)}</span>`;

@@ -1,12 +1,12 @@
 import { html, mathml, type TemplateResult } from 'lit';
 
-/** A formula in the line of text. */
+/** A formula in MathML, inline or as a block. */
 export function formula(content: TemplateResult, display = false): TemplateResult {
   return html`<math class="formula"
     display=${display ? 'block' : 'inline'}>${mathml`<mrow>${content}</mrow>`}</math>`;
 }
 
-/** A symbol with an optional subscript, coloured and lit by its class and name. */
+/** A symbol with an optional subscript; its class gives the colour, its name the highlight. */
 export function symbol(
   base: string,
   sub: string | null,

@@ -10,14 +10,14 @@ import { display } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';
 
-/** "8 →": the number of the kept ray before the one of this, where they read differently. */
+/** "8 →", the ghost's number before this ray's; nothing if they are the same as printed. */
 export function was(before: number | null | undefined, now: number): unknown {
   const text = display(before ?? now);
   if (text === display(now)) return nothing;
   return html`<span class="was"><span class="visually-hidden">before </span>${text} → </span>`;
 }
 
-/** One column group a root, rows t, P and N, so that x, y and z stand under each other. */
+/** A column group for each root, with rows t, P and N whose components are aligned. */
 export function hitTable({
   hits,
   found,
@@ -50,7 +50,7 @@ function hitOf(words: HitWords, i: number, found: Intersection): Hit | null {
   return found.details.family === 'flat' ? found.details.plane : null;
 }
 
-/** The same hit by exact arithmetic; null where that has other hits. */
+/** The same hit in exact arithmetic; null if its class differs. */
 function exactHit(words: HitWords, i: number, found: Intersection, exact: Intersection) {
   return exact.class === found.class ? hitOf(words, i, exact) : null;
 }
@@ -58,13 +58,13 @@ function exactHit(words: HitWords, i: number, found: Intersection, exact: Inters
 type Beside = (value: number, rounded: number) => string | null;
 
 interface Shown {
-  /** t as it is printed. */
+  /** t as printed; null for the usual digits. */
   readonly text: string | null;
   readonly exact: Hit | null;
   readonly beside: Beside;
-  /** The kept ray's root with its arrow. */
+  /** The ghost's root with an arrow. */
   readonly was: unknown;
-  /** Not there in the scene that the shape comes from. */
+  /** Whether the Picture scene cuts this point off. */
   readonly cut: boolean;
 }
 
@@ -93,10 +93,10 @@ function column(
   </section>`;
 }
 
-/** Characters of three numbers that half of the panel has room for. */
+/** Largest number of characters of three numbers in half the panel's width. */
 const LENGTH = 27;
 
-/** The coordinates, and under them the exact ones of those whose shown digits differ. */
+/** The coordinates, and below them exact ones if their shown digits differ. */
 function row(
   letter: 'P' | 'N',
   n: string,
@@ -132,7 +132,7 @@ function normalRow(
   </p>`;
 }
 
-/** The same mark as in the scene and on the graph: a disc, a ring, or a cross. */
+/** The hit's mark as in the scene and on the graph: a disc, a ring or a cross. */
 function mark(role: HitRole): TemplateResult {
   const drawn =
     role === 'first' || role === 'other'

@@ -15,16 +15,16 @@ import './ladder-table.css';
 
 interface LadderModel {
   readonly rows: readonly MethodRow[];
-  /** In a few words, by method. */
+  /** Where digits are lost, in a few words, by method. */
   readonly where: ReadonlyMap<string, string>;
   /** By target and method; empty until something is measured. */
   readonly timings: Readonly<Record<Target, ReadonlyMap<string, Timing>>>;
-  /** Whose times these are: “far away” rays, both roots. */
+  /** Words on which rays and question were timed: “far away” rays, both roots. */
   readonly timed: string;
   readonly chosen: string;
 }
 
-/** This ray through every method: a row each. */
+/** The table of one ray by every method, a row for each. */
 export function ladderTable(model: LadderModel, choose: (id: string) => void): TemplateResult {
   const head = (name: string, words: string, rows = 2): TemplateResult =>
     html`<th role="columnheader" scope="col" rowspan=${rows} class=${`head-${name}`}>${words}</th>`;
@@ -80,7 +80,7 @@ function ladderRow(
   </tr>`;
 }
 
-/** As a multiple of the textbook in the same column, and in ns; an emulated one is said to be. */
+/** A price as a multiple of the textbook's in the same column and in ns, or "emulated". */
 function price(target: Target, id: string, { timings }: LadderModel): TemplateResult {
   const timing = timings[target].get(id);
   if (!timing) return html`<td role="cell" class=${`price ${target}`}>–</td>`;
@@ -105,7 +105,7 @@ function verdict({ found, judgement }: MethodRow): TemplateResult {
       data-value=${judgement}>${JUDGEMENTS[judgement]}</span>`;
 }
 
-/** The disc of a hit, the cross of a miss, the dashed ring of what cannot be told. */
+/** A disc for a hit, a cross for a miss, a dashed ring for an undecided verdict. */
 function mark(verdict: Verdict, open: boolean): TemplateResult {
   const drawn = open
     ? svg`<circle r="5.6" class="is-open" />`
@@ -133,7 +133,7 @@ function roots({ roots, judgement }: MethodRow): TemplateResult {
   )}`;
 }
 
-/** Steps from double to double, and how far the point is off: of the worse root. */
+/** Errors of the worse root: in ulps, and the distance of its point. */
 function errors(roots: readonly RootRow[]): TemplateResult | typeof nothing {
   const ulps = roots.flatMap((root) => (root.ulps === null ? [] : [root.ulps]));
   const off = roots.flatMap(({ pointError }) => (pointError === null ? [] : [pointError]));

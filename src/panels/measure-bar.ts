@@ -3,16 +3,16 @@ import type { Measured } from '../lab/session.ts';
 import { display } from '../text/format.ts';
 import './measure-bar.css';
 
-/** A timer this coarse makes a measurement several times as long. */
+/** Clock step in ms from which the bar explains why measuring takes long. */
 const COARSE_MS = 0.5;
 
 interface MeasureModel {
-  /** Of what runs or ran last; null: nothing has come of it. */
+  /** Result of the running or last measurement; null before there is any. */
   readonly measured: Measured | null;
   readonly running: boolean;
   /** Why it ended early; '' if it did not. */
   readonly failed: string;
-  /** Whose prices are shown while there are no own ones; '' if there are. */
+  /** Words on the reference prices that are shown before a measurement; '' after one. */
   readonly reference: string;
 }
 
@@ -21,7 +21,7 @@ interface MeasureActions {
   cancel(): void;
 }
 
-/** Measure or cancel, how far it is, and whose numbers are shown until then. */
+/** Button to measure or cancel, the progress, and the source of the prices shown. */
 export function measureBar(model: MeasureModel, actions: MeasureActions): TemplateResult {
   const { measured, running, failed, reference } = model;
   return html`<div class="measure-bar">
@@ -46,7 +46,7 @@ function leftText(measured: Measured | null): string {
   if (measured.share === 0) return 'the first round';
   const { round, rounds, secondsLeft, clockStep } = measured;
   const seconds = Math.max(1, Math.round(secondsLeft));
-  // A sample takes many steps of the timer, however short its batch is.
+  // A sample takes at least `steps` steps of the clock.
   const why =
     clockStep >= COARSE_MS
       ? `: the timer here steps by ${display(clockStep, 2)} ms, so samples are long`

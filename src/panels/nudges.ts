@@ -19,10 +19,7 @@ type Step = (x: number) => number;
 /** A number that was moved, under its name: E.x, r. */
 type Moved = (name: string, from: number, to: number) => void;
 
-/**
- * Every number that the kernel gets, each with a step to the doubles beside it: how little does it
- * take to flip a verdict?
- */
+/** Every number that the kernel gets, with buttons for the neighbouring doubles. */
 export function nudges(state: AppState, dispatch: Dispatch, moved: Moved): TemplateResult {
   return html`<div class="nudges" role="group" aria-label="Move an input to the next double">
     ${sourcesOf(state, dispatch).map((source) =>

@@ -18,7 +18,7 @@ import type { Handle } from './params-of.ts';
 import { classOf } from './symbols.ts';
 import './param-rows.css';
 
-/** Why a value is not allowed for a parameter, in the math module's own words; null if it is. */
+/** The math module's message on an invalid value of a parameter; null if it is valid. */
 function refusal(param: Param, candidate: unknown): string | null {
   try {
     checkParam(param, candidate);
@@ -30,8 +30,8 @@ function refusal(param: Param, candidate: unknown): string | null {
 }
 
 /**
- * The row of one parameter, whatever its sort; drawn anew only where its value or what was typed
- * for it is another: what it sends is made when the state is changed, from the state then.
+ * The row of a parameter of any type. It is rendered again only if its value or typed text changes:
+ * its actions are edits, which use the state at the time when they arrive.
  */
 export function paramRow(handle: Handle): unknown {
   const { param, value, typed, quantities } = handle;
@@ -142,7 +142,7 @@ function axisCell({ value, send, reset }: Handle, { title, initial }: AxisParam)
   </div>`;
 }
 
-/** What was typed for the one number of an event. */
+/** The typed text of an event with one number, under its label. */
 function typedAs(label: string, event: Event): Readonly<Record<string, string>> {
   const [text] = textsOf(event);
   return text === undefined ? {} : { [label]: text };

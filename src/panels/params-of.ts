@@ -5,16 +5,16 @@ import type { ExploreModel } from '../state/derive.ts';
 import { paramValue, RAY_PARAMS } from '../state/state.ts';
 import type { TypedTexts } from '../state/typed-texts.ts';
 
-/** A parameter with its value now and the two things that can be done to it. */
+/** A parameter with its value, and the actions that set and reset it. */
 export interface Handle<P extends Param = Param> {
   readonly param: P;
   readonly value: ParamValue;
-  /** `texts`: what was typed for its numbers, under 'E.x', 'c'. */
+  /** `texts`: typed texts of its numbers, under 'E.x', 'c'. */
   readonly send: (value: Edit<ParamValue>, texts?: TypedTexts) => void;
-  /** What was typed for one of its numbers; '' where nothing is kept. */
+  /** The typed text of one of its numbers; '' if none is kept. */
   readonly typed: (label: string) => string;
   readonly reset: () => void;
-  /** Whether its boxes carry the quantity; with a unit d the kernel's own d is told elsewhere. */
+  /** Whether its boxes have `data-quantity`; not so for d if the kernel gets d / |d|. */
   readonly quantities: boolean;
 }
 

@@ -17,11 +17,11 @@ interface BarTools {
   cancel(): void;
   save(): void;
   readonly isTracing: boolean;
-  /** Whether a light of the scene has a size: only then its rays can be counted. */
+  /** Whether a light of the scene has a size, so that its number of rays can be chosen. */
   readonly hasSoftLight: boolean;
 }
 
-/** Over the picture: which scene, how large, and what can be done with it. */
+/** The bar above the picture: scene, size, samples, and buttons. */
 export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateResult {
   const { sceneText, scene, width, height, samples, lightSamples, against } = picture;
   const size = `${width}x${height}`;

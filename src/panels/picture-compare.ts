@@ -14,14 +14,14 @@ import type { TraceSettings } from '../tracer/types.ts';
 import './picture-compare.css';
 
 export interface CompareTools {
-  /** What the left side is to differ in; '' ends the comparison. */
+  /** Chooses what the left side differs in; '' ends the comparison. */
   left(value: string): void;
   /** 'method:…' or 'start:…' */
   right(value: string): void;
   show(what: 'both' | 'errors'): void;
 }
 
-/** A picker over each side, which names all that differs. */
+/** A picker above each side, which names what differs. */
 export function sidePickers(
   scene: Scene,
   settings: TraceSettings,
@@ -76,7 +76,7 @@ interface ComparisonShown {
   readonly show: 'both' | 'errors';
 }
 
-/** How much differs, and why; then what kinds of difference there are. */
+/** Words on how many pixels differ, why, and in which ways. */
 export function comparisonWords(
   settings: TraceSettings,
   against: Against,
@@ -117,7 +117,7 @@ export function comparisonWords(
   }
 }
 
-/** `side`: the one that is not to be trusted, or on the left if both are. */
+/** @param side the less accurate one; 'left' if both are equally accurate. */
 function counts(
   { verdicts, holes, ghosts, others, mostDigits }: Comparison,
   side: 'left' | 'right',

@@ -17,9 +17,9 @@ import { cameraForm, worldForm } from './picture-world.ts';
 import './picture-editor.css';
 
 export interface EditorTools {
-  /** An edit of the scene as it is when the edit arrives. */
+  /** Applies an edit to the scene as it is when the edit arrives. */
   change: ChangeScene;
-  /** The same, with the name of what is new: its form is opened. */
+  /** Applies an edit that adds a thing or light, and opens the form of its id. */
   add(edit: (scene: Scene) => readonly [next: Scene, id: string]): void;
   remove(id: string): void;
   edit(id: string | null): void;
@@ -27,11 +27,11 @@ export interface EditorTools {
   open(): void;
 }
 
-/** Forms that are no thing's and no light's; no name begins like this in a scene of ours. */
+/** Ids of the forms of camera and world; @ keeps them apart from ids of things and lights. */
 const CAMERA = '@camera';
 const WORLD = '@world';
 
-/** Everything in the scene, each with its form; what can be added. */
+/** A list of everything in the scene, each with its form, and buttons to add something. */
 export function editor(
   scene: Scene,
   edit: string | null,

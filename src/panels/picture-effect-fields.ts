@@ -4,13 +4,13 @@ import { type FieldValue, type Owner, type Place, withValue } from '../scene/eff
 import { choiceField, colourField, numberField } from './picture-fields.ts';
 
 interface Tools {
-  /** Sends an edit of the owner, applied to it as it is when the edit arrives. */
+  /** Sends an edit of the owner, which is applied to it as it is when the edit arrives. */
   readonly send: (edit: <O extends Owner>(now: O) => O) => void;
-  /** Why the owner that is drawn may not be edited so; null if it may. */
+  /** Why the edit of the owner as drawn is invalid; null if it is valid. */
   readonly check: (edit: <O extends Owner>(now: O) => O) => string | null;
 }
 
-/** A control for every field that an effect declares for a scene, a material or a light. */
+/** Controls for the fields that effects declare for a scene, a material or a light. */
 export function effectFields(
   place: Place,
   owner: Owner,

@@ -7,7 +7,7 @@ import '../ui/number-box.ts';
 import '../ui/slider.ts';
 import './picture-fields.css';
 
-/** Sends an edit of the scene: a form may have been drawn before the scene was changed last. */
+/** Sends an edit, not a scene: the form may have been drawn before the scene was last changed. */
 export type ChangeScene = (edit: (now: Scene) => Scene) => void;
 
 interface NumberField {
@@ -19,7 +19,7 @@ interface NumberField {
   readonly send: (value: number) => void;
 }
 
-/** A word, a box and a slider. */
+/** A label, a box and a slider. */
 export function numberField({
   label,
   value,
@@ -49,7 +49,7 @@ interface TripleField {
   readonly send: (edit: (now: Vec3) => Vec3) => void;
 }
 
-/** A word and three boxes; three numbers can be pasted into any of them. */
+/** A label and three boxes; three numbers can be pasted into any of them. */
 export function tripleField({
   label,
   value,

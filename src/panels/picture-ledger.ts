@@ -18,7 +18,7 @@ interface LedgerTools {
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
   /** Traces the picture once more without each effect, to count the pixels that it changes. */
   measure(): void;
-  /** What `measure` would still do; 0 when all is counted. */
+  /** Number of pictures that `measure` would trace; 0 if all pixels are counted. */
   readonly unmeasured: number;
   readonly isMeasuring: boolean;
 }
@@ -31,8 +31,8 @@ const SAMPLE_WORDS: Readonly<Record<number, string>> = {
 };
 
 /**
- * What was simulated, why, and what it cost; then what was not, and why not. `took`: from start to
- * end, where it is done.
+ * What was simulated, why, and what it cost; then what was not, and why. `took`: time of the
+ * finished picture; null before.
  */
 export function ledger(
   model: LedgerModel,
@@ -72,7 +72,7 @@ export function ledger(
     </ul>`;
 }
 
-/** What no picture shows as nature does, and what is done instead. */
+/** The list of simplifications in every picture. */
 export function simplifications(): TemplateResult {
   return html`<h3 class="ledger-title">Left out or simplified, in every picture</h3>
     <ul class="idle">
@@ -103,7 +103,7 @@ function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): Templ
   </tbody>`;
 }
 
-/** The reason, and the bar: placed where its share begins. */
+/** The reason of a row, and the bar of its share of the time. */
 function under(
   reason: TemplateResult | string,
   toggle: TemplateResult | typeof nothing,
@@ -134,7 +134,7 @@ function needed(row: LedgerRow): TemplateResult {
     data-value=${String(row.needed)}>, ${needWords(row)}</span>`;
 }
 
-/** What the columns count, and why the times add up to more than what the clock showed. */
+/** Words on what the columns count, and why times add up to more than the elapsed time. */
 function countWords(
   { total: { questions, solves, ms } }: LedgerModel,
   took: Pick<Progress, 'msSpent' | 'workers'> | null,
@@ -160,7 +160,7 @@ function changed({ pixels }: LedgerRow, all: number): TemplateResult | string {
   return html`<span data-quantity="pixels" data-value=${pixels} title=${title}>${words}</span>`;
 }
 
-/** Back to what the scene calls for. */
+/** Label of the button that lets the scene decide on an effect again. */
 const RELEASE = 'as called for';
 const DASH = html`<span class="idle-dash" aria-hidden="true"></span>`;
 
@@ -201,7 +201,7 @@ function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | 
       }`;
 }
 
-/** Where two effects fire rays of one kind, each says how many. */
+/** Number of rays of a kind, and of each effect if several fire them. */
 function kindWords({ kind, rays, parts }: KindRow): TemplateResult {
   const several = parts.every((part) => part.rays > 0) && parts.length > 1;
   const words = parts.map((part) => `${grouped(part.rays)} ${part.words}`).join(', ');

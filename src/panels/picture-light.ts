@@ -30,7 +30,7 @@ export function lightForm(scene: Scene, light: Light, change: ChangeScene): Temp
       send: (x) => send((now) => ({ ...now, [label]: x })),
     });
   const triple = (label: 'towards' | 'at', value: Vec3): TemplateResult => {
-    // A light that has become of another kind meanwhile has no such vector: it stays as it is.
+    // If the light has another kind when the edit arrives, it has no such vector and is kept.
     const as =
       (edit: (now: Vec3) => Vec3): Edit =>
       (now) => {

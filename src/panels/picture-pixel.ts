@@ -12,11 +12,11 @@ import './picture-pixel.css';
 interface PixelModel {
   readonly x: number;
   readonly y: number;
-  /** Which of the pixel's camera rays, of how many. */
+  /** Index of the pixel's camera ray, and how many there are. */
   readonly sample: number;
   readonly samples: number;
   readonly rows: readonly TreeRow[];
-  /** The left side's rows of the same pixel; null when nothing is compared. */
+  /** The left side's rows of the same pixel; null without a comparison. */
   readonly left: readonly TreeRow[] | null;
   readonly leftWords: string;
   readonly rightWords: string;
@@ -41,7 +41,7 @@ const RAY_WORDS: Readonly<Record<RayKind, string>> = {
   refracted: 'refracted ray',
 };
 
-/** The rays of one pixel, each with what became of it; of two pictures side by side. */
+/** The rays of a pixel, each with where it ended; of two pictures side by side. */
 export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult {
   const { x, y, rows, left, chosen } = model;
   const paths = [...new Set([...rows, ...(left ?? [])].map(({ path }) => path))];
@@ -114,7 +114,7 @@ function line(
   </tr>`;
 }
 
-/** On one side the surface stands in its own light, on the other it does not. */
+/** Whether a shadow ray is blocked by the surface it leaves on one side only: shadow acne. */
 function isAcne(a: TreeRow | undefined, b: TreeRow | undefined): boolean {
   const own = (row: TreeRow | undefined): boolean =>
     row?.node.end.end === 'blocked' && row.node.end.surface === row.node.from;
@@ -150,7 +150,7 @@ function samplePicker({ sample, samples }: PixelModel, tools: PixelTools): Templ
     </select></label>`;
 }
 
-/** The same dashes as in the space view. */
+/** A line of this kind of ray, dashed as in the space view. */
 function swatch(kind: RayKind): TemplateResult {
   return html`<svg class="swatch ray-${kind}" viewBox="0 0 34 6" width="34" height="6"
     aria-hidden="true">${svg`<path d="M0 3H34" />`}</svg>`;
@@ -162,7 +162,7 @@ function openLink(row: TreeRow, method: string, words: string): TemplateResult |
     href=${exploreLink(row.shape, row.ray, method, row.meeting.between)}>${words}</a>`;
 }
 
-/** The algebra of where the chosen ray ends, by the method that traced it. */
+/** The algebra of the surface where the chosen ray ends, by the method that traced it. */
 function algebraOf(row: TreeRow, left: TreeRow | undefined, model: PixelModel): TemplateResult {
   const { node } = row;
   const steps = row.shape ? surfaceSteps(row.shape, row.meeting, model.method) : null;

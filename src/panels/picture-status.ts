@@ -3,7 +3,7 @@ import { grouped, msWords, percent } from '../state/picture/ledger.ts';
 import type { Progress } from '../state/picture/progress.ts';
 import './picture-status.css';
 
-/** A bar while a picture is traced; its time and who traced it when it is done. */
+/** A progress bar while a picture is traced; then its time and the number of workers. */
 export function pictureStatus(
   progress: Progress | null,
   what: string,

@@ -32,7 +32,7 @@ const PATTERNS = [
 type Edit = (now: Placed) => Placed;
 
 /**
- * An edit of the thing as it is when it arrives, and why the thing that is drawn may not become so.
+ * `send` applies an edit to the thing when it arrives; `check` says why the drawn one refuses it.
  */
 interface Tools {
   readonly send: (edit: Edit) => void;
@@ -69,7 +69,7 @@ interface Numbers {
   readonly step: number;
 }
 
-/** A number of the thing: what the thing is with another one. */
+/** A field for a number of the thing; `edit` gives the edit that sets it. */
 const numberOf = (
   { send, check }: Tools,
   field: Numbers,
@@ -113,8 +113,8 @@ function materialForm(material: Material, tools: Tools): TemplateResult {
   const of =
     (edit: (now: Material) => Material): Edit =>
     (now) => ({ ...now, material: edit(now.material) });
-  // Paint and glass may have become others meanwhile, which have no such part: then the scene is
-  // refused, and stays.
+  // If the paint or glass was replaced meanwhile and has no such part, the scene is invalid and the
+  // edit is refused.
   const painted = (part: object): Edit =>
     of((now) => ({ ...now, paint: { ...now.paint, ...part } as Paint }));
   const glassy = (edit: (now: Glass) => Glass): Edit =>

@@ -5,7 +5,7 @@ import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import './shape-picker.css';
 
-/** The row of shapes: picking one keeps the ray. */
+/** The row of shape buttons; choosing one keeps the ray. */
 export function shapePicker({ state }: ExploreModel, dispatch: Dispatch): unknown {
   return guard(
     [state.kind],

@@ -1,11 +1,11 @@
 import { SHAPES } from '../math/index.ts';
 import type { Param } from '../math/shapes.ts';
 
-/** Which colour a symbol of a formula has, and which symbol lights up with it. */
+/* The colour of a formula's symbols, and the name by which they are highlighted together. */
 
 const PARAMS: readonly Param[] = SHAPES.flatMap(({ params }): readonly Param[] => params);
 
-/** A direction of a shape is its normal; every other parameter has the shape's own colour. */
+/** A direction of a shape has the normals' colour, every other parameter the shape's. */
 const roleOf = (param: Param): string =>
   param.type === 'vector' && param.nonZero ? 'normal' : 'shape';
 
@@ -27,9 +27,7 @@ export function classOf(id: string, sort: Sort): string {
   return role ? `sym sym-${role}` : 'sym';
 }
 
-/**
- * The name in data-symbol. The centre C and the coefficient C are two symbols that look the same.
- */
+/** The name in data-symbol; `coefficient-C` tells the coefficient C from a centre C. */
 export function highlightOf(id: string, sort: Sort): string {
   return sort === 'scalar' && /^[ABCD]$/.test(id) ? `coefficient-${id}` : id;
 }

@@ -10,10 +10,7 @@ import {
 } from '../math/formula.ts';
 import { classOf, highlightOf } from './symbols.ts';
 
-/**
- * Mathematics as templates of the page: symbols, and the numbers in their places, are coloured and
- * light up.
- */
+/** Writes formulas as MathML templates; symbols and the numbers put in for them have colours. */
 const MARKS: Marks<TemplateResult> = {
   join: (parts) => mathml`${parts}`,
   symbol: (id, sort) =>
@@ -28,7 +25,7 @@ const MARKS: Marks<TemplateResult> = {
     mathml`<msub class=${classOf(id, 'scalar')}
       data-symbol=${highlightOf(id, 'scalar')}><mi>${id}</mi><mn>${index}</mn></msub>`,
   numeral: (figures) => mathml`<mn>${figures}</mn>`,
-  // It may stand first in a line, where a browser would take it for a prefix.
+  // At the start of a line a browser would take the operator for a prefix.
   operator: (sign) => mathml`<mo form="infix">${sign}</mo>`,
   minus: mathml`<mo form="prefix">−</mo>`,
   parens: (m) => mathml`<mrow><mo stretchy="false">(</mo>${m}<mo stretchy="false">)</mo></mrow>`,
@@ -41,7 +38,7 @@ const MARKS: Marks<TemplateResult> = {
     mathml`<mrow class=${classOf(id, sort)} data-symbol=${highlightOf(id, sort)}>${m}</mrow>`,
 };
 
-/** Most trees stay the same while their numbers change at every step of a slider. */
+/** Cache by tree: most trees stay the same while a slider changes their numbers. */
 const inTheirSymbols = new WeakMap<Expr, TemplateResult>();
 
 /** The formula in its symbols. */
@@ -53,7 +50,7 @@ export function typesetSymbols(expr: Expr): TemplateResult {
   return m;
 }
 
-/** The formula with the numbers put in, `digits` significant ones each. */
+/** The formula with its numbers put in, each with `digits` significant digits. */
 export function typesetNumbers(
   expr: Expr,
   values: Values<number>,
@@ -62,10 +59,7 @@ export function typesetNumbers(
   return inNumbers(expr, MARKS, values, options);
 }
 
-/**
- * The same in pieces between which a line may be broken: the terms of a sum, the two sides of a dot
- * product.
- */
+/** The same in pieces between which a line may be broken: terms, or sides of a dot product. */
 export function typesetNumbersInPieces(
   expr: Expr,
   values: Values<number>,
@@ -87,7 +81,7 @@ export function typesetNumbersInPieces(
   };
   const whole = inNumbers(expr, marks, values, { worked: false, digits });
   if (expr.op !== 'sum' && expr.op !== 'dot') return [whole];
-  // A formula is written from the leaves upwards: what was joined last is the outermost row.
+  // A formula is written from the leaves up, so the last joined row is the outermost.
   const pieces: TemplateResult[][] = [[]];
   for (const m of row) {
     if (operators.has(m)) pieces.push([]);
@@ -100,7 +94,7 @@ export function typesetRelation({ left, relation, right }: Relation): TemplateRe
   return mathml`${typesetSymbols(left)}<mo>${relation}</mo>${typesetSymbols(right)}`;
 }
 
-/** A number as MathML: true minus as an operator, powers of ten raised. */
+/** A number in MathML: its sign is an operator, a power of ten has a raised exponent. */
 export function typesetNumber(x: number, digits = 6): TemplateResult {
   return mathml`<mrow>${numberPiece(x, MARKS, digits).m}</mrow>`;
 }

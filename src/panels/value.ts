@@ -3,22 +3,18 @@ import { display, displayAll, shortest } from '../text/format.ts';
 import { spokenName } from '../text/spoken.ts';
 
 interface Look {
-  /**
-   * Characters that there is space for: six digits become fewer rather than run into a neighbour.
-   */
+  /** Largest number of characters; digits are dropped to fit. */
   readonly room?: number;
   readonly digits?: number;
-  /** What stands there instead. */
+  /** Text to show instead of the number. */
   readonly text?: string | null;
-  /**
-   * The double has more digits than `text`, for a click; else it does not tell the number at all.
-   */
+  /** Whether a click on `text` may show the double; false if the double is not the number. */
   readonly keeps?: boolean;
 }
 
 /**
- * A computed number on the page: shown in six digits, carried in full by data-value; a click shows
- * every digit. What a method lost carries none.
+ * A computed number on the page: six digits, all of them in `data-value` and after a click. NaN has
+ * no `data-value`.
  */
 export function value(
   quantity: string,
@@ -39,12 +35,12 @@ export function value(
   ><span class="short">${short}</span><span class="long">${long}</span></button>`;
 }
 
-/** Which digits are shown is the page's own affair and dies with it. */
+/** Shows all digits or six; not part of the state. */
 function toggleDigits(event: Event): void {
   (event.currentTarget as HTMLElement).classList.toggle('all');
 }
 
-/** So many significant digits, or as many as fit; never fewer than two. */
+/** The number in `most` digits or as many as fit into `room` characters, two at least. */
 function displayWithin(x: number, room: number, most = 6): string {
   for (let digits = most; digits > 2; digits--) {
     const text = display(x, digits);

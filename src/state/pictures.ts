@@ -14,7 +14,7 @@ import { sameStage, stageAround, stageOf } from './stage.ts';
 import type { AppState } from './state.ts';
 import type { VerdictWords } from './words.ts';
 
-/** How near the ray is to tangency, and what finds a ray that touches, where there is one. */
+/** How near the ray is to tangency, and a search for a ray that touches; null if there is none. */
 export interface Near extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
@@ -44,7 +44,7 @@ export interface Pictures {
 /** What scene and graph show, with a memory of its own. */
 export function createPictures(): (given: Found) => Pictures {
   const graphFor = remember(graphOf);
-  // While the hits are hidden their places may not be read off the part of the world that is shown.
+  // While the hits are hidden the stage must not depend on them: it would give their places away.
   const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
     found ? stageOf(shape, r, found) : stageAround(shape, [r.origin]),
   );

@@ -170,10 +170,7 @@ function beadAt({ ray, stage }: SceneModel, t: number): SceneModel['bead'] {
   return point.every(Number.isFinite) ? { t, point, drawn: isDrawn(point, stage) } : null;
 }
 
-/**
- * The scene as it is before anyone has computed anything: the ray and the shape, and nothing that
- * tells where they meet.
- */
+/** The scene with the ray and the shape, but nothing that gives away where they meet. */
 export function withoutResults(
   scene: SceneModel,
   { ask, bead }: Pick<AppState, 'ask' | 'bead'>,
@@ -190,7 +187,7 @@ export function withoutResults(
       ticks: reach ? ticksOf(reach) : [],
     },
     hits: [],
-    // It may be the same ray, with its hits.
+    // A ghost may be the same ray, with its hits.
     ghost: null,
     handles: scene.handles.map((handle) => ({ ...handle, tangency: null })),
     // At rest the bead lies between the roots; a bead that was put somewhere is the prediction.

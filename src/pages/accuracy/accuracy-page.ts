@@ -33,8 +33,7 @@ import '../../ui/dialog.css';
 import './accuracy-page.css';
 
 /**
- * What accuracy costs in time: methods against the clock on a family's rays, how hard rays can get,
- * and this ray.
+ * The page Accuracy: digits against time on a family's rays, against difficulty, and on one ray.
  */
 export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) => {
   const set = (settings: Partial<AccuracySettings>): void =>
@@ -72,7 +71,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     dispatch({ type: 'link', hash: exploreLink(worst.shape, worst.ray, picked.id) });
   }
 
-  /** The picked method on its worst ray, in the table and in "Where did the digits go?". */
+  /** Chooses the picked method and its worst ray for the table and "Where did the digits go?". */
   function takePicked(): void {
     const worst = pickedSummary()?.worst;
     if (!worst || !picked) return;
@@ -90,7 +89,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   }
 
   function renderAnswer(settings: AccuracySettings, method: string) {
-    // Two jobs at once would be in each other's way.
+    // Two jobs at once would disturb each other's times.
     const known = measuring.update(settings, !sweeping.running);
     const column = columnOf(settings, known.found, reference);
     const words = answerWords(column, questionOf(settings.worth), settings);

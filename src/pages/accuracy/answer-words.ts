@@ -8,22 +8,22 @@ import type { AccuracySettings } from '../../state/accuracy/settings.ts';
 import { familyName } from './family-name.ts';
 import type { Measuring } from './measuring.ts';
 
-/** Which rays are counted and timed here. */
+/** The settings that choose the rays. */
 type Asked = Pick<AccuracySettings, 'family' | 'order' | 'dial'>;
 
-/** What the prices of the sentence are of. */
+/** The start of the sentence: on which rays its prices were measured. */
 function leadOf(isFaint: boolean, order: Order): string {
   const met = order === 'sorted' ? 'with hits first' : 'in random order';
   if (isFaint) return `By the reference prices of typical rays ${met}`;
   return met.charAt(0).toUpperCase() + met.slice(1);
 }
 
-/** What stands beside faint marks. */
+/** Explanation of faint marks. */
 export const REFERENCE_WORDS =
   'Faint: reference prices of typical rays, from the bench of this build, until this device has ' +
   'measured. Each price is the lower quartile of its rounds.';
 
-/** The page's first sentence, and what is to be said beside it: true of the numbers shown. */
+/** The page's first sentence and the details below it, made from the numbers shown. */
 export function answerWords(
   column: Column,
   question: Question,
@@ -34,13 +34,14 @@ export function answerWords(
   const hard = own ? ` (${dialWords(own, dial)})` : '';
   const rays = `“${familyName(family)}” rays${hard}`;
   const headline = headlineOf(rows, titleOf, leadOf(column.isFaint, order), rays);
-  // Quartiles of another machine do not say whether this one is busy.
+  // Reference prices were measured elsewhere, so their spread does not show whether this machine
+  // is busy.
   const known = column.isFaint ? rows.map(({ id, quality }) => ({ id, quality })) : rows;
   const details = detailsOf(known, question, titleOf);
   return { headline, details: [details, ...apartWords(column)].filter(Boolean).join(' ') };
 }
 
-/** What has no price that compares. */
+/** Sentences on methods whose prices cannot be compared. */
 function apartWords({ rows, target }: Column): string[] {
   const named = (found: Column['rows']): string => found.map(({ id }) => titleOf(id)).join(' and ');
   const emulated = rows.filter((row) => isEmulated(row.id, target));
@@ -56,7 +57,7 @@ function apartWords({ rows, target }: Column): string[] {
   ];
 }
 
-/** Why there is no plot. */
+/** The text in place of a plot that cannot be drawn. */
 export function emptyWords({ rows }: Column, { found, failed }: Measuring): string {
   if (!found) return failed ? 'Nothing was counted.' : 'Verdicts are being counted …';
   return rows.some(({ roots }) => roots)

@@ -4,7 +4,7 @@ import { svgPng, svgText } from '../../ui/svg-text.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import { type Findings, toCsv, toJson } from './result-files.ts';
 
-/** The figures as texts. */
+/** The exports of the numbers as CSV and JSON. */
 export function tableExports(findings: () => Findings | null): ExportItem[] {
   const textOf = (write: (found: Findings) => string) => (): string => {
     const found = findings();
@@ -30,7 +30,7 @@ export function tableExports(findings: () => Findings | null): ExportItem[] {
   ];
 }
 
-/** A plot as a vector drawing and as pixels, as it stands on the page. */
+/** The exports of a plot as SVG and PNG, as it looks on the page. */
 export function plotExports(name: string, plot: HTMLElement): ExportItem[] {
   const drawn = (): SVGSVGElement | null => plot.querySelector('svg');
   const paper = (): string => getComputedStyle(document.body).getPropertyValue('--bg');
@@ -60,7 +60,7 @@ export function plotExports(name: string, plot: HTMLElement): ExportItem[] {
   ];
 }
 
-/** A button for each, called as `name` says. */
+/** A button for each export, with the label that `name` gives. */
 export function saveButtons(
   all: readonly ExportItem[],
   name: (item: ExportItem) => string,

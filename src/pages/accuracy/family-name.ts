@@ -8,6 +8,6 @@ export const TIMED: readonly { readonly id: string; readonly title: string }[] =
   { id: 'near-surface', title: 'near surface' },
 ];
 
-/** As the tab or the list has it. */
+/** The family's name in its tab, else its title. */
 export const familyName = (id: string): string =>
   TIMED.find((one) => one.id === id)?.title ?? findFamily(id)?.title ?? id;

@@ -4,7 +4,7 @@ import type { SweepPoint, SweepRequest } from '../../lab/sweep.ts';
 import { late } from '../../ui/late.ts';
 import { startWatched } from '../../workers/life.ts';
 
-/** A worker of the laboratory, as far as the page needs one. */
+/** The part of the Worker interface that the page uses. */
 export interface LabWorker {
   postMessage(request: LabRequest): void;
   terminate(): void;
@@ -14,7 +14,7 @@ export interface LabWorker {
 
 export type Spawn = () => Promise<LabWorker>;
 
-/** A job in a worker of its own. Its results stay when it is cancelled. */
+/** A job in a worker of its own. Cancelling it keeps its results. */
 interface Job<Request, Result> {
   readonly request: Request | null;
   readonly result: Result | null;
@@ -51,7 +51,7 @@ function createJob<Request, Result>(
   take: (before: Result | null, reply: LabReply) => Result | null,
 ): Job<Request, Result> {
   let worker: LabWorker | null = null;
-  // A worker may still be on its way when its job is cancelled: only the latest start counts.
+  // A job may be cancelled while its worker is loaded: only the latest start counts.
   let turn = 0;
   const state = {
     request: null as Request | null,
@@ -123,7 +123,7 @@ function createJob<Request, Result>(
   };
 }
 
-/** In the offline file there is nothing to load a worker from: there it is part of the page. */
+/** Starts a worker; the offline file holds its code inline. */
 export async function spawnLab(): Promise<LabWorker> {
   const { default: Lab } =
     import.meta.env.MODE === 'single'

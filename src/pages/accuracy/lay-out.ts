@@ -1,7 +1,4 @@
-/**
- * The places of the page, in the order in which the eye and the focus go; each with the part of the
- * page that it belongs to.
- */
+/** Creates the areas of the page in reading and focus order. */
 export function layOut(host: HTMLElement) {
   host.classList.add('accuracy');
   const area = (name: string, parent = host): HTMLElement => {

@@ -4,17 +4,17 @@ import { measureJob, type Spawn } from './lab-jobs.ts';
 import { measureRequest, sameRays } from './requests.ts';
 
 export interface Measuring {
-  /** The most that is known of the rays of the settings; null before anything is. */
+  /** The most complete measurement of the rays of the settings; null without one. */
   readonly found: Measured | null;
-  /** What runs now, or ran last. */
+  /** The running or the last measurement. */
   readonly now: Measured | null;
   readonly running: boolean;
   readonly failed: string;
 }
 
 /**
- * Measures the rays of the settings: briefly by itself, once for each rays, when `mayStart` and the
- * page is at rest; longer when asked to. What was found stays until there is more of the same rays.
+ * Measures the rays of the settings: once briefly by itself, as soon as `mayStart` is set and the
+ * page is idle; longer on demand. A result is kept until there is a more complete one.
  */
 export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = idle) {
   const job = measureJob(spawn, changed);
@@ -27,7 +27,7 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
     job.start(request);
   }
 
-  /** The latest plan only: a dial that is dragged passes many rays. */
+  /** Starts the latest request only, since a dragged dial makes many. */
   function startWhenIdle(request: MeasureRequest): void {
     planned = request;
     whenIdle(() => {
@@ -36,7 +36,7 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
   }
 
   return {
-    /** What is known for these settings; starts or ends what they ask for. */
+    /** The result for these settings; starts and cancels measurements as they require. */
     update(settings: AccuracySettings, mayStart: boolean): Measuring {
       const request = measureRequest(settings, false);
       if (job.request && !sameRays(job.request, request)) {
@@ -51,13 +51,13 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
       if (now && (now.round > 0 || !best)) best = now;
       return { found: best, now, running: job.running, failed: job.failed };
     },
-    /** With the settings that are drawn next: they may have been changed since the last time. */
+    /** Starts a longer measurement at the next `update`, which has the current settings. */
     longer(): void {
       wantsLonger = true;
       changed();
     },
     cancel: () => job.cancel(),
-    /** Another page is shown. */
+    /** Stops measuring, when another page is shown. */
     rest(): void {
       planned = null;
       if (job.running) job.cancel();
@@ -65,12 +65,12 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
   };
 }
 
-/** ms without another wish, as between two steps of a dial. */
+/** Pause in ms before a measurement starts; steps of a dragged dial are closer together. */
 const PAUSE = 300;
 
 function idle(act: () => void): void {
   setTimeout(() => {
-    // Safari has none.
+    // Safari has no requestIdleCallback.
     if ('requestIdleCallback' in window) requestIdleCallback(act);
     else act();
   }, PAUSE);

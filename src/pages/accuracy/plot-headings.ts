@@ -26,7 +26,7 @@ const SWEPT: readonly Choice[] = [
 const others = (families: readonly Choice[], shown: readonly Choice[]): readonly Choice[] =>
   families.filter(({ id }) => !shown.some((one) => one.id === id));
 
-/** The answer in words, what it is compared in, and which rays. */
+/** The first sentence, and controls for target, worth and rays. */
 export function answerHead(
   settings: AccuracySettings,
   { target, why }: Column,
@@ -84,7 +84,7 @@ function dialRow(dial: Dial, at: number | null, set: Set): TemplateResult {
   </label>`;
 }
 
-/** The files of a plot. */
+/** Buttons to save a plot. */
 export const plotSaves = (saves: readonly ExportItem[]): TemplateResult =>
   html`<span class="acc-save">${saveButtons(saves, extensionOf)}</span>`;
 
@@ -95,7 +95,7 @@ export function hardnessHead({ hard }: AccuracySettings, set: Set): TemplateResu
     </div>`;
 }
 
-/** What makes these rays hard; and the point that was picked, with the ways to one of its rays. */
+/** Why these rays are hard; and the picked point, with buttons for one of its rays. */
 export function hardnessWords(
   { hard }: AccuracySettings,
   picked: Picked | null,

@@ -4,7 +4,7 @@ import type { Measured, MeasureRequest } from '../../lab/session.ts';
 import type { SweepRequest } from '../../lab/sweep.ts';
 import { familyName } from './family-name.ts';
 
-/** Where the numbers come from, in a line. */
+/** One line on how the numbers were measured. */
 export function provenanceOf(
   measured: Measured | null,
   request: MeasureRequest,
@@ -29,7 +29,7 @@ export function provenanceOf(
   return `${device}; timer step ${stepWords(clockStep)}; ${times}; ${rays}.`;
 }
 
-/** 5 µs, 1 ms: a step of a clock has no more than two figures worth telling. */
+/** A step of the clock in two figures: 5 µs, 1 ms. */
 const stepWords = (ms: number): string =>
   ms < 0.9995 ? `${rounded(1000 * ms, 2)} µs` : `${rounded(ms, 2)} ms`;
 

@@ -13,7 +13,7 @@ import type { AppState } from '../../state/state.ts';
 import { displayAll } from '../../text/format.ts';
 import { familyName } from './family-name.ts';
 
-/** This ray through the ladder, where its digits go, and what one double changes. */
+/** One ray by every method, where its digits are lost, and what a step of one ulp changes. */
 export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {
   const answer = createAnswer(announce);
   return (
@@ -57,8 +57,8 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
 const NOT_MOVED = 'Move an input by one double: what that changes is said here.';
 
 /**
- * Remembers which inputs moved until the page is drawn, and what that changed until the ray is
- * another one. It is said aloud, too.
+ * Notes which inputs were moved until the page is drawn, and then words on what that changed, until
+ * the ray changes. The words are announced as well.
  */
 function createAnswer(announce: (words: string) => void) {
   const moved = new Map<string, { readonly from: number; to: number }>();

@@ -17,8 +17,8 @@ interface ReferencePrices {
 }
 
 /**
- * What is known of the rays of the settings, in the target that is asked for if it can be had.
- * Prices of two machines do not stand in one column: the reference's only until there are own ones.
+ * The rows to show, in the chosen target if it is available. Reference prices are shown only until
+ * this machine has measured, so that a column never mixes machines.
  */
 export function columnOf(
   { target: asked, order }: Pick<AccuracySettings, 'target' | 'order'>,
@@ -44,7 +44,7 @@ function timingsOf(
   return { ...(both && { roots: timingOf(both) }), ...(alone && { classes: timingOf(alone) }) };
 }
 
-/** Another machine's times are no times here: the multiple stands for both. */
+/** A reference price; its ns are unknown here, so the multiple is used for both fields. */
 function timingOf({ low, high }: Quartiles): Timing {
   const times: Price = { value: rounded(low, 2), figures: 2, low, most: high };
   return { ns: times, times };

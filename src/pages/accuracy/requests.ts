@@ -8,17 +8,17 @@ import type { AccuracySettings } from '../../state/accuracy/settings.ts';
  */
 const SHAPES = 6;
 const COUNT = 512;
-/** No processor knows so many branches by heart. */
+/** Rays of each shape that are timed: more than a branch predictor can learn. */
 const TIMED = 61_440;
 
-/** What the page does by itself: some seconds. */
+/** Plan of the measurement that the page starts by itself; takes some seconds. */
 const BRIEF = {
   budget: { least: COUNT, most: 20 },
   plan: { rounds: 4, least: 4, steps: 20, warmUp: 1 },
 };
 /**
- * On demand: until the best quarter of the rounds is within 2 % of the best, after which further
- * ones would hardly change a figure that is shown.
+ * Plan of a measurement on demand: until the lower quartile of the rounds is within 2 % of the best
+ * one. Further rounds would hardly change a shown figure.
  */
 const LONGER = {
   budget: { least: COUNT, most: 60 },
@@ -40,7 +40,7 @@ export const measureRequest = (
 });
 
 const SWEEP_COUNT = 128;
-/** Every whole power of ten, for the usual dial from 0 to 12. */
+/** Points of a sweep: every power of ten of a dial from 0 to 12. */
 const SWEEP_POINTS = 13;
 
 export const sweepRequest = ({ hard, seed }: AccuracySettings): SweepRequest => ({
@@ -53,7 +53,7 @@ export const sweepRequest = ({ hard, seed }: AccuracySettings): SweepRequest => 
 
 type Rays = Pick<MeasureRequest, 'family' | 'seed' | 'difficulty' | 'order'>;
 
-/** Whether what was measured is what is asked for now. */
+/** Whether two requests are about the same rays. */
 export const sameRays = (a: Rays | null, b: Rays): boolean =>
   a !== null &&
   a.family === b.family &&

@@ -6,19 +6,19 @@ import type { RayModel } from '../../state/accuracy/ladder.ts';
 import { type AccuracySettings, TARGETS } from '../../state/accuracy/settings.ts';
 import { shortest } from '../../text/format.ts';
 
-/** Everything that was found, with where it comes from. */
+/** All results, with their provenance. */
 export interface Findings {
   readonly provenance: string;
   readonly settings: AccuracySettings;
   readonly ray: RayModel;
-  /** What the plot shows. */
+  /** The rows that the plot shows. */
   readonly column: Column;
-  /** What was measured here; absent before anything is. */
+  /** The results of this machine; undefined before a measurement. */
   readonly columns: Columns | undefined;
   readonly sweep: readonly SweepPoint[];
 }
 
-/** What belongs to the method on one ray, and what to the many rays that were measured. */
+/** Columns about the method on one ray, and about the measured rays of the family. */
 const OF_THIS_RAY = ['verdict', 'judgement', 't1', 't1 digits', 't2', 't2 digits'];
 const OF_THE_FAMILY = [
   ...['rays', 'wrong', 'undecided', 'digits in 9 rays of 10', 'digits in the worst ray'],
@@ -42,7 +42,7 @@ const headOf = ({ family, order }: AccuracySettings): string =>
     ),
   ].join(',');
 
-/** One line a method; empty where nothing was measured. */
+/** CSV with one line per method; cells without a measurement are empty. */
 export function toCsv({ settings, ray, columns }: Findings): string {
   const lines = ray.rows.map(({ method: { id }, found, judgement, roots: [first, second] }) => {
     const rowIn = (target: Target): MeasuredRow | undefined =>

@@ -6,10 +6,7 @@ const SESSIONS = 'graze.check.sessions';
 const PROGRAM = 'graze.check.program';
 const OWN = 'graze.check.own';
 
-/**
- * What the device keeps of this page, so that a reload loses nothing. Nothing of it is sent
- * anywhere.
- */
+/** What this page keeps in the browser's storage, so that a reload loses nothing. */
 export interface Memory {
   session(seed: number, set: string): Progress;
   keep(progress: Progress): void;

@@ -24,7 +24,7 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
     memory.keepOwn(texts);
     changed();
   };
-  /** The same object while its numbers are the same: the picture and the report belong to it. */
+  /** The input, the same object while its numbers are the same; a new one clears the report. */
   const inputOf = (state: AppState): Input => {
     const next = { shape: shapeOf(state), ray: rayOf(state) };
     if (input && sameInput(input, next) && typed === state.typed) return input;

@@ -17,12 +17,12 @@ interface Program {
   render(settings: CheckSettings): void;
   source(): string;
   cases(format: 'json' | 'csv'): string;
-  /** A program, or results from elsewhere; false if the text is neither. */
+  /** Opens a program or a file of results; false if the text is neither. */
   open(text: string): boolean;
   cancel(): void;
 }
 
-/** Words for "all shapes": those of the set, which may be older than some of SHAPES. */
+/** Label of "all shapes": those of the set, which may be fewer than SHAPES. */
 const allWords = (set: string): string => {
   const { length } = setOf(set).shapes;
   return length === SHAPES.length ? 'all shapes' : `the ${length} shapes of set ${set}`;
@@ -43,7 +43,7 @@ export function mountProgram(
   let cases = '';
   let set = FIRST_SET;
   const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);
-  // A text that is too long for the box, kept by an older version, stays where it is until another
+  // A stored text that is too long for the box (older versions allowed it) is kept until another
   // is written.
   const kept = memory.program();
   let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
@@ -77,7 +77,7 @@ export function mountProgram(
     const choices = [kinds(), ...SHAPES.map(({ kind }) => [kind])];
     return text.trim() === '' || choices.some((k) => text === template(k) || text === example(k));
   };
-  /** Puts a template into the editor; a program of the student is kept, below it. */
+  /** Puts a template into the editor; the student's program is kept below it as a comment. */
   const offer = (text: string, what: string): void => {
     const before = source();
     const below = `\n/* What stood here before:\n${before.replaceAll('*/', '* /')}\n*/\n`;

@@ -15,8 +15,7 @@ export interface PartContext extends PageContext {
 }
 
 /**
- * One of the two that share the left side: words above the picture and below it, and what the
- * picture shows.
+ * A part of the left side: renders the areas above and below the picture, and says what to draw.
  */
 export interface LeftPart {
   render(head: HTMLElement, body: HTMLElement, state: AppState, settings: CheckSettings): Shown;
@@ -31,12 +30,13 @@ export function element(className: string, into: Element): HTMLElement {
   return made;
 }
 
-/** As 'iso', from farther away: a drawn E may lie low in front, where 'iso' cuts the stage off. */
+/**
+ * Like 'iso' but from farther away, since E may lie low in front, outside of the frame of 'iso'.
+ */
 const ROOMY: View = { azimuth: 16, elevation: 14, zoom: 0.72 };
 
 /**
- * A picture that can be turned; its view is nobody else's. Its code and canvas come with the first
- * thing to show.
+ * A scene that can be turned, with a view of its own. Its code is loaded when it is first shown.
  */
 export function turnablePicture(
   host: HTMLElement,

@@ -12,18 +12,14 @@ import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import { runInSandbox } from './sandbox.ts';
 
-/**
- * The cases are the same for everybody: a seed of their own would only make two reports hard to
- * compare.
- */
+/** Seed of the cases; always the same, so that reports can be compared. */
 const CASES_SEED = 41;
 /**
- * Ordinary cases that are timed: as many kinds of them as there are, and few enough for a round to
- * be short.
+ * Number of ordinary cases that are timed: enough to have every kind, few enough for short rounds.
  */
 const TIMED = 24;
 
-/** All shapes are those of the link's set: what a link to all cases meant when it was written. */
+/** The shapes to try; 'all' means those of the link's set, as when the link was written. */
 export const kindsFor = (cases: string, set: string): readonly ShapeKind[] =>
   cases === 'all'
     ? setOf(set).shapes
@@ -33,7 +29,7 @@ export const kindsFor = (cases: string, set: string): readonly ShapeKind[] =>
 const MOST_NOTES = 3;
 const MOST_LINES = 101;
 
-/** The state of a run: its results so far. */
+/** The state of a run with its results so far. */
 interface RunState {
   readonly running: { readonly done: number; readonly total: number } | null;
   readonly trouble: string;
@@ -42,7 +38,7 @@ interface RunState {
   readonly lines: readonly ConsoleLine[];
   readonly report: Report | null;
   readonly timing: Timing | null;
-  /** Why there is no timing; '' where that needs no words. */
+  /** Why there is no timing; '' if there is, or if it needs no reason. */
   readonly untimed: string;
   readonly selected: Failure | null;
   /** Number of runs that have ended, for tests and for the report. */
@@ -66,12 +62,12 @@ interface Runs {
   run(source: string, kinds: readonly ShapeKind[]): void;
   cancel(): void;
   select(failure: Failure): void;
-  /** Results of a program in another language; false if the text is none. */
+  /** Reads results of a program in another language; false if the text has none. */
   grade(text: string, kinds: readonly ShapeKind[]): boolean;
   file(format: 'json' | 'csv', kinds: readonly ShapeKind[]): string;
 }
 
-/** One run at a time; a new one ends the one before. */
+/** Runs programs, one at a time; a new run ends the one before. */
 export function createRuns(host: Element, changed: () => void): Runs {
   let state = NOTHING;
   let close: (() => void) | null = null;

@@ -22,7 +22,7 @@ function stateOf({ shape, ray }: Input): AppState {
   };
 }
 
-/** Null where Explore could not show it: it is no valid input. */
+/** The link to Explore with this input; null if the input is invalid. */
 export function exploreLink(input: Input): string | null {
   const numbers = [
     ...input.ray.origin,
@@ -34,20 +34,20 @@ export function exploreLink(input: Input): string | null {
 }
 
 export interface Wanted {
-  /** What is drawn; what a question asks for is not in it before it is solved. */
+  /** The input to draw, without a parameter that is asked for and not yet solved. */
   readonly input: Input;
-  /** Hits, normals and bead; false until a question is solved or given up. */
+  /** Whether hits, normals and bead are drawn: once a question is solved or given up. */
   readonly results: boolean;
-  /** A student's own values, drawn as a ghost, alone or beside the truth. */
+  /** A student's own values, drawn as a ghost. */
   readonly answers: Answers | null;
   /** Quantities that the question gives. */
   readonly given: Answers;
-  /** Beside the picture and in its description: what of it is not given; '' for nothing. */
+  /** Words, beside the picture and in its description, on what of it is not given; '' for none. */
   readonly note: string;
   readonly view: View;
 }
 
-/** A derive with a memory of its own for one picture. */
+/** Makes the scene of one picture, with a cache of its own. */
 export function createPicture(): (wanted: Wanted) => SceneModel {
   const derive = createDerive(() => closerLook);
   let last: Wanted | null = null;
@@ -68,7 +68,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
   };
 }
 
-/** The given things and the student's own ones, and nothing that is worked out from them. */
+/** The scene of an unsolved question: the input and the student's values, without results. */
 function unsolved(wanted: Wanted): SceneModel {
   const { input, answers, note, view } = wanted;
   const points = answers ? pointsOf(input, answers).filter(isFinitePoint) : [];
@@ -90,10 +90,7 @@ function unsolved(wanted: Wanted): SceneModel {
 
 const isFinitePoint = (p: Vec3): boolean => p.every(Number.isFinite);
 
-/**
- * Where the student's t's and points lie, or how the student's normal points. Null where the answer
- * has no place.
- */
+/** A ghost with the student's t's, points or normal; null if none of them can be drawn. */
 function ghostOf({ input, answers, given }: Wanted, scene: SceneModel): GhostModel | null {
   if (!answers) return null;
   const { stage, ray, hits } = scene;

@@ -28,16 +28,13 @@ interface Questions extends LeftPart {
   json(): string;
 }
 
-/**
- * The questions of one session after another: what was typed lives on the device, what was judged
- * with the page.
- */
+/** The questions of sessions. Typed texts are kept in the browser's storage, judgements are not. */
 export function createQuestions({ memory, changed, set }: PartContext): Questions {
   let progress = memory.session(1, FIRST_SET);
   let index = 0;
   let posed: Posed = question(progress.seed, index, progress.set);
   let judged: Judged | null = null;
-  /** The same object while it shows the same. */
+  /** The picture; the same object while it shows the same. */
   let picture: Shown | null = null;
   const keep = (next: Progress): void => {
     progress = next;
@@ -45,7 +42,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     changed();
   };
   const judgeNow = (): Judged => judge(derivationFor(posed), askedAt(progress, index).texts);
-  /** A question that was solved before is still solved. */
+  /** Judges the texts of a question again that was solved before. */
   const recallVerdict = (): void => {
     judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
   };
@@ -57,10 +54,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     posed = question(seed, at, own);
     recallVerdict();
   };
-  /**
-   * Hits and normals stand in the picture when there is nothing left to find out; before, the
-   * student's own points.
-   */
+  /** The picture: with hits and normals once the question is solved, else the student's points. */
   const shown = (): Shown => {
     const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
     const results = solvedAt !== null || given;
@@ -88,7 +82,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       // The next question is rendered in the next frame; then its first box gets the focus.
       requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
     },
-    // A session that begins here has the newest questions; one of an older link keeps its own.
+    // A new session uses the newest set; one from a link keeps the link's.
     seed: (seed) => set({ seed, set: LATEST_SET, question: 0 }),
   };
   const save = (): void =>

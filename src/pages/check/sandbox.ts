@@ -11,7 +11,7 @@ type Ending =
   | { readonly how: 'done' }
   | { readonly how: 'refused'; readonly message: string; readonly line: number | null }
   | { readonly how: 'stopped'; readonly message: string }
-  /** The frame or its worker never began: nothing is known of the program. */
+  /** The frame or its worker did not start, so that the program never ran. */
   | { readonly how: 'unopened'; readonly message: string };
 
 interface Heard {
@@ -24,22 +24,21 @@ interface Heard {
   end(ending: Ending): void;
 }
 
-/**
- * From the request of the frame to the first word from its worker; and from the moment when
- * something was loaded.
- */
+/** Limits in ms until the first message: since the frame was created, and since it was loaded. */
 const OPEN_LIMIT_MS = 12_000;
 const AFTER_LOAD_MS = 5000;
-/** Silence in ms after which the frame counts as dead. Its own watchdog ends a worker after 1 s. */
+/**
+ * ms without a message after which the run ends. The frame's own watchdog ends a worker after 1 s.
+ */
 const FRAME_LIMIT_MS = 6000;
-/** Most messages of a run. The harness sends less than 1,000; more come from the program itself. */
+/** Most messages of a run. The harness sends less than 1,000; more can only be the program's. */
 const MOST_MESSAGES = 5000;
 
 let lastId = 0;
 
 /**
- * Runs a program in a frame of its own: no origin, no network, no storage, no page (sandbox.html),
- * in a fresh worker. The frame goes away with the run. Gives a function that cancels it.
+ * Runs a program in a new worker of a frame (sandbox.html) that has no origin, network, storage or
+ * access to the page. The frame is removed after the run. Returns a function that cancels it.
  */
 export function runInSandbox(
   host: Element,
@@ -119,10 +118,7 @@ function pass(reply: Reply, heard: Heard, end: (ending: Ending) => void): void {
 const FILE = './sandbox.html';
 const OFFLINE = import.meta.env.MODE === 'single';
 
-/**
- * The site has a file with its own policy; the offline file, which has none, carries the same text
- * inside.
- */
+/** Loads the sandbox: from a file with its own policy; in the offline file from an inline text. */
 async function open(frame: HTMLIFrameElement, host: Element): Promise<void> {
   if (OFFLINE) {
     const { default: text } = await import('./sandbox.html?raw');
@@ -133,7 +129,7 @@ async function open(frame: HTMLIFrameElement, host: Element): Promise<void> {
   host.append(frame);
 }
 
-/** Asked once the frame has failed: what the server says of the frame's file. */
+/** Words on why the frame did not start, from the server's answer for its file. */
 async function likelyCause(): Promise<string> {
   const browser = 'the browser did not run its script';
   if (OFFLINE) return browser;

@@ -11,13 +11,13 @@ export const PARTS = [
 ] as const;
 export type PartId = (typeof PARTS)[number]['id'];
 
-/** What the link of the page says. */
+/** The settings of the page, which its link carries. */
 export interface CheckSettings {
   readonly part: PartId;
   /** The question set that the seed draws from. */
   readonly set: string;
   readonly seed: number;
-  /** From 0. */
+  /** Index of the question, from 0. */
   readonly question: number;
   /** Which shape's cases a program gets: a kind, or 'all' for the set's shapes. */
   readonly cases: string;
@@ -42,7 +42,7 @@ const isQuestion = (text: string, set: string): boolean =>
   /^\d{1,3}$/.test(text) && Number(text) >= 1 && Number(text) <= questionsIn(set);
 const isCases = (text: string): boolean => text === 'all' || findShape(text) !== undefined;
 
-/** Whether a text can be used with this set, and what it has to be. */
+/** Whether a text is valid with this set, and words on what it has to be. */
 type Rule = readonly [(text: string, set: string) => boolean, (set: string) => string];
 
 const CHECKS: Readonly<Record<string, Rule>> = {
@@ -58,13 +58,13 @@ const CHECKS: Readonly<Record<string, Rule>> = {
 
 const UNKNOWN: Rule = [() => false, () => ''];
 
-/** What of a link can be used, and what was wrong with the rest. */
+/** The valid settings of a link, and what is wrong with the others. */
 export function readSettings(settings: Settings): Readable {
   const usable: Record<string, string> = {};
   const problems: string[] = [];
   const set = isSet(settings.set ?? '') ? (settings.set ?? '') : DEFAULTS.set;
   for (const [key, text] of Object.entries(settings)) {
-    // A link may hold any key, also the name of a property that every object has ('toString').
+    // A link may have any key, also the name of an inherited property ('toString').
     const [ok, wanted] = Object.hasOwn(CHECKS, key) ? (CHECKS[key] ?? UNKNOWN) : UNKNOWN;
     const words = wanted(set);
     if (ok(text, set)) usable[key] = text;
@@ -85,7 +85,7 @@ export function settingsOf(settings: Settings): CheckSettings {
   };
 }
 
-/** The settings that say this, with null where the default is. */
+/** The texts of these settings; null for a default. */
 export function settingsFor(wanted: Partial<CheckSettings>): Record<string, string | null> {
   const texts: Record<string, string | null> = {};
   const put = (key: keyof CheckSettings, text: string, initial: string): void => {

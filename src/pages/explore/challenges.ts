@@ -5,13 +5,13 @@ import type { ExploreModel } from '../../state/derive.ts';
 import { display } from '../../text/format.ts';
 import { recall, remember } from '../../ui/storage.ts';
 
-/** Something to bring about with the sliders, and what the page says when it has come about. */
+/** Something to achieve with the sliders, and what the page says when it is achieved. */
 interface Challenge {
   readonly id: string;
-  /** Of which shape it is; null for every curved one. */
+  /** The shape it is about; null for every curved one. */
   readonly kind: ShapeKind | null;
   readonly asks: string;
-  /** What is true now that was asked for; null if it is not. */
+  /** Words on what is achieved; null if it is not. */
   met(found: Intersection, shape: Shape): string | null;
 }
 
@@ -41,7 +41,7 @@ export const CHALLENGES: readonly Challenge[] = [
 ];
 
 const STORED = 'graze.challenges';
-/** Stands for all of them where they are stored. */
+/** Stored instead of an id if no challenge is to be shown again. */
 const NO_MORE = 'no-more';
 
 /**

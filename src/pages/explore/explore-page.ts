@@ -17,7 +17,7 @@ import type { MountedWalk } from './walk.ts';
 import './explore-page.css';
 import './projector.css';
 
-/** For the bench and the browser's own profiler; only the latest are kept. */
+/** Number of performance measures that are kept for the bench and the browser's profiler. */
 const KEPT_MEASURES = 200;
 
 export interface ExploreTools extends SceneBarTools {
@@ -32,7 +32,7 @@ export interface Explore {
   render(model: ExploreModel, tools: ExploreTools): void;
   dispose(): void;
   readonly scene: Scene;
-  /** The graph of f, for taking it home. */
+  /** The graph of f as an element, for the export. */
   graph(): SVGSVGElement | null;
 }
 
@@ -54,7 +54,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
   const scene = lateScene(section(stage, 'scene-host'), dispatch);
   let untouched = true;
-  /** Whether this page was opened with an empty address; null before it has been shown. */
+  /** Whether the page was opened with an empty address; null before it is first shown. */
   let visit: boolean | null = null;
   const predict = lateCard(
     () =>
@@ -71,8 +71,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
   wide.addEventListener('change', changed);
-  // Parameters before the algebra where both are in view at once; the focus goes the way that the
-  // eye does.
+  // Parameters come before the algebra, in reading and focus order.
   const panelContent = (model: ExploreModel, card: TemplateResult, large: boolean) => {
     const compact = narrow.matches || (large && wide.matches);
     const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);
@@ -120,14 +119,14 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   };
 }
 
-/** The derivation beside the scene, loaded when it is opened for the first time. */
+/** The walk beside the scene, whose code is loaded when it is first opened. */
 function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
   const opener = document.activeElement;
   return lateView<ExploreModel, typeof import('./walk.ts'), MountedWalk>(
     host,
     () => late(() => import('./walk.ts')),
     ({ mountWalk }) => {
-      // Scene and graph take part.
+      // The walk also changes what scene and graph show.
       changed();
       return mountWalk(host, dispatch, opener);
     },
@@ -137,7 +136,7 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
 
 type Card = (host: HTMLElement, model: ExploreModel) => void;
 
-/** A part of the page whose code is loaded when it is wanted for the first time. */
+/** A part of the page whose code is loaded when it is first wanted. */
 function lateCard(
   create: () => Promise<Card>,
   changed: () => void,
@@ -152,7 +151,7 @@ function lateCard(
         card = created;
         changed();
       },
-      // Asked again with the next change.
+      // Loads again at the next change.
       () => {
         asked = false;
       },

@@ -4,7 +4,7 @@ import { svgText } from '../../ui/svg-text.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { Explore } from './explore-page.ts';
 
-/** What can be taken from the Explore page: texts made from the model, and its two pictures. */
+/** The exports of Explore: texts made from the model, and pictures of graph and scene. */
 export function exploreExports(explore: Explore, model: () => ExploreModel): ExportItem[] {
   const texts = EXPORTS.map(
     ({ id, title, extension, mime, text }): ExportItem => ({
@@ -35,6 +35,6 @@ export function exploreExports(explore: Explore, model: () => ExploreModel): Exp
     text: null,
     blob: () => explore.scene.picture(),
   };
-  // Hidden, only the picture says nothing of where the ray meets the shape.
+  // While results are hidden, only the scene's picture does not give them away.
   return model().shown.hits ? [...texts, graph, picture] : [picture];
 }

@@ -9,7 +9,7 @@ const WORDS = {
   failed: 'The plot could not be loaded. All numbers and formulas work.',
 };
 
-/** The graph of f: formulas and numbers stand on the page before it. */
+/** The graph of f, loaded after the formulas and numbers are shown. */
 export const lateGraph = (host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> =>
   lateView(
     host,

@@ -1,6 +1,6 @@
 import type { GraphModel } from '../../state/graph-model.ts';
 
-/** The whole stretch in this time, and a rest at each root. */
+/** Duration of the whole interval of t, and of the pause at each root, in ms. */
 const STRETCH_MS = 5000;
 const REST_MS = 700;
 
@@ -12,8 +12,8 @@ export interface Player {
 }
 
 /**
- * Moves the bead along the ray, resting at each root. Someone who asked for less motion sees it
- * step from root to root. `move` is told each t; `changed` that playing began or ended.
+ * Moves the bead along the ray with a pause at each root; with reduced motion it jumps from root to
+ * root. `move` gets each t; `changed` is called when playing begins or ends.
  */
 export function createPlayer(move: (t: number) => void, changed: () => void): Player {
   let frame = 0;
@@ -52,9 +52,7 @@ export function createPlayer(move: (t: number) => void, changed: () => void): Pl
   };
 }
 
-/**
- * t at each moment: from E onwards, evenly, with a rest at each root; null when the end is reached.
- */
+/** t as a function of elapsed ms: evenly from E on, with a pause at each root; null at the end. */
 function timetable(
   { from, to, roots }: Pick<GraphModel, 'from' | 'to' | 'roots'>,
   stepwise: boolean,

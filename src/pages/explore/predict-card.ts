@@ -9,12 +9,12 @@ import './predict-card.css';
 interface Committed {
   readonly question: ReturnType<typeof questionOf>;
   readonly guess: Guess;
-  /** What it was said of: of any other ray or shape it says nothing. */
+  /** The shape and the ray that the guess is about. */
   readonly shape: ExploreModel['shape'];
   readonly ray: ExploreModel['ray'];
 }
 
-/** The mark stands at the tip of d until it is put somewhere. */
+/** Initial t of the mark: the tip of d. */
 const START = 1;
 
 type PredictCard = (host: HTMLElement, model: ExploreModel) => void;
@@ -29,7 +29,7 @@ export function createPredictCard(dispatch: Dispatch): PredictCard {
     const question = questionOf(state.ask, model.found.details.family === 'curved');
     const commit = (guess: Guess): void => {
       committed = { question, guess, shape, ray };
-      // The mark stays beside the answer, on the ray and in the graph.
+      // The mark stays visible as the bead, on the ray and in the graph.
       if (typeof guess === 'number') dispatch({ type: 'bead', t: guess });
       dispatch({ type: 'reveal', lines: null });
     };

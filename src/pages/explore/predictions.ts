@@ -7,7 +7,7 @@ import type { ExploreModel } from '../../state/derive.ts';
 import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
-/** An answer: the id of an option, or t of the mark that was put on the ray. */
+/** An answer: the id of an option, or t of the mark on the ray. */
 export type Guess = string | number;
 
 interface Option {
@@ -18,15 +18,15 @@ interface Option {
 /** One thing that can be asked of a ray and a shape before the results are shown. */
 interface Question {
   readonly id: Ask;
-  /** In the list of questions. */
+  /** Title in the list of questions. */
   readonly title: string;
   readonly asks: string;
-  /** Whether the answer is a mark on the ray; the options are then for "nowhere". */
+  /** Whether the answer is a mark on the ray; the only options are then for "nowhere". */
   readonly marked: boolean;
   readonly options: readonly Option[];
-  /** Whether it can be asked here: only a curved shape has a D. */
+  /** Whether it can be asked of a curved or a flat shape: only a curved one has D. */
   fits(curved: boolean): boolean;
-  /** The right answer, from what the course's formulas give, or a known mistake of them. */
+  /** The answer that follows from the values of right or edited formulas. */
   answer(found: Answers): Guess | null;
   /** How far off the guess is, in numbers. */
   gap(guess: Guess, truth: Guess, found: Answers, length: number): string;
@@ -127,12 +127,12 @@ const sign: Question = {
 
 export const QUESTIONS: readonly Question[] = [points, where, first, sign];
 
-/** The question that is asked: the one of the link where it can be asked of this shape. */
+/** The question to ask: the one in the link if it fits the shape, else the number of points. */
 export function questionOf(ask: Ask | null, curved: boolean): Question {
   return QUESTIONS.find(({ id, fits }) => id === ask && fits(curved)) ?? points;
 }
 
-/** How near a mark has to be to count as right, in parts of t. */
+/** Largest relative error in t of a mark that counts as right. */
 const NEAR = 0.02;
 
 function same(guess: Guess, truth: Guess | null): boolean {
@@ -148,7 +148,7 @@ interface Judgement {
   readonly mistake: string | null;
 }
 
-/** What is to be said of a guess: exact, whatever method the page shows. */
+/** The judgement on a guess, by exact arithmetic whatever the chosen method is. */
 export function judgementOf(question: Question, guess: Guess, model: ExploreModel): Judgement {
   const input: Input = { shape: model.shape, ray: model.ray };
   const course = courseOf(input.shape);
@@ -165,7 +165,7 @@ export function judgementOf(question: Question, guess: Guess, model: ExploreMode
   };
 }
 
-/** The lines in which a mistake counts as one about the question: almost any gives some answer. */
+/** The lines of mistakes that are considered for a question, since many could give an answer. */
 const LINES: Readonly<Record<Ask, readonly string[]>> = {
   points: ['case', 'D'],
   where: ['first'],

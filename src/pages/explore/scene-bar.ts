@@ -10,7 +10,7 @@ export interface SceneBarTools {
   readonly second: boolean;
 }
 
-/** What this is and what to do, for who has done nothing yet; true of a shape that has a D. */
+/** Words on what this is and what to do, before a first change; true of shapes that have a D. */
 const INVITATION = 'Where does a ray meet a surface? Drag E. Watch D change its sign.';
 
 /** Over the scene: which example this is, and what can be done with the ray that is shown. */

@@ -10,13 +10,13 @@ export interface SecondView {
   render(stage: HTMLElement, model: SceneModel): void;
 }
 
-/** Below it, as on a phone, two views side by side would be too small to read. */
+/** Windows that are wide enough for two views side by side. */
 const WIDE = '(min-width: 900px)';
 const NO_ROOM = 'a second view needs a window of 900 pixels or more';
 
 /**
- * The same scene once more, from above; from the side where that is the view already. Its handles
- * are the scene's, and it goes where they are moved; its own view cannot be turned.
+ * The same scene once more from above, or from the side if the scene itself is seen from above. Its
+ * handles can be dragged too; its view cannot be turned.
  */
 export function createSecondView(
   dispatch: Dispatch,

@@ -4,13 +4,13 @@ import type { ExploreModel } from '../../state/derive.ts';
 import type { ShownExample } from '../../state/example.ts';
 import './story.css';
 
-/** Under the scene: what the example asks, and the answer when it is asked for. */
+/** Below the scene: the example's question, and its answer on demand. */
 export function story(
   host: HTMLElement,
   { example, state }: ExploreModel,
   dispatch: Dispatch,
 ): void {
-  // While the results are hidden, a question of its own is asked on the card.
+  // While results are hidden, the card asks a question of its own.
   const shown = state.revealed === null ? example : null;
   host.hidden = shown === null;
   render(shown ? strip(shown, state.told, dispatch) : nothing, host);

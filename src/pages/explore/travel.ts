@@ -5,13 +5,13 @@ import { createDerive, type FullModel } from '../../state/derive.ts';
 import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../../state/state.ts';
 
 const MILLISECONDS = 900;
-/** Worlds that differ more in size have no way between them that could be seen. */
+/** Largest ratio of two stages' radii between which a transition is drawn. */
 const APART = 20;
 
 /**
- * From one example of a shape to the next its numbers travel. The state is there at once, and so is
- * what is said and saved; only what is drawn is on its way, until it is exactly the state's. Any
- * input ends it. `host` has `data-moving` meanwhile; `changed` asks for the next frame.
+ * Draws a transition from one example of a shape to the next by interpolating the numbers. The
+ * state, and what is announced and saved, change at once; only the drawn model is interpolated. Any
+ * input ends it. Meanwhile `host` has `data-moving`; `changed` asks for the next frame.
  */
 export function createTravel(
   host: HTMLElement,
@@ -45,7 +45,7 @@ export function createTravel(
   };
 }
 
-/** Whether an example was gone to, as by a clicker, that has a way from what was there before. */
+/** Whether another example of the same shape and a similar size was opened. */
 function isNext(before: FullModel, { state, example, scene }: FullModel): boolean {
   const ratio = before.scene.stage.radius / scene.stage.radius;
   return (
@@ -58,7 +58,7 @@ function isNext(before: FullModel, { state, example, scene }: FullModel): boolea
   );
 }
 
-/** The state that is `share` of the way between two of one shape; what has no way is the second. */
+/** Interpolates two states of one shape; what cannot be interpolated is that of the second. */
 export function between(from: AppState, to: AppState, share: number): AppState {
   const mixed = (param: Param, a: unknown, b: unknown): unknown => {
     const one = (x: number, y: number): number => (x === y ? y : (1 - share) * x + share * y);

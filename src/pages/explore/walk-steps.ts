@@ -33,7 +33,7 @@ import { subscript } from '../../text/scripts.ts';
 
 export type Step = WalkStep;
 
-/** Digits that doubles have for certain: where a line has no result to give back. */
+/** Most digits of a number in a line without a result. */
 const MOST = 15;
 
 /** One step, number `n`; the present one with all its layers. */
@@ -92,7 +92,7 @@ function sides({ left, relation, right }: WalkLine, isPresent = false): Template
   return html`${terms(left, isPresent, sign)} ${terms(right, isPresent)}`;
 }
 
-/** `behind` stays in one line with the last of them. */
+/** Terms between which a line may break; `behind` stays with the last one. */
 function terms(
   parts: readonly WalkPart[],
   isPresent: boolean,
@@ -105,7 +105,7 @@ function terms(
   })}`;
 }
 
-/** A term with its sign, known by its products. */
+/** A term with its sign; `data-terms` are the numbers of its products. */
 function term({ sign, expr, products }: WalkPart, isInside: boolean, isPresent: boolean) {
   const mark = isInside || sign === -1 ? signMark(sign, isInside) : nothing;
   const m = formula(mathml`${mark}${bracketed(expr, isInside || sign === -1)}`);
@@ -120,7 +120,7 @@ function term({ sign, expr, products }: WalkPart, isInside: boolean, isPresent: 
 const signMark = (sign: 1 | -1, isInside: boolean): TemplateResult =>
   mathml`<mo form=${isInside ? 'infix' : 'prefix'}>${sign === -1 ? '−' : '+'}</mo>`;
 
-/** A sum behind a sign stands in parentheses. */
+/** A term, in parentheses if it is a sum behind a sign. */
 const bracketed = (expr: Expr, isSigned: boolean): TemplateResult =>
   isSigned && expr.op === 'sum'
     ? mathml`<mo stretchy="false">(</mo>${typesetSymbols(expr)}<mo stretchy="false">)</mo>`
@@ -132,7 +132,7 @@ const POWERS = [
   mathml`<msup><mi>t</mi><mn>2</mn></msup>`,
 ] as const;
 
-/** t²(…) + t(…) + (…) = 0, each term still by itself. */
+/** t²(…) + t(…) + (…) = 0, with the terms of each power. */
 function powers(columns: readonly WalkColumn[]): TemplateResult {
   const used = columns.filter(({ parts }) => parts.length > 0);
   return html`${used.map(({ power, parts }, i) => {
@@ -147,7 +147,7 @@ function powers(columns: readonly WalkColumn[]): TemplateResult {
   })}`;
 }
 
-/* The terms of each power as a bill: term, numbers put in, value; under the rule their sum. */
+/* The terms of each power as a table: term, numbers put in, value; below a rule their sum. */
 
 function bill(line: WalkLine, columns: readonly WalkColumn[], model: ExploreModel): TemplateResult {
   const shown = model.shown.hits;
@@ -197,7 +197,7 @@ function billRow(
   </div>`;
 }
 
-/** f(t) with the sums in their places. */
+/** f(t) with its coefficients as numbers. */
 function wholeOf({ f, numbers }: Derivation, shown: boolean): TemplateResult {
   const { A = 0, B = 0, C = 0 } = numbers.scalars;
   const put = signedSum([A, squared(T)], [B, T], [C, null]);
@@ -207,7 +207,7 @@ function wholeOf({ f, numbers }: Derivation, shown: boolean): TemplateResult {
 
 const T = scalar('t');
 
-/** Numbers times what they stand before, each with its own sign; a zero goes without saying. */
+/** A sum of numbers times trees, each with its sign; terms that are 0 are left out. */
 function signedSum(...all: readonly (readonly [number, Expr | null])[]): Expr {
   const terms = all
     .filter(([x]) => x !== 0)
@@ -219,7 +219,7 @@ function signedSum(...all: readonly (readonly [number, Expr | null])[]): Expr {
   return terms.length > 0 ? { op: 'sum', terms } : num(0);
 }
 
-/* The numbers put in, and the value. */
+/* A line with its numbers put in, and its value. */
 
 function numbersOf(
   step: Step,
@@ -247,7 +247,7 @@ function numbersOf(
   }
 }
 
-/** t, and the point of which the equation speaks, stay symbols. */
+/** The values without t and the equation's point X, which stay symbols. */
 const open = ({ scalars, vectors }: Values<number>): Values<number> => ({
   scalars: Object.fromEntries(Object.entries(scalars).filter(([id]) => !/^[txyz]$/.test(id))),
   vectors: Object.fromEntries(Object.entries(vectors).filter(([id]) => id !== 'X')),
@@ -260,7 +260,7 @@ function openNumbers({ left, right }: WalkLine, numbers: Values<number>): Templa
   return html`<div class="walk-numbers">${line}</div>`;
 }
 
-/** A coefficient has the kernel's own double. */
+/** The line of a coefficient, with the kernel's value as its result. */
 function withResult(id: string, right: Expr, numbers: Values<number>) {
   const result = numbers.scalars[id];
   if (result === undefined) return nothing;
@@ -272,7 +272,7 @@ function withResult(id: string, right: Expr, numbers: Values<number>) {
     ${isFaithful ? '=' : '≈'} ${value(`walk.${id}`, result)}</div>`;
 }
 
-/** f(t) with its numbers, and as the square that it is. */
+/** f(t) with its numbers, and as a completed square. */
 function squareNumbers({ left, right }: WalkLine, numbers: Values<number>) {
   const { A = 0, B = 0, D = 0 } = numbers.scalars;
   const put = (parts: readonly WalkPart[]) => inNumbers(walkSide(parts), numbers, 6);
@@ -288,7 +288,7 @@ function squareNumbers({ left, right }: WalkLine, numbers: Values<number>) {
     </div>`;
 }
 
-/** t with −B, √D and 2A worked out, as on the card. */
+/** t with −B, √D and 2A evaluated, as in the algebra. */
 function rootNumbers({ derivation, found, exactly }: ExploreModel) {
   const step = derivation.steps.find(({ id }) => id === 't');
   if (!step) return nothing;
@@ -319,7 +319,7 @@ function atHits(left: Expr, right: Expr, { derivation, found }: ExploreModel) {
   })}`;
 }
 
-/** What a step ends with: roots, normals, conditions. */
+/** The results of a step: roots, normals, conditions. */
 function results(
   { id }: Step,
   model: ExploreModel,
@@ -332,7 +332,7 @@ function results(
         .map((of) => said[of])
         .map((words) => (words ? sentence(words) : nothing))}`;
     case 'complete':
-      // Without a square the sentence is on the straight line.
+      // If A = 0 there is no square, and the sentence is about a straight line.
       return said.D?.startsWith('D') ? closest(model) : sentence(said.D ?? '');
     case 'roots':
     case 't':
@@ -349,13 +349,13 @@ function results(
   }
 }
 
-/** The same in space, where the surface is round. */
+/** The line's distance from the axis or centre of a round surface. */
 function closest({ shape, ray }: ExploreModel): TemplateResult | typeof nothing {
   const words = closestWords(shape, ray);
   return words ? sentence(words) : nothing;
 }
 
-/** The course's normal, that of length 1, and which side the ray meets. */
+/** The course's normal, the one of length 1, and which side the ray meets. */
 function normalOf({ normal, singular }: Hit, i: number, { found, exactly }: ExploreModel) {
   const name = `N${subscript(i + 1)}`;
   if (singular) {
@@ -369,10 +369,7 @@ function normalOf({ normal, singular }: Hit, i: number, { found, exactly }: Expl
     ${facing ? sentence(facing) : nothing}`;
 }
 
-/**
- * The line with its numbers, in pieces between which it can be broken; `behind` stays with the last
- * of them.
- */
+/** A line with its numbers, in pieces between which it may break; `behind` stays with the last. */
 function inNumbers(
   expr: Expr,
   numbers: Values<number>,

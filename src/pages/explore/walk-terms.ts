@@ -5,7 +5,7 @@
 
 const TRAVEL_MS = 300;
 
-/** Where each term of the present step stands. */
+/** The rectangle of each term of the present step. */
 type Places = readonly { readonly terms: readonly string[]; readonly at: DOMRect }[];
 
 const termsOf = (element: Element): string[] =>
@@ -21,7 +21,7 @@ export const placesOf = (host: Element): Places =>
     at: element.getBoundingClientRect(),
   }));
 
-/** Each term of the present step comes from where it, or what it is a part of, stood before. */
+/** Moves each term of the present step from where it, or the term it is part of, was before. */
 export function travel(host: Element, before: Places): void {
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   for (const element of ofPresent(host)) {
@@ -40,7 +40,7 @@ export function travel(host: Element, before: Places): void {
 
 const LIT = 'term-lit';
 
-/** A term that is hovered or focused lights up in every step, with what it came from. */
+/** Highlights a hovered or focused term in every step, with the terms it came from. */
 export function lightTerms(host: HTMLElement): void {
   const light = (target: EventTarget | null): void => {
     const chosen = target instanceof Element ? target.closest('[data-terms]') : null;

@@ -16,14 +16,14 @@ import { lightTerms, placesOf, travel } from './walk-terms.ts';
 import '../../ui/dialog.css';
 import './walk.css';
 
-/** f is a straight line: A is exactly 0. Hidden results do not tell that it is. */
+/** The steps; fewer if A is exactly 0, unless results are hidden, as that would give it away. */
 function stepsOf({ shape, exactly, shown }: ExploreModel): readonly Step[] {
   const { details } = exactly.found;
   return walkOf(shape, shown.hits && details.family === 'curved' && details.signs.A === 0);
 }
 
 export interface MountedWalk extends Mounted<ExploreModel> {
-  /** What scene and graph show beside the present step. */
+  /** The scene and the graph to show beside the present step. */
   scene(model: FullModel): SceneModel;
   graph(model: FullModel): GraphModel;
 }
@@ -34,8 +34,8 @@ const MOVES: Readonly<Record<string, (at: number, last: number) => number>> = {
 };
 
 /**
- * The derivation beside the scene: the lines up to the present step, and the bar to go to any
- * other. `opener` gets the focus back when it is closed.
+ * The walk: the derivation's lines up to the present step, and a bar to go to any other. `opener`
+ * gets the focus back when it is closed.
  */
 export function mountWalk(
   host: HTMLElement,
@@ -66,7 +66,7 @@ export function mountWalk(
   });
   lightTerms(host);
 
-  /** What is new comes into view, from its beginning where there is no room for all of it. */
+  /** Scrolls the present step into view, from its beginning if it does not fit. */
   const showPresent = (): void => {
     const steps = host.querySelector('.walk-steps');
     const present = host.querySelector('.walk-step.present');
@@ -76,7 +76,7 @@ export function mountWalk(
   };
   const open = (): void => {
     const section = host.querySelector<HTMLElement>('.walk');
-    // A link opens it without anybody having asked: nobody's focus is moved then.
+    // If a link opened the walk, the focus is not moved.
     if (back && back !== document.body) section?.focus({ preventScroll: true });
   };
   return {
@@ -144,7 +144,7 @@ function walk(
   </section>`;
 }
 
-/** E, d and what the shape is given by. */
+/** E, d and the shape's parameters with their values. */
 function given(model: ExploreModel): TemplateResult {
   const none = (): void => {};
   const all = [...rayHandles(model, none), ...shapeHandles(model, none)];
@@ -163,7 +163,7 @@ function given(model: ExploreModel): TemplateResult {
 }
 
 function bar(steps: readonly Step[], at: number, go: (to: number) => void): TemplateResult {
-  /** Dragged along the stops, the nearest one is shown. */
+  /** A drag along the bar shows the nearest step. */
   const scrub = (event: PointerEvent): void => {
     if (event.buttons !== 1) return;
     const stops = [...(event.currentTarget as Element).children];

@@ -15,7 +15,7 @@ interface EditTools {
   readonly isLast: boolean;
 }
 
-/** The step as it is written, in the place of its text. */
+/** The form for a step's text, shown in place of the text. */
 export function editView(tools: EditTools): TemplateResult {
   const { text, title, change, changeTitle, done, cancel, remove } = tools;
   const written = (event: Event): string =>

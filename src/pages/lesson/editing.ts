@@ -7,7 +7,7 @@ import { editView } from './edit-view.ts';
 import { ownSettings } from './own-lesson.ts';
 import type { Place } from './source.ts';
 
-/** A step that is being written; a lesson that comes with Graze becomes one's own by it. */
+/** Editing of a step. Editing a lesson that comes with Graze makes an own lesson of it. */
 export function createEditing(dispatch: Dispatch, changed: () => void) {
   let draft: { text: string; title: string } | null = null;
 
@@ -32,7 +32,7 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
     place.lesson.steps.map(({ source }, i) =>
       i === place.number - 1 ? (draft?.text ?? source).trim() : source,
     );
-  /** The step changes its place with the one before or after. */
+  /** Swaps the step with the one before or after. */
   const move = (place: Place, by: 1 | -1): void => {
     const sources = sourcesOf(place);
     const at = place.number - 1;
@@ -49,7 +49,7 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
       changed();
     },
     cancel,
-    /** The form in the place of the text; null while nothing is written. */
+    /** The form in place of the text; null while nothing is edited. */
     view(place: Place): TemplateResult | null {
       if (!draft) return null;
       const now = draft;

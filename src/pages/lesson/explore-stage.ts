@@ -9,16 +9,16 @@ import { lateScene } from '../late-scene.ts';
 
 interface StageModel {
   readonly model: FullModel;
-  /** Whether what has this symbol can be taken in the scene. */
+  /** Whether the handle of this symbol can be dragged. */
   readonly movable: (symbol: string) => boolean;
-  /** Normals are drawn where the text speaks of them: there is little room for arrows. */
+  /** Whether normals are drawn: only if the text mentions them, since there is little room. */
   readonly normals: boolean;
 }
 
-/** Width in CSS pixels from which the scene from above is no inset. */
+/** Width in CSS pixels from which the view from above stands beside the scene, not in it. */
 const LARGE = 200;
 
-/** E, where the ray meets the shape, and the shape around its middle. */
+/** Points that must be in the frame: E, the hits, and points of the shape around its anchor. */
 function toBeSeen({ shape, ray, scene }: FullModel): Vec3[] {
   const { at, size } = definitionOf(shape).anchor(shape);
   const hits = scene.hits.filter(({ drawn }) => drawn).map(({ point }) => point);
@@ -60,7 +60,7 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
       code = loaded;
       drawAbove();
     },
-    // The scene says that it did not come.
+    // The scene itself shows that its code could not be loaded.
     () => above.remove(),
   );
   return {

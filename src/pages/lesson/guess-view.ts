@@ -6,16 +6,16 @@ import { spokenName } from '../../text/spoken.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
 
 export interface GuessTools {
-  /** What is written in the box, or chosen, and not yet handed in. */
+  /** The text or choice that is not handed in yet, as drawn. */
   readonly draft: string;
-  /** The same when it is handed in, which may be before it has been drawn. */
+  /** The draft at the time of handing in, which may be newer than the drawn one. */
   readonly now: () => string;
   readonly change: (text: string) => void;
   readonly hand: (text: string) => void;
   readonly show: () => void;
 }
 
-/** What is asked, with a box or the choices, while nobody has answered. */
+/** The question with a box or choices, before it is answered. */
 export function questionView(
   step: Step,
   guess: Guess,
@@ -75,14 +75,14 @@ function choices(draft: string, change: (text: string) => void): TemplateResult 
   </fieldset>`;
 }
 
-/** A number of a table's row has no letter of its own. */
+/** The name of the asked quantity; a number in a table's row has no letter of its own. */
 function nameOf({ free }: Step, guess: Guess): string {
   if (guess.type === 'free') return free ?? '';
   const isLetter = /^[A-Za-z]\d?(\.[xyz])?$/.test(guess.quantity);
   return isLetter ? spokenName(guess.quantity) : 'your guess';
 }
 
-/** After it has been answered or shown. */
+/** The answer, after it was handed in or shown. */
 export function answerView(
   step: Step,
   guess: Guess,

@@ -15,24 +15,21 @@ import type { GuessTools } from './guess-view.ts';
 import { placeOf } from './source.ts';
 
 export interface HandIn {
-  /** What is done to what the step shows. */
+  /** Dispatch for the page that the step shows. */
   readonly inner: Dispatch;
   /** The guess as it is now, before it is handed in. */
   readonly draft: () => string;
   readonly change: (text: string) => void;
   tools(step: Step): GuessTools;
-  /** Shows what is hidden or asked for. */
+  /** Shows hidden results or the answer. */
   readonly reveal: () => void;
-  /**
-   * A clicker's key: forward shows first what is asked or hidden, and back takes it away; then
-   * comes the next step.
-   */
+  /** A clicker's key: forward shows the answer or hidden results first, back hides them again. */
   readonly turn: (by: 1 | -1) => void;
-  /** Another step begins. */
+  /** Clears the draft, for another step. */
   readonly clear: () => void;
 }
 
-/** How a step's state and its question are changed: as settings of the lesson, in one action. */
+/** Changes a step's state and its guess as settings of the lesson, in one action. */
 export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   let draft = '';
   const change = (text: string): void => {
@@ -43,7 +40,7 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
     if (leads(action)) dispatch(action);
     else dispatch({ type: 'settings', values: (now) => moved(now, action) });
   };
-  /** With the number that was asked for, where there is one, the truth is shown. */
+  /** Settings that show the answer; a free number that was asked for gets its true value. */
   const answer = (more: Changes) => (now: Settings) => {
     const step = placeOf(now)?.step;
     const free = step?.free;
@@ -91,7 +88,7 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   };
 }
 
-/** An action that leads to another page: it leaves the lesson. */
+/** Whether an action leads to another page and so leaves the lesson. */
 const leads = (action: Action): boolean => action.type === 'link' || action.type === 'page';
 
 function moved(now: Settings, action: Action): Changes {

@@ -27,7 +27,7 @@ import { type StepParts, stepView } from './step-view.ts';
 import './lesson-page.css';
 import './lesson-text.css';
 
-/** A text beside what it speaks of, step by step; without an id in the link, the list of all. */
+/** The page Lessons: a text beside what it is about, step by step; without an id, the list. */
 export const mountLesson: MountPage = (host, context) => {
   const { dispatch, changed, announce } = context;
   host.classList.add('lesson');
@@ -93,14 +93,14 @@ export const mountLesson: MountPage = (host, context) => {
     render(own, list);
   };
 
-  /** The state as it was read before, where it is the same: what follows from it is known. */
+  /** The earlier state object if it is equal, so that models that follow from it stay cached. */
   const asBefore = (state: AppState): AppState => {
     const link = `${encode(state)} ${state.revealed}`;
     if (last?.link !== link) last = { link, state };
     return last.state;
   };
 
-  /** What is said of a change within a step, or of a new step. */
+  /** Announces a new step, or a change within a step. */
   const tell = (before: typeof shown, now: NonNullable<typeof shown>): void => {
     const { lesson, number, step } = now.place;
     if (before?.place.lesson !== lesson || before.place.number !== number) {
@@ -139,7 +139,7 @@ export const mountLesson: MountPage = (host, context) => {
       explore.render({ model, movable: sliders.movable, normals: letters.has('N') });
     } else others.render(inner, partShown(step.part, inner));
     const { guess } = step;
-    // Beside an open question another page would give its answer away.
+    // While a question is open, another page is covered, since it would give the answer away.
     const covered = asked && !onExplore && guess && guess.type !== 'free' ? guess.quantity : null;
     host.toggleAttribute('data-covered', covered !== null);
     const beside = { model, page: other, asked: covered };
@@ -164,7 +164,7 @@ export const mountLesson: MountPage = (host, context) => {
     handIn.turn(by);
   };
 
-  // A clicker's two keys mean next and back wherever the focus is left.
+  // A clicker's two keys mean next and back wherever the focus is.
   host.addEventListener(
     'keydown',
     (event) => {
@@ -177,9 +177,9 @@ export const mountLesson: MountPage = (host, context) => {
     true,
   );
 
-  // What other pages measure arrives without a new state: numbers in the text follow them.
+  // Other pages show new results without a new state: numbers in the text follow these.
   new MutationObserver((records) => {
-    // What is set to the value that it has is no news, and would be asked for again and again.
+    // Setting an attribute to its present value is ignored: it would cause an endless loop.
     const isNews = records.some(
       ({ type, target, attributeName, oldValue }) =>
         type === 'childList' || (target as Element).getAttribute(attributeName ?? '') !== oldValue,

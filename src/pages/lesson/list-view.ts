@@ -4,12 +4,12 @@ import { LESSON_IDS, lessonOf } from '../../lesson/lessons/index.ts';
 interface ListTools {
   readonly hasOwn: boolean;
   readonly goOn: () => void;
-  /** Takes what Explore shows as the next step of the own lesson. */
+  /** Adds what Explore shows to the own lesson as its next step. */
   readonly collect: () => void;
   readonly openFile: () => void;
 }
 
-/** The lessons that there are, and the way to one's own. */
+/** The list of lessons, and buttons for the own lesson. */
 export function listView({ hasOwn, goOn, collect, openFile }: ListTools): TemplateResult {
   return html`<section class="lesson-list" aria-label="Lessons">
     <h2>Lessons</h2>

@@ -38,7 +38,7 @@ export function createOtherPages(host: HTMLElement, context: PageContext, dispat
   };
 
   return {
-    /** All of the page, or one part of it alone. */
+    /** Shows the whole page, or one part of it alone. */
     render(state: AppState, part: string | null): void {
       if (shown !== state.page) {
         rest();
@@ -57,7 +57,7 @@ export function createOtherPages(host: HTMLElement, context: PageContext, dispat
         element.toggleAttribute('data-elsewhere', !isShown);
       }
     },
-    /** No step of another page is shown. */
+    /** Removes the page, when a step shows Explore. */
     leave(): void {
       rest();
       shown = null;

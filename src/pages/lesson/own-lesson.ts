@@ -7,8 +7,8 @@ import type { AppState, Settings } from '../../state/state.ts';
 import { recall, remember } from '../../ui/storage.ts';
 
 /*
- * A lesson of one's own: its text, packed, is in the link, so that the link is the lesson; the
- * device keeps what was written last.
+ * The own lesson. Its packed text is in the link, so that a link can be sent; the browser's storage
+ * keeps the latest text.
  */
 
 const KEPT = 'graze.lesson';
@@ -16,7 +16,7 @@ const KEPT = 'graze.lesson';
 /** UTF-8 needs up to four bytes a character. */
 const MOST_BYTES = 4 * LONGEST_LESSON;
 
-/** Throws InvalidInput where the link's text cannot be unpacked. */
+/** The text in the link, else the stored one. Throws InvalidInput if it cannot be unpacked. */
 export function ownText(settings: Settings): string | null {
   const { file } = settings;
   return file === undefined ? recall(KEPT) : unpacked(file, 'lesson', MOST_BYTES);
@@ -36,7 +36,7 @@ export function collected(text: string | null, link: string): { text: string; st
   return { text: `${text.trimEnd()}\n\n${newStep(`Step ${step}`, link)}\n`, step };
 }
 
-/** The state with what a link shows as the next step of the own lesson. */
+/** The state with a link added as the next step of the own lesson. */
 export function withCollected(state: AppState, link: string): { state: AppState; step: number } {
   const { lesson } = state.settings;
   let before: string | null;
@@ -50,7 +50,7 @@ export function withCollected(state: AppState, link: string): { state: AppState;
   return { state: { ...state, settings }, step };
 }
 
-/** The state that shows a lesson from a file; says what is wrong with a file that is none. */
+/** The state that shows the lesson of a file. Throws with what is wrong with another file. */
 export function openedLesson(state: AppState, text: string): AppState {
   if (!isLesson(text)) {
     const begins = quote(text.trim().split('\n', 1)[0]);

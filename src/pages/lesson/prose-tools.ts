@@ -5,18 +5,18 @@ import { display } from '../../text/format.ts';
 import type { ProseTools, ShownValue } from './prose-view.ts';
 import type { Place } from './source.ts';
 
-/** The longest text of each live number in the step that is shown. */
+/** The largest width in digits of each live number in the present step. */
 let rooms: { key: string; lengths: Map<string, number> } = { key: '', lengths: new Map() };
 
 /** What is shown beside the text: Explore's model, or an element with another page. */
 interface Beside {
   readonly model: ExploreModel | null;
   readonly page: HTMLElement;
-  /** What is asked, of a page that is out of sight until it is answered. */
+  /** The quantity that is asked, while the page is covered; null otherwise. */
   readonly asked: string | null;
 }
 
-/** What of the prose follows the scene, or the page beside it. */
+/** The values for live numbers in the prose, from the scene or the page beside it. */
 export function proseTools(
   { lesson, number }: Place,
   { model, page, asked }: Beside,
@@ -38,7 +38,7 @@ export function proseTools(
   };
 }
 
-/** Everything that follows from the ray and the shape, but the coefficients that lead to it. */
+/** Whether a quantity is a result, and not a coefficient A, B or C that leads to it. */
 const isResult = (name: string, { derivation }: ExploreModel): boolean =>
   /^([tPN][12](\.|$)|class$|D$)/.test(name) ||
   (derivation.steps.some(({ id }) => id === name) && !/^[ABC]$/.test(name));
@@ -49,13 +49,13 @@ function valueIn(model: ExploreModel, name: string): ShownValue | null {
   return { value, text: typeof value === 'number' ? display(value) : value };
 }
 
-/** A text of the page that is longer is one of all digits. */
+/** Longest text of a rounded number; a longer one shows all digits. */
 const LONGEST_TEXT = 12;
 
-/** A picture that is being traced counts rays that are not all yet: no sentence is about those. */
+/** Selector of an unfinished picture, whose counts of rays are not final. */
 const UNFINISHED = '[data-trace]:not([data-trace="finished"])';
 
-/** {textbook.t1} is the t1 of the row of textbook; {questions} is the page's own. */
+/** The value of {questions} on the page, or of {textbook.t1} in the row of textbook. */
 function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
   if (!isQuantity(name) || page.querySelector(UNFINISHED)) return null;
   const [row = '', ...rest] = name.split('.').map((part) => CSS.escape(part));
@@ -68,7 +68,7 @@ function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
   const number = Number(full);
   const own = (found.textContent ?? '').trim();
   if (full.trim() === '' || Number.isNaN(number)) return { value: full, text: own || full };
-  // A count of 0 may stand there in a few words.
+  // A count of 0 may be written in words.
   const isShort = own.length <= LONGEST_TEXT && /^[−\d]/.test(own);
   return { value: number, text: isShort ? own : display(number) };
 }

@@ -6,22 +6,24 @@ import { classOf, highlightOf } from '../../panels/symbols.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { shortest } from '../../text/format.ts';
 
-/** A value, and the text that the page shows for it. */
+/** A value with the text that the page shows for it. */
 export interface ShownValue {
   readonly value: number | string;
   readonly text: string;
 }
 
-/** What a text needs to be shown. */
+/** What the prose needs from the page. */
 export interface ProseTools {
-  /** The value that is shown beside it; null where there is none. */
+  /** The value that is shown beside the prose; null if there is none. */
   readonly value: (quantity: string) => ShownValue | null;
-  /** Results are hidden: these numbers are not told. */
+  /** Whether a quantity is hidden. */
   readonly isHidden: (quantity: string) => boolean;
-  /** For conditions; null on other pages than Explore, where they do not hold. */
+  /** The model for conditions; null on other pages than Explore, where no condition holds. */
   readonly model: ExploreModel | null;
   readonly slider: () => TemplateResult | typeof nothing;
-  /** So many digits a live number has needed in this step: its place never gets narrower. */
+  /**
+   * The largest number of digits a live number had in this step, so that it never gets narrower.
+   */
   readonly room: (quantity: string, digits: number) => number;
 }
 
@@ -31,7 +33,7 @@ export function proseView(prose: Prose, tools: ProseTools): TemplateResult {
 
 function isShown({ when }: Block, { model }: ProseTools): boolean {
   if (when.length === 0) return true;
-  // Which of two texts is shown would tell what is to be predicted.
+  // Conditional text is hidden with the results: it would give them away.
   return model?.shown.hits === true && allHold(when, model);
 }
 
@@ -52,7 +54,7 @@ function blockView(block: Block, tools: ProseTools): TemplateResult | typeof not
   }
 }
 
-/** A point after a number or formula stays on its line. */
+/** The parts of a line; a full stop after a number or formula is kept on its line. */
 function inlines(parts: readonly Inline[], tools: ProseTools): TemplateResult[] {
   const told = parts.filter(({ type }) => type !== 'claims');
   return told.map((part, i) => {
@@ -94,12 +96,12 @@ function inlineView(part: Inline, tools: ProseTools): TemplateResult {
   }
 }
 
-/** A formula of no more parts stays on one line. */
+/** Largest number of parts of a formula that is never broken. */
 const SHORT = 8;
 const isSign = (part: FormulaPart | undefined, signs: RegExp): boolean =>
   part?.type === 'sign' && signs.test(part.text);
 
-/** A line may end after a comma, and in a long formula before a relation. */
+/** A formula that may be broken after a comma and, if it is long, before a relation. */
 function formulaView(
   parts: readonly FormulaPart[],
   tools: ProseTools,
@@ -122,7 +124,7 @@ function formulaView(
   )}</span>`;
 }
 
-/** "X / Y" with a line between; each side ends at a sign outside of brackets, and loses its own. */
+/** Writes "X / Y" as a fraction; each side ends at a sign outside of brackets. */
 function withFractions(parts: readonly FormulaPart[], tools: ProseTools): TemplateResult[] {
   const at = parts.findIndex((part) => isSign(part, /^\/$/));
   if (at < 0) return raised(parts, tools);
@@ -142,7 +144,7 @@ function withFractions(parts: readonly FormulaPart[], tools: ProseTools): Templa
 const isBracketed = (side: readonly FormulaPart[]): boolean =>
   isSign(side[0], /^\($/) && isSign(side.at(-1), /^\)$/);
 
-/** How many parts belong to a side of a fraction, counted from its line outwards. */
+/** Number of parts that belong to a side of a fraction, counted from the stroke outwards. */
 function sideOf(parts: readonly FormulaPart[], opening: RegExp): number {
   let depth = 0;
   for (const [i, part] of parts.entries()) {
@@ -155,7 +157,7 @@ function sideOf(parts: readonly FormulaPart[], opening: RegExp): number {
 const isRoot = (part: FormulaPart | undefined): boolean =>
   part?.type === 'sign' && part.text === '√';
 
-/** A root reaches over the next part; a power belongs to the part before it. */
+/** Typesets roots, which cover the next part, and powers, which belong to the part before. */
 function raised(parts: readonly FormulaPart[], tools: ProseTools): TemplateResult[] {
   const rows: TemplateResult[] = [];
   for (const [i, part] of parts.entries()) {
@@ -174,7 +176,7 @@ function raised(parts: readonly FormulaPart[], tools: ProseTools): TemplateResul
   return rows;
 }
 
-/** A sign that begins something is no operation between two. */
+/** Whether the sign is a prefix and not an operator between two operands. */
 const isPrefix = (parts: readonly FormulaPart[], i: number): boolean =>
   isSign(parts[i], /^\($/) ||
   (isSign(parts[i], /^[−+±√]$/) && (i === 0 || isSign(parts[i - 1], /^[(=<>≤≥≠,/·]$/)));
@@ -198,7 +200,7 @@ function partView(
   }
 }
 
-/** N of a hit, but the plane's own N without an index. */
+/** Classes of the symbols of hits. */
 const COLOURS: Readonly<Record<string, string>> = { t: 'sym sym-hit', P: 'sym sym-hit' };
 
 function symbolView(base: string, index: string): TemplateResult {
@@ -224,7 +226,7 @@ interface Live {
   readonly lights: string;
 }
 
-/** The number as the page shows it: six digits, all of them in data-value. */
+/** A live number as the page shows it: six digits, all of them in data-value. */
 function liveOf(name: string, tools: ProseTools): Live {
   const cls = colourOf(name);
   const lights = lightsOf(name);
@@ -236,7 +238,7 @@ function liveOf(name: string, tools: ProseTools): Live {
   return { text, quantity: name, value: full, cls, lights };
 }
 
-/** Without the row of a table, which is no symbol: "textbook.t1" is t1. */
+/** The quantity without the row of a table: "t1" for "textbook.t1". */
 const withoutRow = (name: string): string => name.replace(/^[a-z][\w-]{2,}\./, '');
 
 function colourOf(name: string): string {
@@ -266,10 +268,10 @@ function liveView(name: string, tools: ProseTools): TemplateResult {
     data-value=${value}>${text}</span>`;
 }
 
-/** Of more digits no place is kept. */
+/** Largest width in digits that is kept for a number. */
 const LONGEST_LINE = 12;
 
-/** In digits: points, spaces and signs are about half as wide. */
+/** Width of a text in digits; points, spaces and signs count half. */
 function widthOf(text: string): number {
   const digits = text.replace(/\D/g, '').length;
   return Math.floor(digits + (text.length - digits) / 2);

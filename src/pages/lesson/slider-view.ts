@@ -5,7 +5,7 @@ import { classOf } from '../../panels/symbols.ts';
 import { display, shortest } from '../../text/format.ts';
 import '../../ui/slider.ts';
 
-/** On the slider's track: where the guess stands, and how far it was from the truth. */
+/** Mark on the slider's track: the guess, and the true value once it is shown. */
 export interface SliderMark {
   readonly at: number;
   readonly truth: number | null;
@@ -16,13 +16,13 @@ interface SliderParts {
   readonly value: number;
   readonly mark: SliderMark | null;
   readonly send: (value: number) => void;
-  /** It moves the mark and not the number itself. */
+  /** Whether the slider moves the mark of a guess and not the number itself. */
   readonly guessing: boolean;
 }
 
 const TICKS = 4;
 
-/** The one control of a step: its symbol, a track with numbers under it, the value. */
+/** The slider of a step: its symbol, a track with numbers under it, the value. */
 export function sliderView({ freedom, value, mark, send, guessing }: SliderParts): TemplateResult {
   const { name, symbol: letter, title, range, step } = freedom;
   const axis = name.split('.')[1] ?? null;
@@ -55,7 +55,7 @@ type Range = readonly [number, number];
 const share = (x: number, [least, most]: Range): number =>
   (100 * (Math.min(Math.max(x, least), most) - least)) / (most - least);
 
-/** Numbers under the track, and the mark pointing up at its value. */
+/** Numbers under the track, and the mark at its value. */
 function ticks(range: Range, mark: SliderMark | null): TemplateResult {
   const all = Array.from(
     { length: TICKS + 1 },
@@ -75,7 +75,7 @@ function ticks(range: Range, mark: SliderMark | null): TemplateResult {
   </svg>`;
 }
 
-/** From the guess to the truth, with its length. */
+/** The distance from the guess to the true value. */
 function gap({ at, truth }: SliderMark, range: Range): TemplateResult | typeof nothing {
   if (truth === null || at === truth) return nothing;
   const [a, b] = [share(at, range), share(truth, range)];

@@ -7,7 +7,7 @@ import { parseNumber } from '../../text/parse.ts';
 import type { HandIn } from './hand-in.ts';
 import { type SliderMark, sliderView } from './slider-view.ts';
 
-/** The sliders of what a step lets be moved, and what of it can be taken in the scene. */
+/** The sliders for a step's free number, and which handles can be dragged. */
 export function slidersOf(
   step: Step,
   state: AppState,
@@ -21,7 +21,7 @@ export function slidersOf(
   const { free, guess } = step;
   const all = free === null ? [] : (freedomOf(free, state) ?? []);
   if (all.length === 0) return { view: () => nothing, movable: () => false };
-  // Whoever could move it would find by trying what is to be predicted.
+  // While a free number is asked for it is locked, since trying would give the answer.
   const locked = isAsked && guess?.type === 'free';
   const given = numberIn(locked ? draft() : settings.guess);
   const truth = guess?.type === 'free' && !locked ? guess.truth : null;

@@ -10,7 +10,7 @@ import { ownText } from './own-lesson.ts';
 
 let last: { text: string; read: ReadLesson } | null = null;
 
-/** The own lesson is read again only when its text is another one. */
+/** The own lesson; cached while its text is the same. */
 function ownLesson(settings: Settings): ReadLesson | null {
   const text = ownText(settings);
   if (text === null) return null;
@@ -44,7 +44,7 @@ function safely(settings: Settings): ReadLesson | null {
   }
 }
 
-/** What of a link's settings is usable, and what was wrong with the rest. */
+/** The valid settings of a link, and what is wrong with the others. */
 export function readSettings(given: Settings): Readable {
   const problems = problemsOf(given);
   const place = placeOf(given);

@@ -3,7 +3,7 @@ import { type AppState, shapeOf } from '../../state/state.ts';
 
 const TRAVEL_MS = 400;
 
-/** Numbers and triples on their way; anything else is already what it will be. */
+/** Interpolates numbers and arrays; other values are those of b. */
 function between<T>(a: T, b: T, share: number): T {
   if (typeof a === 'number' && typeof b === 'number') return (a + (b - a) * share) as T;
   if (!Array.isArray(a) || !Array.isArray(b)) return b;
@@ -16,11 +16,11 @@ function shapeBetween(a: Shape, b: Shape, share: number): Shape {
   return Object.fromEntries(pairs) as Shape;
 }
 
-/** A state on the way from one step to the next, which has the same shape. */
+/** Interpolates the states of two steps with the same shape. */
 function stateBetween(a: AppState, b: AppState, share: number): AppState {
   const shape = shapeBetween(shapeOf(a), shapeOf(b), share);
   const d: Vec3 = between(a.d, b.d, share);
-  // Opposite directions meet at none on their way.
+  // Halfway between opposite directions d would be 0.
   const has = d.some((x) => x !== 0);
   return {
     ...b,
@@ -35,21 +35,21 @@ const numbersOf = ({ E, d, kind, shapes }: AppState): string =>
   JSON.stringify([E, d, kind, shapes[kind]]);
 
 /**
- * The ray and the shape move from where one step left them to where the next begins. `ask` asks for
- * the next frame; somebody who asked for less motion sees the end at once.
+ * Draws a transition of ray and shape from one step to the next. `ask` asks for the next frame.
+ * With reduced motion there is no transition.
  */
 export function createTravel(ask: () => void) {
   let from: AppState | null = null;
   let begun = 0;
   return {
-    /** A new step begins: what was drawn last is where the way starts. */
+    /** Starts a transition from the state that was drawn last. */
     start(last: AppState | null, next: AppState): void {
       const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
       const fits = last?.page === 'explore' && next.page === 'explore' && last.kind === next.kind;
       from = fits && !still && numbersOf(last) !== numbersOf(next) ? last : null;
       begun = performance.now();
     },
-    /** What is drawn now on the way to a state. */
+    /** The state to draw now. */
     now(state: AppState): AppState {
       if (!from) return state;
       const share = (performance.now() - begun) / TRAVEL_MS;

@@ -8,9 +8,9 @@ export interface StepParts {
   readonly number: number;
   readonly step: Step;
   readonly prose: ProseTools;
-  /** The question while it is open, or its answer. */
+  /** The open question, or its answer. */
   readonly asked: TemplateResult | typeof nothing;
-  /** In the place of the text while it is written. */
+  /** The form in place of the text while it is edited. */
   readonly editor: TemplateResult | null;
   readonly slider: TemplateResult | typeof nothing;
   readonly isHidden: boolean;

@@ -8,15 +8,15 @@ import type { Frame, TraceProgress } from '../../workers/trace-job.ts';
 import type { TraceQueue } from './trace-queue.ts';
 import { type TraceRequest, type TraceRequests, traceRequests } from './trace-request.ts';
 
-/** What there is to see on the page: the settings, and how far each of their pictures has come. */
+/** What the page shows: its settings, and the progress of each of their pictures. */
 export interface PictureModel {
   readonly picture: PictureSettings;
   readonly requests: TraceRequests;
   readonly main: TraceProgress | null;
   readonly other: TraceProgress | null;
-  /** Of one side against the one that is rather to be trusted, once both are finished. */
+  /** Comparison with the side of the more accurate method, once both are finished. */
   readonly comparison: Comparison | null;
-  /** Whether the picture that is trusted is the left one. */
+  /** Whether the left side has the more accurate method. */
   readonly trustsLeft: boolean;
   readonly ledger: LedgerModel;
   /** Pictures that the ledger's last column would still need. */
@@ -54,7 +54,7 @@ export function pictureModel(state: AppState, traceQueue: TraceQueue): PictureMo
   };
 }
 
-/** The ladder's order: what a method answers is rather right than what one below it does. */
+/** Index of the method in METHODS, which are ordered by accuracy. */
 const trustOf = ({ settings }: TraceRequest): number =>
   METHODS.findIndex(({ id }) => id === settings.method);
 
