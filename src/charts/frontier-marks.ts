@@ -4,7 +4,7 @@ import type { FrontierMark } from '../state/accuracy/frontier.ts';
 import type { Box } from './mark-labels.ts';
 import { type Field, px } from './plot.ts';
 
-/** The step line as thin boxes, so that no name lies on it. */
+/** The step line as thin boxes, which labels must not cover. */
 export function lineBoxes(front: readonly Priced[], { right, bottom }: Field): Box[] {
   const [first] = front;
   const last = front.at(-1);
@@ -21,7 +21,7 @@ export function lineBoxes(front: readonly Priced[], { right, bottom }: Field): B
   });
 }
 
-/** In px: up to the first worth, along the steps, and on to the right. */
+/** The step line in px: up to the first worth, along the steps, on to the right edge. */
 export function stepLine(front: readonly Priced[], { right, bottom }: Field): TemplateResult {
   const [first] = front;
   const last = front.at(-1);

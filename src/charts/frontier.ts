@@ -18,7 +18,7 @@ import {
   px,
 } from './plot.ts';
 
-/** Worth against cost, one mark a method, and the step line of those that nothing beats. */
+/** The plot of worth against cost: a mark for each method, and the step line of the frontier. */
 export function mountFrontier(
   host: HTMLElement,
   choose: (id: string) => void,
@@ -44,12 +44,12 @@ export function mountFrontier(
   };
 }
 
-/** Of time: multiples, and nanoseconds. */
+/** Scales of the cost axis: multiples of the textbook, and ns. */
 const SCALES = 2;
-/** Marks stay clear of the ends of the axis by this factor. */
+/** Factor in cost between the outer marks and the ends of the axis. */
 const MARGIN = 1.5;
 
-/** A mark and where it stands, in px. */
+/** A mark with its position in px. */
 interface Spot {
   readonly mark: FrontierMark;
   readonly x: number;
@@ -69,7 +69,7 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   );
   const best = new Set(front.map(({ mark }) => mark.id));
   const line = front.map((spot) => ({ cost: spot.x, worth: spot.y }));
-  // The chosen one first, then what is on the frontier: they have the best places for their names.
+  // The chosen method, then those on the frontier: labels that come first get the best places.
   const rank = ({ mark }: Spot): number => (mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2);
   const ordered = [...spots].sort((p, q) => rank(p) - rank(q) || p.x - q.x);
   const note = noteBox(model.worthTitle, field);
@@ -103,7 +103,7 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   </svg>`;
 }
 
-/** Ends of the axis, so that it stays where it is when prices differ a little. */
+/** Ends of the axis, rounded so that small changes of prices do not move it. */
 function endsOf(costs: readonly number[]): readonly [number, number] {
   const low = Math.log2(Math.min(...costs) / MARGIN);
   const high = Math.log2(Math.max(...costs) * MARGIN);
@@ -119,10 +119,7 @@ function scalesOf({ marks, worthTicks }: FrontierModel, { left, right, top, bott
   };
 }
 
-/**
- * At the right end of the axis' title, or in a line of its own below it: above all that leads to a
- * mark.
- */
+/** Box of the note: at the right end of the axis' title, or on a line of its own below it. */
 function noteBox(title: string, field: Field): Box {
   const size = labelSize(NOTE, field.em);
   const left = field.right - size.width;
@@ -130,7 +127,7 @@ function noteBox(title: string, field: Field): Box {
   return { left, top: fits ? -0.1 * field.em : 1.2 * field.em, ...size };
 }
 
-/** 1, 2 and 5 times each power of ten, in a unit; without 2 and 5 where they would be too dense. */
+/** Ticks at 1, 2 and 5 times each power of ten of a unit; only at 1 if those were too dense. */
 function costTicks(
   x: ReturnType<typeof scalesOf>['x'],
   unit: number,
@@ -151,10 +148,10 @@ function costTicks(
     .filter(({ at, label }) => at + labelSize(label, em).width / 2 <= width);
 }
 
-/** px a power of ten that three labels need. */
+/** Least px per power of ten with ticks at 1, 2 and 5. */
 const DENSE = 150;
 
-/** How much wider a name is in bold. */
+/** Ratio of a bold label's width to that of a plain one. */
 const BOLD = 1.06;
 
 function names(

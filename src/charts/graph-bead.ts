@@ -9,8 +9,7 @@ import type { Scales } from './graph-scales.ts';
 import { clamp } from './steps.ts';
 
 /**
- * The bead on the graph, a slider for keyboard and screen readers. Its area for fingers is 44 px
- * wide.
+ * The bead on the graph, a slider for keyboard and screen readers; its touch area is 44 px wide.
  */
 export function bead(
   model: GraphModel,
@@ -40,7 +39,7 @@ export function bead(
     </g>`;
 }
 
-/** On the graph as it is drawn; at the edge of the plot when it is outside. */
+/** The bead's y in px: on the drawn curve, or at the edge of the plot. */
 function beadHeight(model: GraphModel, scales: Scales, parabola: Parabola | null): number {
   const { top, floor, bottom } = scales.frame;
   const u = (model.bead.t - model.from) / (model.to - model.from);
@@ -52,10 +51,7 @@ function inWords({ bead: { t, f } }: GraphModel): string {
   return Number.isFinite(f) ? `t ${display(t)}, f ${display(f)}` : `t ${display(t)}`;
 }
 
-/**
- * f(t) and R(t) of the bead. It stays at one place, over the plot: numbers that change are read
- * best when they stand still.
- */
+/** f(t) and R(t) of the bead, at a fixed place above the plot. */
 export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): TemplateResult {
   const digits = frame.narrow ? 4 : 6;
   const part = (name: string, value: number, precision = 6) =>

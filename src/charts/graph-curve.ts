@@ -10,7 +10,7 @@ export interface Parabola {
   readonly a: number;
   readonly b: number;
   readonly c: number;
-  /** The height of f = 0. */
+  /** v of f = 0. */
   readonly zero: number;
 }
 
@@ -20,15 +20,12 @@ interface Piece {
   readonly where: 'drawn' | 'above' | 'below';
 }
 
-/**
- * What is farther than a plot's height outside is cut off here, so that coordinates stay small; a
- * clip path does the rest.
- */
+/** Range of v that is drawn, so that coordinates stay small; a clip path cuts at 0 and 1. */
 const [LOWEST, HIGHEST] = [-1, 2];
-/** Halvings until the cut is exact to the last bit of u. */
+/** Bisection steps until u is exact to the last bit. */
 const HALVINGS = 54;
 
-/** Null when the graph leaves the doubles. */
+/** The graph in units of the plot; null if its numbers overflow. */
 export function parabolaOf(model: GraphModel): Parabola | null {
   const { A, B, C, from, low, roots } = model;
   const s = model.to - from;
@@ -60,7 +57,7 @@ export function curvePath(parabola: Parabola, frame: Frame): string {
     .join('');
 }
 
-/** What lies between the graph and f = 0; a clip path leaves the part where f < 0. */
+/** The area between the graph and f = 0; a clip path shows only the part where f < 0. */
 export function areaPath(parabola: Parabola, frame: Frame): string {
   const zero = place(frame, 0, Math.min(Math.max(parabola.zero, LOWEST), HIGHEST)).y;
   return pieces(parabola)
@@ -80,7 +77,7 @@ function start(parabola: Parabola, { from }: Piece, frame: Frame): string {
   return point(frame, from, heightAt(parabola, from));
 }
 
-/** The control point is where the tangents at both ends meet: half-way in u. A line needs none. */
+/** Path of a piece; its control point is the intersection of the end tangents, midway in u. */
 function arc(parabola: Parabola, { from, to }: Piece, frame: Frame): string {
   const end = point(frame, to, heightAt(parabola, to));
   if (parabola.a === 0) return `L${end}`;
@@ -97,7 +94,7 @@ function pieces(parabola: Parabola): Piece[] {
   );
   const all = cuts.slice(1).map((to, i) => piece(parabola, cuts[i] ?? 0, to));
   const [first, second] = all;
-  // One curve, not two halves that meet at the turning point.
+  // One curve instead of two halves that meet at the vertex.
   const isWhole = all.length === 2 && first?.where === 'drawn' && second?.where === 'drawn';
   return isWhole ? [{ from: 0, to: 1, where: 'drawn' }] : all;
 }
@@ -107,9 +104,7 @@ function piece(parabola: Parabola, from: number, to: number): Piece {
   return { from, to, where: middle > HIGHEST ? 'above' : middle < LOWEST ? 'below' : 'drawn' };
 }
 
-/**
- * Where a monotone part crosses the levels of the cut. Bisection: pixels are asked for, not roots.
- */
+/** The u at which a monotone piece crosses `LOWEST` and `HIGHEST`, by bisection. */
 function crossings(parabola: Parabola, from: number, to: number): number[] {
   const found = [LOWEST, HIGHEST].flatMap((level) => {
     const side = (u: number) => heightAt(parabola, u) > level;

@@ -1,7 +1,4 @@
-/**
- * What the page's style says: the size of the graph, one caption em, and the factor on marks. All
- * in CSS px.
- */
+/** Sizes from the style sheet in CSS px: graph, caption em, and the scale of marks. */
 export interface Metrics {
   readonly width: number;
   readonly height: number;
@@ -9,18 +6,15 @@ export interface Metrics {
   readonly mark: number;
 }
 
-/**
- * The plot within the graph. The margins depend on the type size only, so that nothing moves while
- * numbers change.
- */
+/** The plot within the graph. Margins depend on the type size only, not on the numbers shown. */
 export interface Frame extends Metrics {
   readonly left: number;
   readonly right: number;
   readonly top: number;
   readonly bottom: number;
-  /** Where the lowest value shown lies: over the words outside, inside, behind. */
+  /** y in px of the lowest value of f, above the words "outside", "inside", "behind". */
   readonly floor: number;
-  /** Too narrow for all digits beside each other. */
+  /** Whether it is too narrow for the readout in one line. */
   readonly narrow: boolean;
 }
 

@@ -5,12 +5,12 @@ import { type Frame, LETTER } from './graph-frame.ts';
 import type { Scales, Tick } from './graph-scales.ts';
 import { clamp } from './steps.ts';
 
-/** Between the plot and what is written left of it, and down to what is written under it, in em. */
+/** Distance in em from the plot to the labels at its left, and to those below it. */
 const [ASIDE, UNDER] = [0.65, 1.4];
-/** Length of a nick under the plot, in em. */
+/** Length of a tick below the plot, in em. */
 const NICK = 0.35;
 
-/** What lies under the graph: t < 0, the grid of f, the line t = 0, and the labels of both axes. */
+/** The layer below the graph: t < 0, the grid of f, the line t = 0, labels of both axes. */
 export function grid(scales: Scales, id: string): TemplateResult {
   const { frame, x } = scales;
   const { left, right, top, bottom } = frame;

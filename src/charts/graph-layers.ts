@@ -22,7 +22,7 @@ export function rayAxis(model: GraphModel, scales: Scales): TemplateResult {
   </g>`;
 }
 
-/** "behind", "outside", "inside", where there is room for the word. */
+/** The words "behind", "outside", "inside" under their stretches, if they fit. */
 export function words(model: GraphModel, scales: Scales): TemplateResult {
   const { bottom, em } = scales.frame;
   const y = coordinate(bottom - 0.5 * em);
@@ -42,11 +42,11 @@ function visible({ stretches }: GraphModel, { frame, x }: Scales) {
     .filter(({ from, to }) => to > from);
 }
 
-/** The graph of the ray that was kept, and where it crosses the axis. */
+/** The ghost's graph and its roots. */
 export function ghost(model: GraphModel, scales: Scales, id: string): TemplateResult {
   if (!model.ghost) return svg``;
   const { roots, ...coefficients } = model.ghost;
-  // By its coefficients: only its own roots would draw it more exactly, and it has no marks.
+  // Drawn from coefficients alone, without roots, since it has no marks that it has to meet.
   const kept = parabolaOf({ ...model, ...coefficients, roots: [] });
   const { frame, x } = scales;
   const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));

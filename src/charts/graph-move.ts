@@ -3,26 +3,20 @@ import type { GraphModel } from '../state/graph-model.ts';
 import type { Scales } from './graph-scales.ts';
 import { clamp, niceStep, type Step, snap, stepSize } from './steps.ts';
 
-/** What a gesture or a key needs to know of the picture that is shown. */
+/** The shown model with its scales. */
 export interface Shown {
   readonly model: GraphModel;
   readonly scales: Scales;
 }
 
-/**
- * Parts of the shown range: one arrow key, and what a drag snaps to, so that the numbers stay
- * short.
- */
+/** Steps in the shown range of t: of an arrow key, and of the grid that a drag snaps to. */
 const [KEY_PARTS, DRAG_PARTS] = [100, 200];
-/**
- * A mouse that grabs the bead keeps its offset; a press farther off moves it there. Fingers cover
- * more.
- */
+/** Radius in px in which a press grabs the bead with its offset; farther off it moves the bead. */
 const GRAB = { mouse: 10, touch: 22 };
-/** A finger that has moved so far sideways drags the bead; up or down it scrolls the page. */
+/** px of sideways movement after which a finger drags the bead instead of scrolling. */
 const SIDEWAYS = 5;
 
-/** The keys of a slider; null for any other key. Shift makes the arrows ten times finer. */
+/** t after a slider's key; null for other keys. With Shift arrows are ten times finer. */
 export function keyTarget(event: KeyboardEvent, { model }: Shown): number | null {
   const { from, to, bead } = model;
   const step = niceStep((to - from) / KEY_PARTS);
@@ -69,7 +63,7 @@ export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
       if (drag === null) return;
       if (drag.waits) move(event);
       drag = null;
-      // The arrows go on from where the pointer has put it.
+      // Focus the bead, so that arrow keys continue from here.
       picture(event)?.querySelector<SVGElement>('.graph-bead')?.focus({ preventScroll: true });
     },
     cancel() {
@@ -79,13 +73,10 @@ export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
 }
 
 interface Drag {
-  /** From the pointer to the bead, so that the bead does not jump when it is grabbed. */
+  /** px from the pointer to the bead, so that it does not jump when it is grabbed. */
   readonly offset: number;
   readonly startX: number;
-  /**
-   * A finger beside the bead may be about to scroll: nothing moves until it goes sideways or is
-   * lifted.
-   */
+  /** Whether a finger beside the bead may still scroll: until it moves sideways or is lifted. */
   waits: boolean;
 }
 
@@ -95,7 +86,7 @@ function startOf(event: PointerEvent, now: Shown): Drag {
   return { offset: offset ?? 0, startX: event.clientX, waits };
 }
 
-/** Null when the pointer is not on the bead. */
+/** px from the pointer to the bead; null if the pointer is not on it. */
 function grabOffset(event: PointerEvent, { model, scales }: Shown): number | null {
   const onBead = event.target instanceof Element && event.target.closest('.graph-bead') !== null;
   const x = clamp(scales.x(model.bead.t), scales.frame.left, scales.frame.right);

@@ -12,23 +12,19 @@ interface Place {
   readonly below: boolean;
 }
 
-/**
- * Width of "t₁", and the heights that it needs over and under the axis (there the words stand too),
- * in caption em.
- */
+/** Width of "t₁", and the height it needs above and below the axis, in caption em. */
 const [LABEL, ROOM_ABOVE, ROOM_BELOW] = [1.5, 2.2, 3.4];
-/** Between a root and the side of its name, in px. */
+/** Distance in px from a root to the side of its label. */
 const AWAY = 9;
 
 /**
- * The roots on the axis: a filled disc, a ring, or a grey × for one that does not count; each with
- * its name.
+ * Marks and labels of the roots: a filled disc, a ring, or a grey × for one that does not count.
  */
 export function roots(model: GraphModel, scales: Scales): TemplateResult {
   const { frame, x } = scales;
   const y = coordinate(clamp(scales.y(0), frame.top, frame.bottom));
   const visible = model.roots.filter(({ t }) => x(t) >= frame.left && x(t) <= frame.right);
-  // The first hit last, so that it lies on top when the two are a pixel apart.
+  // The first hit is drawn last, on top of a root that is a pixel apart.
   const ordered = [...visible].sort(
     (p, q) => Number(p.role === 'first') - Number(q.role === 'first'),
   );
@@ -51,7 +47,7 @@ function mark({ role }: Root, scale: number): TemplateResult {
     d=${cross}></path>`;
 }
 
-/** Two px of background around a mark keep it apart from the lines that it lies on. */
+/** Two px of background around a mark. */
 export function halo(radius: number, scale: number): TemplateResult {
   return svg`<circle class="graph-halo" r=${radius * scale + 2}></circle>`;
 }
@@ -65,7 +61,7 @@ function label({ index, double }: Root, { side, dx, below }: Place, em: number):
     }</text>`;
 }
 
-/** Where the graph is not: above the axis it leaves the side free to which it falls. */
+/** Place of a root's label on the side that the curve leaves free. */
 function place(root: Root, model: GraphModel, scales: Scales): Place {
   const { frame, x, y } = scales;
   const slope = slopeAt(root, model);
@@ -74,22 +70,21 @@ function place(root: Root, model: GraphModel, scales: Scales): Place {
   if (slope === 0) return { side: 'middle', dx: 0, below: !above || (model.A > 0 && below) };
   const gap = gapOf(model, x);
   const isCrowded = model.A > 0 && gap < 2 * LABEL * frame.em + AWAY * 2;
-  // Between two close roots of an upward parabola two names do not fit; outside of them, below, it
-  // is free.
+  // Two labels do not fit between close roots of a parabola that opens upwards.
   if (isCrowded && !below) return overBoth(slope, gap);
   const isBelow = !above || isCrowded;
   const side = flipped(slope < 0 === isBelow ? 'end' : 'start', x(root.t), scales);
   return { side, dx: side === 'start' ? AWAY : -AWAY, below: isBelow };
 }
 
-/** "t₁ t₂" side by side over the middle of two close roots. */
+/** Place for "t₁ t₂" side by side over the middle of two close roots. */
 function overBoth(slope: number, gap: number): Place {
   const isFirst = slope < 0;
   const middle = isFirst ? gap / 2 : -gap / 2;
   return { side: isFirst ? 'end' : 'start', dx: middle + (isFirst ? -3 : 3), below: false };
 }
 
-/** Only the sign counts. */
+/** A number with the sign of f′ at the root. */
 function slopeAt(root: Root, { A, B, roots }: GraphModel): number {
   if (root.double) return 0;
   if (A === 0 || roots.length < 2) return B;

@@ -9,7 +9,7 @@ export interface Tick {
   readonly label: string;
 }
 
-/** The frame with its two scales. `y` is null when no height can be given to f at all. */
+/** The frame with its two scales; `y` is null if f has no finite range. */
 export interface Scales {
   readonly frame: Frame;
   readonly x: (t: number) => number;
@@ -17,24 +17,21 @@ export interface Scales {
   readonly t: (x: number) => number;
   readonly tTicks: readonly Tick[];
   readonly fTicks: readonly Tick[];
-  /** The labels of f are to be multiplied by 10 to this power; 0 for as they are. */
+  /** Labels of f are in units of 10 to this power. */
   readonly power: number;
 }
 
-/** On t. More would crowd the ray's own ticks on the axis. */
+/** Largest number of labels of t. */
 const MOST_TICKS = 7;
-/**
- * Labels of f stay within the fixed margin: four figures, or a power of ten is taken out of all of
- * them.
- */
+/** Range of labels of f that fit into the margin; else a power of ten is taken out of all. */
 const [LARGEST_LABEL, SMALLEST_LABEL] = [9999, 0.1];
 
-/** Between these a step and the number of its multiples are doubles with all their digits. */
+/** Range of an axis in which steps and their multiples neither under- nor overflow. */
 const [SMALLEST_EXTENT, LARGEST_EXTENT] = [1e-290, 1e300];
 
 const FAR = 1e4;
 
-/** Null when the stretch has no extent that ticks can be set on. */
+/** Null if the interval of t is too small or too large for ticks. */
 export function scalesOf(model: GraphModel, frame: Frame): Scales | null {
   const extents = [model.to - model.from, model.high - model.low];
   if (!extents.every((extent) => extent > SMALLEST_EXTENT && extent < LARGEST_EXTENT)) return null;
@@ -61,7 +58,7 @@ interface Linear {
 
 type Pair = readonly [number, number];
 
-/** d3-scale's would bring its colours along, which the first load has no room for. */
+/** A linear scale. */
 function linear(domain: Pair, range: Pair): Linear {
   const scale = (value: number): number => between(range, share(domain, value));
   return Object.assign(scale, {
@@ -70,12 +67,12 @@ function linear(domain: Pair, range: Pair): Linear {
   });
 }
 
-/** What lies many plots away is far enough there: 0 times an infinite share would be no number. */
+/** Position in the pair, 0 … 1, clamped to a finite range: 0 times infinity would be NaN. */
 const share = ([from, to]: Pair, value: number): number =>
   clamp((value - from) / (to - from), -FAR, FAR);
 const between = ([from, to]: Pair, part: number): number => from * (1 - part) + to * part;
 
-/** As many as their labels leave room for; far from 0 the labels are long. */
+/** Ticks of t, as many as their labels leave room for. */
 function tValues(x: Linear, { left, right, em }: Frame): number[] {
   const room = (right - left) / em;
   const most = Math.max(2, Math.floor(room / 3.2));
@@ -95,7 +92,7 @@ function ticks(values: readonly number[], scale: (value: number) => number, powe
   }));
 }
 
-/** So many that neighbours read differently: at t = 10⁸ a step of 1 needs nine. */
+/** Digits at which neighbouring labels differ: at t = 10⁸ a step of 1 needs nine. */
 function digitsToTell(values: readonly number[]): number {
   const [first = 0, second = 0] = values;
   const largest = Math.max(Math.abs(first), Math.abs(values.at(-1) ?? 0));
@@ -109,9 +106,7 @@ function commonPower(values: readonly number[]): number {
   return Number(largest.toExponential().split('e')[1]);
 }
 
-/**
- * By the decimal text: exact up to the last rounding, and no power under- or overflows on the way.
- */
+/** x · 10^power by its decimal text, with one rounding and no overflow of the power itself. */
 function timesPowerOfTen(x: number, power: number): number {
   const [mantissa, exponent] = x.toExponential(14).split('e');
   return Number(`${mantissa}e${Number(exponent) + power}`);

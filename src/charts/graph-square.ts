@@ -5,9 +5,9 @@ import { display } from '../text/format.ts';
 import { halo } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
 
-/** Of a label from the mark that it belongs to, in caption em. */
+/** Distance of a label from its mark, in caption em. */
 const AWAY = 1.5;
-/** Of a label from the axis, in caption em, so that the roots' names have room between. */
+/** Distance of a label from the axis, in caption em, with room for the roots' labels. */
 const CLEAR = 2.9;
 
 /**
@@ -24,14 +24,14 @@ export function square({ square }: GraphModel, { frame, x, y }: Scales): Templat
   ];
   const isInside = at >= left && at <= right && turn >= top && turn <= bottom;
   if (!isInside) return '';
-  // Over a lowest value, under a highest one: the side of the axis that the curve leaves free.
+  // On the side of the axis that the curve leaves free.
   const up = turn >= zero ? -1 : 1;
   const label = Math.min(Math.max(zero + up * 4.2 * em, top + em), bottom - em);
   const widths = zero + up * 2.2 * em;
   const half = Number.isFinite(square.half) ? coordinate(x(square.t + square.half) - at) : 0;
   const beside = widths + (up < 0 ? -0.5 : 1.2) * em;
   const hasHalf = half > 4;
-  // A curve that turns near the axis has its height written clear of the roots' names.
+  // If the vertex is near the axis, its label is kept clear of the roots' labels.
   const under = Math.max(-up * (turn - zero) + AWAY * em, CLEAR * em);
   const height = Math.min(Math.max(zero - up * under, top + 0.65 * em), bottom - 0.65 * em);
   const bracket = `M${at - half},${coordinate(widths)}h${2 * half}m0,-4v8m${-2 * half},-8v8`;

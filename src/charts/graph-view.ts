@@ -9,7 +9,7 @@ import { roots } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
 import { square } from './graph-square.ts';
 
-/** What the graph does when it is touched. They stay the same from one drawing to the next. */
+/** Event handlers of the graph; the same functions at every render. */
 export interface Handlers {
   readonly key: (event: KeyboardEvent) => void;
   readonly down: (event: PointerEvent) => void;
@@ -21,9 +21,7 @@ export interface Handlers {
 const CONTAINED = 'f(t) = 0 for every t';
 const NOT_DRAWN = 'f leaves the range of numbers here and cannot be drawn';
 
-/**
- * The whole graph: description, picture, bead, numbers, and a note where something cannot be shown.
- */
+/** The whole graph: description, picture, bead, readout, and a note on what is not shown. */
 export function page(
   model: GraphModel,
   frame: Frame,
@@ -33,7 +31,7 @@ export function page(
 ): TemplateResult {
   const parabola = scales && parabolaOf(model);
   const note = noteOf(model, parabola);
-  // The picture is a group, not an image: the bead within it must stay reachable.
+  // The picture has the role of a group, since the bead in an image could not be reached.
   return html`<p class="graph-text" id="${id}-text">${model.description}</p>
     <svg class="graph-svg" role="group" aria-label="graph of f on the ray"
       aria-describedby="${id}-text"

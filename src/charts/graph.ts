@@ -13,16 +13,12 @@ const CONCEALED = html`<p class="graph-concealed">Hidden. Predict first: where i
 
 let graphs = 0;
 
-/**
- * The graph of f on the ray's own t, with a bead that can be moved. Fills its host; draws only when
- * asked or resized.
- */
+/** The graph of f over t with a movable bead. It fills its host, and draws on render and resize. */
 export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> {
   const id = `graph-${++graphs}`;
   let model: GraphModel | null = null;
   let shown: Shown | null = null;
-  // The next key may come before the next frame: it goes on from where the last one has sent the
-  // bead.
+  // A key may come before the next frame: it continues from the t that was sent last.
   const send: Dispatch = (action) => {
     if (action.type === 'bead' && action.t !== null) shown = shown && moved(shown, action.t);
     dispatch(action);

@@ -8,7 +8,7 @@ import type {
 import type { LineStyle } from './line-style.ts';
 import { type Field, px } from './plot.ts';
 
-/** A method's line, its points, its end and where it first fails; a slider for the keys. */
+/** A method's line with its points, its end and its first failure; a slider for the keys. */
 export function lineOf(
   line: HardnessLine,
   style: LineStyle,
@@ -82,7 +82,7 @@ function pickedRing(
     r=${10 * field.mark}></circle>`;
 }
 
-/** Where a line can be asked, from left to right. */
+/** The difficulties that can be picked on a line, ascending. */
 const stops = ({ points, end }: HardnessLine): number[] => [
   ...points.map(({ difficulty }) => difficulty),
   ...(end ? [end.difficulty] : []),

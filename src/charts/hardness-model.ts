@@ -9,9 +9,9 @@ export interface HardnessLine {
   readonly id: string;
   readonly name: string;
   readonly points: readonly HardnessPoint[];
-  /** Where it ends, and why in a few words. */
+  /** Where the line ends, with the reason in a few words. */
   readonly end?: { readonly difficulty: number; readonly reason: string; readonly words: string };
-  /** Where the first verdict is wrong or left open. */
+  /** Where the first verdict is wrong or undecided. */
   readonly first?: { readonly difficulty: number };
 }
 
@@ -31,7 +31,7 @@ export interface Picked {
 }
 
 export interface HardnessActions {
-  /** What is picked now, drawn or not: keys may come faster than frames. */
+  /** The picked point, perhaps not yet drawn, since keys may come faster than frames. */
   picked(): Picked | null;
   pick(picked: Picked): void;
   open(picked: Picked): void;

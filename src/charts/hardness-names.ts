@@ -5,7 +5,7 @@ import { type Field, fieldBox, labelSize, nameAt, px } from './plot.ts';
 
 interface EndName {
   readonly line: HardnessLine;
-  /** Where the line ends, and where its name stands. */
+  /** y in px of the line's end, and of its name. */
   readonly own: number;
   readonly at: number;
 }
@@ -33,7 +33,7 @@ export function lineNames(
 
 const nameLeft = ({ right, em }: Field): number => right + 1.4 * em;
 
-/** Beside the ends of the lines that reach the right, moved apart. */
+/** Names beside the ends of the lines that reach the right edge, spread so as not to overlap. */
 function endNames(model: HardnessModel, { y }: HardnessScales, field: Field): EndName[] {
   const reaching = model.lines.flatMap((line) => {
     const last = line.points.at(-1);
@@ -75,7 +75,7 @@ function fallsOf(lines: readonly HardnessLine[]): Fall[] {
   return [...found.values()];
 }
 
-/** Beside the cross of lines that end, a row for each name and one for the reason. */
+/** Names beside the cross of lines that end, a row for each, and one for the reason. */
 function fallNames(
   model: HardnessModel,
   { x, y }: HardnessScales,

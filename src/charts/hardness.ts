@@ -12,7 +12,7 @@ import { axes, type Field, fieldOf } from './plot.ts';
 const NAMES = 9.5;
 const MOST = 16;
 
-/** Right digits against difficulty, a line a method. */
+/** The plot of right digits against difficulty, a line for each method. */
 export function mountHardness(host: HTMLElement, actions: HardnessActions): Mounted<HardnessModel> {
   let model: HardnessModel | null = null;
   host.classList.add('plot');

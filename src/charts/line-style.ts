@@ -1,7 +1,4 @@
-/**
- * How a line is told from its neighbours without colour: dashes, a shape at its points, hollow or
- * full.
- */
+/** A line style that does not need colour: dashes, the shape of points, hollow or filled. */
 export interface LineStyle {
   readonly dash: string;
   readonly shape: string;
@@ -24,6 +21,6 @@ const STYLES: readonly LineStyle[] = [
   { dash: '9 2', shape: DIAMOND, full: true },
 ];
 
-/** The same for the same line always: by its place among all. */
+/** The style of the i-th line. */
 export const styleOf = (i: number): LineStyle =>
   STYLES[i % STYLES.length] ?? { dash: 'none', shape: CIRCLE, full: false };

@@ -6,32 +6,31 @@ export interface Box {
   readonly height: number;
 }
 
-/** A mark that wants its name beside it. */
+/** A mark that needs a label beside it. */
 export interface Wish {
   readonly x: number;
   readonly y: number;
-  /** Of the mark. */
+  /** Radius of the mark in px. */
   readonly radius: number;
   readonly width: number;
   readonly height: number;
 }
 
-/** Where a label stands, and whether it is so far off its mark that a line must lead there. */
+/** The place of a label, and whether it is so far from its mark that it needs a line to it. */
 export interface Placed extends Box {
   readonly led: boolean;
 }
 
-/** Between a mark's edge and its label. */
+/** Distance in px from a mark's edge to its label. */
 const GAP = 6;
-/** How far apart the places are that are tried when all those beside the mark are taken. */
+/** Grid in px of the places that are tried if all those beside the mark are taken. */
 const STEP = 4;
 
 /**
- * A place for every label, in the order of the wishes, such that no two overlap, none covers a mark
- * or one of the `taken` boxes, and all lie in the frame. Beside the mark if that is free, else the
- * free place nearest to it, with a line. The same wishes give the same places. Only a frame too
- * small for its labels makes two of them meet. A still plot can be that strict; in the scene, which
- * moves, a label may cover a little rather than jump (canvas/labels.ts).
+ * Places labels one after the other such that they do not overlap, cover no mark and none of the
+ * `taken` boxes, and lie in the frame: beside the mark if that is free, else at the nearest free
+ * place, with a line. Labels overlap only if the frame is too small for them. In the moving scene
+ * canvas/labels.ts is used instead, which prefers small overlaps to jumps.
  */
 export function labelMarks(
   wishes: readonly Wish[],
@@ -55,7 +54,7 @@ export function labelMarks(
   return placed;
 }
 
-/** Right, left, above, below, and the corners. */
+/** The places beside a mark: right, left, above, below, and the corners. */
 function besides({ x, y, radius, width, height }: Wish): Box[] {
   const away = radius + GAP;
   const box = (left: number, top: number): Box => ({ left, top, width, height });

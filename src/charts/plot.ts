@@ -5,7 +5,7 @@ import type { Box, Placed, Wish } from './mark-labels.ts';
 import './graph.css';
 import './plot.css';
 
-/** The field of a plot in px, its margins by the size of the type. */
+/** The area of a plot in px; margins depend on the type size. */
 export interface Field extends Metrics {
   readonly left: number;
   readonly right: number;
@@ -18,7 +18,7 @@ export interface PlotTick {
   readonly label: string;
 }
 
-/** `names`: room at the right for the names of lines, in em; `scales`: rows of ticks below. */
+/** @param names width in em for names at the right. @param scales rows of ticks below. */
 export function fieldOf(metrics: Metrics, names = 0, scales = 1): Field {
   const { width, height, em } = metrics;
   return {
@@ -30,7 +30,7 @@ export function fieldOf(metrics: Metrics, names = 0, scales = 1): Field {
   };
 }
 
-/** A label's size, by the count of its letters. */
+/** Estimated size of a label in px, from its number of letters. */
 export const labelSize = (text: string, em: number): Pick<Wish, 'width' | 'height'> => ({
   width: text.length * LETTER * em + 4,
   height: 1.3 * em,
@@ -51,7 +51,7 @@ export function axes(
   x: {
     readonly ticks: readonly PlotTick[];
     readonly title: string;
-    /** Where its lines stand, if not at the ticks. */
+    /** Ticks at which grid lines are drawn, if not at all ticks. */
     readonly grid?: readonly PlotTick[];
   },
   y: { readonly ticks: readonly PlotTick[]; readonly title: string },
@@ -83,7 +83,7 @@ export function axes(
   </g>`;
 }
 
-/** A name at its place, with a line to its mark where it stands far off. */
+/** A label, with a line to its mark if it is far from it. */
 export function nameAt(
   text: string | TemplateResult,
   { left, top, width, height, led }: Placed,

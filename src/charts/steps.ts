@@ -1,13 +1,10 @@
-/**
- * 1, 2 or 5 times a power of ten, as text parts: the exact decimal is only rounded when a value is
- * made from it.
- */
+/** 1, 2 or 5 times a power of ten, as text parts, so that multiples are exact decimals. */
 export interface Step {
   readonly digit: 1 | 2 | 5;
   readonly power: number;
 }
 
-/** Beyond this, whole numbers have gaps and a multiple of the step cannot be written any more. */
+/** Largest multiple of a step: beyond it not every integer is a double. */
 const LARGEST_WHOLE = Number.MAX_SAFE_INTEGER;
 /** Geometric means of neighbours in 1 2 5 10: the nearest step by ratio. */
 const [TO_TWO, TO_FIVE, TO_TEN] = [Math.SQRT2, Math.sqrt(10), Math.sqrt(50)];

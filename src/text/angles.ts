@@ -2,15 +2,12 @@ import type { Typed, TypedUnary } from './typed.ts';
 
 const OF_ANGLES: ReadonlySet<string> = new Set(['sin', 'cos', 'tan']);
 
-/**
- * The angle in degrees of which a sine, cosine or tangent is taken; null where it was not typed as
- * degrees.
- */
+/** The argument in degrees of a sine, cosine or tangent; null if it was not typed in degrees. */
 export function degreesIn({ name, of }: TypedUnary): Typed | null {
   return OF_ANGLES.has(name) ? withoutDegrees(of) : null;
 }
 
-/** -30 for -(30 deg). */
+/** The tree without its unit: -30 for -(30 deg). */
 function withoutDegrees(tree: Typed): Typed | null {
   if (tree.op === 'unit') return tree.name === 'deg' ? tree.of : null;
   if (tree.op !== 'unary' || !'+-'.includes(tree.name)) return null;
@@ -25,7 +22,7 @@ interface SpecialValue {
   readonly under: number;
 }
 
-/** 4 sin² of the angles of the first quadrant whose sine is a root of a fraction. */
+/** 4 sin² of the angles in degrees of the first quadrant whose sine is the root of a fraction. */
 const FOUR_SINES = new Map([
   [0, 0],
   [30, 1],
@@ -34,7 +31,7 @@ const FOUR_SINES = new Map([
   [90, 4],
 ]);
 
-/** sin, cos or tan at a multiple of 30 or 45 degrees; null elsewhere. */
+/** The exact sine, cosine or tangent at a multiple of 30 or 45 degrees; null at other angles. */
 export function atSpecialAngle(name: string, degrees: number): SpecialValue | null {
   const sine = sineAt(degrees);
   const cosine = sineAt(degrees + 90);
@@ -54,9 +51,8 @@ function sineAt(degrees: number): SpecialValue | null {
 }
 
 /**
- * A word on a sine, cosine or tangent of a bare number: it is taken in radians, and tan(30) may
- * mean degrees. Null where the text says which it is: tan(30 deg), tan(0.5 rad), tan(pi/6), and for
- * an angle of 0.
+ * A hint that the angle of a sine, cosine or tangent is in radians, as for tan(30). Null if the
+ * text has a unit or π (tan(30 deg), tan(0.5 rad), tan(pi/6)), or the angle is 0.
  */
 export function angleHint(tree: Typed): string | null {
   if (tree.op === 'number' || tree.op === 'constant') return null;
@@ -68,7 +64,7 @@ export function angleHint(tree: Typed): string | null {
   return angleHint(tree.of);
 }
 
-/** Whether a unit or π occurs in it, or it is 0. */
+/** Whether the tree contains a unit or π, or is 0. */
 function saysUnit(tree: Typed): boolean {
   if (tree.op === 'binary') return saysUnit(tree.left) || saysUnit(tree.right);
   if (tree.op === 'number') return Number(tree.text) === 0;

@@ -3,10 +3,7 @@ import { BELOW, BEYOND, Refusal } from './refusal.ts';
 type Unary = (a: number) => number;
 type Binary = (a: number, b: number) => number;
 
-/**
- * A result that left the range of the doubles is refused where it happens; only a pole (1/0) may be
- * infinite.
- */
+/** The result; throws a Refusal if it over- or underflowed. Only at a pole (1/0) it is infinite. */
 function inRange(result: number, isExactZero: boolean, isPole: boolean): number {
   if (result === 0 && !isExactZero) throw new Refusal(BELOW);
   if (Math.abs(result) === Number.POSITIVE_INFINITY && !isPole) throw new Refusal(BEYOND);

@@ -1,12 +1,12 @@
-/** Farther out than any screen, and still a number that every browser draws with. */
+/** Largest |coordinate| in px of a drawing: beyond any screen, but safe in all browsers. */
 export const FARTHEST = 1e5;
 
 /**
- * A coordinate for a drawing in CSS px: hundredths, never beyond what browsers can draw, and 0 for
- * no number. Every number that goes into SVG passes here.
+ * A coordinate for SVG in CSS px, rounded to hundredths and clamped to `FARTHEST`; 0 for NaN. Every
+ * number that goes into SVG is made by this function.
  */
 export function coordinate(px: number): number {
   if (Number.isNaN(px)) return 0;
-  // + 0 makes −0 a plain zero.
+  // + 0 turns −0 into 0.
   return Math.round(Math.min(Math.max(px, -FARTHEST), FARTHEST) * 100) / 100 + 0;
 }

@@ -8,10 +8,7 @@ export const CONSTANTS: Readonly<Record<ConstantName, number>> = {
 };
 export const UNITS: Readonly<Record<UnitName, number>> = { deg: Math.PI / 180, rad: 1 };
 
-/**
- * The value in doubles. Infinite and NaN values are passed on; what leaves the doubles' range is
- * refused.
- */
+/** The value in doubles. Infinite and NaN values are passed on; over- and underflow are refused. */
 export function evaluate(tree: Typed): number {
   switch (tree.op) {
     case 'number':
@@ -27,7 +24,9 @@ export function evaluate(tree: Typed): number {
   }
 }
 
-/** sin(30 deg) is one half, which the sine of the double next to π/6 is not. */
+/**
+ * The exact value at special angles: sin(30 deg) is 0.5, the sine of the double near π/6 is not.
+ */
 function atDegrees(tree: TypedUnary): number | null {
   const degrees = degreesIn(tree);
   const known = degrees && atSpecialAngle(tree.name, evaluate(degrees));

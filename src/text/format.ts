@@ -1,23 +1,23 @@
 import { superscript } from './scripts.ts';
 
-/** U+2212, as wide as a plus; the hyphen is for code and links. */
+/** U+2212, as wide as a plus sign; code and links have a hyphen. */
 export const MINUS = '\u2212';
 
-/** Doubles carry 15 decimal digits for certain; what differs only behind them is rounding noise. */
+/** Decimal digits that a double always preserves; differences beyond them are rounding noise. */
 export const CERTAIN_DIGITS = 15;
-/** So many tell any two doubles apart. */
+/** Digits that tell any two doubles apart. */
 export const ALL_DIGITS = 17;
-/** From 10⁶ and below 10⁻⁴ zeros would have to be counted; a power of ten says it at once. */
+/** Exponent from which a number is written with a power of ten, to spare counting zeros. */
 const FIXED_BELOW = 6;
 const FIXED_FROM = -4;
 
-/** What stands for a number that a method lost: ∞ − ∞, 0 · ∞. */
+/** Text for NaN: ∞ − ∞, 0 · ∞. */
 const NO_VALUE = 'no value';
 
 export interface DisplayParts {
   /** With its sign, a true minus; '∞' for an infinity. */
   readonly mantissa: string;
-  /** Of the power of ten behind it; null when the number is written out. */
+  /** Exponent of the power of ten behind the mantissa; null without one. */
   readonly exponent: number | null;
 }
 
@@ -39,7 +39,7 @@ export function display(x: number, digits = 6): string {
   return inOne(displayParts(x, digits));
 }
 
-/** The two parts as one text; a mantissa of 1 goes without saying. */
+/** The two parts as one text; a mantissa of 1 is left out. */
 export function inOne({ mantissa, exponent }: DisplayParts): string {
   if (exponent === null) return mantissa;
   const power = `10${superscript(exponent)}`;
@@ -52,7 +52,7 @@ export function displayTriple(v: readonly [number, number, number], digits = 6):
   return `(${v.map((x) => display(x, digits)).join(', ')})`;
 }
 
-/** The same number is written in many places and again with every frame; the latest are kept. */
+/** Cache: the same number is written in many places and at every frame. */
 const written = new Map<number, Map<number, DisplayParts>>();
 const MOST_KEPT = 2000;
 let kept = 0;
@@ -106,8 +106,8 @@ function scientific(x: number, digits: number): [figures: string, exponent: numb
 }
 
 /**
- * Never with zeros that stand for digits which were rounded away: 123456 in three digits is 1.23 ·
- * 10⁵, not 123000.
+ * Whether a number is written without a power of ten. Not so if zeros would stand for digits that
+ * were rounded away: 123456 in three digits is 1.23 · 10⁵, not 123000.
  */
 function isWrittenOut(exponent: number, figures: number, digits: number): boolean {
   const hidesDigits = figures === digits && exponent >= digits;

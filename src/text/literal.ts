@@ -4,7 +4,7 @@ const DECIMAL = String.raw`(?:\d+\.?\d*|\.\d+)`;
 export const UNSIGNED = String.raw`${DECIMAL}(?:e[+-]?\d+)?`;
 
 const LITERAL = new RegExp(`^[+-]?${UNSIGNED}$`);
-/** The way `display` writes a power of ten: '1.2 * 10^7', '-10^7'. */
+/** A power of ten as `display` writes it: '1.2 * 10^7', '-10^7'. */
 const POWER_OF_TEN = new RegExp(
   String.raw`^([+-]?)(?:(${DECIMAL})\s*\*\s*)?10\s*\^\s*\(?([+-]?\d+)\)?$`,
 );
@@ -16,10 +16,7 @@ export function literal(text: string): number | null {
   return exponent === undefined ? null : decimal(`${sign}${mantissa}e${exponent}`);
 }
 
-/**
- * Refuses a number whose size no double has: it would be silently 0 or infinite. `subject` begins
- * the reason.
- */
+/** The double; refuses a decimal that would become 0 or infinite. `subject` begins the reason. */
 export function decimal(text: string, subject = ''): number {
   const value = Number(text);
   if (!Number.isFinite(value)) throw new Refusal(subject + BEYOND);

@@ -1,7 +1,7 @@
 import { UNSIGNED } from './literal.ts';
 import { plainPowers } from './scripts.ts';
 
-/** What people write and what the library reads, in the order in which they must be replaced. */
+/** Replacements of typed spellings by those that are read, in this order. */
 const SPELLINGS: readonly (readonly [RegExp, string])[] = [
   [/[\u2212\u2013\uFE63\uFF0D]/g, '-'],
   [/[\u00A0\u2000-\u200A\u202F]/g, ' '],
@@ -20,7 +20,7 @@ const SPELLINGS: readonly (readonly [RegExp, string])[] = [
   [/√/g, ' sqrt '],
 ];
 
-/** One spelling for everything that has several: '−0,5 · π' → '-0.5 * pi'. */
+/** The text in the one spelling that is read: '−0,5 · π' → '-0.5 * pi'. */
 export function normalise(text: string): string {
   const plain = plainPowers(text.trim().toLowerCase());
   return SPELLINGS.reduce((line, [from, to]) => line.replace(from, to), plain);

@@ -11,7 +11,7 @@ import type { Typed } from './typed.ts';
 const MAX_LENGTH = 200;
 
 export interface NumberOptions {
-  /** Links may carry an infinite coefficient; a box for a parameter may not. */
+  /** Whether an infinite value is accepted, as in links with an infinite coefficient. */
   readonly allowInfinity?: boolean;
 }
 
@@ -36,7 +36,7 @@ function evaluated(text: string): number | null {
   const plain = literal(normal);
   if (plain !== null) return plain;
   const tree = readExpression(normal);
-  // A minus zero is kept where it is typed as one, not where it is computed.
+  // −0 is kept if it was typed as such; a computed one becomes 0.
   return tree && evaluate(tree) + 0;
 }
 
@@ -45,10 +45,7 @@ export function parseTyped(text: string): Typed | null {
   return parseNumber(text).ok ? readExpression(normalise(text)) : null;
 }
 
-/**
- * What may have been meant otherwise, though it was read: angles of which nobody said that they are
- * radians.
- */
+/** A hint on a text that was read but may mean something else: an angle without a unit. */
 export function hintOn(text: string): string | null {
   const tree = parseTyped(text);
   return tree && angleHint(tree);

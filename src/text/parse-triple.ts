@@ -36,7 +36,7 @@ export function parseTriple(text: string, options: NumberOptions = {}): Parsed<T
   return { ok: true, value: [x, y, z] };
 }
 
-/** The texts of the three numbers; null where there are not three. */
+/** The texts of the three numbers; null if there are not three. */
 export function tripleTexts(text: string): readonly string[] | null {
   return separated(text) ?? spaced(text);
 }
@@ -59,7 +59,7 @@ function separated(text: string): string[] | null {
   return null;
 }
 
-/** Spaces separate only if nothing else does: they also stand within an expression. */
+/** The parts between spaces, which separate only if nothing else does, as expressions have them. */
 function spaced(text: string): string[] | null {
   const parts = unwrapped(text).trim().split(/\s+/);
   return isThree(parts) ? parts.map(withoutSuffix) : null;
@@ -77,7 +77,7 @@ function unwrapped(text: string): string {
   return unwrapped(body.slice(1, -1));
 }
 
-/** The bracket that opens the text is closed by its last character: not so in '(1) (2) (3)'. */
+/** Whether the first bracket is closed by the last character; not so in '(1) (2) (3)'. */
 function isOnePair(text: string): boolean {
   let depth = 0;
   for (const [i, c] of [...text].entries()) {
@@ -88,7 +88,7 @@ function isOnePair(text: string): boolean {
   return false;
 }
 
-/** '1.0f', as in C and GLSL. */
+/** The part without the suffix of '1.0f', as in C and GLSL. */
 function withoutSuffix(part: string): string {
   return part.trim().replace(/([\d.])f$/i, '$1');
 }

@@ -6,9 +6,7 @@ import type { ConstantName, Typed, UnitName } from './typed.ts';
 
 const TOKEN = new RegExp(String.raw`\s*(?:(${UNSIGNED})|([a-z_]\w*)|([-+*/^()]))\s*`, 'y');
 
-/**
- * Reads what its rule says from where the reader stands; null where the tokens are something else.
- */
+/** Reads one rule of the grammar at the reader's position; null if the tokens do not match. */
 type Rule = () => Typed | null;
 
 /**

@@ -1,9 +1,7 @@
-/**
- * Why a text is no number. Thrown where it is found, and turned into a result by the two parsers.
- */
+/** Thrown with the reason why a text is no number; the two parsers turn it into a result. */
 export class Refusal extends Error {}
 
-/** Quotes what was typed; a long text is cut, so that the reason stays one line. */
+/** Quotes a typed text; a long one is cut, so that the reason fits on a line. */
 export function quoted(text: string): string {
   const line = text.trim().replace(/\s+/g, ' ');
   return line.length > 32 ? `'${line.slice(0, 31)}…'` : `'${line}'`;

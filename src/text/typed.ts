@@ -1,4 +1,4 @@
-/** What a person typed, as a tree: evaluated in doubles here, and exactly by the math module. */
+/** A typed expression as a tree; evaluated in doubles here, exactly by the math module. */
 export type Typed =
   | { readonly op: 'number'; readonly text: string }
   | { readonly op: 'constant'; readonly name: ConstantName }

@@ -1,7 +1,6 @@
 /**
- * The value that a control has sent but not been given back yet: the next key may come before the
- * page is drawn again, and has to go on from there. After two frames whoever owns the value has
- * taken it or refused it.
+ * The value that a control has sent and that is not drawn yet, so that a next key can continue from
+ * it. After two frames the value has been accepted or refused, and is forgotten.
  */
 export class Ahead<T = number> {
   private value: T | null = null;
@@ -22,7 +21,7 @@ export class Ahead<T = number> {
     this.value = null;
   }
 
-  /** The value to go on from: the one that was sent last, else the one that the page shows. */
+  /** The value to continue from: the one sent last, else the one that the page shows. */
   of(told: T): T {
     return this.value ?? told;
   }

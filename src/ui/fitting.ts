@@ -16,10 +16,7 @@ export function fitting(x: number, room: number, font: string): string {
   return shortened(x, (text) => widthOf(text, font) <= room);
 }
 
-/**
- * As many digits as fit, six at most; ≈ before what is not all of the number. Never cut: a mark at
- * the least.
- */
+/** The number in up to six digits that fit, with ≈ before a rounded one; '≈…' if none fit. */
 export function shortened(x: number, fits: (text: string) => boolean): string {
   const whole = display(x, CERTAIN_DIGITS);
   const marked = (text: string, digits: number): string => {
@@ -30,7 +27,7 @@ export function shortened(x: number, fits: (text: string) => boolean): string {
     const text = marked(display(x, n).replaceAll(' ', ''), n);
     if (fits(text)) return text;
   }
-  // The exponent as e7, which is narrower than 10⁷.
+  // An exponent as e7 is narrower than 10⁷.
   for (const n of [3, 2, 1]) {
     const text = marked(x.toExponential(n - 1).replaceAll('-', MINUS), n);
     if (fits(text)) return text;

@@ -1,9 +1,9 @@
-/** Key presses on one control that follow each other this closely are one gesture. */
+/** Largest ms between key presses on one control that count as one gesture. */
 const PAUSE_MS = 1000;
 
 /**
- * Names the gesture under way: from pointer down to pointer up, or a run of key presses on one
- * control. What happens outside of any gesture has no name.
+ * Returns a function that names the gesture in progress: from pointer down to pointer up, or a run
+ * of key presses on one control; null outside of any gesture.
  */
 export function watchGestures(root: HTMLElement): () => string | null {
   let count = 0;
@@ -13,7 +13,7 @@ export function watchGestures(root: HTMLElement): () => string | null {
     held = `pointer ${++count}`;
     run = null;
   };
-  // After the click that the release brings, which still belongs to it.
+  // The click after a release belongs to the gesture as well.
   const end = (): void => {
     setTimeout(() => {
       held = null;

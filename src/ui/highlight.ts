@@ -1,7 +1,7 @@
 /**
- * Lights up every occurrence of a symbol while one of them is hovered or focused. An element says
- * which symbol it is with data-symbol="E" (or "E.x": the part before the dot counts); a lit one
- * carries the class `lit`. Views that draw on a canvas listen to `onHighlight`.
+ * Highlights every occurrence of a symbol while one of them is hovered or focused. An element names
+ * its symbol by data-symbol="E" (or "E.x", of which the part before the dot counts); highlighted
+ * elements have the class `lit`. Views that draw on a canvas listen to `onHighlight`.
  */
 type Highlight = string | null;
 
@@ -15,7 +15,7 @@ export function onHighlight(listener: Listener): () => void {
   return () => listeners.delete(listener);
 }
 
-/** The symbol that is lit now, for elements that are made while it is. */
+/** The symbol that is highlighted now, for elements that are created meanwhile. */
 export function highlighted(): Highlight {
   return current;
 }

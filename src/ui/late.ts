@@ -1,8 +1,8 @@
 import { html, type TemplateResult } from 'lit';
 
 /*
- * Code that is loaded when it is asked for. It may not arrive: the network was gone, or a newer
- * version of the site has been put in its place, whose files have other names.
+ * Code that is loaded on demand. Loading may fail: without a network, or after a newer version of
+ * the site has replaced the files.
  */
 
 const failedStyles = new Set<HTMLLinkElement>();
@@ -12,23 +12,17 @@ export function watchStyles(root: Document): void {
   const failed = ({ target }: Event): void => {
     if (target instanceof HTMLLinkElement && target.rel === 'stylesheet') failedStyles.add(target);
   };
-  // Error events of elements do not bubble: they are caught on the way down.
+  // Error events of elements do not bubble, so they are caught in the capture phase.
   root.addEventListener('error', failed, true);
 }
 
-/**
- * Loads what is not there yet; asked again after a failure, it fetches what failed again, style
- * sheets included.
- */
+/** Loads code; after a failure it loads again what failed, also style sheets. */
 export async function late<T>(load: () => Promise<T>): Promise<T> {
   await Promise.all([...failedStyles].map(fetchedAgain));
   return load();
 }
 
-/**
- * A link that failed stays in the document as it is, and the bundler's own loader takes it for
- * loaded.
- */
+/** Loads a style sheet again; the bundler's loader takes a failed <link> for loaded. */
 function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
   failedStyles.delete(failed);
   const again = failed.cloneNode() as HTMLLinkElement;
@@ -39,7 +33,7 @@ function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
   });
 }
 
-/** Says what did not come, with the two ways on. `what`: 'This page could not be loaded.' */
+/** A message with buttons to try again and to reload. `what`: 'This page could not be loaded.' */
 export function notLoaded(what: string, again: () => void): TemplateResult {
   return html`<div class="not-loaded" role="alert"><p>${what}</p>
     <button type="button" @click=${again}>Try again</button>

@@ -26,11 +26,11 @@ class GrazeNumberBox extends DrawnElement {
   declare step: number;
   declare label: string;
   declare symbol: string;
-  /** What the value was typed as, from a link for example; '' where that is not known. */
+  /** The typed text of the value, as from a link; '' if unknown. */
   declare typed: string;
   /** The name in data-quantity; none if another element carries it. */
   declare quantity: string;
-  /** Why a number is not allowed here, or null. Nothing of the box is drawn from it. */
+  /** Why a number is not allowed here; null if it is. */
   check: (value: number) => string | null = () => null;
   declare private text: string | null;
   declare private reason: string | null;
@@ -39,9 +39,7 @@ class GrazeNumberBox extends DrawnElement {
   declare private room: number;
   declare private font: string;
   private ahead = new Ahead();
-  /**
-   * What was typed last and the value it gave: shown again as long as the value is still that one.
-   */
+  /** The text typed last and its value; the text is shown while the value is the same. */
   private last: { text: string; value: number } | null = null;
 
   constructor() {
@@ -68,7 +66,7 @@ class GrazeNumberBox extends DrawnElement {
       const input = this.querySelector('input');
       if (input) this.observer.observe(input);
     });
-    // Another theme may have another font size in a box of the same size.
+    // A theme may change the font size without changing the size of the box.
     this.themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
   }
 
@@ -77,10 +75,7 @@ class GrazeNumberBox extends DrawnElement {
     this.themes.disconnect();
   }
 
-  /**
-   * The room for digits, and their type; once for each size, so that a moved slider measures
-   * nothing.
-   */
+  /** Measures width and font of the box, once for each size. */
   private measure(): void {
     const input = this.querySelector('input');
     if (!input || this.focused) return;
@@ -91,8 +86,7 @@ class GrazeNumberBox extends DrawnElement {
   }
 
   override changed(name: string): void {
-    // The value was changed from elsewhere (a slider, a link): what was typed before is of the
-    // past.
+    // The value was changed elsewhere (a slider, a link): a refused text is dropped.
     if (name === 'value' && this.reason !== null) this.forget();
   }
 
@@ -137,7 +131,7 @@ class GrazeNumberBox extends DrawnElement {
     return this.written() || shortest(this.value);
   }
 
-  /** What was typed for the value, here or elsewhere. */
+  /** The text that was typed for the value, here or elsewhere. */
   private written(): string {
     return this.last && Object.is(this.last.value, this.value) ? this.last.text : this.typed;
   }

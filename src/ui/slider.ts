@@ -52,7 +52,7 @@ class GrazeSlider extends DrawnElement {
       `${(100 * (Math.min(Math.max(x, least), most) - least)) / (most - least)}%`;
     const zero = share(0);
     const here = share(this.value);
-    // By the style object, not an attribute: a strict content security policy forbids the latter.
+    // The strict content security policy forbids style attributes, but not the style object.
     input?.style.setProperty('--zero', zero);
     input?.style.setProperty('--fill-from', this.value < 0 ? here : zero);
     input?.style.setProperty('--fill-to', this.value < 0 ? zero : here);
@@ -78,7 +78,7 @@ class GrazeSlider extends DrawnElement {
   private send(value: number): void {
     this.ahead.set(value);
     this.dispatchEvent(new CustomEvent<number>('graze-value', { detail: value, bubbles: true }));
-    // A refused value leaves the thumb where the state is.
+    // After a refused value the thumb goes back to the state's value.
     void this.redraw();
   }
 }

@@ -1,12 +1,12 @@
 /*
- * What the device keeps of a page. Storage may be full, or denied: to files opened from disk, or by
- * a setting.
+ * The browser's local storage. It may be full, or denied: by a setting, or to files opened from
+ * disk.
  */
 
 let untold = (): void => {};
 const failed = new Set<string>();
 
-/** Sets who is told that a value could not be stored; told once for each key. */
+/** Sets a callback for values that could not be stored; called once for each key. */
 export function onNotKept(tell: () => void): void {
   untold = tell;
 }

@@ -1,7 +1,4 @@
-/**
- * What a drawing needs to look the same outside of the page, where its style sheet and its tokens
- * are not.
- */
+/** Style properties that are copied into an exported drawing, which has no style sheet. */
 const KEPT = [
   'fill',
   'fill-opacity',
@@ -23,10 +20,7 @@ const KEPT = [
   'display',
 ] as const;
 
-/**
- * An SVG of the page as a file of its own: computed styles written into each element, the
- * background painted.
- */
+/** An SVG of the page as a file: with computed styles in each element and a painted background. */
 export function svgText(source: SVGSVGElement, background: string): string {
   const { width, height } = source.getBoundingClientRect();
   const copy = source.cloneNode(true) as SVGSVGElement;
@@ -45,7 +39,7 @@ export function svgText(source: SVGSVGElement, background: string): string {
 
 function inline(from: Element, to: Element): void {
   const style = getComputedStyle(from);
-  // Presentation attributes: a style attribute would be refused by the page's own security policy.
+  // Presentation attributes, since the page's content security policy forbids style attributes.
   for (const name of KEPT) to.setAttribute(name, style.getPropertyValue(name));
   to.removeAttribute('class');
   for (let i = 0; i < from.children.length; i++) {
@@ -57,7 +51,7 @@ function inline(from: Element, to: Element): void {
 /** Pixels of the PNG per CSS pixel: 2, for print. */
 const PNG_SCALE = 2;
 
-/** The same as pixels; null where the browser refuses to draw it. */
+/** The SVG as a PNG; null if the browser refuses to draw it. */
 export async function svgPng(source: SVGSVGElement, background: string): Promise<Blob | null> {
   const { width, height } = source.getBoundingClientRect();
   const image = new Image();
