@@ -6,6 +6,7 @@ import { NARROW } from './framing.ts';
 import { ghostFigures } from './ghost.ts';
 import type { Box, Segment } from './labels.ts';
 import { Layer } from './layer.ts';
+import { markFigures } from './mark-on-ray.ts';
 import { CLEAR, drawArrows, drawMarks } from './marks.ts';
 import type { Projection } from './projection.ts';
 import type { StageUnits } from './stage-units.ts';
@@ -22,6 +23,7 @@ export class Overlay {
   readonly #ticks: Layer;
   readonly #arrows: Layer;
   readonly #ghost: Layer;
+  readonly #gap: Layer;
   readonly #marks: Layer;
   readonly #captions: Layer;
   /** Where each label stood last, so that it stays there. */
@@ -32,6 +34,7 @@ export class Overlay {
     this.#ticks = new Layer(svg, 'scene-tick-layer');
     this.#arrows = new Layer(svg, 'scene-arrow-layer');
     this.#ghost = new Layer(svg, 'scene-ghost-layer');
+    this.#gap = new Layer(svg, 'scene-gap-layer');
     this.#marks = new Layer(svg, 'scene-mark-layer');
     this.#captions = new Layer(svg, 'scene-caption-layer');
   }
@@ -63,6 +66,9 @@ export class Overlay {
     drawAxes(this.#axes, projection, scale, label * 0.8);
     drawArrows(this.#arrows, laid.arrows, scale, lit);
     drawMarks(this.#ghost, laid.ghostMarks, scale, lit);
+    this.#gap.begin();
+    if (laid.gap) this.#gap.show('gap', 'path', { class: 'scene-bracket', d: laid.gap });
+    this.#gap.end();
     drawMarks(this.#marks, laid.marks, scale, lit);
     this.#captions.begin();
     drawPointers(this.#captions, laid.pointers, laid.pointerBoxes, theme, lit);
@@ -94,7 +100,8 @@ export function layOut(
 ) {
   const { arrows, pointers, marks, ...now } = figures(model, units, projection, scale);
   const ghost = ghostFigures(model, units, projection, scale);
-  const captions = [...now.captions, ...ghost.captions, ...words];
+  const mark = markFigures(model, units, projection, scale);
+  const captions = [...now.captions, ...mark.captions, ...ghost.captions, ...words];
   const boxes: Box[] = [...ghost.marks, ...marks].map(({ spot, kind }) => {
     const size = 2 * CLEAR[kind] * scale;
     return { x: spot.x, y: spot.y, w: size, h: size };
@@ -111,7 +118,7 @@ export function layOut(
   const captioned = captionBoxes(captions, obstacles, places, label);
   const taken = [...boxes, ...pointed, ...captioned];
   return {
-    ...{ arrows, pointers, captions, marks, ghostMarks: ghost.marks },
+    ...{ arrows, pointers, captions, marks, ghostMarks: ghost.marks, gap: mark.path },
     pointerBoxes: pointed,
     captionBoxes: captioned,
     ticks: ticksOn(model, units, projection, scale, taken),

@@ -7,6 +7,7 @@ import { GlPainter } from './gl-painter.ts';
 import { HandleDrag } from './handle-drag.ts';
 import { listenToHandles } from './handle-events.ts';
 import { type HandlePlace, placeHandle } from './handle-place.ts';
+import { listenToClicks, markedAt } from './mark-on-ray.ts';
 import { listenToOrbit } from './orbit.ts';
 import { Overlay } from './overlay.ts';
 import type { Painter } from './painter.ts';
@@ -121,6 +122,11 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     }),
     onHighlight(ask),
     listenToHandles(frame.handles, drag, () => handles),
+    listenToClicks(frame.root, (at, pointer) => {
+      if (!model?.mark?.isOpen) return;
+      const t = markedAt(viewpoint.framed(model), units(), projection, at, pointer);
+      if (t !== null) dispatch({ type: 'bead', t });
+    }),
     listenToOrbit(frame.root, {
       current: () => viewpoint.current(model),
       turn: (view) => dispatch({ type: 'view', view }),

@@ -1,4 +1,5 @@
 import { html, svg, type TemplateResult } from 'lit';
+import type { Vec3 } from '../math/index.ts';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import { display, displayTriple, shortest } from '../text/format.ts';
@@ -21,6 +22,7 @@ export function bead(
   const { t } = model.bead;
   const x = coordinate(clamp(scales.x(t), frame.left, frame.right));
   const y = coordinate(beadHeight(model, scales, parabola));
+  const label = model.mark?.isOpen ? `t, ${model.mark.title} on the ray` : 't on the ray';
   const isOff = t < model.from || t > model.to;
   return svg`
     ${
@@ -30,7 +32,7 @@ export function bead(
     }
     <g class="graph-bead ${isOff ? 'graph-off' : ''}" data-symbol="t"
       transform="translate(${x},${y})"
-      role="slider" tabindex="0" aria-label="t on the ray" aria-valuemin=${Math.min(model.from, t)}
+      role="slider" tabindex="0" aria-label=${label} aria-valuemin=${Math.min(model.from, t)}
       aria-valuemax=${Math.max(model.to, t)} aria-valuenow=${t} aria-valuetext=${inWords(model)}
         @keydown=${onKey}>
       <circle class="graph-touch" r="22"></circle>
@@ -51,6 +53,12 @@ function inWords({ bead: { t, f } }: GraphModel): string {
   return Number.isFinite(f) ? `t ${display(t)}, f ${display(f)}` : `t ${display(t)}`;
 }
 
+const titleOf = (t: number, f: number, point: Vec3): string =>
+  [
+    ...(Number.isFinite(f) ? [`f(${display(t)}) = ${display(f)}`] : []),
+    `R(t) = ${displayTriple(point)}`,
+  ].join(', ');
+
 /** f(t) and R(t) of the bead, at a fixed place above the plot. */
 export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): TemplateResult {
   const digits = frame.narrow ? 4 : 6;
@@ -64,7 +72,7 @@ export function readout({ bead: { t, f, point } }: GraphModel, frame: Frame): Te
   const [x, y, z] = point;
   return html`<p class="graph-readout ${frame.narrow ? 'graph-narrow' : ''}"
     .style=${`left:${frame.left + 0.8 * frame.em}px;height:${frame.top}px`}
-      title="f(${display(t)}) = ${display(f)}, R(t) = ${displayTriple(point)}">
+      title=${titleOf(t, f, point)}>
     <span class="graph-key"></span>
     <span class="graph-value"><i>𝑓</i>(${part('t', t)}) = ${part('f', f)}</span>
     <span><i>𝑅</i>${at} = (${part('x', x, digits)}, ${part('y', y, digits)}, ${part(

@@ -5,6 +5,7 @@ import { type Parabola, parabolaOf } from './graph-curve.ts';
 import type { Frame } from './graph-frame.ts';
 import { definitions, grid } from './graph-grid.ts';
 import { area, curve, ghost, rayAxis, words } from './graph-layers.ts';
+import { mark } from './graph-mark.ts';
 import { roots } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
 import { square } from './graph-square.ts';
@@ -19,6 +20,7 @@ export interface Handlers {
 }
 
 const CONTAINED = 'f(t) = 0 for every t';
+const CONCEALED = 'f is hidden: put the mark where it is 0 first';
 const NOT_DRAWN = 'f leaves the range of numbers here and cannot be drawn';
 
 /** The whole graph: description, picture, bead, readout, and a note on what is not shown. */
@@ -54,7 +56,11 @@ export function page(
     ${note === null ? '' : html`<p class="graph-note" .style=${`top:${frame.top}px`}>${note}</p>`}`;
 }
 
-function noteOf({ note, contained }: GraphModel, parabola: Parabola | null): string | null {
+function noteOf(
+  { note, contained, concealed }: GraphModel,
+  parabola: Parabola | null,
+): string | null {
+  if (concealed) return CONCEALED;
   if (note !== null) return note;
   if (parabola === null) return NOT_DRAWN;
   return contained ? CONTAINED : null;
@@ -66,9 +72,12 @@ function layers(
   parabola: Parabola | null,
   id: string,
 ): TemplateResult {
-  return svg`${definitions(scales, id)}${grid(scales, id)}
+  const shown = model.concealed ? { ...scales, fTicks: [] } : scales;
+  return svg`${definitions(scales, id)}${grid(shown, id)}
     ${parabola ? area(parabola, scales, id) : ''}${rayAxis(model, scales)}
     ${ghost(model, scales, id)}
-    ${parabola ? curve(parabola, scales, id) : ''}${model.square ? '' : words(model, scales)}
-    ${square(model, scales)}${roots(model, scales)}`;
+    ${parabola ? curve(parabola, scales, id) : ''}
+    ${model.square || model.mark?.gap ? '' : words(model, scales)}
+    ${square(model, scales)}${roots(model, scales)}
+    ${mark(model, scales)}`;
 }

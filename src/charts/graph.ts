@@ -20,7 +20,8 @@ export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<Graph
   let shown: Shown | null = null;
   // A key may come before the next frame: it continues from the t that was sent last.
   const send: Dispatch = (action) => {
-    if (action.type === 'bead' && action.t !== null) shown = shown && moved(shown, action.t);
+    if (action.type === 'bead' && typeof action.t === 'number')
+      shown = shown && moved(shown, action.t);
     dispatch(action);
   };
   const handlers = handlersOf(() => shown, send);
@@ -30,7 +31,7 @@ export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<Graph
   function draw(): void {
     const metrics = watch.metrics();
     if (model === null || metrics === null) return;
-    if (model.concealed) {
+    if (model.concealed && !model.mark) {
       shown = null;
       render(CONCEALED, watch.slot);
       return;

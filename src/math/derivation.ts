@@ -54,6 +54,8 @@ export interface Derivation {
   /** What the equation becomes with the ray put in: f(t) = 0. */
   readonly f: Expr;
   readonly steps: readonly Step[];
+  /** The line of t as it stands before anything is known of this ray: the same for all of them. */
+  readonly unknown: Step;
   readonly conditions: readonly ConditionStep[];
   /** The numbers that the symbols stand for. */
   readonly numbers: Values<number>;
@@ -89,6 +91,10 @@ export function derivation(shape: Shape, ray: Ray, found: Intersection): Derivat
 
 type Body = Omit<Derivation, 'surface'>;
 
+const lineOfT = (expr: Expr, why: number): Step => ({
+  ...{ id: 't', letter: scalar('t'), expr, value: null, worked: true, why },
+});
+
 function curved(
   formula: CurvedFormula,
   details: CurvedDetails,
@@ -106,7 +112,6 @@ function curved(
   });
   const linear = details.signs.A === 0;
   const roots = linear ? LINEAR_ROOT : details.signs.D === 0 ? DOUBLE_ROOT : ROOTS;
-  const hasRoots = found.hits.length > 0;
   return {
     f: F_OF_T,
     steps: [
@@ -114,10 +119,9 @@ function curved(
       line('B', formula.B),
       line('C', formula.C),
       line('D', DISCRIMINANT),
-      ...(hasRoots
-        ? [{ id: 't', letter: scalar('t'), expr: roots, value: null, worked: true, why: 7 }]
-        : []),
+      ...(found.hits.length > 0 ? [lineOfT(roots, 7)] : []),
     ],
+    unknown: lineOfT(ROOTS, 7),
     conditions: [],
     numbers: withScalars(values, { A, B, C, D }),
   };
@@ -134,15 +138,15 @@ function flat(formula: FlatFormula, details: FlatDetails, values: Values<number>
     why: 3,
   });
   const numbers = plane ? withPoint(values, plane.point) : values;
+  const unknown = lineOfT(formula.t, 4);
   return {
     f: plus(times(formula.rate, scalar('t')), formula.offset),
     steps: [
       step('N.(E-P)', formula.offset, offset),
       step('N.d', formula.rate, rate),
-      ...(plane
-        ? [{ id: 't', letter: scalar('t'), expr: formula.t, value: null, worked: true, why: 4 }]
-        : []),
+      ...(plane ? [unknown] : []),
     ],
+    unknown,
     conditions: plane && formula.bound ? conditionSteps(formula, plane.holds, numbers) : [],
     numbers,
   };

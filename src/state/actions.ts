@@ -38,7 +38,7 @@ export type Action =
     }
   | { readonly type: 'method'; readonly id: string }
   | { readonly type: 'view'; readonly view: View }
-  | { readonly type: 'bead'; readonly t: number | null }
+  | { readonly type: 'bead'; readonly t: Edit<number | null> }
   | { readonly type: 'reset'; readonly what: 'E' | 'd' | 'all' | { readonly param: string } }
   | { readonly type: 'page'; readonly page: PageId }
   /** Changes settings of the page that is shown. */

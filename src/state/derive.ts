@@ -8,7 +8,7 @@ import { exampleOf, type ShownExample } from './example.ts';
 import type { GraphModel } from './graph-model.ts';
 import type { Near, Pictures } from './pictures.ts';
 import { remember } from './remember.ts';
-import { shownLines } from './reveal.ts';
+import { knownLines, shownLines } from './reveal.ts';
 import type { SceneModel } from './scene-model.ts';
 import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
@@ -120,7 +120,7 @@ export function createDerive(
       exactly,
       digits: closer?.digits ?? null,
       asTyped: typed(closer, state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
-      derivation: derived,
+      derivation: knownLines(derived, shown.steps),
       example: exampleOf(state),
       hits: hitWords(found),
       before: ghost?.before ?? NOTHING_BEFORE,

@@ -1,4 +1,4 @@
-import type { HitRole } from './scene-model.ts';
+import type { HitRole, MarkModel } from './scene-model.ts';
 import type { PlacedStretch } from './stretches.ts';
 
 /** The graph of f on the ray's own t scale. */
@@ -35,9 +35,11 @@ export interface GraphModel {
     readonly C: number;
     readonly roots: readonly number[];
   } | null;
+  /** Where the first hit was expected, at the bead; absent and null where that is not asked. */
+  readonly mark?: MarkModel | null;
   /** f vanishes everywhere: the ray lies in the surface. */
   readonly contained: boolean;
-  /** The results are hidden, to be predicted: nothing of the graph is shown. */
+  /** The results are hidden, to be predicted: nothing is shown but the ray's t with the mark. */
   readonly concealed: boolean;
   /** What cannot be shown at this scale, in words; null when all is shown. */
   readonly note: string | null;

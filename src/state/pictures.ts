@@ -5,10 +5,11 @@ import type { Exactly } from './exactly.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
 import { handlesOf } from './handles.ts';
+import { withoutResults, withoutRoots } from './hidden.ts';
 import { type NearTangent, nearTangent } from './near-tangent.ts';
 import { nearestTangent, type Tangent } from './nearest-tangent.ts';
 import { remember } from './remember.ts';
-import { sceneOf, withoutResults } from './scene.ts';
+import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageAround, stageOf } from './stage.ts';
 import type { AppState } from './state.ts';
@@ -90,7 +91,7 @@ export function createPictures(): (given: Found) => Pictures {
     return {
       near,
       verdict,
-      graph: shown ? graph : { ...graph, ghost: null, concealed: true },
+      graph: shown ? graph : withoutRoots(graph, { shape, ray, state }),
       scene: shown ? scene : withoutResults(scene, state),
     };
   };

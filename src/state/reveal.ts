@@ -20,8 +20,18 @@ export function shownLines(
   const afterSteps = steps.length + (conditions.length > 0 ? 1 : 0);
   return {
     steps: Math.min(shown, steps.length),
-    conditions: shown > steps.length || conditions.length === 0,
+    conditions: shown > steps.length && conditions.length > 0,
     verdict: shown > afterSteps,
     hits: shown > afterSteps + 1,
   };
+}
+
+/**
+ * While it is not known whether there is a t, its line stands as for every ray: that it is there,
+ * and how it reads where A or D is 0, would tell.
+ */
+export function knownLines(derivation: Derivation, shown: number): Derivation {
+  const before = derivation.steps.filter(({ id }) => id !== derivation.unknown.id);
+  if (shown >= before.length) return derivation;
+  return { ...derivation, steps: [...before, derivation.unknown] };
 }

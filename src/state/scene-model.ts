@@ -52,6 +52,16 @@ export interface GhostModel {
   readonly beside: Vec3 | null;
 }
 
+/** A prediction of where the first hit is: a place on the ray. */
+export interface MarkModel {
+  /** What stands beside it. */
+  readonly title: string;
+  /** It can still be put elsewhere. */
+  readonly isOpen: boolean;
+  /** From the mark to the hit, in t, once that is known; null where nothing is hit. */
+  readonly gap: { readonly from: number; readonly to: number; readonly text: string } | null;
+}
+
 /**
  * Everything that the 3D view shows, in world coordinates. `drawing` and `stage` keep their
  * identity while they do not change.
@@ -75,6 +85,8 @@ export interface SceneModel {
   /** What a step of the derivation draws into the scene. */
   readonly figures?: readonly FigureLine[];
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
+  /** The bead is a prediction; absent and null where none was asked for. */
+  readonly mark?: MarkModel | null;
   /** What can be dragged. */
   readonly handles: readonly Handle[];
   readonly view: View;

@@ -8,7 +8,6 @@ import type { GraphModel } from './graph-model.ts';
 import type { Handle } from './handles.ts';
 import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
-import type { AppState } from './state.ts';
 import type { View } from './view.ts';
 import { rootsOf, windowOf } from './window.ts';
 import { hitSentences, hitWords } from './words.ts';
@@ -132,7 +131,7 @@ function segmentsOf({ stretches }: GraphModel, reach: { from: number; to: number
     .filter(({ from, to }) => from < to);
 }
 
-function ticksOf({ from, to }: { from: number; to: number }): number[] {
+export function ticksOf({ from, to }: { from: number; to: number }): number[] {
   const step = roundStep((to - from) / 5);
   return multiplesWithin(from, to, step).filter((t) => t !== 0);
 }
@@ -163,36 +162,4 @@ function describe(
   });
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
   return [`${from} and ${withArticle(title)}: ${verdict}.`, ...hits].join(' ');
-}
-
-function beadAt({ ray, stage }: SceneModel, t: number): SceneModel['bead'] {
-  const point = pointAt(ray, t);
-  return point.every(Number.isFinite) ? { t, point, drawn: isDrawn(point, stage) } : null;
-}
-
-/** The scene with the ray and the shape, but nothing that gives away where they meet. */
-export function withoutResults(
-  scene: SceneModel,
-  { ask, bead }: Pick<AppState, 'ask' | 'bead'>,
-): SceneModel {
-  const reach = clipToStage(scene.ray, scene.stage, { from: -Infinity, to: Infinity });
-  const { from, to } = reach ?? { from: 0, to: 0 };
-  const behind: RaySegment = { from, to: Math.min(to, 0), stretch: 'behind' };
-  const ahead: RaySegment = { from: Math.max(from, 0), to, stretch: 'before' };
-  return {
-    ...scene,
-    ray: {
-      ...scene.ray,
-      segments: [behind, ahead].filter((part) => part.from < part.to),
-      ticks: reach ? ticksOf(reach) : [],
-    },
-    hits: [],
-    // A ghost may be the same ray, with its hits.
-    ghost: null,
-    handles: scene.handles.map((handle) => ({ ...handle, tangency: null })),
-    // At rest the bead lies between the roots; a bead that was put somewhere is the prediction.
-    bead: ask === 'where' && bead !== null ? beadAt(scene, bead) : null,
-    notes: scene.ray.originDrawn ? [] : scene.notes.slice(0, 1),
-    description: `${scene.description.split(':')[0]}. The result is hidden: predict it first.`,
-  };
 }

@@ -63,7 +63,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'view':
       return isView(action.view) ? { ...state, view: action.view } : state;
     case 'bead':
-      return action.t === null || Number.isFinite(action.t) ? { ...state, bead: action.t } : state;
+      return withBead(state, applied(action.t, state.bead));
     case 'reset':
       return reset(state, action.what);
     case 'page':
@@ -84,7 +84,11 @@ function updated(state: AppState, action: Action): AppState {
     case 'browse':
       return openExample(state, neighbour(exampleOf(state)?.entry.id ?? state.example, action.by));
     case 'reveal':
-      return { ...state, revealed: action.lines };
+      // A bead that stands where the line meets the shape would tell what is asked.
+      return {
+        ...(state.revealed === null && action.lines === 0 ? withBead(state, null) : state),
+        revealed: action.lines,
+      };
     case 'ask':
       return { ...state, ask: action.ask };
     case 'tell':
@@ -105,6 +109,9 @@ function updated(state: AppState, action: Action): AppState {
       return state;
   }
 }
+
+const withBead = (state: AppState, bead: number | null): AppState =>
+  bead === null || Number.isFinite(bead) ? { ...state, bead } : state;
 
 /** The step, clamped to the number of steps of this shape's derivation. */
 const within = (step: number | null, shape: Shape): number | null =>

@@ -1,8 +1,37 @@
+import type { Page } from '@playwright/test';
+import { ASKS } from '../../src/state/ask.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
+import { createDerive } from '../../src/state/derive.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
-import { NO_SCENE, open, quantities, readable, settle, withoutScene } from './support/page.ts';
+import { decode } from '../../src/state/url.ts';
+import { display, shortest } from '../../src/text/format.ts';
+import {
+  linkWritten,
+  NO_SCENE,
+  open,
+  quantities,
+  readable,
+  settle,
+  withoutScene,
+} from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 const LINK = '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
+/** Results that stand somewhere in the page's elements, in full or as they would be shown. */
+async function leaksOf(page: Page, link: string): Promise<string[]> {
+  const { found, derivation, ray, shape, scene } = createDerive(() => closerLook)(decode(link));
+  const given = new Set(JSON.stringify([ray, shape, scene.stage]).match(NUMBERS)?.map(Number));
+  const results = [
+    ...derivation.steps.flatMap(({ value }) => value ?? []),
+    ...found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]),
+  ].filter((x) => !given.has(x) && shortest(x).length > 6);
+  const texts = new Set(results.flatMap((x) => [shortest(x), display(x), display(x, 3)]));
+  const said = await page.evaluate(() => document.body.outerHTML);
+  const numbers = new Set(said.replaceAll('−', '-').match(NUMBERS) ?? []);
+  return [...texts].filter((text) => numbers.has(text.replaceAll('−', '-')));
+}
+const NUMBERS = /-?\d+(?:\.\d+)?(?:e[+-]?\d+)?/g;
+
 const RESULTS = ['A', 'B', 'C', 'D', 't1', 't2', 'P1.x', 'N2.z', 'class'];
 
 test.describe('without the picture', () => {
@@ -67,8 +96,9 @@ test.describe('asked', () => {
   test('no example tells its answer while it is hidden', async ({ page }) => {
     await page.goto(`./${LINK}&hide=1&ask=where`);
     await page.locator('.predict-asks').waitFor();
-    for (const { id, link, title, asks, answer } of GALLERY) {
-      await open(page, `${link}&hide=1&ask=where`);
+    for (const [i, { id, link, title, asks, answer }] of GALLERY.entries()) {
+      await open(page, `${link}&hide=1&ask=${ASKS[i % ASKS.length]}`);
+      expect(await leaksOf(page, link), id).toEqual([]);
       const words = await readable(page);
       expect(words, id).not.toContain(asks);
       expect(words, id).not.toContain(answer);
@@ -82,7 +112,9 @@ test.describe('asked', () => {
   });
 });
 
-test('the picture does not give away what is hidden', async ({ page }) => {
+test('the picture does not give away what is hidden; a mark is put on its ray', async ({
+  page,
+}) => {
   await open(page, LINK);
   await page.locator('canvas').waitFor();
   const marks = page.locator('.scene-mark[data-mark="P1"], .scene-mark[data-mark="P2"]');
@@ -90,4 +122,38 @@ test('the picture does not give away what is hidden', async ({ page }) => {
   await page.keyboard.press('h');
   await expect(marks).toHaveCount(0);
   expect(await page.locator('.scene-area').innerText()).not.toMatch(/t₁|enters/);
+
+  await open(page, `${LINK}&hide=1&ask=where`);
+  const handle = page.locator('.scene-area [data-handle="t"]');
+  const put = async (): Promise<number> => {
+    await settle(page);
+    return Number(await handle.getAttribute('aria-valuenow'));
+  };
+  await expect(handle).toBeAttached();
+  expect(await put()).toBe(1);
+  const ray = await page.locator('.scene-mark[data-mark="d"]').boundingBox();
+  const eye = await page.locator('.scene-mark[data-mark="E"]').boundingBox();
+  const middle = (box: typeof ray) =>
+    box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: 0, y: 0 };
+  const [d, E] = [middle(ray), middle(eye)];
+  await page.mouse.click(E.x + 2.2 * (d.x - E.x), E.y + 2.2 * (d.y - E.y));
+  const clicked = await put();
+  expect(clicked).toBeGreaterThan(1.5);
+  await handle.focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await put()).toBeGreaterThan(clicked);
+  const slider = page.locator('.graph-bead');
+  await slider.focus();
+  await page.keyboard.press('Home');
+  expect(await put()).toBeLessThan(0);
+  await page.locator('.predict-t').fill('5.45');
+  await page.locator('.predict-t').press('Enter');
+  expect(await put()).toBe(5.45);
+  await linkWritten(page);
+  await page.reload();
+  await expect(handle).toHaveAttribute('aria-valuenow', '5.45');
+  await page.locator('[data-guess="mark"]').click();
+  await expect(page.locator('.predict')).toContainText(/is 2\.91 beyond it: .* far root/);
+  await expect(page.locator('.scene-bracket')).toBeAttached();
+  await expect(page.locator('.graph-gap')).toContainText('Δt = 2.91, length 3.08');
 });

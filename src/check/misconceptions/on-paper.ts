@@ -46,6 +46,16 @@ const rootForgotten = ofCurved(
   ({ roots }) => ({ roots: withoutRoot(roots) }),
 );
 
+const turningPoint = ofCurved(
+  {
+    id: 'turning-point',
+    says: '−B/2A in place of (−B ± √D)/2A',
+    line: 't',
+    remedy: '−B/2A is where f turns, in the middle between the roots: √D/2A leads to them.',
+  },
+  ({ double }) => ({ roots: double }),
+);
+
 function withoutRoot(roots: Expr): Expr {
   return rewrite(roots, (e) => (e.op === 'root' ? e.of : null));
 }
@@ -157,6 +167,7 @@ export const ON_PAPER: readonly Misconception[] = [
   quarterOfD,
   rootForD,
   rootForgotten,
+  turningPoint,
   timesA,
   onlyRootDivided,
   linearSign,

@@ -48,7 +48,7 @@ const NO_MORE = 'no-more';
  * One line over the scene, from the first change on: what to try, and that it has been done. A
  * challenge that was met is kept on the device, and never asked again.
  */
-export function createChallenges(): (host: HTMLElement, model: ExploreModel) => void {
+export function createChallenges(): (host: HTMLElement, model: ExploreModel) => null {
   const done = new Set((recall(STORED) ?? '').split(' ').filter(Boolean));
   /** What was said last of one that has just been met. */
   let praise = '';
@@ -87,5 +87,6 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
         : nothing,
       host,
     );
+    return null;
   };
 }

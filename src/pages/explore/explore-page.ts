@@ -10,6 +10,7 @@ import { late } from '../../ui/late.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
 import { lateView } from '../late-view.ts';
 import { lateGraph } from './late-graph.ts';
+import type { Marked } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { SecondView } from './second-view.ts';
 import type { story as Story } from './story.ts';
@@ -85,7 +86,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     graph: () => graphArea.querySelector('svg'),
     render(model, tools) {
       const begun = performance.now();
-      predict.render(model, model.state.revealed !== null);
+      const marked = predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
       const walking = model.state.derive !== null;
       if (walking) walk ??= lateWalk(walkArea, dispatch, changed);
@@ -101,9 +102,9 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       tools.story?.(story, model, dispatch);
       if (!isFull(model)) return;
       const beside = walking ? walk?.view() : null;
-      const shown = beside?.scene(model) ?? model.scene;
+      const shown = beside?.scene(model) ?? marked?.scene ?? model.scene;
       tools.secondView?.render(stage, shown);
-      graph.render(beside?.graph(model) ?? model.graph);
+      graph.render(beside?.graph(model) ?? marked?.graph ?? model.graph);
       const drawn = performance.now();
       scene.render(shown);
       measure('graze step', begun, drawn);
@@ -134,13 +135,14 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
   );
 }
 
-type Card = (host: HTMLElement, model: ExploreModel) => void;
+/** Gives what scene and graph show beside it, if anything. */
+type Card = (host: HTMLElement, model: ExploreModel) => Marked;
 
 /** A part of the page whose code is loaded when it is first wanted. */
 function lateCard(
   create: () => Promise<Card>,
   changed: () => void,
-): { readonly host: HTMLElement; render(model: ExploreModel, wanted: boolean): void } {
+): { readonly host: HTMLElement; render(model: ExploreModel, wanted: boolean): Marked } {
   const host = document.createElement('div');
   let card: Card | null = null;
   let asked = false;
@@ -160,8 +162,9 @@ function lateCard(
   return {
     host,
     render(model, wanted) {
-      if (card) card(host, model);
-      else if (wanted && !asked) load();
+      if (card) return card(host, model);
+      if (wanted && !asked) load();
+      return null;
     },
   };
 }

@@ -3,54 +3,61 @@ import { live } from 'lit/directives/live.js';
 import type { Dispatch } from '../../state/actions.ts';
 import { isAsk } from '../../state/ask.ts';
 import type { ExploreModel } from '../../state/derive.ts';
+import { hiddenReach, markOf, markStep } from '../../state/hidden.ts';
+import { display } from '../../text/format.ts';
 import { type Guess, judgementOf, QUESTIONS, questionOf } from './predictions.ts';
 import './predict-card.css';
 
 interface Committed {
   readonly question: ReturnType<typeof questionOf>;
   readonly guess: Guess;
-  /** The shape and the ray that the guess is about. */
-  readonly shape: ExploreModel['shape'];
-  readonly ray: ExploreModel['ray'];
+  /** The shape and the ray that the guess is about, as a text. */
+  readonly about: string;
 }
 
-/** Initial t of the mark: the tip of d. */
-const START = 1;
+const aboutOf = ({ shape, ray }: ExploreModel): string => JSON.stringify([shape, ray]);
 
-type PredictCard = (host: HTMLElement, model: ExploreModel) => void;
+/** Scene and graph with the mark and its distance from the hit; null for those of the model. */
+export type Marked = Pick<ExploreModel, 'scene' | 'graph'> | null;
+
+type PredictCard = (host: HTMLElement, model: ExploreModel) => Marked;
 
 /** Asks while the results are hidden; afterwards says how far off the answer was. */
 export function createPredictCard(dispatch: Dispatch): PredictCard {
   let committed: Committed | null = null;
   return (host, model) => {
-    const { shape, ray, state } = model;
+    const { state } = model;
     const hidden = !model.shown.hits;
-    if (hidden || committed?.shape !== shape || committed.ray !== ray) committed = null;
+    const about = aboutOf(model);
+    if (hidden || committed?.about !== about) committed = null;
     const question = questionOf(state.ask, model.found.details.family === 'curved');
     const commit = (guess: Guess): void => {
-      committed = { question, guess, shape, ray };
-      // The mark stays visible as the bead, on the ray and in the graph.
+      committed = { question, guess, about };
+      // The mark stays beside the answer, on the ray and in the graph.
       if (typeof guess === 'number') dispatch({ type: 'bead', t: guess });
       dispatch({ type: 'reveal', lines: null });
     };
+    const judgement = committed && judgementOf(committed.question, committed.guess, model);
     render(
       hidden
         ? asked(model, question, dispatch, commit)
-        : committed
-          ? judged(committed, model)
+        : committed && judgement
+          ? judged(committed, judgement)
           : nothing,
       host,
     );
+    return committed && judgement && marked(committed.guess, judgement.truth, model);
   };
 }
 
 function asked(
-  { state, found }: ExploreModel,
+  model: ExploreModel,
   question: Committed['question'],
   dispatch: Dispatch,
   commit: (guess: Guess) => void,
 ): TemplateResult {
-  const curved = found.details.family === 'curved';
+  const curved = model.found.details.family === 'curved';
+  const t = markOf(model.state);
   const choose = (event: Event): void => {
     const { value } = event.target as HTMLSelectElement;
     if (isAsk(value)) dispatch({ type: 'ask', ask: value });
@@ -66,7 +73,7 @@ function asked(
     </p>
     <p class="predict-asks">${question.asks}</p>
     <p class="predict-answers">
-      ${question.marked ? mark(state.bead ?? START, dispatch, commit) : nothing}
+      ${t === null ? nothing : mark(t, model, dispatch, commit)}
       ${question.options.map(
         ({ id, title }) =>
           html`<button type="button" class="guess" data-guess=${id}
@@ -76,29 +83,44 @@ function asked(
   </section>`;
 }
 
-function mark(t: number, dispatch: Dispatch, commit: (guess: Guess) => void): TemplateResult {
+function mark(
+  t: number,
+  { shape, ray }: ExploreModel,
+  dispatch: Dispatch,
+  commit: (guess: Guess) => void,
+): TemplateResult {
+  const step = markStep(hiddenReach(shape, ray));
   const move = (event: Event): void => {
     const value = (event.target as HTMLInputElement).valueAsNumber;
-    if (!Number.isFinite(value)) return;
-    dispatch({ type: 'ask', ask: 'where' });
-    dispatch({ type: 'bead', t: value });
+    if (Number.isFinite(value)) dispatch({ type: 'bead', t: value });
   };
   return html`<label>mark at t = <input class="predict-t" type="number" step="any"
     .value=${live(String(t))} @change=${move} /></label>
-    ${[-0.1, 0.1].map((by) => {
-      const moveBy = (): void => {
-        dispatch({ type: 'ask', ask: 'where' });
-        dispatch({ type: 'bead', t: Number((t + by).toPrecision(12)) });
-      };
-      return html`<button type="button" class="guess" aria-label=${`Move the mark by ${by}`}
+    ${[-step, step].map((by) => {
+      const moveBy = (): void => dispatch({ type: 'bead', t: Number((t + by).toPrecision(12)) });
+      const label = `Move the mark by ${display(by)}`;
+      return html`<button type="button" class="guess" aria-label=${label}
         @click=${moveBy}>${by < 0 ? '−' : '+'}</button>`;
     })}
     <button type="button" class="guess" data-guess="mark"
       @click=${() => commit(t)}>it is here</button>`;
 }
 
-function judged({ question, guess }: Committed, model: ExploreModel): TemplateResult {
-  const { right, gap, mistake } = judgementOf(question, guess, model);
+/** The mark as it was put, with the way from it to the first hit, until the bead is moved on. */
+function marked(guess: Guess, truth: Guess | null, model: ExploreModel): Marked {
+  const { scene, graph, state, ray } = model;
+  if (typeof guess !== 'number' || state.bead !== guess || !scene || !graph) return null;
+  const off = typeof truth === 'number' ? Math.abs(guess - truth) : 0;
+  const text = `Δt = ${display(off, 3)}, length ${display(off * Math.hypot(...ray.direction), 3)}`;
+  const gap = typeof truth === 'number' && off > 0 ? { from: guess, to: truth, text } : null;
+  const mark = { title: 'your mark', isOpen: false, gap };
+  return { scene: { ...scene, mark }, graph: { ...graph, mark } };
+}
+
+function judged(
+  { question, guess }: Committed,
+  { right, gap, mistake }: ReturnType<typeof judgementOf>,
+): TemplateResult {
   const said = question.options.find(({ id }) => id === guess)?.title;
   return html`<section class="predict" aria-label="Prediction">
     <p role="status"><strong>${right ? 'Right.' : 'Not so.'}</strong>

@@ -1,9 +1,10 @@
 import { courseOf } from '../../check/course.ts';
-import { MISCONCEPTIONS } from '../../check/misconceptions/index.ts';
+import { ALL_MISCONCEPTIONS, MISCONCEPTIONS } from '../../check/misconceptions/index.ts';
 import type { Answers, Input } from '../../check/types.ts';
 import { work } from '../../check/work.ts';
 import type { Ask } from '../../state/ask.ts';
 import type { ExploreModel } from '../../state/derive.ts';
+import { hiddenReach } from '../../state/hidden.ts';
 import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -69,7 +70,7 @@ const points: Question = {
 const where: Question = {
   id: 'where',
   title: 'where',
-  asks: 'Where is the first visible hit? Put the mark there.',
+  asks: 'Where is the first visible hit? Put your mark there: click or drag it on the ray.',
   marked: true,
   options: [option('none', 'nowhere')],
   fits: always,
@@ -132,16 +133,24 @@ export function questionOf(ask: Ask | null, curved: boolean): Question {
   return QUESTIONS.find(({ id, fits }) => id === ask && fits(curved)) ?? points;
 }
 
-/** Largest relative error in t of a mark that counts as right. */
-const NEAR = 0.02;
+/** Largest error in t of a mark that counts as right: relative, or as a share of the drawn ray. */
+const [NEAR, BY_HAND] = [0.02, 0.01];
 
-function same(guess: Guess, truth: Guess | null): boolean {
+function same(guess: Guess, truth: Guess | null, byHand: number): boolean {
   if (typeof guess !== 'number' || typeof truth !== 'number') return guess === truth;
-  return Math.abs(guess - truth) <= NEAR * Math.abs(truth);
+  return Math.abs(guess - truth) <= Math.max(NEAR * Math.abs(truth), byHand);
+}
+
+/** What a hand that puts a mark on the drawn ray may be off. */
+function handOf({ shape, ray }: Input): number {
+  const { from, to } = hiddenReach(shape, ray);
+  return BY_HAND * (to - from);
 }
 
 interface Judgement {
   readonly right: boolean;
+  /** Null where a number overflowed. */
+  readonly truth: Guess | null;
   /** The gap in numbers. */
   readonly gap: string;
   /** A known mistake that gives the same answer, and what to look at again. */
@@ -155,13 +164,18 @@ export function judgementOf(question: Question, guess: Guess, model: ExploreMode
   const found = work(course, input);
   const truth = question.answer(found);
   if (truth === null)
-    return { right: false, gap: 'A number overflowed on the way.', mistake: null };
-  const right = same(guess, truth);
+    return { right: false, truth, gap: 'A number overflowed on the way.', mistake: null };
+  const right = same(guess, truth, handOf(input));
   const length = Math.hypot(...input.ray.direction);
   return {
     right,
+    truth,
     gap: question.gap(guess, truth, found, length),
-    mistake: right ? null : mistakeBehind(question, guess, input),
+    mistake: right
+      ? null
+      : typeof guess === 'number'
+        ? mistakeAtMark(guess, input)
+        : mistakeBehind(question, guess, input),
   };
 }
 
@@ -179,7 +193,45 @@ function mistakeBehind({ id, answer }: Question, guess: Guess, input: Input): st
   for (const { edit, line, says, remedy } of MISCONCEPTIONS) {
     const edited = LINES[id].includes(line) ? edit(course) : null;
     const given = edited && answer(work(edited, input));
-    if (given !== null && same(guess, given)) return `So it comes out with ${says}. ${remedy}`;
+    if (given !== null && given === guess) return `So it comes out with ${says}. ${remedy}`;
   }
   return null;
 }
+
+/** The lines whose mistakes lead to another place on the ray, the choice of a root before its t. */
+const AT_MARK = ['first', 't', 'N.(E-P)'];
+
+/**
+ * The known mistake that leads nearest to the mark, within what a hand may be off: another root
+ * than the first visible hit, or a t that the formula with one edit gives.
+ */
+function mistakeAtMark(mark: number, input: Input): string | null {
+  const course = courseOf(input.shape);
+  const byHand = handOf(input);
+  const roots = placesIn(work(course, input));
+  const places = ALL_MISCONCEPTIONS.flatMap((one) => {
+    const edited = AT_MARK.includes(one.line) ? one.edit(course) : null;
+    if (!edited) return [];
+    const found = work(edited, input);
+    // The roots themselves are right: only which of them is seen first can have been mistaken.
+    const given =
+      one.line === 'first' ? [numberIn(found, 't')] : placesIn(found).filter(isOther(roots));
+    return given.flatMap((t) => (t !== null && same(mark, t, byHand) ? [{ ...one, t }] : []));
+  });
+  const away = ({ t }: { readonly t: number }): number => Math.abs(t - mark);
+  const [nearest] = places.sort((a, b) => away(a) - away(b));
+  return nearest
+    ? `At t = ${display(nearest.t)} it comes out with ${nearest.says}. ${nearest.remedy}`
+    : null;
+}
+
+const placesIn = (found: Answers): number[] =>
+  ['t', 't1', 't2'].flatMap((id) => numberIn(found, id) ?? []).filter(Number.isFinite);
+
+/** Rounded on another way, the same root may differ in its last bits. */
+const SAME_ROOT = 1e-9;
+
+const isOther =
+  (roots: readonly number[]) =>
+  (t: number): boolean =>
+    roots.every((root) => Math.abs(root - t) > SAME_ROOT * Math.max(Math.abs(root), Math.abs(t)));

@@ -51,7 +51,7 @@ function isNext(before: FullModel, { state, example, scene }: FullModel): boolea
   return (
     example?.changed === false &&
     state.example === example.entry.id &&
-    state.example !== before.state.example &&
+    example.entry !== before.example?.entry &&
     state.kind === before.state.kind &&
     ratio < APART &&
     ratio > 1 / APART

@@ -14,7 +14,9 @@ import { decode } from '../../../src/state/url.ts';
 import { rootsOf } from '../../../src/state/window.ts';
 
 const at = (link: string, lines: number | null) =>
-  createDerive(() => closerLook)(update(decode(link, INITIAL), { type: 'reveal', lines }));
+  createDerive(() => closerLook)(
+    update({ ...decode(link, INITIAL), revealed: lines }, { type: 'reveal', lines }),
+  );
 
 test.each([
   ['#/explore?shape=cone', 7],
@@ -79,6 +81,20 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('hidden, %s', 
     expect(words).not.toContain(entry.asks);
     expect(words).not.toContain(entry.answer);
   });
+});
+
+test('until D is known the line of t is the same, whether there is one or not', () => {
+  const lines = (link: string, n: number) => at(link, n).derivation.steps.map(({ expr }) => expr);
+  const [two, tangent, none, one] = ['E=3,1,0', 'E=3,1,1', 'E=3,1,9', 'E=3,0.5,0&d=-1,1,0'].map(
+    (ray) => `#/explore?shape=cone&V=0,0,0&c=1&d=-1,0,0&${ray}`,
+  );
+  for (let n = 0; n < 4; n++) {
+    for (const link of [tangent, none, one]) {
+      expect(lines(link ?? '', n), link).toEqual(lines(two ?? '', n));
+    }
+  }
+  expect(lines(none ?? '', 4)).toHaveLength(4);
+  expect(lines(two ?? '', 4)).toHaveLength(5);
 });
 
 test('a bead that was put on the ray is shown where that is asked, and nowhere else', () => {

@@ -58,6 +58,7 @@ describe('the gap is in numbers, and a known mistake is named', () => {
     const first = questionOf('first', true);
     expect(judgementOf(first, 't2', behind)).toEqual({
       right: false,
+      truth: 'none',
       gap: 't₁ = −4.5, t₂ = −1.5: no hit is visible.',
       mistake: null,
     });
@@ -70,7 +71,30 @@ describe('the gap is in numbers, and a known mistake is named', () => {
       right: false,
       gap: 'The hit is at t = 0.75; your mark, at t = 1, is 0.25 beyond it: 0.5 units of length.',
     });
-    expect(judgementOf(questionOf('where', true), 2.25, model).mistake).toMatch(/the far root/);
+  });
+
+  test('a mark at what comes out with a mistake', () => {
+    // t₁ = 1.4, t₂ = 2.6 in lengths of 2.5: A = 6.25.
+    const model = modelOf('#/explore?shape=cylinder&C=0,1,0&r=1.5&E=5,1,0&d=-2.5,0,0');
+    const mistakeAt = (t: number) => judgementOf(questionOf('where', true), t, model).mistake;
+    expect(mistakeAt(2.6)).toMatch(/^At t = 2\.6 .* the far root/);
+    expect(mistakeAt(2)).toMatch(/^At t = 2 .* −B\/2A in place of/);
+    expect(mistakeAt(-1.4)).toMatch(/^At t = −1\.4 .* B in place of −B/);
+    expect(mistakeAt(3.5)).toMatch(/^At t = 3\.5 .* taken for a distance/);
+    expect(mistakeAt(2.3)).toBeNull();
+  });
+
+  test('a mark at the root behind E, and at one that is all there is', () => {
+    const inside = modelOf('#/explore?shape=cylinder&C=0,1,0&r=1.5&E=0.5,1,0&d=-1,0,0');
+    const where = questionOf('where', true);
+    expect(judgementOf(where, -1, inside).mistake).toMatch(/^At t = −1 .* t < 0 accepted/);
+    expect(judgementOf(where, -4.5, behind).mistake).toMatch(/^At t = −4\.5 .* t < 0 accepted/);
+  });
+
+  test('a hand need not be finer than the ray that is drawn', () => {
+    const model = modelOf('#/explore?shape=cylinder&C=0,1,0&r=1.5&E=1.5,1,0&d=-1,0,0');
+    const at = (t: number) => judgementOf(questionOf('where', true), t, model).right;
+    expect([0, 0.05, -0.05, 0.5].map(at)).toEqual([true, true, true, false]);
   });
 
   test('too many and too few points, and D', () => {
