@@ -25,7 +25,7 @@ import './ui/base.css';
 import './ui/fields.css';
 import './ui/print.css';
 
-/** Browsers refuse a history entry that is rewritten more than about ten times a second. */
+/** ms between writes of the link: browsers allow about ten a second. */
 const LINK_DELAY_MS = 150;
 const SAID_MS = 2500;
 const SINGLE_KEYS = 'graze.single-keys';
@@ -49,7 +49,7 @@ let travel: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
-/** What Explore shows. */
+/** The model that Explore shows. */
 let model: ExploreModel | null = null;
 let said = '';
 
@@ -80,7 +80,7 @@ const tools: PageActions = {
     theme.set(next);
     say(`theme: ${next}`);
   },
-  // It rests at each root, which would tell where they are.
+  // Not while results are hidden: the bead pauses at each root.
   play: () => {
     if (!modelNow().shown.hits) return;
     theRest().then(() => {
@@ -123,7 +123,7 @@ const dialogParts: DialogParts = {
   },
 };
 
-/** Printers are of no use before somebody asks for one. */
+/** The exports, loaded on demand. */
 async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   const { exploreExports } = await late(() => import('./pages/explore/exports.ts'));
   return exploreExports(shown, modelNow);
@@ -131,7 +131,7 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
 
 const theRest = () => late(() => import('./pages/explore/after-first-frame.ts'));
 let isLater = false;
-/** Called with every frame until the code is there: what did not arrive may arrive now. */
+/** Loads the code after the first frame; called with every frame until it has been loaded. */
 function loadTheRest(): void {
   if (isLater) return;
   isLater = true;
@@ -142,7 +142,7 @@ function loadTheRest(): void {
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
       travel = code.createTravel(main, requestRender);
-      // That a link's example is known now is nothing to announce.
+      // With the gallery loaded, the link's example is known: this is not announced as a change.
       model = null;
       requestRender();
     },
@@ -153,7 +153,7 @@ function loadTheRest(): void {
 }
 
 let watched: (() => void) | null = null;
-/** What a presenter's clicker does beyond the keys of the page. */
+/** The code for a presenter's clicker. */
 const clicker = (): Promise<() => void> =>
   late(() => import('./ui/clicker.ts')).then(({ watchClicker }) => {
     watched ??= watchClicker(() => store.get().page === 'explore', announce);
@@ -163,7 +163,7 @@ const clicker = (): Promise<() => void> =>
 const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
 
 let dialogs: Promise<Dialogs> | null = null;
-/** Their code is loaded when the first of them is asked for. */
+/** Opens a dialog; the dialogs' code is loaded with the first. */
 function openDialog(name: keyof Dialogs): void {
   dialogs ??= late(() => import('./pages/dialogs.ts')).then(({ createDialogs }) =>
     createDialogs(dialogParts),
@@ -231,7 +231,7 @@ function renderAll(): void {
   pages.show(state);
 }
 
-/** A page's settings came from a link or a file: what it cannot use is left out and said. */
+/** Checks a page's settings from a link or file: invalid ones are dropped with a message. */
 function readSettings(view: PageView): void {
   const { page, settings, problems } = store.get();
   const given = settings[page];
@@ -243,7 +243,7 @@ function readSettings(view: PageView): void {
   if (news.length > 0) store.dispatch({ type: 'say', problems: [...problems, ...news] });
 }
 
-// Many events fall into one frame; they are drawn once, in that frame.
+// Many events may come in one frame; they are drawn once.
 function requestRender(): void {
   if (frame !== 0) return;
   frame = requestAnimationFrame(() => {
@@ -257,7 +257,7 @@ let written = location.hash;
 function writeLink(): void {
   clearTimeout(linkTimer);
   linkTimer = 0;
-  // Somebody typed an address while a write was pending: theirs is the later word.
+  // If an address was typed while a write was pending, the typed one counts.
   if (location.hash !== written) {
     readLink();
     return;
@@ -265,8 +265,7 @@ function writeLink(): void {
   const before = written;
   written = encode(store.get());
   if (written === location.hash) return;
-  // Another page, or the derivation, is a place that the browser's own Back leads out of; a step
-  // on it is not.
+  // Another page or the derivation gets a history entry of its own; a step of it does not.
   if (placeOf(before) === placeOf(written) || before === '') {
     history.replaceState(history.state, '', written);
   } else history.pushState(null, '', written);
@@ -281,7 +280,7 @@ function readLink(): void {
   readShown();
 }
 
-/** The page of the state is shown first: it is that page which reads its settings. */
+/** Reads the settings of the shown page. */
 function readShown(): void {
   pages.show(store.get());
   const view = pages.current();
@@ -302,7 +301,7 @@ function say(words: string): void {
 function openText(text: string | null): void {
   if (text === null) return;
   if (pages.current()?.open?.(text)) return;
-  // A lesson begins with a line of three dashes, which no other file does.
+  // Only a lesson begins with a line of three dashes.
   if (/^\s*---/.test(text)) {
     withLessons(({ openedLesson }) => {
       store.dispatch({ type: 'open', state: (now) => openedLesson(now, text) });
@@ -319,17 +318,17 @@ function openText(text: string | null): void {
   });
 }
 
-/** What reads and writes files is loaded when the first one is saved or opened. */
+/** Loads the code that reads and writes saved states. */
 function withFiles(use: (files: typeof import('./state/file.ts')) => void): void {
   late(() => import('./state/file.ts')).then(use, sayNotLoaded);
 }
 
-/** What takes files from the disk and puts them there; loaded once the page stands. */
+/** Loads the code for files of the disk. */
 function withDisk(use: (disk: typeof import('./ui/files.ts')) => void): void {
   late(() => import('./ui/files.ts')).then(use, sayNotLoaded);
 }
 
-/** What reads and packs lessons. */
+/** Loads the code that reads and packs lessons. */
 function withLessons(use: (own: typeof import('./pages/lesson/own-lesson.ts')) => void): void {
   late(() => import('./pages/lesson/own-lesson.ts')).then(use, sayNotLoaded);
 }
@@ -347,7 +346,7 @@ document.addEventListener('keydown', (event) => {
   });
   if (!wanted) return;
   event.preventDefault();
-  // A key that comes before the examples and the player do is kept until they are there.
+  // A key pressed before examples and player are loaded is kept until they are.
   if (player || store.get().page !== 'explore') wanted.run();
   else theRest().then(wanted.run, wanted.run);
 });
@@ -358,13 +357,13 @@ onNotKept(() => {
     store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
   }, sayNotLoaded);
 });
-// What does not arrive lights nothing: every number and word is there without it.
+// If this cannot be loaded, symbols are not highlighted; nothing else is missing.
 late(() => import('./ui/highlight.ts')).then(
   ({ watchHighlight }) => watchHighlight(app),
   () => {},
 );
 clicker().catch(() => {});
-// Without it every control is a stop of its own.
+// If this cannot be loaded, every control is a Tab stop of its own.
 late(() => import('./ui/tab-stops.ts')).then(
   ({ watchTabStops }) => watchTabStops(main),
   () => {},

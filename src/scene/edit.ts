@@ -1,9 +1,9 @@
 import type { Shape } from '../math/index.ts';
 import { GREY, type Light, type Placed, type Scene } from './types.ts';
 
-/* Edits: each gives a new scene and leaves what it did not touch as it was, the same objects. */
+/* Edits of a scene. Each returns a new scene that shares the unchanged parts with the old one. */
 
-/** The first of `word`, `word 2`, `word 3`, … that nothing in the scene is called. */
+/** The first of `word`, `word 2`, `word 3`, … that is no id in the scene. */
 export function freeId(scene: Scene, word: string): string {
   const taken = new Set([...scene.things, ...scene.lights].map(({ id }) => id));
   if (!taken.has(word)) return word;
@@ -27,7 +27,7 @@ export const addLight = (scene: Scene, light: Light): Scene => ({
   lights: [...scene.lights, light],
 });
 
-/** Without the thing or light of that name. */
+/** The scene without the thing or light of this id. */
 export const remove = (scene: Scene, id: string): Scene => ({
   ...scene,
   things: scene.things.filter((thing) => thing.id !== id),

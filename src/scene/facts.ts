@@ -2,23 +2,19 @@ import type { Vec3 } from '../math/index.ts';
 import { definitionOf, sideOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
-/* What effects ask of a scene. */
+/* Facts on a scene by which effects decide whether they are needed. */
 
 export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
 
-/**
- * Glass lets light through (without bending a shadow ray: see docs/FAKED.md), so it stands in no
- * light's way.
- */
+/** Whether a thing blocks light. Glass does not: shadow rays pass it straight (docs/FAKED.md). */
 export const blocks = (thing: Placed): boolean => !isGlass(thing);
 
-/** Shows light on itself: on its paint, or as a highlight. */
+/** Whether a thing shows light on its paint or as a highlight. */
 const isLit = ({ material }: Placed): boolean =>
   material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
 
 /**
- * Why nothing in the scene can lie in a shadow, or null if something may. `glass`: but for that of
- * glass, which casts none here.
+ * Why nothing can be in a shadow; null if something may be. `glass`: glass alone could cast one.
  */
 export function whyNoShadow(
   scene: Scene,
@@ -38,8 +34,8 @@ export function whyNoShadow(
 }
 
 /**
- * A flat shape, or a whole convex one seen from outside: a line from a seen point to a light on its
- * outer side does not meet it again.
+ * Whether a thing cannot cast a shadow on the parts of itself that are seen: a flat shape, or a
+ * whole convex one seen from outside.
  */
 function shadesNothing({ shape, between }: Placed, eye: Vec3): boolean {
   const side = sideOf(shape, eye);

@@ -1,6 +1,6 @@
 import { quote } from '../math/shapes.ts';
 
-/** Nested deeper than any scene: where it happens counts as the fault. */
+/** Nesting depth that counts as a fault; no scene is nested as deeply. */
 const DEEPEST = 500;
 
 const SPACE = /[ \t\n\r]*/y;
@@ -8,8 +8,8 @@ const STRING = /"(?:[^"\\\p{Cc}]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/uy;
 const SIMPLE = /true|false|null|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 
 /**
- * Where a text stops being JSON (RFC 8259), in words; null if it is. The engines' own messages
- * differ, and some name no place.
+ * Words on where a text violates JSON (RFC 8259); null if it does not. Messages of JSON.parse
+ * differ between browsers, and some name no place.
  */
 export function jsonFault(text: string): string | null {
   let at = 0;

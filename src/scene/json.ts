@@ -4,12 +4,12 @@ import { jsonFault } from './json-fault.ts';
 import type { Scene } from './types.ts';
 import { validateScene } from './validate.ts';
 
-/** A file longer than this is not one of ours: 250 things take about 80,000 characters. */
+/** Most characters of a scene's JSON; 250 things take about 80,000. */
 export const LONGEST_JSON = 400_000;
 
 /** The text of a saved scene. */
 export function sceneToJson(scene: Scene): string {
-  // JSON has no minus zero: written as a number it would come back as 0.
+  // JSON.stringify writes −0 as 0.
   const text = JSON.stringify(
     { graze: 'scene', scene },
     (_, x) => (Object.is(x, -0) ? '-0' : x),

@@ -1,23 +1,20 @@
 /*
- * The two laws at a boundary, as closed forms. `eta` is n₁/n₂, from the ray's side to the other;
- * cosines are taken with the normal on the ray's side.
+ * Snell's and Fresnel's laws. `eta` is n₁/n₂, with n₁ on the ray's side; cosines are those of
+ * angles with the normal on the ray's side.
  */
 
-/** The cosine on the other side by Snell, n₁ sin θ₁ = n₂ sin θ₂; NaN beyond the critical angle. */
+/** cos θ₂ by Snell, n₁ sin θ₁ = n₂ sin θ₂; NaN beyond the critical angle. */
 export function snell(eta: number, cosine: number): number {
   return Math.sqrt(1 - eta * eta * (1 - cosine * cosine));
 }
 
-/**
- * The share of unpolarised light that is sent back: the mean of both polarisations' (Fresnel); 1
- * beyond the critical angle.
- */
+/** Reflected share of unpolarised light, the mean of both polarisations; 1 in total reflection. */
 export function fresnel(eta: number, cosine: number): number {
   const other = snell(eta, cosine);
   if (Number.isNaN(other)) return 1;
   const across = (eta * cosine - other) / (eta * cosine + other);
   const along = (cosine - eta * other) / (cosine + eta * other);
   const share = (across * across + along * along) / 2;
-  // At a grazing ray both sums are 0.
+  // For a grazing ray it is 0/0.
   return share <= 1 ? share : 1;
 }

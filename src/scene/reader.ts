@@ -2,8 +2,8 @@ import { InvalidInput, type Vec3 } from '../math/index.ts';
 import { AXES, type Axis, quote, refused } from '../math/shapes.ts';
 
 /**
- * Reads a value of a file from anywhere; `path` says where it stands: `things[2].material.mirror`.
- * Throws InvalidInput.
+ * Reads a value of an untrusted file. `path`: its place in the file, as
+ * `things[2].material.mirror`. Throws InvalidInput.
  */
 export type Read<T> = (value: unknown, path: string) => T;
 
@@ -81,10 +81,7 @@ export const listOf =
 
 type Fields<T> = { readonly [K in keyof T]-?: Read<Exclude<T[K], undefined>> };
 
-/**
- * Just these keys, all but the optional ones: any other is refused, since leaving it out would
- * change what was meant.
- */
+/** Reads a record with exactly these keys, of which some are optional; other keys are refused. */
 export function record<T extends object>(
   fields: Fields<T>,
   optional: readonly (keyof T)[] = [],
@@ -105,7 +102,7 @@ export function record<T extends object>(
   };
 }
 
-/** One of several records, told apart by the word under `key`. */
+/** Reads one of several records, chosen by the word under `key`. */
 export function variant<T>(key: string, variants: Readonly<Record<string, Read<T>>>): Read<T> {
   const word = oneOf(Object.keys(variants));
   return (value, path) => {

@@ -1,14 +1,11 @@
-/**
- * What no scene is shown with though nature has it, or has it otherwise; the page and docs/FAKED.md
- * say the same of it.
- */
+/** Something in nature that pictures leave out or simplify; the page and docs/FAKED.md list it. */
 interface Simplification {
   readonly title: string;
-  /** Left out altogether, or done more simply than nature does. */
+  /** Whether it is left out or simplified. */
   readonly how: 'left out' | 'simplified';
   /** What is done instead. */
   readonly reason: string;
-  /** Where. */
+  /** The file that does it. */
   readonly file: string;
 }
 

@@ -5,19 +5,17 @@ import type { Placed, Scene } from './types.ts';
 
 type SurfacePart = 'shape' | 'low cap' | 'high cap';
 
-/** What a ray can hit: a thing's shape, or a circle that closes one of its ends. */
+/** A surface that rays can hit: a thing's shape, or a cap (a circle that closes an end). */
 export interface Surface {
   /** Index into the scene's things. */
   readonly thing: number;
   readonly part: SurfacePart;
   readonly shape: Shape;
-  /** Only the shape itself is cut off, not its caps. */
+  /** Heights that cut the shape off; caps have none. */
   readonly between?: Heights;
 }
 
-/**
- * All surfaces of a scene in a fixed order: what a hit, a ray tree and a frame mean by an index.
- */
+/** All surfaces of a scene, in the order to which indices in hits, ray trees and frames refer. */
 export function surfacesOf(scene: Scene): readonly Surface[] {
   return scene.things.flatMap((placed, thing): Surface[] => {
     const { shape, between } = placed;
@@ -26,7 +24,7 @@ export function surfacesOf(scene: Scene): readonly Surface[] {
   });
 }
 
-/** Two circles about the axis, their normals outwards. */
+/** The caps: two circles about the axis with outward normals. */
 function capsOf({ shape, between, capped }: Placed, thing: number): Surface[] {
   if (!between || !capped) return [];
   const cap = (part: SurfacePart, height: number, up: 1 | -1): Surface[] => {

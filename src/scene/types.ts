@@ -2,31 +2,28 @@ import type { Shape, Vec3 } from '../math/index.ts';
 import type { Axis } from '../math/shapes.ts';
 
 /*
- * A scene is plain data: what is said here is what a file holds. Everything is readonly; an edited
- * scene is a new one (edit.ts). A file from anywhere becomes a Scene only by validate.ts.
+ * A scene is plain readonly data, in the form in which files hold it. An edit makes a new scene
+ * (edit.ts). An untrusted file becomes a Scene only by validate.ts.
  */
 
-/** '#rrggbb' as in a colour box: sRGB. The tracer works with linear light. */
+/** sRGB as '#rrggbb'. The tracer computes in linear light. */
 export type Colour = string;
 
-/** What the fields that effects declare (effects/fields.ts) are set to: by effect, then by key. */
+/** Values of the fields that effects declare (effects/fields.ts), by effect and key. */
 export type EffectValues = Readonly<Record<string, Readonly<Record<string, number | string>>>>;
 
 export interface Scene {
   readonly title: string;
   readonly camera: Camera;
   readonly background: Background;
-  /**
-   * The constant that stands in for light from other surfaces: this share of its colour every
-   * surface shows unlit. 0 … 1.
-   */
+  /** Constant that replaces light from other surfaces: share of its colour that is always shown. */
   readonly ambient: number;
   readonly things: readonly Placed[];
   readonly lights: readonly Light[];
   readonly effects?: EffectValues;
 }
 
-/** A pinhole. */
+/** A pinhole camera. */
 export interface Camera {
   readonly eye: Vec3;
   readonly target: Vec3;
@@ -34,20 +31,20 @@ export interface Camera {
   readonly angle: number;
 }
 
-/** What a ray that meets nothing sees: from `low` straight down to `high` straight up. */
+/** Colour of rays that hit nothing: from `low` straight down to `high` straight up. */
 export interface Background {
   readonly low: Colour;
   readonly high: Colour;
 }
 
 export interface Placed {
-  /** Unlike any other thing's and light's. */
+  /** Unique among things and lights. */
   readonly id: string;
   readonly shape: Shape;
   readonly material: Material;
-  /** Only the part with low ≤ y ≤ high is there. */
+  /** Cuts the shape off to low ≤ y ≤ high. */
   readonly between?: readonly [low: number, high: number];
-  /** With `between`, for a round shape: circles close both ends. */
+  /** Whether circles close both ends of a round shape with `between`. */
   readonly capped?: boolean;
 }
 
@@ -55,9 +52,9 @@ export interface Material {
   readonly paint: Paint;
   /** Highlights: strength 0 … 1 (0: none), exponent of the cosine (Phong). */
   readonly shine: Shine;
-  /** The share of light that is mirrored, 0 … 1; the rest meets the paint. */
+  /** Share of light that is mirrored, 0 … 1; the rest is for the paint. */
   readonly mirror: number;
-  /** Light goes through instead of meeting the paint. The outside is air: index 1. */
+  /** If set, light passes through instead of reaching the paint. The outside is air, index 1. */
   readonly glass?: Glass;
   readonly effects?: EffectValues;
 }
@@ -69,10 +66,7 @@ export interface PlainPaint {
   readonly colour: Colour;
 }
 
-/**
- * Cubes of this size in space (checker), or slices across an axis (stripes), in two colours by
- * turns.
- */
+/** Two colours in turn: cubes of a size in space (checker), or slices across an axis (stripes). */
 type PatternPaint = CheckerPaint | StripesPaint;
 
 export interface CheckerPaint {
@@ -96,7 +90,7 @@ export interface Shine {
 }
 
 export interface Glass {
-  /** Of refraction, ≥ 1. */
+  /** Index of refraction, ≥ 1. */
   readonly index: number;
   /** σ in e^(−σ · chord), per length, for red, green and blue; ≥ 0. */
   readonly absorption: Vec3;
@@ -107,10 +101,7 @@ export type Light = PointLight | SunLight | SphereLight;
 interface LightBase {
   readonly id: string;
   readonly colour: Colour;
-  /**
-   * What a white surface facing it sends back, 1 being full white. It does not fall off with
-   * distance.
-   */
+  /** Brightness of a white surface that faces it, 1 being white; it does not fall off. */
   readonly strength: number;
   readonly effects?: EffectValues;
 }
@@ -123,7 +114,7 @@ export interface PointLight extends LightBase {
 /** Parallel light from infinitely far. */
 export interface SunLight extends LightBase {
   readonly light: 'sun';
-  /** From the scene to the sun; any non-zero length. */
+  /** Direction from the scene to the sun, of any non-zero length. */
   readonly towards: Vec3;
 }
 

@@ -34,10 +34,7 @@ import type {
   SunLight,
 } from './types.ts';
 
-/**
- * What a file from anywhere may hold. Coordinates this far out still square without trouble in
- * float32.
- */
+/** Limits for values of a file. Squares of the largest coordinates do not overflow in float32. */
 const LIMITS = {
   things: 250,
   lights: 8,
@@ -129,8 +126,8 @@ const scene = record<Scene>(
 );
 
 /**
- * A value from anywhere as a Scene of its own, nothing of it shared. Throws InvalidInput with where
- * it stands and what it was: `things[0].material.mirror must be a number from 0 to 1, got 2`.
+ * Makes a Scene from an untrusted value and shares no objects with it. Throws InvalidInput with the
+ * place and the value: `things[0].material.mirror must be a number from 0 to 1, got 2`.
  */
 export function validateScene(value: unknown): Scene {
   const found = scene(value, '');

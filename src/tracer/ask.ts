@@ -13,20 +13,20 @@ import type { Tally } from './ledger.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
-/** Rays packed for one kernel call: `index[k]` says which ray of the wave the k-th is. */
+/** Rays packed for one kernel call: the k-th is ray `index[k]` of the wave. */
 interface Packed {
   readonly rays: Rays;
   readonly index: Int32Array;
 }
 
 export interface Asker {
-  /** Those of the rays that do not leave the target, and those that do. */
+  /** The rays that start elsewhere than on the target, and those that start on it. */
   readonly others: Packed;
   readonly leaving: Packed;
   readonly out: Answers;
   /**
-   * Packs rays list[0 … count − 1] for the target. Under a rule other than `from` nobody is said to
-   * leave.
+   * Packs rays list[0 … count − 1] for the target. Only under the start rule `from` are rays that
+   * leave it kept apart.
    */
   pack(
     target: Target,
@@ -36,21 +36,15 @@ export interface Asker {
     count: number,
     tally: Tally,
   ): void;
-  /**
-   * Of the packed others only those whose whole line meets the target are kept: no root is worked
-   * out.
-   */
+  /** Drops packed others whose whole line misses the target; computes no roots. */
   keepMeeting(target: Target, tally: Tally): void;
-  /**
-   * The first root that counts into out.t0, NaN where there is none, for packed others (or any rays
-   * that do not leave).
-   */
+  /** Puts the first root that counts into out.t0, NaN without one; for rays that do not leave. */
   firstOf(target: Target, rays: Rays, tMin: number, tally: Tally): void;
-  /** The same for the packed leaving ones, whose start is dropped. */
+  /** The same for packed rays that leave the target; the root at their start is dropped. */
   firstOfLeaving(target: Target, tally: Tally): void;
 }
 
-/** t > 0, as the closed interval of a kernel says it. */
+/** Least t that counts as t > 0, for kernels that take a closed interval. */
 export const AHEAD = Number.MIN_VALUE;
 
 /** The least t that counts for a ray that leaves a surface. */
@@ -60,13 +54,13 @@ export const startOf = (start: StartRule): number =>
 export interface HeightsEffect {
   readonly body: RootsBody;
   readonly clock: () => number;
-  /** Told of the second roots that it had solved, and of its time. */
+  /** Called with the number of second roots that heights needed, and their time. */
   readonly spend: (solves: number, ms: number) => void;
 }
 
 /**
- * Whoever asks: the same questions serve nearest hits and shadow rays. `heights` is undefined where
- * no target is cut.
+ * Asks methods about packed rays, for nearest hits and for shadow rays. `heights` is undefined if
+ * no target is cut off.
  */
 export function createAsker(
   capacity: number,
@@ -84,7 +78,7 @@ export function createAsker(
   const out = createAnswers(capacity, kernelArray);
   const byIdentity = start.rule === 'from';
 
-  /** Both roots were asked for where one would do but for the heights: the second is theirs. */
+  /** Chooses between both roots by height; the second root counts as a cost of the heights. */
   function choose(target: Target, rays: Rays, tMin: number, leaves: boolean, tally: Tally): void {
     target.kernel.both(rays, out);
     tally.questions += rays.count;
@@ -110,7 +104,7 @@ export function createAsker(
       for (let k = 0; k < count; k++) {
         const i = list[k] as number;
         if (from[i] === self) {
-          // A flat shape is met only once, and there the ray starts.
+          // The only root of a flat shape is where the ray starts.
           if (target.flat) continue;
           if (proven && departs(proven, a, rays, i)) {
             gone += 1;
@@ -133,7 +127,7 @@ export function createAsker(
       target.kernel.classes(rays, out);
       tally.questions += rays.count;
       const { margin } = out;
-      // Listed rays are no plain misses, whatever their margin says.
+      // Rays in the rare list are decided there, not by their margin.
       for (let k = 0; k < out.rareCount; k++) {
         margin[out.rareIndex[k] as number] = out.rareVerdict[k] === NONE ? -1 : 1;
       }

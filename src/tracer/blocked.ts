@@ -7,9 +7,8 @@ import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
 /**
- * Whether anything is hit before the limit, into blocker: whatever is found first, and then the ray
- * is asked no more. First "does the whole line meet you?", for which no root is worked out; only of
- * those that do, where.
+ * Puts into blocker a surface that is hit before the limit, the first that is found. Rays whose
+ * whole line misses a surface are sorted out first, for which no root has to be computed.
  */
 export function findBlocked(
   feelers: Feelers,
@@ -46,7 +45,7 @@ export function findBlocked(
     take(target, leaving.index, leaving.rays.count);
   }
 
-  /** Those of the list that nothing blocks so far. */
+  /** The rays of the list that are not blocked so far. */
   function free(list: Int32Array, n: number, kept: Int32Array): number {
     let m = 0;
     for (let k = 0; k < n; k++) {

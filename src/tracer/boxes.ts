@@ -4,11 +4,11 @@ import type { Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 import type { Surface } from '../scene/surfaces.ts';
 
-/** The box of a surface, a little larger than it is; null for one that has no end. */
+/** A box slightly larger than the surface; null for an unbounded one. */
 export const boxOf = ({ shape, between }: Surface): Box | null =>
   definitionOf(shape).body.box(shape, between ?? null);
 
-/** Boxes around boxes: a leaf is one surface. */
+/** A bounding volume hierarchy of boxes; a leaf is one surface. */
 export type Hierarchy =
   | { readonly box: Box; readonly leaf: true; readonly surface: number }
   | {
@@ -24,7 +24,7 @@ export interface Boxed {
 }
 
 /**
- * Halves the list at the median along the axis in which it is longest. The list must not be empty.
+ * Builds a hierarchy by halving the list at the median of its longest axis. Not for empty lists.
  */
 export function hierarchyOf(list: readonly Boxed[]): Hierarchy {
   const [first] = list;
@@ -61,14 +61,14 @@ export interface Slopes {
 }
 
 /**
- * Each t of a side is off by 3 roundings of 2^-53 at most, however far away E is (Ize 2013, Robust
- * BVH ray traversal).
+ * Factor on t: a box side's t has 3 roundings of 2^-53 at most, however far away E is (Ize 2013,
+ * Robust BVH ray traversal).
  */
 const SLACK = 1 + 2 ** -50;
 
 /**
- * Of the rays list[0 … count − 1] those that may meet the box before their limit, into `kept`;
- * returns how many. A ray in the plane of a side makes 0·∞, which is NaN and rejects nothing.
+ * Puts the rays of list[0 … count − 1] that may meet the box before their limit into `kept`, and
+ * returns their number. For a ray in the plane of a side 0·∞ is NaN, which rejects nothing.
  */
 export function meetBox(
   { low, high }: Box,

@@ -4,16 +4,13 @@ import type { Camera } from '../scene/types.ts';
 import { unit } from './gradient.ts';
 import type { Tile, TraceSettings } from './types.ts';
 
-/**
- * The camera's three directions, the sideways ones as long as half the picture's width and height
- * at distance 1.
- */
+/** The camera's axes; `right` and `up` are half the picture's width and height at distance 1. */
 interface CameraAxes {
   readonly eye: Vec3;
   readonly ahead: Vec3;
   readonly right: Vec3;
   readonly up: Vec3;
-  /** The surface of the glass that the eye is in, or −1. */
+  /** Surface of the glass in which the eye is, or −1. */
   readonly medium: number;
 }
 
@@ -23,7 +20,7 @@ export function cameraAxes(
   medium = -1,
 ): CameraAxes {
   const ahead = unit([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
-  // Looking straight up or down, the picture's top is where z points away.
+  // For a view straight up or down the picture's top is towards −z.
   const steep = ahead[0] === 0 && ahead[2] === 0;
   const right = unit(steep ? [1, 0, 0] : [-ahead[2], 0, ahead[0]]);
   const up = cross(right, ahead);

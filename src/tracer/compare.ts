@@ -1,6 +1,6 @@
 import { NOTHING } from './types.ts';
 
-/** A finished picture with what its camera rays met; a Frame of the driver is one. */
+/** A finished picture with the hits of its camera rays, as `Frame` of the workers. */
 export interface Picture {
   readonly width: number;
   readonly height: number;
@@ -9,10 +9,10 @@ export interface Picture {
   readonly t: Float64Array;
 }
 
-/** What a pixel of an error map says, the worst that holds. */
+/** Values of an error map's pixels; the worst that applies. */
 export const SAME = 0;
 export const OTHER_COLOUR = 1;
-/** One ray hits where the other misses, or another surface. */
+/** One ray hits and the other misses, or they hit different surfaces. */
 export const OTHER_VERDICT = 2;
 
 export interface Comparison {
@@ -20,30 +20,26 @@ export interface Comparison {
   readonly map: Uint8Array;
   /** The largest difference of a channel, 0 … 255. */
   readonly levels: Uint8Array;
-  /**
-   * Decimal digits in which the two t differ, of the 15.95 that a double has; NaN where the
-   * verdicts differ or nothing is met.
-   */
+  /** Wrong decimal digits of t, of 15.95; NaN if the verdicts differ or nothing is hit. */
   readonly digits: Float32Array;
   readonly pixels: number;
   /** Pixels that have another colour. */
   readonly differing: number;
   /** Pixels with another verdict, whatever their colours. */
   readonly verdicts: number;
-  /** Of those: where `a` misses and `b` hits (holes, if b is right), and where only `a` hits. */
+  /** Of those: `a` misses and `b` hits (holes, if b is right), and only `a` hits (ghosts). */
   readonly holes: number;
   readonly ghosts: number;
-  /** Of those: where both hit, but not the same surface. */
+  /** Of those: both hit, but different surfaces. */
   readonly others: number;
-  /** Of the pixels where both hit the same surface; NaN if there are none. */
+  /** Median and most of `digits` where both hit the same surface; NaN if they never do. */
   readonly medianDigits: number;
   readonly mostDigits: number;
   readonly largestLevel: number;
 }
 
 /**
- * `a` against `b`; where one of them is to be trusted it is `b`. The pictures must be of one size:
- * RangeError.
+ * Compares picture `a` with `b`, the more accurate one. Throws RangeError if their sizes differ.
  */
 export function comparePictures(a: Picture, b: Picture): Comparison {
   if (a.width !== b.width || a.height !== b.height) {
@@ -91,7 +87,7 @@ function levelsApart(a: Uint8ClampedArray, b: Uint8ClampedArray, at: number): nu
 /** log10(2^53): all that a double has. */
 export const ALL_DIGITS = 53 * Math.log10(2);
 
-/** How many of a double's digits are wrong: 0 for equal or neighbouring numbers. */
+/** Number of wrong decimal digits of t: 0 for equal or neighbouring doubles. */
 export function digitsLost(t: number, right: number): number {
   if (t === right) return 0;
   const relative = Math.abs(t - right) / Math.abs(right);

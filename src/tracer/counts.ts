@@ -3,29 +3,29 @@ import type { EffectId } from '../scene/effects/index.ts';
 import { newTally, type Tally } from './ledger.ts';
 import type { Cost, Ledger, RayKind } from './types.ts';
 
-/** An effect that takes part: its code, and whether it was forced on where nothing calls for it. */
+/** An effect that runs: its body, and whether it was forced on though not needed. */
 export interface Part<B extends EffectBody = EffectBody> {
   readonly id: EffectId;
   readonly body: B;
   readonly all: boolean;
 }
 
-/** Keeps count while rays are followed. */
+/** Counters while rays are traced. */
 export interface Counts {
-  /** Of camera rays. */
+  /** Counts of camera rays. */
   readonly camera: Tally;
   tallyOf(id: EffectId): Tally;
   count(kind: RayKind, rays: number): void;
   save(): void;
   cut(): void;
   /**
-   * Runs a step of an effect and puts its time to it, but for what choosing by height took within.
-   * Returns all of it.
+   * Runs a step of an effect and adds its time, without that of heights within, to the effect's
+   * count. Returns the whole time in ms.
    */
   timed(part: Part, run: () => void): number;
-  /** What finite heights took so far. */
+  /** Time of heights so far, in ms. */
   heightsMs(): number;
-  /** All that was counted, as values. */
+  /** All counts as plain data. */
   ledger(): Ledger;
 }
 

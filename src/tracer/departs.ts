@@ -1,17 +1,16 @@
 import type { Quadric, Rays } from '../math/batch.ts';
 
 /*
- * A ray that leaves a curved surface on its convex side does not come back, and that can be seen
- * without a root. With half coefficients f(t) = A t² + 2b t + C the roots add up to −2b/A. If b and
- * A have the same sign, the sum is negative: then either both roots are, or the negative one is the
- * larger in size and the positive one is the nearer to 0, which the start rule drops. Nothing is
- * left ahead, whatever C is.
+ * A test without roots for rays that leave a curved surface on its convex side and do not meet it
+ * again. With half coefficients f(t) = A t² + 2b t + C the sum of the roots is −2b/A. If b and A
+ * have the same sign, the sum is negative: then both roots are negative, or the positive one is the
+ * nearer to 0, which the start rule drops. So no root is left at t > 0, whatever C is.
  *
  * In doubles, u = 2^-53: p = E − C is off by u, and so is a. b's products 2u, that with a 4u, and
- * two sums: |δb| ≤ 5u·bm, where bm sums the terms' sizes; likewise |δA| ≤ 4u·Am. ERROR has room for
- * evaluating these, SMALLEST for the products that leave the doubles, 2^-1075 each; but a·dy is
- * multiplied once more, so it must not. It is the answer of exact arithmetic, so it may stand in
- * for the methods that give that, and only for those.
+ * two sums: |δb| ≤ 5u·bm, where bm is the sum of the terms' sizes; likewise |δA| ≤ 4u·Am. ERROR
+ * includes the errors of evaluating these, SMALLEST those of products that underflow, 2^-1075 each;
+ * a·dy must not underflow, as it is multiplied once more. The answer is that of exact arithmetic,
+ * so the test is used only for methods that give the exact class.
  */
 export const ERROR = 6 * 2 ** -53;
 export const SMALLEST = 2 ** -1072;
@@ -20,10 +19,7 @@ const LEAST_NORMAL = 2 ** -1022;
 /** The methods whose class and signs are those of exact arithmetic. */
 export const PROVEN: ReadonlySet<string> = new Set(['certified', 'exact']);
 
-/**
- * Whether ray i, which starts on the surface, certainly does not meet it again at t > 0. False: it
- * may.
- */
+/** Whether ray i, which starts on the surface, provably does not meet it again at t > 0. */
 export function departs(q: Quadric, a: number, rays: Rays, i: number): boolean {
   const x = rays.dx[i] as number;
   const y = q.hasY ? (rays.dy[i] as number) : 0;

@@ -9,21 +9,20 @@ import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
 interface Finder {
-  /** The nearest hit of each ray of the wave, into t and surface. */
+  /** Puts the nearest hit of each ray of the wave into t and surface. */
   nearest(wave: Wave, tally: Tally): void;
-  /** Whether anything that blocks light is hit before the limit, into blocker. */
+  /** Puts a surface that blocks light before the limit into blocker. */
   blocked(feelers: Feelers, tally: Tally): void;
 }
 
 /**
- * From this many surfaces with an end on, boxes are used. They pay from the second one
- * (docs/bench-tracer.md); below this every surface is asked about every ray all the same, so that
- * what a method gets wrong outside of a shape's box is seen, too. `certified` and `exact` answer
- * alike with and without.
+ * Number of bounded surfaces from which boxes are used. They pay from the second one on
+ * (docs/bench-tracer.md), but with few surfaces every ray is tested against each, so that a
+ * method's errors outside of a shape's box are seen. `certified` and `exact` do not depend on it.
  */
 const BOXES_FROM = 6;
 
-/** `targets` go by surface. `heights` is undefined where none of them is cut. */
+/** @param targets by surface. @param heights undefined if no target is cut off. */
 export function createFinder(
   targets: readonly Target[],
   start: StartRule,

@@ -4,12 +4,12 @@ import type { Shape, Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 
 /**
- * How a surface's gradient is worked out at a point: the constant N of a flat shape, the linear
- * (x − Cx, −a(y − Cy), z − Cz) of a round quadric, or by the shape's own trees.
+ * How a surface's gradient is computed: the constant N of a flat shape, (x − Cx, −a(y − Cy),
+ * z − Cz) of a round quadric, or the shape's trees.
  */
 export interface GradientOf {
   readonly by: 'plane' | 'quadric' | 'trees';
-  /** Of length 1. */
+  /** Unit normal. */
   readonly N: Vec3;
   readonly center: Vec3;
   readonly a: number;
@@ -37,7 +37,7 @@ export function gradientOf(shape: Shape): GradientOf {
 }
 
 export function unit(v: Vec3): Vec3 {
-  // Scaled first, so that no square leaves the doubles.
+  // Scaled first, so that no square over- or underflows.
   const size = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const [x, y, z] = [v[0] / size, v[1] / size, v[2] / size];
   const length = Math.sqrt(x * x + y * y + z * z);

@@ -1,10 +1,7 @@
 import { type Boxed, type Hierarchy, hierarchyOf } from './boxes.ts';
 import type { Target } from './world.ts';
 
-/**
- * Surfaces as they are asked: without a box about every ray, the others about those that meet the
- * boxes around them.
- */
+/** Surfaces without a box, tested against every ray, and a hierarchy of the others. */
 export interface Groups {
   readonly open: readonly Target[];
   readonly boxed: readonly Hierarchy[];

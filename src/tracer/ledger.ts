@@ -1,7 +1,7 @@
 import { EFFECTS, type EffectId } from '../scene/effects/index.ts';
 import type { Cost, Ledger, RayKind } from './types.ts';
 
-/** What is counted while rays are fired. */
+/** Counts of one cause while rays are traced. */
 export interface Tally {
   rays: number;
   questions: number;
@@ -33,7 +33,7 @@ const addCosts = (a: Cost, b: Cost): Cost => ({
   ms: a.ms + b.ms,
 });
 
-/** Two tiles' ledgers as one. */
+/** The sum of two tiles' ledgers. */
 export function addLedgers(a: Ledger, b: Ledger): Ledger {
   const effects: Partial<Record<EffectId, Cost>> = { ...a.effects };
   for (const { id } of EFFECTS) {
@@ -54,7 +54,7 @@ export function addLedgers(a: Ledger, b: Ledger): Ledger {
   };
 }
 
-/** All of a picture's costs together. */
+/** The sum of all costs of a picture. */
 export function totalOf(ledger: Ledger): Cost {
   return EFFECTS.reduce(
     (sum, { id }) => addCosts(sum, ledger.effects[id] ?? newTally()),

@@ -5,9 +5,9 @@ import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Scene } from '../scene/types.ts';
 
 /**
- * The round glass that a point lies in, as a surface of it, or −1: what a ray from a camera within
- * it begins in. Glass planes have no inside of their own (two of them make a slab), so a camera
- * between them begins in air.
+ * Surface of the glass thing that contains the point, or −1: the medium of rays from a camera
+ * there. A glass plane has no inside (two of them make a slab), so a camera between planes is in
+ * air.
  */
 export function mediumAt(scene: Scene, at: Vec3): number {
   return surfacesOf(scene).findIndex((surface) => {

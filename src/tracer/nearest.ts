@@ -7,10 +7,7 @@ import type { Scratch } from './scratch.ts';
 import { NOTHING } from './types.ts';
 import type { Target } from './world.ts';
 
-/**
- * The nearest hit of each ray of the wave, into t and surface. `tMin` is the least t for rays that
- * leave a surface.
- */
+/** Puts each ray's nearest hit into t and surface. `tMin`: least t of rays that leave a surface. */
 export function findNearest(
   wave: Wave,
   { open, boxed }: Groups,
@@ -25,7 +22,7 @@ export function findNearest(
   const everyone = scratch.everyone();
   t.fill(Number.POSITIVE_INFINITY, 0, count);
   surface.fill(NOTHING, 0, count);
-  // Camera rays leave nothing: any t > 0 counts for them, and they need not be packed.
+  // Camera rays leave no surface: any t > 0 counts, and they need not be packed.
   const camera = wave.depth === 0;
   const least = camera ? AHEAD : tMin;
 
@@ -64,9 +61,7 @@ export function findNearest(
   }
 }
 
-/**
- * Of two surfaces at the same t the first of the scene counts, in whatever order they are asked.
- */
+/** Keeps the nearer hit; at equal t the surface that is first in the scene. */
 function takeNearer(
   target: number,
   index: Int32Array,

@@ -12,20 +12,17 @@ import { createEngine, type Engine } from './tracer.ts';
 import type { RayTree, Tile, TileResult, TraceSettings } from './types.ts';
 
 export interface Tracer {
-  /** The effects that take part. */
+  /** The effects that run. */
   readonly parts: readonly Part[];
   trace(tile: Tile): TileResult;
-  /** By the same code as a picture, for the camera rays of one pixel. */
+  /** Records the rays of one pixel, traced by the same code as a picture. */
   record(x: number, y: number): RayTree;
 }
 
-/** Samples followed at once: enough for the kernels to be fast, few enough to stay in the cache. */
+/** Samples per wave: enough for fast kernels, few enough to stay in the cache. */
 const AT_ONCE = 4096;
 
-/**
- * Loads the code of the effects that the scene calls for (or the user forces), and of no others.
- * `clock` in milliseconds.
- */
+/** Loads the code of exactly the effects that run, and makes a tracer. `clock` in ms. */
 export async function prepareTracer(
   scene: Scene,
   settings: TraceSettings,
@@ -42,7 +39,7 @@ export async function prepareTracer(
   return tracerOf(shownScene(scene, settings.forced), settings, parts, clock);
 }
 
-/** The same with the effects' code at hand, and another bound for what is not worth a ray. */
+/** The tracer of loaded effects; `unseen` is the least linear light that is worth a ray. */
 export function tracerOf(
   scene: Scene,
   settings: TraceSettings,
@@ -96,7 +93,7 @@ function traceTile(
   return { tile, rgba, surface, t, ledger };
 }
 
-/** A pixel is the mean of its samples, in linear light, as sRGB bytes. */
+/** Writes pixels as sRGB bytes: the mean of their samples in linear light. */
 function develop(film: Film, samples: number, pixels: number, rgba: Uint8ClampedArray): void {
   for (let k = 0; k < pixels; k++) {
     for (let channel = 0; channel < 3; channel++) {

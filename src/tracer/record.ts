@@ -11,7 +11,7 @@ interface TreeRecorder extends Recorder {
   treeOf(x: number, y: number): RayTree;
 }
 
-/** Writes down what the tracer does with the camera rays of one pixel. */
+/** Records the ray trees of one pixel's camera rays. */
 export function createRecorder({ lights }: Scene): TreeRecorder {
   const nodes: Growing[] = [];
   const roots: RayNode[] = [];

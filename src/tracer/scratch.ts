@@ -3,14 +3,14 @@ import { type Asker, createAsker, type HeightsEffect } from './ask.ts';
 import type { Slopes } from './boxes.ts';
 import type { StartRule } from './types.ts';
 
-/** Scratch for one wave at a time; `need` makes it large enough for so many rays. */
+/** Buffers for one wave at a time; `need` enlarges them for so many rays. */
 export interface Scratch {
   asker(): Asker;
   /** 0, 1, 2, … */
   everyone(): Int32Array;
   /** A list for each level of a hierarchy of boxes. */
   list(depth: number): Int32Array;
-  /** 1/d of these rays. */
+  /** 1/d of rays 0 … count − 1. */
   slopes(rays: Rays, count: number): Slopes;
   need(count: number): void;
 }

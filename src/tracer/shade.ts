@@ -3,9 +3,9 @@ import type { Background } from '../scene/types.ts';
 import { linear } from './colour.ts';
 import type { TracerWorld } from './world.ts';
 
-/* What every picture has: points, normals, paint, and the light that meets it. */
+/* Shading that every picture has: points, normals, paint, and light on it. */
 
-/** Lists the rays that hit something, and works out their points and normals. */
+/** Lists the rays that hit something, and computes their points and normals. */
 export function meet(wave: Wave, { targets }: TracerWorld): void {
   const { rays, t, surface, hits, Px, Py, Pz, Nx, Ny, Nz } = wave;
   let n = 0;
@@ -31,7 +31,7 @@ export function meet(wave: Wave, { targets }: TracerWorld): void {
       y /= length;
       z /= length;
     } else {
-      // At a vertex no side is the right one: it faces whoever looks.
+      // At a vertex the gradient is 0: the normal is taken to face the ray.
       x = -dx;
       y = -dy;
       z = -dz;
@@ -48,7 +48,7 @@ export function meet(wave: Wave, { targets }: TracerWorld): void {
   wave.hitCount = n;
 }
 
-/** Plain paint, and the light that stands in for what other surfaces send. */
+/** Sets the paint's colour, and the ambient light. */
 export function paint(wave: Wave, { looks }: TracerWorld, ambient: number): void {
   for (let h = 0; h < wave.hitCount; h++) {
     const i = wave.hits[h] as number;
@@ -65,7 +65,7 @@ export function paint(wave: Wave, { looks }: TracerWorld, ambient: number): void
   }
 }
 
-/** The hits on the light's side whose material shows light at all. */
+/** Lists the hits that face the light and whose material shows light. */
 export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit: Lit): void {
   const [ax, ay, az] = light.at;
   let n = 0;
@@ -88,7 +88,7 @@ export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit:
     }
     const cosine =
       x * (wave.Nx[i] as number) + y * (wave.Ny[i] as number) + z * (wave.Nz[i] as number);
-    // NaN, too, where the light is at the hit itself.
+    // Also if the light is at the hit, where the cosine is NaN.
     if (!(cosine > 0)) continue;
     lit.ray[n] = i;
     lit.Lx[n] = x;
@@ -102,7 +102,7 @@ export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit:
   lit.count = n;
 }
 
-/** Lambert. */
+/** Diffuse light by Lambert's law. */
 export function light(wave: Wave, lit: Lit): void {
   const [red, green, blue] = lit.light.colour;
   for (let k = 0; k < lit.count; k++) {
@@ -114,10 +114,10 @@ export function light(wave: Wave, lit: Lit): void {
   }
 }
 
-/** Linear light of the samples, three doubles each. */
+/** Linear light of the samples: three doubles each, red, green, blue. */
 export type Film = Float64Array;
 
-/** Adds what joins a wave's rays on their way to the film. */
+/** A function that adds light along a wave's rays to the film. */
 export const adderOf =
   ({ sample }: Wave, film: Film): AddLight =>
   (i, red, green, blue) => {
@@ -127,7 +127,7 @@ export const adderOf =
     film[at + 2] = (film[at + 2] as number) + blue;
   };
 
-/** What each ray brings to its sample, in the order of the wave. */
+/** Adds each ray's light to its sample, in the order of the wave. */
 export function gather(
   wave: Wave,
   { looks }: TracerWorld,

@@ -9,32 +9,26 @@ import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } fro
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
 import { worldOf } from './world.ts';
 
-/** Sees every ray; for ray trees. */
+/** Is called with every wave; for ray trees. */
 export interface Recorder {
   /**
-   * Hits are known. Puts a number of its own for each ray into wave.node, which holds that of the
-   * ray before.
+   * Called when the hits are known. Replaces wave.node, the parent's node of each ray, by the ray's
+   * own.
    */
   wave(wave: Wave): void;
   feelers(feelers: Feelers, light: WorldLight): void;
 }
 
 export interface Engine {
-  /** The wave to put camera rays into, with room for so many. */
+  /** The wave for camera rays, with room for `count`. */
   camera(count: number): Wave;
-  /**
-   * Follows them until nothing more can change, and adds what they bring to the film, which begins
-   * at 0.
-   */
+  /** Traces camera rays and all rays they cause, and adds their light to the film, initially 0. */
   follow(camera: Wave, film: Film, recorder?: Recorder): Ledger;
 }
 
 type At<K extends EffectBody['at']> = Extract<EffectBody, { readonly at: K }>;
 
-/**
- * The rays that one effect fires: one wave is followed while the next generation is put into the
- * other.
- */
+/** An effect that fires rays: one wave is traced while the other collects the next generation. */
 interface Cause {
   readonly part: Part<At<'bounce'>>;
   readonly tools: Tools;
@@ -43,8 +37,8 @@ interface Cause {
 }
 
 /**
- * The tracer of a scene, put together from the effects that take part: for the others there is no
- * branch in it. A ray is dropped when it can bring no more than `unseen` of linear light.
+ * The tracer of a scene, made of the effects that run; the others cost nothing. A ray is not fired
+ * if it can bring no more than `unseen` of linear light.
  */
 export function createEngine(
   scene: Scene,
@@ -149,10 +143,7 @@ export function createEngine(
     return others;
   }
 
-  /**
-   * One wave from its rays to what they bring and the rays that follow. `cause` gets the time that
-   * no effect claims.
-   */
+  /** Processes one wave. Time outside of effects is added to `cause`. */
   function pass(wave: Wave, cause: Tally, film: Film): void {
     const before = clock();
     const chosen = counts.heightsMs();
@@ -176,7 +167,7 @@ export function createEngine(
     cause.ms += clock() - before - others;
   }
 
-  /** The rays that were fired become those to follow; false if there are none. */
+  /** Makes the fired rays those to trace next; false if there are none. */
   function turn(): boolean {
     let any = false;
     for (const cause of causes) {
@@ -205,8 +196,7 @@ export function createEngine(
       pass(camera, counts.camera, film);
       generation = 1;
       while (turn()) {
-        // In the order of the effects, so that what a pixel gets is added in one order, however the
-        // picture is cut.
+        // In the order of effects, so that sums do not depend on how the picture is tiled.
         for (const cause of causes) {
           if (cause.now.count > 0) pass(cause.now, counts.tallyOf(cause.part.id), film);
         }

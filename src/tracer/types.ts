@@ -23,7 +23,7 @@ import type { Forced } from '../scene/effects/plan.ts';
 export type StartRule =
   /** The surface's root nearest to 0 is dropped: the rule of identity of math/leave.ts. */
   | { readonly rule: 'from' }
-  /** Any t > 0 counts: the stored point is taken at its word. */
+  /** Any t > 0 counts, although the stored point is rounded. */
   | { readonly rule: 'none' }
   /** Any t ≥ epsilon counts, in world lengths. */
   | { readonly rule: 'epsilon'; readonly epsilon: number };
@@ -62,18 +62,16 @@ export interface Tile {
   readonly refines: boolean;
 }
 
-/**
- * What camera rays met, for comparing methods: −1 nothing, else an index of `surfacesOf(scene)`.
- */
+/** The surface of a ray that hits nothing; others are indices of `surfacesOf(scene)`. */
 export const NOTHING = -1;
 
 export interface TileResult {
   readonly tile: Tile;
   /** sRGB, opaque, four bytes a pixel of the tile. */
   readonly rgba: Uint8ClampedArray;
-  /** For the middle one of a pixel's camera rays. */
+  /** Surface that the middle one of a pixel's camera rays hits. */
   readonly surface: Int32Array;
-  /** NaN where it met nothing. */
+  /** t of that hit; NaN without one. */
   readonly t: Float64Array;
   readonly ledger: Ledger;
 }
@@ -82,9 +80,9 @@ export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
 export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
 
 /**
- * What something cost. `questions`: how often a surface was asked about a ray. `solves`: how often
- * a root was worked out for that, whether there is one or not; "does its line meet you at all?" and
- * "does it come back to you?" need none. `ms`: of all workers added up, waiting included.
+ * Costs. `questions`: number of tests of a ray against a surface. `solves`: number of those that
+ * computed a root, or found that there is none; tests of the whole line or by `departs` need none.
+ * `ms`: sum over all workers, including waiting.
  */
 export interface Cost {
   readonly rays: number;
@@ -112,7 +110,7 @@ export interface Ledger {
   readonly cut: number;
 }
 
-/** A ray and what came of it. */
+/** A ray of a ray tree, with its end and the rays it caused. */
 export interface RayNode {
   readonly kind: RayKind;
   readonly ray: Ray;
@@ -136,10 +134,7 @@ export type RayEnd =
     }
   /** A shadow ray that reaches its light at t. */
   | { readonly end: 'light'; readonly light: string; readonly t: number }
-  /**
-   * A shadow ray that does not: the first surface asked that stands in the way, which need not be
-   * the nearest.
-   */
+  /** A blocked shadow ray, with the first blocking surface found, not necessarily the nearest. */
   | {
       readonly end: 'blocked';
       readonly light: string;

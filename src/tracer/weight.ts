@@ -2,7 +2,7 @@ import type { WayBody, World } from '../scene/effects/body.ts';
 import { STEEPEST } from './colour.ts';
 
 /*
- * When a ray is not worth firing. A pixel is a byte; half a level of it is 1/510 of sRGB, and since
+ * Decides when a ray is not worth firing. Half a level of a pixel's byte is 1/510 of sRGB; since
  * sRGB rises by at most 12.92 for 1 of linear light, a change of less than HALF_A_LEVEL of linear
  * light is less than half a level, however dark the pixel.
  *
@@ -14,7 +14,7 @@ import { STEEPEST } from './colour.ts';
  */
 export const HALF_A_LEVEL = 0.5 / 255 / STEEPEST;
 
-/** Rays go on at most this often: between perfect mirrors a weight never fades. 0.85 needs 54. */
+/** Most bounces of a ray, as between perfect mirrors its weight never decreases; 0.85 needs 54. */
 export const MOST_BOUNCES = 64;
 
 /**

@@ -12,25 +12,22 @@ import { linear } from './colour.ts';
 import { PROVEN } from './departs.ts';
 import { type GradientOf, gradientOf, unit } from './gradient.ts';
 
-/** A surface as the tracer asks it. */
+/** A surface with everything that the tracer needs of it. */
 export interface Target {
   readonly surface: number;
   readonly kernel: Kernel;
   readonly flat: boolean;
-  /** Nearly every line meets it: asking for the class first would be a question for nothing. */
+  /** Whether nearly every line meets it, so that asking for the class first would not pay. */
   readonly endless: boolean;
-  /** Both roots are looked at, and their heights; ±∞ where the shape is not cut off. */
+  /** Whether both roots are computed to check their heights; bounds are ±∞ if it is not cut off. */
   readonly cut: boolean;
   readonly low: number;
   readonly high: number;
   readonly box: Box | null;
-  /** Stands in the way of light. */
+  /** Whether it blocks light. */
   readonly blocks: boolean;
   readonly gradient: GradientOf;
-  /**
-   * A curved shape's numbers, where the method's answers are those of exact arithmetic: see
-   * departs.ts.
-   */
+  /** A curved shape's numbers for departs.ts, if the method gives the exact class; else null. */
   readonly proven: Quadric | null;
 }
 
@@ -40,8 +37,8 @@ export interface TracerWorld extends World {
 }
 
 /**
- * `heights`: 'off' leaves all shapes whole, 'needed' cuts those that are cut, 'all' looks at the
- * heights of every one.
+ * @param heights 'off': no shape is cut off; 'needed': those with `between` are; 'all': heights are
+ *   checked for every shape.
  */
 export function worldOf(
   scene: Scene,
@@ -79,7 +76,7 @@ export function worldOf(
 
 const EVERYWHERE = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY] as const;
 
-/** A value of a declared field as a body wants it: colours are linear. */
+/** Values of declared fields for bodies: colours are linear light. */
 function bodyValuesOf(place: Place, owner: Owner): BodyValues {
   const sets = declaredAt(place).map((set) => {
     const values = Object.entries(valuesOf(set, owner)).map(([key, value]) => {
@@ -111,8 +108,8 @@ function lookOf(material: Material, shape: Shape): Look {
 }
 
 /**
- * A checker on a flat shape takes no part across it, where all points are alike but for their last
- * bit.
+ * The axes that a pattern depends on. A checker on a flat shape leaves out the axis nearest to the
+ * normal: along it, points of an axis-parallel plane differ by rounding only.
  */
 function axesOf(paint: Paint, shape: Shape): readonly (0 | 1 | 2)[] {
   if (paint.pattern === 'plain') return [];

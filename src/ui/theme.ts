@@ -12,10 +12,7 @@ interface ThemeSwitch {
   set(theme: Theme): void;
 }
 
-/**
- * Follows the system unless the person chose; the choice stays on the device, where the device lets
- * it.
- */
+/** Follows the system's theme unless one was chosen; the choice is kept in local storage. */
 export function watchTheme(root: HTMLElement, changed: () => void): ThemeSwitch {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const stored = recall(KEY) as Theme;

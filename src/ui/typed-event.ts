@@ -1,7 +1,4 @@
-/**
- * A value that was set, with the texts that were typed for its numbers; none where it was set in
- * another way.
- */
+/** Event of a value that was set, with the typed texts of its numbers if it was typed. */
 export class TypedEvent<Value> extends CustomEvent<Value> {
   readonly texts: readonly string[];
 

@@ -2,24 +2,21 @@ import { pixelsOf } from '../tracer/camera.ts';
 import { NOTHING, type TileResult } from '../tracer/types.ts';
 
 /**
- * The picture so far: coarse blocks are filled, so it can be shown at any time. The arrays are
- * written on as tiles arrive.
+ * The picture so far. Coarse blocks are filled, so that it can be shown at any time. The arrays are
+ * updated as tiles arrive.
  */
 export interface Frame {
   readonly width: number;
   readonly height: number;
   readonly rgba: Uint8ClampedArray<ArrayBuffer>;
-  /**
-   * What each pixel's middle camera ray met, and where (NaN: nothing); right for pixels that are
-   * traced.
-   */
+  /** Surface and t (NaN: none) that each pixel's middle camera ray hit; valid for traced pixels. */
   readonly surface: Int32Array;
   readonly t: Float64Array;
-  /** The size of the block that gave a pixel its colour; 0 for its own, 255 for none yet. */
+  /** Size of the block that gave a pixel its colour; 0: the pixel was traced, 255: none yet. */
   readonly block: Uint8Array;
 }
 
-/** Nothing traced yet: transparent. */
+/** A frame before tracing: transparent. */
 export function newFrame(width: number, height: number): Frame {
   const pixels = width * height;
   return {
@@ -33,8 +30,8 @@ export function newFrame(width: number, height: number): Frame {
 }
 
 /**
- * Puts a tile into the picture. A pixel of a coarse pass fills the block that finer ones are still
- * to trace; tiles may come in any order, so it leaves alone what is finer already.
+ * Puts a tile into the picture. A pixel of a coarse pass fills its block. Tiles may arrive in any
+ * order, so pixels that already have a finer colour are kept.
  */
 export function paintTile(frame: Frame, { tile, rgba, surface, t }: TileResult): void {
   const { width, height, block } = frame;

@@ -1,8 +1,8 @@
 /*
- * A worker that dies of itself, of its memory as a rule, sends no event. It holds a lock of its own
- * as long as it lives; the page queues for the same lock, and gets it when the worker is gone. That
- * needs no timer, so neither a long tile nor a tab in the background is taken for death. Without
- * locks (a file opened from disk, a host without TLS) nothing is noticed.
+ * Notices a worker that crashes, mostly out of memory, which sends no event. The worker holds a Web
+ * Lock; the page requests the same lock, and gets it when the worker is gone. This needs no timer,
+ * so a long tile or a tab in the background is not taken for a crash. Without locks (a file opened
+ * from disk, a host without TLS) a crash is not noticed.
  */
 
 interface Alive {
@@ -10,8 +10,8 @@ interface Alive {
 }
 
 /**
- * In the worker, which was started under a name of its own. Work that never pauses waits for this,
- * or nothing is told.
+ * Takes the lock, in a worker with a unique name. Work without pauses has to wait for it, else a
+ * crash would not be noticed.
  */
 export function liveAs(name: string): Promise<void> {
   return new Promise((held) => {
@@ -26,7 +26,7 @@ export function liveAs(name: string): Promise<void> {
   });
 }
 
-/** Starts a worker that gets an `error` event, with words in it, when it has died. */
+/** Starts a worker that gets an `error` event with a message when it has crashed. */
 export function startWatched(start: (options: { name: string }) => Worker): Worker {
   // Pages of the same site share their locks.
   const name = `graze ${performance.timeOrigin} ${Math.random()}`;

@@ -3,9 +3,7 @@ import type { LabRequest } from '../lab/messages.ts';
 import { accelerate, whyNotAccelerated } from '../math/accelerate.ts';
 import { liveAs } from './life.ts';
 
-/*
- * The laboratory off the page's own thread: it may work without a pause, and is ended from outside.
- */
+/* Runs measurements in a worker, without pauses; the page terminates it to cancel. */
 
 accelerate();
 const living = liveAs(self.name);

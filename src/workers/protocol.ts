@@ -2,13 +2,10 @@ import type { EffectId } from '../scene/effects/index.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RayTree, Tile, TileResult, TraceSettings } from '../tracer/types.ts';
 
-/*
- * What page and trace worker say to each other. `job` tells an answer to a question that is no
- * longer asked.
- */
+/* Messages between page and trace worker. By `job`, replies to a cancelled job are recognised. */
 
 export type ToTraceWorker =
-  /** Get ready: everything after is about this scene. */
+  /** Prepares a scene, which all later messages are about. */
   | {
       readonly type: 'scene';
       readonly job: number;
@@ -25,7 +22,7 @@ export type FromTraceWorker =
       readonly type: 'tile';
       readonly job: number;
       readonly result: TileResult;
-      /** What the whole tile took. */
+      /** Time of the tile in ms. */
       readonly ms: number;
     }
   | { readonly type: 'tree'; readonly job: number; readonly tree: RayTree }

@@ -12,7 +12,7 @@ import { createTiles } from './tiles.ts';
  *   const clock = () => performance.now();
  *   const pool = createTracePool({ spawn: () => new TraceWorker(), workers: 2, clock });
  *   const job = pool.start(scene, settings, { progress: (state) => … });
- *   job.cancel();                     // or pool.start(…) again: the old job says nothing more
+ *   job.cancel();                     // or pool.start(…) again: the old job reports nothing more
  *   const tree = await job.record(x, y);
  */
 export interface WorkerLike {
@@ -27,9 +27,9 @@ export interface WorkerLike {
 
 interface TracePoolOptions {
   readonly spawn: () => WorkerLike;
-  /** The device's cores, at most MOST_WORKERS of them. */
+  /** Number of workers: the device's cores, MOST_WORKERS at most. */
   readonly workers: number;
-  /** Milliseconds. */
+  /** Time in ms. */
   readonly clock: () => number;
 }
 
@@ -37,25 +37,23 @@ export const MOST_WORKERS = 8;
 
 type TraceState = 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
 
-/** Re-exported for those who show it. */
+/** For the views that show it. */
 export type { Frame } from './frame.ts';
 
 export interface TraceProgress {
   readonly state: TraceState;
   readonly frame: Frame;
   readonly ledger: Ledger;
-  /** Pixels. */
+  /** Number of pixels that are done. */
   readonly done: number;
   readonly total: number;
-  /** The size of the blocks: 1 when the finest pass runs. */
+  /** Block size of the present pass in px; 1 for the last. */
   readonly step: number;
-  /**
-   * Since the start, and to the end by what has been measured so far (NaN before the first tile).
-   */
+  /** ms since the start, and an estimate of the ms that are left (NaN before the first tile). */
   readonly msSpent: number;
   readonly msLeft: number;
   readonly workers: number;
-  /** The bodies that the workers have loaded. */
+  /** Effects whose bodies the workers have loaded. */
   readonly effects: readonly EffectId[];
   /** Why it failed; '' otherwise. */
   readonly message: string;
@@ -69,37 +67,34 @@ export interface TraceJob {
 }
 
 interface TraceListener {
-  /** At every tile, and at the end. */
+  /** Called at every tile, and at the end. */
   progress(state: TraceProgress): void;
 }
 
 export interface TracePool {
-  /** Starts at once; what ran before is cancelled. */
+  /** Starts a job, and cancels the one before. */
   start(scene: Scene, settings: TraceSettings, listener: TraceListener): TraceJob;
   /** Ends the workers. */
   dispose(): void;
 }
 
-/** A worker of the pool, and what it is doing. */
+/** A worker of the pool with its state. */
 interface Member {
   readonly worker: WorkerLike;
-  /** It has loaded this job's scene. */
+  /** Whether it has loaded this job's scene. */
   ready: boolean;
-  /** Tiles of this job that it has been given. */
+  /** Tiles of this job that it has been given and has not returned. */
   tiles: number;
-  /** It has sent a message: before its first one it may take long to load. */
+  /** Whether it has sent a message; before its first one it may take long to load. */
   hasReplied: boolean;
   /** When it last sent a message, or was given a tile while it was idle, in ms of the clock. */
   lastHeard: number;
 }
 
-/** One in work and one waiting: a worker need not wait for the page to be free. */
+/** Tiles given to a worker at a time: one to trace and one waiting. */
 const TILES_A_WORKER = 2;
 
-/**
- * A worker that is silent for longer when the job ends is replaced: it would make the next one
- * wait. Milliseconds.
- */
+/** A worker silent for more ms when a job ends is replaced, since it would delay the next job. */
 const LONGEST_SILENCE = 250;
 
 interface Run {
@@ -143,7 +138,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
     return member;
   }
 
-  /** As many workers as wanted; one that is still busy with a job that was replaced is ended. */
+  /** Fills the pool; terminates workers that are still busy with an old job. */
   function refill(): void {
     const wanted = Math.min(Math.max(1, Math.floor(workers)), MOST_WORKERS);
     const kept = members.filter(
@@ -236,7 +231,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
     report(run);
   }
 
-  /** Nothing more is to be had of these workers: the next job gets new ones. */
+  /** Ends the job and its workers; the next job starts new ones. */
   function fail(message: string): void {
     close();
     end('failed', message);

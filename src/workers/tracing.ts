@@ -6,7 +6,7 @@ import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
 accelerate();
 const living = liveAs(self.name);
 
-/** The tracer of the last scene, ready or not yet. */
+/** The tracer of the last prepared scene. */
 let ready: Promise<Tracer> = Promise.reject(new Error('no scene yet'));
 ready.catch(() => {});
 

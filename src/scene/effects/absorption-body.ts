@@ -15,13 +15,13 @@ export const body: WayBody = {
 
 const CLEAR = [0, 0, 0] as const;
 
-/** Length of the way in the glass: rays have length 1, so t; the largest double without an end. */
+/** Length of the ray in glass: t, since d has length 1; the largest double if it hits nothing. */
 function chordOf(t: Float64Array, i: number): number {
   const chord = t[i] as number;
   return Number.isNaN(chord) ? Number.MAX_VALUE : chord;
 }
 
-/** Beer and Lambert. */
+/** Absorption by Beer and Lambert: e^(−σ · chord). */
 function fade(
   red: Float64Array,
   green: Float64Array,

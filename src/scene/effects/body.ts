@@ -3,26 +3,25 @@ import type { Vec3 } from '../../math/index.ts';
 import type { BodyValues } from './fields.ts';
 
 /*
- * What an effect's code is given and gives. Rays come in waves: the rays of one generation that one
- * cause has fired, as a structure of arrays. The tracer finds what they hit, then calls the bodies
- * that the scene needs, each at its place, over the whole wave.
+ * The interface of effects' code (bodies). Rays are processed in waves: the rays of one generation
+ * that one cause has fired, as a structure of arrays. The tracer finds their hits, then calls the
+ * bodies that the scene needs, one after the other, for the whole wave.
  */
 
 export const CAMERA = 0;
 export const REFLECTED = 1;
 export const REFRACTED = 2;
 
-/** Rays of one generation, and what is known of them so far. */
+/** Rays of one generation with their results so far. */
 export interface Wave {
   count: number;
-  /** How many bounces lie behind them: 0 for camera rays. */
+  /** Number of bounces before: 0 for camera rays. */
   depth: number;
   readonly rays: Rays;
-  /** The camera ray that each descends from, in the tile's count. */
+  /** Index in the tile of the camera ray from which each descends. */
   readonly sample: Int32Array;
   /**
-   * A number of its own for each way from the camera, the same however the picture is cut into
-   * tiles: the seed of its chance.
+   * A number for each path from the camera, independent of tiles; the seed of its random numbers.
    */
   readonly path: Int32Array;
   /** The surface that it leaves, or −1. */
@@ -31,36 +30,33 @@ export interface Wave {
   readonly medium: Int32Array;
   /** CAMERA, REFLECTED or REFRACTED. */
   readonly kind: Uint8Array;
-  /** The share of its light that arrives at the sample. */
+  /** Weight: the share of its light that arrives at the sample, by colour. */
   readonly red: Float64Array;
   readonly green: Float64Array;
   readonly blue: Float64Array;
-  /** For the recorder: its number and that of the ray before. */
+  /** For the recorder: its node's number; before that is set, that of its parent. */
   readonly node: Int32Array;
 
-  /** The nearest hit: NaN and −1 where there is none. */
+  /** t and surface of the nearest hit; NaN and −1 without one. */
   readonly t: Float64Array;
   readonly surface: Int32Array;
-  /** The rays that hit something. */
+  /** Number and list of the rays that hit something. */
   hitCount: number;
   readonly hits: Int32Array;
   /** The stored hit point: E + t d, rounded. */
   readonly Px: Float64Array;
   readonly Py: Float64Array;
   readonly Pz: Float64Array;
-  /**
-   * Of length 1, on the side that the ray comes from; `back` is 1 where that is not the shape's own
-   * side.
-   */
+  /** Unit normal on the ray's side; `back` is 1 if the course's normal is on the other side. */
   readonly Nx: Float64Array;
   readonly Ny: Float64Array;
   readonly Nz: Float64Array;
   readonly back: Uint8Array;
-  /** The paint's colour there. */
+  /** Colour of the paint at the hit. */
   readonly paintR: Float64Array;
   readonly paintG: Float64Array;
   readonly paintB: Float64Array;
-  /** Light that meets the paint, and light that is added as it is. */
+  /** Light that is multiplied by the paint, and light that is added as it is. */
   readonly lightR: Float64Array;
   readonly lightG: Float64Array;
   readonly lightB: Float64Array;
@@ -69,25 +65,24 @@ export interface Wave {
   readonly glossB: Float64Array;
 }
 
-/** A material in numbers; colours are linear. */
+/** A material as numbers; colours are linear light. */
 export interface Look {
   readonly colour: Vec3;
   readonly other: Vec3;
   /**
-   * Which components of a point count for the pattern, and what a square of it measures; none for a
-   * plain paint.
+   * Components of a point that the pattern depends on (none: plain paint), and its square's size.
    */
   readonly pattern: readonly (0 | 1 | 2)[];
   readonly size: number;
   readonly mirror: number;
   readonly shine: number;
   readonly exponent: number;
-  /** 0 for what is not glass. */
+  /** Index of refraction; 0 if it is no glass. */
   readonly index: number;
   readonly absorption: Vec3;
-  /** The share that meets the paint: 1 − mirror, 0 for glass. */
+  /** Share of light for the paint: 1 − mirror, 0 for glass. */
   readonly matte: number;
-  /** The share that highlights are taken of, 1 − mirror. */
+  /** Share of light for highlights: 1 − mirror. */
   readonly glossy: number;
   readonly values: BodyValues;
 }
@@ -103,53 +98,53 @@ export interface WorldLight {
 }
 
 export interface World {
-  /** By surface. */
+  /** Materials by surface. */
   readonly looks: readonly Look[];
   readonly lights: readonly WorldLight[];
-  /** Of the scene's own fields. */
+  /** Values of the fields that effects declare for the scene. */
   readonly values: BodyValues;
 }
 
-/** One light over a wave: the hits that face it, with the way to it. */
+/** One light and the hits of a wave that face it. */
 export interface Lit {
   count: number;
   readonly light: WorldLight;
-  /** Which rays of the wave; the arrays below go by k < count. */
+  /** Index k < count → ray of the wave; the arrays below have the same index. */
   readonly ray: Int32Array;
   readonly Lx: Float64Array;
   readonly Ly: Float64Array;
   readonly Lz: Float64Array;
-  /** ∞ for a sun. */
+  /** Distance to the light; ∞ for a sun. */
   readonly distance: Float64Array;
   readonly cosine: Float64Array;
-  /** The share of the light that arrives, 1 if no effect says otherwise. */
+  /** Share of the light that arrives; 1 unless an effect changes it. */
   readonly reach: Float64Array;
 }
 
-/** Rays that only ask: is anything hit before t = limit? */
+/** Shadow rays: is anything hit before t = limit? */
 export interface Feelers {
   count: number;
   readonly rays: Rays;
   readonly limit: Float64Array;
   readonly from: Int32Array;
-  /** The surface in the way, or −1. */
+  /** The blocking surface, or −1. */
   readonly blocker: Int32Array;
-  /** Where it is met. */
+  /** t at which it is hit. */
   readonly t: Float64Array;
-  /** For the recorder: the hit's ray. */
+  /** For the recorder: node of the ray whose hit it starts from. */
   readonly node: Int32Array;
 }
 
 export interface Tools {
-  /** Room for so many feelers, empty. */
+  /** Empty arrays for so many feelers. */
   feelers(count: number): Feelers;
-  /** Answers them, and counts them as shadow rays of the effect. */
+  /** Sets their blockers, and counts them as shadow rays of the effect. */
   feel(feelers: Feelers, light: WorldLight): void;
-  /** The wave that the effect's rays of the next generation go to, with room for so many more. */
+  /** The wave for the effect's rays of the next generation, with room for `count` more. */
   next(count: number): Wave;
   /**
-   * Whether a ray with this largest weight may be fired: false beyond the last generation, and
-   * where it can bring no more than half a level of 255. Keeps count of both.
+   * Whether a ray with this largest weight may be fired: false beyond the last generation, and if
+   * it can bring no more than half a level of 255. Counts the rays that are not fired.
    */
   worth(weight: number): boolean;
   /** Counts rays put into `next`. */
@@ -158,30 +153,27 @@ export interface Tools {
 }
 
 /**
- * `all`: the effect was forced on, so it is simulated wherever it could be, with a share of 0 where
- * no material asks for it. That costs what it costs and changes no bit.
+ * `all` in the functions below: the effect was forced on, so it is simulated everywhere, with a
+ * share of 0 if the material does not have it. This takes time and changes no bit of the picture.
  */
 export type EffectBody = RootsBody | WayBody | PaintBody | LightBody | GlossBody | BounceBody;
 
-/**
- * Chooses among both roots: puts into t0 the first root after `from`'s that counts, NaN if none
- * does.
- */
+/** Chooses between both roots: puts the first that counts into t0, NaN if none does. */
 export interface RootsBody {
   readonly at: 'roots';
   choose(rays: Rays, out: Answers, low: number, high: number, tMin: number, leaving: boolean): void;
 }
 
 /**
- * Adds linear light to the sample of ray i. It is added as it is given: light that joins the ray on
- * its way comes times the share of it that arrives at the sample.
+ * Adds linear light to the sample of ray i. The caller multiplies it by the share that arrives at
+ * the sample.
  */
 export type AddLight = (i: number, red: number, green: number, blue: number) => void;
 
-/** What happens to the light between start and hit. */
+/** Changes the light between the ray's start and its hit. */
 export interface WayBody {
   readonly at: 'way';
-  /** Multiplies each ray's share by what gets through, and adds the light that joins on the way. */
+  /** Multiplies each ray's weight by the share that passes, and adds light from along the ray. */
   run(wave: Wave, world: World, all: boolean, add: AddLight): void;
   /**
    * The most of a colour that a ray can show at its start, if no more than `behind` arrives at its
@@ -196,13 +188,13 @@ export interface PaintBody {
   run(wave: Wave, world: World, all: boolean): void;
 }
 
-/** Which share of a light arrives. */
+/** Decides which share of a light arrives. */
 export interface LightBody {
   readonly at: 'light';
   run(wave: Wave, lit: Lit, tools: Tools, all: boolean): void;
 }
 
-/** What a light adds without meeting the paint. */
+/** Adds light that is not multiplied by the paint. */
 export interface GlossBody {
   readonly at: 'gloss';
   run(wave: Wave, lit: Lit, world: World, all: boolean): void;

@@ -1,8 +1,8 @@
 import { REFLECTED, type REFRACTED, type Wave } from './body.ts';
 
 /**
- * The mirrored ray: d − 2(d·N)N, from the stored hit point, with the share `weight` of what the ray
- * brings. Returns its place in `next`.
+ * Fires the mirrored ray, d − 2(d·N)N, from the stored hit point, with the share `weight` of the
+ * ray's light. Returns its index in `next`.
  */
 export function mirrored(wave: Wave, i: number, next: Wave, weight: number): number {
   const j = follow(wave, i, next, weight, REFLECTED);
@@ -20,10 +20,10 @@ export function mirrored(wave: Wave, i: number, next: Wave, weight: number): num
   return j;
 }
 
-/** Any odd numbers will do: each turn of a way gets a seed of its own. */
+/** Odd numbers by kind of ray, so that each branch of a path gets a seed of its own. */
 const TURNS: readonly number[] = [0, 0x51ed270b, 0x2545f491];
 
-/** A ray of the next generation where ray i has hit, without direction and medium. */
+/** Adds a ray of the next generation at the hit of ray i, without direction and medium. */
 export function follow(
   wave: Wave,
   i: number,

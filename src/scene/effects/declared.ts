@@ -28,7 +28,7 @@ export function effectValues(place: Place): Read<EffectValues> {
   );
 }
 
-/** One declared field of an owner and what it is set to. */
+/** A declared field of an owner with its value. */
 export interface FieldRow {
   readonly set: FieldSet;
   readonly key: string;
@@ -36,7 +36,7 @@ export interface FieldRow {
   readonly value: FieldValue;
 }
 
-/** What a form shows of an owner: every field declared for its place, defaults included. */
+/** The rows of an owner's form: every field declared for its place, also those at their default. */
 export const fieldRows = (place: Place, owner: Owner): readonly FieldRow[] =>
   declaredAt(place).flatMap((set) => {
     const values = valuesOf(set, owner);

@@ -2,38 +2,35 @@ import type { Scene } from '../types.ts';
 import type { EffectBody } from './body.ts';
 import type { FieldSet } from './fields.ts';
 
-/** Whether a scene calls for an effect, and why or why not, in words that follow its name. */
+/** Whether a scene needs an effect, and why, in words that follow its name. */
 interface Need {
   readonly needed: boolean;
-  /** Not needed by the scene as Graze simplifies it, though nature would show it. */
+  /** Whether nature would show it, and Graze leaves it out as a simplification. */
   readonly leftOut: boolean;
   readonly reason: string;
 }
 
-/** What is known of an effect without its code; `load` fetches that, a chunk of its own. */
+/** An effect without its code, which `load` loads as a chunk of its own. */
 interface EffectDefinition<Id extends string> {
   readonly id: Id;
   readonly title: string;
-  /** What it is, in a sentence. */
+  /** One sentence on what it is. */
   readonly idea: string;
-  /** What it adds to a scene's, a material's or a light's data: at most one set a place. */
+  /** Fields that it adds to scenes, materials or lights; one set per place at most. */
   readonly fields: readonly FieldSet<Id>[];
   neededBy(scene: Scene): Need;
   load(): Promise<EffectBody>;
 }
 
-/**
- * Keeps the id's literal type, from which the union of all is derived. An effect that says nothing
- * of fields adds none.
- */
+/** Keeps the id's literal type, for the union of all ids; `fields` are empty by default. */
 export const defineEffect = <const Id extends string>(
   effect: Omit<EffectDefinition<Id>, 'fields'> & Partial<Pick<EffectDefinition<Id>, 'fields'>>,
 ): EffectDefinition<Id> => ({ fields: [], ...effect });
 
 export const needed = (reason: string): Need => ({ needed: true, leftOut: false, reason });
-/** It would change nothing in nature either. */
+/** The effect is not needed, as it would change nothing in nature either. */
 export const notNeeded = (reason: string): Need => ({ needed: false, leftOut: false, reason });
-/** It would change something in nature: the reason names the simplification. */
+/** The effect is left out, although nature would show it; the reason names the simplification. */
 export const leftOut = (reason: string): Need => ({ needed: false, leftOut: true, reason });
 
 /** 'one light', '3 lights', … */

@@ -4,27 +4,27 @@ import type { Colour, EffectValues } from '../types.ts';
 
 /*
  * Fields that an effect adds to a scene, to a thing's material or to a light. A field that a scene
- * file leaves out has its default. What is declared here is all that the reader of files, the
- * editor's forms and the tracer know of a field.
+ * file leaves out has its default. The reader of files, the editor's forms and the tracer use only
+ * what is declared here.
  */
 
 /** What a field is part of. */
 export type Place = 'scene' | 'material' | 'light';
 
 interface Common {
-  /** As the form has it, the effect's name included: 'fog density'. */
+  /** Label in the form, with the effect's name: 'fog density'. */
   readonly label: string;
 }
 
 interface NumberField extends Common {
   readonly type: 'number';
   readonly default: number;
-  /** What a file may hold. */
+  /** Range of valid values. */
   readonly range: readonly [least: number, most: number];
-  /** What the form's slider reaches, within `range`. */
+  /** Range of the form's slider, within `range`. */
   readonly slider: readonly [least: number, most: number];
   readonly step: number;
-  /** '' for a plain number. */
+  /** Unit as shown; '' without one. */
   readonly unit: string;
 }
 
@@ -76,7 +76,7 @@ type ValueOf<F extends Field> = F extends NumberField
     ? W
     : Colour;
 
-/** What the owner says, with the default of each field that it leaves out. */
+/** The owner's values, with defaults for the fields that it leaves out. */
 export function valuesOf<F extends Fields>(
   { effect, fields }: FieldSet<string, Place, F>,
   { effects }: Owner,
@@ -89,7 +89,9 @@ export function valuesOf<F extends Fields>(
   return Object.fromEntries(entries);
 }
 
-/** The owner with another value. A default is left out: the scene is the same text as without. */
+/**
+ * The owner with another value. A default is left out, so that the scene's text is the shortest.
+ */
 export function withValue<O extends Owner>(
   owner: O,
   { effect, fields }: FieldSet,
@@ -103,20 +105,20 @@ export function withValue<O extends Owner>(
   return (Object.keys(effects).length > 0 ? { ...rest, effects } : rest) as O;
 }
 
-/** Throws InvalidInput in words that quote the value. */
+/** Reads a field's value; throws InvalidInput that quotes it. */
 export function readerOf(field: Field): Read<FieldValue> {
   if (field.type === 'number') return number(...field.range);
   return field.type === 'colour' ? colour : oneOf(field.options.map(([value]) => value));
 }
 
-/** All values of an owner, by effect and key, as bodies want them: colours are linear light. */
+/** All values of an owner by effect and key, for bodies: colours are linear light. */
 export type BodyValues = Readonly<Record<string, Readonly<Record<string, number | string | Vec3>>>>;
 
 type BodyValueOf<F extends Field> = F extends ColourField ? Vec3 : ValueOf<F>;
 
 /**
- * An effect's own among them, of whatever has them: a world, a look, a light. The descriptor hands
- * this to its body, which therefore need not know the descriptor.
+ * Reads an effect's own values from a world, a look or a light. The descriptor passes this function
+ * to its body, which does not import the descriptor.
  */
 export const bodyValues =
   <F extends Fields>({ effect }: FieldSet<string, Place, F>) =>

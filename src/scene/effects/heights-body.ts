@@ -14,7 +14,7 @@ export const body: RootsBody = {
       const d = dy[i] as number;
       const yNear = e + near * d;
       const yFar = e + far * d;
-      // A comparison with NaN, for a root that is not there, is false.
+      // A missing root is NaN, for which each comparison is false.
       if (near >= tMin && yNear >= low && yNear <= high) continue;
       t0[i] = far >= tMin && yFar >= low && yFar <= high ? far : Number.NaN;
     }

@@ -8,8 +8,8 @@ import { shadow } from './shadow.ts';
 import { softShadow } from './soft-shadow.ts';
 
 /**
- * All that a picture can simulate beside rays from the camera, in the order of the ledger. A new
- * effect is one new descriptor, its body, and one word here.
+ * All effects, in the order of the ledger. A new effect is a descriptor, its body, and one word
+ * here.
  */
 export const EFFECTS = [
   shadow,

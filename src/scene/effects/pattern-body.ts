@@ -15,7 +15,7 @@ export const body: PaintBody = {
   },
 };
 
-/** Whether the cube or slice of the pattern that the hit lies in is an odd one. */
+/** Whether the hit is in an odd cube or slice of the pattern. */
 function isOdd(wave: Wave, i: number, { pattern, size }: Look): boolean {
   let sum = 0;
   for (const axis of pattern) {

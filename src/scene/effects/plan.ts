@@ -1,22 +1,22 @@
 import type { Scene } from '../types.ts';
 import { EFFECTS, type EffectId } from './index.ts';
 
-/** What the user insists on, whatever the scene calls for. */
+/** Effects that the user switched on or off, whatever the scene needs. */
 export type Forced = Readonly<Partial<Record<EffectId, 'on' | 'off'>>>;
 
-/** One effect in one scene: does it run, and why. */
+/** Whether an effect runs in a scene, and why. */
 export interface PlannedEffect {
   readonly id: EffectId;
   readonly title: string;
   readonly needed: boolean;
   readonly leftOut: boolean;
   readonly reason: string;
-  /** Set only where it makes a difference: 'on' where it is not needed, 'off' where it is. */
+  /** 'on' if forced though not needed, 'off' if switched off though needed, else 'no'. */
   readonly forced: 'on' | 'off' | 'no';
   readonly runs: boolean;
 }
 
-/** Derived from the scene, never from a list that someone keeps. */
+/** The effects of a scene, each decided by its own entry. */
 export function planEffects(scene: Scene, forced: Forced = {}): readonly PlannedEffect[] {
   const shown = shownScene(scene, forced);
   return EFFECTS.map(({ id, title, neededBy }) => {
@@ -28,10 +28,7 @@ export function planEffects(scene: Scene, forced: Forced = {}): readonly Planned
   });
 }
 
-/**
- * Without soft shadows a light with a size is taken for a point at its centre: its shadows get
- * hard, not lost.
- */
+/** The scene to trace: without soft shadows, lights with a size become points at their centres. */
 export function shownScene(scene: Scene, forced: Forced): Scene {
   if (forced['soft-shadow'] !== 'off') return scene;
   const lights = scene.lights.map((light) => {

@@ -40,7 +40,7 @@ const cosineOf = ({ rays, Nx, Ny, Nz }: Wave, i: number): number =>
     (rays.dz[i] as number) * (Nz[i] as number)
   );
 
-/** Snell: the part of d along the surface times eta, and the rest of length 1 into it. */
+/** Snell's law: d's tangential part times eta, and a normal part that makes the length 1. */
 function bent(
   wave: Wave,
   i: number,

@@ -1,6 +1,6 @@
 import type { LightBody } from './body.ts';
 
-/** One ray to each light that has no size. */
+/** A shadow ray to each light without a size. */
 export const body: LightBody = {
   at: 'light',
   run(wave, lit, tools, all) {
@@ -21,7 +21,7 @@ export const body: LightBody = {
     }
     feelers.count = lit.count;
     tools.feel(feelers, lit.light);
-    // Beside soft shadows, which it is forced to join, a ray to the centre decides nothing.
+    // Lights with a size are left to soft shadows, also if shadows are forced on.
     if (lit.light.radius > 0) return;
     for (let k = 0; k < lit.count; k++) {
       if ((feelers.blocker[k] as number) >= 0) lit.reach[k] = 0;

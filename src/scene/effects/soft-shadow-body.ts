@@ -1,23 +1,17 @@
 import { seeded } from '../../math/rng.ts';
 import type { Feelers, LightBody, Lit, Wave } from './body.ts';
 
-/** Feelers a call: enough for the kernels, and they stay in the cache. */
+/** Feelers per call: enough for fast kernels, few enough to stay in the cache. */
 const AT_ONCE = 4096;
 
-/**
- * So many different sets of points are drawn, once; each hit takes one of them, turned by an angle
- * of its own.
- */
+/** Number of random point sets that are drawn once; a hit uses one, rotated by a random angle. */
 const SETS = 64;
 const SEED = 2026;
 
-/** By points a side: x and y of each point of a unit disc, set after set. */
+/** Point sets by points per side of the grid: x and y of each point of a unit disc. */
 const drawn = new Map<number, Float64Array>();
 
-/**
- * A square grid, each point at a random place of its cell, mapped onto the disc: every ring gets
- * its share.
- */
+/** A jittered square grid, mapped onto the disc with equal areas. */
 function pointsOf(side: number): Float64Array {
   const known = drawn.get(side);
   if (known) return known;
@@ -35,8 +29,8 @@ function pointsOf(side: number): Float64Array {
 }
 
 /**
- * Rays to points of the light's disc as it is seen from the hit. Which points is up to the camera
- * ray and its way: the picture does not depend on the order in which hits are looked at.
+ * Shadow rays to points of the light's disc as seen from the hit. The points depend on the path
+ * from the camera only, not on the order in which hits are processed.
  */
 export const body: LightBody = {
   at: 'light',
@@ -77,7 +71,7 @@ function aim(
   const y = lit.Ly[k] as number;
   const z = lit.Lz[k] as number;
   const distance = lit.distance[k] as number;
-  // Two directions across: Duff et al. 2017, Building an orthonormal basis, revisited.
+  // Orthonormal basis: Duff et al. 2017, Building an orthonormal basis, revisited.
   const s = z < 0 ? -1 : 1;
   const a = -1 / (s + z);
   const b = x * y * a;
@@ -98,10 +92,7 @@ function aim(
   }
 }
 
-/**
- * 32 bits, each of which depends on all that are given (the finisher of MurmurHash3, Appleby,
- * public domain).
- */
+/** A hash of 32 bits (the finalizer of MurmurHash3, Appleby, public domain). */
 function mixed(bits: number): number {
   let h = bits ^ (bits >>> 16);
   h = Math.imul(h, 0x85ebca6b);
@@ -109,7 +100,7 @@ function mixed(bits: number): number {
   return (h ^ (h >>> 16)) >>> 0;
 }
 
-/** A point of the light below the surface's horizon gives nothing: no ray is fired at it. */
+/** Adds a shadow ray, unless the light's point is below the surface's horizon. */
 function put(
   wave: Wave,
   i: number,
@@ -136,7 +127,7 @@ function put(
   feelers.count = j + 1;
 }
 
-/** The share of all the points that something arrives from. */
+/** Sets the share of the points that are visible. */
 function count(
   lit: Lit,
   first: number,

@@ -10,15 +10,12 @@ import type {
   Shine,
 } from '../types.ts';
 
-/** A scene with a reason to exist. */
+/** A scene that comes with Graze. */
 export interface ScenePreset {
   readonly id: string;
-  /** What there is to see, in a sentence. */
+  /** One sentence on what there is to see. */
   readonly reason: string;
-  /**
-   * What Compare begins with, as a link has it under `against`: the comparison that the reason
-   * speaks of.
-   */
+  /** The comparison that the button Compare starts, as the text of the link's key `against`. */
   readonly compare?: string;
   readonly scene: Scene;
 }
@@ -33,7 +30,7 @@ export const CAMERA: Camera = { eye: [1.5, 3, 9], target: [0, 1, 0], angle: 34 }
 
 const DULL: Shine = { strength: 0, exponent: 20 };
 export const GLOSSY: Shine = { strength: 0.5, exponent: 60 };
-/** What highlights take, glass does not let through. */
+/** Highlights of glass; their share of light does not pass through it. */
 export const GLINT: Shine = { strength: 0.1, exponent: 200 };
 
 interface Finish {

@@ -14,7 +14,7 @@ import {
 
 const COLOURS = [VIOLET, SAND, BLUE, TEAL];
 
-/** A grid of ten by ten, the kinds by turns. */
+/** Thing k of a grid of ten by ten, with kinds in turn. */
 function thing(k: number): Placed {
   const x = (k % 10) * 1.2 - 5.4;
   const z = Math.floor(k / 10) * -1.2;

@@ -15,10 +15,7 @@ import { sixShapes } from './six-shapes.ts';
 import { softLight } from './soft-light.ts';
 import { twoScales } from './two-scales.ts';
 
-/**
- * Scenes to begin with, from what needs least to what needs all. A new one is one new file and one
- * word here.
- */
+/** All presets, from few effects to all. A new one is one new file and one word here. */
 export const PRESETS: readonly ScenePreset[] = [
   plain,
   shadows,

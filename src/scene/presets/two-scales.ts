@@ -1,6 +1,6 @@
 import { BLUE, ball, material, SAND, type ScenePreset, STONE, TEAL, VIOLET } from './define.ts';
 
-/** The little things are measured in this, the hills in thousands of millions of lengths. */
+/** Unit of length of the small things. */
 const U = 1e-5;
 
 export const twoScales: ScenePreset = {
