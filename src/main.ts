@@ -142,6 +142,7 @@ function loadTheRest(): void {
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
       travel = code.createTravel(main, requestRender);
+      code.printsOnPaper(() => (store.get().page === 'explore' ? modelNow() : null));
       // With the gallery loaded, the link's example is known: this is not announced as a change.
       model = null;
       requestRender();

@@ -4,6 +4,9 @@ import { type Box, type Obstacles, placeLabels } from './labels.ts';
 import type { Layer } from './layer.ts';
 import type { Theme } from './theme.ts';
 
+/** What of the theme words need. */
+type Sizes = Pick<Theme, 'scale' | 'label'>;
+
 const SVG = 'http://www.w3.org/2000/svg';
 
 // STIX italics: a capital is about 0.68 em wide and 0.66 em high, t and d are narrower; a subscript
@@ -38,7 +41,7 @@ export function drawCaptions(
   layer: Layer,
   captions: readonly Caption[],
   boxes: readonly Box[],
-  theme: Theme,
+  theme: Sizes,
   lit: string | null,
 ): void {
   captions.forEach((caption, k) => {
@@ -70,7 +73,7 @@ export function drawPointers(
   layer: Layer,
   pointers: Figures['pointers'],
   boxes: readonly Box[],
-  theme: Theme,
+  theme: Sizes,
   lit: string | null,
 ): void {
   pointers.forEach((pointer, k) => {
@@ -95,7 +98,7 @@ function write(
   layer: Layer,
   { key, symbol, letter, sub, tone }: Pick<Caption, 'key' | 'symbol' | 'letter' | 'sub' | 'tone'>,
   box: Box,
-  theme: Theme,
+  theme: Sizes,
   lit: string | null,
 ): void {
   const isLit = symbol === lit;

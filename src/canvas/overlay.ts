@@ -49,7 +49,7 @@ export class Overlay {
     rays: readonly Stroke[],
     units: StageUnits,
     projection: Projection,
-    theme: Theme,
+    theme: Pick<Theme, 'scale' | 'label'>,
     lit: string | null,
     words: readonly Caption[],
     axisArrows: readonly Segment[],

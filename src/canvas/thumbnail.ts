@@ -5,6 +5,7 @@ import { figures } from './figures.ts';
 import { framedPose } from './framing.ts';
 import { Layer, text } from './layer.ts';
 import { drawMarks, type MarkKind } from './marks.ts';
+import { Overlay } from './overlay.ts';
 import { PathPainter } from './path-painter.ts';
 import { Projection } from './projection.ts';
 import { SceneLines } from './scene-lines.ts';
@@ -48,7 +49,7 @@ export function drawAbove(
 ): void {
   // A frame that is so many times larger, of which the middle is shown.
   const large = { width: FARTHER * width, height: FARTHER * height, scale };
-  const svg = draw(host, { ...model, view: 'top' }, large, (units, project) => {
+  const { svg } = draw(host, { ...model, view: 'top' }, large, (units, project) => {
     const pose = { ...poseOf('top', model.ray, units), zoom: 1 / FARTHER };
     const seen = points.flatMap((point) => {
       const place = units.toStage(point);
@@ -72,12 +73,31 @@ export function drawAbove(
   svg.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
 }
 
+/**
+ * The scene as a drawing of its own, for paper and for a file: every line, mark and word that the
+ * page shows, walls in one flat tint. `label` is the size of its symbols, in the drawing's units;
+ * the style sheet of where it stands has the same as --scene-label.
+ */
+export function drawStill(
+  host: HTMLElement,
+  model: SceneModel,
+  size: Size & { readonly label: number },
+): SVGSVGElement {
+  const { svg, units, projection, rays } = draw(host, model, size, (units) =>
+    framedPose(model, units, size),
+  );
+  svg.classList.add('scene-still');
+  svg.querySelector('.scene-mark-layer')?.remove();
+  new Overlay(svg).draw(model, rays, units, projection, size, null, [], []);
+  return svg;
+}
+
 function draw(
   host: HTMLElement,
   model: SceneModel,
   { width, height, scale }: Size,
   poseIn: (units: StageUnits, project: (pose: Pose) => Projection) => Pose,
-): SVGSVGElement {
+) {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('class', 'scene-thumbnail');
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -90,9 +110,8 @@ function draw(
   for (const [k, grid] of sceneLines.grids.entries()) {
     walls.show(String(k), 'path', { d: silhouettes(grid, projection) });
   }
-  new PathPainter(svg).paint(sceneLines.strokes(model, projection, null), projection, {
-    scale,
-  });
+  const strokes = sceneLines.strokes(model, projection, null);
+  new PathPainter(svg).paint(strokes, projection, { scale });
   const { marks } = figures(model, units, projection, scale);
   const shown = marks.filter(({ kind }) => SHOWN.includes(kind));
   drawMarks(
@@ -103,7 +122,7 @@ function draw(
     null,
   );
   host.replaceChildren(svg);
-  return svg;
+  return { svg, units, projection, rays: strokes.ray };
 }
 
 /**

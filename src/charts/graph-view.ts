@@ -2,12 +2,12 @@ import { html, svg, type TemplateResult } from 'lit';
 import type { GraphModel } from '../state/graph-model.ts';
 import { bead, readout } from './graph-bead.ts';
 import { type Parabola, parabolaOf } from './graph-curve.ts';
-import type { Frame } from './graph-frame.ts';
+import { type Frame, frameOf, type Metrics } from './graph-frame.ts';
 import { definitions, grid } from './graph-grid.ts';
 import { area, curve, ghost, rayAxis, words } from './graph-layers.ts';
 import { mark } from './graph-mark.ts';
 import { roots } from './graph-roots.ts';
-import type { Scales } from './graph-scales.ts';
+import { type Scales, scalesOf } from './graph-scales.ts';
 import { square } from './graph-square.ts';
 
 /** Event handlers of the graph; the same functions at every render. */
@@ -54,6 +54,14 @@ export function page(
     </svg>
     ${readout(model, frame)}
     ${note === null ? '' : html`<p class="graph-note" .style=${`top:${frame.top}px`}>${note}</p>`}`;
+}
+
+const UNTOUCHED: Handlers = { key() {}, down() {}, move() {}, up() {}, cancel() {} };
+
+/** The graph for paper, which nobody touches. `id` is its own in the document. */
+export function stillGraph(model: GraphModel, metrics: Metrics, id: string): TemplateResult {
+  const frame = frameOf(metrics);
+  return page(model, frame, scalesOf(model, frame), id, UNTOUCHED);
 }
 
 function noteOf(

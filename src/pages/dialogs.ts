@@ -9,6 +9,7 @@ import { notLoaded } from '../ui/late.ts';
 import type { Command, PageActions } from './commands.ts';
 import { type ExportItem, exportContent } from './export-dialog.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
+import { printPage } from './handout/print.ts';
 import { helpContent } from './help.ts';
 
 export interface DialogParts {
@@ -73,7 +74,7 @@ function exportDialog({ exports, tools, say }: DialogParts): () => void {
   const actions = {
     save: close(tools.save),
     openFile: close(tools.openFile),
-    print: close(() => window.print()),
+    print: close(() => void printPage()),
   };
   const copy = async ({ title, text }: ExportItem): Promise<void> => {
     const copied = text !== null && (await copyText(text()));

@@ -11,18 +11,20 @@ interface Dialog {
 
 /**
  * A modal dialog. Its content is created when it opens, so a closed dialog costs nothing. `key` is
- * called for each key press in it, wherever the focus is.
+ * called for each key press in it, wherever the focus is; `closed` whenever it has been closed.
  */
 export function createDialog(
   title: string,
   content: () => TemplateResult,
   key: (event: KeyboardEvent) => void = () => {},
+  closed: () => void = () => {},
 ): Dialog {
   const element = document.createElement('dialog');
   element.className = 'dialog';
   element.setAttribute('aria-label', title);
   document.body.append(element);
   element.addEventListener('keydown', key);
+  element.addEventListener('close', closed);
   element.addEventListener('click', (event) => {
     // A click on the backdrop has the dialog itself as its target.
     if (event.target === element) element.close();

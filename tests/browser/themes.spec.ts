@@ -32,11 +32,3 @@ test('and its type is large', async ({ page }) => {
   );
   expect(Math.min(...sizes)).toBeGreaterThanOrEqual(16);
 });
-
-test('printed, the page keeps its numbers and leaves out its tools', async ({ page }) => {
-  await open(page, '#/explore');
-  await page.emulateMedia({ media: 'print' });
-  await expect(page.locator('[data-quantity="t1"]')).toBeVisible();
-  await expect(page.locator('.tools')).toBeHidden();
-  await expect(page.locator('.ray-tools')).toBeHidden();
-});

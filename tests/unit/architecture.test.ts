@@ -48,6 +48,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   'd3-scale': ['charts'],
   fflate: ['state'],
   marked: ['lesson'],
+  uqr: ['pages'],
 };
 
 /** What the pure rooms and the state may not touch: a page, a clock, chance. */

@@ -115,6 +115,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
 
   function renderHardness(settings: AccuracySettings, method: string): void {
     render(hardnessHead(settings, set), places.hardHead);
+    places.hardness.ariaBusy = String(sweeping.running);
     const dial = findFamily(settings.hard)?.dial;
     if (dial && sweeping.result) {
       const lines = hardnessOf(sweeping.result, dial, settings.worth);

@@ -1,5 +1,8 @@
 /* What the page has beyond its first frame, which does not wait for it. */
 
+import type { ExploreModel } from '../../state/derive.ts';
+import { late } from '../../ui/late.ts';
+
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
@@ -11,3 +14,12 @@ export { createTravel } from './travel.ts';
 export const NOT_KEPT =
   'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +
   'until the page is closed. Programs and summaries can be saved by File and export';
+
+/** Paper is filled at once when the browser prints, so its code is there before. */
+export function printsOnPaper(shown: () => ExploreModel | null): void {
+  late(() => import('../handout/explore-handout.ts')).then(
+    ({ printExplore }) => printExplore(shown),
+    // Without it the page itself is printed.
+    () => {},
+  );
+}

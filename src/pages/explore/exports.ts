@@ -1,8 +1,13 @@
+import { drawStill } from '../../canvas/thumbnail.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { EXPORTS } from '../../state/exports/index.ts';
+import type { SceneModel } from '../../state/scene-model.ts';
 import { svgText } from '../../ui/svg-text.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { Explore } from './explore-page.ts';
+
+/** Of the scene as a file, in CSS pixels. */
+const FILE = { width: 960, height: 540 };
 
 /** The exports of Explore: texts made from the model, and pictures of graph and scene. */
 export function exploreExports(explore: Explore, model: () => ExploreModel): ExportItem[] {
@@ -35,6 +40,33 @@ export function exploreExports(explore: Explore, model: () => ExploreModel): Exp
     text: null,
     blob: () => explore.scene.picture(),
   };
-  // While results are hidden, only the scene's picture does not give them away.
-  return model().shown.hits ? [...texts, graph, picture] : [picture];
+  const drawing: ExportItem = {
+    id: 'picture-svg',
+    title: 'the picture as SVG',
+    file: 'graze.svg',
+    type: 'image/svg+xml',
+    text: () => {
+      const { scene } = model();
+      return scene ? sceneSvg(scene) : '';
+    },
+    blob: null,
+  };
+  // While results are hidden, only the scene's pictures do not give them away.
+  return model().shown.hits ? [...texts, graph, drawing, picture] : [drawing, picture];
+}
+
+/** The scene as lines, in the size of a wide page's. */
+function sceneSvg(scene: SceneModel): string {
+  const host = document.createElement('div');
+  host.className = 'scene-for-file';
+  document.body.append(host);
+  try {
+    const { fontSize } = getComputedStyle(host);
+    const scale = Number.parseFloat(getComputedStyle(host).getPropertyValue('--mark-scale')) || 1;
+    const size = { ...FILE, scale, label: Number.parseFloat(fontSize) };
+    const svg = drawStill(host, scene, size);
+    return svgText(svg, getComputedStyle(svg).backgroundColor);
+  } finally {
+    host.remove();
+  }
 }

@@ -25,6 +25,8 @@ export interface HandIn {
   readonly reveal: () => void;
   /** A clicker's key: forward shows the answer or hidden results first, back hides them again. */
   readonly turn: (by: 1 | -1) => void;
+  /** The settings of a step once its question has been answered. */
+  readonly answered: (now: Settings) => Settings;
   /** Clears the draft, for another step. */
   readonly clear: () => void;
 }
@@ -82,6 +84,10 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
       show: () => settle({ shown: '1' }),
     }),
     reveal: () => settle({ shown: '1' }),
+    answered: (now) => {
+      const all = Object.entries({ ...now, ...answer({ shown: '1' })(now) });
+      return Object.fromEntries(all.flatMap(([key, value]) => (value ? [[key, value]] : [])));
+    },
     clear() {
       draft = '';
     },

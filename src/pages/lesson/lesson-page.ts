@@ -1,4 +1,5 @@
 import { nothing, render } from 'lit';
+import type { Step } from '../../lesson/lesson.ts';
 import { partShown } from '../../lesson/parts.ts';
 import { lettersIn } from '../../lesson/prose.ts';
 import { isLesson } from '../../lesson/read.ts';
@@ -7,10 +8,12 @@ import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
-import type { AppState } from '../../state/state.ts';
+import type { AppState, Settings } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { recall } from '../../ui/storage.ts';
+import { lessonHandout } from '../handout/lesson-handout.ts';
+import { printPage, printsAs } from '../handout/print.ts';
 import type { MountPage } from '../page.ts';
 import { createEditing } from './editing.ts';
 import { mountExploreStage } from './explore-stage.ts';
@@ -19,6 +22,7 @@ import { createHandIn } from './hand-in.ts';
 import { listView } from './list-view.ts';
 import { createOtherPages } from './other-pages.ts';
 import { openedLesson, withCollected } from './own-lesson.ts';
+import { createPaper } from './paper.ts';
 import { proseTools } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';
@@ -26,6 +30,12 @@ import { createTravel } from './step-transition.ts';
 import { type StepParts, stepView } from './step-view.ts';
 import './lesson-page.css';
 import './lesson-text.css';
+
+/** The settings of the first step of a lesson. */
+const firstStep = ({ id, file }: Settings): Settings => ({
+  ...(id === undefined ? {} : { id }),
+  ...(file === undefined ? {} : { file }),
+});
 
 /** The page Lessons: a text beside what it is about, step by step; without an id, the list. */
 export const mountLesson: MountPage = (host, context) => {
@@ -49,6 +59,32 @@ export const mountLesson: MountPage = (host, context) => {
   let shown: { place: Place; inner: AppState; model: FullModel | null } | null = null;
   let outer: AppState | null = null;
   let last: { readonly link: string; readonly state: AppState } | null = null;
+
+  /** The step that is shown for paper alone, in place of the one that the state names. */
+  let forPaper: Settings | null = null;
+  const paper = createPaper(other, (settings) => {
+    forPaper = settings;
+    changed();
+  });
+  printsAs(
+    () => {
+      if (!shown || !host.isConnected || !outer) return null;
+      const { lesson } = shown.place;
+      const settings = firstStep(outer.settings.lesson);
+      const stepped = (step: Step): Settings => ({
+        ...settings,
+        step: String(lesson.steps.indexOf(step) + 1),
+      });
+      return lessonHandout({
+        lesson,
+        link: encode({ ...outer, settings: { ...outer.settings, lesson: settings } }),
+        seen: paper.seen,
+        answered: (step) => handIn.answered(stepped(step)),
+      });
+    },
+    async () =>
+      !shown || !outer || paper.prepare(shown.place.lesson, firstStep(outer.settings.lesson)),
+  );
 
   const go = (number: number): void => {
     const count = shown?.place.lesson.steps.length ?? 0;
@@ -111,8 +147,7 @@ export const mountLesson: MountPage = (host, context) => {
     }
   };
 
-  const showStep = (state: AppState, place: Place): void => {
-    const settings = state.settings.lesson;
+  const showStep = (settings: Settings, place: Place): void => {
     const before = shown;
     const { lesson, number, step } = place;
     const target = asBefore(innerState(step, settings));
@@ -153,9 +188,11 @@ export const mountLesson: MountPage = (host, context) => {
       isHidden: guess === null && areHidden(step, settings),
       editor: editing.view(place),
     };
-    const tools = { go, reveal: handIn.reveal, edit: () => editing.begin(place), save };
+    const print = () => void printPage();
+    const tools = { go, reveal: handIn.reveal, edit: () => editing.begin(place), save, print };
     render(stepView(parts, { ...tools, add: () => collect(encode(target)) }), text);
-    tell(before, shown);
+    if (!onExplore && covered === null) paper.drawn(step);
+    if (!forPaper) tell(before, shown);
   };
 
   const turn = (by: 1 | -1): void => {
@@ -195,8 +232,9 @@ export const mountLesson: MountPage = (host, context) => {
   return {
     render(state) {
       outer = state;
-      const place = placeOf(state.settings.lesson);
-      if (place) showStep(state, place);
+      const settings = forPaper ?? state.settings.lesson;
+      const place = placeOf(settings);
+      if (place) showStep(settings, place);
       else showList(state);
     },
     read: readSettings,

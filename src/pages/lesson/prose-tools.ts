@@ -27,7 +27,7 @@ export function proseTools(
   return {
     model,
     slider,
-    value: (name) => (model ? valueIn(model, name) : valueOnPage(page, name)),
+    value: (name) => (model ? exploreValue(model, name) : valueOnPage(page, name)),
     isHidden: (name) =>
       model !== null ? !model.shown.hits && isResult(name, model) : name === asked,
     room(name, length) {
@@ -43,7 +43,8 @@ const isResult = (name: string, { derivation }: ExploreModel): boolean =>
   /^([tPN][12](\.|$)|class$|D$)/.test(name) ||
   (derivation.steps.some(({ id }) => id === name) && !/^[ABC]$/.test(name));
 
-function valueIn(model: ExploreModel, name: string): ShownValue | null {
+/** A number of Explore, as it is shown there. */
+export function exploreValue(model: ExploreModel, name: string): ShownValue | null {
   const value = quantityOf(model, name);
   if (value === null) return null;
   return { value, text: typeof value === 'number' ? display(value) : value };
@@ -53,10 +54,10 @@ function valueIn(model: ExploreModel, name: string): ShownValue | null {
 const LONGEST_TEXT = 12;
 
 /** Selector of an unfinished picture, whose counts of rays are not final. */
-const UNFINISHED = '[data-trace]:not([data-trace="finished"])';
+export const UNFINISHED = '[data-trace]:not([data-trace="finished"])';
 
 /** The value of {questions} on the page, or of {textbook.t1} in the row of textbook. */
-function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
+export function valueOnPage(page: HTMLElement, name: string): ShownValue | null {
   if (!isQuantity(name) || page.querySelector(UNFINISHED)) return null;
   const [row = '', ...rest] = name.split('.').map((part) => CSS.escape(part));
   const cell = `[data-quantity="${rest.join('.')}"]`;

@@ -22,6 +22,7 @@ interface StepTools {
   readonly edit: () => void;
   readonly add: () => void;
   readonly save: () => void;
+  readonly print: () => void;
 }
 
 /** The text column of a step. */
@@ -49,6 +50,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
             <button type="button" class="quiet" @click=${tools.edit}>Edit</button>
             <button type="button" class="quiet" @click=${tools.add}>Add a step from here</button>
             <button type="button" class="quiet" @click=${tools.save}>Save the lesson</button>
+            <button type="button" class="quiet" @click=${tools.print}>Print the lesson</button>
           </p>`
       }
     </div>

@@ -1,0 +1,38 @@
+import { html, svg, type TemplateResult } from 'lit';
+import { encode } from 'uqr';
+
+export const CODE = {
+  /** Of the printed code with its margin, as in handout.css: phones read modules of 0.3 mm. */
+  millimetres: 28,
+  /** UTF-8 bytes that the largest version holds, with the least correction. */
+  mostBytes: 586,
+  options: { ecc: 'L', boostEcc: true, maxVersion: 16, border: 4 },
+} as const;
+
+/** The link as a QR code's rows, true where it is dark; or a sentence on why there is none. */
+export function codeOf(link: string): readonly (readonly boolean[])[] | string {
+  if (link.startsWith('file:')) {
+    return 'No QR code: this page was opened from a file, which no other device has.';
+  }
+  const bytes = new TextEncoder().encode(link).length;
+  if (bytes > CODE.mostBytes) {
+    const most = `one that phones read from paper holds ${CODE.mostBytes}`;
+    return `No QR code: this link has ${bytes} bytes, and ${most}.`;
+  }
+  return encode(link, CODE.options).data;
+}
+
+/**
+ * The link as a picture of its code, or words.
+ *
+ * @param link the whole address
+ */
+export function linkCode(link: string): TemplateResult {
+  const rows = codeOf(link);
+  if (typeof rows === 'string') return html`<p class="no-code">${rows}</p>`;
+  const path = rows
+    .flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : '')))
+    .join('');
+  return html`<svg class="link-code" viewBox="0 0 ${rows.length} ${rows.length}" role="img"
+    aria-label="QR code of the link" shape-rendering="crispEdges">${svg`<path d=${path} />`}</svg>`;
+}
