@@ -4,13 +4,10 @@ import type { Layer } from './layer.ts';
 import type { Projection } from './projection.ts';
 
 const ARM = 32;
-/**
- * From the lower left corner, or more where an arm points there: the letter at its end takes room
- * too.
- */
+/** Least distance in px of the cross from the lower left corner; letters need room as well. */
 const ORIGIN = 44;
 const LETTER = 24;
-/** Shorter arms point at the eye: the letter then stands beside the origin. */
+/** Arms shorter than this in px point at the eye: their letter is drawn beside the origin. */
 const SHORT = 5;
 
 const AXES = [
@@ -19,7 +16,7 @@ const AXES = [
   ['z', [0, 0, 1]],
 ] as const;
 
-/** The three axes as a small cross at the lower left, turned like the scene. */
+/** Draws the three axes as a small cross at the lower left, turned like the scene. */
 export function drawAxes(layer: Layer, projection: Projection, scale: number, font: number): void {
   const arms = AXES.map(([name, direction]) => {
     const [x, y] = projection.onScreen(direction);

@@ -15,7 +15,7 @@ export const ARROW_LENGTH = 50;
 const MIN_LENGTH = 34;
 /** An arrow whose true length on the screen is less, in px at scale 1, is not drawn. */
 const HIDDEN_BELOW = 9;
-/** Where an arrow begins: so far from the handle's middle, in px at scale 1, clear of its mark. */
+/** Distance of an arrow's start from the handle's centre, in px at scale 1. */
 const START = 12;
 
 interface AxisArrow {
@@ -39,7 +39,7 @@ function axisArrows(place: Point, projection: Projection, scale: number): (AxisA
   });
 }
 
-/** What labels must not cover: each arrow, and the letter at its end. */
+/** The arrows and the boxes of their letters, which labels must not cover. */
 export function axisArrowSegments(
   { place }: HandlePlace,
   projection: Projection,
@@ -90,7 +90,7 @@ export function drawAxisArrows(
   }
 }
 
-/** The end of an arrow: on the side of the axis that stays in the frame. */
+/** The end of an arrow, on the side of the axis that is in the frame. */
 function endOf(
   place: Point,
   axis: number,

@@ -3,9 +3,8 @@ import { mix, type Pose } from './camera.ts';
 const MILLISECONDS = 240;
 
 /**
- * The way from one pose to the next. A named view is travelled to; a dragged one is there at once,
- * except for what the drag did not ask for: leaving the view along the ray moves the camera's
- * target, and that must not jump.
+ * Interpolates poses. A named view is reached by a transition; a dragged one at once, except for
+ * the camera's target, which leaving the view along the ray moves and which must not jump.
  */
 export class CameraTransition {
   #from: Pose | null = null;
@@ -18,18 +17,18 @@ export class CameraTransition {
     return this.#from !== null;
   }
 
-  /** The pose seen last. */
+  /** The pose that was drawn last. */
   get shown(): Pose | null {
     return this.#shown;
   }
 
-  /** Stands here at once; the next move starts from here. */
+  /** Sets the pose; the next transition starts from it. */
   start(pose: Pose): void {
     this.#shown = pose;
     this.#from = null;
   }
 
-  /** `how`: 'travel' to a named view, 'follow' a drag, 'jump' when only the scene changed. */
+  /** @param how 'travel' to a named view, 'follow' a drag, 'jump' if only the scene changed. */
   aim(goal: Pose, how: 'travel' | 'follow' | 'jump', now: number): void {
     const targetMoved = this.#shown && goal.target.some((x, i) => x !== this.#shown?.target[i]);
     if (this.#shown && !prefersStill() && (how === 'travel' || (how === 'follow' && targetMoved))) {

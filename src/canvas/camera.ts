@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/index.ts';
 import type { FreeView, NamedView, View } from '../state/view.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
-/** Where the camera stands, in stage units: it looks at `target` from `distance` away. */
+/** The camera in stage units: it looks at `target` from `distance`. */
 export interface Pose {
   readonly target: Vec3;
   /** Degrees, as in FreeView. */
@@ -18,7 +18,7 @@ interface Ray {
 
 const FIXED_VIEWS: Record<Exclude<NamedView, 'ray'>, FreeView> = {
   iso: { azimuth: 16, elevation: 14, zoom: 1 },
-  // From above the frame's short side has to hold the depth of the stage as well.
+  // From above, the stage's depth has to fit into the frame's short side.
   top: { azimuth: 0, elevation: 90, zoom: 0.78 },
   front: { azimuth: 0, elevation: 0, zoom: 0.95 },
   side: { azimuth: 90, elevation: 0, zoom: 0.95 },
@@ -33,16 +33,15 @@ export function poseOf(view: View, ray: Ray, units: StageUnits): Pose {
 }
 
 /**
- * Looks from E along d. The camera stays on the ray's line but at the framing distance, before the
- * line's nearest point to the centre: with the eye in E itself a near wall would fill the frame and
- * a far E would show a dot.
+ * The view along the ray. The camera is on the ray's line, at the framing distance before the
+ * line's point nearest to the centre, not at E, which may be too near or too far.
  */
 function alongRay(ray: Ray, units: StageUnits): Pose | null {
   const d = unit(ray.direction);
   if (!d) return null;
   const E = units.toStage(ray.origin);
   const nearest: Point = E ? along(E, d, -dot(E, d)) : [0, 0, 0];
-  // A ray that passes the stage by would take the camera away from it.
+  // If the ray passes far from the stage, the camera looks at the centre.
   const target: Point = Math.hypot(...nearest) < 1.5 ? nearest : [0, 0, 0];
   return {
     target,
@@ -57,7 +56,7 @@ export function freeOf(pose: Pose): FreeView {
   return { azimuth: pose.azimuth, elevation: pose.elevation, zoom: pose.zoom };
 }
 
-/** Between two poses, the short way round. */
+/** Interpolates two poses, with angles the short way round. */
 export function mix(a: Pose, b: Pose, s: number): Pose {
   const turn = wrapped(b.azimuth - a.azimuth);
   return {

@@ -15,7 +15,7 @@ const WIDE = 0.68;
 const NARROW = 0.5;
 const SUB = 0.36;
 const HIGH = 0.82;
-/** A letter of a whole word, which is written small. */
+/** Width of a letter of a word, which is set in small type. */
 const WORD = 0.29;
 
 type Symbolic = Pick<Caption, 'letter' | 'sub'>;
@@ -26,7 +26,7 @@ function captionSize({ letter, sub }: Symbolic, font: number): { w: number; h: n
   return { w: font * (wide + (sub ? SUB : 0)), h: font * (HIGH + (sub ? 0.12 : 0)) };
 }
 
-/** Where every symbol goes beside its mark, at this size of type. */
+/** Boxes for the symbols beside their marks, at this type size. */
 export function captionBoxes(
   captions: readonly Caption[],
   obstacles: Obstacles,
@@ -50,7 +50,7 @@ export function drawCaptions(
   });
 }
 
-/** Where "E →" stands for what the picture does not reach. */
+/** Boxes for pointers ("E →") to points outside of the picture. */
 export function pointerBoxes(pointers: Figures['pointers'], label: number): Box[] {
   const boxes: Box[] = [];
   const arm = label * 0.95;
@@ -58,7 +58,7 @@ export function pointerBoxes(pointers: Figures['pointers'], label: number): Box[
     const [dx, dy] = pointer.direction;
     const size = captionSize(pointer, label);
     let box = { x: pointer.x - dx * arm * 0.6, y: pointer.y - dy * arm * 0.6, ...size };
-    // Two pointers to the same side stand one below the other.
+    // Pointers at the same side are put one below the other.
     while (
       boxes.some((other) => Math.abs(other.x - box.x) < box.w && Math.abs(other.y - box.y) < box.h)
     ) {

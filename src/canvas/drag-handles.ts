@@ -18,11 +18,11 @@ const ROOM: readonly Part[] = [
   ['circle', { class: 'scene-focus', r: 20 }],
   ['circle', { class: 'scene-hit', r: 22 }],
 ];
-/** What has no mark of its own in the picture. */
+/** Mark of a handle for which the picture has none. */
 const GRIP: Part = ['circle', { class: 'scale-handle', r: 4.5 }];
 
 /**
- * The handles over the picture: each can be focused and says its value, and has room for a finger.
+ * The handles over the picture; each can be focused, has a label with its value, and a touch area.
  */
 export class DragHandles {
   readonly #arrows: Layer;
@@ -97,7 +97,7 @@ export function shownArrows(
   return active?.handle.type === 'point' ? axisArrowSegments(active, projection, theme) : [];
 }
 
-/** What is said beside the handle in use: why it is where it is, or which number it is. */
+/** Words beside the handle in use: what it snapped to, or the number it sets. */
 export function handleCaptions(
   all: readonly HandlePlace[],
   held: ShownHandle,
@@ -115,10 +115,7 @@ export function handleCaptions(
   return [{ ...name, x: spot.x, y: spot.y, clear, angle: Math.PI / 2 }];
 }
 
-/**
- * Where its mark is, brought into the frame when it lies outside: a handle that is focused must not
- * go away.
- */
+/** The handle's centre, moved into the frame if it is outside, so that it can keep the focus. */
 function middle(
   { handle, place, spot }: HandlePlace,
   projection: Projection,

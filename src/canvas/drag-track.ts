@@ -6,22 +6,17 @@ import { type LineOnScreen, lineOnScreen } from './line-on-screen.ts';
 import type { Projection } from './projection.ts';
 import { along, type StageUnits } from './stage-units.ts';
 
-/** Turns pixels that the pointer has moved since it took the handle into values. */
+/** Turns the pointer's movement in px since the drag began into values. */
 export interface DragTrack {
-  /**
-   * What the value is before the pointer moves: components that are the same have not been dragged.
-   */
+  /** The value before the drag; components that still have it were not dragged. */
   readonly start: Value;
   readonly perPixel: number;
   to(dx: number, dy: number): Value;
-  /** Lines of values through what `to` gives, for looking around there. */
+  /** Lines of values through the value at (dx, dy), on which snap targets are searched. */
   lines(dx: number, dy: number): readonly DragLine[];
 }
 
-/**
- * For a handle that is taken; with an axis it moves along that one only. Null outside of the
- * picture.
- */
+/** The track of a handle; with an axis along that axis only. Null outside of the picture. */
 export function trackOf(
   found: HandlePlace,
   axis: 0 | 1 | 2 | null,
@@ -37,7 +32,7 @@ export function trackOf(
 
 const WAYS = 16;
 
-/** In the plane through the handle that faces the viewer. */
+/** Moves in the plane through the handle that is parallel to the screen. */
 function planeTrack(
   { handle, place }: HandlePlace<PointHandle>,
   units: StageUnits,
@@ -62,14 +57,14 @@ function planeTrack(
   };
 }
 
-/** Adds a move to a point. What is a rounding error of the camera's directions is no move. */
+/** Adds a move to a point; components that are rounding errors of the camera's axes are dropped. */
 function clean(move: Vec3, to: Vec3, perPixel: number): Vec3 {
   const add = (i: 0 | 1 | 2): number =>
     Math.abs(move[i]) < 1e-9 * perPixel ? to[i] : to[i] + move[i];
   return [add(0), add(1), add(2)];
 }
 
-/** Along one axis of the world. */
+/** Moves along one axis of the world. */
 function axisTrack(
   { handle, place }: HandlePlace<PointHandle>,
   axis: 0 | 1 | 2,

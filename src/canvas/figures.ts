@@ -13,7 +13,7 @@ import type { Projection, Spot } from './projection.ts';
 import { pointAt } from './ray.ts';
 import { along, type StageUnits, unit } from './stage-units.ts';
 
-/** A symbol of the course beside what it names. */
+/** A symbol to be written beside what it names. */
 export interface Caption {
   readonly key: string;
   readonly symbol: string;
@@ -24,7 +24,7 @@ export interface Caption {
   readonly x: number;
   readonly y: number;
   readonly clear: number;
-  /** Where the label should best be, in radians, y down. */
+  /** Best direction of the label from its point, in radians, y down. */
   readonly angle: number;
 }
 
@@ -38,15 +38,13 @@ export interface Figures {
 
 const UP_RIGHT = -Math.PI / 4;
 const DOWN = Math.PI / 2;
-/**
- * From E to the tip of d, in pixels at scale 1: below it the head becomes smaller, then goes away.
- */
+/** Lengths of d in px at scale 1 below which its arrow head shrinks, and is not drawn. */
 const HEAD_FULL = 40;
 const HEAD_LEAST = 16;
 
 type List<T> = T[];
 
-/** Everything at fixed size over the lines: where it is on the screen and what it is called. */
+/** Everything of fixed size above the lines, with its place on the screen and its symbol. */
 export function figures(
   model: SceneModel,
   units: StageUnits,
@@ -63,7 +61,7 @@ export function figures(
 
   addShape();
   addRay();
-  // The first hit comes last: it lies over the others where they meet on the screen.
+  // The first hit is drawn last, above the others.
   for (const hit of [...model.hits].sort((a, b) => rank(a) - rank(b))) addHit(hit);
   const bead = model.bead?.drawn ? see(model.bead.point) : null;
   if (bead) all.marks.push({ key: 'bead', kind: 'bead', symbols: ['t'], spot: bead });
@@ -106,7 +104,7 @@ export function figures(
     }
     addEnd();
     if (E) all.marks.push({ key: 'E', kind: 'E', symbols: ['E'], spot: E });
-    // Without a tip in the frame, d is named where the drawn ray ends or leaves it.
+    // If the tip is not in the frame, d is written where the drawn ray ends or leaves the frame.
     const spot = tip ?? visibleRay(model, units, projection)?.end;
     if (!spot) return;
     const back = tip && course ? 9 * scale : 0;
@@ -120,7 +118,7 @@ export function figures(
     });
   }
 
-  /** The arrow at the far end of what is drawn of the ray. */
+  /** Adds the arrow at the far end of the drawn ray. */
   function addEnd(): void {
     const last = model.ray.segments.at(-1);
     const place = last && last.stretch !== 'behind' ? pointAt(model.ray, last.to, units) : null;
@@ -167,7 +165,7 @@ export function figures(
   }
 }
 
-/** Where a point of the world is in the frame; null outside of it. */
+/** The place of a world point in the frame; null outside. */
 export function seen(p: Vec3, units: StageUnits, projection: Projection): Spot | null {
   const place = units.toStage(p);
   const spot = place && projection.project(place);
@@ -178,7 +176,7 @@ function rank(hit: HitMark): number {
   return hit.role === 'first' ? 1 : 0;
 }
 
-/** At right angles to the ray, on the lower side. */
+/** The angle orthogonal to the ray on its lower side. */
 function below(course: readonly [number, number] | null): number {
   if (!course) return DOWN;
   const [x, y] = course[0] >= 0 ? course : [-course[0], -course[1]];

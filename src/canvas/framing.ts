@@ -12,25 +12,25 @@ export interface Frame {
   readonly scale: number;
 }
 
-/** Length of a normal arrow, in stage radii: its direction is what counts. */
+/** Length of all normal arrows, in stage radii. */
 export const NORMAL = 0.2;
-/** As in scene.css: below it the view buttons are a column. */
+/** Width in px below which the view buttons are a column, as in scene.css. */
 export const NARROW = 480;
 
-/** What the page's buttons take at the frame's edges, and E's disc and halo beside them. */
+/** px at the frame's edges for the page's buttons and for E's disc. */
 const BUTTONS = { top: 40, bottom: 34, side: 8, column: 64 };
 const MARK = 18;
 
-/** A pose may go this much farther away to have everything in the frame, and no more. */
+/** Least zoom that is chosen to have everything in the frame. */
 const LEAST_ZOOM = 0.3;
 const ROUNDS = 8;
-/** Half a pixel of play, so that the rounds come to an end. */
+/** Tolerance in px, so that the iteration ends. */
 const PLAY = 0.5;
 
 /**
- * The camera for a view of the model. With a zoom of its own a view is taken as it is; any other
- * one goes back and aside as far as it takes to have the points that count in the frame, clear of
- * the buttons. While they are, nothing moves; the pose is a continuous function of the points.
+ * The camera for a view of the model. A view with a zoom is taken as it is. For another the camera
+ * is moved back and aside until the important points are in the frame, clear of the buttons. The
+ * pose is a continuous function of the points, and does not move while they are in the frame.
  */
 export function framedPose(model: SceneModel, units: StageUnits, frame: Frame): Pose {
   const pose = poseOf(model.view, model.ray, units);
@@ -39,7 +39,7 @@ export function framedPose(model: SceneModel, units: StageUnits, frame: Frame): 
 
 const isAsItIs = (view: View): boolean => typeof view !== 'string' && view.zoom !== null;
 
-/** The part of the frame that no button covers, with room for a mark. */
+/** The part of the frame that is free of buttons, with room for a mark. */
 function clearOf({ width, height, scale }: Frame): {
   left: number;
   right: number;
@@ -56,7 +56,7 @@ function clearOf({ width, height, scale }: Frame): {
   };
 }
 
-/** E, the hits with their normals, and the shape's own point. */
+/** The important points: E, the hits with their normals, and the shape's anchor. */
 function points({ ray, hits, drawing }: SceneModel, units: StageUnits): Point[] {
   const found: Point[] = [];
   const add = (p: Vec3): Point | null => {
@@ -104,7 +104,7 @@ function moved(pose: Pose, all: readonly Point[], frame: Frame): Pose {
   return now;
 }
 
-/** How far a stretch has to go to be within another one; centred where it is longer. */
+/** The shift that brings an interval into another one; into its middle if it is longer. */
 function aside(from: number, to: number, least: number, most: number): number {
   if (to - from > most - least) return (least + most - from - to) / 2;
   return Math.max(least - from, 0) + Math.min(most - to, 0);

@@ -9,14 +9,14 @@ import { type Dash, type Stroke, straight } from './stroke.ts';
 const LINE = { ink: 'ink3', width: 1.5, alpha: 0.85, dash: [6, 5] as Dash } as const;
 const BELOW = Math.PI / 2;
 
-/** The ray that was kept to compare with, behind the one that is shown. */
+/** The strokes of the ghost, painted behind the ray. */
 export function ghostStrokes({ ghost }: SceneModel, units: StageUnits): Stroke[] {
   const from = ghost && pointAt(ghost, ghost.from, units);
   const to = ghost && pointAt(ghost, ghost.to, units);
   return from && to ? [straight(from, to, LINE)] : [];
 }
 
-/** Where it started and hit, and a word beside it. */
+/** The marks of the ghost's E and hits, and its word. */
 export function ghostFigures(
   { ghost }: SceneModel,
   units: StageUnits,

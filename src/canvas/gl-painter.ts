@@ -7,7 +7,7 @@ import { Surface } from './surface.ts';
 import type { Grid } from './tessellation.ts';
 import type { Theme } from './theme.ts';
 
-/** More would cost four times the pixels for edges that are feathered anyway. */
+/** Largest ratio of device to CSS px; edges are feathered, so more would only take time. */
 const MOST_PIXEL_RATIO = 2;
 
 /**
@@ -25,9 +25,7 @@ export class GlPainter implements Painter {
   readonly #clear = new Color();
   #size = '';
 
-  /**
-   * Null without WebGL. Asked for here, since three writes an error to the console when it fails.
-   */
+  /** Null without WebGL, which is tested before three.js, as that writes errors to the console. */
   static on(canvas: HTMLCanvasElement): GlPainter | null {
     try {
       const context = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: true });
@@ -39,7 +37,7 @@ export class GlPainter implements Painter {
 
   private constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: false });
-    // What is added first is painted first; three would sort by depth.
+    // Objects are painted in the order in which they are added, not sorted by depth.
     this.#renderer.sortObjects = false;
     this.#scene.matrixWorldAutoUpdate = false;
     this.#scene.add(this.#ground.mesh, this.#ray.mesh);
@@ -47,7 +45,7 @@ export class GlPainter implements Painter {
     this.#camera.matrixWorldAutoUpdate = false;
   }
 
-  /** The patches changed. */
+  /** Uploads changed patches. */
   fill(grids: readonly Grid[]): void {
     this.#surface.fill(grids);
   }
@@ -68,8 +66,7 @@ export class GlPainter implements Painter {
       for (const stroke of list) paint(stroke, projection, ribbons, nearer);
       ribbons.end();
     }
-    // Blending on the opaque ground keeps faint walls free of the steps that eight-bit
-    // premultiplied colours have.
+    // On an opaque background faint walls have no banding, unlike 8-bit premultiplied colours.
     this.#renderer.setClearColor(this.#clear.setRGB(...theme.scene, SRGBColorSpace), 1);
     this.#surface.look(projection, theme);
     const camera = this.#camera;
@@ -80,15 +77,15 @@ export class GlPainter implements Painter {
     this.#renderer.render(this.#scene, camera);
   }
 
-  /** For tests: a leak shows here. */
+  /** Counts of GPU objects, by which tests find leaks. */
   get memory(): string {
     const { memory, render } = this.#renderer.info;
     return `${memory.geometries} geometries, ${memory.textures} textures, ${render.calls} calls`;
   }
 
   dispose(): void {
-    // Browsers allow few contexts at a time, and one that waits for the garbage collector counts.
-    // Given up first, it frees everything, and nothing is deleted twice after a loss.
+    // Browsers allow few contexts, counting those that are not garbage-collected yet. Losing the
+    // context first frees everything at once.
     this.#renderer.forceContextLoss();
     for (const part of [this.#ground, this.#ray, this.#surface, this.#shape]) part.dispose();
     this.#renderer.dispose();

@@ -3,7 +3,7 @@ import type { StageUnits } from './stage-units.ts';
 import { smoothstep } from './stage-units.ts';
 import type { Stroke } from './stroke.ts';
 
-/** Radius of the grid in stage radii, and the share of it that does not fade. */
+/** Radius of the grid in stage radii, and the share of it within which lines do not fade. */
 const REACH = 1.7;
 const CLEAR = 0.45;
 const PIECES = 24;

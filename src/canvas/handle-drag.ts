@@ -5,13 +5,13 @@ import { type DragTrack, trackOf } from './drag-track.ts';
 import type { HandlePlace } from './handle-place.ts';
 import { nudged } from './nudge.ts';
 import type { Projection } from './projection.ts';
-import { axisOffers, type Modifiers, type Snapped, snapDrag } from './snap-drag.ts';
+import { axisTargets, type Modifiers, type Snapped, snapDrag } from './snap-drag.ts';
 import type { StageUnits } from './stage-units.ts';
 
 /** Pixels that the pointer must move before a press is a drag; less is a click. */
 const DRAG_THRESHOLD = 3;
 
-/** What the scene shows of the handles. */
+/** The state of the handles, as drawn. */
 export interface ShownHandle {
   /** The handle whose arrows are shown. */
   readonly active: string | null;
@@ -20,7 +20,7 @@ export interface ShownHandle {
   readonly reason: string;
 }
 
-/** What the handles need of the scene. */
+/** What the handles need from the scene. */
 interface DragContext {
   units(): StageUnits;
   projection(): Projection;
@@ -44,8 +44,8 @@ interface Drag {
 }
 
 /**
- * One handle at a time is hovered, focused or dragged. A drag counts from where it began; a key
- * press is a drag of one step.
+ * The handle that is hovered, focused or dragged. Movements are relative to the start of the drag;
+ * a key press is a drag of one step.
  */
 export class HandleDrag {
   readonly #context: DragContext;
@@ -81,7 +81,7 @@ export class HandleDrag {
     this.#context.changed();
   }
 
-  /** Takes a handle; with an axis it moves along that one only. */
+  /** Starts a drag; with an axis along that axis only. */
   take(found: HandlePlace, axis: 0 | 1 | 2 | null, pointer: number, x: number, y: number): void {
     const [units, projection] = [this.#context.units(), this.#context.projection()];
     const { handle, spot } = found;
@@ -94,7 +94,7 @@ export class HandleDrag {
       last: { value: handle.value, reason: null, held: null },
       axes: (value, dx, dy) =>
         axis === null
-          ? axisOffers(handle, value, { x: spot.x + dx, y: spot.y + dy }, units, projection)
+          ? axisTargets(handle, value, { x: spot.x + dx, y: spot.y + dy }, units, projection)
           : [],
     };
     this.#context.changed();
@@ -118,7 +118,7 @@ export class HandleDrag {
     this.#say(refusal ?? next.reason ?? '');
   }
 
-  /** The keys beside the pointer have changed. */
+  /** Updates the drag after Shift or Alt was pressed or released. */
   modify(modifiers: Modifiers): void {
     if (this.#drag) this.move(this.#drag.at.x, this.#drag.at.y, modifiers);
   }
@@ -131,7 +131,7 @@ export class HandleDrag {
     this.#context.changed();
   }
 
-  /** Back to where it began. */
+  /** Ends the drag with the value before it. */
   cancel(): void {
     const drag = this.#drag;
     if (drag && !sameValue(drag.last.value, drag.handle.value)) {
@@ -140,7 +140,7 @@ export class HandleDrag {
     this.end();
   }
 
-  /** A key press on a handle; false if the key means nothing to it. */
+  /** Handles a key press; false if the key has no meaning for the handle. */
   press(handle: Handle, event: KeyboardEvent): boolean {
     const nudge = nudged(handle, event, this.#context.units().stage.radius);
     if (nudge === null) return false;

@@ -3,10 +3,10 @@ import type { HandleDrag } from './handle-drag.ts';
 import type { HandlePlace } from './handle-place.ts';
 import type { Modifiers } from './snap-drag.ts';
 
-/** As the hit circles in scene.css. */
+/** Radius in px in which a press hits a handle, by pointer type; as in scene.css. */
 const HIT_RADIUS = { fine: 16, coarse: 22 } as const;
 
-/** Mouse, finger and keys on the handles. `placed`: as they were drawn last. */
+/** Listens to pointers and keys on the handles. `placed`: the handles as drawn last. */
 export function listenToHandles(
   svg: SVGElement,
   drag: HandleDrag,
@@ -14,7 +14,7 @@ export function listenToHandles(
 ): () => void {
   const controller = new AbortController();
   const { signal } = controller;
-  /** The handle that a mouse has just taken: it has the focus, and shows none. */
+  /** The handle that was focused by a mouse press, which shows no focus ring. */
   let byMouse: Element | null = null;
   const setByMouse = (element: Element | null) => {
     byMouse = element;
@@ -25,7 +25,7 @@ export function listenToHandles(
     const box = svg.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-  /** Of handles that lie over each other, the one whose middle is nearest. */
+  /** The handle whose centre is nearest to the pointer. */
   const under = (event: PointerEvent): HandlePlace | undefined => {
     const symbol = symbolOf(event.target);
     const hit = placed().find(({ handle }) => handle.symbol === symbol);
@@ -40,7 +40,7 @@ export function listenToHandles(
   const down = (event: PointerEvent) => {
     const found = under(event);
     if (!found || event.button !== 0 || drag.pointer !== null) return;
-    // The page's own focusing would take the handle on top, or scroll.
+    // The browser's default would focus the topmost handle, or scroll.
     event.preventDefault();
     const element = elementOf(svg, found.handle);
     setByMouse(event.pointerType === 'mouse' ? element : null);
@@ -78,7 +78,7 @@ export function listenToHandles(
     setByMouse(null);
     drag.focus(symbol);
   };
-  /** While something is dragged, keys belong to the drag. */
+  /** Keys during a drag. */
   const duringDrag = (event: KeyboardEvent) => {
     if (drag.pointer === null) return;
     if (event.key === 'Escape' && event.type === 'keydown') drag.cancel();
@@ -89,10 +89,9 @@ export function listenToHandles(
   };
 
   svg.addEventListener('pointerdown', down, { signal });
-  // A mouse press would move the focus to whatever lies on top.
+  // The browser's default would focus the topmost element.
   svg.addEventListener('mousedown', (event) => event.preventDefault(), { signal });
-  // Chromium does not heed touch-action inside of an SVG: without this the page would scroll under
-  // a dragged handle.
+  // Chromium ignores touch-action inside of an SVG, so the page would scroll during a drag.
   const still = (event: TouchEvent) => event.preventDefault();
   svg.addEventListener('touchstart', still, { signal, passive: false });
   svg.addEventListener('pointermove', move, { signal });

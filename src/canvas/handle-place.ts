@@ -3,13 +3,13 @@ import type { Handle, ReachHandle } from '../state/handles.ts';
 import type { Projection, Spot } from './projection.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
-/** A handle in the picture. */
+/** A handle with its place in the picture. */
 export interface HandlePlace<H extends Handle = Handle> {
   readonly handle: H;
-  /** In stage units; null where the picture does not reach. */
+  /** Place in stage units; null outside of the picture. */
   readonly place: Point | null;
   readonly spot: Spot | null;
-  /** For a reach: the direction it grows in, of length 1. */
+  /** Unit vector in which a reach grows; null for a point. */
   readonly course: Point | null;
 }
 
@@ -28,7 +28,7 @@ function reachedBy({ grip }: ReachHandle, course: Point | null): Vec3 | null {
   return course && along(grip.from, course, grip.reach);
 }
 
-/** On a circle: the radius that is seen at its full length, to the right where it can be. */
+/** Direction of a circle's radius that is parallel to the screen, to the right if possible. */
 function courseOf({ grip: { direction } }: ReachHandle, projection: Projection): Point | null {
   if ('along' in direction) return unit(direction.along);
   const axis = unit(direction.about);
@@ -39,7 +39,7 @@ function courseOf({ grip: { direction } }: ReachHandle, projection: Projection):
     a[2] * f[0] - a[0] * f[2],
     a[0] * f[1] - a[1] * f[0],
   ]);
-  // Seen along its axis every radius is as long: the one to the right.
+  // Seen along the axis every radius is parallel to the screen: the one to the right is taken.
   const flat = across ?? unit(along(projection.right, axis, -dot(projection.right, axis)));
   if (!flat) return null;
   const [x, y] = [dot(flat, projection.right), dot(flat, projection.up)];

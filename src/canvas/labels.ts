@@ -22,18 +22,18 @@ interface Wish {
 
 export interface Obstacles {
   readonly boxes: readonly Box[];
-  /** Labels that have their place already. */
+  /** Boxes of labels that are placed already. */
   readonly labels?: readonly Box[];
   readonly segments: readonly Segment[];
   readonly width: number;
   readonly height: number;
 }
 
-/** In the order of preference, as eighths of a turn from the wished direction. */
+/** Directions to try, in eighths of a turn from the best one, in the order of preference. */
 const TURNS = [0, 1, -1, 2, -2, 3, -3, 4] as const;
 const FRAME_MARGIN = 4;
 
-/** Farther from the mark, as a share of the label's size, when there is no room beside it. */
+/** Distances to try, beyond that beside the mark, as shares of the label's size. */
 const STEPS = [0, 0.6, 1.3] as const;
 
 // Costs, all in square pixels of hidden label.
@@ -41,15 +41,12 @@ const PER_TURN = 16;
 const PER_STEP = 70;
 const PER_SEGMENT_PIXEL = 10;
 const PER_PIXEL_OUTSIDE = 60;
-/** Two labels over each other cannot be read; over a mark one can. */
+/** Overlapping labels are less readable than a label over a mark. */
 const PER_LABEL_PIXEL = 20;
 const ON_LABEL = 400;
-/** Between labels, in pixels: a letter may lean out of its box. */
+/** Distance between labels in px: italic letters may lean out of their boxes. */
 const GAP = 4;
-/**
- * A label stays where it is until another place is clearly better, so that small moves do not make
- * it jump.
- */
+/** Cost of moving a label, so that it jumps only to a clearly better place. */
 const MOVE = 60;
 
 /**
@@ -89,7 +86,7 @@ export function placeLabels(
   });
 }
 
-/** Touching the circle around the mark, in the given direction. */
+/** The box that touches the circle around the mark, in a direction and at a distance. */
 function candidate({ x, y, clear, angle, w, h }: Wish, turn: number, step: number): Box {
   const a = angle + (turn * Math.PI) / 4;
   const [c, s] = [Math.cos(a), Math.sin(a)];
@@ -107,7 +104,7 @@ function outside({ x, y, w, h }: Box, width: number, height: number): number {
   );
 }
 
-/** Area that two boxes share. */
+/** Area of the intersection of two boxes. */
 export function overlap(a: Box, b: Box): number {
   const x = (a.w + b.w) / 2 - Math.abs(a.x - b.x);
   const y = (a.h + b.h) / 2 - Math.abs(a.y - b.y);
@@ -122,10 +119,7 @@ function lengthInside(segment: Segment, box: Box): number {
   return (span[1] - span[0]) * Math.hypot(x2 - x1, y2 - y1);
 }
 
-/**
- * From where to where a segment is inside a box, as shares of its length (Liang and Barsky's
- * clipping).
- */
+/** The part of a segment inside a box, as shares of its length (Liang and Barsky's clipping). */
 export function spanInside(
   [x1, y1, x2, y2]: Segment,
   { x, y, w, h }: Box,

@@ -14,9 +14,9 @@ interface Entry {
 }
 
 /**
- * Keyed SVG elements in one <g>. Each frame asks for the elements it shows, by key; what is not
- * asked for goes away. An element keeps its identity from frame to frame (a focus or a drag on it
- * survives), and only attributes that changed are written.
+ * Keyed SVG elements in a <g>. Each frame names the elements it shows; others are removed. An
+ * element with the same key is kept from frame to frame, with its focus or drag, and only changed
+ * attributes are written.
  */
 export class Layer {
   readonly root: SVGElement;
@@ -32,7 +32,7 @@ export class Layer {
     for (const entry of this.#entries.values()) entry.used = false;
   }
 
-  /** `parts` fill a new element, once; their change needs another key. */
+  /** @param parts children of a new element; to change them use another key. */
   show(key: string, tag: string, attributes: Attributes, parts: readonly Part[] = []): SVGElement {
     let entry = this.#entries.get(key);
     if (!entry) {
@@ -68,7 +68,7 @@ function create(tag: string): SVGElement {
   return document.createElementNS(SVG, tag);
 }
 
-/** Hundredths of a pixel are enough, and NaN never becomes an attribute. */
+/** An attribute's text; numbers are rounded to hundredths of a px, and never NaN. */
 export function text(value: string | number): string {
   if (typeof value === 'string') return value;
   return String(coordinate(value));

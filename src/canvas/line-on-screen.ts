@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/index.ts';
 import type { Projection } from './projection.ts';
 import { along, dot, type Point } from './stage-units.ts';
 
-/** A straight line through a point of the scene, as it is seen: pixels along it to lengths. */
+/** The projection of a line through a point of the scene, to convert px along it to lengths. */
 export interface LineOnScreen {
   /** The line's direction on the screen, of length 1. */
   readonly course: readonly [number, number];

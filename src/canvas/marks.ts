@@ -13,11 +13,11 @@ export type MarkKind =
   | 'end'
   | 'ghost';
 
-/** Something small at a point of the scene that is seen at a fixed size. */
+/** A mark of fixed size at a point of the scene. */
 export interface Mark {
   readonly key: string;
   readonly kind: MarkKind;
-  /** The first is the element's data-symbol; all of them light it up. */
+  /** Symbols with which it is highlighted; the first is its data-symbol. */
   readonly symbols: readonly string[];
   readonly spot: Pick<Spot, 'x' | 'y'>;
   /** Degrees clockwise on the screen. */
@@ -42,10 +42,7 @@ const disc = (r: number, name: string): Part => ['circle', { r, class: name }];
 const path = (d: string, name: string): Part => ['path', { d, class: name }];
 const CROSS = 'M-5.5 -5.5L5.5 5.5M-5.5 5.5L5.5 -5.5';
 
-/**
- * Drawn around (0, 0); 'scene-gap' is the ring in the scene's colour that lifts a mark off what is
- * behind it.
- */
+/** Shapes of the marks around (0, 0); 'scene-gap' is a ring in the background's colour. */
 const TEMPLATES: Record<MarkKind, readonly Part[]> = {
   E: [disc(16, 'scene-halo'), disc(10, 'scene-gap'), disc(8, 'scene-fill')],
   // The tip is at (0, 0): R(1) = E + d is where the head ends.
@@ -62,10 +59,7 @@ const TEMPLATES: Record<MarkKind, readonly Part[]> = {
   end: [path('M5 0L-6 -4.6L-6 4.6Z', 'scene-fill')],
 };
 
-/**
- * A mark is a <g> that keeps its element while its key lives, so that a hit area can be put into
- * it.
- */
+/** Draws each mark as a <g>, which is kept while its key is used. */
 export function drawMarks(
   layer: Layer,
   marks: readonly Mark[],
@@ -103,7 +97,7 @@ export interface Arrow {
 
 const HEAD = 12;
 const HALF_HEAD = 4.6;
-/** Seen from its tip an arrow is shorter than this, and only a dot is left of it. */
+/** Length in px below which an arrow is drawn as a dot. */
 const DOT = 3;
 
 export function drawArrows(

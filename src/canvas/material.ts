@@ -23,9 +23,7 @@ interface Options {
 
 export type ShadedMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
-/**
- * A mesh with its own shader, which writes premultiplied colours in sRGB, laid over what is there.
- */
+/** A mesh with its own shader, which blends premultiplied sRGB colours over the picture. */
 export function shadedMesh(geometry: BufferGeometry, options: Options): ShadedMesh {
   const material = new RawShaderMaterial({
     ...options,
@@ -37,13 +35,13 @@ export function shadedMesh(geometry: BufferGeometry, options: Options): ShadedMe
     blendDst: OneMinusSrcAlphaFactor,
   });
   const mesh = new Mesh(geometry, material);
-  // Everything is in view, and already where it belongs.
+  // Positions are final and in view, so three.js need not transform or cull.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
 }
 
-/** An empty geometry with room for so many vertices and indices; `sizes` in numbers a vertex. */
+/** An empty geometry for so many vertices and indices; `sizes`: numbers per vertex. */
 export function roomFor(
   vertices: number,
   indices: number,

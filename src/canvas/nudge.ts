@@ -33,7 +33,7 @@ export function nudged(
   return (now) => withComponent(now as Vec3, axis, plain((now as Vec3)[axis] + change));
 }
 
-/** Freed of the noise of the addition (0.30000000000000004). */
+/** x without rounding errors of the addition, as in 0.30000000000000004. */
 function plain(x: number): number {
   return Number(x.toPrecision(15)) + 0;
 }

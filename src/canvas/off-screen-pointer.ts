@@ -5,7 +5,7 @@ import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
 import { along, type Point, type StageUnits, unit } from './stage-units.ts';
 
-/** "E →": where a point is that the picture does not reach. */
+/** A pointer "E →" to a point outside of the picture. */
 export interface OffScreenPointer {
   readonly x: number;
   readonly y: number;
@@ -13,17 +13,14 @@ export interface OffScreenPointer {
   readonly direction: readonly [number, number];
 }
 
-/** Room that the view buttons and the frame's rounding take, at scale 1. */
+/** Distance in px at scale 1 from the frame's edges, for buttons and rounded corners. */
 const INSET = { x: 34, top: 60, bottom: 30 };
-/** From the end of the drawn ray to the pointer's letter. */
+/** Distance in px from the end of the drawn ray to the pointer's letter. */
 const BEYOND = 22;
-/** Over the ray, where it leaves the frame. */
+/** Distance in px above the ray, where it leaves the frame. */
 const ABOVE = 16;
 
-/**
- * A pointer to R(t). When the ray is drawn it stands at the ray's end, else at the frame's edge
- * towards the point.
- */
+/** A pointer to R(t): at the end of the drawn ray, or without one at the frame's edge. */
 export function pointerTo(
   point: Vec3,
   t: number,
@@ -53,10 +50,7 @@ interface VisibleRay {
   readonly course: readonly [number, number];
 }
 
-/**
- * Where the drawn ray begins and ends within the frame; null when it is not in the frame, or seen
- * head-on.
- */
+/** Both ends of the drawn ray within the frame; null if it is outside or seen head-on. */
 export function visibleRay(
   model: SceneModel,
   units: StageUnits,
@@ -117,7 +111,7 @@ function fromCentre(
   return clamp(cx + reach * direction[0], cy + reach * direction[1], direction, projection, scale);
 }
 
-/** Brought into the frame along the line to its centre. */
+/** The point, moved towards the frame's centre until it is in the frame. */
 function clamp(
   x: number,
   y: number,
@@ -142,15 +136,12 @@ export function isInside(
   return x >= 0 && x <= width && y >= 0 && y <= height;
 }
 
-/** A step in stage units that is short beside everything drawn. */
+/** Step in stage units for numeric derivatives. */
 const STEP = 0.01;
-/** Shorter than this on the screen, in pixels for one step, a direction points at the eye. */
+/** Length in px of a step below which a direction counts as pointing at the eye. */
 const HEAD_ON = 0.02;
 
-/**
- * The unit direction in which d leads on the screen at a point; null when it leads towards the eye
- * or away from it.
- */
+/** Unit direction of d on the screen at a point; null if d points towards or away from the eye. */
 export function heading(at: Point, d: Vec3, projection: Projection): [number, number] | null {
   const step = unit(d);
   const from = step && projection.project(along(at, step, -STEP));

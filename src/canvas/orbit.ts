@@ -3,31 +3,30 @@ import { Ahead } from '../ui/ahead.ts';
 import { wrapped } from './camera.ts';
 
 /**
- * Degrees a pixel of drag turns the scene by; a key press; what a wheel pixel and a key multiply
- * the zoom by.
+ * Degrees per px of a drag and per key press; factors of the zoom per wheel px and per key press.
  */
 const PER_PIXEL = 0.4;
 const PER_KEY = 5;
 const PER_FINE_KEY = 1;
 const PER_WHEEL_PIXEL = 1.0015;
 const PER_ZOOM_KEY = 1.2;
-/** A wheel that counts in lines or pages, in pixels. */
+/** px per unit of a wheel event, by its deltaMode: pixels, lines, pages. */
 const WHEEL_UNITS = [1, 16, 400] as const;
-/** So many pixels make a drag; less is a click. */
+/** px of movement from which a press is a drag and not a click. */
 const DRAG_FROM = 3;
 
 interface Orbit {
-  /** Where the camera is now, as angles. */
+  /** The present camera as angles. */
   current(): FreeView;
   turn(view: FreeView): void;
-  /** Back to the first view. */
+  /** Returns to the initial view. */
   home(): void;
 }
 
 /**
- * Turns the scene by drag and arrow keys, zooms by wheel, pinch, + and −. It only asks for views:
- * the state owns the camera. A gesture counts from where it began, so a view that comes back
- * rounded or late cannot make it drift.
+ * Turns the scene by drag and arrow keys, zooms by wheel, pinch, + and −. It only requests views:
+ * the camera is part of the state. Movements are relative to the start of a gesture, so that views
+ * that come back rounded or late cause no drift.
  */
 export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   const ahead = new Ahead<FreeView>();
@@ -67,7 +66,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     if (!isDragging) {
       if (Math.hypot(dx, dy) < DRAG_FROM) return;
       isDragging = true;
-      // Captured only now, so that a click still reaches what is under the pointer.
+      // Captured only now, so that a click reaches the element under the pointer.
       element.setPointerCapture(event.pointerId);
     }
     const pinch = start.spread > 0 && now.spread > 0 ? now.spread / start.spread : 1;
@@ -75,7 +74,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   };
   const up = (event: PointerEvent) => {
     if (!pointers.delete(event.pointerId)) return;
-    // The finger that stays goes on from here.
+    // After a pinch the remaining finger starts a new gesture.
     begin();
     if (pointers.size === 0) isDragging = false;
   };
@@ -131,15 +130,16 @@ function limited(from: FreeView, turn: number, lift: number, factor: number): Fr
   };
 }
 
-/** The view stands in the link: a tenth of a degree is finer than a pixel and short to read. */
+/**
+ * Rounds a number of the view, so that it is short in the link; a tenth of a degree is below 1 px.
+ */
 function rounded(x: number, parts: number): number {
   return Math.round(x * parts) / parts;
 }
 
 /**
- * A wheel over a picture in a page that scrolls should scroll the page. It zooms where there is
- * nothing to scroll, in a scene that was clicked or tabbed into, and with ctrl, as a touchpad's
- * pinch does.
+ * Whether a wheel event zooms: if the page cannot scroll, if the scene has the focus, or with ctrl,
+ * as in a touchpad's pinch. Else it scrolls the page.
  */
 function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
   const page = document.scrollingElement;
@@ -147,7 +147,7 @@ function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
   return !canScroll || event.ctrlKey || event.metaKey || element.contains(document.activeElement);
 }
 
-/** Buttons, and the handles to come, take their own presses. */
+/** Whether the target is a button or handle, which handles its own presses. */
 function isControl(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('button, a, input, [data-handle]') !== null;
 }

@@ -10,17 +10,14 @@ const RING_ALPHA = 0.38;
 const AXIS = { width: 1.2, alpha: 0.62, dash: [11, 4] as Dash };
 const GOES_ON_ALPHA = 0.7;
 
-/** How each end of a patch is drawn; a point and a seam need no line. */
+/** Line style of each kind of end of a patch; a point and a seam have no line. */
 const ENDS: Partial<Record<PatchEnd, { width: number; alpha: number; dash: Dash | null }>> = {
   edge: { width: 2, alpha: 1, dash: null },
   rim: { width: 1.8, alpha: 1, dash: null },
   'goes-on': { width: 1.5, alpha: GOES_ON_ALPHA, dash: [7, 5] },
 };
 
-/**
- * The lines of a drawing that do not depend on the eye: rings, ends and helper lines, in stage
- * units.
- */
+/** Lines of a drawing that do not depend on the view: rings, ends, helper lines; in stage units. */
 export function outline(drawing: Drawing, units: StageUnits): Stroke[] {
   return [
     ...drawing.patches.flatMap((patch) => rings(patch, units)),
@@ -33,7 +30,7 @@ function rings(patch: Patch, units: StageUnits): Stroke[] {
   const style = { ink: 'shape', width: HAIRLINE, alpha: RING_ALPHA, dash: null } as const;
   const across = patch.rings.map((v) => ({ ...acrossAt(patch, v, units), ...style }));
   if (patch.closed) return across;
-  // A flat sheet is ruled both ways: that shows how it is tilted.
+  // A flat patch has lines both ways, which show its tilt.
   return [...across, ...patch.rings.map((u) => ({ ...alongAt(patch, u, units), ...style }))];
 }
 
@@ -44,7 +41,7 @@ function ends(patch: Patch, units: StageUnits): Stroke[] {
     [1, patch.end],
   ] as const) {
     const style = ENDS[end];
-    // The dashes already say "goes on"; their opacity is the end's, not that of the fading surface.
+    // Dashes mean that the surface goes on; they do not fade with it.
     if (style) strokes.push({ ...acrossAt(patch, v, units), fade: null, ink: 'shape', ...style });
   }
   const style = ENDS[patch.sides];
@@ -66,7 +63,7 @@ type Curve = Pick<Stroke, 'points' | 'fade' | 'closed'>;
 
 function acrossAt(patch: Patch, v: number, units: StageUnits): Curve {
   const steps = patch.closed ? RING_STEPS : SIDE_STEPS;
-  // A closed ring leaves out u = 1, which is u = 0 again.
+  // A closed ring leaves out u = 1, which is the same as u = 0.
   const count = patch.closed ? steps : steps + 1;
   return curve(count, patch.closed, units, patch, (k) => [k / steps, v]);
 }

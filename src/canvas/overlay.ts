@@ -14,10 +14,7 @@ import { at, type Pen, paint, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 import { drawTicks, ticksOn } from './ticks.ts';
 
-/**
- * What lies over the picture at a fixed size: marks, normals, ticks, symbols, the small axes.
- * Bottom to top.
- */
+/** Everything of fixed size above the picture, from bottom to top: marks, normals, ticks, … */
 export class Overlay {
   readonly #axes: Layer;
   readonly #ticks: Layer;
@@ -26,7 +23,7 @@ export class Overlay {
   readonly #gap: Layer;
   readonly #marks: Layer;
   readonly #captions: Layer;
-  /** Where each label stood last, so that it stays there. */
+  /** The last place of each label, so that it stays there. */
   readonly #places = new Map<string, string>();
 
   constructor(svg: Element) {
@@ -43,7 +40,7 @@ export class Overlay {
     this.#places.clear();
   }
 
-  /** `words`: what is said of the handle in use; `axisArrows`: the arrows that it shows. */
+  /** @param words beside the handle in use. @param axisArrows arrows of that handle. */
   draw(
     model: SceneModel,
     rays: readonly Stroke[],
@@ -86,10 +83,7 @@ interface Sizes {
   readonly axisArrows: readonly Segment[];
 }
 
-/**
- * Where everything of the overlay stands in the frame. `places` remembers where each label stood,
- * and is updated.
- */
+/** Places of everything in the overlay. `places`: the last place of each label; is updated. */
 export function layOut(
   model: SceneModel,
   rays: readonly Stroke[],
@@ -125,7 +119,7 @@ export function layOut(
   };
 }
 
-/** The view buttons and the small axes: no label goes there. */
+/** Boxes of the view buttons and the small axes, which labels must not cover. */
 function furniture({ width, height }: Projection, scale: number): Box[] {
   const views =
     width < NARROW
@@ -134,7 +128,7 @@ function furniture({ width, height }: Projection, scale: number): Box[] {
   return [views, { x: 56 * scale, y: height - 48 * scale, w: 112 * scale, h: 96 * scale }];
 }
 
-/** The visible pieces of the ray, for labels to keep off. */
+/** The visible pieces of the ray, which labels must not cover. */
 function onScreen(strokes: readonly Stroke[], projection: Projection): Segment[] {
   const segments: Segment[] = [];
   const pen: Pen = {

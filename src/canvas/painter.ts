@@ -12,12 +12,9 @@ export interface Strokes {
   readonly shape: readonly Stroke[];
 }
 
-/** Puts a frame on the screen, by WebGL or by SVG. */
+/** Paints a frame by WebGL or SVG. */
 export interface Painter {
-  /**
-   * `ratio`: pixels of the picture for one of the page's, where that can be chosen; by default the
-   * screen's.
-   */
+  /** @param ratio device px per CSS px, if it can be chosen; by default the screen's. */
   paint(strokes: Strokes, projection: Projection, theme: Theme, ratio?: number): void;
   dispose(): void;
 }

@@ -4,10 +4,7 @@ import type { Projection } from './projection.ts';
 import { at, type Pen, paint, type Run, type Stroke } from './stroke.ts';
 import type { Theme } from './theme.ts';
 
-/**
- * The scene as SVG paths, while there is no WebGL or its context is lost: every line, without the
- * shaded walls.
- */
+/** Paints the scene's lines as SVG paths, without walls, if there is no WebGL context. */
 export class PathPainter implements Painter, Pen {
   readonly #layer: Layer;
   #scale = 1;
@@ -39,7 +36,7 @@ export class PathPainter implements Painter, Pen {
       d: run.closed ? `${path}Z` : path,
       class: `scene-ink-${stroke.ink}`,
       'stroke-width': stroke.width * this.#scale,
-      // One path has one opacity: the mean stands for the fading.
+      // A path has one opacity: the mean of the fading one.
       'stroke-opacity': (stroke.alpha * opacity) / count,
       'stroke-dasharray': stroke.dash?.map((length) => length * this.#scale).join(' ') ?? 'none',
     });

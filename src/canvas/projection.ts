@@ -32,7 +32,7 @@ export class Projection {
   readonly forward: Point;
   readonly near: number;
   readonly far: number;
-  /** Pixels per unit of slope. */
+  /** Focal length in px: px per unit of x/depth. */
   readonly focal: number;
   readonly #depthScale: number;
   readonly #depthShift: number;
@@ -55,15 +55,12 @@ export class Projection {
     this.#depthShift = (2 * this.far * this.near) / (this.far - this.near);
   }
 
-  /** How far p is in front of the eye. */
+  /** Depth of p in front of the eye, in stage units. */
   distance(p: Vec3): number {
     return dot(along(p, this.eye, -1), this.forward);
   }
 
-  /**
-   * Null for what lies behind the near plane. `nearer` pulls the depth (only) towards the eye, in
-   * stage radii.
-   */
+  /** Null behind the near plane. `nearer` reduces only the depth, in stage radii. */
   project(p: Vec3, nearer = 0): Spot | null {
     const rel = along(p, this.eye, -1);
     const w = dot(rel, this.forward);
@@ -84,7 +81,7 @@ export class Projection {
     return [dot(direction, this.right), -dot(direction, this.up)];
   }
 
-  /** Column-major, as WebGL takes them. */
+  /** Column-major, as in WebGL. */
   viewMatrix(): number[] {
     const { right: r, up: u, forward: f, eye } = this;
     const [x, y, z] = [-dot(r, eye), -dot(u, eye), dot(f, eye)];

@@ -6,7 +6,7 @@ import type { StageUnits } from './stage-units.ts';
 import { type Dash, type Stroke, straight } from './stroke.ts';
 import type { Ink, Theme } from './theme.ts';
 
-/** The same as in the list's swatches: colour and dash say the kind. */
+/** Line styles by kind of ray, as in the list's swatches. */
 const STYLES: Readonly<Record<RayKind, { ink: Ink; width: number; dash: Dash | null }>> = {
   camera: { ink: 'd', width: 3, dash: null },
   shadow: { ink: 'd', width: 1.6, dash: [2, 5] },
@@ -14,12 +14,12 @@ const STYLES: Readonly<Record<RayKind, { ink: Ink; width: number; dash: Dash | n
   refracted: { ink: 'hit', width: 2.4, dash: [6, 3] },
 };
 const CHOSEN = 2;
-/** A ray of no weight is still seen. */
+/** Opacity of a ray of weight 0. */
 const LEAST_ALPHA = 0.45;
-/** Of the rays that carry light so many, the heaviest, get their weight written to them. */
+/** Number of rays with the largest weights that have their weight written beside them. */
 const MOST_LABELS = 6;
 const ALONG = 0.62;
-/** Less than a percent is not told at a ray: the list has it in full. */
+/** Least weight that is written beside a ray; the list has all. */
 const LEAST_LABEL = 0.01;
 
 export function lineStrokes(
@@ -38,7 +38,7 @@ export function lineStrokes(
   });
 }
 
-/** Where rays end, the weights of those that carry light, the names of lights. */
+/** The marks at the ends of rays, the weights of rays, the names of lights. */
 export class TreeMarks {
   readonly #layer: Layer;
 
@@ -77,7 +77,7 @@ export class TreeMarks {
         this.#text(`${light} light`, light, spot.x + 6 * scale, spot.y - 6 * scale);
       }
       if (carries(line) && weight >= least && start) {
-        // Nearer to its end: several rays begin in one point.
+        // Nearer to the ray's end, since several rays may start at one point.
         const [x, y] = [start.x + ALONG * (spot.x - start.x), start.y + ALONG * (spot.y - start.y)];
         const isFree = written.every((p) => Math.abs(p.x - x) > 34 || Math.abs(p.y - y) > 13);
         if (!isFree) continue;

@@ -18,23 +18,20 @@ import './scene.css';
 import './ray-tree.css';
 
 const SVG = 'http://www.w3.org/2000/svg';
-/** Nearer than Explore's: what is large beside the rays need not be seen in full. */
+/** Initial view; nearer than Explore's, since large shapes need not be seen whole. */
 const FIRST = { elevation: 16, zoom: 1.4 } as const;
 const TOUCHED = { ink: 'shape', width: 1.8, alpha: 0.9, dash: null } as const;
 const OTHER = { ink: 'edge', width: 1.2, alpha: 0.75, dash: null } as const;
-/** The walls stand behind the rays: fainter than on Explore. */
+/** Factor on the walls' opacity. */
 const FAINT = 0.7;
 
 export interface TreeModel {
   readonly scene: TreeScene;
-  /** The ray that is chosen in the list. */
+  /** Path of the ray that is chosen in the list. */
   readonly chosen: string | null;
 }
 
-/**
- * A pixel's rays in units, among the shapes that they touch. Drawn when something changed and never
- * else.
- */
+/** A pixel's rays in space, among the shapes that they touch. Drawn only after a change. */
 export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   const root = document.createElement('div');
   root.className = 'scene-root tree-root';
@@ -161,7 +158,7 @@ interface Prepared {
   };
 }
 
-/** What does not depend on the eye. */
+/** The parts of the picture that do not depend on the view. */
 function prepare({ stage, touched, others }: TreeScene): Prepared {
   const units = new StageUnits(stage);
   const sampled = ({ patches }: TreeScene['touched']): Grid[] =>

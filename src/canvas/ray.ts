@@ -13,10 +13,7 @@ const HELPER = { ink: 'ink3', width: 1, alpha: 0.75, dash: [4, 4] as Dash } as c
 
 type Line = Pick<SceneModel['ray'], 'origin' | 'direction'>;
 
-/**
- * R(t) in stage units. Both ends are taken in the world first: E may be far away, and t of any
- * size.
- */
+/** R(t) in stage units, computed in world coordinates, since E may be far away and t large. */
 export function pointAt(ray: Line, t: number, units: StageUnits): Point | null {
   return units.toStage(along(ray.origin, ray.direction, t));
 }
@@ -32,7 +29,7 @@ export function rayStrokes(ray: SceneModel['ray'], units: StageUnits, emphasis: 
   return strokes;
 }
 
-/** The ray's shadow on the ground, and a plumb line from E and from each hit that is drawn. */
+/** The ray's shadow on the ground, and vertical lines to it from E and the drawn hits. */
 export function shadowStrokes(model: SceneModel, units: StageUnits): Stroke[] {
   const { ray, hits } = model;
   const strokes: Stroke[] = [];

@@ -31,13 +31,10 @@ const SIZES = { position: 3, across: 3, dash: 2, color: 4 } as const;
 const FIRST_ROOM = 4096;
 /** The triangles between two points of a ribbon, each with a vertex on either side. */
 const QUAD = [0, 1, 2, 2, 1, 3] as const;
-/** A mitre longer than this many half widths would be a spike. */
+/** Longest mitre, in half widths of the line; a longer one would be a spike. */
 const MITRE_LIMIT = 2;
 
-/**
- * Strokes as one mesh of flat ribbons, one draw call. Buffers grow by half and are otherwise reused
- * from frame to frame.
- */
+/** Draws strokes as one mesh of ribbons in one call. Buffers are reused, and grow by half. */
 export class Ribbons implements Pen {
   readonly mesh: ShadedMesh;
   #vertices = 0;
@@ -46,7 +43,7 @@ export class Ribbons implements Pen {
   #width = 1;
   #height = 1;
   #ratio = 1;
-  // The arrays of the buffers, at hand for the inner loop.
+  // The buffers' arrays, as fields for the inner loop.
   #position!: Float32Array;
   #across!: Float32Array;
   #dash!: Float32Array;
@@ -99,7 +96,7 @@ export class Ribbons implements Pen {
     this.mesh.material.dispose();
   }
 
-  /** Two vertices on the mitre line of a point, half a width and the feather away from it. */
+  /** Adds two vertices on the mitre line of a point, half the width and the feather away. */
   #addPoint(run: Run, k: number, length: number, stroke: Stroke): void {
     const { count, closed, data } = run;
     const here = k % count;
@@ -180,7 +177,7 @@ function allocate(vertices: number): BufferGeometry {
   return roomFor(vertices, 3 * vertices, SIZES);
 }
 
-/** The unit normal of the piece from point i to point j; `sign` −1 when it is walked backwards. */
+/** Unit normal of the piece from point i to j; `sign` is −1 if the piece is reversed. */
 function normal(data: readonly number[], i: number, j: number, sign: number): [number, number] {
   const dx = at(data, 4 * j) - at(data, 4 * i);
   const dy = at(data, 4 * j + 1) - at(data, 4 * i + 1);

@@ -14,7 +14,7 @@ let count = 0;
 interface SceneElements {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  /** Lines in place of the canvas, where there is no WebGL. */
+  /** Lines in place of the canvas, if there is no WebGL. */
   readonly paths: SVGSVGElement;
   readonly overlay: SVGSVGElement;
   readonly handles: SVGSVGElement;

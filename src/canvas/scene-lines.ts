@@ -14,13 +14,10 @@ import { type Grid, tessellate } from './tessellation.ts';
 const SILHOUETTE = { ink: 'shape', width: 2, alpha: 0.95, dash: null } as const;
 const LIT_SHAPE = 1.5;
 const LIT_RAY = 1.35;
-/** Symbols of the shape's parameters; its own marks are added. */
+/** Symbols with which the shape's lines are highlighted, besides those of its own marks. */
 const SHAPE_SYMBOLS = new Set(['V', 'C', 'P', 'N', 'c', 'r', 'a', 'L', 'axis']);
 
-/**
- * The lines and walls of a model. What depends only on drawing and stage is kept while they are the
- * same objects.
- */
+/** The lines and walls of a model; cached while drawing and stage are the same objects. */
 export class SceneLines {
   grids: readonly Grid[] = [];
   #drawing: Drawing | null = null;
@@ -29,7 +26,7 @@ export class SceneLines {
   #outline: readonly Stroke[] = [];
   #ground: readonly Stroke[] = [];
 
-  /** Counts how often the patches were sampled. */
+  /** Number of times the patches were sampled. */
   version = 0;
 
   take(model: SceneModel): StageUnits {
@@ -70,7 +67,7 @@ export class SceneLines {
   }
 }
 
-/** What a step of the derivation draws: a line that has no place in the picture is left out. */
+/** The lines of a step of the walk; those outside of the picture are left out. */
 function figureStrokes({ figures = [] }: SceneModel, units: StageUnits): Stroke[] {
   return figures.flatMap(({ points, closed, ink }): Stroke[] => {
     const placed = points.map((point) => units.toStage(point));
@@ -80,7 +77,7 @@ function figureStrokes({ figures = [] }: SceneModel, units: StageUnits): Stroke[
   });
 }
 
-/** Rings stay thin: the outline carries the emphasis. */
+/** A thicker stroke; rings stay thin. */
 function thicker(stroke: Stroke): Stroke {
   return stroke.width > 1 ? { ...stroke, width: stroke.width * LIT_SHAPE } : stroke;
 }

@@ -1,12 +1,9 @@
 import { svgText } from '../ui/svg-text.ts';
 
-/** Pixels of the picture for one of the page's: sharp in print and on every screen. */
+/** px of the PNG per CSS px, for print. */
 export const PNG_SCALE = 2;
 
-/**
- * The scene as a PNG: `painted` (canvas or SVG of lines), the overlay over it, on the scene's
- * colour.
- */
+/** The scene as a PNG: background, `painted` (canvas or SVG of lines), and the overlay. */
 export async function scenePng(
   root: HTMLElement,
   painted: HTMLCanvasElement | SVGSVGElement,
@@ -20,7 +17,7 @@ export async function scenePng(
   context.fillStyle = getComputedStyle(root).backgroundColor;
   context.fillRect(0, 0, paper.width, paper.height);
   context.scale(PNG_SCALE, PNG_SCALE);
-  // WebGL forgets what it has drawn when this task ends: nothing is awaited before.
+  // The canvas is cleared at the end of this task, so nothing may be awaited before.
   if (painted instanceof HTMLCanvasElement) context.drawImage(painted, 0, 0, width, height);
   const marks = wordless(overlay);
   const words = wordsOf(overlay);
@@ -30,10 +27,7 @@ export async function scenePng(
   return new Promise((resolve) => paper.toBlob(resolve, 'image/png'));
 }
 
-/**
- * An SVG in an <img> does not see the page's fonts, so its words are left out and written by the
- * canvas, which does.
- */
+/** The SVG without words: in an <img> it has no access to the page's fonts; a canvas has. */
 function wordless(overlay: SVGSVGElement): string {
   overlay.classList.add('scene-wordless');
   try {
@@ -53,7 +47,7 @@ interface Word {
   readonly haloWidth: number;
 }
 
-/** Every piece of text where the page has placed it; a subscript is a piece of its own. */
+/** Every piece of text with its place; a subscript is a piece of its own. */
 function wordsOf(overlay: SVGSVGElement): Word[] {
   const words: Word[] = [];
   for (const element of overlay.querySelectorAll('text')) {
@@ -66,7 +60,7 @@ function wordsOf(overlay: SVGSVGElement): Word[] {
       const { x, y } = element.getStartPositionOfChar(index);
       index += text.length;
       const own = node instanceof Element ? getComputedStyle(node) : style;
-      // Not the shorthand: it is empty where it cannot tell everything (tabular figures).
+      // Not `font`, which is empty if it cannot express everything (tabular figures).
       const font = `${own.fontWeight} ${own.fontSize} ${own.fontFamily}`;
       const haloWidth = Number.parseFloat(style.strokeWidth);
       words.push({ text, x, y, font, fill: style.fill, halo: style.stroke, haloWidth });

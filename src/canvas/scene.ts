@@ -23,15 +23,15 @@ import { Viewpoint } from './viewpoint.ts';
 export { drawThumbnail } from './thumbnail.ts';
 
 interface MountedScene extends Mounted<SceneModel> {
-  /** What is seen, as a PNG; null before there is anything. */
+  /** The picture as a PNG; null before there is one. */
   picture(): Promise<Blob | null>;
 }
 
 const NO_WEBGL = 'This browser has no WebGL: drawn without shading.';
 
 /**
- * The 3D view. It draws when something changed and never else; `host.dataset.frames` counts the
- * frames. The state owns the camera: gestures ask for a view, and the next render brings it.
+ * The 3D view. It draws only after a change; `host.dataset.frames` counts the frames. The camera is
+ * part of the state: a gesture requests a view, which the next render shows.
  */
 export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene {
   const frame = createSceneElements(host, dispatch);
@@ -67,7 +67,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     viewpoint.aim(shown, units, frameNow(), now);
     const wasMoving = viewpoint.isMoving;
     projection = new Projection(viewpoint.pose(now), width, height);
-    // At the end of a move the labels may find their best places anew.
+    // After a camera transition labels choose their best places again.
     if (wasMoving && !viewpoint.isMoving) overlay.forget();
     const lit = highlighted();
     const strokes = sceneLines.strokes(shown, projection, lit);
@@ -140,7 +140,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     render(next) {
       model = next;
       frame.tell(next, painter === gl ? '' : NO_WEBGL);
-      // Not before the first frame: a view that came with the page is no move.
+      // The initial view is shown without a transition.
       if (frames > 0) viewpoint.aim(next, units(), frameNow(), performance.now());
       ask();
     },
@@ -152,7 +152,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
         painter === gl ? frame.canvas : frame.paths,
         frame.overlay,
       );
-      // Back to the screen's own resolution.
+      // Draws again at the screen's resolution.
       ask();
       return model && picture;
     },

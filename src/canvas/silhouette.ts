@@ -11,17 +11,16 @@ interface Chain {
 }
 
 /**
- * The silhouette of a patch: where its normal is at right angles to the line of sight, n · (p −
- * eye) = 0. That function of u and v is sampled on the grid, its zero set followed from cell to
- * cell (marching squares), and each crossing is put back on the true surface, so the line is smooth
- * and does not care how coarse the grid is.
+ * The silhouette of a patch: where n · (p − eye) = 0. That function of u and v is sampled on the
+ * grid, its zero set followed by marching squares, and each crossing is moved to the true surface,
+ * so that the line is smooth on a coarse grid.
  */
 export function silhouette(grid: Grid, projection: Projection, units: StageUnits): Chain[] {
   const facing = sample(grid, projection);
   const links = new Map<number, number[]>();
   const { columns, rows, patch } = grid;
   const across = columns + 1;
-  // Edges of the grid: 2k runs from sample k along u, 2k + 1 along v. In a closed patch the last
+  // Numbers of grid edges: 2k from sample k along u, 2k + 1 along v. In a closed patch the last
   // column is the first.
   const along = (i: number, j: number) => 2 * (j * across + i);
   const up = (i: number, j: number) =>
@@ -41,7 +40,7 @@ export function silhouette(grid: Grid, projection: Projection, units: StageUnits
       const crossed = [bottom, right, top, left].filter((edge) => edge >= 0);
       if (crossed.length === 2) link(links, crossed[0] as number, crossed[1] as number);
       if (crossed.length === 4) {
-        // A saddle: the sign in the middle says which corners belong together.
+        // At a saddle the sign in the middle decides which corners are connected.
         const corner = !differ(a, a + b + c + d);
         link(links, bottom, corner ? right : left);
         link(links, top, corner ? left : right);
@@ -78,7 +77,7 @@ function link(links: Map<number, number[]>, a: number, b: number): void {
   }
 }
 
-/** Takes the links apart into chains: first those with ends, then the loops. */
+/** Splits the links into chains: first those with ends, then the loops. */
 function follow(links: Map<number, number[]>): { edges: number[]; closed: boolean }[] {
   const chains: { edges: number[]; closed: boolean }[] = [];
   const seen = new Set<number>();

@@ -26,14 +26,14 @@ export interface Modifiers {
 export interface Snapped {
   readonly value: Value;
   readonly reason: string | null;
-  /** Key of the offer that it snapped to, for the next move; null if none. */
+  /** Key of the target that it snapped to, for the next move; null if none. */
   readonly held: string | null;
 }
 
 /** Largest distance in px between two snap positions of a number's handle. */
 const MAX_STEP_PX = 12;
 
-/** Where a drag that has come to (dx, dy) leaves the value: at what it snaps to, or on the grid. */
+/** The value of a drag at (dx, dy) px: a target that it snaps to, or a multiple of the grid. */
 export function snapDrag(
   handle: Handle,
   track: DragTrack,
@@ -60,17 +60,11 @@ export function snapDrag(
     : { value: plain, reason: null, held: null };
 }
 
-/**
- * A direction is taken for parallel to an axis only if it does not lead far out of the screen from
- * it.
- */
+/** Largest angle in degrees, out of the screen too, between d and an axis it snaps to. */
 const MAX_ANGLE_DEG = 30;
 
-/**
- * The axes through E that the dragged tip of d is near to on the screen, each with the length that
- * is seen there.
- */
-export function axisOffers(
+/** Targets on the axes through E near the dragged tip of d, with the length seen there. */
+export function axisTargets(
   handle: Handle,
   value: Value,
   tip: { readonly x: number; readonly y: number },

@@ -4,15 +4,12 @@ import type { Vec3 } from '../math/index.ts';
 /** A point in stage units: the stage's centre is 0 and its radius 1. */
 export type Point = [number, number, number];
 
-/**
- * Beyond this many stage radii a point is a direction, not a place: float32 and SVG would show
- * noise.
- */
+/** Largest distance of a drawn point in stage radii; beyond it float32 and SVG show noise. */
 const FAR = 1e5;
 
 /**
- * World → stage units, in doubles. GPUs and SVG attributes carry float32, so a world of size 1e-9
- * or 1e7 must be brought to size 1 before it leaves the CPU; afterwards all worlds look alike.
+ * World to stage units, in doubles. GPUs and SVG have float32, so a world of size 1e-9 or 1e7 is
+ * scaled to size 1 before.
  */
 export class StageUnits {
   readonly stage: Stage;
@@ -23,13 +20,13 @@ export class StageUnits {
     this.#perRadius = 1 / stage.radius;
   }
 
-  /** Null for what has no place in the picture: not finite, or gigantic. */
+  /** Null for a point that is not finite or too far away. */
   toStage(p: Vec3): Point | null {
     const c = this.stage.center;
     const x = (p[0] - c[0]) * this.#perRadius;
     const y = (p[1] - c[1]) * this.#perRadius;
     const z = (p[2] - c[2]) * this.#perRadius;
-    // One comparison also refuses NaN.
+    // The comparison is false for NaN.
     return Math.abs(x) + Math.abs(y) + Math.abs(z) < FAR ? [x, y, z] : null;
   }
 
@@ -38,17 +35,14 @@ export class StageUnits {
     return (this.stage.ground - this.stage.center[1]) * this.#perRadius;
   }
 
-  /** From the stage's centre towards p, of length 1, also where p itself has no place. */
+  /** Unit vector from the stage's centre to p, also if p is too far away; null for NaN and 0. */
   towards(p: Vec3): Point | null {
     const c = this.stage.center;
     return unit([p[0] - c[0], p[1] - c[1], p[2] - c[2]]);
   }
 }
 
-/**
- * v with length 1; null for zero and for what is not finite. Scaled first, so that no square over-
- * or underflows.
- */
+/** v / |v|; null if v is 0 or not finite. Scaled first, so that no square over- or underflows. */
 export function unit(v: Vec3): Point | null {
   const size = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   if (!(size > 0 && size < Infinity)) return null;

@@ -1,7 +1,7 @@
 import type { Projection } from './projection.ts';
 import type { Ink } from './theme.ts';
 
-/** Pixels drawn, then pixels left out. */
+/** Lengths in px of a dash and of a gap. */
 export type Dash = readonly [on: number, off: number];
 
 /** A line of the scene: points in stage units, a width in CSS pixels. */
@@ -18,8 +18,7 @@ export interface Stroke {
 }
 
 /**
- * The visible piece of a stroke, in pixels: x, y, depth, opacity of each point. Valid only until
- * the next one.
+ * A visible piece of a stroke: x, y in px, depth, opacity of each point. Reused for the next one.
  */
 export interface Run {
   readonly data: readonly number[];
@@ -27,17 +26,17 @@ export interface Run {
   readonly closed: boolean;
 }
 
-/** What a stroke is painted with: triangles on the GPU, or SVG paths where there is no WebGL. */
+/** Draws strokes: as triangles on the GPU, or as SVG paths without WebGL. */
 export interface Pen {
   draw(run: Run, stroke: Stroke): void;
 }
 
-/** Nearer than this, two points make no direction to turn a line's edge into. */
+/** Points nearer than this in px count as one, since their direction would be rounding noise. */
 const SAME_PIXELS = 0.02;
 
 const data: number[] = [];
 
-/** Projects a stroke and hands its visible pieces to the pen. `nearer` as in Projection.project. */
+/** Projects a stroke and draws its visible pieces. `nearer` as in Projection.project. */
 export function paint(stroke: Stroke, projection: Projection, pen: Pen, nearer = 0): void {
   const { points, fade } = stroke;
   const total = points.length / 3;
@@ -69,8 +68,7 @@ export function paint(stroke: Stroke, projection: Projection, pen: Pen, nearer =
     const w = projection.distance([x, y, z]);
     const isSeen = w >= projection.near;
     if (k > 0 && isSeen !== wasSeen) {
-      // Cut where the line passes the near plane; a hair in front of it, so that rounding cannot
-      // lose the point.
+      // Cut slightly in front of the near plane, so that rounding cannot put the point behind it.
       broken = true;
       const p = 3 * (k - 1);
       const [px, py, pz] = [at(points, p), at(points, p + 1), at(points, p + 2)];
@@ -94,7 +92,7 @@ export function straight(
   return { points: Float64Array.of(...from, ...to), fade: null, closed: false, ...style };
 }
 
-/** An element that is known to exist. */
+/** The element at an index that exists. */
 export function at(list: ArrayLike<number>, index: number): number {
   return list[index] as number;
 }

@@ -22,7 +22,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
 }`;
 
-// A thin wall of coloured glass: the more the eye grazes it, the more of it the eye looks through.
+// A thin wall of coloured glass, which is less transparent at grazing angles.
 const FRAGMENT = `
 precision highp float;
 uniform vec3 eye; uniform vec3 ink; uniform vec2 opacity;
@@ -30,7 +30,7 @@ in vec3 place; in vec3 up; in float rest; out vec4 result;
 void main() {
   float facing = abs(dot(normalize(up), normalize(eye - place)));
   float a = mix(opacity.x, opacity.y, pow(1.0 - min(facing, 1.0), 2.2)) * rest;
-  // Half a step of noise hides the steps of eight bits in the fading.
+  // Noise of half a level hides banding of 8-bit colours.
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   a += (noise - 0.5) / 160.0;
   result = vec4(ink * a, a);
@@ -38,10 +38,7 @@ void main() {
 
 const SIZES = { position: 3, normal: 3, fade: 1 } as const;
 
-/**
- * All patches of a drawing as one mesh, drawn twice: back walls, then front walls. Nothing writes
- * depth.
- */
+/** All patches as one mesh, drawn twice: back walls, then front walls; without writing depth. */
 export class Surface {
   readonly back = wall(BackSide);
   readonly front = wall(FrontSide);
@@ -56,7 +53,7 @@ export class Surface {
     let [first, used] = [0, 0];
     for (const grid of grids) {
       position?.array.set(grid.points, 3 * first);
-      // A vertex without a normal is in no triangle, but NaN shall not reach the GPU at all.
+      // NaN must not reach the GPU, also not at vertices that are in no triangle.
       normal?.array.set(
         grid.normals.map((x) => (Number.isNaN(x) ? 0 : x)),
         3 * first,

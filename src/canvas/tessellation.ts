@@ -8,18 +8,17 @@ import { type Point, type StageUnits, smoothstep, unit } from './stage-units.ts'
  */
 const AROUND = 96;
 const ACROSS = 24;
-/** Straight profiles still need steps along v, for the opacity that fades. */
+/** Least steps along v; straight profiles need them as well, for fading. */
 const LEAST_ALONG = 16;
 const MOST_ALONG = 72;
 
 /**
- * Over which part of v (or u) a surface fades towards an end that goes on, and what is left of it
- * there.
+ * Share of v (or u) in which a surface fades towards an end that goes on, and its opacity there.
  */
 const FADE_LENGTH = 0.72;
 const FADE_SIDES = 0.26;
 const FADE_REST = 0.06;
-/** Lines fade less and later: the outline shall be read to its end. */
+/** The same for lines, which fade less, so that the outline is visible to its end. */
 const LINE_FADE_LENGTH = 0.3;
 const LINE_FADE_REST = 0.55;
 
@@ -29,11 +28,13 @@ export interface Grid {
   readonly columns: number;
   readonly rows: number;
   readonly points: Float64Array;
-  /** Of length 1; NaN where the surface has no normal or no place, and then nothing is drawn. */
+  /**
+   * Unit normals; NaN at points without a normal or outside of the picture, which are not drawn.
+   */
   readonly normals: Float64Array;
   /** Factor on the surface's opacity. */
   readonly fade: Float64Array;
-  /** Do triangles wind so that the normal is on their front? */
+  /** Whether triangles wind so that the normal is on their front. */
   readonly outward: boolean;
 }
 
@@ -59,16 +60,13 @@ export function tessellate(patch: Patch, units: StageUnits): Grid {
   return { ...grid, outward: windsOutward(grid) };
 }
 
-/**
- * In a point where the gradient is zero (a cone's vertex) the normal is taken from just beside it,
- * on the same ruling.
- */
+/** The normal; where the gradient is zero (a cone's vertex) that of a point next to it. */
 function normalAt(patch: Patch, u: number, v: number, step: number): Point | null {
   const n = unit(patch.normal(u, v));
   return n ?? unit(patch.normal(u, v + (v < 0.5 ? step : -step) / 8));
 }
 
-/** A point exactly on the patch, between the samples; null where it has no place. */
+/** A point of the patch between the samples; null outside of the picture. */
 export function pointOn(patch: Patch, u: number, v: number, units: StageUnits): Point | null {
   return units.toStage(patch.at(u, v));
 }
@@ -94,7 +92,7 @@ function fadeOf(patch: Patch, u: number, v: number, length: number, sides: numbe
   return ends * towards(patch.sides, u, sides) * towards(patch.sides, 1 - u, sides);
 }
 
-/** Asked in the middle of the patch, where nothing is degenerate. */
+/** Decided at the middle of the patch, where it is not degenerate. */
 function windsOutward(grid: Omit<Grid, 'outward'>): boolean {
   const { columns, rows, points, normals } = grid;
   const k = Math.floor(rows / 2) * (columns + 1) + Math.floor(columns / 2);

@@ -1,17 +1,14 @@
-/**
- * The colours that lines and surfaces are drawn in; marks and labels take theirs from the same
- * custom properties by CSS.
- */
+/** Colours of lines and surfaces; CSS uses the same custom properties for marks and labels. */
 export type Ink = 'shape' | 'd' | 'hit' | 'normal' | 'ink3' | 'edge';
 
 type Rgb = readonly [number, number, number];
 
-/** What the GPU needs to know of src/ui/tokens.css. */
+/** Values of src/ui/tokens.css for the GPU. */
 export interface Theme {
   readonly inks: Readonly<Record<Ink, Rgb>>;
-  /** The ground that everything is painted on. */
+  /** Background colour. */
   readonly scene: Rgb;
-  /** Surface opacity facing the eye, and at the silhouette. */
+  /** Opacity of surfaces facing the eye, and at the silhouette. */
   readonly back: { readonly base: number; readonly rim: number };
   readonly front: { readonly base: number; readonly rim: number };
   /** Factor on every line and mark. */

@@ -14,19 +14,19 @@ import { at } from './stroke.ts';
 import type { Grid } from './tessellation.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
-/** Of one of the gallery's pictures. */
+/** Size of a picture in the gallery. */
 const SMALL: Size = { width: 200, height: 116, scale: 0.55 };
 /** Part of the frame that is left free around what has to be seen from above. */
 const MARGIN = 0.2;
 const NEAREST = 6;
-/** From so many times farther away than other views: walls seen from above hardly lean then. */
+/** Factor on the distance of the view from above, so that vertical walls hardly lean. */
 const FARTHER = 16;
 const SHOWN: readonly MarkKind[] = ['E', 'first', 'other', 'rejected', 'end'];
-/** Of the samples around a patch each fourth is enough at this size. */
+/** Every fourth sample around a patch is drawn. */
 const COARSE = 4;
 
 interface Size {
-  /** In CSS pixels. */
+  /** Size in CSS px. */
   readonly width: number;
   readonly height: number;
   /** Factor on lines and marks. */
@@ -34,20 +34,20 @@ interface Size {
 }
 
 /**
- * A small still picture without words. Its colours are custom properties, so it follows the theme.
+ * Draws a small picture without words. Its colours are custom properties, so it follows the theme.
  */
 export function drawThumbnail(host: HTMLElement, model: SceneModel): void {
   draw(host, model, SMALL, (units) => framedPose(model, units, SMALL));
 }
 
-/** The same from above, near enough for these points to fill the frame. */
+/** Draws a small picture from above, in which these points fill the frame. */
 export function drawAbove(
   host: HTMLElement,
   model: SceneModel,
   { width, height, scale }: Size,
   points: readonly Vec3[],
 ): void {
-  // A frame that is so many times larger, of which the middle is shown.
+  // The middle of a frame that is `FARTHER` times larger.
   const large = { width: FARTHER * width, height: FARTHER * height, scale };
   const { svg } = draw(host, { ...model, view: 'top' }, large, (units, project) => {
     const pose = { ...poseOf('top', model.ray, units), zoom: 1 / FARTHER };
@@ -116,7 +116,7 @@ function draw(
   const shown = marks.filter(({ kind }) => SHOWN.includes(kind));
   drawMarks(
     new Layer(svg, 'scene-mark-layer'),
-    // Other names: what looks for a mark of the scene shall not find this one.
+    // Keys of their own and no symbols, so that they are not taken for marks of the scene.
     shown.map((mark) => ({ ...mark, key: `small ${mark.key}`, symbols: [] })),
     scale,
     null,
@@ -125,10 +125,7 @@ function draw(
   return { svg, units, projection, rays: strokes.ray };
 }
 
-/**
- * All cells of a patch as one path, each turned the same way round, so that together they fill what
- * the patch covers, once.
- */
+/** All cells of a patch as one path with the same orientation, so that it fills the patch once. */
 function silhouettes({ columns, rows, points }: Grid, projection: Projection): string {
   const across = columns + 1;
   const spots = (k: number) =>

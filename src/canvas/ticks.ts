@@ -8,17 +8,16 @@ import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
 import type { StageUnits } from './stage-units.ts';
 
-/** Half a tick's length, and how far below the ray its number stands, in pixels at scale 1. */
+/** Half the length of a tick, and the distance of its number below the ray, in px at scale 1. */
 const HALF = 6;
 const BELOW = 18;
 const FONT = 12.5;
 /**
- * So near to a root, to E or to the tip of d, or to the bead, in steps of the ticks, there is no
- * number: their labels stand there.
+ * Distance in tick steps from roots, E, the tip of d, and the bead within which no number is put.
  */
 const NEAR_ROOT = 0.6;
 const NEAR_BEAD = 0.25;
-/** Digits of a number on the ray: as many as tell it from its neighbours. */
+/** Least digits of a number; more if neighbouring ones would be the same. */
 const LEAST_DIGITS = 4;
 const MOST_DIGITS = 12;
 
@@ -28,7 +27,7 @@ interface Ticks {
   readonly numbers: readonly { readonly label: string; readonly box: Box }[];
 }
 
-/** Small strokes across the ray at round t, with numbers where there is room for them. */
+/** Ticks across the ray at round t, with numbers if there is room. */
 export function ticksOn(
   model: SceneModel,
   units: StageUnits,
@@ -49,7 +48,7 @@ export function ticksOn(
     if (!spot || !course || !isInside(spot, projection)) continue;
     const [nx, ny] = course[0] >= 0 ? [-course[1], course[0]] : [course[1], -course[0]];
     const half = HALF * scale;
-    // The one at t = 1 is the tip of d.
+    // No tick at t = 1, the tip of d.
     if (t !== 1) {
       const [x, y] = [half * nx, half * ny];
       strokes += `M${pair(spot.x - x, spot.y - y)}L${pair(spot.x + x, spot.y + y)}`;

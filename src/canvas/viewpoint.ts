@@ -10,9 +10,8 @@ import type { StageUnits } from './stage-units.ts';
 const FIRST: FreeView = { azimuth: 16, elevation: 14, zoom: 1 };
 
 /**
- * Where the camera stands, and which part of the world it frames: as the model has it, but held
- * still while something is dragged. A picture that made room for what is dragged out of it would
- * run away from the pointer.
+ * The camera and the stage: those of the model, but fixed during a drag, since a stage that grows
+ * with the dragged point would move away from the pointer.
  */
 export class Viewpoint {
   readonly #transition = new CameraTransition();
@@ -23,16 +22,13 @@ export class Viewpoint {
     return this.#transition.isMoving;
   }
 
-  /** The model in the part of the world that is shown. */
+  /** The model with the stage that is shown. */
   framed(model: SceneModel): SceneModel {
     const stage = this.#held?.stage ?? model.stage;
     return stage === model.stage ? model : { ...model, stage };
   }
 
-  /**
-   * Points the camera at the model's view: on the way there when the view itself has changed, at
-   * once when only the scene has.
-   */
+  /** Moves the camera to the model's view: by a transition if the view changed, else at once. */
   aim(model: SceneModel, units: StageUnits, frame: Frame, now: number): void {
     const { view } = model;
     const isAsked = this.#view !== null && !sameView(this.#view, view);
@@ -46,10 +42,7 @@ export class Viewpoint {
     return this.#transition.pose(now);
   }
 
-  /**
-   * Where a gesture starts: the view that was asked for last, even if it is not painted yet; where
-   * its zoom was left open, where the camera is.
-   */
+  /** The view at the start of a gesture: the last one requested, with the zoom that was chosen. */
   current(model: SceneModel | null): FreeView {
     const view = model?.view;
     if (view && typeof view !== 'string' && view.zoom !== null) return view;
@@ -61,7 +54,7 @@ export class Viewpoint {
     if (pose) this.#held ??= { stage, pose };
   }
 
-  /** Goes on to where the model wants the camera, from where it was held. */
+  /** Ends a drag: moves the camera from where it was fixed to the model's view. */
   release(model: SceneModel, units: StageUnits, frame: Frame, now: number): void {
     if (!this.#held) return;
     const from = restaged(this.#held.pose, this.#held.stage, model.stage);
@@ -73,13 +66,10 @@ export class Viewpoint {
   }
 }
 
-/** Stages that differ by more have nothing in common that a move of the camera could show. */
+/** Largest ratio of two stages' radii between which the camera is moved. */
 const APART = 1e4;
 
-/**
- * The same camera in the units of another stage; null where there it would stand in one point with
- * what it looks at, or nowhere.
- */
+/** The same camera in units of another stage; null if its distance would be 0 or not finite. */
 export function restaged(
   { target, azimuth, elevation, zoom }: Pose,
   from: Stage,

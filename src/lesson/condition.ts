@@ -47,7 +47,7 @@ function readCondition(text: string): Condition {
   return { type: 'number', quantity, relation, than: parsed.value };
 }
 
-/** Against 0 the exact sign counts, not that of a rounding. */
+/** Whether a condition holds; comparisons with 0 use the exact sign. */
 function holdsNow(condition: Condition, model: ExploreModel): boolean {
   if (condition.type === 'class') return model.found.class === condition.name;
   const { quantity, relation, than } = condition;

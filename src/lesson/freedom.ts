@@ -10,11 +10,11 @@ import {
 import type { Action, ParamValue } from '../state/actions.ts';
 import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../state/state.ts';
 
-/** One number that a step lets be moved, as its slider needs it. */
+/** A number that a step lets be moved, with what its slider needs. */
 export interface Freedom {
   /** 'r', 'E.x' */
   readonly name: string;
-  /** The letter, whose colour it has. */
+  /** The parameter's letter, which has its colour. */
   readonly symbol: string;
   readonly title: string;
   readonly range: readonly [number, number];
@@ -25,7 +25,7 @@ export interface Freedom {
   allows(value: number, state: AppState): boolean;
 }
 
-/** What `free: r`, `free: E.x` or `free: E` lets be moved; null where there is no such. */
+/** The numbers of `free: r`, `free: E.x` or `free: E`; null if there is no such parameter. */
 export function freedomOf(text: string, state: AppState): readonly Freedom[] | null {
   const [letter = '', axis] = text.split('.');
   const own = findShape(state.kind)?.params.find(({ symbol }) => symbol === letter);

@@ -20,23 +20,23 @@ export const CLASS_WORDS: Readonly<Partial<Record<Verdict, string>>> = {
 
 const wordsOf = (verdict: string): string => CLASS_WORDS[verdict as Verdict] ?? verdict;
 
-/** What is to be said of a guess. */
+/** The judgement on a guess. */
 interface JudgedGuess {
   /** "Your guess 0.8: too small by 0.2" */
   readonly words: string;
-  /** Known mistakes that give what was guessed. */
+  /** Misconceptions that give the guessed value. */
   readonly causes: readonly Misconception[];
 }
 
-/** What is known where a guess is judged. */
+/** What a guess is judged by. */
 export interface Seen {
-  /** Of Explore; null on other pages. */
+  /** Explore's model; null on other pages. */
   readonly model: ExploreModel | null;
-  /** The value that the page shows; null where there is none, or none yet. */
+  /** The value that the page shows; null if there is none, or none yet. */
   value(quantity: string): number | string | null;
 }
 
-/** The quantity as Check asks for it; null where Check does not. */
+/** Check's field for the quantity; null if Check does not ask for it. */
 function fieldOf(guess: Guess, model: ExploreModel | null): Field | null {
   if (guess.type !== 'quantity' || !model) return null;
   return ownFields(inputOf(model)).find(({ id }) => id === guess.quantity) ?? null;
@@ -44,7 +44,7 @@ function fieldOf(guess: Guess, model: ExploreModel | null): Field | null {
 
 const inputOf = ({ shape, ray }: ExploreModel): Input => ({ shape, ray });
 
-/** Why a text is no guess, in words that quote it; null where it is one. */
+/** Why a text is no valid guess, quoting it; null if it is one. */
 export function whyNoGuess(text: string, guess: Guess, model: ExploreModel | null): string | null {
   if (guess.type === 'class') return null;
   const field = fieldOf(guess, model);
@@ -52,7 +52,7 @@ export function whyNoGuess(text: string, guess: Guess, model: ExploreModel | nul
   return read.ok ? null : read.reason;
 }
 
-/** A number that Check asks for is marked by its rules; any other one by the digits shown. */
+/** Judges a guess: by Check's rules if it has such a field, else by the digits shown. */
 export function judgeGuess(guess: Guess, given: string, seen: Seen): JudgedGuess {
   const field = fieldOf(guess, seen.model);
   if (field && seen.model) return judgedByCheck(field, given, seen.model);
@@ -81,12 +81,12 @@ const ofClass = (given: string, truth: number | string | null): string => {
   return given === truth ? `${said}: right` : `${said}: it is ${wordsOf(truth)}`;
 };
 
-/** How far a guess was off and which way. */
+/** Words on the error of a guess and its direction. */
 function ofNumber(given: string, truth: number | string | null): string {
   const parsed = parseNumber(given);
   if (!parsed.ok || typeof truth !== 'number') return `Your guess: ${given}`;
   const off = parsed.value - truth;
-  // Six digits are what the page shows, so whoever gives them is right.
+  // The page shows six digits, so a guess with these is right.
   if (off === 0 || display(parsed.value) === display(truth)) {
     return `Your guess ${display(parsed.value)}: right`;
   }

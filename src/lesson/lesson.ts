@@ -1,8 +1,8 @@
 import type { Prose } from './prose.ts';
 
-/** What a student is to say before it is shown. */
+/** What a student guesses before the answer is shown. */
 export type Guess =
-  /** A value of the number that is free: at `truth` something happens, as the text asks. */
+  /** A value of the free number; the right one is `truth`. */
   | { readonly type: 'free'; readonly truth: number }
   /** A number that the page shows. */
   | { readonly type: 'quantity'; readonly quantity: string }
@@ -13,12 +13,12 @@ export interface Step {
   readonly title: string;
   /** A link of any page of Graze. */
   readonly link: string;
-  /** The part of the link's page that is shown alone; null for all of it. */
+  /** The part of the page that is shown alone; null for the whole page. */
   readonly part: string | null;
   /** The only number that can be moved, 'r' or 'E.x', or a whole vector; null for none. */
   readonly free: string | null;
   readonly guess: Guess | null;
-  /** The results are hidden until they are asked for. */
+  /** Whether results are hidden at first. */
   readonly hide: boolean;
   readonly text: Prose;
   readonly question: Prose;
@@ -28,7 +28,7 @@ export interface Step {
   readonly source: string;
 }
 
-/** A text with steps: each shows a state of Graze and says what to see in it. */
+/** A text with steps, each of which shows a state of Graze. */
 export interface Lesson {
   readonly id: string;
   readonly title: string;
@@ -37,10 +37,10 @@ export interface Lesson {
   readonly steps: readonly Step[];
 }
 
-/** The id of a lesson that is a person's own and not one of Graze's. */
+/** The id of an own lesson. */
 export const OWN = 'own';
 
-/** From 1, whatever a link says. */
+/** The step of a link's text, from 1, within the lesson. */
 export function stepAt({ steps }: Lesson, text: string | undefined): number {
   const number = Math.trunc(Number(text ?? '1'));
   return Number.isFinite(number) ? Math.min(Math.max(number, 1), Math.max(steps.length, 1)) : 1;

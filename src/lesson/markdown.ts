@@ -6,13 +6,13 @@ import { formulaParts } from './formula-text.ts';
 import type { Block, Inline, Prose } from './prose.ts';
 import { isQuantity } from './quantities.ts';
 
-/** Text of a heading's level with what stands below it, up to the next one. */
+/** A heading with the tokens below it, up to the next heading of its level. */
 export interface Section {
   readonly title: string;
   readonly tokens: readonly Token[];
 }
 
-/** Tokens of a text, cut at headings of a level; what stands before the first one has no title. */
+/** Tokens split at headings of a level; a part before the first heading has no title. */
 export function sectionsOf(tokens: readonly Token[], depth: number): Section[] {
   const sections: { title: string; tokens: Token[] }[] = [{ title: '', tokens: [] }];
   for (const token of tokens) {
@@ -23,7 +23,7 @@ export function sectionsOf(tokens: readonly Token[], depth: number): Section[] {
   return sections;
 }
 
-// An own instance: options that others give to the package's one do not count here.
+// An instance of its own, independent of options of the package's global one.
 const marked = new Marked({ gfm: true });
 
 export const tokensOf = (text: string): Token[] => marked.lexer(text);
@@ -37,8 +37,9 @@ export const sourceOf = (tokens: readonly Token[]): string =>
 type Fault = (words: string) => void;
 
 /**
- * Tokens as the parts that a lesson may have. HTML is text like any other, pictures are their words
- * alone: nothing of a file gets into the page but as text.
+ * Tokens as the parts that a lesson may have. HTML is taken as text and of a picture only its
+ * words,
+ * so that a file reaches the page only as text.
  */
 export function proseOf(tokens: readonly Token[], fault: Fault): Prose {
   return tokens.flatMap((token) => blockOf(token, fault));
@@ -72,7 +73,7 @@ function paragraphOf(all: readonly Inline[], fault: Fault): Block {
   return { type: 'paragraph', inside, when };
 }
 
-/** "{when D > 0} Two roots …": the words after it are shown while that is so. */
+/** Reads "{when D > 0} Two roots …": words that are shown while the condition holds. */
 function conditionalOf(
   all: readonly Inline[],
   fault: Fault,
@@ -117,7 +118,7 @@ function inlineOf(tokens: readonly Token[], fault: Fault): Inline[] {
   });
 }
 
-/** Into Graze, or out of it by a safe scheme; anything else stays text. */
+/** A link into Graze, or elsewhere by a safe scheme; any other becomes text. */
 function linkOf({ href, tokens }: Tokens.Link, fault: Fault): Inline {
   const inside = inlineOf(tokens, fault);
   if (/^(#\/|https?:\/\/)/i.test(href)) return { type: 'link', href, inside };
@@ -131,7 +132,7 @@ function htmlOf(raw: string, fault: Fault): Inline[] {
   return [{ type: 'claims', claims: claims.filter(Boolean) }];
 }
 
-/** Text with its live numbers: {t1}. A brace that names nothing is text. */
+/** Text with its live numbers, {t1}. Braces without a quantity are text. */
 function livesOf(text: string, fault: Fault): Inline[] {
   if (/^\{when [^}]*\}/.test(text)) {
     const end = text.indexOf('}') + 1;

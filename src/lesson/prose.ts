@@ -19,10 +19,10 @@ export type Inline =
   | { readonly type: 'formula'; readonly parts: readonly FormulaPart[] }
   | { readonly type: 'live'; readonly quantity: string }
   | { readonly type: 'break' }
-  /** What makes the words before it true: not shown, for tests. */
+  /** Claims that make the words before true; for tests, not shown. */
   | { readonly type: 'claims'; readonly claims: readonly string[] };
 
-/** Something is shown while all its conditions hold; without any, always. */
+/** Shown while all its conditions hold; always without any. */
 interface Shown {
   readonly when: readonly Condition[];
 }
@@ -37,13 +37,13 @@ export type Block = Shown &
         readonly items: readonly (readonly Inline[])[];
       }
     | { readonly type: 'code'; readonly text: string }
-    /** Where the slider of the step stands. */
+    /** Place of the step's slider. */
     | { readonly type: 'slider' }
   );
 
 export type Prose = readonly Block[];
 
-/** Every inline part of a text, those inside of others too. */
+/** All inline parts of a text, also nested ones. */
 export function inlinesOf(prose: Prose): Inline[] {
   const within = (parts: readonly Inline[]): Inline[] =>
     parts.flatMap((part) => ('inside' in part ? [part, ...within(part.inside)] : [part]));
@@ -54,7 +54,7 @@ export function inlinesOf(prose: Prose): Inline[] {
   });
 }
 
-/** The letters that a text speaks of, in its formulas and live numbers. */
+/** The letters in the formulas and live numbers of a text. */
 export function lettersIn(prose: Prose): ReadonlySet<string> {
   const inFormulas = inlinesOf(prose).flatMap((part) =>
     part.type !== 'formula'

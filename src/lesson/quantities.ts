@@ -14,8 +14,8 @@ const NAME = /^(?:[\w-]+\.)?[A-Za-z]\w*(?:[. ][A-Za-z]\w*|\.\([^)]*\))?$/;
 export const isQuantity = (name: string): boolean => NAME.test(name);
 
 /**
- * The value of a quantity on Explore; null where it does not exist, as t2 of a tangent. "class" is
- * a word, "name" what the shape is with these numbers.
+ * The value of a quantity on Explore; null if it does not exist, as t2 of a tangent. "class" and
+ * "name" (the shape's name for these parameters) are words.
  */
 export function quantityOf(model: ExploreModel, name: string): number | string | null {
   const { found, title, derivation } = model;
@@ -26,11 +26,11 @@ export function quantityOf(model: ExploreModel, name: string): number | string |
   return hitNumber(model, name) ?? rayNumber(model, name) ?? shapeNumber(model, name);
 }
 
-/** Whether Explore can show it, there where it exists: a tangent has no t2. */
+/** Whether Explore has such a quantity for this shape, though perhaps not for this ray. */
 export const isQuantityOf = (model: ExploreModel, name: string): boolean =>
   /^(t[12]|[PN][12]\.[xyz])$/.test(name) || quantityOf(model, name) !== null;
 
-/** The exact sign of a coefficient; null for what has none. */
+/** The exact sign of a coefficient; null for other quantities. */
 export function signOf({ found }: ExploreModel, name: string): number | null {
   const { details } = found;
   if (details.family !== 'curved') return null;

@@ -17,23 +17,23 @@ import { isQuantity, isQuantityOf } from './quantities.ts';
 
 export interface ReadLesson {
   readonly lesson: Lesson;
-  /** What was not understood, each with its step. */
+  /** Messages on what could not be read, with the step. */
   readonly problems: readonly string[];
 }
 
-/** No lesson is this long; a file that is, is none. */
+/** Most characters of a lesson; a longer file is refused. */
 export const LONGEST_LESSON = 100_000;
 const MOST_STEPS = 200;
 const LONGEST_TITLE = 200;
-/** So many are said of one lesson. */
+/** Most messages on one lesson. */
 const MOST_PROBLEMS = 12;
 const FRONT = /^\s*---[ \t]*\r?\n([\s\S]*?)\r?\n---[ \t]*(?:\r?\n|$)/;
 const KEYS = ['link', 'part', 'free', 'guess', 'hide'];
 
-/** Whether a file that was opened looks like a lesson: it begins with front matter. */
+/** Whether a text looks like a lesson: it begins with front matter. */
 export const isLesson = (text: string): boolean => FRONT.test(text);
 
-/** Reads any text: what is not understood is left out and said. */
+/** Reads any text; what cannot be read is left out, with a message. */
 export function readLesson(text: string, id: string): ReadLesson {
   const problems: string[] = [];
   const all = text.slice(0, LONGEST_LESSON).replace(/\r\n?/g, '\n');
@@ -91,7 +91,7 @@ function stepOf(section: Section, fault: Fault): Step {
     part: shownPart(keys.get('part'), link, fault),
     free,
     guess: guessOf(keys.get('guess'), free, fault),
-    // A link with hidden results brings them hidden.
+    // A link with hidden results counts as `hide`.
     hide: hide === 'yes' || decode(link).revealed !== null,
     text: proseOf(given ? rest : (body?.tokens ?? []), fault),
     question: part('question'),
@@ -103,7 +103,7 @@ function stepOf(section: Section, fault: Fault): Step {
   return step;
 }
 
-/** Live numbers that Explore does not show; what other pages show is known only there. */
+/** Live numbers that Explore does not have; those of other pages cannot be checked here. */
 function unknownIn({ link, text, question, answer, notes }: Step): string[] {
   const state = decode(link);
   const names = quantitiesIn([...text, ...question, ...answer, ...notes]);
@@ -112,7 +112,7 @@ function unknownIn({ link, text, question, answer, notes }: Step): string[] {
   return names.filter((name) => name !== 'slider' && !isQuantityOf(model, name));
 }
 
-/** "key: value", one a line. */
+/** A line "key: value". */
 const PAIR = /^([a-z]+):[ \t]*(.*)$/;
 const isPairs = (text: string): boolean =>
   text
@@ -128,7 +128,7 @@ function pairsOf(text: string): Map<string, string> {
   return new Map(pairs);
 }
 
-/** From the hash on: a whole address may be pasted. */
+/** The link from its hash on, since a whole address may be given. */
 function linkOf(text: string | undefined, fault: Fault): string {
   const hash = text?.match(/#\/.*$/)?.[0];
   if (!hash) {
@@ -160,7 +160,7 @@ function freeOf(text: string | undefined, link: string, fault: Fault): string | 
   return null;
 }
 
-/** "t1", "class", or the value of what is free: "r = 1". */
+/** Reads a guess: "t1", "class", or the value of the free number, "r = 1". */
 function guessOf(text: string | undefined, free: string | null, fault: Fault): Guess | null {
   if (!text) return null;
   if (/^([\w-]+\.)?class$/.test(text)) return { type: 'class', quantity: text };

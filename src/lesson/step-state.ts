@@ -4,12 +4,11 @@ import { decode, encode } from '../state/url.ts';
 import type { Step } from './lesson.ts';
 
 /*
- * A step shows a state of its own: the step's link, with what has been moved since. The lesson's
- * link carries the second as pairs beside its own keys, so that it restores what is shown:
- * #/lesson/d-decides?step=3&r=1.25
+ * The state that a step shows: that of the step's link with later changes. The lesson's link has
+ * the changes as pairs beside its own keys: #/lesson/d-decides?step=3&r=1.25
  */
 
-/** Keys of a lesson's own; every other one belongs to what the step shows. */
+/** Keys of the lesson itself; all others belong to the state that the step shows. */
 export const LESSON_KEYS = ['id', 'step', 'guess', 'shown', 'file'] as const;
 const isOwn = (key: string): boolean => LESSON_KEYS.some((one) => one === key);
 
@@ -26,10 +25,10 @@ function pairsOf(hash: string): Pairs {
   );
 }
 
-/** Whether results are hidden is the step's own affair. */
+/** The link of a state without whether results are hidden, which is kept apart. */
 const linkOf = (state: AppState): string => encode({ ...state, revealed: null });
 
-/** What the settings add to the step's link: an empty text takes a key back to its default. */
+/** The step's link with the settings' changes; an empty text resets a key to its default. */
 function hashOf({ link }: Step, settings: Settings): string {
   const base = decode(link);
   const pairs = new Map(pairsOf(linkOf(base)));
@@ -47,17 +46,17 @@ export function innerState(step: Step, settings: Settings): AppState {
   return { ...state, revealed: isHidden(step, settings) ? 0 : null };
 }
 
-/** Whether a question is open: nobody has answered it or asked for the answer. */
+/** Whether a question is open: neither answered nor its answer shown. */
 export const isAsked = ({ guess }: Step, settings: Settings): boolean =>
   guess !== null && settings.guess === undefined && settings.shown === undefined;
 
-/** The results are hidden while they are what is asked for, or until somebody wants to see them. */
+/** Whether results are hidden: while they are asked for, or until they are revealed. */
 export function isHidden(step: Step, settings: Settings): boolean {
   if (step.guess !== null && step.guess.type !== 'free') return isAsked(step, settings);
   return step.hide && settings.shown === undefined;
 }
 
-/** The settings that stand for a state: what differs from the step's own, and null for the rest. */
+/** The settings for a state: its differences from the step's, and null for all other keys. */
 export function changesOf(step: Step, state: AppState, settings: Settings): Changes {
   const base = pairsOf(linkOf(decode(step.link)));
   const now = pairsOf(linkOf(state));
@@ -71,7 +70,7 @@ export function changesOf(step: Step, state: AppState, settings: Settings): Chan
   return Object.fromEntries(changes);
 }
 
-/** Another step: what was moved and said in the present one is left. */
+/** Goes to another step and drops the changes and the guess of the present one. */
 export function toStep(number: number): (now: Settings) => Changes {
   return (now) => ({
     ...Object.fromEntries(

@@ -6,7 +6,7 @@ import noSquare from './no-square.md?raw';
 import normal from './normal.md?raw';
 import ray from './ray.md?raw';
 
-/** The lessons that come with Graze, in the order of the list: each a file, by its id. */
+/** Texts of the lessons that come with Graze, by id, in the order of the list. */
 const TEXTS: Readonly<Record<string, string>> = {
   ray,
   discriminant,
@@ -20,7 +20,7 @@ const known = new Map<string, ReadLesson>();
 
 export const LESSON_IDS: readonly string[] = Object.keys(TEXTS);
 
-/** The text of a lesson that comes with Graze; null where there is none of that id. */
+/** The text of the lesson with this id; null if there is none. */
 const lessonText = (id: string): string | null =>
   Object.hasOwn(TEXTS, id) ? (TEXTS[id] ?? null) : null;
 
