@@ -45,7 +45,7 @@ let secondView: ExploreTools['secondView'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 let player: Player | null = null;
-let travel: ((model: FullModel) => FullModel) | null = null;
+let motion: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
@@ -141,7 +141,7 @@ function loadTheRest(): void {
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
-      travel = code.createTravel(main, requestRender);
+      motion = code.createMotion(main, requestRender, store.dispatch, announce);
       code.printsOnPaper(() => (store.get().page === 'explore' ? modelNow() : null));
       // With the gallery loaded, the link's example is known: this is not announced as a change.
       model = null;
@@ -200,7 +200,7 @@ function renderExplore(state: AppState): void {
     const words = announcement?.(before, model);
     if (words) announce(words);
   }
-  explore?.render(travel && isFull(model) ? travel(model) : model, {
+  explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
     story,
     secondView,

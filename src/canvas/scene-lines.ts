@@ -8,10 +8,12 @@ import type { Projection } from './projection.ts';
 import { rayStrokes, shadowStrokes } from './ray.ts';
 import { silhouette } from './silhouette.ts';
 import { StageUnits } from './stage-units.ts';
-import type { Stroke } from './stroke.ts';
+import type { Dash, Stroke } from './stroke.ts';
 import { type Grid, tessellate } from './tessellation.ts';
 
 const SILHOUETTE = { ink: 'shape', width: 2, alpha: 0.95, dash: null } as const;
+const FIGURE = { width: 2.6, alpha: 1, dash: null } as const;
+const TRAIL = { width: 2.6, alpha: 0.8, dash: [2, 4] as Dash } as const;
 const LIT_SHAPE = 1.5;
 const LIT_RAY = 1.35;
 /** Symbols with which the shape's lines are highlighted, besides those of its own marks. */
@@ -73,7 +75,8 @@ function figureStrokes({ figures = [] }: SceneModel, units: StageUnits): Stroke[
     const placed = points.map((point) => units.toStage(point));
     if (placed.includes(null)) return [];
     const flat = Float64Array.from(placed.flatMap((point) => point ?? []));
-    return [{ points: flat, fade: null, closed, ink, width: 2.6, alpha: 1, dash: null }];
+    const look = ink === 'hit' ? TRAIL : FIGURE;
+    return [{ points: flat, fade: null, closed, ink, ...look }];
   });
 }
 

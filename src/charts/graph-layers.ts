@@ -61,6 +61,29 @@ export function ghost(model: GraphModel, scales: Scales, id: string): TemplateRe
   )}`;
 }
 
+/** Of the plot's height, for the whole way of a number that played. */
+const WAY = 0.55;
+
+/**
+ * The roots at other values of a number, larger ones above, through those of the present one on the
+ * axis; and f where the class changes.
+ */
+export function trail(model: GraphModel, scales: Scales, id: string): TemplateResult {
+  if (!model.trail) return svg``;
+  const { frame, x } = scales;
+  const { left, right, top, bottom } = frame;
+  const zero = clamp(scales.y(0), top, bottom);
+  const dots = model.trail.roots
+    .map(({ t, above }) => [x(t), zero - above * WAY * (bottom - top)] as const)
+    .filter(([px, py]) => px >= left && px <= right && py >= top && py <= bottom)
+    .map(([px, py]) => `M${coordinate(px)},${coordinate(py)}h0`);
+  const curves = model.trail.curves.flatMap((f) => parabolaOf({ ...model, ...f, roots: [] }) ?? []);
+  return svg`${curves.map(
+    (kept) => svg`<path class="graph-turn" clip-path="url(#${id}-plot)"
+      d=${curvePath(kept, frame)}></path>`,
+  )}<path class="graph-trail" d=${dots.join('')}></path>`;
+}
+
 /** The region where f < 0, and the graph. */
 export function area(parabola: Parabola, { frame }: Scales, id: string): TemplateResult {
   return svg`<path class="graph-area" clip-path="url(#${id}-below)"

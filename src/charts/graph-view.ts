@@ -4,7 +4,7 @@ import { bead, readout } from './graph-bead.ts';
 import { type Parabola, parabolaOf } from './graph-curve.ts';
 import { type Frame, frameOf, type Metrics } from './graph-frame.ts';
 import { definitions, grid } from './graph-grid.ts';
-import { area, curve, ghost, rayAxis, words } from './graph-layers.ts';
+import { area, curve, ghost, rayAxis, trail, words } from './graph-layers.ts';
 import { mark } from './graph-mark.ts';
 import { roots } from './graph-roots.ts';
 import { type Scales, scalesOf } from './graph-scales.ts';
@@ -83,7 +83,7 @@ function layers(
   const shown = model.concealed ? { ...scales, fTicks: [] } : scales;
   return svg`${definitions(scales, id)}${grid(shown, id)}
     ${parabola ? area(parabola, scales, id) : ''}${rayAxis(model, scales)}
-    ${ghost(model, scales, id)}
+    ${ghost(model, scales, id)}${trail(model, scales, id)}
     ${parabola ? curve(parabola, scales, id) : ''}
     ${model.square || model.mark?.gap ? '' : words(model, scales)}
     ${square(model, scales)}${roots(model, scales)}

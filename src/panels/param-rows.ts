@@ -87,6 +87,7 @@ function vectorRow(
         ></graze-slider>
       </span>`;
     })}
+    ${AXES.map((axis) => html`<graze-play label=${`${letter}.${axis}`}></graze-play>`)}
     ${resetButton(letter, equal(current, initial), reset)}
   </div>`;
 }
@@ -122,6 +123,7 @@ function numberCell(
         .symbol=${letter}
       ></graze-slider>
     </span>
+    <graze-play label=${letter}></graze-play>
     ${resetButton(letter, current === initial, reset)}
   </div>`;
 }

@@ -16,6 +16,8 @@ import { type HitWords, hitWords, type VerdictWords, verdictWords } from './word
 /** Everything that the Explore page shows, computed from the state and nothing else. */
 export interface ExploreModel {
   readonly state: AppState;
+  /** Drawn on the way to another state, and brought about by nobody. */
+  readonly passing?: true;
   readonly shape: Shape;
   readonly title: string;
   readonly meaning: string;

@@ -37,6 +37,14 @@ export interface GraphModel {
   } | null;
   /** Where the first hit was expected, at the bead; absent and null where that is not asked. */
   readonly mark?: MarkModel | null;
+  /**
+   * The roots at other values of a number that played: `above` is how much larger the value is than
+   * the present one, in parts of its way. And f where the class changes.
+   */
+  readonly trail?: {
+    readonly roots: readonly { readonly t: number; readonly above: number }[];
+    readonly curves: readonly { readonly A: number; readonly B: number; readonly C: number }[];
+  };
   /** f vanishes everywhere: the ray lies in the surface. */
   readonly contained: boolean;
   /** The results are hidden, to be predicted: nothing is shown but the ray's t with the mark. */

@@ -42,8 +42,11 @@ export interface Pictures {
   readonly verdict: VerdictWords;
 }
 
-/** What scene and graph show, with a memory of its own. */
-export function createPictures(): (given: Found) => Pictures {
+/**
+ * What scene and graph show, with a memory of its own. `fixed`: the part of the world to show,
+ * null for what the ray calls for.
+ */
+export function createPictures(fixed: () => Stage | null = () => null): (given: Found) => Pictures {
   const graphFor = remember(graphOf);
   // While the hits are hidden the stage must not depend on them: it would give their places away.
   const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
@@ -68,7 +71,7 @@ export function createPictures(): (given: Found) => Pictures {
   );
   return ({ state, shape, title, ray, found, exactly, shown, ghost, verdict: words }) => {
     const graph = graphFor(found, shape, ray, state.bead, ghost?.found ?? null);
-    const s = stage(shape, ray, shown ? found : null);
+    const s = fixed() ?? stage(shape, ray, shown ? found : null);
     const picture = drawing(shape, s);
     const held = handles(shape, state.E, state.d, state.unit, ray, picture);
     const near = nearly(shape, ray, exactly, held, state);

@@ -32,11 +32,11 @@ export interface HitMark {
   readonly drawn: boolean;
 }
 
-/** A line or a closed polygon, in world coordinates. */
+/** A line or a closed polygon, in world coordinates; dotted where it is a trail of hits. */
 export interface FigureLine {
   readonly points: readonly Vec3[];
   readonly closed: boolean;
-  readonly ink: 'shape' | 'ink3';
+  readonly ink: 'shape' | 'ink3' | 'hit';
 }
 
 export interface GhostModel {
@@ -82,7 +82,7 @@ export interface SceneModel {
   readonly hits: readonly HitMark[];
   /** A ray that was kept to compare with, and where it hit; drawn faintly. */
   readonly ghost: GhostModel | null;
-  /** What a step of the derivation draws into the scene. */
+  /** What a step of the derivation draws into the scene, and where the hits of a slider were. */
   readonly figures?: readonly FigureLine[];
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
   /** The bead is a prediction; absent and null where none was asked for. */

@@ -72,6 +72,18 @@ function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): 
   return near.length > 0 ? 1.2 * Math.min(...near) : HAND.radius;
 }
 
+/** A stage with room for what others about the same centre show. */
+export function stageOver(own: Stage, others: readonly Stage[]): Stage {
+  const radius = Math.max(own.radius, ...others.map((other) => other.radius));
+  return {
+    center: own.center,
+    radius,
+    ground: own.center[1] + LOW * radius,
+    low: Math.min(own.low, ...others.map(({ low }) => low)),
+    high: Math.max(own.high, ...others.map(({ high }) => high)),
+  };
+}
+
 function withHeights(center: Vec3, radius: number, points: readonly Vec3[]): Stage {
   const y = center[1];
   const heights = points.map((p) => p[1]);

@@ -41,7 +41,7 @@ export function sceneAt(model: FullModel, step: string): SceneModel {
     },
     { points: [foot, point], closed: false, ink: 'ink3' },
   ];
-  return { ...scene, figures };
+  return { ...scene, figures: [...(scene.figures ?? []), ...figures] };
 }
 
 type Closest = NonNullable<ReturnType<typeof closestApproach>>;

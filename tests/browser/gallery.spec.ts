@@ -2,8 +2,8 @@ import { intersect, METHODS } from '../../src/math/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
-import { typeInto } from './support/controls.ts';
-import { NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import { expectInLink, typeInto } from './support/controls.ts';
+import { hashOf, NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
 import { frames, framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
@@ -116,6 +116,45 @@ test.describe('without the picture', () => {
     await page.keyboard.press('PageUp');
     await frames(page, 2);
     expect((await quantities(page)).class).toBe('none');
+  });
+
+  test('a slider plays; what stops it keeps what is seen; with less motion its trail', async ({
+    page,
+  }) => {
+    await open(page, '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,1,1&d=-1,0,0');
+    const play = page.getByRole('button', { name: 'Play r', exact: true });
+    const playing = page.locator('main[data-playing]');
+    const trail = page.locator('.graph-trail');
+    const r = async (): Promise<number> => Number((await quantities(page)).r);
+    const link = await hashOf(page);
+    await play.click();
+    await playing.waitFor({ state: 'attached' });
+    await expect(play).toHaveAttribute('aria-pressed', 'true');
+    await expect.poll(r).toBeLessThan(1.45);
+    expect(await hashOf(page)).toBe(link);
+    await page.keyboard.press('Shift');
+    await expect(playing).toHaveCount(0);
+    await framesDone(page);
+    const stopped = await r();
+    expect(stopped).toBeLessThan(1.45);
+    await expectInLink(page, { r: String(stopped) });
+    await expect(trail).toHaveAttribute('d', /^M/);
+    await page.keyboard.press('Control+z');
+    await framesDone(page);
+    expect(await r()).toBe(1.5);
+    await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute(
+      'aria-disabled',
+      'true',
+    );
+    await expect(trail).toHaveCount(0);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await play.press('Enter');
+    await framesDone(page);
+    expect(await r()).toBe(1.5);
+    await expect(trail).toHaveAttribute('d', /^M/);
+    await play.press('Enter');
+    await expect(trail).toHaveCount(0);
+    expect(await hashOf(page)).toBe(link);
   });
 
   test('the answer comes by its key and by its button, and goes again', async ({ page }) => {

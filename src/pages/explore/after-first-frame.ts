@@ -6,10 +6,10 @@ import { late } from '../../ui/late.ts';
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
+export { createMotion } from './motion.ts';
 export { createPlayer } from './player.ts';
 export { createSecondView } from './second-view.ts';
 export { story } from './story.ts';
-export { createTravel } from './travel.ts';
 
 export const NOT_KEPT =
   'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +

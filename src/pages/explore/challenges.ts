@@ -63,7 +63,7 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
     const { found, shape, state } = model;
     const curved = found.details.family === 'curved';
     const on = curved && state.revealed === null && !done.has(NO_MORE);
-    for (const { id, asks, met } of on ? open(shape) : []) {
+    for (const { id, asks, met } of on && !model.passing ? open(shape) : []) {
       const now = met(found, shape);
       if (now === null) continue;
       keep(id);

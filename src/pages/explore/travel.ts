@@ -41,7 +41,7 @@ export function createTravel(
     host.toggleAttribute('data-moving', way !== null);
     if (!way) return model;
     changed();
-    return { ...derive(shown), example: model.example };
+    return { ...derive(shown), example: model.example, passing: true };
   };
 }
 

@@ -1,0 +1,20 @@
+import type { Dispatch } from '../../state/actions.ts';
+import type { FullModel } from '../../state/derive.ts';
+import { createSweep } from './sweep.ts';
+import { createTravel } from './travel.ts';
+
+/** What Explore draws of a model: itself, or what is on its way, from an example or by play. */
+export function createMotion(
+  host: HTMLElement,
+  changed: () => void,
+  dispatch: Dispatch,
+  announce: (words: string) => void,
+): (model: FullModel) => FullModel {
+  const travel = createTravel(host, changed);
+  const sweep = createSweep(host, changed, dispatch, announce);
+  return (model) => {
+    const way = travel(model);
+    const played = sweep(model);
+    return played === model ? way : played;
+  };
+}

@@ -1,0 +1,312 @@
+import { intersect, type Shape, type Vec3 } from '../math/index.ts';
+import {
+  AXES,
+  type Axis,
+  checkParam,
+  definitionOf,
+  type NumberParam,
+  nextDown,
+  nextUp,
+  type Param,
+  type VectorParam,
+  withComponent,
+} from '../math/shapes.ts';
+import { display } from '../text/format.ts';
+import type { Action } from './actions.ts';
+import { type AppState, paramValue, RAY_PARAMS, rayOf, shapeOf } from './state.ts';
+
+/*
+ * One number goes there and back, through the places where the class changes: E.x, c, r. What is
+ * shown on the way is a state like any other; the state itself stays where it is.
+ */
+
+/** A value at which the certified class, or the sign of A or N·d, changes. */
+interface Boundary {
+  /** One with a root, where doubles have both. */
+  readonly value: number;
+  /** What is 0 there, and whether it is that at `value` itself. */
+  readonly what: string;
+  readonly isExact: boolean;
+}
+
+export interface Sample {
+  readonly value: number;
+  readonly key: string;
+  readonly zero: string | null;
+  readonly hits: readonly { readonly t: number; readonly point: Vec3 }[];
+  /** f in t. */
+  readonly f: readonly [A: number, B: number, C: number];
+}
+
+/** The way of one number. */
+export interface Sweep {
+  /** 'E.x', 'c'. */
+  readonly label: string;
+  /** Where the number is, and the ends of its way. */
+  readonly home: number;
+  readonly low: number;
+  readonly high: number;
+  readonly boundaries: readonly Boundary[];
+  /** The way in words: "c from 0.2 to 1.3: A = 0 at c ≈ 0.9". */
+  readonly text: string;
+  /** Ascending in their values. */
+  readonly samples: readonly Sample[];
+}
+
+/** Samples of a trail. */
+const SAMPLES = 120;
+/** Part of a slider's step that a number moves by while it plays. */
+const FINE = 10;
+/** Beyond a boundary: this part of the way there, and steps of the slider at least. */
+const BEYOND = { share: 0.4, steps: 4 };
+/** A boundary so many times farther off than the one on the other side is another story. */
+const FARTHER = 4;
+/** From one end of the way to the other, and a rest at each boundary. */
+const [WAY_MS, REST_MS] = [3200, 600];
+/** Halvings until two doubles are neighbours. */
+const HALVINGS = 1100;
+
+interface Place {
+  readonly param: NumberParam | VectorParam;
+  readonly index: number | null;
+  /** E, d, or a key of the shape. */
+  readonly owner: 'E' | 'd' | null;
+}
+
+function placeOf(state: AppState, label: string): Place | null {
+  const [symbol, axis] = label.split('.');
+  const owner = symbol === 'E' || symbol === 'd' ? symbol : null;
+  const params: readonly Param[] = owner
+    ? [RAY_PARAMS[owner]]
+    : definitionOf(shapeOf(state)).params;
+  const param = params.find((one) => one.symbol === symbol);
+  const index = axis === undefined ? null : AXES.indexOf(axis as Axis);
+  if (
+    !param ||
+    param.type === 'axis' ||
+    (index === null) !== (param.type === 'number') ||
+    index === -1
+  )
+    return null;
+  return { param, index, owner };
+}
+
+const valueIn = (state: AppState, { param, index, owner }: Place): number => {
+  const value = owner ? state[owner] : paramValue(shapeOf(state), param.key);
+  return index === null ? (value as number) : ((value as Vec3)[index] ?? 0);
+};
+
+/** The state with another value of one number; null where that is not allowed. */
+export function withNumber(state: AppState, label: string, value: number): AppState | null {
+  const place = placeOf(state, label);
+  if (!place) return null;
+  const { param, index, owner } = place;
+  const shape = shapeOf(state);
+  const before = owner ? state[owner] : paramValue(shape, param.key);
+  const next = index === null ? value : withComponent(before as Vec3, index, value);
+  try {
+    checkParam(param, next);
+  } catch {
+    return null;
+  }
+  const typed = {};
+  if (owner) return { ...state, [owner]: next, typed };
+  const changed = { ...shape, [param.key]: next } as Shape;
+  return { ...state, shapes: { ...state.shapes, [shape.kind]: changed }, typed };
+}
+
+/** What makes a number of the state this value. */
+export function toNumber(state: AppState, label: string, value: number): Action | null {
+  const place = placeOf(state, label);
+  if (!place) return null;
+  const { param, index, owner } = place;
+  const edit = (now: unknown) =>
+    index === null ? value : withComponent(now as Vec3, index, value);
+  if (owner === 'E') return { type: 'origin', value: edit as (now: Vec3) => Vec3 };
+  if (owner === 'd') return { type: 'direction', value: edit as (now: Vec3) => Vec3 };
+  return { type: 'param', key: param.key, value: edit };
+}
+
+function sampleOf(state: AppState, value: number): Sample {
+  const { class: verdict, hits, details } = intersect(shapeOf(state), rayOf(state));
+  if (details.family === 'flat') {
+    const { signs, rate, offset } = details;
+    const zero = signs.rate === 0 ? 'N·d = 0' : null;
+    return { value, key: `${verdict} ${signs.rate}`, zero, hits, f: [0, rate, offset] };
+  }
+  const { signs, A, B, C } = details;
+  const zero = signs.A === 0 ? 'A = 0' : signs.D === 0 ? 'D = 0' : null;
+  return { value, key: `${verdict} ${signs.A}`, zero, hits, f: [A, B, C] };
+}
+
+/**
+ * The way of a number from where it is, through the nearest change of class on each side, and back;
+ * a part of its slider where there is no such change. Null for what is no number of the state, or
+ * has no way.
+ */
+export function sweepOf(state: AppState, label: string): Sweep | null {
+  const place = placeOf(state, label);
+  if (!place) return null;
+  const { step, range } = place.param;
+  const home = valueIn(state, place);
+  const at = (value: number): Sample | null => {
+    const there = withNumber(state, label, value);
+    return there && sampleOf(there, value);
+  };
+  const [least, most] = rangeAround(home, range);
+  const inSteps = multiples(least, most, step).filter((value) => value !== home);
+  const scanned = sorted([...inSteps, least, home, most]).flatMap((value) => at(value) ?? []);
+  const found = scanned.slice(1).flatMap((to, i) => changeBetween(scanned[i] as Sample, to, at));
+  const boundaries = found.map(({ boundary }) => boundary).filter(isFirst);
+  const [low, high] = endsOf(home, step, [least, most], boundaries);
+  const grid = multiples(low, high, Math.max((high - low) / SAMPLES, step / FINE));
+  const values = sorted([
+    ...[low, home, high, ...grid.map((value) => onGrid(value, step / FINE))],
+    ...found.flatMap(({ beside }) => beside),
+  ]).filter((value) => value >= low && value <= high);
+  if (!(high > low) || values.length < 3) return null;
+  const seen = boundaries.filter(({ value }) => value >= low && value <= high);
+  const samples = values.flatMap((value) => at(value) ?? []);
+  return { label, home, low, high, boundaries: seen, text: words(label, low, high, seen), samples };
+}
+
+/** The slider's range; about the number itself where that is beyond it. */
+function rangeAround(home: number, [least, most]: readonly [number, number]): [number, number] {
+  if (home >= least && home <= most) return [least, most];
+  const half = (most - least) / 2;
+  return [home - half, home + half];
+}
+
+const multiples = (from: number, to: number, step: number): number[] => {
+  const count = Math.floor((to - from) / step + 1e-9);
+  return Array.from({ length: Math.max(count, 0) + 1 }, (_, i) => onGrid(from + i * step, step));
+};
+
+/** A short number, as a slider's are. */
+const onGrid = (value: number, step: number): number =>
+  Number((Math.round(value / step) * step).toPrecision(12)) + 0;
+
+const sorted = (values: readonly number[]): number[] => [...new Set(values)].sort((a, b) => a - b);
+
+const isFirst = ({ value }: Boundary, i: number, all: readonly Boundary[]): boolean =>
+  all.findIndex((one) => one.value === value) === i;
+
+/** Where the case changes between two values, to the last bit, and the doubles on both sides. */
+function changeBetween(
+  from: Sample,
+  to: Sample,
+  at: (value: number) => Sample | null,
+): { boundary: Boundary; beside: number[] }[] {
+  if (from.key === to.key) return [];
+  let [low, high] = [from, to];
+  // Most often it changes at a value of the slider itself, or at 0.
+  const first = [nextUp(from.value), nextDown(to.value), from.value < 0 && to.value > 0 ? 0 : null];
+  for (let i = 0; i < HALVINGS; i++) {
+    const middle = first[i] ?? low.value + (high.value - low.value) / 2;
+    const isBetween = middle > low.value && middle < high.value;
+    if (!isBetween && first[i] === undefined) break;
+    const sample = isBetween ? at(middle) : null;
+    if (!sample) {
+      if (isBetween) break;
+      continue;
+    }
+    if (sample.key === low.key) low = sample;
+    else high = sample;
+    if (sample.zero && sample.key !== from.key && sample.key !== to.key) break;
+  }
+  const exact = [low, high].find(({ zero }) => zero !== null);
+  const nearest = exact ?? (low.hits.length > high.hits.length ? low : high);
+  const boundary = { value: nearest.value, what: whatIn(low, high), isExact: exact !== undefined };
+  return [{ boundary, beside: [low.value, high.value] }];
+}
+
+/** A figure's rim or edge is where nothing is 0 on the way from a hit to none. */
+function whatIn(low: Sample, high: Sample): string {
+  const zero = low.zero ?? high.zero;
+  if (zero) return zero;
+  const [a, b] = [low.key.split(' '), high.key.split(' ')];
+  const isFlat = low.f[0] === 0 && high.f[0] === 0;
+  if (a[1] !== b[1]) return isFlat ? 'N·d = 0' : 'A = 0';
+  return isFlat ? 'the edge' : 'D = 0';
+}
+
+function endsOf(
+  home: number,
+  step: number,
+  [least, most]: readonly [number, number],
+  boundaries: readonly Boundary[],
+): [number, number] {
+  const values = boundaries.map(({ value }) => value);
+  const isAt = values.includes(home);
+  const away = (value: number | undefined): number =>
+    value === undefined ? Number.POSITIVE_INFINITY : Math.abs(value - home);
+  const [below, above] = [values.findLast((x) => x < home), values.find((x) => x > home)];
+  const nearest = Math.min(away(below), away(above));
+  if (nearest === Number.POSITIVE_INFINITY && !isAt) {
+    const quarter = (most - least) / 4;
+    return [Math.max(least, home - quarter), Math.min(most, home + quarter)];
+  }
+  const reach = (value: number | undefined): number => {
+    const far = away(value);
+    const isNear = value !== undefined && far <= FARTHER * nearest;
+    const rest = isAt ? BEYOND.steps * step : 0;
+    return isNear ? far + Math.max(BEYOND.share * far, BEYOND.steps * step) : rest;
+  };
+  const fine = (value: number): number => onGrid(value, step / FINE);
+  return [
+    Math.max(least, reach(below) ? fine(home - reach(below)) : home),
+    Math.min(most, reach(above) ? fine(home + reach(above)) : home),
+  ];
+}
+
+function words(label: string, low: number, high: number, all: readonly Boundary[]): string {
+  const at = all.map(
+    ({ what, value, isExact }) => `${what} at ${label} ${isExact ? '=' : '≈'} ${display(value)}`,
+  );
+  const way = `${label} from ${display(low)} to ${display(high)}`;
+  return at.length > 0 ? `${way}: ${at.join(', ')}` : way;
+}
+
+/** On the way, in short numbers, but at its ends and at the boundaries exactly. */
+export function playedAt(
+  { home, low, high, boundaries }: Sweep,
+  value: number,
+  step: number,
+): number {
+  const isKept = value === home || boundaries.some((one) => one.value === value);
+  return isKept ? value : Math.min(Math.max(onGrid(value, step / FINE), low), high);
+}
+
+/**
+ * The value at each moment: up, down, and back to where it was, evenly, with a rest at each
+ * boundary; null when it is back.
+ */
+export function valueAt(
+  { home, low, high, boundaries }: Pick<Sweep, 'home' | 'low' | 'high' | 'boundaries'>,
+  elapsed: number,
+): number | null {
+  const speed = (high - low) / WAY_MS;
+  const stops = boundaries.map(({ value }) => value);
+  let left = elapsed;
+  let at = home;
+  for (const to of [high, low, home]) {
+    const up = to > at;
+    const between = stops
+      .filter((stop) => (up ? stop > at && stop < to : stop < at && stop > to))
+      .sort((a, b) => (up ? a - b : b - a));
+    for (const next of [...between, to]) {
+      const way = Math.abs(next - at) / speed;
+      if (left < way) return at + (up ? 1 : -1) * left * speed;
+      left -= way;
+      at = next;
+      const rest = next === to ? 0 : REST_MS;
+      if (left < rest) return at;
+      left -= rest;
+    }
+  }
+  return null;
+}
+
+/** The slider's step of a number. */
+export const stepOfNumber = (state: AppState, label: string): number =>
+  placeOf(state, label)?.param.step ?? 1;
