@@ -89,3 +89,24 @@ describe.each(DOORS)('%s', (door) => {
     await runExample(exampleOf(name), names);
   });
 });
+
+describe('the stages of certified', () => {
+  /** A line of exported constants under another one shares its docstring: slots, bounds. */
+  const isInGroup = (line: string): boolean => /^export const \w+ = .*;$/.test(line);
+
+  test.each(filesIn('src/math/methods/certified/').filter((path) => path.endsWith('.ts')))(
+    '%s: each export has a docstring, or is one of a group that has',
+    (path) => {
+      const lines = read(path)
+        .replace(/^\/\*\*[\s\S]*?\*\/$/gm, '/** */')
+        .split('\n');
+      const bare = lines.filter(
+        (line, i) =>
+          /^export (?!\{|\*)/.test(line) &&
+          lines[i - 1] !== '/** */' &&
+          !isInGroup(lines[i - 1] ?? ''),
+      );
+      expect(bare).toEqual([]);
+    },
+  );
+});

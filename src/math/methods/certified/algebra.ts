@@ -40,6 +40,7 @@ import { UU } from './numbers.ts';
  * in A, b and C, and these 2^202 times in D (dy was let grow beyond any bound: tests/repro). What
  * is then divided is above 2^-968, where products are split without loss.
  */
+/** Bounds of the table: of A in Am, b in bm, C in Cm, D/4 in AmCm; then absolute ones. */
 export const ERROR_A = 15 * UU;
 export const ERROR_B = 24 * UU;
 export const ERROR_C = 38 * UU;
@@ -56,8 +57,12 @@ export const LARGE = 2 ** 200;
  * (tests/repro).
  */
 export type Algebra = Float64Array;
+/** An `Algebra` of zeros. */
 export const createAlgebra = (): Algebra => new Float64Array(21);
 
+/**
+ * Indices into `Algebra`; `…_LOW` is the lower half of the number before, OFF a bound on |error|.
+ */
 export const AT_A = 0;
 export const AT_A_LOW = 1;
 export const AT_B = 2;
@@ -236,6 +241,7 @@ export function putAlgebra(q: Quadric, { origin: E, direction: d }: Ray, algebra
  *                                         a = c² by py², both < 2^200
  */
 const TERMS = 38;
+/** Bounds of the table: in Cm, in |C|, and an absolute one. */
 export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;
 export const ERROR_LEVELS = 9 * UU;
 export const SMALLEST_C = 2 ** -870;
@@ -315,7 +321,9 @@ function addScaled(levels: Levels, p: number, e: number, a: number, aLow: number
  * on. Each stage has its own, as with Algebra.
  */
 export type Roots = Float64Array;
+/** A `Roots` of zeros. */
 export const createRoots = (): Roots => new Float64Array(6);
+/** Indices into `Roots`: where the near and the far root begin. */
 export const NEAR = 0;
 export const FAR = 3;
 /** From NEAR or FAR: what the root is more than its double, and how far both may be off. */
@@ -333,6 +341,7 @@ export const ROOT_OFF = 2;
  *
  * So zeros, tangents and ties are decided here, and not by whole numbers of any length.
  */
+/** x + ON_GRID − ON_GRID is x rounded to a multiple of 2^-8. */
 export const ON_GRID = 1.5 * 2 ** 44;
 const LONGEST = 2 ** 8;
 
@@ -389,9 +398,10 @@ export function shortVerdict(algebra: Algebra): number {
   return D1 < 0 ? NONE : TWO;
 }
 
-/** The single root is n/m exactly, rounded once. */
+/** Numerator of the single root of class `verdict`, ONE or TANGENT; exact after putShort. */
 export const topOf = (algebra: Algebra, verdict: number): number =>
   verdict === ONE ? -(algebra[AT_C] as number) : -(algebra[AT_B] as number);
+/** Denominator of that root. */
 export const bottomOf = (algebra: Algebra, verdict: number): number =>
   verdict === ONE ? 2 * (algebra[AT_B] as number) : (algebra[AT_A] as number);
 

@@ -28,6 +28,7 @@ import { AT_SCALED, BOX, type CertifiedQuadric, inSlots, type OpenRays } from '.
  * Underflow: inside the box (|d|₁ from 2^-100 to 2^100, |p|₁ and r and k up to 2^100) a lost
  * product is ≤ 2^-1074, and at most 2^600 multiplies it; SMALLEST_D is far above.
  */
+/** Bounds of the table: in MS, S² and ρAm, and an absolute one for underflow. */
 export const MOMENT_ERROR = 16 * 2 ** -53;
 export const SQUARE_ERROR = 5 * 2 ** -106;
 export const RHO_ERROR = 12 * 2 ** -53;
@@ -64,6 +65,7 @@ export const DIRECT_ERROR = 27 * 2 ** -53;
  * above SMALLEST_DIRECT / 2 LARGEST = 2^-823, so that what A lost, 2^-874, is within the 4u that
  * its own DIRECT_ERROR is too large by (and more).
  */
+/** Absolute bound of the direct form, for underflow. */
 export const SMALLEST_DIRECT = 2 ** -422;
 /** Am + Cm below this: squares of the box's numbers, six of them and a. */
 export const LARGEST = BOX ** 4;

@@ -60,6 +60,7 @@ import { type CertifiedSlot, FAITHFUL, UU } from './numbers.ts';
 /** No verdict. */
 export const UNKNOWN = -1;
 
+/** Bounds of the table: of q in |q|, and of a quotient in |t|. */
 export const ROUNDED_Q = 10 * UU;
 export const QUOTIENT = 30 * UU;
 
@@ -74,6 +75,7 @@ export interface Work {
   readonly formed: Algebra;
   readonly solved: Roots;
 }
+/** A `Work` of zeros. */
 export const createWork = (): Work => ({ formed: createAlgebra(), solved: createRoots() });
 const work = createWork();
 

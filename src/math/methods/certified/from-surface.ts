@@ -46,22 +46,33 @@ import {
  *      Σp2² − ρ3          2^-104  ≤ 2^-47.3       exact
  *
  * with P = Σ|p|. The first four are added up with what each sum loses: the upper one's grid is the
- * coarser (Dekker). All that is rounded is in the lower half Cl, |Cl| ≤ 2u|C| + 2^-48 P + 2^-47.3.
- * In u·2^-50 P, for P ≥ 32: products p·p3 with 2(5 + 2)·2 along y (6 across), their sums 8, with
- * the squares 4.5, with what the sums lost 4.5; p3² is left out, 2^-97.4: 2; and the remainder of
- * near has Cl added to it, 9. Together 56: |δC| ≤ OFF_C·P.
+ * coarser (Dekker). All that is rounded is in the lower half Cl, |Cl| ≤ 2u|C| + 2^-48 P + 2^-47.3:
  *
- * d is cut as in grids.ts, S = |dx| + |dz| + |k1·dy| and h = 2^-26, A as there: 37uh S². And
- *   b = Σ xh·p0           exact: (2^26 + 4) by 2^23
- *     + Σ xh·(p1 + p2)    ≤ 1.63 S                products and sums 8u; p3 left out: 2^-49
- *     + Σ xl·p            ≤ 3h·2^23 S             xl 8uh, p and the product 2u·3h each: 2u
- *   so |δb| ≤ 26u S. OFF_B and OFF_A are these with some room; where they pass, |A| and |b| are so
- *   large that what their sums lose is found exactly, and with |b| ≤ S·P, P is 32 at least.
+ *   |δC| in u·2^-50 P     bound           reason, for P ≥ 32
+ *   products p·p3         28              2(5 + 2)·2 of |p| along y, 6 across
+ *   their sums            8
+ *   + squares             4.5
+ *   + what the sums lost  4.5
+ *   p3²                   2               left out: 2^-97.4
+ *   near's remainder      9               Cl is added to it
+ *   C in all              56              |δC| ≤ OFF_C·P
  *
- * q is off by that of b and OWN: the next term of η is 7ε⁵/256 < 2^-60, and half of it counts; ε is
- * off by 20u of itself, where A, b and C pass the tests: 2^-61.7; remainders 2^-75. far and near
- * have one remainder each, of 26 by 26 bits and exact, and are rounded once: faithful by
- * FAITHFUL_ONCE. The tests have the sums.
+ * d is cut as in grids.ts, S = |dx| + |dz| + |k1·dy| and h = 2^-26:
+ *
+ *   quantity              size            error, and its reason
+ *   A                     S²              37uh S², as in grids.ts
+ *   b: Σ xh·p0            ≤ 2^23 S        exact: (2^26 + 4) by 2^23
+ *      Σ xh·(p1 + p2)     ≤ 1.63 S        products and sums 8u; p3 left out: 2^-49
+ *      Σ xl·p             ≤ 3h·2^23 S     xl 8uh, p and the product 2u·3h each: 2u
+ *      in all                             26u S
+ *   η                                     next term 7ε⁵/256 < 2^-60, half of it counts; ε off by
+ *                                         20u of itself, if A, b and C pass the tests: 2^-61.7
+ *   q = −b − b(1 − η)                     that of b, η's, remainders 2^-75: OWN
+ *   far, near                             one remainder each, of 26 by 26 bits, exact; rounded
+ *                                         once: faithful by FAITHFUL_ONCE
+ *
+ * OFF_A and OFF_B have some room. Where they pass, |A| and |b| are so large that what their sums
+ * lose is found exactly, and with |b| ≤ S·P, P is 32 at least. The tests have the sums.
  */
 const SPLIT_BITS = 25;
 const MID = 2 ** -SPLIT_BITS;
@@ -74,12 +85,15 @@ const LARGEST_S = 2 ** 60;
 /** d is cut to 26 bits of S. */
 const CUT_D = 2 ** 27;
 
+/** Largest |AC|/b² that this stage takes. */
 export const CLOSE = 2 ** -11;
 /** Of S². */
 export const OFF_A = 10 * 2 ** -77;
 /** Of S and P, times a unit. */
 export const OFF_B = 28 * 2 ** -53;
+/** Bound on |δC| in units: of P. */
 export const OFF_C = 2 ** -97;
+/** Bound on q's own relative error. */
 export const OWN = 2 ** -60;
 
 /** What the loops take before they begin. */
@@ -102,6 +116,7 @@ export const { at: AT_SURFACE_BOUND, doubles: SURFACE_BOUNDS } = inSlots({
  */
 export type SurfaceNumbers = Float64Array;
 
+/** Indices into `SurfaceNumbers`. */
 export const AT_SURFACE = {
   cut0: 0,
   cut1: 1,
@@ -135,6 +150,7 @@ export const AT_SURFACE = {
   offB: 29,
   offC: 30,
 } as const;
+/** Length of `SurfaceNumbers`. */
 export const SURFACE_COUNT = 31;
 
 /** Made when they are first asked for: few rays need them. Only of a shape that has a lattice. */

@@ -8,6 +8,7 @@ import { createFound, type Found, findRoots, T0, T1 } from './quadric-kernel.ts'
 /** What the passes of this file hand to each other, and where in it each number is. */
 export type Grid = Float64Array;
 
+/** A `Grid` of zeros. */
 export const createGrid = (): Grid => new Float64Array(33);
 
 /** A, b = B/2, C and D/4, rounded, and what b and D/4 are more than that. */
@@ -80,9 +81,12 @@ export const GRID_CUT_T = 32;
  * sorted without a comparison (Fast2Sum): where a number passes the test of gridQuadric, it is
  * 2^-20 of its bound's scale at least, and the second summand below 2^-23 of that.
  */
+/** Bound of the table, 48uh, for A, b, C and D/4. */
 export const ERROR = 12 * 2 ** -77;
+/** (x + CUT·S) − CUT·S cuts x to the grid of S. */
 export const CUT = 2 ** 27;
 
+/** Puts A, b, C, D/4 and their bounds for a ray into the grid; `numbers` by AT_SCALED. */
 export type CoefficientsPass = (numbers: Float64Array, ray: Ray) => void;
 
 /**
@@ -227,7 +231,9 @@ export function coefficientsPass(grid: Grid): CoefficientsPass {
  * which is more than is promised of its direction: one that is exactly zero would come out as
  * something like 1e-23, and the next scale of the same ray might say otherwise.
  */
+/** Bound of the table, 24uh, on a point in L. */
 export const POINT = 6 * 2 ** -77;
+/** What cuts t and E to their grids, in T and L. */
 export const CUT_TIME = 2 ** 27;
 export const CUT_ORIGIN = 2 ** 2;
 
@@ -289,6 +295,7 @@ export function rootsPass(grid: Grid, found: Found): RootsPass {
   };
 }
 
+/** The pass that makes a hit of a root, after `rootsPass`. */
 export function placePass(grid: Grid, found: Found): PlacePass {
   const NUMBER = AT_SCALED;
   const SURE = FAITHFUL_ONCE;
@@ -380,6 +387,7 @@ const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 
 type Answer = (q: Quadric, c: CertifiedQuadric, ray: Ray) => Intersection | null;
 
+/** The answer for one ray and a curved shape, by grids; null if a bound is not met. */
 export const gridQuadric = onGrids();
 
 function onGrids(): Answer {

@@ -37,7 +37,9 @@ import { FAITHFUL, U, UU } from './numbers.ts';
  */
 /** Of the normal's longest component: its direction is promised within 2^-50. */
 const STRAIGHT = 2 ** -52;
+/** Absolute bound on a coordinate, for underflow. */
 export const LOST_POINT = 2 ** -1070;
+/** Least longest component of a normal whose direction is promised. */
 export const SMALLEST_NORMAL = 2 ** -600;
 
 /**
@@ -150,12 +152,15 @@ export function hitAt(
  * and a slope of ∞ made δ and Δ 0) and is made of dx·(F/2h·dx) … (A underflowed, and Aδ with it:
  * both in tests/repro).
  */
+/** Bounds of the table, with room: of F, 2h, N·g and N·d in their terms, and of δ in |t|. */
 export const ERROR_CURVED = 24 * UU;
 export const ERROR_SLOPE = 14 * U;
 export const ERROR_FLAT = 16 * UU;
 export const ERROR_FLAT_RATE = 4 * U;
 export const ROUNDED = 14 * UU;
+/** Limit for |g|, r, √|a| and |N|₁, below which the bounds for underflow hold. */
 export const WIDE = 2 ** 120;
+/** Absolute bound on F, for underflow. */
 export const SMALLEST_PLACE = 2 ** -711;
 /** What t·d and δ·d may lose of a coordinate below the doubles, */
 export const LOST_PLACE = 2 ** -1072;
@@ -171,6 +176,7 @@ const PLACE_GX = 0;
 const PLACE_GY = 2;
 const PLACE_GZ = 4;
 const PLACE_G = [PLACE_GX, PLACE_GY, PLACE_GZ] as const;
+/** Index of F in `Place`. */
 export const PLACE_F = 6;
 const PLACE_A = 8;
 const PLACE_A_LOW = 9;
@@ -188,6 +194,7 @@ export interface Step {
   readonly algebra: Algebra;
   readonly roots: Roots;
 }
+/** A `Step` of zeros. */
 export const createStep = (): Step => ({
   place: new Float64Array(14),
   algebra: createAlgebra(),

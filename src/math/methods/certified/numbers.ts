@@ -60,6 +60,7 @@ export interface CertifiedSlot extends RootSlot {
   exact: boolean;
 }
 
+/** A slot without roots. */
 export const certifiedSlot = (): CertifiedSlot => ({
   t0: Number.NaN,
   t1: Number.NaN,
@@ -199,6 +200,7 @@ function put(c: Room, q: Quadric): void {
 
 /** |d| = 1 has 2^8 units, and a t that leads over the shape's size 2^9 or so. */
 const DIRECTION_BITS = 8;
+/** 2^-8: a unit, for |d| = 1. */
 export const UNIT_OF_DIRECTION = 2 ** -DIRECTION_BITS;
 /**
  * The shape's size has 2^17 units or up to twice as many: points up to 30 sizes from the centre

@@ -23,11 +23,7 @@ import {
   VERDICT,
 } from './quadric-kernel.ts';
 
-/*
- * The answer for one ray as an object: the kernels' stages on a batch of one, then points and
- * normals.
- */
-
+/** The answer for one ray: grids, else the kernels' stages on a batch of one, points, normals. */
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {
   const read = readQuadric(shape);
   if (read) {

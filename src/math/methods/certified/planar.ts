@@ -39,8 +39,10 @@ import {
  *   remainder o + th·r  what o and r are     exact in its leading part, ≤ 2^-23|o|
  *   t = th − rest/r     2^-55 of it          before it is rounded once: faithful, which needs 2^-54
  */
+/** Least |N·d| and |N·p| of the first stage, relative to the sums of their terms' sizes. */
 export const LEAST_SHARE = 2 ** -16;
 
+/** The batch kernel of a flat shape. */
 export function certifiedPlanar(s: Planar): Kernel {
   const slot = certifiedSlot();
   const left: OpenRays = { count: 0, open: new Int32Array(0) };
@@ -170,6 +172,9 @@ export function planarRoots(s: Planar, rays: Rays, out: Answers, left: OpenRays)
  * and where its square overflows the bound is infinite as well; L|dn| overflows to what it is
  * beside wu.
  */
+/**
+ * Bounds of the table, with room: of w in S and max|mi|, both squares, wu in Su; an absolute one.
+ */
 export const CIRCLE_S = 1.1 * U;
 export const CIRCLE_M = 5.1 * U;
 export const CIRCLE_SQUARES = 9 * U;
@@ -256,6 +261,7 @@ const square: Margins = (s, { Ex, Ey, Ez, dx, dy, dz }, from, to, margin, bound)
 
 const MARGINS: Readonly<Record<Planar['bound'], Margins>> = { none: plane, circle, square };
 
+/** The loop that puts margins and their bounds for this kind of figure. */
 export const marginsOf = ({ bound }: Planar): Margins => MARGINS[bound];
 
 /*
@@ -284,9 +290,11 @@ export const SMALLEST_PLANAR = 2 ** -823;
  * rootInTwice leaves there, and a component of N, what it is multiplied by, and the product.
  */
 export type Twice = Float64Array;
+/** A `Twice` of zeros. */
 export const createTwice = (): Twice => new Float64Array(12);
 const TWICE_RATE = 0;
 const TWICE_OFFSET = 2;
+/** Indices of t in `Twice`. */
 export const TWICE_T = 4;
 export const TWICE_T_LOW = 5;
 const TWICE_N = 6;

@@ -236,6 +236,7 @@ export interface OneRay {
   readonly setRay: (ray: Ray) => void;
 }
 
+/** A batch of one ray, not yet put. */
 export function createOneRay(): OneRay {
   const rays = Object.assign(createRays(1), { count: 1 });
   const left = { count: 0, open: new Int32Array(1) };
@@ -247,12 +248,15 @@ export function createOneRay(): OneRay {
  * In doubles: fields of an object would be boxed.
  */
 export type Found = Float64Array;
+/** A `Found` of zeros. */
 export const createFound = (): Found => new Float64Array(4);
+/** Indices into `Found`. */
 export const T0 = 0;
 export const T1 = 1;
 export const VERDICT = 2;
 export const STAGE = 3;
 const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
+/** The stage that decided, from `found[STAGE]`. */
 export const stageFound = (found: Found): DecidedBy => STAGES[found[STAGE] as number] ?? 'exact';
 
 /** A closure over its arrays, as in units.ts. */
@@ -297,4 +301,5 @@ function finder(): (q: Quadric, ray: Ray, found: Found, c?: CertifiedQuadric) =>
   };
 }
 
+/** The stage after the filter that decided. */
 export const stageOf = ({ exact }: CertifiedSlot): DecidedBy => (exact ? 'exact' : 'double-double');

@@ -30,6 +30,7 @@ import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P, inSlots } from
  *              + u(|b'| + √D')(9|d|₁²/|A|    u|t|/2
  *              + 8))/|A|
  */
+/** Bounds of the table, with room: D' (three terms), b' in W|d|₁, A in |d|₁², t in |b'| + √D'. */
 export const CROSS_ERROR = 2 ** -68;
 export const SLOPE_SQUARE_ERROR = 6 * 2 ** -53;
 export const RESIDUAL_SHARE = 14 * 2 ** -53;

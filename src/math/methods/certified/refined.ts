@@ -14,6 +14,7 @@ import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P, inSlots } from './n
  *                                    below 2^-7 √D, so each is nearer to its own root
  *   A             2^-30 of it        |A| > 2^-20 Am, known to 6u·2^20; so A ≠ 0
  */
+/** D is a clear hit above this many bounds of D, and above APART of S². */
 export const CLEAR_REFINED = 2 ** 17;
 export const APART = 2 ** -84;
 
@@ -55,9 +56,11 @@ export const APART = 2 ** -84;
  * The root is faithful when t + δ is rounded once and that is below u|t|/2 (neighbours of t are
  * u|t| apart, at least).
  */
+/** Bound of the table on f, in WQ, with room. */
 export const RESIDUAL_ERROR = 2 ** -68;
 /** RESIDUAL_ERROR has 2^-68 for 2^-69, so of the 2^-20.3 in Q half is enough. */
 export const NARROW_REFINED = 2 ** -21;
+/** Largest |A f|/D; the step's relative error; largest ratio of both reaches to |p|₁. */
 export const STEP_SHARE = 2 ** -17;
 export const STEP_ERROR = 2 ** -16;
 export const SPREAD = 2 ** 20;

@@ -32,6 +32,7 @@ export const SURFACE_NUMBERS = SCALED_NUMBERS + 128;
 /** tMin and tMax. */
 export const INTERVAL = SURFACE_NUMBERS + 8 * SURFACE_COUNT;
 
+/** The arrays of a block's rays. */
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
 

@@ -53,11 +53,13 @@ export interface Scratch {
   readonly count: Int32Array;
 }
 
+/** Indices into `Scratch.count`. */
 export const HITS = 0;
 export const DOUBTS = 1;
 export const UNSETTLED = 2;
 export const STARTING = 3;
 
+/** Scratch for one block. */
 export function createScratch(): Scratch {
   const array = (): Float64Array => new Float64Array(BLOCK);
   return {
@@ -90,22 +92,27 @@ export function createScratch(): Scratch {
 }
 
 /*
- * Pass 1: is it hit, and roughly where. u = 2^-53. D = b² − AC, in halves, is off by 27u·Q at most,
- * Q = Am·Cm (class.ts). Where Am is neither tiny nor huge, what underflows is far below `smallest`;
- * what overflows fails the comparisons.
+ * Pass 1: is it hit, and roughly where. In halves, u = 2^-53, Q = Am·Cm:
  *
- * D > CLEAR_ROUGH·Q: √D is known to 27u·2^19 < 2^-29 of itself, and |b|/√D ≤ 2^10. |A| > LEAST·Am:
- * |δA| ≤ 3u·Am + u|A| (squares u, their sum u; a·y² 3u; the difference), so A is known to 200u, and
- * not 0.
- *
- * So the middle of the rough roots, off by 5u√Q/|A| and by what 1/A is off, is known to 2^-36 of
- * their distance and each of them to 2^-28.9. That is less than 2^-7 units of t, since pass 3 asks
- * of both points to be within 2^24 units of the centre and |d| has at least 2^4, so their distance
- * is below 2^21: the whole number next to a rough root is at most 0.51 units from the root.
+ *   quantity         bound                reason
+ *   D = b² − AC      27u·Q                class.ts
+ *   underflow        ≪ `smallest`         Am is neither tiny nor huge; what overflows fails the
+ *                                         comparisons
+ *   √D               27u·2^19 < 2^-29 √D  D > CLEAR_ROUGH·Q; so |b|/√D ≤ 2^10, too
+ *   A                3u·Am + u|A|         squares u, their sum u; a·y² 3u; the difference
+ *                    ≤ 200u|A|            |A| > LEAST·Am; so A ≠ 0
+ *   −b/A             2^-36 of the roots'  5u√Q/|A|, and what 1/A is off
+ *                    distance
+ *   rough roots      2^-28.9 of it        √D's, and the middle's
+ *                    < 2^-7 units of t    pass 3 asks for points within 2^24 units of the centre,
+ *                                         and |d| has 2^4 at least: the distance is < 2^21
+ *   t, the nearest   0.51 units from      1/2, and 2^-7
+ *   whole number     the root
  *
  * Where A·D overflows, 1/(A·D) is 0, and so is half the distance of the rough roots: pass 3 asks
  * for a gap between them, and leaves such a ray open.
  */
+/** Least D of a clear hit, largest D of a clear miss, both in Q; least |A| in Am. */
 export const CLEAR_ROUGH = 2 ** -20;
 export const CERTAIN = -28 * 2 ** -53;
 export const LEAST = 2 ** -6;
@@ -140,6 +147,9 @@ export const { at: AT_ROUGH, doubles: ROUGH_BOUNDS } = inSlots({
   nearly: NEARLY,
 });
 
+/**
+ * Pass 1 over rays `from` to `to` of a batch: puts misses into `out`, hits and lists into Scratch.
+ */
 export type CoarsePass = (
   lattice: Lattice,
   rays: Rays,
@@ -346,8 +356,10 @@ export function coarseAroundAxis(s: Scratch): CoarsePass {
  * int32.
  */
 
+/** Pass 2 over the hits in Scratch. */
 export type ResidualPass = (lattice: Lattice) => void;
 
+/** For shapes with a term in y. */
 export function residualsInSpace(s: Scratch): ResidualPass {
   const { x: xs, y: ys, z: zs, ex: exs, ey: eys, ez: ezs, near, far, count } = s;
   const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
@@ -443,6 +455,7 @@ export function residualsInSpace(s: Scratch): ResidualPass {
   };
 }
 
+/** For cylinders, whose formula does not look at y. */
 export function residualsAroundAxis(s: Scratch): ResidualPass {
   const { x: xs, z: zs, ex: exs, ez: ezs, near, far, count } = s;
   const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
@@ -529,6 +542,7 @@ export function residualsAroundAxis(s: Scratch): ResidualPass {
  * by less than u|t|/2 before, since neighbours of t are at least u|t| apart. FAITHFUL_ONCE leaves a
  * tenth for evaluating the bound. NaN and what overflows fail the comparisons.
  */
+/** Bounds of the tables of passes 2 and 3, with room: ε (two), δ in reach, εa's share in b. */
 export const ROUNDING = 11 * 2 ** -53 * UNIT_OF_DIRECTION;
 export const SMALL = 2 ** -11 * 2 ** -53;
 export const SLACK_G = 13 * 2 ** -53;
@@ -543,8 +557,10 @@ export const { at: AT_SOLVE, doubles: SOLVE_BOUNDS } = inSlots({
   share: SHARE,
 });
 
+/** Pass 3 over the hits in Scratch: puts settled roots into `out`, and lists the others. */
 export type SolvePass = (lattice: Lattice, out: Answers) => void;
 
+/** Pass 3 for all curved shapes. */
 export function solvePass(s: Scratch): SolvePass {
   const { index, A: As, slope: slopes, half: halves, slack, unsettled, count } = s;
   const { wholeNear, wholeFar, g: gs, reach, fNear, fFar, spread, spreadFar } = s;
