@@ -1,3 +1,5 @@
+import { NONE } from '../../../src/math/batch/batch.ts';
+import { ASK, CLASS_BIT } from '../../../src/math/batch/straight-loop.ts';
 import type { Format, Node } from './graph.ts';
 import { INPUTS, type Program } from './program.ts';
 
@@ -50,6 +52,8 @@ export function writer(
 ) {
   const names = new Map<Node, string>();
   let count = 0;
+  /** Where a choice may be a branch. */
+  let branches = scratch === null;
 
   function name(text: string, lines: string[]): string {
     const made = `v${count}`;
@@ -104,7 +108,7 @@ export function writer(
   }
 
   function textOf(n: Node, lines: string[]): string {
-    if (!scratch) {
+    if (branches) {
       const text = chosen(n, lines);
       if (text !== null) return text;
     }
@@ -177,6 +181,12 @@ export function writer(
     return made;
   }
 
+  /** Beside a sign of comparison. */
+  function side(n: Node, lines: string[]): string {
+    const text = value(n, lines);
+    return text.includes('?') ? `(${text})` : text;
+  }
+
   /** A condition as 0 or 1. */
   function bit(n: Node, lines: string[]): string {
     const known = names.get(n);
@@ -190,9 +200,9 @@ export function writer(
 
   function bitText(n: Node, lines: string[]): string {
     const [a, b] = n.args as [Node, Node];
-    if (n.op === 'less') return `+(${value(a, lines)} < ${value(b, lines)})`;
-    if (n.op === 'atMost') return `+(${value(a, lines)} <= ${value(b, lines)})`;
-    if (n.op === 'equal') return `+(${value(a, lines)} === ${value(b, lines)})`;
+    if (n.op === 'less') return `+(${side(a, lines)} < ${side(b, lines)})`;
+    if (n.op === 'atMost') return `+(${side(a, lines)} <= ${side(b, lines)})`;
+    if (n.op === 'equal') return `+(${side(a, lines)} === ${side(b, lines)})`;
     if (n.op === 'not') return `(1 - ${bit(a, lines)})`;
     return `(${bit(a, lines)} ${n.op === 'and' ? '&' : '|'} ${bit(b, lines)})`;
   }
@@ -202,9 +212,9 @@ export function writer(
     const known = names.get(n);
     if (known) return `${known} !== 0`;
     const [a, b] = n.args as [Node, Node];
-    if (n.op === 'less') return `${value(a, lines)} < ${value(b, lines)}`;
-    if (n.op === 'atMost') return `${value(a, lines)} <= ${value(b, lines)}`;
-    if (n.op === 'equal') return `${value(a, lines)} === ${value(b, lines)}`;
+    if (n.op === 'less') return `${side(a, lines)} < ${side(b, lines)}`;
+    if (n.op === 'atMost') return `${side(a, lines)} <= ${side(b, lines)}`;
+    if (n.op === 'equal') return `${side(a, lines)} === ${side(b, lines)}`;
     if (n.op === 'not') return `!(${test(a, lines)})`;
     return `(${test(a, lines)} ${n.op === 'and' ? '&&' : '||'} ${test(b, lines)})`;
   }
@@ -215,9 +225,17 @@ export function writer(
     if (!names.has(n)) names.set(n, name(text, lines));
   }
 
+  /** What is written meanwhile may have branches. */
+  function branching(write: () => void): void {
+    branches = true;
+    write();
+    branches = scratch === null;
+  }
+
   return {
     names,
     named,
+    branching,
     value: (n: Node, lines: string[]) => (isMask(n) ? bit(n, lines) : value(n, lines)),
     test,
   };
@@ -244,10 +262,10 @@ export function loopOf(
   program: Program,
   scratch: Scratch,
 ): string {
-  const { format, outputs, rare, missed, rareRoots, classes } = program;
+  const { format, outputs, rare, special, missed, rareRoots, classes } = program;
   const written = Object.entries(outputs);
   const asked = [rare, missed, ...written.map(([, n]) => n), rareRoots];
-  const all = [...asked, classes?.margin, classes?.rare];
+  const all = [...asked, classes?.margin, classes?.rare, special.verdict, special.t];
   const roots = all.filter((n): n is Node => n !== null && n !== undefined);
   const uses = usesOf(roots);
   const places = { count: 0 };
@@ -298,13 +316,32 @@ export function loopOf(
     for (const [array, text] of texts) lines.push(`${array}[i] = ${text};`);
   };
   const leave = (where: Node | null, lines: string[]): void => {
-    if (where) lines.push(`if (${w.test(where, lines)}) open[left++] = i;`);
+    if (where) lines.push(`if (${w.test(where, lines)}) marked[left++] = i + ${mark(ASK)};`);
+  };
+  const settle = (): string[] =>
+    block((lines) => {
+      w.branching(() => {
+        lines.push(`const verdict = ${w.value(special.verdict, lines)};`);
+        const margin = `margin[i] = verdict === ${NONE} ? -1 : 1;`;
+        const roots = (): string[] =>
+          Object.keys(outputs).map(
+            (array) =>
+              `${array}[i] = ${array === 't0' ? w.value(special.t, lines) : 'Number.NaN'};`,
+          );
+        if (classes) lines.push(`if (!roots) ${margin}`, 'else {', ...roots(), '}');
+        else lines.push(...('margin' in outputs ? [margin] : roots()));
+        lines.push(`if (verdict !== ${NONE}) marked[left++] = i + verdict * 2 ** ${CLASS_BIT};`);
+      });
+    });
+  const ifRare = (lines: string[]): void => {
+    const test = w.test(rare, lines);
+    lines.push(`if (${test}) {`, ...settle(), '}');
   };
   if (!classes && !missed) {
     write(body);
-    leave(rare, body);
+    ifRare(body);
   } else {
-    body.push(`if (${w.test(rare, body)}) open[left++] = i;`);
+    ifRare(body);
     if (classes) {
       const told = block((lines) => {
         write(lines, [['margin', classes.margin]]);
@@ -325,7 +362,7 @@ export function loopOf(
   scratch.count = Math.max(scratch.count, places.count);
   return [
     `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, ` +
-      `open${classes ? ', roots' : ''}) => {`,
+      `marked${classes ? ', roots' : ''}) => {`,
     `const { ${[...Object.keys(outputs), ...(classes ? ['margin'] : [])].join(', ')} } = out;`,
     ...before,
     'let left = 0;',
@@ -336,6 +373,8 @@ export function loopOf(
     '};',
   ].join('\n');
 }
+
+const mark = (verdict: number): string => `${verdict} * 2 ** ${CLASS_BIT}`;
 
 /** An input, or a number of the shape, as it comes into the format. */
 export const roundedTo =

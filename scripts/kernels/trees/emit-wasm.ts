@@ -1,4 +1,6 @@
+import { NONE } from '../../../src/math/batch/batch.ts';
 import { IMPORT } from '../../../src/math/batch/simd-memory.ts';
+import { ASK, CLASS_BIT } from '../../../src/math/batch/straight-loop.ts';
 import { leb, signedLeb } from '../wasm/ops.ts';
 import type { Node } from './graph.ts';
 import { INPUTS, type Program } from './program.ts';
@@ -29,6 +31,12 @@ const XOR = simd(81);
 const NOT = simd(77);
 const SELECT = simd(82);
 const BITMASK = { 32: simd(164), 64: simd(196) } as const;
+const UNEQUAL = { 32: simd(66), 64: simd(72) } as const;
+const TO_INTEGER = { 32: simd(248), 64: simd(252) } as const;
+const SHIFT_LEFT = simd(171);
+const PLUS_INTEGERS = simd(174);
+const SPLAT_INTEGER = simd(17);
+const LANES: Code = [...simd(12), ...new Uint8Array(Int32Array.of(0, 1, 2, 3).buffer)];
 const DEMOTE = simd(94);
 const PROMOTE = simd(95);
 const SHUFFLE = simd(13);
@@ -48,7 +56,7 @@ const memory = (opcode: Code, align: number, offset: number): Code => [
 const PLUS = [0x6a];
 
 /** The parameters: addresses in bytes, and how many rays, a multiple of those of a vector. */
-const PARAMS = [...INPUTS, 't0', 't1', 'margin', 'open', 'numbers', 'count', 'roots'] as const;
+const PARAMS = [...INPUTS, 't0', 't1', 'margin', 'marked', 'numbers', 'count', 'roots'] as const;
 const param = (name: (typeof PARAMS)[number]): Code => get(PARAMS.indexOf(name));
 const END = PARAMS.length;
 const AT = END + 1;
@@ -65,17 +73,25 @@ export interface Func {
   readonly body: Code;
 }
 
-/** Answers with the address behind the last index written to `open`. */
+/** Answers with the address behind the last mark. */
 export function functionOf(
   names: readonly string[],
   numbers: readonly string[],
   program: Program,
 ): Func {
-  const { format, outputs, rare, missed, rareRoots, classes } = program;
+  const { format, outputs, rare, special, missed, rareRoots, classes } = program;
   const { width } = format;
   const lanes = 128 / width;
   const written = Object.entries(outputs);
-  const left = [rare, rareRoots, missed, classes?.margin, classes?.rare];
+  const left = [
+    rare,
+    rareRoots,
+    missed,
+    classes?.margin,
+    classes?.rare,
+    special.verdict,
+    special.t,
+  ];
   const asked = left.filter((n): n is Node => n !== null && n !== undefined);
   const roots = [...asked, ...written.map(([, n]) => n)];
 
@@ -161,17 +177,19 @@ export function functionOf(
     return [...two(0), ...DEMOTE, ...two(16), ...DEMOTE, ...SHUFFLE, ...bytes(0, 16)];
   }
 
-  function store(array: 't0' | 't1' | 'margin', n: Node): Code {
+  const store = (array: 't0' | 't1' | 'margin', n: Node): Code => storing(array, code(n));
+
+  function storing(array: 't0' | 't1' | 'margin', stored: Code): Code {
     const address = [...param(array), ...get(AT), ...PLUS];
     const at = (offset: number, value: Code): Code => [
       ...address,
       ...value,
       ...memory(simd(11), 3, offset),
     ];
-    if (width === 64) return at(0, code(n));
+    if (width === 64) return at(0, stored);
     const whole = next++;
     const high = [...get(whole), ...get(whole), ...SHUFFLE, ...bytes(8, 8), ...PROMOTE];
-    return [...code(n), ...set(whole), ...at(0, [...get(whole), ...PROMOTE]), ...at(16, high)];
+    return [...stored, ...set(whole), ...at(0, [...get(whole), ...PROMOTE]), ...at(16, high)];
   }
 
   const prologue = [...signs, ...set(SIGN), ...magnitudes, ...set(MAGNITUDE)];
@@ -184,7 +202,7 @@ export function functionOf(
   for (const n of inputs) body.push(...load(n), ...set(fresh(n)));
   const gone = missed ? next++ : 0;
   if (missed) body.push(...code(missed), ...set(gone));
-  const MASK = next++;
+  const [MASK, RARE, VERDICT] = [next++, next++, next++];
   const mark = (n: Node | null, and: Code = []): Code =>
     n ? [...get(MASK), ...code(n), ...and, ...OR, ...set(MASK)] : [];
 
@@ -207,8 +225,30 @@ export function functionOf(
     return [...made, ...mark(rareRoots, missed ? [...get(gone), ...NOT, ...AND] : [])];
   }
 
+  /** Where `rare` holds: the class, and the roots or the margin that go with it. */
+  function settle(): Code {
+    const made: number[] = [...code(special.verdict), ...splat(ASK), ...get(RARE), ...SELECT];
+    made.push(...get(MASK), ...AND, ...set(VERDICT));
+    const over = (array: 't0' | 't1' | 'margin', value: Code): Code => {
+      const node = outputs[array];
+      const known = node && locals.get(node);
+      const address = [...param(array), ...get(AT), ...PLUS];
+      const before = known === undefined ? [...address, ...memory(simd(0), 3, 0)] : get(known);
+      return storing(array, [...value, ...before, ...get(RARE), ...SELECT]);
+    };
+    const noRoot = [...get(VERDICT), ...splat(NONE), ...simd((OPCODES.equal as never)[width])];
+    const margin = (): Code => over('margin', [...splat(-1), ...splat(1), ...noRoot, ...SELECT]);
+    const roots = (): Code => [
+      ...over('t0', code(special.t)),
+      ...(outputs.t1 ? over('t1', splat(Number.NaN)) : []),
+    ];
+    if (classes) made.push(...param('roots'), 0x04, 0x40, ...roots(), 0x05, ...margin(), 0x0b);
+    else made.push(...(outputs.margin ? margin() : roots()));
+    return made;
+  }
+
   if (classes) {
-    body.push(...code(rare), ...set(MASK));
+    body.push(...code(rare), ...tee(MASK), ...set(RARE));
     const { margin, rare: unclear } = classes;
     const [both, alone] = [
       block(writeRoots),
@@ -217,14 +257,19 @@ export function functionOf(
     body.push(...param('roots'), 0x04, 0x40, ...both, 0x05, ...alone, 0x0b);
   } else {
     // The roots first: with them come most of the values that `rare` is made of.
-    body.push(...splat(0), ...set(MASK), ...writeRoots(), ...mark(rare));
+    body.push(...writeRoots(), ...code(rare), ...tee(MASK), ...set(RARE));
   }
-  body.push(...get(MASK));
-  body.push(...BITMASK[width], ...tee(BITS), 0x04, 0x40);
+  body.push(...get(MASK), ...BITMASK[width], 0x04, 0x40, ...block(settle));
+  // Every lane is written; the next one goes over it where it has no mark.
+  body.push(...get(VERDICT), ...splat(NONE), ...UNEQUAL[width], ...BITMASK[width], ...set(BITS));
+  body.push(...get(VERDICT), ...TO_INTEGER[width], ...i32(CLASS_BIT), ...SHIFT_LEFT);
+  body.push(...get(RAY), ...SPLAT_INTEGER, ...PLUS_INTEGERS, ...LANES, ...PLUS_INTEGERS);
+  body.push(...set(VERDICT));
   for (let lane = 0; lane < lanes; lane++) {
-    body.push(...get(BITS), ...i32(1 << lane), 0x71, 0x04, 0x40);
-    body.push(...get(LEFT), ...get(RAY), ...i32(lane), ...PLUS, ...memory([0x36], 2, 0));
-    body.push(...get(LEFT), ...i32(4), ...PLUS, ...set(LEFT), 0x0b);
+    body.push(...get(LEFT), ...get(VERDICT), ...memory(simd(90), 2, 0), lane);
+    body.push(...get(LEFT), ...get(BITS));
+    body.push(...(lane < 2 ? i32(2 - lane) : i32(lane - 2)), lane < 2 ? 0x74 : 0x76);
+    body.push(...i32(4), 0x71, ...PLUS, ...set(LEFT));
   }
   body.push(0x0b);
   return {
@@ -232,7 +277,7 @@ export function functionOf(
     vectors: next - VECTORS,
     body: [
       ...prologue,
-      ...param('open'),
+      ...param('marked'),
       ...set(LEFT),
       ...[...param('count'), ...i32(3), 0x74, ...set(END)],
       ...[0x02, 0x40, 0x03, 0x40],

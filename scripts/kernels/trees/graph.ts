@@ -113,6 +113,9 @@ export class Graph implements Floats<Node, Node> {
   /** The same number, with 0 for −0, whatever the format. */
   unsigned = (a: Node): Node => this.make('add', [a, this.of(0)]);
 
+  /** The same number, with 0 for −0 where the sign of a zero does not count. */
+  unsignedIfLoose = (a: Node): Node => (this.format.strict ? a : this.unsigned(a));
+
   /** Two zeros are equal, whatever their signs. */
   equal = (a: Node, b: Node): Node => this.make('equal', [a, b]);
   isZero = (a: Node): Node => this.equal(a, this.of(0));

@@ -1,3 +1,6 @@
+import { CONTAINED, NONE, ONE, TANGENT, UNDECIDED } from '../../../src/math/batch/batch.ts';
+import { ASK } from '../../../src/math/batch/straight-loop.ts';
+import { DOUBLE_ROOT, LINEAR_ROOT } from '../../../src/math/formula/common.ts';
 import {
   evaluate,
   evaluateTriple,
@@ -18,16 +21,28 @@ export interface Program {
   readonly format: Format;
   /** What is written, by the name of the array. */
   readonly outputs: Readonly<Partial<Record<'t0' | 't1' | 'margin', Node>>>;
-  /** Where it holds, the trees are asked instead. */
+  /** Where it holds, the outputs mean nothing, and `special` tells what to do. */
   readonly rare: Node;
+  readonly special: Special;
   /**
    * Where it holds, and `rare` does not, there is no root: neither the outputs nor `rareRoots` need
    * be worked out. Null: the outputs are NaN by themselves.
    */
   readonly missed: Node | null;
   readonly rareRoots: Node | null;
-  /** What is written, and where the trees are asked too, if only the class is; null: see Ask. */
+  /** What is written, and where the trees are asked, if only the class is; null: see Ask. */
   readonly classes: { readonly margin: Node; readonly rare: Node | null } | null;
+}
+
+/**
+ * The method's case distinctions where it asks for more than the sign of D: A, B, D or N·d is 0, or
+ * a sign is not known.
+ */
+export interface Special {
+  /** The class as a place in VERDICTS; ASK where only the trees know. */
+  readonly verdict: Node;
+  /** The one root; NaN where there is none. */
+  readonly t: Node;
 }
 
 export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
@@ -98,6 +113,9 @@ function unusual(g: Graph, { box }: System, inputs: readonly Node[]): Node[] {
 }
 
 const any = (g: Graph, masks: readonly Node[]): Node => masks.reduce((a, b) => g.or(a, b));
+/** Where one of them holds. */
+const where = (g: Graph, masks: readonly Node[], then: Node, otherwise: Node): Node =>
+  masks.length > 0 ? g.select(any(g, masks), then, otherwise) : otherwise;
 
 function curved(
   g: Graph,
@@ -116,12 +134,9 @@ function curved(
 
   if (system.box) {
     const positive = g.and(r.isPositive(D), g.not(r.isWithin(D, system.tiny)));
-    const rare = any(g, [
-      ...before,
-      ...unusual(g, system, inputs),
-      g.not(known(A)),
-      g.not(g.or(r.isNegative(D), positive)),
-    ]);
+    const elsewhere = any(g, [...before, ...unusual(g, system, inputs)]);
+    const rare = any(g, [elsewhere, g.not(known(A)), g.not(g.or(r.isNegative(D), positive))]);
+    const special = specialOf(g, r, system, { A, B, C, D }, elsewhere, null);
     const missed = r.isNegative(D);
     const clear = [
       g.not(r.isWithin(A, system.tiny)),
@@ -133,7 +148,7 @@ function curved(
     const [t0, t1] = r.sorted(t, s).map(g.unsigned) as [Node, Node];
     const inside = (x: Node): Node => g.isWithin(x, system.large);
     const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
-    return { format, outputs: { t0, t1 }, rare, missed, rareRoots, classes };
+    return { format, outputs: { t0, t1 }, rare, special, missed, rareRoots, classes };
   }
 
   const shownD = r.shown(D);
@@ -143,6 +158,8 @@ function curved(
   const notFinite = (x: Node): Node => g.not(g.atMost(g.abs(x), g.of(system.greatest)));
   const unseen =
     format.width === 32 ? inputs.filter((x) => !dependsOn(shownD, x)).map(notFinite) : [];
+  const lost = unseen.length > 0 ? any(g, unseen) : null;
+  const special = specialOf(g, r, system, { A, B, C, D }, null, lost);
   if (ask === 'classes') {
     const small = (x: Node): Node => g.isWithin(x, system.wide);
     const large = (x: Node): Node => g.less(g.of(system.tiny), g.abs(x));
@@ -157,6 +174,7 @@ function curved(
       format,
       outputs: { margin: shownD },
       rare: any(g, [g.isZero(shownD), ...unseen, g.not(clear)]),
+      special,
       missed: null,
       rareRoots: null,
       classes: null,
@@ -179,11 +197,71 @@ function curved(
       ...apart.map(notFinite),
       ...unseen,
     ]),
+    special,
     missed: null,
     rareRoots: null,
     classes: null,
   };
 }
+
+interface Quadratic {
+  readonly A: unknown;
+  readonly B: unknown;
+  readonly C: unknown;
+  readonly D: unknown;
+}
+
+/**
+ * As methods/solvers.ts tells them apart.
+ *
+ * @param elsewhere where the numbers are not the trees'; null: nowhere.
+ * @param lost where a point may be NaN, so that the method has no hit.
+ */
+function specialOf(
+  g: Graph,
+  r: Recorder<unknown>,
+  { large }: System,
+  { A, B, C, D }: Quadratic,
+  elsewhere: Node | null,
+  lost: Node | null,
+): Special {
+  const ar = r.arithmetic;
+  const place = (verdict: number): Node => g.of(verdict);
+  const line = r.isZero(A);
+  const twoA = ar.mul(ar.of(2), A);
+  const linear = (B: unknown, C: unknown): unknown =>
+    evaluate(LINEAR_ROOT, ar, { scalars: { B, C }, vectors: {} });
+  const double = evaluate(DOUBLE_ROOT, ar, { scalars: { A, B }, vectors: {} });
+  if (r.shown(linear(twoA, B)) !== r.shown(double)) {
+    throw new RangeError('-C/B and -B/2A are no longer the same quotient');
+  }
+  const t = g.unsignedIfLoose(r.shown(linear(r.select(line, B, twoA), r.select(line, C, B))));
+  // A denominator that may be 0: then there is no root.
+  g.take();
+  const [unknownA, unknownB, unknownC, unknownD] = [A, B, C, D].map(r.isUnknown) as Four;
+  const ofC = g.select(
+    unknownC,
+    place(UNDECIDED),
+    g.select(r.isZero(C), place(CONTAINED), place(NONE)),
+  );
+  const ofB = g.select(unknownB, place(UNDECIDED), g.select(r.isZero(B), ofC, place(ONE)));
+  const ofD = g.select(
+    unknownD,
+    place(UNDECIDED),
+    g.select(r.isZero(D), place(TANGENT), g.select(r.isNegative(D), place(NONE), place(ASK))),
+  );
+  const told = g.select(unknownA, place(UNDECIDED), g.select(line, ofB, ofD));
+  const isRoot = g.or(g.equal(told, place(ONE)), g.equal(told, place(TANGENT)));
+  const inside = g.isWithin(t, large);
+  const certain = lost ? g.and(inside, g.not(lost)) : inside;
+  const asked = g.and(isRoot, g.not(certain));
+  return {
+    verdict: g.select(elsewhere ? g.or(elsewhere, asked) : asked, place(ASK), told),
+    t: g.select(isRoot, t, g.of(Number.NaN)),
+  };
+}
+
+type Four = [Node, Node, Node, Node];
 
 function flat(
   g: Graph,
@@ -195,6 +273,8 @@ function flat(
   const ar = r.arithmetic;
   const { values, inputs } = lift(g, r, symbols);
   const rate = evaluate(formula.rate, ar, values);
+  const offset = evaluate(formula.offset, ar, values);
+  const before = g.take();
   const t = evaluate(formula.t, ar, withScalars(values, { rate }));
   const { x, excesses } = form.meeting(formula, withScalars(values, { rate, t }), ar);
   const shown = system.box ? g.unsigned(r.shown(t)) : r.shown(t);
@@ -208,9 +288,10 @@ function flat(
   // E + t d is no NaN; a place by the moment may be one.
   const places = x.filter((y) => !dependsOn(r.shown(y), shown));
   const bound = Math.sqrt(system.large);
+  const elsewhere = [...before, ...unusual(g, system, inputs)];
   const rare = any(g, [
     ...marks,
-    ...unusual(g, system, inputs),
+    ...elsewhere,
     g.not(g.isWithin(shown, bound)),
     ...(system.box
       ? [g.not(g.or(r.isNegative(rate), r.isPositive(rate))), ...open]
@@ -222,5 +303,26 @@ function flat(
   const margin = missed ? g.signed(missed, g.of(1)) : g.of(1);
   const outputs = ask === 'classes' ? { margin } : roots;
   const classes = ask === 'either' ? { margin, rare: null } : null;
-  return { format, outputs, rare, missed: null, rareRoots: null, classes };
+  const place = (verdict: number): Node => g.of(verdict);
+  const isParallel = r.isZero(rate);
+  const ofOffset = g.select(
+    r.isUnknown(offset),
+    place(UNDECIDED),
+    g.select(r.isZero(offset), place(CONTAINED), place(NONE)),
+  );
+  const unclear = excesses.map(r.isUnknown);
+  const beyond = excesses.map((y) => g.and(r.isPositive(y), g.not(r.isUnknown(y))));
+  // A root that overflowed is no answer.
+  const lost = system.box ? [] : [g.not(g.isZero(g.sub(shown, shown)))];
+  const apart = system.box ? [g.not(g.isWithin(shown, bound)), ...marks] : [];
+  const undecided = where(g, [...unclear, ...lost], place(UNDECIDED), place(ASK));
+  const ofFigure = where(g, apart, place(ASK), where(g, beyond, place(NONE), undecided));
+  const told = g.select(
+    r.isUnknown(rate),
+    place(UNDECIDED),
+    g.select(isParallel, ofOffset, ofFigure),
+  );
+  const verdict = where(g, elsewhere, place(ASK), told);
+  const special = { verdict, t: none };
+  return { format, outputs, rare, special, missed: null, rareRoots: null, classes };
 }

@@ -13,6 +13,9 @@ export interface Recorder<T> {
   isPositive(x: T): Node;
   /** As the trees see it: a sign that is known to be 0. */
   isZero(x: T): Node;
+  /** As the trees see it: no sign is known. */
+  isUnknown(x: T): Node;
+  select(where: Node, then: T, otherwise: T): T;
   /** |x| < bound, whatever number x is. */
   isWithin(x: T, bound: number): Node;
   shown(x: T): Node;
@@ -67,6 +70,9 @@ function plain(g: Graph, id: string): Recorder<Node> {
     isNegative: (x) => g.less(x, zero),
     isPositive: (x) => g.less(zero, x),
     isZero: g.isZero,
+    // An infinity came from an overflow, as in arithmetic/float64.ts.
+    isUnknown: (x) => g.not(g.isZero(g.sub(x, x))),
+    select: g.select,
     isWithin: g.isWithin,
     shown: (x) => x,
     sorted: (a, b) => sortedByDenominator(g, a, b) ?? [g.min(a, b), g.max(a, b)],
@@ -138,6 +144,11 @@ function doubleDouble(g: Graph): Recorder<Pair<Node>> {
     isNegative: ({ hi }) => g.less(hi, zero),
     isPositive: ({ hi }) => g.less(zero, hi),
     isZero: ({ hi }) => g.isZero(hi),
+    isUnknown: ({ hi }) => g.not(g.isZero(g.sub(hi, hi))),
+    select: (where, a, b) => ({
+      hi: g.select(where, a.hi, b.hi),
+      lo: g.select(where, a.lo, b.lo),
+    }),
     isWithin: ({ hi }, bound) => g.isWithin(hi, bound),
     shown: ({ hi }) => hi,
     sorted: (a, b) => [g.min(a.hi, b.hi), g.max(a.hi, b.hi)],
@@ -226,6 +237,13 @@ function interval(g: Graph): Recorder<Ends<Node>> {
     isNegative: ({ hi }) => g.less(hi, zero),
     isPositive: ({ lo }) => g.less(zero, lo),
     isZero: ({ lo, hi }) => g.and(g.isZero(lo), g.isZero(hi)),
+    // Neither only above 0, nor only below, nor 0.
+    isUnknown: ({ lo, hi }) =>
+      g.not(g.or(g.or(g.less(zero, lo), g.less(hi, zero)), g.and(g.isZero(lo), g.isZero(hi)))),
+    select: (where, a, b) => ({
+      lo: g.select(where, a.lo, b.lo),
+      hi: g.select(where, a.hi, b.hi),
+    }),
     isWithin: ({ lo, hi }, bound) => g.less(g.max(g.abs(lo), g.abs(hi)), g.of(bound)),
     shown,
     sorted: (a, b) => [

@@ -2,21 +2,28 @@ import type { Answers, Rays } from './batch.ts';
 import type { OneRay } from './one-ray.ts';
 
 /**
- * A loop without case distinctions over all rays. What would need one, because A or D is 0, a sign
- * is not known or a number leaves the range, is left open: its place is written into `open`, and
- * what stands in the answers there means nothing.
+ * A loop over all rays, without case distinctions but for those that are rare: A, D or N·d is 0, or
+ * a sign is not known. A ray whose class the roots do not tell is written into `marked` with its
+ * class; one that the loop cannot settle, because a number leaves the range, with ASK, and what
+ * stands in the answers there means nothing.
  *
  * @param numbers the shape's, in the order of NUMBERS.
  * @param roots whether the roots are wanted, where one loop serves both.
- * @returns how many are left open.
+ * @returns how many are marked.
  */
 export type Loop = (
   numbers: Float64Array,
   rays: Rays,
   out: Answers,
-  open: Int32Array,
+  marked: Int32Array,
   roots: boolean,
 ) => number;
+
+/** Only the method itself knows; in place of a place in VERDICTS. */
+export const ASK = 6;
+/** A mark is the ray's place, and its class times 2 to this. */
+export const CLASS_BIT = 28;
+export const PLACE = 2 ** CLASS_BIT - 1;
 
 export type Ask = 'both' | 'classes';
 export type Loops = Readonly<Record<Ask, Loop>>;
@@ -27,7 +34,7 @@ export interface Straight {
   readonly simd: string;
   /** The number system that they are in: the `id` of its arithmetic. */
   readonly arithmetic: string;
-  /** What the loops leave open, without objects; null where a number is more than one double. */
+  /** What the loops cannot settle, without objects; null where a number is more than one double. */
   readonly alone: OneRay | null;
   /** By kind of shape. */
   readonly loops: Readonly<Record<string, Loops>>;

@@ -12,7 +12,7 @@ import {
   type SimdMemory,
 } from './simd-memory.ts';
 import type { Source } from './straight.ts';
-import type { Ask, Loop } from './straight-loop.ts';
+import { type Ask, type Loop, PLACE } from './straight-loop.ts';
 
 const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 const OUTPUTS = ['t0', 't1', 'margin'] as const;
@@ -45,7 +45,7 @@ export function simdSource(memory: SimdMemory): Source {
     const lanes = isSingle ? 4 : 2;
     const written = WRITTEN[ask];
     const run = runOf(method, `${kind}${ask === 'both' ? 'Both' : 'Classes'}`);
-    return (numbers, rays, out, open) => {
+    return (numbers, rays, out, marked) => {
       (isSingle ? singles : doubles).set(numbers);
       const inPlace = written.every((name) => out[name].buffer === buffer);
       let left = 0;
@@ -58,8 +58,8 @@ export function simdSource(memory: SimdMemory): Source {
         const padded = count + ((lanes - (count % lanes)) % lanes);
         const end = run(...at, SCRATCH, NUMBERS, padded, ask === 'both' ? 1 : 0);
         for (let k = 0; k < (end - SCRATCH) >> 2; k++) {
-          const i = listed[k] as number;
-          if (i < count) open[left++] = from + i;
+          const mark = listed[k] as number;
+          if ((mark & PLACE) < count) marked[left++] = from + mark;
         }
         if (here) continue;
         for (const name of written) out[name].set(part(block[name], 0, count), from);

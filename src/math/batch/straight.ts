@@ -9,7 +9,6 @@ import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import {
   type Answers,
   type Kernel,
-  list,
   NONE,
   ONE,
   type Rays,
@@ -22,7 +21,7 @@ import {
 import { NUMBERS, STRAIGHT } from './generated/index.ts';
 import { mayLackNormal } from './normals.ts';
 import { AT_ROOTS, SLOT } from './one-ray.ts';
-import type { Ask, Loops } from './straight-loop.ts';
+import { ASK, type Ask, CLASS_BIT, type Loops, PLACE } from './straight-loop.ts';
 
 const slot = new Float64Array(SLOT);
 
@@ -31,7 +30,7 @@ export type Source = (method: string, kind: string) => Loops | null;
 
 export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
 
-/** The loops of `source`, and the method itself for what they leave open; null without loops. */
+/** The loops of `source`, and the method itself for what they cannot settle; null without loops. */
 export function straightKernel(method: Method, shape: Shape, source: Source): Kernel | null {
   const loops = source(method.id, shape.kind);
   if (!loops || !isOrdinary(method, shape)) return null;
@@ -39,7 +38,7 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
   const usual = met === 'two' ? TWO : ONE;
   const turn = turnOf(shape);
   const numbers = numbersOf(shape, turn);
-  let open = new Int32Array(0);
+  let marked = new Int32Array(0);
   const alone = met === 'two' ? (STRAIGHT[method.id]?.alone ?? null) : null;
   const form = alone?.forms[shape.kind];
   const format = FORMATS[STRAIGHT[method.id]?.arithmetic ?? ''] as Arithmetic<number>;
@@ -68,14 +67,22 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
 
   function ask(form: Ask, rays: Rays, out: Answers): void {
     out.rareCount = 0;
-    if (open.length < rays.count) open = new Int32Array(rays.count);
-    const left = (loops as Loops)[form](numbers, turned(rays, turn), out, open, form === 'both');
+    if (marked.length < rays.count) marked = new Int32Array(rays.count);
+    const { rareIndex, rareVerdict } = out;
+    const left = (loops as Loops)[form](numbers, turned(rays, turn), out, marked, form === 'both');
+    let listed = 0;
     for (let k = 0; k < left; k++) {
-      const i = open[k] as number;
-      const place = askAlone(rays, i, out);
-      out.margin[i] = place === NONE ? -1 : 1;
-      if (place !== NONE && place !== usual) list(out, i, place);
+      const i = (marked[k] as number) & PLACE;
+      let place = (marked[k] as number) >>> CLASS_BIT;
+      if (place === ASK) {
+        place = askAlone(rays, i, out);
+        out.margin[i] = place === NONE ? -1 : 1;
+        if (place === NONE || place === usual) continue;
+      }
+      rareIndex[listed] = i;
+      rareVerdict[listed++] = place;
     }
+    out.rareCount = listed;
   }
 
   return {

@@ -8,7 +8,7 @@ import type { Loop } from '../straight-loop.ts';
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(2);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -152,7 +152,18 @@ const v124 = v115 + v123;
 const v125 = (v72 - v124) + ((-(v70 - (v71 - v68))) - (v123 - (v124 - v115)));
 const v126 = (v112 + (v125 / v111)) + 0;
 if (((!((v12 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v126) < 2 ** 250)) ||
-!((v111 < 0 || 0 < v111)))) open[left++] = i;
+!((v111 < 0 || 0 < v111)))) {
+const v127 = v111 === 0 ? !(v71 - v71 === 0) ? 5 : v71 === 0 ? 4 : 0 : 6;
+const v128 = !((v12 + Math.abs(y)) + Math.abs(z) < 2 ** 100) ? 6 : !(v111 - v111 ===
+0) ? 5 : v127;
+const verdict = v128;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
 margin[i] = 1;
 }
@@ -164,7 +175,8 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
+roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = -k1;
@@ -316,97 +328,128 @@ const v135 = v132 - v130;
 const v136 = ((v130 - (v132 - v135)) + (v131 - v135)) + (v133 - (v134 - v128));
 const v137 = v134 + v136;
 if (((!((v10 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v32 < 0 || 0 < v32))) || !((v137 <
-0 || (0 < v137 && !(Math.abs(v137) < 2 ** -150)))))) open[left++] = i;
+0 || (0 < v137 && !(Math.abs(v137) < 2 ** -150)))))) {
+const v138 = v78 === 0 ? !(v114 - v114 === 0) ? 5 : v114 === 0 ? 4 : 0 : 1;
+const v139 = !(v137 - v137 === 0) ? 5 : v137 === 0 ? 3 : v137 < 0 ? 0 : 6;
+const v140 = v32 === 0 ? !(v78 - v78 === 0) ? 5 : v138 : v139;
+const v141 = !(v32 - v32 === 0) ? 5 : v140;
+const v142 = -(v32 === 0 ? v114 : v78);
+const v143 = v32 === 0 ? v78 : v32 * 2;
+const v144 = v142 / v143;
+const v145 = v144 * v143;
+const v146 = v144 * (v32 === 0 ? v84 : v124 * 2);
+const v147 = v145 + v146;
+const v148 = 134217729 * v144;
+const v149 = v148 - (v148 - v144);
+const v150 = v144 - v149;
+const v151 = 134217729 * v143;
+const v152 = v151 - (v151 - v143);
+const v153 = v143 - v152;
+const v154 = ((v145 - (v149 * v152)) - (v150 * v152)) - (v149 * v153);
+const v155 = (v146 - (v147 - v145)) + ((v150 * v153) - v154);
+const v156 = v147 + v155;
+const v157 = (-(v32 === 0 ? v123 : v84)) - (v155 - (v156 - v147));
+const v158 = (v144 + (((v142 - v156) + v157) / v143)) + 0;
+const v159 = (!((v10 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || ((v141 === 1 || v141 === 3) &&
+!(Math.abs(v158) < 2 ** 500))) ? 6 : v141;
+const verdict = v159;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = (v141 === 1 || v141 === 3) ? v158 : Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v138 = +(v137 < 0);
-margin[i] = 1 * (1 - 2 * v138);
-const v139 = Math.abs(v32);
-if (!(((!(v139 < 2 ** -150) && v139 < 2 ** 900) && (v78 < 0 || (0 < v78 || v78 ===
-0))))) open[left++] = i;
+const v160 = +(v137 < 0);
+margin[i] = 1 * (1 - 2 * v160);
+const v161 = Math.abs(v32);
+if (!(((!(v161 < 2 ** -150) && v161 < 2 ** 900) && (v78 < 0 || (0 < v78 || v78 ===
+0))))) marked[left++] = i + 6 * 2 ** 28;
 }
 else if (v137 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 }
 else {
-const v140 = +(v78 < 0);
-const v141 = Math.sqrt(v137);
-const v142 = v141 * v141;
-const v143 = 134217729 * v141;
-const v144 = v143 - (v143 - v141);
-const v145 = v141 - v144;
-const v146 = (v145 * v145) - ((v142 - (v144 * v144)) - (2 * (v144 * v145)));
-const v147 = (((v137 - v142) - v146) + (v136 - (v137 - v134))) / (2 * v141);
-const v148 = v141 + v147;
-const v149 = -v78;
-const v150 = v148 + v149;
-const v151 = v150 - v148;
-const v152 = v147 - (v148 - v141);
-const v153 = -v84;
-const v154 = v152 + v153;
-const v155 = ((v148 - (v150 - v151)) + (v149 - v151)) + v154;
-const v156 = v150 + v155;
-const v157 = v154 - v152;
-const v158 = ((v152 - (v154 - v157)) + (v153 - v157)) + (v155 - (v156 - v150));
-const v159 = v156 + v158;
-const v160 = v78 + v148;
-const v161 = v160 - v78;
-const v162 = v84 + v152;
-const v163 = ((v78 - (v160 - v161)) + (v148 - v161)) + v162;
-const v164 = v160 + v163;
-const v165 = v162 - v84;
-const v166 = ((v84 - (v162 - v165)) + (v152 - v165)) + (v163 - (v164 - v160));
-const v167 = v164 + v166;
-const v168 = (v159 * 0.5) * v140 + ((-v167) * 0.5) * (1 - v140);
-const v169 = v168 / v32;
-const v170 = v169 * v32;
-const v171 = v169 * v124;
+const v162 = +(v78 < 0);
+const v163 = Math.sqrt(v137);
+const v164 = v163 * v163;
+const v165 = 134217729 * v163;
+const v166 = v165 - (v165 - v163);
+const v167 = v163 - v166;
+const v168 = (v167 * v167) - ((v164 - (v166 * v166)) - (2 * (v166 * v167)));
+const v169 = (((v137 - v164) - v168) + (v136 - (v137 - v134))) / (2 * v163);
+const v170 = v163 + v169;
+const v171 = -v78;
 const v172 = v170 + v171;
-const v173 = 134217729 * v169;
-const v174 = v173 - (v173 - v169);
-const v175 = v169 - v174;
-const v176 = 134217729 * v32;
-const v177 = v176 - (v176 - v32);
-const v178 = v32 - v177;
-const v179 = ((v170 - (v174 * v177)) - (v175 * v177)) - (v174 * v178);
-const v180 = (v171 - (v172 - v170)) + ((v175 * v178) - v179);
-const v181 = v172 + v180;
-const v182 = ((v158 - (v159 - v156)) * 0.5) * v140 + ((-(v166 - (v167 - v164))) * 0.5) * (1 -
-v140);
-const v183 = ((v168 - v181) + (v182 - (v180 - (v181 - v172)))) / v32;
-const v184 = v169 + v183;
-const v185 = v114 / v168;
-const v186 = v185 * v168;
-const v187 = v185 * v182;
-const v188 = v186 + v187;
-const v189 = 134217729 * v185;
-const v190 = v189 - (v189 - v185);
-const v191 = v185 - v190;
-const v192 = 134217729 * v168;
-const v193 = v192 - (v192 - v168);
-const v194 = v168 - v193;
-const v195 = ((v186 - (v190 * v193)) - (v191 * v193)) - (v190 * v194);
-const v196 = (v187 - (v188 - v186)) + ((v191 * v194) - v195);
-const v197 = v188 + v196;
-const v198 = ((v114 - v197) + (v123 - (v196 - (v197 - v188)))) / v168;
-const v199 = v185 + v198;
-S[0] = v184;
-S[1] = v199;
-const v200 = +(v199 < v184);
-const v201 = S[0 + v200] as number;
-const v202 = v201 + 0;
-const v203 = S[1 - v200] as number;
-const v204 = v203 + 0;
-t0[i] = v202;
-t1[i] = v204;
-if (((v137 <= 0 && 0 <= v137) || !((Math.abs(v202) < 2 ** 500 && Math.abs(v204) < 2 **
-500)))) open[left++] = i;
+const v173 = v172 - v170;
+const v174 = v169 - (v170 - v163);
+const v175 = -v84;
+const v176 = v174 + v175;
+const v177 = ((v170 - (v172 - v173)) + (v171 - v173)) + v176;
+const v178 = v172 + v177;
+const v179 = v176 - v174;
+const v180 = ((v174 - (v176 - v179)) + (v175 - v179)) + (v177 - (v178 - v172));
+const v181 = v178 + v180;
+const v182 = v78 + v170;
+const v183 = v182 - v78;
+const v184 = v84 + v174;
+const v185 = ((v78 - (v182 - v183)) + (v170 - v183)) + v184;
+const v186 = v182 + v185;
+const v187 = v184 - v84;
+const v188 = ((v84 - (v184 - v187)) + (v174 - v187)) + (v185 - (v186 - v182));
+const v189 = v186 + v188;
+const v190 = (v181 * 0.5) * v162 + ((-v189) * 0.5) * (1 - v162);
+const v191 = v190 / v32;
+const v192 = v191 * v32;
+const v193 = v191 * v124;
+const v194 = v192 + v193;
+const v195 = 134217729 * v191;
+const v196 = v195 - (v195 - v191);
+const v197 = v191 - v196;
+const v198 = 134217729 * v32;
+const v199 = v198 - (v198 - v32);
+const v200 = v32 - v199;
+const v201 = ((v192 - (v196 * v199)) - (v197 * v199)) - (v196 * v200);
+const v202 = (v193 - (v194 - v192)) + ((v197 * v200) - v201);
+const v203 = v194 + v202;
+const v204 = ((v180 - (v181 - v178)) * 0.5) * v162 + ((-(v188 - (v189 - v186))) * 0.5) * (1 -
+v162);
+const v205 = ((v190 - v203) + (v204 - (v202 - (v203 - v194)))) / v32;
+const v206 = v191 + v205;
+const v207 = v114 / v190;
+const v208 = v207 * v190;
+const v209 = v207 * v204;
+const v210 = v208 + v209;
+const v211 = 134217729 * v207;
+const v212 = v211 - (v211 - v207);
+const v213 = v207 - v212;
+const v214 = 134217729 * v190;
+const v215 = v214 - (v214 - v190);
+const v216 = v190 - v215;
+const v217 = ((v208 - (v212 * v215)) - (v213 * v215)) - (v212 * v216);
+const v218 = (v209 - (v210 - v208)) + ((v213 * v216) - v217);
+const v219 = v210 + v218;
+const v220 = ((v114 - v219) + (v123 - (v218 - (v219 - v210)))) / v190;
+const v221 = v207 + v220;
+S[0] = v206;
+S[1] = v221;
+const v222 = +(v221 < v206);
+const v223 = S[0 + v222] as number;
+const v224 = v223 + 0;
+const v225 = S[1 - v222] as number;
+const v226 = v225 + 0;
+t0[i] = v224;
+t1[i] = v226;
+if (((v137 <= 0 && 0 <= v137) || !((Math.abs(v224) < 2 ** 500 && Math.abs(v226) < 2 **
+500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 }
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -636,97 +679,128 @@ const v212 = v209 - v207;
 const v213 = ((v207 - (v209 - v212)) + (v208 - v212)) + (v210 - (v211 - v205));
 const v214 = v211 + v213;
 if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 0 || 0 < v64))) || !((v214 <
-0 || (0 < v214 && !(Math.abs(v214) < 2 ** -150)))))) open[left++] = i;
+0 || (0 < v214 && !(Math.abs(v214) < 2 ** -150)))))) {
+const v215 = v142 === 0 ? !(v191 - v191 === 0) ? 5 : v191 === 0 ? 4 : 0 : 1;
+const v216 = !(v214 - v214 === 0) ? 5 : v214 === 0 ? 3 : v214 < 0 ? 0 : 6;
+const v217 = v64 === 0 ? !(v142 - v142 === 0) ? 5 : v215 : v216;
+const v218 = !(v64 - v64 === 0) ? 5 : v217;
+const v219 = -(v64 === 0 ? v191 : v142);
+const v220 = v64 === 0 ? v142 : v64 * 2;
+const v221 = v219 / v220;
+const v222 = v221 * v220;
+const v223 = v221 * (v64 === 0 ? v148 : v201 * 2);
+const v224 = v222 + v223;
+const v225 = 134217729 * v221;
+const v226 = v225 - (v225 - v221);
+const v227 = v221 - v226;
+const v228 = 134217729 * v220;
+const v229 = v228 - (v228 - v220);
+const v230 = v220 - v229;
+const v231 = ((v222 - (v226 * v229)) - (v227 * v229)) - (v226 * v230);
+const v232 = (v223 - (v224 - v222)) + ((v227 * v230) - v231);
+const v233 = v224 + v232;
+const v234 = (-(v64 === 0 ? v200 : v148)) - (v232 - (v233 - v224));
+const v235 = (v221 + (((v219 - v233) + v234) / v220)) + 0;
+const v236 = (!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || ((v218 === 1 || v218 === 3) &&
+!(Math.abs(v235) < 2 ** 500))) ? 6 : v218;
+const verdict = v236;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = (v218 === 1 || v218 === 3) ? v235 : Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v215 = +(v214 < 0);
-margin[i] = 1 * (1 - 2 * v215);
-const v216 = Math.abs(v64);
-if (!(((!(v216 < 2 ** -150) && v216 < 2 ** 900) && (v142 < 0 || (0 < v142 || v142 ===
-0))))) open[left++] = i;
+const v237 = +(v214 < 0);
+margin[i] = 1 * (1 - 2 * v237);
+const v238 = Math.abs(v64);
+if (!(((!(v238 < 2 ** -150) && v238 < 2 ** 900) && (v142 < 0 || (0 < v142 || v142 ===
+0))))) marked[left++] = i + 6 * 2 ** 28;
 }
 else if (v214 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 }
 else {
-const v217 = +(v142 < 0);
-const v218 = Math.sqrt(v214);
-const v219 = v218 * v218;
-const v220 = 134217729 * v218;
-const v221 = v220 - (v220 - v218);
-const v222 = v218 - v221;
-const v223 = (v222 * v222) - ((v219 - (v221 * v221)) - (2 * (v221 * v222)));
-const v224 = (((v214 - v219) - v223) + (v213 - (v214 - v211))) / (2 * v218);
-const v225 = v218 + v224;
-const v226 = -v142;
-const v227 = v225 + v226;
-const v228 = v227 - v225;
-const v229 = v224 - (v225 - v218);
-const v230 = -v148;
-const v231 = v229 + v230;
-const v232 = ((v225 - (v227 - v228)) + (v226 - v228)) + v231;
-const v233 = v227 + v232;
-const v234 = v231 - v229;
-const v235 = ((v229 - (v231 - v234)) + (v230 - v234)) + (v232 - (v233 - v227));
-const v236 = v233 + v235;
-const v237 = v142 + v225;
-const v238 = v237 - v142;
-const v239 = v148 + v229;
-const v240 = ((v142 - (v237 - v238)) + (v225 - v238)) + v239;
-const v241 = v237 + v240;
-const v242 = v239 - v148;
-const v243 = ((v148 - (v239 - v242)) + (v229 - v242)) + (v240 - (v241 - v237));
-const v244 = v241 + v243;
-const v245 = (v236 * 0.5) * v217 + ((-v244) * 0.5) * (1 - v217);
-const v246 = v245 / v64;
-const v247 = v246 * v64;
-const v248 = v246 * v201;
+const v239 = +(v142 < 0);
+const v240 = Math.sqrt(v214);
+const v241 = v240 * v240;
+const v242 = 134217729 * v240;
+const v243 = v242 - (v242 - v240);
+const v244 = v240 - v243;
+const v245 = (v244 * v244) - ((v241 - (v243 * v243)) - (2 * (v243 * v244)));
+const v246 = (((v214 - v241) - v245) + (v213 - (v214 - v211))) / (2 * v240);
+const v247 = v240 + v246;
+const v248 = -v142;
 const v249 = v247 + v248;
-const v250 = 134217729 * v246;
-const v251 = v250 - (v250 - v246);
-const v252 = v246 - v251;
-const v253 = 134217729 * v64;
-const v254 = v253 - (v253 - v64);
-const v255 = v64 - v254;
-const v256 = ((v247 - (v251 * v254)) - (v252 * v254)) - (v251 * v255);
-const v257 = (v248 - (v249 - v247)) + ((v252 * v255) - v256);
-const v258 = v249 + v257;
-const v259 = ((v235 - (v236 - v233)) * 0.5) * v217 + ((-(v243 - (v244 - v241))) * 0.5) * (1 -
-v217);
-const v260 = ((v245 - v258) + (v259 - (v257 - (v258 - v249)))) / v64;
-const v261 = v246 + v260;
-const v262 = v191 / v245;
-const v263 = v262 * v245;
-const v264 = v262 * v259;
-const v265 = v263 + v264;
-const v266 = 134217729 * v262;
-const v267 = v266 - (v266 - v262);
-const v268 = v262 - v267;
-const v269 = 134217729 * v245;
-const v270 = v269 - (v269 - v245);
-const v271 = v245 - v270;
-const v272 = ((v263 - (v267 * v270)) - (v268 * v270)) - (v267 * v271);
-const v273 = (v264 - (v265 - v263)) + ((v268 * v271) - v272);
-const v274 = v265 + v273;
-const v275 = ((v191 - v274) + (v200 - (v273 - (v274 - v265)))) / v245;
-const v276 = v262 + v275;
-S[0] = v261;
-S[1] = v276;
-const v277 = +(v276 < v261);
-const v278 = S[0 + v277] as number;
-const v279 = v278 + 0;
-const v280 = S[1 - v277] as number;
-const v281 = v280 + 0;
-t0[i] = v279;
-t1[i] = v281;
-if (((v214 <= 0 && 0 <= v214) || !((Math.abs(v279) < 2 ** 500 && Math.abs(v281) < 2 **
-500)))) open[left++] = i;
+const v250 = v249 - v247;
+const v251 = v246 - (v247 - v240);
+const v252 = -v148;
+const v253 = v251 + v252;
+const v254 = ((v247 - (v249 - v250)) + (v248 - v250)) + v253;
+const v255 = v249 + v254;
+const v256 = v253 - v251;
+const v257 = ((v251 - (v253 - v256)) + (v252 - v256)) + (v254 - (v255 - v249));
+const v258 = v255 + v257;
+const v259 = v142 + v247;
+const v260 = v259 - v142;
+const v261 = v148 + v251;
+const v262 = ((v142 - (v259 - v260)) + (v247 - v260)) + v261;
+const v263 = v259 + v262;
+const v264 = v261 - v148;
+const v265 = ((v148 - (v261 - v264)) + (v251 - v264)) + (v262 - (v263 - v259));
+const v266 = v263 + v265;
+const v267 = (v258 * 0.5) * v239 + ((-v266) * 0.5) * (1 - v239);
+const v268 = v267 / v64;
+const v269 = v268 * v64;
+const v270 = v268 * v201;
+const v271 = v269 + v270;
+const v272 = 134217729 * v268;
+const v273 = v272 - (v272 - v268);
+const v274 = v268 - v273;
+const v275 = 134217729 * v64;
+const v276 = v275 - (v275 - v64);
+const v277 = v64 - v276;
+const v278 = ((v269 - (v273 * v276)) - (v274 * v276)) - (v273 * v277);
+const v279 = (v270 - (v271 - v269)) + ((v274 * v277) - v278);
+const v280 = v271 + v279;
+const v281 = ((v257 - (v258 - v255)) * 0.5) * v239 + ((-(v265 - (v266 - v263))) * 0.5) * (1 -
+v239);
+const v282 = ((v267 - v280) + (v281 - (v279 - (v280 - v271)))) / v64;
+const v283 = v268 + v282;
+const v284 = v191 / v267;
+const v285 = v284 * v267;
+const v286 = v284 * v281;
+const v287 = v285 + v286;
+const v288 = 134217729 * v284;
+const v289 = v288 - (v288 - v284);
+const v290 = v284 - v289;
+const v291 = 134217729 * v267;
+const v292 = v291 - (v291 - v267);
+const v293 = v267 - v292;
+const v294 = ((v285 - (v289 * v292)) - (v290 * v292)) - (v289 * v293);
+const v295 = (v286 - (v287 - v285)) + ((v290 * v293) - v294);
+const v296 = v287 + v295;
+const v297 = ((v191 - v296) + (v200 - (v295 - (v296 - v287)))) / v267;
+const v298 = v284 + v297;
+S[0] = v283;
+S[1] = v298;
+const v299 = +(v298 < v283);
+const v300 = S[0 + v299] as number;
+const v301 = v300 + 0;
+const v302 = S[1 - v299] as number;
+const v303 = v302 + 0;
+t0[i] = v301;
+t1[i] = v303;
+if (((v214 <= 0 && 0 <= v214) || !((Math.abs(v301) < 2 ** 500 && Math.abs(v303) < 2 **
+500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 }
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open,
+export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
 roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
@@ -966,97 +1040,128 @@ const v220 = v217 - v215;
 const v221 = ((v215 - (v217 - v220)) + (v216 - v220)) + (v218 - (v219 - v213));
 const v222 = v219 + v221;
 if (((!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v64 < 0 || 0 < v64))) || !((v222 <
-0 || (0 < v222 && !(Math.abs(v222) < 2 ** -150)))))) open[left++] = i;
+0 || (0 < v222 && !(Math.abs(v222) < 2 ** -150)))))) {
+const v223 = v141 === 0 ? !(v199 - v199 === 0) ? 5 : v199 === 0 ? 4 : 0 : 1;
+const v224 = !(v222 - v222 === 0) ? 5 : v222 === 0 ? 3 : v222 < 0 ? 0 : 6;
+const v225 = v64 === 0 ? !(v141 - v141 === 0) ? 5 : v223 : v224;
+const v226 = !(v64 - v64 === 0) ? 5 : v225;
+const v227 = -(v64 === 0 ? v199 : v141);
+const v228 = v64 === 0 ? v141 : v64 * 2;
+const v229 = v227 / v228;
+const v230 = v229 * v228;
+const v231 = v229 * (v64 === 0 ? v147 : v209 * 2);
+const v232 = v230 + v231;
+const v233 = 134217729 * v229;
+const v234 = v233 - (v233 - v229);
+const v235 = v229 - v234;
+const v236 = 134217729 * v228;
+const v237 = v236 - (v236 - v228);
+const v238 = v228 - v237;
+const v239 = ((v230 - (v234 * v237)) - (v235 * v237)) - (v234 * v238);
+const v240 = (v231 - (v232 - v230)) + ((v235 * v238) - v239);
+const v241 = v232 + v240;
+const v242 = (-(v64 === 0 ? v208 : v147)) - (v240 - (v241 - v232));
+const v243 = (v229 + (((v227 - v241) + v242) / v228)) + 0;
+const v244 = (!((v18 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || ((v226 === 1 || v226 === 3) &&
+!(Math.abs(v243) < 2 ** 500))) ? 6 : v226;
+const verdict = v244;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = (v226 === 1 || v226 === 3) ? v243 : Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v223 = +(v222 < 0);
-margin[i] = 1 * (1 - 2 * v223);
-const v224 = Math.abs(v64);
-if (!(((!(v224 < 2 ** -150) && v224 < 2 ** 900) && (v141 < 0 || (0 < v141 || v141 ===
-0))))) open[left++] = i;
+const v245 = +(v222 < 0);
+margin[i] = 1 * (1 - 2 * v245);
+const v246 = Math.abs(v64);
+if (!(((!(v246 < 2 ** -150) && v246 < 2 ** 900) && (v141 < 0 || (0 < v141 || v141 ===
+0))))) marked[left++] = i + 6 * 2 ** 28;
 }
 else if (v222 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 }
 else {
-const v225 = +(v141 < 0);
-const v226 = Math.sqrt(v222);
-const v227 = v226 * v226;
-const v228 = 134217729 * v226;
-const v229 = v228 - (v228 - v226);
-const v230 = v226 - v229;
-const v231 = (v230 * v230) - ((v227 - (v229 * v229)) - (2 * (v229 * v230)));
-const v232 = (((v222 - v227) - v231) + (v221 - (v222 - v219))) / (2 * v226);
-const v233 = v226 + v232;
-const v234 = -v141;
-const v235 = v233 + v234;
-const v236 = v235 - v233;
-const v237 = v232 - (v233 - v226);
-const v238 = -v147;
-const v239 = v237 + v238;
-const v240 = ((v233 - (v235 - v236)) + (v234 - v236)) + v239;
-const v241 = v235 + v240;
-const v242 = v239 - v237;
-const v243 = ((v237 - (v239 - v242)) + (v238 - v242)) + (v240 - (v241 - v235));
-const v244 = v241 + v243;
-const v245 = v141 + v233;
-const v246 = v245 - v141;
-const v247 = v147 + v237;
-const v248 = ((v141 - (v245 - v246)) + (v233 - v246)) + v247;
-const v249 = v245 + v248;
-const v250 = v247 - v147;
-const v251 = ((v147 - (v247 - v250)) + (v237 - v250)) + (v248 - (v249 - v245));
-const v252 = v249 + v251;
-const v253 = (v244 * 0.5) * v225 + ((-v252) * 0.5) * (1 - v225);
-const v254 = v253 / v64;
-const v255 = v254 * v64;
-const v256 = v254 * v209;
+const v247 = +(v141 < 0);
+const v248 = Math.sqrt(v222);
+const v249 = v248 * v248;
+const v250 = 134217729 * v248;
+const v251 = v250 - (v250 - v248);
+const v252 = v248 - v251;
+const v253 = (v252 * v252) - ((v249 - (v251 * v251)) - (2 * (v251 * v252)));
+const v254 = (((v222 - v249) - v253) + (v221 - (v222 - v219))) / (2 * v248);
+const v255 = v248 + v254;
+const v256 = -v141;
 const v257 = v255 + v256;
-const v258 = 134217729 * v254;
-const v259 = v258 - (v258 - v254);
-const v260 = v254 - v259;
-const v261 = 134217729 * v64;
-const v262 = v261 - (v261 - v64);
-const v263 = v64 - v262;
-const v264 = ((v255 - (v259 * v262)) - (v260 * v262)) - (v259 * v263);
-const v265 = (v256 - (v257 - v255)) + ((v260 * v263) - v264);
-const v266 = v257 + v265;
-const v267 = ((v243 - (v244 - v241)) * 0.5) * v225 + ((-(v251 - (v252 - v249))) * 0.5) * (1 -
-v225);
-const v268 = ((v253 - v266) + (v267 - (v265 - (v266 - v257)))) / v64;
-const v269 = v254 + v268;
-const v270 = v199 / v253;
-const v271 = v270 * v253;
-const v272 = v270 * v267;
-const v273 = v271 + v272;
-const v274 = 134217729 * v270;
-const v275 = v274 - (v274 - v270);
-const v276 = v270 - v275;
-const v277 = 134217729 * v253;
-const v278 = v277 - (v277 - v253);
-const v279 = v253 - v278;
-const v280 = ((v271 - (v275 * v278)) - (v276 * v278)) - (v275 * v279);
-const v281 = (v272 - (v273 - v271)) + ((v276 * v279) - v280);
-const v282 = v273 + v281;
-const v283 = ((v199 - v282) + (v208 - (v281 - (v282 - v273)))) / v253;
-const v284 = v270 + v283;
-S[0] = v269;
-S[1] = v284;
-const v285 = +(v284 < v269);
-const v286 = S[0 + v285] as number;
-const v287 = v286 + 0;
-const v288 = S[1 - v285] as number;
-const v289 = v288 + 0;
-t0[i] = v287;
-t1[i] = v289;
-if (((v222 <= 0 && 0 <= v222) || !((Math.abs(v287) < 2 ** 500 && Math.abs(v289) < 2 **
-500)))) open[left++] = i;
+const v258 = v257 - v255;
+const v259 = v254 - (v255 - v248);
+const v260 = -v147;
+const v261 = v259 + v260;
+const v262 = ((v255 - (v257 - v258)) + (v256 - v258)) + v261;
+const v263 = v257 + v262;
+const v264 = v261 - v259;
+const v265 = ((v259 - (v261 - v264)) + (v260 - v264)) + (v262 - (v263 - v257));
+const v266 = v263 + v265;
+const v267 = v141 + v255;
+const v268 = v267 - v141;
+const v269 = v147 + v259;
+const v270 = ((v141 - (v267 - v268)) + (v255 - v268)) + v269;
+const v271 = v267 + v270;
+const v272 = v269 - v147;
+const v273 = ((v147 - (v269 - v272)) + (v259 - v272)) + (v270 - (v271 - v267));
+const v274 = v271 + v273;
+const v275 = (v266 * 0.5) * v247 + ((-v274) * 0.5) * (1 - v247);
+const v276 = v275 / v64;
+const v277 = v276 * v64;
+const v278 = v276 * v209;
+const v279 = v277 + v278;
+const v280 = 134217729 * v276;
+const v281 = v280 - (v280 - v276);
+const v282 = v276 - v281;
+const v283 = 134217729 * v64;
+const v284 = v283 - (v283 - v64);
+const v285 = v64 - v284;
+const v286 = ((v277 - (v281 * v284)) - (v282 * v284)) - (v281 * v285);
+const v287 = (v278 - (v279 - v277)) + ((v282 * v285) - v286);
+const v288 = v279 + v287;
+const v289 = ((v265 - (v266 - v263)) * 0.5) * v247 + ((-(v273 - (v274 - v271))) * 0.5) * (1 -
+v247);
+const v290 = ((v275 - v288) + (v289 - (v287 - (v288 - v279)))) / v64;
+const v291 = v276 + v290;
+const v292 = v199 / v275;
+const v293 = v292 * v275;
+const v294 = v292 * v289;
+const v295 = v293 + v294;
+const v296 = 134217729 * v292;
+const v297 = v296 - (v296 - v292);
+const v298 = v292 - v297;
+const v299 = 134217729 * v275;
+const v300 = v299 - (v299 - v275);
+const v301 = v275 - v300;
+const v302 = ((v293 - (v297 * v300)) - (v298 * v300)) - (v297 * v301);
+const v303 = (v294 - (v295 - v293)) + ((v298 * v301) - v302);
+const v304 = v295 + v303;
+const v305 = ((v199 - v304) + (v208 - (v303 - (v304 - v295)))) / v275;
+const v306 = v292 + v305;
+S[0] = v291;
+S[1] = v306;
+const v307 = +(v306 < v291);
+const v308 = S[0 + v307] as number;
+const v309 = v308 + 0;
+const v310 = S[1 - v307] as number;
+const v311 = v310 + 0;
+t0[i] = v309;
+t1[i] = v311;
+if (((v222 <= 0 && 0 <= v222) || !((Math.abs(v309) < 2 ** 500 && Math.abs(v311) < 2 **
+500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 }
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -1326,21 +1431,34 @@ const v249 = ((v245 - (v245 - v248)) + (-v248)) + (v246 - (v247 - v243));
 const v250 = v247 + v249;
 if ((((((v232 <= 0 && 0 <= v232) || !((v233 + Math.abs(y)) + Math.abs(z) < 2 ** 100)) ||
 !(Math.abs(v234) < 2 ** 250)) || !((v111 < 0 || 0 < v111))) || !((0 < v250 || (v250 < 0 ||
-v250 === 0))))) open[left++] = i;
+v250 === 0))))) {
+const v251 = (0 < v250 && v250 - v250 === 0) ? 0 : !(v250 - v250 === 0) ? 5 : 6;
+const v252 = (!(Math.abs(v234) < 2 ** 250) || (v232 <= 0 && 0 <= v232)) ? 6 : v251;
+const v253 = v111 === 0 ? !(v71 - v71 === 0) ? 5 : v71 === 0 ? 4 : 0 : v252;
+const v254 = !((v233 + Math.abs(y)) + Math.abs(z) < 2 ** 100) ? 6 : !(v111 - v111 ===
+0) ? 5 : v253;
+const verdict = v254;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v251 = +(0 < v250);
-margin[i] = 1 * (1 - 2 * v251);
+const v255 = +(0 < v250);
+margin[i] = 1 * (1 - 2 * v255);
 }
 else {
-const v252 = +(0 < v250);
-t0[i] = v234 * (ONE_OR_NAN[v252] as number);
+const v256 = +(0 < v250);
+t0[i] = v234 * (ONE_OR_NAN[v256] as number);
 t1[i] = Number.NaN;
 }
 }
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -1567,29 +1685,45 @@ const v206 = v203 + v205;
 if (((((((!((v28 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !(Math.abs(v144) < 2 ** 250)) ||
 !((v127 < 0 || 0 < v127))) || !((0 < v169 || (v169 < 0 || v169 === 0)))) || !((0 < v177 ||
 (v177 < 0 || v177 === 0)))) || !((0 < v198 || (v198 < 0 || v198 === 0)))) || !((0 < v206 ||
-(v206 < 0 || v206 === 0))))) open[left++] = i;
+(v206 < 0 || v206 === 0))))) {
+const v207 = (((!(v169 - v169 === 0) || !(v177 - v177 === 0)) || !(v198 - v198 === 0)) ||
+!(v206 - v206 === 0)) ? 5 : 6;
+const v208 = ((((0 < v169 && v169 - v169 === 0) || (0 < v177 && v177 - v177 === 0)) || (0 <
+v198 && v198 - v198 === 0)) || (0 < v206 && v206 - v206 === 0)) ? 0 : v207;
+const v209 = v127 === 0 ? !(v87 - v87 === 0) ? 5 : v87 === 0 ? 4 : 0 : !(Math.abs(v144) < 2 **
+250) ? 6 : v208;
+const v210 = !((v28 + Math.abs(y)) + Math.abs(z) < 2 ** 100) ? 6 : !(v127 - v127 ===
+0) ? 5 : v209;
+const verdict = v210;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v207 = +(0 < v169);
-const v208 = +(0 < v177);
-const v209 = +(0 < v198);
-const v210 = +(0 < v206);
-const v211 = (((v207 | v208) | v209) | v210);
-margin[i] = 1 * (1 - 2 * v211);
+const v211 = +(0 < v169);
+const v212 = +(0 < v177);
+const v213 = +(0 < v198);
+const v214 = +(0 < v206);
+const v215 = (((v211 | v212) | v213) | v214);
+margin[i] = 1 * (1 - 2 * v215);
 }
 else {
-const v212 = +(0 < v169);
-const v213 = +(0 < v177);
-const v214 = +(0 < v198);
-const v215 = +(0 < v206);
-const v216 = (((v212 | v213) | v214) | v215);
-t0[i] = v144 * (ONE_OR_NAN[v216] as number);
+const v216 = +(0 < v169);
+const v217 = +(0 < v177);
+const v218 = +(0 < v198);
+const v219 = +(0 < v206);
+const v220 = (((v216 | v217) | v218) | v219);
+t0[i] = v144 * (ONE_OR_NAN[v220] as number);
 t1[i] = Number.NaN;
 }
 }
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open, roots) => {
+export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = -k1;
@@ -1801,97 +1935,128 @@ const v194 = v191 - v189;
 const v195 = ((v189 - (v191 - v194)) + (v190 - v194)) + (v192 - (v193 - v187));
 const v196 = v193 + v195;
 if (((!((v11 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v49 < 0 || 0 < v49))) || !((v196 <
-0 || (0 < v196 && !(Math.abs(v196) < 2 ** -150)))))) open[left++] = i;
+0 || (0 < v196 && !(Math.abs(v196) < 2 ** -150)))))) {
+const v197 = v123 === 0 ? !(v173 - v173 === 0) ? 5 : v173 === 0 ? 4 : 0 : 1;
+const v198 = !(v196 - v196 === 0) ? 5 : v196 === 0 ? 3 : v196 < 0 ? 0 : 6;
+const v199 = v49 === 0 ? !(v123 - v123 === 0) ? 5 : v197 : v198;
+const v200 = !(v49 - v49 === 0) ? 5 : v199;
+const v201 = -(v49 === 0 ? v173 : v123);
+const v202 = v49 === 0 ? v123 : v49 * 2;
+const v203 = v201 / v202;
+const v204 = v203 * v202;
+const v205 = v203 * (v49 === 0 ? v129 : v183 * 2);
+const v206 = v204 + v205;
+const v207 = 134217729 * v203;
+const v208 = v207 - (v207 - v203);
+const v209 = v203 - v208;
+const v210 = 134217729 * v202;
+const v211 = v210 - (v210 - v202);
+const v212 = v202 - v211;
+const v213 = ((v204 - (v208 * v211)) - (v209 * v211)) - (v208 * v212);
+const v214 = (v205 - (v206 - v204)) + ((v209 * v212) - v213);
+const v215 = v206 + v214;
+const v216 = (-(v49 === 0 ? v182 : v129)) - (v214 - (v215 - v206));
+const v217 = (v203 + (((v201 - v215) + v216) / v202)) + 0;
+const v218 = (!((v11 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || ((v200 === 1 || v200 === 3) &&
+!(Math.abs(v217) < 2 ** 500))) ? 6 : v200;
+const verdict = v218;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = (v200 === 1 || v200 === 3) ? v217 : Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v197 = +(v196 < 0);
-margin[i] = 1 * (1 - 2 * v197);
-const v198 = Math.abs(v49);
-if (!(((!(v198 < 2 ** -150) && v198 < 2 ** 900) && (v123 < 0 || (0 < v123 || v123 ===
-0))))) open[left++] = i;
+const v219 = +(v196 < 0);
+margin[i] = 1 * (1 - 2 * v219);
+const v220 = Math.abs(v49);
+if (!(((!(v220 < 2 ** -150) && v220 < 2 ** 900) && (v123 < 0 || (0 < v123 || v123 ===
+0))))) marked[left++] = i + 6 * 2 ** 28;
 }
 else if (v196 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 }
 else {
-const v199 = +(v123 < 0);
-const v200 = Math.sqrt(v196);
-const v201 = v200 * v200;
-const v202 = 134217729 * v200;
-const v203 = v202 - (v202 - v200);
-const v204 = v200 - v203;
-const v205 = (v204 * v204) - ((v201 - (v203 * v203)) - (2 * (v203 * v204)));
-const v206 = (((v196 - v201) - v205) + (v195 - (v196 - v193))) / (2 * v200);
-const v207 = v200 + v206;
-const v208 = -v123;
-const v209 = v207 + v208;
-const v210 = v209 - v207;
-const v211 = v206 - (v207 - v200);
-const v212 = -v129;
-const v213 = v211 + v212;
-const v214 = ((v207 - (v209 - v210)) + (v208 - v210)) + v213;
-const v215 = v209 + v214;
-const v216 = v213 - v211;
-const v217 = ((v211 - (v213 - v216)) + (v212 - v216)) + (v214 - (v215 - v209));
-const v218 = v215 + v217;
-const v219 = v123 + v207;
-const v220 = v219 - v123;
-const v221 = v129 + v211;
-const v222 = ((v123 - (v219 - v220)) + (v207 - v220)) + v221;
-const v223 = v219 + v222;
-const v224 = v221 - v129;
-const v225 = ((v129 - (v221 - v224)) + (v211 - v224)) + (v222 - (v223 - v219));
-const v226 = v223 + v225;
-const v227 = (v218 * 0.5) * v199 + ((-v226) * 0.5) * (1 - v199);
-const v228 = v227 / v49;
-const v229 = v228 * v49;
-const v230 = v228 * v183;
+const v221 = +(v123 < 0);
+const v222 = Math.sqrt(v196);
+const v223 = v222 * v222;
+const v224 = 134217729 * v222;
+const v225 = v224 - (v224 - v222);
+const v226 = v222 - v225;
+const v227 = (v226 * v226) - ((v223 - (v225 * v225)) - (2 * (v225 * v226)));
+const v228 = (((v196 - v223) - v227) + (v195 - (v196 - v193))) / (2 * v222);
+const v229 = v222 + v228;
+const v230 = -v123;
 const v231 = v229 + v230;
-const v232 = 134217729 * v228;
-const v233 = v232 - (v232 - v228);
-const v234 = v228 - v233;
-const v235 = 134217729 * v49;
-const v236 = v235 - (v235 - v49);
-const v237 = v49 - v236;
-const v238 = ((v229 - (v233 * v236)) - (v234 * v236)) - (v233 * v237);
-const v239 = (v230 - (v231 - v229)) + ((v234 * v237) - v238);
-const v240 = v231 + v239;
-const v241 = ((v217 - (v218 - v215)) * 0.5) * v199 + ((-(v225 - (v226 - v223))) * 0.5) * (1 -
-v199);
-const v242 = ((v227 - v240) + (v241 - (v239 - (v240 - v231)))) / v49;
-const v243 = v228 + v242;
-const v244 = v173 / v227;
-const v245 = v244 * v227;
-const v246 = v244 * v241;
-const v247 = v245 + v246;
-const v248 = 134217729 * v244;
-const v249 = v248 - (v248 - v244);
-const v250 = v244 - v249;
-const v251 = 134217729 * v227;
-const v252 = v251 - (v251 - v227);
-const v253 = v227 - v252;
-const v254 = ((v245 - (v249 * v252)) - (v250 * v252)) - (v249 * v253);
-const v255 = (v246 - (v247 - v245)) + ((v250 * v253) - v254);
-const v256 = v247 + v255;
-const v257 = ((v173 - v256) + (v182 - (v255 - (v256 - v247)))) / v227;
-const v258 = v244 + v257;
-S[0] = v243;
-S[1] = v258;
-const v259 = +(v258 < v243);
-const v260 = S[0 + v259] as number;
-const v261 = v260 + 0;
-const v262 = S[1 - v259] as number;
-const v263 = v262 + 0;
-t0[i] = v261;
-t1[i] = v263;
-if (((v196 <= 0 && 0 <= v196) || !((Math.abs(v261) < 2 ** 500 && Math.abs(v263) < 2 **
-500)))) open[left++] = i;
+const v232 = v231 - v229;
+const v233 = v228 - (v229 - v222);
+const v234 = -v129;
+const v235 = v233 + v234;
+const v236 = ((v229 - (v231 - v232)) + (v230 - v232)) + v235;
+const v237 = v231 + v236;
+const v238 = v235 - v233;
+const v239 = ((v233 - (v235 - v238)) + (v234 - v238)) + (v236 - (v237 - v231));
+const v240 = v237 + v239;
+const v241 = v123 + v229;
+const v242 = v241 - v123;
+const v243 = v129 + v233;
+const v244 = ((v123 - (v241 - v242)) + (v229 - v242)) + v243;
+const v245 = v241 + v244;
+const v246 = v243 - v129;
+const v247 = ((v129 - (v243 - v246)) + (v233 - v246)) + (v244 - (v245 - v241));
+const v248 = v245 + v247;
+const v249 = (v240 * 0.5) * v221 + ((-v248) * 0.5) * (1 - v221);
+const v250 = v249 / v49;
+const v251 = v250 * v49;
+const v252 = v250 * v183;
+const v253 = v251 + v252;
+const v254 = 134217729 * v250;
+const v255 = v254 - (v254 - v250);
+const v256 = v250 - v255;
+const v257 = 134217729 * v49;
+const v258 = v257 - (v257 - v49);
+const v259 = v49 - v258;
+const v260 = ((v251 - (v255 * v258)) - (v256 * v258)) - (v255 * v259);
+const v261 = (v252 - (v253 - v251)) + ((v256 * v259) - v260);
+const v262 = v253 + v261;
+const v263 = ((v239 - (v240 - v237)) * 0.5) * v221 + ((-(v247 - (v248 - v245))) * 0.5) * (1 -
+v221);
+const v264 = ((v249 - v262) + (v263 - (v261 - (v262 - v253)))) / v49;
+const v265 = v250 + v264;
+const v266 = v173 / v249;
+const v267 = v266 * v249;
+const v268 = v266 * v263;
+const v269 = v267 + v268;
+const v270 = 134217729 * v266;
+const v271 = v270 - (v270 - v266);
+const v272 = v266 - v271;
+const v273 = 134217729 * v249;
+const v274 = v273 - (v273 - v249);
+const v275 = v249 - v274;
+const v276 = ((v267 - (v271 * v274)) - (v272 * v274)) - (v271 * v275);
+const v277 = (v268 - (v269 - v267)) + ((v272 * v275) - v276);
+const v278 = v269 + v277;
+const v279 = ((v173 - v278) + (v182 - (v277 - (v278 - v269)))) / v249;
+const v280 = v266 + v279;
+S[0] = v265;
+S[1] = v280;
+const v281 = +(v280 < v265);
+const v282 = S[0 + v281] as number;
+const v283 = v282 + 0;
+const v284 = S[1 - v281] as number;
+const v285 = v284 + 0;
+t0[i] = v283;
+t1[i] = v285;
+if (((v196 <= 0 && 0 <= v196) || !((Math.abs(v283) < 2 ** 500 && Math.abs(v285) < 2 **
+500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 }
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open,
+export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
 roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
@@ -2073,91 +2238,122 @@ const v163 = v160 - v158;
 const v164 = ((v158 - (v160 - v163)) + (v159 - v163)) + (v161 - (v162 - v156));
 const v165 = v162 + v164;
 if (((!((v6 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || !((v28 < 0 || 0 < v28))) || !((v165 <
-0 || (0 < v165 && !(Math.abs(v165) < 2 ** -150)))))) open[left++] = i;
+0 || (0 < v165 && !(Math.abs(v165) < 2 ** -150)))))) {
+const v166 = v91 === 0 ? !(v142 - v142 === 0) ? 5 : v142 === 0 ? 4 : 0 : 1;
+const v167 = !(v165 - v165 === 0) ? 5 : v165 === 0 ? 3 : v165 < 0 ? 0 : 6;
+const v168 = v28 === 0 ? !(v91 - v91 === 0) ? 5 : v166 : v167;
+const v169 = !(v28 - v28 === 0) ? 5 : v168;
+const v170 = -(v28 === 0 ? v142 : v91);
+const v171 = v28 === 0 ? v91 : v28 * 2;
+const v172 = v170 / v171;
+const v173 = v172 * v171;
+const v174 = v172 * (v28 === 0 ? v97 : v152 * 2);
+const v175 = v173 + v174;
+const v176 = 134217729 * v172;
+const v177 = v176 - (v176 - v172);
+const v178 = v172 - v177;
+const v179 = 134217729 * v171;
+const v180 = v179 - (v179 - v171);
+const v181 = v171 - v180;
+const v182 = ((v173 - (v177 * v180)) - (v178 * v180)) - (v177 * v181);
+const v183 = (v174 - (v175 - v173)) + ((v178 * v181) - v182);
+const v184 = v175 + v183;
+const v185 = (-(v28 === 0 ? v151 : v97)) - (v183 - (v184 - v175));
+const v186 = (v172 + (((v170 - v184) + v185) / v171)) + 0;
+const v187 = (!((v6 + Math.abs(y)) + Math.abs(z) < 2 ** 100) || ((v169 === 1 || v169 === 3) &&
+!(Math.abs(v186) < 2 ** 500))) ? 6 : v169;
+const verdict = v187;
+if (!roots) margin[i] = verdict === 0 ? -1 : 1;
+else {
+t0[i] = (v169 === 1 || v169 === 3) ? v186 : Number.NaN;
+t1[i] = Number.NaN;
+}
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 else if (!roots) {
-const v166 = +(v165 < 0);
-margin[i] = 1 * (1 - 2 * v166);
-const v167 = Math.abs(v28);
-if (!(((!(v167 < 2 ** -150) && v167 < 2 ** 900) && (v91 < 0 || (0 < v91 || v91 ===
-0))))) open[left++] = i;
+const v188 = +(v165 < 0);
+margin[i] = 1 * (1 - 2 * v188);
+const v189 = Math.abs(v28);
+if (!(((!(v189 < 2 ** -150) && v189 < 2 ** 900) && (v91 < 0 || (0 < v91 || v91 ===
+0))))) marked[left++] = i + 6 * 2 ** 28;
 }
 else if (v165 < 0) {
 t0[i] = Number.NaN;
 t1[i] = Number.NaN;
 }
 else {
-const v168 = +(v91 < 0);
-const v169 = Math.sqrt(v165);
-const v170 = v169 * v169;
-const v171 = 134217729 * v169;
-const v172 = v171 - (v171 - v169);
-const v173 = v169 - v172;
-const v174 = (v173 * v173) - ((v170 - (v172 * v172)) - (2 * (v172 * v173)));
-const v175 = (((v165 - v170) - v174) + (v164 - (v165 - v162))) / (2 * v169);
-const v176 = v169 + v175;
-const v177 = -v91;
-const v178 = v176 + v177;
-const v179 = v178 - v176;
-const v180 = v175 - (v176 - v169);
-const v181 = -v97;
-const v182 = v180 + v181;
-const v183 = ((v176 - (v178 - v179)) + (v177 - v179)) + v182;
-const v184 = v178 + v183;
-const v185 = v182 - v180;
-const v186 = ((v180 - (v182 - v185)) + (v181 - v185)) + (v183 - (v184 - v178));
-const v187 = v184 + v186;
-const v188 = v91 + v176;
-const v189 = v188 - v91;
-const v190 = v97 + v180;
-const v191 = ((v91 - (v188 - v189)) + (v176 - v189)) + v190;
-const v192 = v188 + v191;
-const v193 = v190 - v97;
-const v194 = ((v97 - (v190 - v193)) + (v180 - v193)) + (v191 - (v192 - v188));
-const v195 = v192 + v194;
-const v196 = (v187 * 0.5) * v168 + ((-v195) * 0.5) * (1 - v168);
-const v197 = v196 / v28;
-const v198 = v197 * v28;
-const v199 = v197 * v152;
+const v190 = +(v91 < 0);
+const v191 = Math.sqrt(v165);
+const v192 = v191 * v191;
+const v193 = 134217729 * v191;
+const v194 = v193 - (v193 - v191);
+const v195 = v191 - v194;
+const v196 = (v195 * v195) - ((v192 - (v194 * v194)) - (2 * (v194 * v195)));
+const v197 = (((v165 - v192) - v196) + (v164 - (v165 - v162))) / (2 * v191);
+const v198 = v191 + v197;
+const v199 = -v91;
 const v200 = v198 + v199;
-const v201 = 134217729 * v197;
-const v202 = v201 - (v201 - v197);
-const v203 = v197 - v202;
-const v204 = 134217729 * v28;
-const v205 = v204 - (v204 - v28);
-const v206 = v28 - v205;
-const v207 = ((v198 - (v202 * v205)) - (v203 * v205)) - (v202 * v206);
-const v208 = (v199 - (v200 - v198)) + ((v203 * v206) - v207);
-const v209 = v200 + v208;
-const v210 = ((v186 - (v187 - v184)) * 0.5) * v168 + ((-(v194 - (v195 - v192))) * 0.5) * (1 -
-v168);
-const v211 = ((v196 - v209) + (v210 - (v208 - (v209 - v200)))) / v28;
-const v212 = v197 + v211;
-const v213 = v142 / v196;
-const v214 = v213 * v196;
-const v215 = v213 * v210;
-const v216 = v214 + v215;
-const v217 = 134217729 * v213;
-const v218 = v217 - (v217 - v213);
-const v219 = v213 - v218;
-const v220 = 134217729 * v196;
-const v221 = v220 - (v220 - v196);
-const v222 = v196 - v221;
-const v223 = ((v214 - (v218 * v221)) - (v219 * v221)) - (v218 * v222);
-const v224 = (v215 - (v216 - v214)) + ((v219 * v222) - v223);
-const v225 = v216 + v224;
-const v226 = ((v142 - v225) + (v151 - (v224 - (v225 - v216)))) / v196;
-const v227 = v213 + v226;
-S[0] = v212;
-S[1] = v227;
-const v228 = +(v227 < v212);
-const v229 = S[0 + v228] as number;
-const v230 = v229 + 0;
-const v231 = S[1 - v228] as number;
-const v232 = v231 + 0;
-t0[i] = v230;
-t1[i] = v232;
-if (((v165 <= 0 && 0 <= v165) || !((Math.abs(v230) < 2 ** 500 && Math.abs(v232) < 2 **
-500)))) open[left++] = i;
+const v201 = v200 - v198;
+const v202 = v197 - (v198 - v191);
+const v203 = -v97;
+const v204 = v202 + v203;
+const v205 = ((v198 - (v200 - v201)) + (v199 - v201)) + v204;
+const v206 = v200 + v205;
+const v207 = v204 - v202;
+const v208 = ((v202 - (v204 - v207)) + (v203 - v207)) + (v205 - (v206 - v200));
+const v209 = v206 + v208;
+const v210 = v91 + v198;
+const v211 = v210 - v91;
+const v212 = v97 + v202;
+const v213 = ((v91 - (v210 - v211)) + (v198 - v211)) + v212;
+const v214 = v210 + v213;
+const v215 = v212 - v97;
+const v216 = ((v97 - (v212 - v215)) + (v202 - v215)) + (v213 - (v214 - v210));
+const v217 = v214 + v216;
+const v218 = (v209 * 0.5) * v190 + ((-v217) * 0.5) * (1 - v190);
+const v219 = v218 / v28;
+const v220 = v219 * v28;
+const v221 = v219 * v152;
+const v222 = v220 + v221;
+const v223 = 134217729 * v219;
+const v224 = v223 - (v223 - v219);
+const v225 = v219 - v224;
+const v226 = 134217729 * v28;
+const v227 = v226 - (v226 - v28);
+const v228 = v28 - v227;
+const v229 = ((v220 - (v224 * v227)) - (v225 * v227)) - (v224 * v228);
+const v230 = (v221 - (v222 - v220)) + ((v225 * v228) - v229);
+const v231 = v222 + v230;
+const v232 = ((v208 - (v209 - v206)) * 0.5) * v190 + ((-(v216 - (v217 - v214))) * 0.5) * (1 -
+v190);
+const v233 = ((v218 - v231) + (v232 - (v230 - (v231 - v222)))) / v28;
+const v234 = v219 + v233;
+const v235 = v142 / v218;
+const v236 = v235 * v218;
+const v237 = v235 * v232;
+const v238 = v236 + v237;
+const v239 = 134217729 * v235;
+const v240 = v239 - (v239 - v235);
+const v241 = v235 - v240;
+const v242 = 134217729 * v218;
+const v243 = v242 - (v242 - v218);
+const v244 = v218 - v243;
+const v245 = ((v236 - (v240 * v243)) - (v241 * v243)) - (v240 * v244);
+const v246 = (v237 - (v238 - v236)) + ((v241 * v244) - v245);
+const v247 = v238 + v246;
+const v248 = ((v142 - v247) + (v151 - (v246 - (v247 - v238)))) / v218;
+const v249 = v235 + v248;
+S[0] = v234;
+S[1] = v249;
+const v250 = +(v249 < v234);
+const v251 = S[0 + v250] as number;
+const v252 = v251 + 0;
+const v253 = S[1 - v250] as number;
+const v254 = v253 + 0;
+t0[i] = v252;
+t1[i] = v254;
+if (((v165 <= 0 && 0 <= v165) || !((Math.abs(v252) < 2 ** 500 && Math.abs(v254) < 2 **
+500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 }
 return left;

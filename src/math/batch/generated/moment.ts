@@ -8,7 +8,7 @@ import type { Loop } from '../straight-loop.ts';
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(8);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -27,37 +27,44 @@ const z = dz[i] as number;
 const v0 = ex - k3;
 const v1 = ey - k4;
 const v2 = ez - k5;
-const v3 = ((k0 * x) + (k1 * y)) + (k2 * z);
-const v4 = (-(((k0 * v0) + (k1 * v1)) + (k2 * v2))) / v3;
-t0[i] = v4;
+const v3 = ((k0 * v0) + (k1 * v1)) + (k2 * v2);
+const v4 = ((k0 * x) + (k1 * y)) + (k2 * z);
+const v5 = (-v3) / v4;
+t0[i] = v5;
 t1[i] = Number.NaN;
-const v5 = (z * v0) - (x * v2);
-const v6 = (x * v1) - (y * v0);
-const v7 = (v5 * k2) - (v6 * k1);
-S[0] = v7;
-S[1] = -v7;
-const v8 = +(v3 < 0);
-const v9 = S[0 + v8] as number;
-S[2] = v3;
-S[3] = -v3;
-const v10 = S[2 + v8] as number;
-const v11 = (y * v2) - (z * v1);
-const v12 = (v6 * k0) - (v11 * k2);
-S[4] = v12;
-S[5] = -v12;
-const v13 = S[4 + v8] as number;
-const v14 = (v11 * k1) - (v5 * k0);
-S[6] = v14;
-S[7] = -v14;
-const v15 = S[6 + v8] as number;
-if (((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(k3 + (v9 /
-v10)) < 2 ** 511)) || !(Math.abs(k4 + (v13 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v15 /
-v10)) < 2 ** 511))) open[left++] = i;
+const v6 = (z * v0) - (x * v2);
+const v7 = (x * v1) - (y * v0);
+const v8 = (v6 * k2) - (v7 * k1);
+S[0] = v8;
+S[1] = -v8;
+const v9 = +(v4 < 0);
+const v10 = S[0 + v9] as number;
+S[2] = v4;
+S[3] = -v4;
+const v11 = S[2 + v9] as number;
+const v12 = (y * v2) - (z * v1);
+const v13 = (v7 * k0) - (v12 * k2);
+S[4] = v13;
+S[5] = -v13;
+const v14 = S[4 + v9] as number;
+const v15 = (v12 * k1) - (v6 * k0);
+S[6] = v15;
+S[7] = -v15;
+const v16 = S[6 + v9] as number;
+if (((((!(Math.abs(v5) < 2 ** 511) || !(Math.abs(v4) < 2 ** 511)) || !(Math.abs(k3 + (v10 /
+v11)) < 2 ** 511)) || !(Math.abs(k4 + (v14 / v11)) < 2 ** 511)) || !(Math.abs(k5 + (v16 /
+v11)) < 2 ** 511))) {
+const v17 = v4 === 0 ? !(v3 - v3 === 0) ? 5 : v3 === 0 ? 4 : 0 : !(v5 - v5 === 0) ? 5 : 6;
+const verdict = !(v4 - v4 === 0) ? 5 : v17;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -77,35 +84,41 @@ margin[i] = 1;
 const v0 = ex - k3;
 const v1 = ey - k4;
 const v2 = ez - k5;
-const v3 = ((k0 * x) + (k1 * y)) + (k2 * z);
-const v4 = Math.abs((-(((k0 * v0) + (k1 * v1)) + (k2 * v2))) / v3);
-const v5 = (z * v0) - (x * v2);
-const v6 = (x * v1) - (y * v0);
-const v7 = (v5 * k2) - (v6 * k1);
-S[0] = v7;
-S[1] = -v7;
-const v8 = +(v3 < 0);
-const v9 = S[0 + v8] as number;
-S[2] = v3;
-S[3] = -v3;
-const v10 = S[2 + v8] as number;
-const v11 = (y * v2) - (z * v1);
-const v12 = (v6 * k0) - (v11 * k2);
-S[4] = v12;
-S[5] = -v12;
-const v13 = S[4 + v8] as number;
-const v14 = (v11 * k1) - (v5 * k0);
-S[6] = v14;
-S[7] = -v14;
-const v15 = S[6 + v8] as number;
-if (((((!(v4 < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(k3 + (v9 / v10)) < 2 **
-511)) || !(Math.abs(k4 + (v13 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v15 / v10)) < 2 **
-511))) open[left++] = i;
+const v3 = ((k0 * v0) + (k1 * v1)) + (k2 * v2);
+const v4 = ((k0 * x) + (k1 * y)) + (k2 * z);
+const v5 = (-v3) / v4;
+const v6 = (z * v0) - (x * v2);
+const v7 = (x * v1) - (y * v0);
+const v8 = (v6 * k2) - (v7 * k1);
+S[0] = v8;
+S[1] = -v8;
+const v9 = +(v4 < 0);
+const v10 = S[0 + v9] as number;
+S[2] = v4;
+S[3] = -v4;
+const v11 = S[2 + v9] as number;
+const v12 = (y * v2) - (z * v1);
+const v13 = (v7 * k0) - (v12 * k2);
+S[4] = v13;
+S[5] = -v13;
+const v14 = S[4 + v9] as number;
+const v15 = (v12 * k1) - (v6 * k0);
+S[6] = v15;
+S[7] = -v15;
+const v16 = S[6 + v9] as number;
+if (((((!(Math.abs(v5) < 2 ** 511) || !(Math.abs(v4) < 2 ** 511)) || !(Math.abs(k3 + (v10 /
+v11)) < 2 ** 511)) || !(Math.abs(k4 + (v14 / v11)) < 2 ** 511)) || !(Math.abs(k5 + (v16 /
+v11)) < 2 ** 511))) {
+const v17 = v4 === 0 ? !(v3 - v3 === 0) ? 5 : v3 === 0 ? 4 : 0 : !(v5 - v5 === 0) ? 5 : 6;
+const verdict = !(v4 - v4 === 0) ? 5 : v17;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -138,12 +151,22 @@ t1[i] = v14;
 const v15 = Math.abs(v9) + Math.abs(v11);
 if (((((((2 ** 1022 <= v15 || v15 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
 1.7976931348623157e+308)) || !(v4 <= 1.7976931348623157e+308)) || !(Math.abs(v10) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v16 = v3 === 0 ? !(v10 - v10 === 0) ? 5 : v10 === 0 ? 4 : 0 : 1;
+const v17 = !(v7 - v7 === 0) ? 5 : v7 === 0 ? 3 : v7 < 0 ? 0 : 6;
+const v18 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? !(v3 - v3 === 0) ? 5 : v16 : v17;
+const v19 = (-(v5 === 0 ? v10 : v3)) / (v5 === 0 ? v3 : 2 * v5);
+const v20 = ((v18 === 1 || v18 === 3) && !(Math.abs(v19) < 2 ** 1022)) ? 6 : v18;
+const verdict = v20;
+t0[i] = (v18 === 1 || v18 === 3) ? v19 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -162,15 +185,25 @@ const v4 = (z * v2) - (x * v3);
 const v5 = 4 * ((v0 * v1) - (v4 * v4));
 margin[i] = v5;
 const v6 = Math.abs(v5);
-const v7 = Math.abs(v1);
-if ((v5 === 0 || !((((((v6 < 2 ** 500 && Math.abs(((2 * x) * v2) + ((2 * z) * v3)) < 2 **
-500) && 2 ** -500 < v7) && Math.abs(((v2 * v2) + (v3 * v3)) - v0) < 2 ** 500) && 2 ** -500 <
-v6) && v7 < 2 ** 500)))) open[left++] = i;
+const v7 = ((2 * x) * v2) + ((2 * z) * v3);
+const v8 = Math.abs(v1);
+const v9 = ((v2 * v2) + (v3 * v3)) - v0;
+if ((v5 === 0 || !((((((v6 < 2 ** 500 && Math.abs(v7) < 2 ** 500) && 2 ** -500 < v8) &&
+Math.abs(v9) < 2 ** 500) && 2 ** -500 < v6) && v8 < 2 ** 500)))) {
+const v10 = v7 === 0 ? !(v9 - v9 === 0) ? 5 : v9 === 0 ? 4 : 0 : 1;
+const v11 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? 3 : v5 < 0 ? 0 : 6;
+const v12 = !(v1 - v1 === 0) ? 5 : v1 === 0 ? !(v7 - v7 === 0) ? 5 : v10 : v11;
+const v13 = (-(v1 === 0 ? v9 : v7)) / (v1 === 0 ? v7 : 2 * v1);
+const v14 = ((v12 === 1 || v12 === 3) && !(Math.abs(v13) < 2 ** 1022)) ? 6 : v12;
+const verdict = v14;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -210,12 +243,22 @@ t1[i] = v18;
 const v19 = Math.abs(v13) + Math.abs(v15);
 if ((((((((2 ** 1022 <= v19 || v19 <= 0) || v10 === 0) || v12 === 0) || !(Math.abs(v10) <=
 1.7976931348623157e+308)) || !(Math.abs(v12) <= 1.7976931348623157e+308)) || !(v6 <=
-1.7976931348623157e+308)) || !(Math.abs(v14) <= 1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308)) || !(Math.abs(v14) <= 1.7976931348623157e+308))) {
+const v20 = v5 === 0 ? !(v14 - v14 === 0) ? 5 : v14 === 0 ? 4 : 0 : 1;
+const v21 = !(v10 - v10 === 0) ? 5 : v10 === 0 ? 3 : v10 < 0 ? 0 : 6;
+const v22 = !(v12 - v12 === 0) ? 5 : v12 === 0 ? !(v5 - v5 === 0) ? 5 : v20 : v21;
+const v23 = (-(v12 === 0 ? v14 : v5)) / (v12 === 0 ? v5 : 2 * v12);
+const v24 = ((v22 === 1 || v22 === 3) && !(Math.abs(v23) < 2 ** 1022)) ? 6 : v22;
+const verdict = v24;
+t0[i] = (v22 === 1 || v22 === 3) ? v23 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -241,15 +284,25 @@ const v8 = 4 * ((v0 * ((v4 * v4) + (v6 * v6))) - (v7 * v7));
 margin[i] = v8;
 const v9 = Math.abs(v8);
 const v10 = (((2 * x) * v5) + ((2 * z) * v2)) - ((v1 * y) * v3);
-const v11 = Math.abs(((x * x) + (z * z)) - (v0 * (y * y)));
-const v12 = Math.abs(((v5 * v5) + (v2 * v2)) - (v0 * (v3 * v3)));
-if ((v8 === 0 || !((((((v9 < 2 ** 500 && Math.abs(v10) < 2 ** 500) && 2 ** -500 < v11) && v12 <
-2 ** 500) && 2 ** -500 < v9) && v11 < 2 ** 500)))) open[left++] = i;
+const v11 = ((x * x) + (z * z)) - (v0 * (y * y));
+const v12 = Math.abs(v11);
+const v13 = ((v5 * v5) + (v2 * v2)) - (v0 * (v3 * v3));
+if ((v8 === 0 || !((((((v9 < 2 ** 500 && Math.abs(v10) < 2 ** 500) && 2 ** -500 < v12) &&
+Math.abs(v13) < 2 ** 500) && 2 ** -500 < v9) && v12 < 2 ** 500)))) {
+const v14 = v10 === 0 ? !(v13 - v13 === 0) ? 5 : v13 === 0 ? 4 : 0 : 1;
+const v15 = !(v8 - v8 === 0) ? 5 : v8 === 0 ? 3 : v8 < 0 ? 0 : 6;
+const v16 = !(v11 - v11 === 0) ? 5 : v11 === 0 ? !(v10 - v10 === 0) ? 5 : v14 : v15;
+const v17 = (-(v11 === 0 ? v13 : v10)) / (v11 === 0 ? v10 : 2 * v11);
+const v18 = ((v16 === 1 || v16 === 3) && !(Math.abs(v17) < 2 ** 1022)) ? 6 : v16;
+const verdict = v18;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -291,12 +344,22 @@ t1[i] = v19;
 const v20 = Math.abs(v14) + Math.abs(v16);
 if (((((((2 ** 1022 <= v20 || v20 <= 0) || v12 === 0) || v7 === 0) || !(Math.abs(v12) <=
 1.7976931348623157e+308)) || !(v6 <= 1.7976931348623157e+308)) || !(Math.abs(v15) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v21 = v5 === 0 ? !(v15 - v15 === 0) ? 5 : v15 === 0 ? 4 : 0 : 1;
+const v22 = !(v12 - v12 === 0) ? 5 : v12 === 0 ? 3 : v12 < 0 ? 0 : 6;
+const v23 = !(v7 - v7 === 0) ? 5 : v7 === 0 ? !(v5 - v5 === 0) ? 5 : v21 : v22;
+const v24 = (-(v7 === 0 ? v15 : v5)) / (v7 === 0 ? v5 : 2 * v7);
+const v25 = ((v23 === 1 || v23 === 3) && !(Math.abs(v24) < 2 ** 1022)) ? 6 : v23;
+const verdict = v25;
+t0[i] = (v23 === 1 || v23 === 3) ? v24 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const v0 = k1 * k1;
@@ -328,12 +391,21 @@ const v12 = (((2 * x) * v6) + ((2 * z) * v3)) - ((v1 * y) * v4);
 const v13 = Math.abs(v2);
 const v14 = (((v6 * v6) + (v3 * v3)) - (k0 * (v4 * v4))) - v0;
 if ((v10 === 0 || !((((((v11 < 2 ** 500 && Math.abs(v12) < 2 ** 500) && 2 ** -500 < v13) &&
-Math.abs(v14) < 2 ** 500) && 2 ** -500 < v11) && v13 < 2 ** 500)))) open[left++] = i;
+Math.abs(v14) < 2 ** 500) && 2 ** -500 < v11) && v13 < 2 ** 500)))) {
+const v15 = v12 === 0 ? !(v14 - v14 === 0) ? 5 : v14 === 0 ? 4 : 0 : 1;
+const v16 = !(v10 - v10 === 0) ? 5 : v10 === 0 ? 3 : v10 < 0 ? 0 : 6;
+const v17 = !(v2 - v2 === 0) ? 5 : v2 === 0 ? !(v12 - v12 === 0) ? 5 : v15 : v16;
+const v18 = (-(v2 === 0 ? v14 : v12)) / (v2 === 0 ? v12 : 2 * v2);
+const v19 = ((v17 === 1 || v17 === 3) && !(Math.abs(v18) < 2 ** 1022)) ? 6 : v17;
+const verdict = v19;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -354,38 +426,48 @@ const z = dz[i] as number;
 const v1 = ex - k4;
 const v2 = ey - k5;
 const v3 = ez - k6;
-const v4 = ((k1 * x) + (k2 * y)) + (k3 * z);
-const v5 = (-(((k1 * v1) + (k2 * v2)) + (k3 * v3))) / v4;
-const v6 = (z * v1) - (x * v3);
-const v7 = (x * v2) - (y * v1);
-const v8 = (v6 * k3) - (v7 * k2);
-S[0] = v8;
-S[1] = -v8;
-const v9 = +(v4 < 0);
-const v10 = S[0 + v9] as number;
-const v11 = (y * v3) - (z * v2);
-const v12 = (v7 * k1) - (v11 * k3);
-S[2] = v12;
-S[3] = -v12;
-const v13 = S[2 + v9] as number;
-const v14 = (v11 * k2) - (v6 * k1);
-S[4] = v14;
-S[5] = -v14;
-const v15 = S[4 + v9] as number;
-S[6] = v4;
-S[7] = -v4;
-const v16 = S[6 + v9] as number;
-const v17 = (((v10 * v10) + (v13 * v13)) + (v15 * v15)) - (v0 * (v16 * v16));
-t0[i] = v5 * (ONE_OR_NAN[+(0 < v17)] as number);
+const v4 = ((k1 * v1) + (k2 * v2)) + (k3 * v3);
+const v5 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v6 = (-v4) / v5;
+const v7 = (z * v1) - (x * v3);
+const v8 = (x * v2) - (y * v1);
+const v9 = (v7 * k3) - (v8 * k2);
+S[0] = v9;
+S[1] = -v9;
+const v10 = +(v5 < 0);
+const v11 = S[0 + v10] as number;
+const v12 = (y * v3) - (z * v2);
+const v13 = (v8 * k1) - (v12 * k3);
+S[2] = v13;
+S[3] = -v13;
+const v14 = S[2 + v10] as number;
+const v15 = (v12 * k2) - (v7 * k1);
+S[4] = v15;
+S[5] = -v15;
+const v16 = S[4 + v10] as number;
+S[6] = v5;
+S[7] = -v5;
+const v17 = S[6 + v10] as number;
+const v18 = (((v11 * v11) + (v14 * v14)) + (v16 * v16)) - (v0 * (v17 * v17));
+const v19 = +(0 < v18);
+t0[i] = v6 * (ONE_OR_NAN[v19] as number);
 t1[i] = Number.NaN;
-if ((((((!(Math.abs(v5) < 2 ** 511) || !(Math.abs(v4) < 2 ** 511)) || !(Math.abs(v17) < 2 **
-511)) || !(Math.abs(k4 + (v10 / v16)) < 2 ** 511)) || !(Math.abs(k5 + (v13 / v16)) < 2 **
-511)) || !(Math.abs(k6 + (v15 / v16)) < 2 ** 511))) open[left++] = i;
+if ((((((!(Math.abs(v6) < 2 ** 511) || !(Math.abs(v5) < 2 ** 511)) || !(Math.abs(v18) < 2 **
+511)) || !(Math.abs(k4 + (v11 / v17)) < 2 ** 511)) || !(Math.abs(k5 + (v14 / v17)) < 2 **
+511)) || !(Math.abs(k6 + (v16 / v17)) < 2 ** 511))) {
+const v20 = (!(v18 - v18 === 0) || !(v6 - v6 === 0)) ? 5 : 6;
+const v21 = v5 === 0 ? !(v4 - v4 === 0) ? 5 : v4 === 0 ? 4 : 0 : (v19 !== 0 && v18 - v18 ===
+0) ? 0 : v20;
+const verdict = !(v5 - v5 === 0) ? 5 : v21;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -427,16 +509,25 @@ S[6] = v7;
 S[7] = -v7;
 const v15 = S[6 + v8] as number;
 const v16 = (((v9 * v9) + (v12 * v12)) + (v14 * v14)) - (v0 * (v15 * v15));
-margin[i] = 1 * (1 - 2 * +(0 < v16));
-const v17 = Math.abs((-(((k1 * v1) + (k2 * v4)) + (k3 * v2))) / v7);
-if ((((((!(v17 < 2 ** 511) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v16) < 2 ** 511)) ||
-!(Math.abs(k4 + (v9 / v15)) < 2 ** 511)) || !(Math.abs(k5 + (v12 / v15)) < 2 ** 511)) ||
-!(Math.abs(k6 + (v14 / v15)) < 2 ** 511))) open[left++] = i;
+const v17 = +(0 < v16);
+margin[i] = 1 * (1 - 2 * v17);
+const v18 = ((k1 * v1) + (k2 * v4)) + (k3 * v2);
+const v19 = (-v18) / v7;
+if ((((((!(Math.abs(v19) < 2 ** 511) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v16) < 2 **
+511)) || !(Math.abs(k4 + (v9 / v15)) < 2 ** 511)) || !(Math.abs(k5 + (v12 / v15)) < 2 **
+511)) || !(Math.abs(k6 + (v14 / v15)) < 2 ** 511))) {
+const v20 = (!(v16 - v16 === 0) || !(v19 - v19 === 0)) ? 5 : 6;
+const v21 = v7 === 0 ? !(v18 - v18 === 0) ? 5 : v18 === 0 ? 4 : 0 : (v17 !== 0 && v16 - v16 ===
+0) ? 0 : v20;
+const verdict = !(v7 - v7 === 0) ? 5 : v21;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -456,44 +547,59 @@ const z = dz[i] as number;
 const v0 = ex - k4;
 const v1 = ey - k5;
 const v2 = ez - k6;
-const v3 = ((k1 * x) + (k2 * y)) + (k3 * z);
-const v4 = (-(((k1 * v0) + (k2 * v1)) + (k3 * v2))) / v3;
-const v5 = (x * v1) - (y * v0);
-const v6 = (y * v2) - (z * v1);
-const v7 = (v5 * k1) - (v6 * k3);
-S[0] = v7;
-S[1] = -v7;
-const v8 = +(v3 < 0);
-const v9 = S[0 + v8] as number;
-const v10 = 0 - v9;
-S[2] = v3;
-S[3] = -v3;
-const v11 = S[2 + v8] as number;
-const v12 = k0 * v11;
-const v13 = v9 - v12;
-const v14 = (z * v0) - (x * v2);
-const v15 = (v6 * k2) - (v14 * k1);
-S[4] = v15;
-S[5] = -v15;
-const v16 = S[4 + v8] as number;
-const v17 = 0 - v16;
-const v18 = ((+(0 < v10) | +(0 < v13)) | +(0 < v17));
-const v19 = v16 - v12;
-t0[i] = v4 * (ONE_OR_NAN[(v18 | +(0 < v19))] as number);
+const v3 = ((k1 * v0) + (k2 * v1)) + (k3 * v2);
+const v4 = ((k1 * x) + (k2 * y)) + (k3 * z);
+const v5 = (-v3) / v4;
+const v6 = (x * v1) - (y * v0);
+const v7 = (y * v2) - (z * v1);
+const v8 = (v6 * k1) - (v7 * k3);
+S[0] = v8;
+S[1] = -v8;
+const v9 = +(v4 < 0);
+const v10 = S[0 + v9] as number;
+const v11 = 0 - v10;
+const v12 = +(0 < v11);
+S[2] = v4;
+S[3] = -v4;
+const v13 = S[2 + v9] as number;
+const v14 = k0 * v13;
+const v15 = v10 - v14;
+const v16 = +(0 < v15);
+const v17 = (z * v0) - (x * v2);
+const v18 = (v7 * k2) - (v17 * k1);
+S[4] = v18;
+S[5] = -v18;
+const v19 = S[4 + v9] as number;
+const v20 = 0 - v19;
+const v21 = +(0 < v20);
+const v22 = v19 - v14;
+const v23 = +(0 < v22);
+const v24 = v5 * (ONE_OR_NAN[(((v12 | v16) | v21) | v23)] as number);
+t0[i] = v24;
 t1[i] = Number.NaN;
-const v20 = (v14 * k3) - (v5 * k2);
-S[6] = v20;
-S[7] = -v20;
-const v21 = S[6 + v8] as number;
-if (((((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v10) < 2 **
-511)) || !(Math.abs(v13) < 2 ** 511)) || !(Math.abs(v17) < 2 ** 511)) || !(Math.abs(v19) < 2 **
-511)) || !(Math.abs(k4 + (v21 / v11)) < 2 ** 511)) || !(Math.abs(k5 + (v9 / v11)) < 2 **
-511)) || !(Math.abs(k6 + (v16 / v11)) < 2 ** 511))) open[left++] = i;
+const v25 = (v17 * k3) - (v6 * k2);
+S[6] = v25;
+S[7] = -v25;
+const v26 = S[6 + v9] as number;
+if (((((((((!(Math.abs(v5) < 2 ** 511) || !(Math.abs(v4) < 2 ** 511)) || !(Math.abs(v11) < 2 **
+511)) || !(Math.abs(v15) < 2 ** 511)) || !(Math.abs(v20) < 2 ** 511)) || !(Math.abs(v22) < 2 **
+511)) || !(Math.abs(k4 + (v26 / v13)) < 2 ** 511)) || !(Math.abs(k5 + (v10 / v13)) < 2 **
+511)) || !(Math.abs(k6 + (v19 / v13)) < 2 ** 511))) {
+const v27 = ((((!(v11 - v11 === 0) || !(v15 - v15 === 0)) || !(v20 - v20 === 0)) || !(v22 -
+v22 === 0)) || !(v5 - v5 === 0)) ? 5 : 6;
+const v28 = ((((v12 !== 0 && v11 - v11 === 0) || (v16 !== 0 && v15 - v15 === 0)) || (v21 !==
+0 && v20 - v20 === 0)) || (v23 !== 0 && v22 - v22 === 0)) ? 0 : v27;
+const v29 = v4 === 0 ? !(v3 - v3 === 0) ? 5 : v3 === 0 ? 4 : 0 : v28;
+const verdict = !(v4 - v4 === 0) ? 5 : v29;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -522,34 +628,47 @@ const v6 = ((k1 * x) + (k2 * y)) + (k3 * z);
 const v7 = +(v6 < 0);
 const v8 = S[0 + v7] as number;
 const v9 = 0 - v8;
+const v10 = +(0 < v9);
 S[2] = v6;
 S[3] = -v6;
-const v10 = S[2 + v7] as number;
-const v11 = k0 * v10;
-const v12 = v8 - v11;
-const v13 = (z * v1) - (x * v3);
-const v14 = (v4 * k2) - (v13 * k1);
-S[4] = v14;
-S[5] = -v14;
-const v15 = S[4 + v7] as number;
-const v16 = 0 - v15;
-const v17 = v15 - v11;
-const v18 = (((+(0 < v9) | +(0 < v12)) | +(0 < v16)) | +(0 < v17));
-margin[i] = 1 * (1 - 2 * v18);
-const v19 = Math.abs((-(((k1 * v1) + (k2 * v0)) + (k3 * v3))) / v6);
-const v20 = (v13 * k3) - (v2 * k2);
-S[6] = v20;
-S[7] = -v20;
-const v21 = S[6 + v7] as number;
-if (((((((((!(v19 < 2 ** 511) || !(Math.abs(v6) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) ||
-!(Math.abs(v12) < 2 ** 511)) || !(Math.abs(v16) < 2 ** 511)) || !(Math.abs(v17) < 2 ** 511)) ||
-!(Math.abs(k4 + (v21 / v10)) < 2 ** 511)) || !(Math.abs(k5 + (v8 / v10)) < 2 ** 511)) ||
-!(Math.abs(k6 + (v15 / v10)) < 2 ** 511))) open[left++] = i;
+const v11 = S[2 + v7] as number;
+const v12 = k0 * v11;
+const v13 = v8 - v12;
+const v14 = +(0 < v13);
+const v15 = (z * v1) - (x * v3);
+const v16 = (v4 * k2) - (v15 * k1);
+S[4] = v16;
+S[5] = -v16;
+const v17 = S[4 + v7] as number;
+const v18 = 0 - v17;
+const v19 = +(0 < v18);
+const v20 = v17 - v12;
+const v21 = +(0 < v20);
+margin[i] = 1 * (1 - 2 * (((v10 | v14) | v19) | v21));
+const v22 = ((k1 * v1) + (k2 * v0)) + (k3 * v3);
+const v23 = (-v22) / v6;
+const v24 = (v15 * k3) - (v2 * k2);
+S[6] = v24;
+S[7] = -v24;
+const v25 = S[6 + v7] as number;
+if (((((((((!(Math.abs(v23) < 2 ** 511) || !(Math.abs(v6) < 2 ** 511)) || !(Math.abs(v9) < 2 **
+511)) || !(Math.abs(v13) < 2 ** 511)) || !(Math.abs(v18) < 2 ** 511)) || !(Math.abs(v20) < 2 **
+511)) || !(Math.abs(k4 + (v25 / v11)) < 2 ** 511)) || !(Math.abs(k5 + (v8 / v11)) < 2 **
+511)) || !(Math.abs(k6 + (v17 / v11)) < 2 ** 511))) {
+const v26 = ((((!(v9 - v9 === 0) || !(v13 - v13 === 0)) || !(v18 - v18 === 0)) || !(v20 -
+v20 === 0)) || !(v23 - v23 === 0)) ? 5 : 6;
+const v27 = ((((v10 !== 0 && v9 - v9 === 0) || (v14 !== 0 && v13 - v13 === 0)) || (v19 !== 0 &&
+v18 - v18 === 0)) || (v21 !== 0 && v20 - v20 === 0)) ? 0 : v26;
+const v28 = v6 === 0 ? !(v22 - v22 === 0) ? 5 : v22 === 0 ? 4 : 0 : v27;
+const verdict = !(v6 - v6 === 0) ? 5 : v28;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -589,12 +708,22 @@ t1[i] = v18;
 const v19 = Math.abs(v13) + Math.abs(v15);
 if (((((((2 ** 1022 <= v19 || v19 <= 0) || v11 === 0) || v6 === 0) || !(Math.abs(v11) <=
 1.7976931348623157e+308)) || !(v5 <= 1.7976931348623157e+308)) || !(Math.abs(v14) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v20 = v4 === 0 ? !(v14 - v14 === 0) ? 5 : v14 === 0 ? 4 : 0 : 1;
+const v21 = !(v11 - v11 === 0) ? 5 : v11 === 0 ? 3 : v11 < 0 ? 0 : 6;
+const v22 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? !(v4 - v4 === 0) ? 5 : v20 : v21;
+const v23 = (-(v6 === 0 ? v14 : v4)) / (v6 === 0 ? v4 : 2 * v6);
+const v24 = ((v22 === 1 || v22 === 3) && !(Math.abs(v23) < 2 ** 1022)) ? 6 : v22;
+const verdict = v24;
+t0[i] = (v22 === 1 || v22 === 3) ? v23 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -622,14 +751,23 @@ margin[i] = v9;
 const v10 = Math.abs(v9);
 const v11 = (((2 * x) * v5) + ((2 * y) * v3)) + ((2 * z) * v2);
 const v12 = Math.abs(v1);
-const v13 = Math.abs((((v5 * v5) + (v3 * v3)) + (v2 * v2)) - v0);
+const v13 = (((v5 * v5) + (v3 * v3)) + (v2 * v2)) - v0;
 if ((v9 === 0 || !((((((v10 < 2 ** 500 && Math.abs(v11) < 2 ** 500) && 2 ** -500 < v12) &&
-v13 < 2 ** 500) && 2 ** -500 < v10) && v12 < 2 ** 500)))) open[left++] = i;
+Math.abs(v13) < 2 ** 500) && 2 ** -500 < v10) && v12 < 2 ** 500)))) {
+const v14 = v11 === 0 ? !(v13 - v13 === 0) ? 5 : v13 === 0 ? 4 : 0 : 1;
+const v15 = !(v9 - v9 === 0) ? 5 : v9 === 0 ? 3 : v9 < 0 ? 0 : 6;
+const v16 = !(v1 - v1 === 0) ? 5 : v1 === 0 ? !(v11 - v11 === 0) ? 5 : v14 : v15;
+const v17 = (-(v1 === 0 ? v13 : v11)) / (v1 === 0 ? v11 : 2 * v1);
+const v18 = ((v16 === 1 || v16 === 3) && !(Math.abs(v17) < 2 ** 1022)) ? 6 : v16;
+const verdict = v18;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -668,12 +806,22 @@ t1[i] = v17;
 const v18 = Math.abs(v12) + Math.abs(v14);
 if ((((((((2 ** 1022 <= v18 || v18 <= 0) || v9 === 0) || v11 === 0) || !(Math.abs(v9) <=
 1.7976931348623157e+308)) || !(Math.abs(v11) <= 1.7976931348623157e+308)) || !(v5 <=
-1.7976931348623157e+308)) || !(Math.abs(v13) <= 1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308)) || !(Math.abs(v13) <= 1.7976931348623157e+308))) {
+const v19 = v4 === 0 ? !(v13 - v13 === 0) ? 5 : v13 === 0 ? 4 : 0 : 1;
+const v20 = !(v9 - v9 === 0) ? 5 : v9 === 0 ? 3 : v9 < 0 ? 0 : 6;
+const v21 = !(v11 - v11 === 0) ? 5 : v11 === 0 ? !(v4 - v4 === 0) ? 5 : v19 : v20;
+const v22 = (-(v11 === 0 ? v13 : v4)) / (v11 === 0 ? v4 : 2 * v11);
+const v23 = ((v21 === 1 || v21 === 3) && !(Math.abs(v22) < 2 ** 1022)) ? 6 : v21;
+const verdict = v23;
+t0[i] = (v21 === 1 || v21 === 3) ? v22 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -697,11 +845,21 @@ const v6 = (z * v3) - (x * v4);
 const v7 = ((v0 * (y * y)) + (v1 * v5)) - (4 * (v6 * v6));
 margin[i] = v7;
 const v8 = Math.abs(v7);
-const v9 = Math.abs((((2 * x) * v3) + ((2 * z) * v4)) - (k0 * y));
-const v10 = Math.abs((x * x) + (z * z));
-if ((v7 === 0 || !((((((v8 < 2 ** 500 && v9 < 2 ** 500) && 2 ** -500 < v10) && Math.abs(((v3 *
-v3) + (v4 * v4)) - (k0 * v2)) < 2 ** 500) && 2 ** -500 < v8) && v10 < 2 **
-500)))) open[left++] = i;
+const v9 = (((2 * x) * v3) + ((2 * z) * v4)) - (k0 * y);
+const v10 = (x * x) + (z * z);
+const v11 = Math.abs(v10);
+const v12 = ((v3 * v3) + (v4 * v4)) - (k0 * v2);
+if ((v7 === 0 || !((((((v8 < 2 ** 500 && Math.abs(v9) < 2 ** 500) && 2 ** -500 < v11) &&
+Math.abs(v12) < 2 ** 500) && 2 ** -500 < v8) && v11 < 2 ** 500)))) {
+const v13 = v9 === 0 ? !(v12 - v12 === 0) ? 5 : v12 === 0 ? 4 : 0 : 1;
+const v14 = !(v7 - v7 === 0) ? 5 : v7 === 0 ? 3 : v7 < 0 ? 0 : 6;
+const v15 = !(v10 - v10 === 0) ? 5 : v10 === 0 ? !(v9 - v9 === 0) ? 5 : v13 : v14;
+const v16 = (-(v10 === 0 ? v12 : v9)) / (v10 === 0 ? v9 : 2 * v10);
+const v17 = ((v15 === 1 || v15 === 3) && !(Math.abs(v16) < 2 ** 1022)) ? 6 : v15;
+const verdict = v17;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };

@@ -8,7 +8,7 @@ import type { Loop } from '../straight-loop.ts';
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(2);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -29,12 +29,18 @@ const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
 const v2 = (-v0) / v1;
 t0[i] = v2;
 t1[i] = Number.NaN;
-if ((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
+if ((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) {
+const v3 = v1 === 0 ? !(v0 - v0 === 0) ? 5 : v0 === 0 ? 4 : 0 : !(v2 - v2 === 0) ? 5 : 6;
+const verdict = !(v1 - v1 === 0) ? 5 : v3;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -53,12 +59,18 @@ const z = dz[i] as number;
 margin[i] = 1;
 const v0 = ((k0 * (ex - k3)) + (k1 * (ey - k4))) + (k2 * (ez - k5));
 const v1 = ((k0 * x) + (k1 * y)) + (k2 * z);
-if ((!(Math.abs((-v0) / v1) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) open[left++] = i;
+const v2 = (-v0) / v1;
+if ((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511))) {
+const v3 = v1 === 0 ? !(v0 - v0 === 0) ? 5 : v0 === 0 ? 4 : 0 : !(v2 - v2 === 0) ? 5 : 6;
+const verdict = !(v1 - v1 === 0) ? 5 : v3;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -88,12 +100,22 @@ t0[i] = v11;
 t1[i] = v12;
 const v13 = Math.abs(v8) + Math.abs(v9);
 if (((((2 ** 1022 <= v13 || v13 <= 0) || v6 === 0) || v4 === 0) || !(Math.abs(v6) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v14 = v3 === 0 ? !(v5 - v5 === 0) ? 5 : v5 === 0 ? 4 : 0 : 1;
+const v15 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? 3 : v6 < 0 ? 0 : 6;
+const v16 = !(v4 - v4 === 0) ? 5 : v4 === 0 ? !(v3 - v3 === 0) ? 5 : v14 : v15;
+const v17 = (-(v4 === 0 ? v5 : v3)) / (v4 === 0 ? v3 : 2 * v4);
+const v18 = ((v16 === 1 || v16 === 3) && !(Math.abs(v17) < 2 ** 1022)) ? 6 : v16;
+const verdict = v18;
+t0[i] = (v16 === 1 || v16 === 3) ? v17 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, open) => {
+export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -109,15 +131,25 @@ const v1 = ex - k1;
 const v2 = ez - k3;
 const v3 = ((2 * x) * v1) + ((2 * z) * v2);
 const v4 = (x * x) + (z * z);
-const v5 = (v3 * v3) - ((4 * v4) * (((v1 * v1) + (v2 * v2)) - v0));
-margin[i] = v5;
-if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v3) < 2 ** 500) && 2 ** -500 <
-Math.abs(v4))))) open[left++] = i;
+const v5 = ((v1 * v1) + (v2 * v2)) - v0;
+const v6 = (v3 * v3) - ((4 * v4) * v5);
+margin[i] = v6;
+if ((v6 === 0 || !(((Math.abs(v6) < 2 ** 500 && Math.abs(v3) < 2 ** 500) && 2 ** -500 <
+Math.abs(v4))))) {
+const v7 = v3 === 0 ? !(v5 - v5 === 0) ? 5 : v5 === 0 ? 4 : 0 : 1;
+const v8 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? 3 : v6 < 0 ? 0 : 6;
+const v9 = !(v4 - v4 === 0) ? 5 : v4 === 0 ? !(v3 - v3 === 0) ? 5 : v7 : v8;
+const v10 = (-(v4 === 0 ? v5 : v3)) / (v4 === 0 ? v3 : 2 * v4);
+const v11 = ((v9 === 1 || v9 === 3) && !(Math.abs(v10) < 2 ** 1022)) ? 6 : v9;
+const verdict = v11;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -152,12 +184,22 @@ t0[i] = v13;
 t1[i] = v14;
 const v15 = Math.abs(v10) + Math.abs(v11);
 if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v16 = v5 === 0 ? !(v7 - v7 === 0) ? 5 : v7 === 0 ? 4 : 0 : 1;
+const v17 = !(v8 - v8 === 0) ? 5 : v8 === 0 ? 3 : v8 < 0 ? 0 : 6;
+const v18 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? !(v5 - v5 === 0) ? 5 : v16 : v17;
+const v19 = (-(v6 === 0 ? v7 : v5)) / (v6 === 0 ? v5 : 2 * v6);
+const v20 = ((v18 === 1 || v18 === 3) && !(Math.abs(v19) < 2 ** 1022)) ? 6 : v18;
+const verdict = v20;
+t0[i] = (v18 === 1 || v18 === 3) ? v19 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -178,16 +220,25 @@ const v3 = ez - k3;
 const v4 = ey - k2;
 const v5 = (((2 * x) * v2) + ((2 * z) * v3)) - ((v1 * y) * v4);
 const v6 = ((x * x) + (z * z)) - (v0 * (y * y));
-const v7 = (4 * v6) * (((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4)));
-const v8 = (v5 * v5) - v7;
+const v7 = ((v2 * v2) + (v3 * v3)) - (v0 * (v4 * v4));
+const v8 = (v5 * v5) - ((4 * v6) * v7);
 margin[i] = v8;
 if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
-Math.abs(v6))))) open[left++] = i;
+Math.abs(v6))))) {
+const v9 = v5 === 0 ? !(v7 - v7 === 0) ? 5 : v7 === 0 ? 4 : 0 : 1;
+const v10 = !(v8 - v8 === 0) ? 5 : v8 === 0 ? 3 : v8 < 0 ? 0 : 6;
+const v11 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? !(v5 - v5 === 0) ? 5 : v9 : v10;
+const v12 = (-(v6 === 0 ? v7 : v5)) / (v6 === 0 ? v5 : 2 * v6);
+const v13 = ((v11 === 1 || v11 === 3) && !(Math.abs(v12) < 2 ** 1022)) ? 6 : v11;
+const verdict = v13;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -223,12 +274,22 @@ t0[i] = v13;
 t1[i] = v14;
 const v15 = Math.abs(v10) + Math.abs(v11);
 if (((((2 ** 1022 <= v15 || v15 <= 0) || v8 === 0) || v6 === 0) || !(Math.abs(v8) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v16 = v5 === 0 ? !(v7 - v7 === 0) ? 5 : v7 === 0 ? 4 : 0 : 1;
+const v17 = !(v8 - v8 === 0) ? 5 : v8 === 0 ? 3 : v8 < 0 ? 0 : 6;
+const v18 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? !(v5 - v5 === 0) ? 5 : v16 : v17;
+const v19 = (-(v6 === 0 ? v7 : v5)) / (v6 === 0 ? v5 : 2 * v6);
+const v20 = ((v18 === 1 || v18 === 3) && !(Math.abs(v19) < 2 ** 1022)) ? 6 : v18;
+const verdict = v20;
+t0[i] = (v18 === 1 || v18 === 3) ? v19 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -254,12 +315,21 @@ const v7 = (((v2 * v2) + (v3 * v3)) - (k0 * (v4 * v4))) - v1;
 const v8 = (v5 * v5) - ((4 * v6) * v7);
 margin[i] = v8;
 if ((v8 === 0 || !(((Math.abs(v8) < 2 ** 500 && Math.abs(v5) < 2 ** 500) && 2 ** -500 <
-Math.abs(v6))))) open[left++] = i;
+Math.abs(v6))))) {
+const v9 = v5 === 0 ? !(v7 - v7 === 0) ? 5 : v7 === 0 ? 4 : 0 : 1;
+const v10 = !(v8 - v8 === 0) ? 5 : v8 === 0 ? 3 : v8 < 0 ? 0 : 6;
+const v11 = !(v6 - v6 === 0) ? 5 : v6 === 0 ? !(v5 - v5 === 0) ? 5 : v9 : v10;
+const v12 = (-(v6 === 0 ? v7 : v5)) / (v6 === 0 ? v5 : 2 * v6);
+const v13 = ((v11 === 1 || v11 === 3) && !(Math.abs(v12) < 2 ** 1022)) ? 6 : v11;
+const verdict = v13;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -283,15 +353,23 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-t0[i] = v2 * (ONE_OR_NAN[+(0 < v6)] as number);
+const v7 = +(0 < v6);
+t0[i] = v2 * (ONE_OR_NAN[v7] as number);
 t1[i] = Number.NaN;
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511))) open[left++] = i;
+511))) {
+const v8 = (v7 !== 0 && v6 - v6 === 0) ? 0 : (!(v6 - v6 === 0) || !(v2 - v2 === 0)) ? 5 : 6;
+const v9 = v1 === 0 ? !(v0 - v0 === 0) ? 5 : v0 === 0 ? 4 : 0 : v8;
+const verdict = !(v1 - v1 === 0) ? 5 : v9;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -315,14 +393,21 @@ const v3 = (ex + (v2 * x)) - k4;
 const v4 = (ey + (v2 * y)) - k5;
 const v5 = (ez + (v2 * z)) - k6;
 const v6 = (Math.sqrt(((v3 * v3) + (v4 * v4)) + (v5 * v5))) - k0;
-margin[i] = 1 * (1 - 2 * +(0 < v6));
+const v7 = +(0 < v6);
+margin[i] = 1 * (1 - 2 * v7);
 if (((!(Math.abs(v2) < 2 ** 511) || !(Math.abs(v1) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511))) open[left++] = i;
+511))) {
+const v8 = (v7 !== 0 && v6 - v6 === 0) ? 0 : (!(v6 - v6 === 0) || !(v2 - v2 === 0)) ? 5 : 6;
+const v9 = v1 === 0 ? !(v0 - v0 === 0) ? 5 : v0 === 0 ? 4 : 0 : v8;
+const verdict = !(v1 - v1 === 0) ? 5 : v9;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -346,21 +431,35 @@ const v3 = ((k1 * x) + (k2 * y)) + (k3 * z);
 const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
-const v7 = v5 - v0;
-const v8 = ez + (v4 * z);
-const v9 = k6 - v8;
-const v10 = v8 - v1;
-const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
-t0[i] = v4 * (ONE_OR_NAN[v11] as number);
+const v7 = +(0 < v6);
+const v8 = v5 - v0;
+const v9 = +(0 < v8);
+const v10 = ez + (v4 * z);
+const v11 = k6 - v10;
+const v12 = +(0 < v11);
+const v13 = v10 - v1;
+const v14 = +(0 < v13);
+const v15 = v4 * (ONE_OR_NAN[(((v7 | v9) | v12) | v14)] as number);
+t0[i] = v15;
 t1[i] = Number.NaN;
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
-511))) open[left++] = i;
+511)) || !(Math.abs(v8) < 2 ** 511)) || !(Math.abs(v11) < 2 ** 511)) || !(Math.abs(v13) < 2 **
+511))) {
+const v16 = ((((!(v6 - v6 === 0) || !(v8 - v8 === 0)) || !(v11 - v11 === 0)) || !(v13 - v13 ===
+0)) || !(v4 - v4 === 0)) ? 5 : 6;
+const v17 = ((((v7 !== 0 && v6 - v6 === 0) || (v9 !== 0 && v8 - v8 === 0)) || (v12 !== 0 &&
+v11 - v11 === 0)) || (v14 !== 0 && v13 - v13 === 0)) ? 0 : v16;
+const v18 = v3 === 0 ? !(v2 - v2 === 0) ? 5 : v2 === 0 ? 4 : 0 : v17;
+const verdict = !(v3 - v3 === 0) ? 5 : v18;
+t0[i] = Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -384,20 +483,32 @@ const v3 = ((k1 * x) + (k2 * y)) + (k3 * z);
 const v4 = (-v2) / v3;
 const v5 = ey + (v4 * y);
 const v6 = k5 - v5;
-const v7 = v5 - v0;
-const v8 = ez + (v4 * z);
-const v9 = k6 - v8;
-const v10 = v8 - v1;
-const v11 = (((+(0 < v6) | +(0 < v7)) | +(0 < v9)) | +(0 < v10));
-margin[i] = 1 * (1 - 2 * v11);
+const v7 = +(0 < v6);
+const v8 = v5 - v0;
+const v9 = +(0 < v8);
+const v10 = ez + (v4 * z);
+const v11 = k6 - v10;
+const v12 = +(0 < v11);
+const v13 = v10 - v1;
+const v14 = +(0 < v13);
+margin[i] = 1 * (1 - 2 * (((v7 | v9) | v12) | v14));
 if ((((((!(Math.abs(v4) < 2 ** 511) || !(Math.abs(v3) < 2 ** 511)) || !(Math.abs(v6) < 2 **
-511)) || !(Math.abs(v7) < 2 ** 511)) || !(Math.abs(v9) < 2 ** 511)) || !(Math.abs(v10) < 2 **
-511))) open[left++] = i;
+511)) || !(Math.abs(v8) < 2 ** 511)) || !(Math.abs(v11) < 2 ** 511)) || !(Math.abs(v13) < 2 **
+511))) {
+const v15 = ((((!(v6 - v6 === 0) || !(v8 - v8 === 0)) || !(v11 - v11 === 0)) || !(v13 - v13 ===
+0)) || !(v4 - v4 === 0)) ? 5 : 6;
+const v16 = ((((v7 !== 0 && v6 - v6 === 0) || (v9 !== 0 && v8 - v8 === 0)) || (v12 !== 0 &&
+v11 - v11 === 0)) || (v14 !== 0 && v13 - v13 === 0)) ? 0 : v15;
+const v17 = v3 === 0 ? !(v2 - v2 === 0) ? 5 : v2 === 0 ? 4 : 0 : v16;
+const verdict = !(v3 - v3 === 0) ? 5 : v17;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -431,12 +542,22 @@ t0[i] = v12;
 t1[i] = v13;
 const v14 = Math.abs(v9) + Math.abs(v10);
 if (((((2 ** 1022 <= v14 || v14 <= 0) || v7 === 0) || v5 === 0) || !(Math.abs(v7) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v15 = v4 === 0 ? !(v6 - v6 === 0) ? 5 : v6 === 0 ? 4 : 0 : 1;
+const v16 = !(v7 - v7 === 0) ? 5 : v7 === 0 ? 3 : v7 < 0 ? 0 : 6;
+const v17 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? !(v4 - v4 === 0) ? 5 : v15 : v16;
+const v18 = (-(v5 === 0 ? v6 : v4)) / (v5 === 0 ? v4 : 2 * v5);
+const v19 = ((v17 === 1 || v17 === 3) && !(Math.abs(v18) < 2 ** 1022)) ? 6 : v17;
+const verdict = v19;
+t0[i] = (v17 === 1 || v17 === 3) ? v18 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -456,16 +577,25 @@ const v2 = ey - k2;
 const v3 = ez - k3;
 const v4 = (((2 * x) * v1) + ((2 * y) * v2)) + ((2 * z) * v3);
 const v5 = ((x * x) + (y * y)) + (z * z);
-const v6 = (4 * v5) * ((((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0);
-const v7 = (v4 * v4) - v6;
+const v6 = (((v1 * v1) + (v2 * v2)) + (v3 * v3)) - v0;
+const v7 = (v4 * v4) - ((4 * v5) * v6);
 margin[i] = v7;
 if ((v7 === 0 || !(((Math.abs(v7) < 2 ** 500 && Math.abs(v4) < 2 ** 500) && 2 ** -500 <
-Math.abs(v5))))) open[left++] = i;
+Math.abs(v5))))) {
+const v8 = v4 === 0 ? !(v6 - v6 === 0) ? 5 : v6 === 0 ? 4 : 0 : 1;
+const v9 = !(v7 - v7 === 0) ? 5 : v7 === 0 ? 3 : v7 < 0 ? 0 : 6;
+const v10 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? !(v4 - v4 === 0) ? 5 : v8 : v9;
+const v11 = (-(v5 === 0 ? v6 : v4)) / (v5 === 0 ? v4 : 2 * v5);
+const v12 = ((v10 === 1 || v10 === 3) && !(Math.abs(v11) < 2 ** 1022)) ? 6 : v10;
+const verdict = v12;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -497,12 +627,22 @@ t0[i] = v10;
 t1[i] = v11;
 const v12 = Math.abs(v7) + Math.abs(v8);
 if (((((2 ** 1022 <= v12 || v12 <= 0) || v5 === 0) || v3 === 0) || !(Math.abs(v5) <=
-1.7976931348623157e+308))) open[left++] = i;
+1.7976931348623157e+308))) {
+const v13 = v2 === 0 ? !(v4 - v4 === 0) ? 5 : v4 === 0 ? 4 : 0 : 1;
+const v14 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? 3 : v5 < 0 ? 0 : 6;
+const v15 = !(v3 - v3 === 0) ? 5 : v3 === 0 ? !(v2 - v2 === 0) ? 5 : v13 : v14;
+const v16 = (-(v3 === 0 ? v4 : v2)) / (v3 === 0 ? v2 : 2 * v3);
+const v17 = ((v15 === 1 || v15 === 3) && !(Math.abs(v16) < 2 ** 1022)) ? 6 : v15;
+const verdict = v17;
+t0[i] = (v15 === 1 || v15 === 3) ? v16 : Number.NaN;
+t1[i] = Number.NaN;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, open) => {
+export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -520,11 +660,20 @@ const v0 = ex - k1;
 const v1 = ez - k3;
 const v2 = (((2 * x) * v0) + ((2 * z) * v1)) - (k0 * y);
 const v3 = (x * x) + (z * z);
-const v4 = (4 * v3) * (((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2)));
-const v5 = (v2 * v2) - v4;
+const v4 = ((v0 * v0) + (v1 * v1)) - (k0 * (ey - k2));
+const v5 = (v2 * v2) - ((4 * v3) * v4);
 margin[i] = v5;
 if ((v5 === 0 || !(((Math.abs(v5) < 2 ** 500 && Math.abs(v2) < 2 ** 500) && 2 ** -500 <
-Math.abs(v3))))) open[left++] = i;
+Math.abs(v3))))) {
+const v6 = v2 === 0 ? !(v4 - v4 === 0) ? 5 : v4 === 0 ? 4 : 0 : 1;
+const v7 = !(v5 - v5 === 0) ? 5 : v5 === 0 ? 3 : v5 < 0 ? 0 : 6;
+const v8 = !(v3 - v3 === 0) ? 5 : v3 === 0 ? !(v2 - v2 === 0) ? 5 : v6 : v7;
+const v9 = (-(v3 === 0 ? v4 : v2)) / (v3 === 0 ? v2 : 2 * v3);
+const v10 = ((v8 === 1 || v8 === 3) && !(Math.abs(v9) < 2 ** 1022)) ? 6 : v8;
+const verdict = v10;
+margin[i] = verdict === 0 ? -1 : 1;
+if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
+}
 }
 return left;
 };
