@@ -36,8 +36,10 @@ export function usesOf(roots: readonly Node[]): Map<Node, number> {
 }
 
 /** Places of the scratch array. */
-interface Scratch {
+export interface Scratch {
   count: number;
+  /** Values of a block that are handed on. */
+  handed: number;
 }
 
 /**
@@ -262,13 +264,13 @@ export function loopOf(
   program: Program,
   scratch: Scratch,
 ): string {
-  const { format, outputs, rare, special, missed, rareRoots, classes } = program;
+  const { format, outputs, rare, special, missed, rareRoots, inBlocks, classes } = program;
   const written = Object.entries(outputs);
   const asked = [rare, missed, ...written.map(([, n]) => n), rareRoots];
   const all = [...asked, classes?.margin, classes?.rare, special.verdict, special.t];
   const roots = all.filter((n): n is Node => n !== null && n !== undefined);
   const uses = usesOf(roots);
-  const places = { count: 0 };
+  const places = { count: 0, handed: 0 };
   const w = writer(format, uses, places);
   const round = roundedTo(format);
 
@@ -337,6 +339,29 @@ export function loopOf(
     const test = w.test(rare, lines);
     lines.push(`if (${test}) {`, ...settle(), '}');
   };
+  /** What the roots are made of is handed on from one loop to the next. */
+  const after: string[] = [];
+  const handed = (roots: readonly Node[]) => {
+    const found = new Set<Node>();
+    const walk = (n: Node): void => {
+      if (w.names.has(n)) {
+        if (!n.uniform) found.add(n);
+      } else n.args.forEach(walk);
+    };
+    roots.forEach(walk);
+    const [hand, take]: [string[], string[]] = [[], []];
+    for (const n of found) {
+      const name = w.names.get(n) as string;
+      if (n.op === 'input') {
+        take.push(`const ${name} = ${n.name}[i] as number;`);
+        continue;
+      }
+      hand.push(`W[${places.handed * BLOCK} + j] = ${name};`);
+      take.push(`const ${name} = W[${places.handed * BLOCK} + j] as number;`);
+      places.handed += 1;
+    }
+    return { hand, take };
+  };
   if (!classes && !missed) {
     write(body);
     ifRare(body);
@@ -349,30 +374,59 @@ export function loopOf(
       });
       body.push('else if (!roots) {', ...told, '}');
     }
-    if (missed) {
-      const none = written.map(([array]) => `${array}[i] = Number.NaN;`);
-      body.push(`else if (${w.test(missed, body)}) {`, ...none, '}');
-    }
-    const hit = block((lines) => {
+    const hit = (lines: string[]): void => {
       write(lines);
       leave(rareRoots, lines);
-    });
-    body.push('else {', ...hit, '}');
+    };
+    const none = written.map(([array]) => `${array}[i] = Number.NaN;`);
+    if (missed && inBlocks) {
+      const { hand, take } = handed(written.map(([, n]) => n).concat(rareRoots ?? []));
+      const listed = block((lines) => {
+        const isHit = `1 - ${w.value(missed, lines)}`;
+        lines.push(...hand, ...none, 'H[hits] = j;', `hits += ${isHit};`);
+      });
+      body.push('else {', ...listed, '}');
+      after.push(...take, ...block(hit));
+    } else {
+      if (missed) body.push(`else if (${w.test(missed, body)}) {`, ...none, '}');
+      body.push('else {', ...block(hit), '}');
+    }
   }
   scratch.count = Math.max(scratch.count, places.count);
+  scratch.handed = Math.max(scratch.handed, places.handed);
   return [
     `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, ` +
       `marked${classes ? ', roots' : ''}) => {`,
     `const { ${[...Object.keys(outputs), ...(classes ? ['margin'] : [])].join(', ')} } = out;`,
     ...before,
     'let left = 0;',
-    'for (let i = 0; i < count; i++) {',
-    ...body,
-    '}',
+    ...(after.length > 0
+      ? inBlocksOf(body, after)
+      : ['for (let i = 0; i < count; i++) {', ...body, '}']),
     'return left;',
     '};',
   ].join('\n');
 }
+
+/** Rays in a block. */
+export const BLOCK = 64;
+
+/** Whether a line hits is as often true as not: so the hits of a block are listed first. */
+const inBlocksOf = (classes: readonly string[], roots: readonly string[]): string[] => [
+  `for (let from = 0; from < count; from += ${BLOCK}) {`,
+  `const end = Math.min(${BLOCK}, count - from);`,
+  'let hits = 0;',
+  'for (let j = 0; j < end; j++) {',
+  'const i = from + j;',
+  ...classes,
+  '}',
+  'for (let k = 0; k < hits; k++) {',
+  'const j = H[k] as number;',
+  'const i = from + j;',
+  ...roots,
+  '}',
+  '}',
+];
 
 const mark = (verdict: number): string => `${verdict} * 2 ** ${CLASS_BIT}`;
 

@@ -2,7 +2,7 @@ import type { Values } from '../../../src/math/formula/evaluate.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Formula } from '../../../src/math/shapes/define.ts';
 import { SHAPES } from '../../../src/math/shapes/index.ts';
-import { loopOf } from './emit-typescript.ts';
+import { BLOCK, loopOf, type Scratch } from './emit-typescript.ts';
 import { functionOf, moduleOf } from './emit-wasm.ts';
 import { oneRay } from './one-ray-file.ts';
 import { type Ask, asksOf, numbersOf, programOf } from './program.ts';
@@ -76,7 +76,7 @@ export function generate({
       const system = SYSTEMS[arithmetic];
       if (!system) return;
       ids.push([id, arithmetic]);
-      const scratch = { count: 0 };
+      const scratch = { count: 0, handed: 0 };
       const loops: string[] = [];
       const functions = all.flatMap(({ kind, formula, symbols }) => {
         const numbers = numbersOf(symbols);
@@ -96,7 +96,7 @@ export function generate({
         files.push({ path: `${id}-one.ts`, text });
       }
       files.push(
-        { path: `${id}.ts`, text: typescript(title, arithmetic, scratch.count, loops) },
+        { path: `${id}.ts`, text: typescript(title, arithmetic, scratch, loops) },
         { path: `${id}-simd.ts`, text: wasm(title, moduleOf(functions)) },
       );
     });
@@ -104,12 +104,20 @@ export function generate({
   return [...files, { path: 'index.ts', text: index(ids, all) }];
 }
 
-function typescript(title: string, arithmetic: string, places: number, loops: string[]): string {
+function typescript(
+  title: string,
+  arithmetic: string,
+  { count, handed }: Scratch,
+  loops: string[],
+): string {
   const text = loops.join('\n\n');
   const constants = [
     ...(text.includes('fround(') ? ['const { fround } = Math;'] : []),
     ...(text.includes('ONE_OR_NAN') ? ['const ONE_OR_NAN = Float64Array.of(1, Number.NaN);'] : []),
-    ...(places > 0 ? [`const S = new Float64Array(${places});`] : []),
+    ...(count > 0 ? [`const S = new Float64Array(${count});`] : []),
+    ...(handed > 0
+      ? [`const W = new Float64Array(${handed * BLOCK});`, `const H = new Int32Array(${BLOCK});`]
+      : []),
   ];
   return [
     `${header(`The method ${title} over arrays, in ${arithmetic}.`)}

@@ -1,3 +1,4 @@
+import { SPLITTER } from '../../../src/math/float/eft.ts';
 import type { Floats } from '../../../src/math/float/floats.ts';
 
 /** A value of the straight-line program: a number, or a condition. */
@@ -74,18 +75,28 @@ export class Graph implements Floats<Node, Node> {
     this.make('constant', [], this.format.width === 32 ? Math.fround(x) : x);
 
   add = (a: Node, b: Node): Node => {
-    if (!this.format.strict && isZero(a)) return b;
-    return !this.format.strict && isZero(b) ? a : this.make('add', [a, b]);
+    if (this.format.strict) return this.make('add', [a, b]);
+    if (isZero(a)) return b;
+    // A rounded sum and what it lost are the exact sum, which rounds to the same.
+    return isZero(b) || this.isLostBy(a, b) ? a : this.make('add', [a, b]);
   };
   sub = (a: Node, b: Node): Node => {
-    if (!this.format.strict && isZero(b)) return a;
-    return !this.format.strict && isZero(a) ? this.neg(b) : this.make('sub', [a, b]);
+    if (this.format.strict) return this.make('sub', [a, b]);
+    if (isZero(b)) return a;
+    if (isZero(a)) return this.neg(b);
+    if (a === b) return this.of(0);
+    const [x, y] = [doubled(a), doubled(b)];
+    if (x && y && x.by === y.by) return this.mul(this.sub(x.of, y.of), x.by);
+    return this.make('sub', [a, b]);
   };
   mul = (a: Node, b: Node): Node => {
     if (isConstant(a, 1)) return b;
     if (isConstant(b, 1)) return a;
-    if (!this.format.strict && (isZero(a) || isZero(b))) return this.of(0);
-    return this.make('mul', [a, b]);
+    if (this.format.strict) return this.make('mul', [a, b]);
+    if (isZero(a) || isZero(b)) return this.of(0);
+    // So that 2x is cut where x is, and once (errorsOver).
+    const x = isConstant(a, SPLITTER) ? doubled(b) : null;
+    return x ? this.mul(this.mul(a, x.of), x.by) : this.make('mul', [a, b]);
   };
   /** By a power of two it is a product, to the bit. */
   div = (a: Node, b: Node): Node => {
@@ -134,6 +145,14 @@ export class Graph implements Floats<Node, Node> {
     return taken;
   }
 
+  /** Whether e is sumError of the sum s (float/eft.ts). */
+  private isLostBy(s: Node, e: Node): boolean {
+    if (s.op !== 'add' || e.op !== 'add') return false;
+    const [a, b] = s.args as [Node, Node];
+    const part = this.sub(s, a);
+    return e.args[0] === this.sub(a, this.sub(s, part)) && e.args[1] === this.sub(b, part);
+  }
+
   private make(op: Op, args: readonly Node[], value = 0, name = ''): Node {
     const fold = OF_NUMBERS[op];
     if (fold && args.length > 0 && args.every((a) => a.op === 'constant')) {
@@ -154,6 +173,13 @@ export class Graph implements Floats<Node, Node> {
 
 const isConstant = (a: Node, x: number): boolean => a.op === 'constant' && a.value === x;
 const isZero = (a: Node): boolean => isConstant(a, 0);
+/** x · by for a power of two above 1: exact, also where numbers are subnormal. */
+function doubled(a: Node): { readonly of: Node; readonly by: Node } | null {
+  const [of, by] = a.args as [Node, Node];
+  return a.op === 'mul' && by.op === 'constant' && by.value > 1 && isPowerOfTwo(by.value)
+    ? { of, by }
+    : null;
+}
 const isPowerOfTwo = (x: number): boolean =>
   Math.abs(x) > 2 ** -100 && Math.abs(x) < 2 ** 100 && Number.isInteger(Math.log2(Math.abs(x)));
 

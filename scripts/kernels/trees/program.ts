@@ -30,6 +30,7 @@ export interface Program {
    */
   readonly missed: Node | null;
   readonly rareRoots: Node | null;
+  readonly inBlocks: boolean;
   /** What is written, and where the trees are asked, if only the class is; null: see Ask. */
   readonly classes: { readonly margin: Node; readonly rare: Node | null } | null;
 }
@@ -148,7 +149,16 @@ function curved(
     const [t0, t1] = r.sorted(t, s).map(g.unsigned) as [Node, Node];
     const inside = (x: Node): Node => g.isWithin(x, system.large);
     const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
-    return { format, outputs: { t0, t1 }, rare, special, missed, rareRoots, classes };
+    return {
+      format,
+      outputs: { t0, t1 },
+      rare,
+      special,
+      missed,
+      rareRoots,
+      inBlocks: system.inBlocks,
+      classes,
+    };
   }
 
   const shownD = r.shown(D);
@@ -177,6 +187,7 @@ function curved(
       special,
       missed: null,
       rareRoots: null,
+      inBlocks: false,
       classes: null,
     };
   }
@@ -200,6 +211,7 @@ function curved(
     special,
     missed: null,
     rareRoots: null,
+    inBlocks: false,
     classes: null,
   };
 }
@@ -324,5 +336,14 @@ function flat(
   );
   const verdict = where(g, elsewhere, place(ASK), told);
   const special = { verdict, t: none };
-  return { format, outputs, rare, special, missed: null, rareRoots: null, classes };
+  return {
+    format,
+    outputs,
+    rare,
+    special,
+    missed: null,
+    rareRoots: null,
+    inBlocks: false,
+    classes,
+  };
 }

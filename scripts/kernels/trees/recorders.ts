@@ -32,6 +32,8 @@ export interface System {
   readonly format: Format;
   /** Whether a number of it is one of the format. */
   readonly isPlain: boolean;
+  /** Whether a loop of TypeScript is faster if it finds the roots of a block's hits at a time. */
+  readonly inBlocks: boolean;
   readonly box: { readonly least: number; readonly most: number } | null;
   readonly greatest: number;
   /** Of roots. */
@@ -258,6 +260,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   float32: {
     format: { width: 32, strict: true },
     isPlain: true,
+    inBlocks: false,
     box: null,
     greatest: 2 ** 128 - 2 ** 104,
     large: 2 ** 126,
@@ -268,6 +271,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   float64: {
     format: { width: 64, strict: true },
     isPlain: true,
+    inBlocks: false,
     box: null,
     greatest: Number.MAX_VALUE,
     large: 2 ** 1022,
@@ -278,6 +282,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   'double-double': {
     format: { width: 64, strict: false },
     isPlain: false,
+    inBlocks: true,
     box: { least: 0, most: 2 ** 100 },
     greatest: 2 ** 900,
     large: 2 ** 500,
@@ -288,6 +293,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
   interval: {
     format: { width: 64, strict: false },
     isPlain: false,
+    inBlocks: false,
     box: { least: 2 ** -100, most: 2 ** 100 },
     greatest: 2 ** 900,
     large: 2 ** 500,
