@@ -3,10 +3,11 @@
  * need only this.
  */
 export { ulpDistance } from './float/ulp.ts';
-export { coefficients, intersect, solveQuadratic } from './intersect.ts';
+export { coefficients, intersect } from './intersect.ts';
 export type {
   Coefficients,
   DecidedBy,
+  Fate,
   Hit,
   Intersection,
   IntersectionClass,
@@ -15,6 +16,25 @@ export type {
 } from './intersection.ts';
 export { InvalidInput } from './invalid-input.ts';
 export { METHODS } from './methods/index.ts';
+export {
+  firstAmong,
+  type Prepared,
+  type PreparedHit,
+  type PrepareOptions,
+  prepareWith,
+} from './prepare/prepare.ts';
+export { createHit, type HitRoom } from './prepare/sharp.ts';
+export { type PrepareAnyOptions, prepare } from './prepare.ts';
 export type { Ray } from './ray.ts';
-export { SHAPES, type Shape } from './shapes/index.ts';
+export type { Ends } from './shapes/checked.ts';
+export { circle } from './shapes/circle.ts';
+export { cone } from './shapes/cone.ts';
+export { cylinder } from './shapes/cylinder.ts';
+export { hyperboloid } from './shapes/hyperboloid.ts';
+export { SHAPES, type Shape, type Solid } from './shapes/index.ts';
+export { paraboloid } from './shapes/paraboloid.ts';
+export { plane } from './shapes/plane.ts';
+export { sphere } from './shapes/sphere.ts';
+export { square } from './shapes/square.ts';
+export { solveQuadratic } from './solve-quadratic.ts';
 export type { Given, Vec3 } from './vec3.ts';

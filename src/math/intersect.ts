@@ -1,21 +1,15 @@
-import type { Coefficients, Intersection, QuadraticAnswer } from './intersection.ts';
-import {
-  countFields,
-  InvalidInput,
-  quote,
-  requireFields,
-  requireFinite,
-  requireFiniteVector,
-  requireNonZero,
-} from './invalid-input.ts';
+import { ended } from './ended.ts';
+import { checkedRay } from './given-ray.ts';
+import type { Coefficients, Intersection } from './intersection.ts';
+import { InvalidInput, quote, requireFields } from './invalid-input.ts';
 import { withoutStart } from './leave.ts';
 import type { Method } from './methods/define.ts';
 import { METHODS } from './methods/index.ts';
 import type { Ray } from './ray.ts';
-import type { Shape } from './shapes/index.ts';
-import { checkedShape } from './shapes/lookup.ts';
+import { type Cut, checkedSolid } from './shapes/checked.ts';
+import type { Shape, Solid } from './shapes/index.ts';
+import { checkedShape, definitionOf } from './shapes/lookup.ts';
 import type { Given } from './vec3.ts';
-import { plainVector } from './vec3.ts';
 
 /**
  * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each
@@ -36,7 +30,7 @@ interface IntersectOptions {
    * declared to leave a surface that it does not start on loses a true hit; and where E has been
    * rounded so far that the line misses the surface, there is nothing to drop.
    */
-  readonly from?: Given<Shape> | null | undefined;
+  readonly from?: Given<Solid> | null | undefined;
 }
 
 /**
@@ -44,7 +38,12 @@ interface IntersectOptions {
  * any sign. What the answer is worth depends on the method: see its `promise`.
  *
  * @param shape its kind and each of its parameters, in units of length; a slope, a flare and a
- *   normal have none. Vectors may be any list of three numbers, a Float64Array for one.
+ *   normal have none. Vectors may be any list of three numbers, a Float64Array for one. Beside a
+ *   curved shape's own, `between: [low, high]`: only its part with low ≤ y ≤ high is there, and
+ *   with `caps: true` discs close both ends. Then each hit has a `fate`: 'hit'; 'cut' for a root
+ *   where nothing is left of the surface; 'cap' for a way through a disc. The class stays that of
+ *   the line and the whole surface. By `certified` and `exact` the fates are those of exact
+ *   arithmetic.
  * @param ray `origin` is E, in units of length; `direction` is d, of any length but 0. t counts in
  *   lengths of d.
  * @param method the `id` of one of METHODS.
@@ -57,25 +56,38 @@ interface IntersectOptions {
  * intersect(cylinder, ray).class; // → 'two'
  * intersect(cylinder, ray).hits.map(({ t }) => t); // → [6, 14]
  * intersect(cylinder, ray, 'textbook').hits[0]?.normal; // → [-4, 0, 3]
+ * const can = { ...cylinder, between: [-1, 1], caps: true } as const;
+ * const steep = { origin: [0, 4, 0], direction: [1, -1, 0] } as const;
+ * intersect(can, steep).hits.map(({ t, fate }) => [t, fate]);
+ * // → [[-5, 'cut'], [3, 'cap'], [5, 'hit']]
  * intersect(cylinder, { ...ray, direction: [0, 0, 0] });
  * // throws InvalidInput: direction must not be zero, got (0, 0, 0)
  */
 export function intersect(
-  shape: Given<Shape>,
+  shape: Given<Solid>,
   ray: Given<Ray>,
   method: string = DEFAULT_METHOD,
   options?: IntersectOptions | null,
 ): Intersection {
   const chosen = methodOf(method);
-  const surface = checkedShape(shape);
-  const found = chosen.intersect(surface, checkedRay(ray));
+  const { between, caps } = shape ?? {};
+  const isWhole = between === undefined && caps === undefined;
+  const { shape: surface, cut } = isWhole
+    ? { shape: checkedShape(shape), cut: null }
+    : parts(shape);
+  const line = checkedRay(ray);
+  const whole = chosen.intersect(surface, line);
+  const found = cut ? ended(whole, surface, cut, line) : whole;
   if (options) requireFields('set of options', options, OPTIONS);
   const from = options?.from;
   if (from === undefined || from === null) return found;
-  return withoutStart(found, surface, checkedShape(from));
+  return withoutStart(found, surface, parts(from).shape);
 }
 
 const OPTIONS = ['from'];
+
+const parts = (solid: Given<Solid>): { readonly shape: Shape; readonly cut: Cut | null } =>
+  checkedSolid(definitionOf(solid as Shape), solid);
 
 /**
  * A, B and C of f(t) = A t² + B t + C, the surface's equation with the ray put in. For a flat shape
@@ -103,34 +115,6 @@ export function coefficients(
 }
 
 /**
- * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every
- * t is a root.
- *
- * @param A any finite number, as B and C; 0 makes the equation linear.
- * @param solver the `id` of one of METHODS, whose own solver is used. By 'certified' and 'exact'
- * the
- *   roots are correctly rounded for every finite triple.
- * @throws InvalidInput on NaN, infinity and an unknown method.
- * @example
- * solveQuadratic(1, -3, 2); // → { class: 'two', roots: [1, 2] }
- * solveQuadratic(1, -2e8, 1).roots; // → [5e-9, 200000000]
- * solveQuadratic(1, -2e8, 1, 'textbook').roots; // → [0, 200000000]
- * solveQuadratic(1, 0, Number.NaN); // throws InvalidInput: C must be a finite number, got NaN
- */
-export function solveQuadratic(
-  A: number,
-  B: number,
-  C: number,
-  solver: string = DEFAULT_METHOD,
-): QuadraticAnswer {
-  const chosen = methodOf(solver);
-  requireFinite('A', A);
-  requireFinite('B', B);
-  requireFinite('C', C);
-  return chosen.solve(A, B, C);
-}
-
-/**
  * The method with this `id`, or undefined.
  *
  * @param id any text.
@@ -142,27 +126,12 @@ export function findMethod(id: string): Method | undefined {
   return BY_ID.get(id);
 }
 
-const BY_ID: ReadonlyMap<string, Method> = new Map(METHODS.map((method) => [method.id, method]));
+const BY_ID: ReadonlyMap<string, Method> = /* @__PURE__ */ new Map(
+  METHODS.map((method) => [method.id, method]),
+);
 
 function methodOf(id: string): Method {
   const found = findMethod(id);
   if (!found) throw new InvalidInput(`unknown method ${quote(id)}`);
   return found;
-}
-
-const RAY = ['origin', 'direction'];
-
-/** The ray with plain arrays: itself, where they are. */
-export function checkedRay(ray: Given<Ray>): Ray {
-  const origin = ray?.origin;
-  const direction = ray?.direction;
-  if (typeof ray === 'object' && ray !== null) {
-    const whole = origin !== undefined && direction !== undefined && countFields(ray) === 2;
-    if (!whole) requireFields('ray', ray, RAY);
-  }
-  requireFiniteVector('origin', origin);
-  requireFiniteVector('direction', direction);
-  requireNonZero('direction', direction);
-  if (Array.isArray(origin) && Array.isArray(direction)) return ray as Ray;
-  return { origin: plainVector(origin), direction: plainVector(direction) };
 }

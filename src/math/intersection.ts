@@ -15,6 +15,12 @@ export type DecidedBy = 'formula' | 'filter' | 'double-double' | 'exact';
 /** Of an exact number. */
 export type Sign = -1 | 0 | 1;
 
+/**
+ * What becomes of a root where a shape has ends: it is a hit, it is cut off, or the line goes
+ * through a cap there.
+ */
+export type Fate = 'hit' | 'cut' | 'cap';
+
 /** A point where the line meets the shape. */
 export interface Hit {
   /** In lengths of d. */
@@ -25,6 +31,8 @@ export interface Hit {
   readonly normal: Vec3;
   /** The normal is exactly zero: a cone's vertex, a cylinder of radius 0, … */
   readonly singular: boolean;
+  /** Only where the shape has ends: of a root that is `cut` nothing is there. */
+  readonly fate?: Fate;
 }
 
 /**

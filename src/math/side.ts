@@ -1,7 +1,5 @@
-import { exact } from './arithmetic/exact.ts';
-import { evaluate } from './formula/evaluate.ts';
 import type { Sign } from './intersection.ts';
-import { valuesOf } from './methods/tree-method.ts';
+import { exactSide } from './methods/whole-line.ts';
 import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 import type { Vec3 } from './vec3.ts';
@@ -17,8 +15,5 @@ import type { Vec3 } from './vec3.ts';
  * // → [-1, 0, 1]
  */
 export function sideOf(shape: Shape, at: Vec3): Sign | null {
-  const formula = definitionOf(shape).formula(shape);
-  if (formula.family === 'flat') return null;
-  const values = valuesOf(shape, { origin: at, direction: [1, 0, 0] }, exact);
-  return exact.sign(evaluate(formula.C, exact, values)) as Sign;
+  return exactSide(definitionOf(shape), shape, at);
 }

@@ -1,6 +1,5 @@
-import type { Heights } from '../math/drawing.ts';
+import { capsOf, type Heights } from '../math/drawing.ts';
 import type { Shape } from '../math/index.ts';
-import { definitionOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
 type SurfacePart = 'shape' | 'low cap' | 'high cap';
@@ -20,19 +19,16 @@ export function surfacesOf(scene: Scene): readonly Surface[] {
   return scene.things.flatMap((placed, thing): Surface[] => {
     const { shape, between } = placed;
     const own: Surface = { thing, part: 'shape', shape, ...(between ? { between } : {}) };
-    return [own, ...capsOf(placed, thing)];
+    return [own, ...capsOfThing(placed, thing)];
   });
 }
 
 /** The caps: two circles about the axis with outward normals. */
-function capsOf({ shape, between, capped }: Placed, thing: number): Surface[] {
+function capsOfThing({ shape, between, capped }: Placed, thing: number): Surface[] {
   if (!between || !capped) return [];
-  const cap = (part: SurfacePart, height: number, up: 1 | -1): Surface[] => {
-    const disc = definitionOf(shape).body.circleAt?.(shape, height);
-    if (!disc) return [];
-    const { x, z, radius } = disc;
-    const circle: Shape = { kind: 'circle', normal: [0, up, 0], center: [x, height, z], radius };
-    return [{ thing, part, shape: circle }];
-  };
-  return [...cap('low cap', between[0], -1), ...cap('high cap', between[1], 1)];
+  return capsOf(shape, between).map(({ end, circle }) => ({
+    thing,
+    part: `${end} cap`,
+    shape: circle,
+  }));
 }

@@ -1,31 +1,18 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { exact } from '../arithmetic/exact.ts';
-import { DISCRIMINANT, POINT } from '../formula/common.ts';
-import {
-  evaluate,
-  evaluateTriple,
-  lift,
-  type Triple,
-  type Values,
-  withScalars,
-} from '../formula/evaluate.ts';
-import type {
-  Coefficients,
-  DecidedBy,
-  Hit,
-  Intersection,
-  QuadraticAnswer,
-} from '../intersection.ts';
+import { evaluate, evaluateTriple, type Triple, type Values } from '../formula/evaluate.ts';
+import type { Coefficients, DecidedBy, Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
-import { type FlatFormula, withPoint } from '../shapes/planar.ts';
+import type { FlatFormula } from '../shapes/planar.ts';
 import type { Method } from './define.ts';
 import { courseForm, type Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
+import { intersectCurved, solveDoubles, symbolsOf } from './tree-answer.ts';
 import { intersectFlat } from './tree-flat.ts';
-import { answer, curvedDetails, type MethodParts, rounded } from './tree-parts.ts';
+import type { MethodParts } from './tree-parts.ts';
 
 type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source'>;
 
@@ -83,11 +70,7 @@ function formulaOf(shape: Shape): CurvedFormula | FlatFormula {
  * valuesOf(sphere, ray, float64).scalars; // → { r: 2 }
  */
 export function valuesOf<T>(shape: Shape, ray: Ray, arithmetic: Arithmetic<T>): Values<T> {
-  const own = definitionOf(shape).values(shape);
-  return lift(
-    { scalars: own.scalars, vectors: { ...own.vectors, E: ray.origin, d: ray.direction } },
-    arithmetic,
-  );
+  return symbolsOf(definitionOf(shape).values(shape), ray, arithmetic);
 }
 
 /** A, B, C of f(t); for a flat shape f is the line (N·d) t + N·(E − P). */
@@ -97,45 +80,4 @@ function coefficientsOf<T>(shape: Shape, values: Values<T>, ar: Arithmetic<T>): 
     return evaluateTriple([formula.A, formula.B, formula.C], ar, values);
   }
   return [ar.of(0), evaluate(formula.rate, ar, values), evaluate(formula.offset, ar, values)];
-}
-
-function intersectCurved<T>(
-  formula: CurvedFormula,
-  values: Values<T>,
-  { arithmetic: ar, form, solver, decidedBy, id }: MethodParts<T>,
-): Intersection {
-  const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
-  const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
-  const { class: verdict, roots } = solver(A, B, C, D, ar);
-  const hits = roots.map((t) => hitAt(t, formula.normal, values, ar));
-  const details = curvedDetails([A, B, C], D, ar);
-  return answer({ class: verdict, hits, method: id, decidedBy, details });
-}
-
-function hitAt<T>(
-  t: T,
-  normalFormula: CurvedFormula['normal'],
-  values: Values<T>,
-  ar: Arithmetic<T>,
-): Hit {
-  const point = evaluateTriple(POINT, ar, withScalars(values, { t }));
-  const normal = evaluateTriple(normalFormula, ar, withPoint(values, point));
-  const singular = normal.every((n) => ar.sign(n) === 0);
-  return {
-    t: ar.toNumber(t),
-    point: rounded(point, ar),
-    normal: singular ? [0, 0, 0] : rounded(normal, ar),
-    singular,
-  };
-}
-
-function solveDoubles<T>(A: number, B: number, C: number, parts: MethodParts<T>): QuadraticAnswer {
-  const { arithmetic: ar, solver } = parts;
-  const scalars = { A: ar.of(A), B: ar.of(B), C: ar.of(C) };
-  const D = evaluate(DISCRIMINANT, ar, { scalars, vectors: {} });
-  const solved = solver(scalars.A, scalars.B, scalars.C, D, ar);
-  const roots = solved.roots.map(ar.toNumber);
-  const broken =
-    roots.some(Number.isNaN) || (parts.decidedBy !== 'exact' && !roots.every(Number.isFinite));
-  return broken ? { class: 'undecided', roots: [] } : { class: solved.class, roots };
 }

@@ -91,6 +91,10 @@ const NUMBERS: PlanarNumbers<Circle> = {
   }),
 };
 
+/**
+ * A disc: its rim belongs to it.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const circle: ShapeDefinition<Circle> = {
   kind: 'circle',
   title: 'circle',

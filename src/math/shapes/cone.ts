@@ -44,6 +44,10 @@ export const CONE: Naming = {
   border: [],
 };
 
+/**
+ * Both nappes of a cone about an axis parallel to y.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const cone: ShapeDefinition<Cone> = {
   kind: 'cone',
   title: 'cone',

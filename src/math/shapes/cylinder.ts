@@ -42,6 +42,10 @@ export const CYLINDER: Naming = {
   border: [],
 };
 
+/**
+ * An endless cylinder about an axis parallel to y.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const cylinder: ShapeDefinition<Cylinder> = {
   kind: 'cylinder',
   title: 'cylinder',

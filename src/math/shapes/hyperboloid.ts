@@ -39,6 +39,10 @@ const NUMBERS: QuadricNumbers<Hyperboloid> = {
   holds: ({ center, flare, radius }, q) => flare === q.flare && radius === q.r && isAt(center, q),
 };
 
+/**
+ * A hyperboloid of one sheet about an axis parallel to y; an ellipsoid for a < 0.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const hyperboloid: ShapeDefinition<Hyperboloid> = {
   kind: 'hyperboloid',
   title: 'hyperboloid',

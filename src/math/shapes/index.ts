@@ -1,3 +1,4 @@
+import type { Ends } from './checked.ts';
 import { circle } from './circle.ts';
 import { cone } from './cone.ts';
 import { cylinder } from './cylinder.ts';
@@ -32,6 +33,9 @@ type ShapeOf<D> = D extends ShapeDefinition<infer S> ? S : never;
  * A kind with its parameters, by the keys of its `params`: points and lengths in units of length.
  */
 export type Shape = ShapeOf<(typeof SHAPES)[number]>;
+
+/** A shape, which may have ends if it is curved. */
+export type Solid = Shape & Ends;
 
 /** The `kind` of one of SHAPES. */
 export type ShapeKind = Shape['kind'];

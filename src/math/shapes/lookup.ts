@@ -1,8 +1,8 @@
-import { countFields, InvalidInput, quote, refused, requireFields } from '../invalid-input.ts';
-import { type Given, plainVector } from '../vec3.ts';
+import { InvalidInput, quote, refused } from '../invalid-input.ts';
+import type { Given } from '../vec3.ts';
+import { checkedBy } from './checked.ts';
 import type { ShapeDefinition } from './define.ts';
 import { SHAPES, type Shape } from './index.ts';
-import { checkParam } from './params.ts';
 
 /**
  * The registry's entry for a kind, or undefined.
@@ -18,10 +18,8 @@ export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
   return BY_KIND.get(kind) as ShapeDefinition<Shape> | undefined;
 }
 
-const BY_KIND: ReadonlyMap<unknown, unknown> = new Map(SHAPES.map((shape) => [shape.kind, shape]));
-
-const FIELDS: ReadonlyMap<string, readonly string[]> = new Map(
-  SHAPES.map(({ kind, params }) => [kind, params.map(({ key }) => key)]),
+const BY_KIND: ReadonlyMap<unknown, unknown> = /* @__PURE__ */ new Map(
+  SHAPES.map((shape) => [shape.kind, shape]),
 );
 
 /**
@@ -73,20 +71,5 @@ export function definitionOf(shape: Shape): ShapeDefinition<Shape> {
  * // throws InvalidInput: radius must be ≥ 0, got -1
  */
 export function checkedShape(shape: Given<Shape>): Shape {
-  const { kind, params } = definitionOf(shape as Shape);
-  const given = shape as unknown as Readonly<Record<string, unknown>>;
-  const odd = countFields(given) !== params.length + 1;
-  let plain = true;
-  for (const param of params) {
-    const value = given[param.key];
-    if (odd || value === undefined) requireFields(kind, given, FIELDS.get(kind) ?? [], 'kind');
-    checkParam(param, value);
-    if (param.type === 'vector' && !Array.isArray(value)) plain = false;
-  }
-  if (plain) return shape as Shape;
-  const own = params.map(({ key, type }) => [
-    key,
-    type === 'vector' ? plainVector(given[key] as ArrayLike<number>) : given[key],
-  ]);
-  return { kind, ...Object.fromEntries(own) } as Shape;
+  return checkedBy(definitionOf(shape as Shape), shape);
 }

@@ -89,6 +89,10 @@ const PARABOLOID: Naming = {
   border: [],
 };
 
+/**
+ * A paraboloid about an axis parallel to y, open upwards for k > 0.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const paraboloid: ShapeDefinition<Paraboloid> = {
   kind: 'paraboloid',
   title: 'paraboloid',

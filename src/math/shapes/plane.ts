@@ -20,6 +20,10 @@ const NUMBERS: PlanarNumbers<Plane> = {
   read: ({ normal, point }) => ({ N: normal, P: point, bound: 'none', size: 0, u: 0, v: 0 }),
 };
 
+/**
+ * A whole plane.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const plane: ShapeDefinition<Plane> = {
   kind: 'plane',
   title: 'plane',

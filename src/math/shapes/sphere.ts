@@ -67,6 +67,10 @@ const NUMBERS: QuadricNumbers<Sphere> = {
 const SPHERE: Naming = { name: 'sphere', singular: null, straight: null, border: [] };
 const CENTRE: Naming = { name: 'point', singular: 'the centre', straight: null, border: [] };
 
+/**
+ * A sphere.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const sphere: ShapeDefinition<Sphere> = {
   kind: 'sphere',
   title: 'sphere',

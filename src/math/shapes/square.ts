@@ -136,6 +136,10 @@ const NUMBERS: PlanarNumbers<Square> = {
   },
 };
 
+/**
+ * A square with sides along two of the axes: its edges belong to it.
+ * The entry of SHAPES, for `prepareWith`.
+ */
 export const square: ShapeDefinition<Square> = {
   kind: 'square',
   title: 'square',

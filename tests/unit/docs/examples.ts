@@ -52,7 +52,8 @@ export async function runExample(code: string, names: Names = {}): Promise<void>
   }
   expect(claims, `claims of\n${code}`).toBeGreaterThan(0);
   const given = { ...known, $equal, $throws };
-  const { code: script } = await transformWithOxc(lines.join('\n'), 'example.ts');
+  // In a block, so that an example may give a name of the module to a value of its own.
+  const { code: script } = await transformWithOxc(`{\n${lines.join('\n')}\n}`, 'example.ts');
   await new AsyncFunction(...Object.keys(given), script)(...Object.values(given));
 }
 

@@ -6,7 +6,7 @@ import {
   madeFamilies,
   type Question,
 } from '../../../src/math/families.ts';
-import { checkedRay } from '../../../src/math/intersect.ts';
+import { checkedRay } from '../../../src/math/given-ray.ts';
 import type { CurvedDetails, FlatDetails, Intersection } from '../../../src/math/intersection.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { type Random, seeded } from '../../../src/math/rng.ts';

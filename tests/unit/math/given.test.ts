@@ -25,7 +25,7 @@ function thrown(act: () => unknown): unknown {
 
 describe.each(SHAPES)('$kind', ({ kind, params }) => {
   const own = params.map(({ key }) => key);
-  const foreign = [...FIELDS, 'height', 'between', 'Radius', ''].filter(
+  const foreign = [...FIELDS, 'height', 'heights', 'Radius', ''].filter(
     (key) => !own.includes(key),
   );
 

@@ -3,7 +3,8 @@ import type { Dyadic } from '../../../src/math/exact/dyadic.ts';
 import * as dy from '../../../src/math/exact/dyadic.ts';
 import { scale } from '../../../src/math/float/bits.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
-import { InvalidInput, solveQuadratic } from '../../../src/math/index.ts';
+import { InvalidInput, METHODS, solveQuadratic } from '../../../src/math/index.ts';
+import { SOLVING } from '../../../src/math/methods/solving.ts';
 import { integer, seeded, uniform, wide } from '../../../src/math/rng.ts';
 import { METHOD_IDS } from './shorthand.ts';
 
@@ -220,4 +221,15 @@ describe(`correctly rounded: the exact sign of f on both sides of every root, se
     }
     expect(hits).toBeGreaterThan(200);
   });
+});
+
+test('the list beside METHODS solves as each of them does, and has no other', () => {
+  expect(Object.keys(SOLVING).sort()).toEqual(METHODS.map(({ id }) => id as string).sort());
+  const random = seeded(17);
+  for (const { id, solve } of METHODS) {
+    for (let i = 0; i < 100; i++) {
+      const [A, B, C] = [wide(random), wide(random), wide(random)] as const;
+      expect(solveQuadratic(A, B, C, id)).toEqual(solve(A, B, C));
+    }
+  }
 });

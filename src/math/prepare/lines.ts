@@ -1,0 +1,99 @@
+import { CONTAINED, NONE, ONE, TWO } from '../batch/batch.ts';
+import { type Ending, exactEnding } from '../ends.ts';
+import type { Hit, Verdict } from '../intersection.ts';
+import { solveSlowly } from '../methods/certified/doubled.ts';
+import { placeOnQuadric } from '../methods/certified/hits.ts';
+import { certifiedQuadric, certifiedSlot } from '../methods/certified/numbers.ts';
+import type { WholeLine } from '../methods/whole-line.ts';
+import type { Ray } from '../ray.ts';
+import type { ShapeDefinition } from '../shapes/define.ts';
+import type { Quadric } from '../shapes/numbers.ts';
+import { type AskOne, createHit, OPEN, sharpLine } from './sharp.ts';
+
+/** All roots of a line, ascending, with their points and normals. */
+interface Roots {
+  readonly verdict: Verdict;
+  readonly hits: readonly Hit[];
+}
+
+/** A prepared shape as its lines see it. */
+export interface Surface {
+  /** One root, if that is quickly told; null for a shape of which it never is. */
+  readonly ask: AskOne | null;
+  /** @param whole exact arithmetic about this ray, asked for only where doubles cannot tell. */
+  readonly roots: (ray: Ray, whole: () => WholeLine) => Roots;
+  /** Point and normal of root k, whose faithful double is t. */
+  readonly place: (ray: Ray, k: number, t: number, whole: () => WholeLine) => Hit;
+  /** Whether roots are one of the two doubles around the exact one, and it where that is one. */
+  readonly isExact: boolean;
+  readonly ending: (ray: Ray, whole: () => WholeLine) => Ending;
+  /** The numbers of a round quadric, for filters. */
+  readonly quadric: Quadric | null;
+}
+
+/** The exact method's, with the double that was found for t: either of the two around it. */
+export const exactHit = (whole: () => WholeLine, k: number, t: number): Hit => ({
+  ...(whole().answer().hits[k] as Hit),
+  t,
+});
+
+/** By `certified`. A shape that is no round quadric is answered by its trees: exactly, slowly. */
+export function curvedSurface<S extends { readonly kind: string }>(
+  { numbers }: ShapeDefinition<S>,
+  shape: S,
+): Surface {
+  return numbers?.family === 'quadric' ? quadricSurface(numbers.read(shape)) : byTrees;
+}
+
+const byTrees: Surface = {
+  ask: null,
+  quadric: null,
+  isExact: true,
+  ending: (ray, whole) => exactEnding(ray, null, whole),
+  roots(_, whole) {
+    const { class: verdict, hits } = whole().answer();
+    return { verdict, hits };
+  },
+  place: (_, k, t, whole) => exactHit(whole, k, t),
+};
+
+function quadricSurface(q: Quadric): Surface {
+  const ask = sharpLine(q, certifiedQuadric(q));
+  const slot = certifiedSlot();
+  const [near, far] = [createHit(), createHit()];
+  const place: Surface['place'] = (ray, k, t, whole) =>
+    placeOnQuadric(q, ray, t) ?? exactHit(whole, k, t);
+  return {
+    ask,
+    quadric: q,
+    isExact: true,
+    ending: (ray, whole) => exactEnding(ray, q, whole),
+    place,
+    roots(ray, whole) {
+      const first = ask(ray, 0, true, near);
+      if (first === NONE) return MISSED;
+      const second = ask(ray, 1, true, far);
+      const at = (k: number, said: number, { t, point, normal }: Hit): Hit =>
+        said === TWO
+          ? { t, point: [...point], normal: [...normal], singular: false }
+          : place(ray, k, t, whole);
+      if (first !== OPEN && second !== OPEN) {
+        return { verdict: 'two', hits: [at(0, first, near), at(1, second, far)] };
+      }
+      const verdict = solveSlowly(q, ray, slot);
+      if (verdict === NONE) return MISSED;
+      if (verdict === CONTAINED) return { verdict: 'contained', hits: [] };
+      if (verdict !== TWO) {
+        const single = verdict === ONE ? 'one' : 'tangent';
+        return { verdict: single, hits: [exactHit(whole, 0, slot.t0)] };
+      }
+      // A root has one double, whoever else is asked for.
+      if (first === OPEN) near.t = slot.t0;
+      if (second === OPEN) far.t = slot.t1;
+      return { verdict: 'two', hits: [at(0, first, near), at(1, second, far)] };
+    },
+  };
+}
+
+/** Of a line that does not meet the shape. */
+export const MISSED: Roots = { verdict: 'none', hits: [] };
