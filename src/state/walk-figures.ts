@@ -1,6 +1,6 @@
 import { closestApproach } from '../math/formula.ts';
 import type { Vec3 } from '../math/index.ts';
-import type { FullModel } from './derive.ts';
+import type { ExploreModel, FullModel } from './derive.ts';
 import type { GraphModel } from './graph-model.ts';
 import type { FigureLine, SceneModel } from './scene-model.ts';
 
@@ -9,6 +9,17 @@ const CORNERS = 96;
 
 /** The steps that are about D. */
 const ABOUT_D: ReadonlySet<string> = new Set(['complete', 'roots']);
+
+/** The steps that say something of f, whose graph then has to be in view. */
+const ABOUT_F = {
+  curved: new Set(['collect', 'coefficients', 'complete', 'roots']),
+  flat: new Set(['expand', 't']),
+};
+
+export const isAboutF = (
+  { shown, found }: Pick<ExploreModel, 'shown' | 'found'>,
+  step: string,
+): boolean => shown.hits && ABOUT_F[found.details.family].has(step);
 
 const isAboutD = ({ shown, exactly }: FullModel, step: string): boolean => {
   const { details } = exactly.found;

@@ -181,7 +181,7 @@ const SCREENS = [
 ] as const;
 
 for (const { width, height, theme } of SCREENS) {
-  test(`${width} × ${height}, ${theme}: scene, Close and steps are there in every step`, async ({
+  test(`${width} × ${height}, ${theme}: in every step there is what it speaks of`, async ({
     page,
   }) => {
     await withoutScene(page);
@@ -197,11 +197,18 @@ for (const { width, height, theme } of SCREENS) {
       for (const part of ['.walk-close', '.walk-bar']) {
         await expect(page.locator(part), `${part}, step ${step}`).toBeInViewport({ ratio: 0.99 });
       }
+      const words = await page.locator('.walk-step.present').innerText();
+      if (/\bf (falls|turns|is 0|rises)\b/.test(words)) {
+        await expect(page.locator('.graph-svg'), words).toBeInViewport({ ratio: 0.99 });
+      }
       const found = await page.evaluate(() => {
         const box = (name: string) => document.querySelector(name)?.getBoundingClientRect();
-        const [name, head, bar] = ['.walk-step.present .walk-name', '.walk-head', '.walk-bar'].map(
-          box,
-        );
+        const [name, step, head, bar] = [
+          '.walk-step.present .walk-name',
+          '.walk-step.present',
+          '.walk-head',
+          '.walk-bar',
+        ].map(box);
         const ends = [...document.querySelectorAll('.walk-last')].map((end) => {
           const tops = [...end.querySelectorAll('math')].map((m) => m.getBoundingClientRect());
           return tops.every(({ top, bottom }) =>
@@ -212,10 +219,16 @@ for (const { width, height, theme } of SCREENS) {
           wide: document.documentElement.scrollWidth,
           clear: (name?.top ?? 0) >= (head?.bottom ?? 0) - 1,
           over: (name?.bottom ?? 0) <= (bar?.top ?? 0) + 1,
+          // The whole step, or as much of it as there is room for.
+          seen:
+            (step?.bottom ?? 0) <= (bar?.top ?? 0) + 1 ||
+            (name?.top ?? 0) - (head?.bottom ?? 0) < 40,
           ends,
         };
       });
-      expect(found, `step ${step}`).toMatchObject({ wide: width, clear: true, over: true });
+      expect(found, `step ${step}`).toMatchObject({
+        ...{ wide: width, clear: true, over: true, seen: true },
+      });
       expect(found.ends).not.toContain(false);
       await page.keyboard.press('PageDown');
     }

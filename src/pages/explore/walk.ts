@@ -8,7 +8,7 @@ import type { ExploreModel, FullModel } from '../../state/derive.ts';
 import type { GraphModel } from '../../state/graph-model.ts';
 import type { SceneModel } from '../../state/scene-model.ts';
 import { stepShown } from '../../state/state.ts';
-import { graphAt, sceneAt } from '../../state/walk-figures.ts';
+import { graphAt, isAboutF, sceneAt } from '../../state/walk-figures.ts';
 import { display, displayTriple } from '../../text/format.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { type Step, stepOf } from './walk-steps.ts';
@@ -74,6 +74,10 @@ export function mountWalk(
     const isLong = present.clientHeight > steps.clientHeight;
     present.scrollIntoView({ block: isLong ? 'start' : 'nearest' });
   };
+  /** On a phone the graph takes room from the steps, so it is shown with those about f alone. */
+  const showGraph = (on: boolean): void => {
+    host.parentElement?.classList.toggle('about-f', on);
+  };
   const open = (): void => {
     const section = host.querySelector<HTMLElement>('.walk');
     // If a link opened the walk, the focus is not moved.
@@ -84,6 +88,7 @@ export function mountWalk(
       const at = stepShown(model.state);
       present = '';
       if (at === null) {
+        showGraph(false);
         render(nothing, host);
         if (drawn !== null && back instanceof HTMLElement) back.focus({ preventScroll: true });
         drawn = back = null;
@@ -94,6 +99,7 @@ export function mountWalk(
       const steps = stepsOf(model);
       last = steps.length;
       present = steps[at - 1]?.id ?? '';
+      showGraph(isAboutF(model, present));
       const before = drawn !== null && drawn !== at ? placesOf(host) : null;
       render(walk(model, steps, at, { go, close }), host);
       if (isNew) open();
@@ -106,6 +112,7 @@ export function mountWalk(
     scene: (model) => sceneAt(model, present),
     graph: (model) => graphAt(model, present),
     dispose() {
+      showGraph(false);
       document.removeEventListener('keydown', key);
       render(nothing, host);
     },
