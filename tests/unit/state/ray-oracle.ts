@@ -2,7 +2,17 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { integer, pick, type Random } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { circle, cone, cylinder, hyperboloid, plane, ray, square } from '../math/shorthand.ts';
+import {
+  circle,
+  cone,
+  cylinder,
+  hyperboloid,
+  paraboloid,
+  plane,
+  ray,
+  sphere,
+  square,
+} from '../math/shorthand.ts';
 
 /*
  * Facts of a ray and a shape in small whole numbers and halves, where doubles do not round; nothing
@@ -157,6 +167,8 @@ export const DRAWS: Readonly<Record<string, Draw>> = {
       pick(random, [-2, -1, 0, 0.25, 1, 4]),
       integer(random, 0, 2),
     ),
+  sphere: (random) => sphere(triple(random, whole), integer(random, 0, 3)),
+  paraboloid: (random) => paraboloid(triple(random, whole), integer(random, -2, 2)),
   plane: (random) => plane(direction(random), triple(random, whole)),
   // A normal along one axis or (3, 4, 0)-like lines reach the rim in whole numbers.
   circle: (random) =>

@@ -38,7 +38,7 @@ function gradientAt(shape: Shape, ray: Ray, t: number): number[] {
   const q = quadricOf(shape);
   if (!q) return [];
   const [x, y, z] = less(at(ray, t), q.C);
-  return [x, -q.a * y, z];
+  return [x, -q.a * y - (q.k ?? 0) / 2, z];
 }
 
 const singular = (c: Course, shape: Shape, ray: Ray): boolean =>

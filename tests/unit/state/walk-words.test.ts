@@ -1,11 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
-import { integer, type Random, seeded } from '../../../src/math/rng.ts';
+import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { sideOf } from '../../../src/math/shapes.ts';
+import * as table from '../../../src/state/verdict-table.ts';
 import { closestWords, facingWords, signWords } from '../../../src/state/walk-words.ts';
-import { paraboloid, sphere } from '../math/shorthand.ts';
+import { verdictWords } from '../../../src/state/words.ts';
 import { at, courseOf, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
 
 /* Every sentence on a sign, on rays of small numbers, against facts found without src/math. */
@@ -110,16 +111,9 @@ const FACTS: readonly (readonly [RegExp, Fact])[] = [
   [/^N·\(E − P\) > 0: E is on the side that N points to$/, (v) => v(0) > 0],
 ];
 
-const triple = (random: Random) =>
-  [integer(random, -2, 2), integer(random, -2, 2), integer(random, -2, 2)] as const;
-const ALL: Readonly<Record<string, (random: Random) => Shape>> = {
-  sphere: (random) => sphere([...triple(random)], integer(random, 0, 3)),
-  paraboloid: (random) => paraboloid([...triple(random)], integer(random, -2, 2)),
-  ...DRAWS,
-};
 const seen = new Set<number>();
 
-describe.each(Object.entries(ALL))('%s', (_, draw) => {
+describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
   test('each sentence has one fact, and it holds', () => {
     const random = seeded(15);
     for (let round = 0; round < ROUNDS; round++) {
@@ -149,7 +143,7 @@ const AGAINST = /the (axis|centre) it is .* (less than|exactly|more than) .*: D 
 test('how near the line comes against the radius, by D, for what is round alone', () => {
   const random = seeded(16);
   const said = new Set<string>();
-  for (const draw of Object.values(ALL)) {
+  for (const draw of Object.values(DRAWS)) {
     for (let round = 0; round < ROUNDS; round++) {
       const shape = draw(random);
       const ray = drawRay(random, shape);
@@ -172,7 +166,7 @@ test('how near the line comes against the radius, by D, for what is round alone'
 test('front and back are where f falls and rises through 0; a touch is neither', () => {
   const random = seeded(17);
   const said = new Set<string>();
-  for (const draw of Object.values(ALL)) {
+  for (const draw of Object.values(DRAWS)) {
     for (let round = 0; round < ROUNDS; round++) {
       const shape = draw(random);
       const ray = drawRay(random, shape);
@@ -199,4 +193,77 @@ test('front and back are where f falls and rises through 0; a touch is neither',
     }
   }
   expect(said.size).toBe(3);
+});
+
+/* Each cell of the verdict table, and the signs of A, B, C, D without which it could not be. */
+
+type Signs = Readonly<Partial<Record<'A' | 'B' | 'C' | 'D', number>>>;
+const signOf = (key: string): number => ({ '-': -1, '0': 0, '+': 1 })[key] ?? Number.NaN;
+
+/** With A's sign s, C has s times that of the roots' product, and B −s times that of their sum. */
+function ofRoots(opens: string, sides: string): Signs {
+  const s = signOf(opens);
+  const [first = 0, second = first] = [...sides].map(signOf);
+  const sum = first * second < 0 ? {} : { B: -s * Math.sign(first + second) + 0 };
+  return { A: s, C: s * first * second + 0, D: sides.length - 1, ...sum };
+}
+
+const opening = (rows: object) => Object.entries(rows) as [string, Record<string, string>][];
+const CELLS = new Map<string, Signs>([
+  ...opening(table.TWO).flatMap(([opens, row]) =>
+    Object.entries(row).map(([sides, text]) => [text, ofRoots(opens, sides)] as const),
+  ),
+  ...[
+    ...opening(table.TOUCHES),
+    ...Object.entries(table.SINGULAR).flatMap(([opens, row]) =>
+      ['the vertex', 'the axis', 'the centre'].map((place) => [opens, row(place)] as const),
+    ),
+  ].flatMap(([opens, row]) =>
+    Object.entries(row).map(([side, text]) => [text, ofRoots(opens, side)] as const),
+  ),
+  ...opening(table.ONE).flatMap(([rises, row]) =>
+    Object.entries(row).map(([side, text]): [string, Signs] => {
+      const B = signOf(rises);
+      return [text, { A: 0, B, C: -B * signOf(side) + 0 }];
+    }),
+  ),
+  ...Object.entries(table.NONE).map(([opens, text]): [string, Signs] => {
+    const A = signOf(opens);
+    return [text, { A, C: A, D: -1 }];
+  }),
+  ...Object.entries(table.CONSTANT).map(([side, text]): [string, Signs] => [
+    text,
+    { A: 0, B: 0, C: signOf(side) },
+  ]),
+  ['every t is a root', { A: 0, B: 0, C: 0 }],
+]);
+
+/** The sign that a sentence begins with: "B < 0: …" is −1 of B. */
+const told = (text: string | undefined, letter: string): number | undefined => {
+  const [, relation] = text?.match(`^${letter} (.) 0: `) ?? [];
+  return { '<': -1, '=': 0, '>': 1 }[relation ?? ''];
+};
+
+test('the sentences on the signs and the cell of the verdict say the same, in every cell', () => {
+  const random = seeded(18);
+  const texts = [...CELLS.keys()].sort((a, b) => b.length - a.length);
+  const reached = new Set<string>();
+  for (const [kind, draw] of Object.entries(DRAWS)) {
+    for (let round = 0; round < 2 * ROUNDS; round++) {
+      const shape = draw(random);
+      const ray = drawRay(random, shape);
+      if (!quadricOf(shape)) continue;
+      const { text } = verdictWords(intersect(shape, ray, 'exact'), shape, ray);
+      const cell = texts.find((one) => text.endsWith(one)) ?? '';
+      const about = `${text} ${JSON.stringify({ kind, shape, ray })}`;
+      const words = signWords(shape, ray);
+      for (const [letter, sign] of Object.entries(CELLS.get(cell) ?? { none: 0 })) {
+        expect(told(words[letter as 'A'], letter), `${letter}: ${about}`).toBe(sign);
+      }
+      reached.add(cell);
+    }
+  }
+  const singular = table.SINGULAR['-'];
+  const never = ['the axis', 'the centre'].flatMap((place) => Object.values(singular(place)));
+  expect(texts.filter((text) => !reached.has(text) && !never.includes(text))).toEqual([]);
 });

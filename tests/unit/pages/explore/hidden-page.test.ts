@@ -20,7 +20,6 @@ import { sceneOf } from '../../../../src/state/scene.ts';
 import { stageAround } from '../../../../src/state/stage.ts';
 import { type AppState, INITIAL } from '../../../../src/state/state.ts';
 import { decode } from '../../../../src/state/url.ts';
-import { paraboloid, sphere } from '../../math/shorthand.ts';
 import { DRAWS, drawRay } from '../../state/ray-oracle.ts';
 
 /*
@@ -68,13 +67,7 @@ function pageOf(model: ExploreModel): string {
     .join('\n');
 }
 
-const SHAPES: Readonly<Record<string, (random: () => number) => Shape>> = {
-  ...DRAWS,
-  sphere: () => sphere([0, 1, 0], 1),
-  paraboloid: () => paraboloid([0, 0, 0], 0.5),
-};
-
-describe.each(Object.entries(SHAPES))('%s', (_, draw) => {
+describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
   const random = seeded(77);
   const shapes = Array.from({ length: 4 }, () => draw(random));
 
