@@ -12,7 +12,7 @@ interface Challenge {
   readonly kind: ShapeKind | null;
   readonly asks: string;
   /** Words on what is achieved; null if it is not. */
-  met(found: Intersection, shape: Shape): string | null;
+  met(model: Pick<ExploreModel, 'found' | 'shape' | 'near'>): string | null;
 }
 
 export const CHALLENGES: readonly Challenge[] = [
@@ -20,13 +20,17 @@ export const CHALLENGES: readonly Challenge[] = [
     id: 'tangent',
     kind: null,
     asks: 'make it tangent',
-    met: (found) => (found.class === 'tangent' ? 'tangent: D = 0' : null),
+    met({ found, near }) {
+      if (found.class === 'tangent') return 'tangent: D = 0';
+      // A drag snaps to the doubles next to tangency, where none are on it.
+      return near ? 'tangent as nearly as doubles can' : null;
+    },
   },
   {
     id: 'upper',
     kind: 'cone',
     asks: 'hit only the upper nappe',
-    met({ hits }, shape) {
+    met({ found: { hits }, shape }) {
       const [, height] = (shape as { vertex?: readonly number[] }).vertex ?? [];
       const upper = height !== undefined && hits.every(({ point }) => point[1] > height);
       return upper && hits.some(({ t }) => t >= 0) ? 'all points are above V' : null;
@@ -36,7 +40,10 @@ export const CHALLENGES: readonly Challenge[] = [
     id: 'behind',
     kind: null,
     asks: 'make t₁ negative',
-    met: ({ hits: [first] }) => (first && first.t < 0 ? `t₁ = ${display(first.t)}` : null),
+    met({ found: { hits } }) {
+      const [first] = hits;
+      return first && first.t < 0 ? `t₁ = ${display(first.t)}` : null;
+    },
   },
 ];
 
@@ -64,7 +71,7 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
     const curved = found.details.family === 'curved';
     const on = curved && state.revealed === null && !done.has(NO_MORE);
     for (const { id, asks, met } of on && !model.passing ? open(shape) : []) {
-      const now = met(found, shape);
+      const now = met(model);
       if (now === null) continue;
       keep(id);
       praise = `Done: ${asks} (${now}). `;
