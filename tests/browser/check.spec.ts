@@ -95,6 +95,11 @@ test.describe('questions', () => {
       await expect(
         page.getByRole('heading', { name: `Question ${i + 1} of ${COUNT}` }),
       ).toBeVisible();
+      // It has the focus from the first frame: later it would take it from who types elsewhere.
+      const [first] = await page
+        .locator('.answers :is(input, select)')
+        .evaluateAll((all) => all.map((one) => one === document.activeElement));
+      expect(first, `the first box of question ${i + 1} has the focus`).toBe(true);
       const posed = question(SEED, i);
       for (const { id, kind } of posed.fields) {
         const row = page.locator(`.answer[data-field="${id}"]`);

@@ -65,7 +65,8 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
     return picture ?? next;
   };
-  let focusBody = (): void => {};
+  /** The question whose first box gets the focus when it is rendered. */
+  let arriving: number | null = null;
   const tools: QuestionTools = {
     type(field, text) {
       judged = null;
@@ -78,9 +79,9 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     hint: () => keep(hinted(progress, index, HINTS)),
     solution: () => keep(solutionShown(progress, index)),
     go(next) {
+      arriving = next;
       set({ question: next });
-      // The next question is rendered in the next frame; then its first box gets the focus.
-      requestAnimationFrame(() => requestAnimationFrame(() => focusBody()));
+      changed();
     },
     // A new session uses the newest set; one from a link keeps the link's.
     seed: (seed) => set({ seed, set: LATEST_SET, question: 0 }),
@@ -93,7 +94,6 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     json: () => summaryJson(progress),
     render(head, body, _, settings) {
       show(settings);
-      focusBody = () => body.querySelector<HTMLElement>('input, select')?.focus();
       const view = {
         posed,
         index,
@@ -113,6 +113,9 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       };
       const table = summaryTable(summary(progress), { save, print, restart });
       render(html`${answerForm(view, tools)}${table}`, body);
+      // In the same task: later it would take the focus from whoever has gone on meanwhile.
+      if (arriving === index) body.querySelector<HTMLElement>('input, select')?.focus();
+      arriving = null;
       return shown();
     },
   };
