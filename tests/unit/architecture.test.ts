@@ -84,20 +84,22 @@ function childrenOf(node: AnyNode): AnyNode[] {
  * The node and all below it, not into functions if `shallow`: those do not run when a module is
  * imported.
  */
-function within(node: AnyNode, shallow = false): AnyNode[] {
-  if (shallow && /Function|ClassBody/.test(node.type)) return [];
-  return [node, ...childrenOf(node).flatMap((child) => within(child, shallow))];
+function within(node: AnyNode, shallow = false, found: AnyNode[] = []): AnyNode[] {
+  if (shallow && /Function|ClassBody/.test(node.type)) return found;
+  found.push(node);
+  for (const child of childrenOf(node)) within(child, shallow, found);
+  return found;
 }
 
 /** Every rule asks for every node of every file: read them once. */
 const known = new Map<string, readonly AnyNode[]>();
 function nodesOf(path: string, source: string): readonly AnyNode[] {
-  const found = known.get(path + source);
+  const found = known.get(source);
   if (found) return found;
   const { program, errors } = parseSync(path, source);
   if (errors.length > 0) throw new Error(`${path}: ${errors[0]?.message}`);
   const nodes = within(program as unknown as AnyNode);
-  known.set(path + source, nodes);
+  known.set(source, nodes);
   return nodes;
 }
 

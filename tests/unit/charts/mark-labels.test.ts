@@ -7,6 +7,7 @@ import {
   type Wish,
 } from '../../../src/charts/mark-labels.ts';
 import { seeded } from '../../../src/math/rng.ts';
+import { many } from '../many.ts';
 
 const FRAME: Box = { left: 40, top: 10, width: 540, height: 280 };
 const wish = (x: number, y: number, width = 80): Wish => ({ x, y, radius: 5, width, height: 16 });
@@ -66,9 +67,9 @@ describe('labels', () => {
     expect(collisions(all, [{ left: 400, top: 250, width: 180, height: 30 }])).toEqual([]);
   });
 
-  test('200 crowds of eight, seed 21', () => {
+  test(`${many(200)} crowds of eight, seed 21`, () => {
     const random = seeded(21);
-    for (let k = 0; k < 200; k++) {
+    for (let k = 0; k < many(200); k++) {
       const x = 60 + 480 * random();
       const y = 20 + 260 * random();
       const all = Array.from({ length: 8 }, () =>

@@ -10,8 +10,9 @@ import { FIRST_SET, setOf } from '../../../src/check/sets.ts';
 import type { Answer, Answers, Field } from '../../../src/check/types.ts';
 import { intersect } from '../../../src/math/index.ts';
 import { shortest } from '../../../src/text/format.ts';
+import { many } from '../many.ts';
 
-const SEEDS = 200;
+const SEEDS = many(200);
 
 const asText = (answer: Answer | undefined): string => {
   if (typeof answer === 'number') return Number.isNaN(answer) ? '1/0' : shortest(answer);

@@ -10,6 +10,7 @@ import { work } from '../../../src/check/work.ts';
 import { type Random, seeded } from '../../../src/math/rng.ts';
 import { SHAPES, type ShapeKind } from '../../../src/math/shapes/index.ts';
 import { shortest } from '../../../src/text/format.ts';
+import { share } from '../many.ts';
 
 const asText = (answer: Answer | undefined): string => {
   if (typeof answer === 'number') return Number.isNaN(answer) ? '1/0' : shortest(answer);
@@ -76,7 +77,7 @@ describe.each(SHAPES.map(({ kind }) => kind))('%s', (kind) => {
   const slips = slipsOf(kind);
 
   test('whoever makes one mistake is told it, and that all after it follows from it', () => {
-    for (const { input, mistake, edited, answers } of slips) {
+    for (const { input, mistake, edited, answers } of share(slips)) {
       const fields = ownFields(input);
       const course = courseOf(input.shape);
       const truth = work(course, input);

@@ -10,6 +10,7 @@ import type { Answer, Field, Input } from '../../../src/check/types.ts';
 import { work } from '../../../src/check/work.ts';
 import { pick, type Random, seeded } from '../../../src/math/rng.ts';
 import { shortest } from '../../../src/text/format.ts';
+import { many } from '../many.ts';
 
 const asText = (answer: Answer | undefined): string => {
   if (typeof answer === 'number') return Number.isNaN(answer) ? '1/0' : shortest(answer);
@@ -20,7 +21,7 @@ const SEEDS = [1, 7, 41, 55, 123];
 const QUESTIONS: readonly Posed[] = SEEDS.flatMap((seed) =>
   plan(seed).map((_, i) => question(seed, i)),
 );
-const COUNT = 10_000;
+const COUNT = many(10_000);
 
 /** Something else of about the same size. */
 function wrongFor(field: Field, random: Random): Answer {
@@ -99,7 +100,7 @@ describe('what no mistake explains gets no name', () => {
 
   test('own numbers with one line that is something else', () => {
     const random = seeded(7);
-    for (let n = 0; n < 400; n++) {
+    for (let n = 0; n < many(400); n++) {
       const posed = QUESTIONS[n % QUESTIONS.length];
       if (!posed) continue;
       const input: Input = { shape: posed.draft.shape, ray: posed.draft.ray };

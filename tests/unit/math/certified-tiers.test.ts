@@ -34,6 +34,7 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { many } from '../many.ts';
 import { flareOf, form, unfaithful } from './exact-quadratic.ts';
 import { inUnits } from './whole-scenes.ts';
 
@@ -147,7 +148,7 @@ describe('pass 2, f at whole t', () => {
       const random = seeded(51);
       let worst = 0;
       let seen = 0;
-      for (let k = 0; k < 30000; k++) {
+      for (let k = 0; k < many(30000); k++) {
         const { shape, ray } = make(random);
         const q = quadric(shape);
         const lattice = latticeOf(q);
@@ -168,7 +169,7 @@ describe('pass 2, f at whole t', () => {
           seen += 1;
         }
       }
-      expect(seen).toBeGreaterThan(5000);
+      expect(seen).toBeGreaterThan(many(5000));
       expect(worst).toBeLessThan(1);
       expect(worst).toBeGreaterThan(least);
     },

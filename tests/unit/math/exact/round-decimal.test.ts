@@ -8,6 +8,7 @@ import type { Surd } from '../../../../src/math/exact/surd.ts';
 import * as surd from '../../../../src/math/exact/surd.ts';
 import { nextUp } from '../../../../src/math/float/ulp.ts';
 import { integer, pick, randomSign, seeded, uniform, wide } from '../../../../src/math/rng.ts';
+import { many } from '../../many.ts';
 
 /*
  * decimal.js knows nothing of binary, and `Number(text)` rounds a decimal text once: together they
@@ -45,37 +46,38 @@ function check(s: Surd, { of, value }: Oracle): void {
   if (low !== high && nextUp(low) !== high) expect.fail(`bracket too wide: ${show(s)}`);
 }
 
-test('3000 ordinary surds (seed 8)', () => {
+test(`${many(3000)} ordinary surds (seed 8)`, () => {
   const random = seeded(8);
   const x = () => d(uniform(random, -10, 10));
   const truth = oracle(120);
-  for (let i = 0; i < 3000; i++) check(surd.surd(x(), x(), x(), dy.abs(x())), truth);
+  for (let i = 0; i < many(3000); i++) check(surd.surd(x(), x(), x(), dy.abs(x())), truth);
 });
 
-test('1500 surds of wide range, many beyond the doubles (seed 9)', () => {
+test(`${many(1500)} surds of wide range, many beyond the doubles (seed 9)`, () => {
   const random = seeded(9);
   const x = () => d(wide(random, -600, 500));
   const truth = oracle(300);
-  for (let i = 0; i < 1500; i++) check(surd.surd(x(), x(), x(), dy.abs(x())), truth);
+  for (let i = 0; i < many(1500); i++) check(surd.surd(x(), x(), x(), dy.abs(x())), truth);
 });
 
-test('1500 surds whose terms cancel to the last bits (seed 10)', () => {
+test(`${many(1500)} surds whose terms cancel to the last bits (seed 10)`, () => {
   const random = seeded(10);
   const truth = oracle(300);
-  for (let i = 0; i < 1500; i++) check(cancelling(random), truth);
+  for (let i = 0; i < many(1500); i++) check(cancelling(random), truth);
 });
 
-test('1500 surds that cancel 1 to 200 bits (seed 13)', () => {
+test(`${many(1500)} surds that cancel 1 to 200 bits (seed 13)`, () => {
   const random = seeded(13);
   const truth = oracle(300);
-  for (let i = 0; i < 1500; i++) check(cancellingBits(random, integer(random, 1, 200)), truth);
+  for (let i = 0; i < many(1500); i++)
+    check(cancellingBits(random, integer(random, 1, 200)), truth);
 });
 
-test('300 surds near or at a midpoint, some subnormal (seed 11)', () => {
+test(`${many(300)} surds near or at a midpoint, some subnormal (seed 11)`, () => {
   const random = seeded(11);
   // Ties must be exact here: k·2^-1150 with k < 2^1160 has up to 1160 digits.
   const truth = oracle(1300);
-  for (let i = 0; i < 300; i++) check(nearMidpoint(random), truth);
+  for (let i = 0; i < many(300); i++) check(nearMidpoint(random), truth);
 });
 
 /** u = −fl(v√D), a few ulp off. */
