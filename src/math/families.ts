@@ -16,6 +16,7 @@ import type { ShapeDefinition } from './shapes/define.ts';
 import { SHAPES, type Shape } from './shapes/index.ts';
 
 export type { Dial, Family, Question } from './families/define.ts';
+export { type Random, seeded } from './rng.ts';
 
 const DEFINITIONS = SHAPES as unknown as readonly ShapeDefinition<Shape>[];
 

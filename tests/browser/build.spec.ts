@@ -1,3 +1,4 @@
+import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { firstLoad } from '../first-load.ts';
 import { expect, test } from './support/test.ts';
@@ -72,3 +73,24 @@ for (const [distribution, read] of Object.entries(NOTICES)) {
     expect(text).toContain(plain(readFileSync('src/ui/fonts/OFL.txt', 'utf8')));
   });
 }
+
+const USES_MATH = `<!doctype html><title>…</title><script type="module">
+  import { prepare } from './lib/math/index.js';
+  import { accelerate } from './lib/math/accelerate.js';
+  const ball = prepare({ kind: 'sphere', center: [0, 0, 0], radius: 1 });
+  const { t } = ball.first({ origin: [1e8, 0, 0.5], direction: [-1, 0, 0] });
+  document.title = t + ' ' + accelerate();
+</script>`;
+
+test('the math module as a package runs in a page by a plain module script', async ({ page }) => {
+  const folder = 'test-results/math-package';
+  execFileSync(process.execPath, ['scripts/math-package/build.mjs', folder]);
+  await page.route('**/math-package/**', (route) => {
+    const [, path = ''] = /math-package\/(.*)$/.exec(new URL(route.request().url()).pathname) ?? [];
+    return path === ''
+      ? route.fulfill({ contentType: 'text/html', body: USES_MATH })
+      : route.fulfill({ path: `${folder}/${path}` });
+  });
+  await page.goto('math-package/');
+  await expect(page).toHaveTitle('99999999.1339746 true');
+});

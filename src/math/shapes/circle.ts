@@ -12,7 +12,7 @@ import { lengthParam, normalParam, pointParam } from './params.ts';
 import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
 
 /** The disc about `center` in the plane with this normal; its rim belongs to it. */
-interface Circle {
+export interface Circle {
   readonly kind: 'circle';
   readonly normal: Vec3;
   readonly center: Vec3;

@@ -12,7 +12,7 @@ import { short, shortPoint } from './short.ts';
 /**
  * Axis parallel to y, both nappes: at height h above the vertex the circle has radius |slope · h|.
  */
-interface Cone {
+export interface Cone {
   readonly kind: 'cone';
   readonly vertex: Vec3;
   readonly slope: number;

@@ -10,7 +10,7 @@ import { axisPoint, drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
 /** Axis parallel to y; the centre's y does not matter. */
-interface Cylinder {
+export interface Cylinder {
   readonly kind: 'cylinder';
   readonly center: Vec3;
   readonly radius: number;

@@ -14,7 +14,7 @@ import { short, shortPoint } from './short.ts';
 /**
  * Axis parallel to y: at height h from the centre the circle has radius √(flare · h² + radius²).
  */
-interface Hyperboloid {
+export interface Hyperboloid {
   readonly kind: 'hyperboloid';
   readonly center: Vec3;
   readonly flare: number;

@@ -23,7 +23,7 @@ import { pointParam } from './params.ts';
 import { aboutAxis, type Heights, type Piece, revolvedPatch } from './revolve.ts';
 
 /** Axis parallel to y: at height h above the vertex the circle has radius √(width · h). */
-interface Paraboloid {
+export interface Paraboloid {
   readonly kind: 'paraboloid';
   readonly vertex: Vec3;
   /** k, of any sign; a length. */

@@ -7,7 +7,8 @@ import type { PlanarNumbers } from './numbers.ts';
 import { normalParam, pointParam } from './params.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
-interface Plane {
+/** A whole plane. */
+export interface Plane {
   readonly kind: 'plane';
   readonly normal: Vec3;
   readonly point: Vec3;

@@ -20,7 +20,8 @@ import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
-interface Sphere {
+/** A sphere. */
+export interface Sphere {
   readonly kind: 'sphere';
   readonly center: Vec3;
   readonly radius: number;

@@ -14,7 +14,7 @@ import { type Bound, type FlatFormula, planarFormula, planarSurface } from './pl
  * A square with sides along the axes, from its corner towards larger coordinates; its normal points
  * along +axis.
  */
-interface Square {
+export interface Square {
   readonly kind: 'square';
   readonly corner: Vec3;
   readonly side: number;
