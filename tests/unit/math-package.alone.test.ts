@@ -13,6 +13,9 @@ import { ROOT } from './docs/documents.ts';
  * without a network, and used from there.
  */
 
+/** Ten times what it takes alone. */
+const PATIENCE_MS = 100_000;
+
 const project = mkdtempSync(join(tmpdir(), 'graze-math-'));
 const root = new URL('.', ROOT).pathname;
 const run = (file: string, argv: readonly string[], cwd = project): string =>
@@ -26,7 +29,7 @@ beforeAll(() => {
   writeFileSync(join(project, 'package.json'), '{ "type": "module", "private": true }');
   run('npm', ['install', '--offline', '--no-audit', '--no-fund', `./${filename}`]);
   rmSync(out, { recursive: true });
-});
+}, PATIENCE_MS);
 
 afterAll(() => rmSync(project, { recursive: true, force: true }));
 

@@ -9,7 +9,7 @@ import {
   type Surd,
   sub,
 } from '../../../src/math/exact/surd.ts';
-import { FAMILIES, type Question } from '../../../src/math/families.ts';
+import { FAMILIES, type Question, type Random, seeded } from '../../../src/math/families.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { evaluate } from '../../../src/math/formula/evaluate.ts';
 import {
@@ -22,7 +22,7 @@ import {
   type Shape,
 } from '../../../src/math/index.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
-import { pick, type Random, seeded } from '../../../src/math/rng.ts';
+import { pick } from '../../../src/math/rng.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { exactHits, faithful } from './exact-hits.ts';
 

@@ -2,7 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { exact as exactly } from '../../../src/math/arithmetic/exact.ts';
 import { packRays } from '../../../src/math/batch/batch.ts';
 import { compare, fromNumber, type Surd } from '../../../src/math/exact/surd.ts';
-import { FAMILIES, type Family, type Question } from '../../../src/math/families.ts';
+import {
+  FAMILIES,
+  type Family,
+  type Question,
+  type Random,
+  seeded,
+} from '../../../src/math/families.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import {
   createHit,
@@ -16,7 +22,7 @@ import {
   SHAPES,
   type Shape,
 } from '../../../src/math/index.ts';
-import { pick, type Random, seeded } from '../../../src/math/rng.ts';
+import { pick } from '../../../src/math/rng.ts';
 import type { ShapeDefinition } from '../../../src/math/shapes/define.ts';
 import { sideOf } from '../../../src/math/side.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';

@@ -138,7 +138,10 @@ test('the gallery has numbers alone', () => {
 test('nothing can be taken home but pictures of the scene', () => {
   const model = createDerive(() => closerLook)({ ...INITIAL, revealed: 0 });
   const stub = { graph: () => null } as unknown as Parameters<typeof exploreExports>[0];
-  expect(exploreExports(stub, () => model).map(({ id }) => id)).toEqual(['picture-svg', 'picture-png']);
+  expect(exploreExports(stub, () => model).map(({ id }) => id)).toEqual([
+    'picture-svg',
+    'picture-png',
+  ]);
 });
 
 test('hiding takes the bead away from where it may tell a root', () => {
