@@ -34,7 +34,8 @@ async function movedAtOnce(page: Page, root: string): Promise<{ moved: number; l
   return page.evaluate(async (root) => {
     const KINDS =
       ':is(graze-number, graze-slider, select, input[type=checkbox], input[type=color], ' +
-      'button[aria-pressed])';
+      // What plays goes on by itself, frame by frame.
+      'button[aria-pressed]:not(.play-number))';
     const drawn = () =>
       new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())));
     const open = async () => {
