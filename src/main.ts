@@ -1,6 +1,7 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
+import { lateEmbed } from './pages/embed/late-embed.ts';
 import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
 import type { Player } from './pages/explore/player.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
@@ -18,6 +19,7 @@ import { createAnnouncer } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { late, watchStyles } from './ui/late.ts';
+import type { Mounted } from './ui/mounted.ts';
 import { onNotKept, recall, remember } from './ui/storage.ts';
 import { THEMES, watchTheme } from './ui/theme.ts';
 import './ui/tokens.css';
@@ -48,6 +50,11 @@ let player: Player | null = null;
 let motion: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
+/** The parts of Explore alone, in a host's page. */
+let embedded: Mounted<ExploreModel> | null = null;
+const isPart = store.get().embed !== null;
+const isFramed = window.parent !== window;
+let host: ReturnType<typeof import('./pages/embed/frame.ts').watchHost> | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
 /** The model that Explore shows. */
 let model: ExploreModel | null = null;
@@ -114,6 +121,7 @@ const dialogParts: DialogParts = {
   example: () => exampleOf(store.get()),
   hidden: () => store.get().revealed !== null,
   page: () => store.get().page,
+  state: store.get,
   dispatch: store.dispatch,
   tools,
   say,
@@ -185,7 +193,8 @@ const pages = createPageSwitcher(main, {
   announce,
   explore: {
     mount(host) {
-      explore = mountExplore(host, store.dispatch, requestRender);
+      if (isPart) embedded = lateEmbed(host, store.dispatch);
+      else explore = mountExplore(host, store.dispatch, requestRender);
     },
     render: renderExplore,
   },
@@ -200,6 +209,7 @@ function renderExplore(state: AppState): void {
     const words = announcement?.(before, model);
     if (words) announce(words);
   }
+  embedded?.render(model);
   explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
     story,
@@ -212,9 +222,16 @@ function renderExplore(state: AppState): void {
 
 function renderAll(): void {
   const state = store.get();
+  theme.ask(state.theme);
   if (state.page !== 'explore' || !derive(state).shown.hits) player?.stop();
   const title = PAGES.find(({ id }) => id === state.page)?.title;
   document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
+  if (!isPart) drawHeader(state);
+  pages.show(state);
+  host?.drawn();
+}
+
+function drawHeader(state: AppState): void {
   render(
     shell(state, store.dispatch, {
       theme: theme.current(),
@@ -229,7 +246,6 @@ function renderAll(): void {
     }),
     header,
   );
-  pages.show(state);
 }
 
 /** Checks a page's settings from a link or file: invalid ones are dropped with a message. */
@@ -278,6 +294,8 @@ function readLink(): void {
   written = location.hash;
   if (written === encode(store.get())) return;
   store.dispatch({ type: 'link', hash: written });
+  // Another page stands around them.
+  if (isPart !== (store.get().embed !== null)) location.reload();
   readShown();
 }
 
@@ -341,6 +359,8 @@ store.subscribe(() => {
 window.addEventListener('pagehide', writeLink);
 window.addEventListener('hashchange', readLink);
 document.addEventListener('keydown', (event) => {
+  // In a frame keys are the host's, but for those of the control that has the focus.
+  if (isFramed || isPart) return;
   const wanted = commandFor(event, commands, {
     singleKeys: recall(SINGLE_KEYS) !== 'off',
     page: store.get().page,
@@ -363,12 +383,24 @@ late(() => import('./ui/highlight.ts')).then(
   ({ watchHighlight }) => watchHighlight(app),
   () => {},
 );
-clicker().catch(() => {});
 // If this cannot be loaded, every control is a Tab stop of its own.
 late(() => import('./ui/tab-stops.ts')).then(
   ({ watchTabStops }) => watchTabStops(main),
   () => {},
 );
+if (isFramed) {
+  late(() => import('./pages/embed/frame.ts')).then(
+    ({ watchHost }) => {
+      const shown = (state: AppState) => (state.page === 'explore' ? derive(state) : null);
+      const score = () => pages.current()?.score?.() ?? null;
+      host = watchHost({ store, model: shown, score, content: app });
+      requestRender();
+    },
+    // The host hears nothing then; everything else works.
+    () => {},
+  );
+} else clicker().catch(() => {});
+document.documentElement.classList.toggle('embed-page', isPart);
 watchStyles(document);
 renderAll();
 writeLink();

@@ -144,7 +144,12 @@ function rounded(x: number, parts: number): number {
 function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
   const page = document.scrollingElement;
   const canScroll = page !== null && page.scrollHeight > page.clientHeight + 1;
-  return !canScroll || event.ctrlKey || event.metaKey || element.contains(document.activeElement);
+  return (
+    !canScroll ||
+    event.ctrlKey ||
+    event.metaKey ||
+    element.contains((element.getRootNode() as Document | ShadowRoot).activeElement)
+  );
 }
 
 /** Whether the target is a button or handle, which handles its own presses. */

@@ -102,7 +102,7 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   });
   observer.observe(host);
   const stops = [
-    onThemeChange(() => {
+    onThemeChange(host, () => {
       theme = faint(readTheme(host));
       ask();
     }),

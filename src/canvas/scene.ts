@@ -69,7 +69,7 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     projection = new Projection(viewpoint.pose(now), width, height);
     // After a camera transition labels choose their best places again.
     if (wasMoving && !viewpoint.isMoving) overlay.forget();
-    const lit = highlighted();
+    const lit = highlighted(host);
     const strokes = sceneLines.strokes(shown, projection, lit);
     painter.paint(strokes, projection, theme, ratio);
     handles = shown.handles.map((handle) => placeHandle(handle, units, projection));
@@ -116,11 +116,11 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
   });
   observer.observe(host);
   const stops = [
-    onThemeChange(() => {
+    onThemeChange(host, () => {
       theme = readTheme(host);
       ask();
     }),
-    onHighlight(ask),
+    onHighlight(host, ask),
     listenToHandles(frame.handles, drag, () => handles),
     listenToClicks(frame.root, (at, pointer) => {
       if (!model?.mark?.isOpen) return;

@@ -1,3 +1,5 @@
+import { themed } from '../ui/themed.ts';
+
 /** Colours of lines and surfaces; CSS uses the same custom properties for marks and labels. */
 export type Ink = 'shape' | 'd' | 'hit' | 'normal' | 'ink3' | 'edge';
 
@@ -53,12 +55,12 @@ function luminance([r, g, b]: Rgb): number {
 }
 
 /**
- * Calls back when the page's theme changes, by attribute or by the system's setting. Returns a
- * function that stops it.
+ * Calls back when the theme around `place` changes, by attribute or by the system's setting.
+ * Returns a function that stops it.
  */
-export function onThemeChange(changed: () => void): () => void {
+export function onThemeChange(place: Element, changed: () => void): () => void {
   const observer = new MutationObserver(changed);
-  observer.observe(document.documentElement, { attributeFilter: ['data-theme', 'class', 'style'] });
+  observer.observe(themed(place), { attributeFilter: ['data-theme', 'class', 'style'] });
   const dark = matchMedia('(prefers-color-scheme: dark)');
   dark.addEventListener('change', changed);
   return () => {

@@ -1,12 +1,13 @@
 import { html, type TemplateResult } from 'lit';
 import type { Dispatch } from '../state/actions.ts';
 import type { ShownExample } from '../state/example.ts';
-import type { PageId } from '../state/state.ts';
+import type { AppState, PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
 import { notLoaded } from '../ui/late.ts';
 import type { Command, PageActions } from './commands.ts';
+import { createEmbedDialog } from './embed/embed-dialog.ts';
 import { type ExportItem, exportContent } from './export-dialog.ts';
 import { galleryContent, type Thumbnail } from './gallery.ts';
 import { printPage } from './handout/print.ts';
@@ -20,6 +21,7 @@ export interface DialogParts {
   /** Whether results are hidden, so that the gallery must not show them. */
   readonly hidden: () => boolean;
   readonly page: () => PageId;
+  readonly state: () => AppState;
   readonly exports: () => Promise<readonly ExportItem[]>;
   readonly dispatch: Dispatch;
   readonly tools: PageActions;
@@ -51,7 +53,8 @@ export function createDialogs(parts: DialogParts): Dialogs {
   };
 }
 
-function exportDialog({ exports, tools, say }: DialogParts): () => void {
+function exportDialog({ exports, tools, say, state }: DialogParts): () => void {
+  const openEmbed = createEmbedDialog(state, say);
   let items: readonly ExportItem[] | 'loading' | 'failed' = 'loading';
   const content = (): TemplateResult => {
     if (items === 'loading') return html`<p role="status">loading…</p>`;
@@ -75,6 +78,7 @@ function exportDialog({ exports, tools, say }: DialogParts): () => void {
     save: close(tools.save),
     openFile: close(tools.openFile),
     print: close(() => void printPage()),
+    embed: close(openEmbed),
   };
   const copy = async ({ title, text }: ExportItem): Promise<void> => {
     const copied = text !== null && (await copyText(text()));

@@ -18,6 +18,7 @@ interface ExportActions {
   readonly save: () => void;
   readonly openFile: () => void;
   readonly print: () => void;
+  readonly embed: () => void;
 }
 
 /** The content of the dialog: the state as a file, and the exports. */
@@ -30,6 +31,7 @@ export function exportContent(
       <button type="button" class="button primary" @click=${actions.save}>Save state</button>
       <button type="button" class="button" @click=${actions.openFile}>Open a file</button>
       <button type="button" class="button" @click=${actions.print}>Print</button>
+      <button type="button" class="button" @click=${actions.embed}>Embed in a page</button>
       <span>A saved state can also be dropped on the page.</span>
     </p>
     <table>

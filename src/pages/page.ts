@@ -31,6 +31,8 @@ export interface PageView {
   exports(): readonly ExportItem[];
   /** Opens a file that is no saved state; true if the page could use it. */
   open?(text: string): boolean;
+  /** How many of the questions were answered right, where the page asks. */
+  score?(): { readonly right: number; readonly asked: number };
   /** Goes one step forward or back, for the keys of a clicker. */
   turn?(by: 1 | -1): void;
   /** Called when another page is shown; the element is kept outside of the document. */

@@ -51,6 +51,7 @@ export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): Tem
     <label class="unit"><input
       type="checkbox"
       .checked=${state.unit}
+      ?disabled=${state.lock.includes('d')}
       @change=${setUnit}
     />unit ${symbol('d', null, 'sym sym-d', 'd')}</label>
     ${state.unit ? nothing : html`<span class="length">${formula(lengthLine)}</span>`}

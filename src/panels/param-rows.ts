@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { guard } from 'lit/directives/guard.js';
 import { InvalidInput, type Vec3 } from '../math/index.ts';
 import {
@@ -34,10 +34,10 @@ function refusal(param: Param, candidate: unknown): string | null {
  * its actions are edits, which use the state at the time when they arrive.
  */
 export function paramRow(handle: Handle): unknown {
-  const { param, value, typed, quantities } = handle;
+  const { param, value, typed, quantities, locked } = handle;
   const texts = param.type === 'vector' ? AXES.map((axis) => typed(`${param.symbol}.${axis}`)) : [];
   const text = param.type === 'number' ? typed(param.symbol) : '';
-  return guard([param, value, quantities, text, ...texts], () => row(handle));
+  return guard([param, value, quantities, locked, text, ...texts], () => row(handle));
 }
 
 function row(handle: Handle): TemplateResult {
@@ -47,7 +47,7 @@ function row(handle: Handle): TemplateResult {
 }
 
 function vectorRow(
-  { value, send, typed, reset, quantities }: Handle,
+  { value, send, typed, reset, quantities, locked }: Handle,
   param: VectorParam,
 ): TemplateResult {
   const current = value as Vec3;
@@ -73,6 +73,7 @@ function vectorRow(
           .step=${step}
           .label=${label}
           .symbol=${label}
+          .locked=${locked}
           .typed=${typed(label)}
           .quantity=${quantities ? label : ''}
           .check=${(x: number) => refusal(param, withComponent(current, i, x))}
@@ -84,16 +85,17 @@ function vectorRow(
           .step=${step}
           .label=${`${label}, slider`}
           .symbol=${label}
+          .locked=${locked}
         ></graze-slider>
       </span>`;
     })}
-    ${AXES.map((axis) => html`<graze-play label=${`${letter}.${axis}`}></graze-play>`)}
-    ${resetButton(letter, equal(current, initial), reset)}
+    ${AXES.map((axis) => playButton(`${letter}.${axis}`, locked))}
+    ${resetButton(letter, locked || equal(current, initial), reset)}
   </div>`;
 }
 
 function numberCell(
-  { value, send: put, typed, reset }: Handle,
+  { value, send: put, typed, reset, locked }: Handle,
   param: NumberParam,
 ): TemplateResult {
   const current = value as number;
@@ -110,6 +112,7 @@ function numberCell(
         .step=${step}
         .label=${`${letter}, ${title}`}
         .symbol=${letter}
+        .locked=${locked}
         .typed=${typed(letter)}
         .quantity=${letter}
         .check=${(x: number) => refusal(param, x)}
@@ -121,14 +124,18 @@ function numberCell(
         .step=${step}
         .label=${`${letter}, slider`}
         .symbol=${letter}
+        .locked=${locked}
       ></graze-slider>
     </span>
-    <graze-play label=${letter}></graze-play>
-    ${resetButton(letter, current === initial, reset)}
+    ${playButton(letter, locked)}
+    ${resetButton(letter, locked || current === initial, reset)}
   </div>`;
 }
 
-function axisCell({ value, send, reset }: Handle, { title, initial }: AxisParam): TemplateResult {
+function axisCell(
+  { value, send, reset, locked }: Handle,
+  { title, initial }: AxisParam,
+): TemplateResult {
   const current = String(value);
   return html`<div class="param single axis-param" role="group" aria-label=${title}>
     <span class="axis-title">normal along</span>
@@ -137,10 +144,11 @@ function axisCell({ value, send, reset }: Handle, { title, initial }: AxisParam)
         type="button"
         class="choice"
         aria-pressed=${axis === current}
+        ?disabled=${locked}
         @click=${() => send(axis)}
       >${axis}</button>`,
     )}</span>
-    ${resetButton('axis', current === initial, reset)}
+    ${resetButton('axis', locked || current === initial, reset)}
   </div>`;
 }
 
@@ -165,3 +173,6 @@ function resetButton(letter: string, resting: boolean, reset: () => void): Templ
   ><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path
     d="M3.2 6.6A5 5 0 1 1 3.4 9.8M3 3.2v3.6h3.6" /></svg></button>`;
 }
+
+const playButton = (label: string, locked: boolean): unknown =>
+  locked ? nothing : html`<graze-play label=${label}></graze-play>`;

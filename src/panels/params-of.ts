@@ -16,6 +16,8 @@ export interface Handle<P extends Param = Param> {
   readonly reset: () => void;
   /** Whether its boxes have `data-quantity`; not so for d if the kernel gets d / |d|. */
   readonly quantities: boolean;
+  /** Whether the link lets it be as it is. */
+  readonly locked: boolean;
 }
 
 export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle, Handle] {
@@ -27,6 +29,7 @@ export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle
       typed: (label) => state.typed[label] ?? '',
       reset: () => dispatch({ type: 'reset', what: 'E' }),
       quantities: true,
+      locked: state.lock.includes('E'),
     },
     {
       param: RAY_PARAMS.d,
@@ -35,6 +38,7 @@ export function rayHandles({ state }: ExploreModel, dispatch: Dispatch): [Handle
       typed: (label) => state.typed[label] ?? '',
       reset: () => dispatch({ type: 'reset', what: 'd' }),
       quantities: !state.unit,
+      locked: state.lock.includes('d'),
     },
   ];
 }
@@ -48,6 +52,7 @@ export function shapeHandles({ state, shape }: ExploreModel, dispatch: Dispatch)
     typed: (label) => state.typed[`${shape.kind}.${label}`] ?? '',
     reset: () => dispatch({ type: 'reset', what: { param: param.key } }),
     quantities: true,
+    locked: state.lock.includes(param.symbol),
   }));
 }
 

@@ -57,6 +57,7 @@ export function thingForm(scene: Scene, thing: Placed, change: ChangeScene): Tem
       typed: () => '',
       reset: () => tools.send((now) => withParam(now, param, paramValue(initial, param.key))),
       quantities: true,
+      locked: false,
     }),
   )}
   ${heights(thing, tools)}${materialForm(thing.material, tools)}`;

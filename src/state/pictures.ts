@@ -54,8 +54,16 @@ export function createPictures(fixed: () => Stage | null = () => null): (given: 
   );
   const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
   const handles = remember(
-    (shape: Shape, E: AppState['E'], d: AppState['d'], unit: boolean, ray: Ray, drawing: Drawing) =>
-      handlesOf({ shape, E, d, unit, ray, drawing }),
+    (
+      shape: Shape,
+      E: AppState['E'],
+      d: AppState['d'],
+      unit: boolean,
+      ray: Ray,
+      drawing: Drawing,
+      lock: AppState['lock'],
+    ) =>
+      handlesOf({ shape, E, d, unit, ray, drawing }).filter(({ symbol }) => !lock.includes(symbol)),
   );
   const nearly = remember(
     (
@@ -73,7 +81,7 @@ export function createPictures(fixed: () => Stage | null = () => null): (given: 
     const graph = graphFor(found, shape, ray, state.bead, ghost?.found ?? null);
     const s = fixed() ?? stage(shape, ray, shown ? found : null);
     const picture = drawing(shape, s);
-    const held = handles(shape, state.E, state.d, state.unit, ray, picture);
+    const held = handles(shape, state.E, state.d, state.unit, ray, picture, state.lock);
     const near = nearly(shape, ray, exactly, held, state);
     const verdict =
       near && exactly.found.class === found.class

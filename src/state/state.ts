@@ -2,6 +2,7 @@ import { walkLength } from '../math/formula.ts';
 import { type Ray, SHAPES, type Shape, type Vec3 } from '../math/index.ts';
 import { DEFAULT_METHOD, type Param, type ShapeKind, unitVector } from '../math/shapes.ts';
 import type { Ask } from './ask.ts';
+import type { LinkTheme, Part } from './embed.ts';
 import type { Between } from './heights.ts';
 import type { View } from './view.ts';
 
@@ -70,6 +71,12 @@ export interface AppState {
   readonly derive: number | null;
   /** A ray and its shape that were kept to compare with. */
   readonly ghost: Ghost | null;
+  /** The parts of Explore that are shown in a host's page; null shows Graze as a whole. */
+  readonly embed: readonly Part[] | null;
+  /** Symbols whose values stay as the link gave them. */
+  readonly lock: readonly string[];
+  /** The theme that the link asks for. */
+  readonly theme: LinkTheme | null;
 }
 
 export interface Ghost {
@@ -134,6 +141,9 @@ export const INITIAL: AppState = {
   told: false,
   derive: null,
   ghost: null,
+  embed: null,
+  lock: [],
+  theme: null,
 };
 
 /** The shape that is shown. */

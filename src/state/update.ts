@@ -24,9 +24,22 @@ import { isView } from './view.ts';
  */
 export function update(state: AppState, action: Action): AppState {
   const next = step(state, action);
-  return next === state || action.type === 'link' || action.type === 'open'
-    ? next
-    : kept(state, next);
+  if (next === state || action.type === 'link' || action.type === 'open') return next;
+  return isLocked(state, next) ? state : kept(state, next);
+}
+
+/** Whether something that the link locks would change. */
+function isLocked(state: AppState, next: AppState): boolean {
+  const value = (now: AppState, symbol: string): unknown => {
+    if (symbol === 'E' || symbol === 'd') return now[symbol];
+    const param = findShape(now.kind)?.params.find((one) => one.symbol === symbol);
+    return param && paramValue(shapeOf(now), param.key);
+  };
+  return state.lock.some(
+    (symbol) =>
+      !Object.is(value(state, symbol), value(next, symbol)) ||
+      (symbol === 'd' && next.unit !== state.unit),
+  );
 }
 
 /** Notes the example that a link showed, so that it is known after a change. */

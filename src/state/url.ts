@@ -13,6 +13,7 @@ import {
 import { parseNumber } from '../text/parse.ts';
 import type { ParamValue } from './actions.ts';
 import { type Ask, isAsk } from './ask.ts';
+import { LINK_THEMES, type LinkTheme, listOf, PARTS, type Part } from './embed.ts';
 import type { Between } from './heights.ts';
 import {
   type AppState,
@@ -111,6 +112,7 @@ export function encode(state: AppState): string {
   const { [part ?? '']: place, ...settings }: Settings = state.settings[page];
   if (part === undefined) pairs.push(['method', state.method]);
   if (page === 'explore') pairs.push(...lookPairs(state));
+  pairs.push(...hostPairs(state));
   for (const [key, value] of Object.entries(settings)) pairs.push([escaped(key), escaped(value)]);
   const path = place ? `#/${page}/${escaped(place)}` : `#/${page}`;
   const query = pairs.map(([k, v]) => `${k}=${v}`).join('&');
@@ -178,6 +180,15 @@ function lookPairs(state: AppState): [string, string][] {
   return pairs;
 }
 
+/** What a host's page asks for. */
+function hostPairs({ embed, lock, theme }: AppState): [string, string][] {
+  const pairs: [string, string][] = [];
+  if (embed) pairs.push(['embed', embed.join(',')]);
+  if (lock.length > 0) pairs.push(['lock', lock.join(',')]);
+  if (theme) pairs.push(['theme', theme]);
+  return pairs;
+}
+
 /**
  * The state of a link. It never throws: what cannot be read gets its default, with a message in
  * `problems`. The other shapes stay as in `before`.
@@ -215,6 +226,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     page === 'explore'
       ? readLook(read, before, walkLength(shapeOf(ray)))
       : { ...before, hidden: before.revealed !== null };
+  const host = readHost(read, ray.kind);
   const rest = [...given].filter(([key]) => !known.has(key));
   if (page === 'explore') {
     for (const [key] of rest) problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
@@ -240,6 +252,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     told: false,
     derive: look.derive,
     ghost: before.ghost,
+    ...host,
   };
 }
 
@@ -283,6 +296,23 @@ function readLook(read: Read, before: AppState, steps: number): Look {
         throw new InvalidInput(`${quote(step)} is not a step from 1 to ${steps}`);
       }
     }),
+  };
+}
+
+function readHost(read: Read, kind: ShapeKind): Pick<AppState, 'embed' | 'lock' | 'theme'> {
+  const symbols = (findShape(kind)?.params ?? []).map(({ symbol }) => symbol);
+  const list = <T extends string>(names: readonly T[], what: string): Codec<T[]> => ({
+    write: (all) => all.join(','),
+    read: (text) => listOf(text, names, what),
+  });
+  return {
+    embed: read<Part[] | null>('embed', list(PARTS, 'a part') as Codec<Part[] | null>, null),
+    lock: read('lock', list(['E', 'd', ...symbols], `a symbol of a ${kind}`), []),
+    theme: read<LinkTheme | null>(
+      'theme',
+      { write: String, read: (text) => listOf(text, LINK_THEMES, 'a theme')[0] ?? null },
+      null,
+    ),
   };
 }
 

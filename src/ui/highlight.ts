@@ -7,17 +7,21 @@ type Highlight = string | null;
 
 type Listener = (symbol: Highlight) => void;
 
-const listeners = new Set<Listener>();
-let current: Highlight = null;
+/** Where each listener draws. */
+const listeners = new Map<Listener, Element>();
+/** What is lit below each element that is watched. */
+const lit = new Map<Element, string>();
 
-export function onHighlight(listener: Listener): () => void {
-  listeners.add(listener);
+/** Calls back when what is lit around `place` has changed. */
+export function onHighlight(place: Element, listener: Listener): () => void {
+  listeners.set(listener, place);
   return () => listeners.delete(listener);
 }
 
-/** The symbol that is highlighted now, for elements that are created meanwhile. */
-export function highlighted(): Highlight {
-  return current;
+/** The symbol that is highlighted now around `place`, for elements that are created meanwhile. */
+export function highlighted(place: Element): Highlight {
+  for (const [root, symbol] of lit) if (root.contains(place)) return symbol;
+  return null;
 }
 
 function baseSymbol(symbol: string): string {
@@ -27,7 +31,10 @@ function baseSymbol(symbol: string): string {
 /** Watches pointer and focus below `root`. Returns a function that stops it. */
 export function watchHighlight(root: HTMLElement): () => void {
   const enter = (event: Event) => set(root, symbolOf(event.target));
-  const leave = () => set(root, symbolOf(document.activeElement));
+  const leave = () => {
+    const { activeElement } = root.getRootNode() as Document | ShadowRoot;
+    set(root, symbolOf(activeElement));
+  };
   root.addEventListener('pointerover', enter);
   root.addEventListener('pointerleave', leave);
   root.addEventListener('focusin', enter);
@@ -47,13 +54,14 @@ function symbolOf(target: EventTarget | null): Highlight {
 }
 
 function set(root: HTMLElement, symbol: Highlight): void {
-  if (symbol === current) return;
-  current = symbol;
+  if (symbol === (lit.get(root) ?? null)) return;
+  if (symbol === null) lit.delete(root);
+  else lit.set(root, symbol);
   for (const element of root.querySelectorAll('.lit')) element.classList.remove('lit');
   if (symbol) {
     const escaped = CSS.escape(symbol);
-    const lit = root.querySelectorAll(`[data-symbol="${escaped}"], [data-symbol^="${escaped}."]`);
-    for (const element of lit) element.classList.add('lit');
+    const found = root.querySelectorAll(`[data-symbol="${escaped}"], [data-symbol^="${escaped}."]`);
+    for (const element of found) element.classList.add('lit');
   }
-  for (const listener of listeners) listener(symbol);
+  for (const [listener, place] of listeners) if (root.contains(place)) listener(symbol);
 }

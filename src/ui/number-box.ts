@@ -12,6 +12,7 @@ import { Ahead } from './ahead.ts';
 import { DrawnElement, redrawnBy } from './drawn-element.ts';
 import { fitting } from './fitting.ts';
 import { keyStep, onStep } from './step.ts';
+import { themed } from './themed.ts';
 import { TypedEvent } from './typed-event.ts';
 
 /**
@@ -26,6 +27,7 @@ class GrazeNumberBox extends DrawnElement {
   declare step: number;
   declare label: string;
   declare symbol: string;
+  declare locked: boolean;
   /** The typed text of the value, as from a link; '' if unknown. */
   declare typed: string;
   /** The name in data-quantity; none if another element carries it. */
@@ -48,6 +50,7 @@ class GrazeNumberBox extends DrawnElement {
     this.step = 0.1;
     this.label = '';
     this.symbol = '';
+    this.locked = false;
     this.typed = '';
     this.quantity = '';
     this.text = null;
@@ -67,7 +70,7 @@ class GrazeNumberBox extends DrawnElement {
       if (input) this.observer.observe(input);
     });
     // A theme may change the font size without changing the size of the box.
-    this.themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
+    this.themes.observe(themed(this), { attributeFilter: ['data-theme'] });
   }
 
   disconnectedCallback(): void {
@@ -100,6 +103,7 @@ class GrazeNumberBox extends DrawnElement {
         autocomplete="off"
         spellcheck="false"
         enterkeyhint="done"
+        ?readonly=${this.locked}
         .value=${this.text ?? this.shown()}
         aria-label=${this.label}
         aria-invalid=${this.reason === null ? 'false' : 'true'}
@@ -174,7 +178,7 @@ class GrazeNumberBox extends DrawnElement {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.altKey || event.ctrlKey || event.metaKey) return;
+    if (this.locked || event.altKey || event.ctrlKey || event.metaKey) return;
     if (event.key === 'Enter') this.commit();
     if (event.key === 'Escape') this.forget();
     // Left and right move the caret, not the value.
@@ -192,7 +196,7 @@ class GrazeNumberBox extends DrawnElement {
 
   private paste(event: ClipboardEvent): void {
     const text = event.clipboardData?.getData('text') ?? '';
-    if (!looksLikeTriple(text)) return;
+    if (this.locked || !looksLikeTriple(text)) return;
     const triple = parseTriple(text);
     if (!triple.ok) return;
     event.preventDefault();
@@ -210,6 +214,6 @@ class GrazeNumberBox extends DrawnElement {
   }
 }
 
-const GIVEN = ['value', 'step', 'label', 'symbol', 'typed', 'quantity'];
+const GIVEN = ['value', 'step', 'label', 'symbol', 'locked', 'typed', 'quantity'];
 const OWN = ['text', 'reason', 'focused', 'room', 'font'];
 customElements.define('graze-number', redrawnBy(GrazeNumberBox, [...GIVEN, ...OWN]));

@@ -17,6 +17,7 @@ class GrazeSlider extends DrawnElement {
   declare step: number;
   declare label: string;
   declare symbol: string;
+  declare locked: boolean;
   private ahead = new Ahead();
 
   constructor() {
@@ -27,6 +28,7 @@ class GrazeSlider extends DrawnElement {
     this.step = 0.1;
     this.label = '';
     this.symbol = '';
+    this.locked = false;
   }
 
   protected override template() {
@@ -39,6 +41,7 @@ class GrazeSlider extends DrawnElement {
       .value=${live(String(this.value))}
       aria-label=${this.label}
       aria-valuetext=${display(this.value)}
+      ?disabled=${this.locked}
       data-symbol=${this.symbol}
       @input=${this.slide}
       @keydown=${this.key}
@@ -83,5 +86,5 @@ class GrazeSlider extends DrawnElement {
   }
 }
 
-const PROPERTIES = ['value', 'least', 'most', 'step', 'label', 'symbol'];
+const PROPERTIES = ['value', 'least', 'most', 'step', 'label', 'symbol', 'locked'];
 customElements.define('graze-slider', redrawnBy(GrazeSlider, PROPERTIES));

@@ -32,6 +32,8 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
   // ui for what belongs to the whole window and to no page: theme, gestures, files, the announcer,
   // the styles.
   main: ['pages', 'state', 'workers', 'ui'],
+  // The element for other pages: parts of a page, without the page.
+  embed: [...PURE, ...VIEWS, 'state', 'pages', 'ui'],
 };
 
 /** The doors of src/math: other rooms import nothing else of it. */
@@ -142,6 +144,9 @@ function importsOf(path: string, source: string): Import[] {
   });
 }
 
+/** What the page and the element begin with. */
+const ENTRIES = new Set(['src/main.ts', 'src/embed.ts']);
+
 /** src/canvas/scene.ts → canvas; src/main.ts → main. */
 const roomOf = (path: string): string => {
   const [, room = '', rest] = path.split('/');
@@ -250,7 +255,7 @@ function filledBy({ expression }: AnyNode): unknown {
 /** What a module does when it is imported, other than declaring, and filling what it declared. */
 function wrongActs(sources: Sources): string[] {
   return Object.entries(sources).flatMap(([path, source]) => {
-    const mayAct = path === 'src/main.ts' || roomOf(path) === 'workers';
+    const mayAct = ENTRIES.has(path) || roomOf(path) === 'workers';
     if (mayAct) return [];
     const body = bodyOf(path, source);
     const own = new Set(body.flatMap(declaredBy));
@@ -349,10 +354,10 @@ function unusedExports(sources: Sources, importers: Sources): string[] {
   );
 }
 
-/** Files that nothing leads to: from `main.ts`, the doors of the math module and the workers. */
+/** Files that nothing leads to: from the entries, the doors of the math module and the workers. */
 function unreached(sources: Sources): string[] {
   const starts = Object.keys(sources).filter(
-    (path) => path === 'src/main.ts' || DOORS.has(path) || roomOf(path) === 'workers',
+    (path) => ENTRIES.has(path) || DOORS.has(path) || roomOf(path) === 'workers',
   );
   const reached = new Set(starts);
   for (const path of reached) {
@@ -429,7 +434,7 @@ describe('src', () => {
 
   test('exports only what another file imports, the face of the math module aside', () => {
     const unused = unusedExports(SRC, { ...SRC, ...BESIDE });
-    const free = /^src\/math\/(?:index\.ts|methods\/certified\/)/;
+    const free = /^src\/embed\.ts|^src\/math\/(?:index\.ts|methods\/certified\/)/;
     expect(unused.filter((one) => !free.test(one))).toEqual([]);
   });
 

@@ -90,6 +90,7 @@ export const mountCheck: MountPage = (host, context) => {
         program.cases('csv'),
       ),
     ],
+    score: questions.score,
     open(text) {
       if (!wide.matches) part.set({ part: 'program' });
       return program.open(text);

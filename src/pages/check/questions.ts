@@ -26,6 +26,7 @@ interface Questions extends LeftPart {
   readonly tools: QuestionTools;
   /** The session so far as JSON, for a download. */
   json(): string;
+  score(): { readonly right: number; readonly asked: number };
 }
 
 /** The questions of sessions. Typed texts are kept in the browser's storage, judgements are not. */
@@ -92,6 +93,10 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
   return {
     tools,
     json: () => summaryJson(progress),
+    score() {
+      const { right, total } = summary(progress);
+      return { right, asked: total };
+    },
     render(head, body, _, settings) {
       show(settings);
       const view = {

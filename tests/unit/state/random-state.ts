@@ -6,6 +6,7 @@ import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { ASKS } from '../../../src/state/ask.ts';
+import { LINK_THEMES, PARTS } from '../../../src/state/embed.ts';
 import type { Between } from '../../../src/state/heights.ts';
 import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
@@ -99,8 +100,13 @@ export const anyState: fc.Arbitrary<AppState> = fc
     revealed: fc.constantFrom(null, 0),
     ask: fc.option(fc.constantFrom(...ASKS), { nil: null }),
     step: fc.option(fc.integer({ min: 1, max: 9 }), { nil: null }),
+    embed: fc.option(fc.subarray([...PARTS]), { nil: null }),
+    theme: fc.option(fc.constantFrom(...LINK_THEMES), { nil: null }),
+    locks: fc.array(fc.nat(), { maxLength: 3 }),
   })
-  .map(({ shape, texts, step, ...rest }) => {
+  .map(({ shape, texts, step, locks, ...rest }) => {
+    const params = SHAPES.find(({ kind }) => kind === shape.kind)?.params ?? [];
+    const symbols = ['E', 'd', ...params.map(({ symbol }) => symbol)];
     const state: AppState = {
       ...INITIAL,
       ...rest,
@@ -117,7 +123,8 @@ export const anyState: fc.Arbitrary<AppState> = fc
       kind: shape.kind,
       shapes: { ...INITIAL.shapes, [shape.kind]: shape },
     };
-    return typedIn(state, texts);
+    const lock = [...new Set(locks.map((i) => symbols[i % symbols.length] ?? 'E'))];
+    return { ...typedIn(state, texts), lock };
   });
 
 /**
