@@ -4,8 +4,8 @@ import { measure, type Plan, type Task } from '../../src/lab/run.ts';
 import { quartiles } from '../../src/lab/stats.ts';
 import { batchOf, createAnswers, packRays, verdictsOfRoots } from '../../src/math/batch.ts';
 import { exactMethod } from '../../src/math/exact.ts';
-import { FAMILIES, type Family, madeFamilies } from '../../src/math/families.ts';
-import { intersect, type Ray, type Shape } from '../../src/math/index.ts';
+import { FAMILIES, type Family, findFamily, madeFamilies } from '../../src/math/families.ts';
+import { createHit, intersect, prepare, type Ray, type Shape } from '../../src/math/index.ts';
 import { seeded } from '../../src/math/rng.ts';
 import { findMethod } from '../../src/math/shapes.ts';
 import type { Compared } from './objects.ts';
@@ -32,9 +32,14 @@ interface Rival {
   readonly hits: (i: number) => boolean;
 }
 
+interface Batch {
+  readonly shape: Shape;
+  readonly rays: readonly Ray[];
+}
+
 function compare(
   title: string,
-  { shape, rays }: { readonly shape: Shape; readonly rays: readonly Ray[] },
+  { shape, rays }: Batch,
   rivals: readonly Rival[],
   plan: Plan,
 ): Beside[] {
@@ -86,15 +91,36 @@ const inThree = (rays: readonly Ray[]): Ray3[] =>
       new Ray3(new Vector3(...origin), new Vector3(...direction).normalize()),
   );
 
+/** A sphere, and what meets it: three.js, and Graze one ray after the other, prepared. */
+function spheres({ shape, rays }: Batch): { readonly sphere: Sphere; readonly rivals: Rival[] } {
+  if (shape.kind !== 'sphere') throw new Error('the family is not of spheres');
+  const at = new Vector3();
+  const sphere = new Sphere(new Vector3(...shape.center), shape.radius);
+  const own = inThree(rays);
+  const prepared = prepare(shape);
+  const room = createHit();
+  const rivals = [
+    {
+      id: 'three.js Ray.intersectSphere',
+      hits: (i: number) => own[i]?.intersectSphere(sphere, at) !== null,
+    },
+    {
+      id: 'prepare, first: t, point and normal',
+      hits: (i: number) => prepared.first(rays[i] as Ray, room) !== null,
+    },
+    { id: 'prepare, any', hits: (i: number) => prepared.any(rays[i] as Ray) },
+  ];
+  return { sphere, rivals };
+}
+
 /** What textbook's batch in TypeScript takes is 1. */
 export function besideOthers(seed: number, count: number, plan: Plan): Beside[] {
   const random = seeded(seed);
   const at = new Vector3();
   const round = (madeFamilies('sphere', 'ordinary')[0] as Family).batch(random, count);
-  if (round.shape.kind !== 'sphere') throw new Error('the family is not of spheres');
-  const center = new Vector3(...round.shape.center);
-  const { radius } = round.shape;
-  const sphere = new Sphere(center, radius);
+  const { sphere, rivals } = spheres(round);
+  const { center, radius } = sphere;
+  const grazing = (findFamily('sphere-near-tangent') as Family).batch(random, count);
   const mesh = new Mesh(new SphereGeometry(radius, WIDTH, HEIGHT).translate(...center.toArray()));
   const tree = new MeshBVH(mesh.geometry);
   const rays = inThree(round.rays);
@@ -110,10 +136,7 @@ export function besideOthers(seed: number, count: number, plan: Plan): Beside[] 
       'sphere',
       round,
       [
-        {
-          id: 'three.js Ray.intersectSphere',
-          hits: (i) => rays[i]?.intersectSphere(sphere, at) !== null,
-        },
+        ...rivals,
         {
           id: `three-mesh-bvh, a mesh of ${WIDTH} × ${HEIGHT}`,
           hits: (i) => tree.raycastFirst(rays[i] as Ray3, 2) !== null,
@@ -121,6 +144,7 @@ export function besideOthers(seed: number, count: number, plan: Plan): Beside[] 
       ],
       plan,
     ),
+    ...compare('sphere, nearly tangent', grazing, spheres(grazing).rivals, plan),
     ...compare(
       'plane',
       flat,
