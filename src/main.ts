@@ -81,7 +81,10 @@ const tools: PageActions = {
       : document.documentElement.requestFullscreen();
     done.catch(() => say('this browser does not allow full screen here'));
   },
-  black: () => clicker().then((black) => black(), sayNotLoaded),
+  black() {
+    player?.stop();
+    clicker().then((black) => black(), sayNotLoaded);
+  },
   theme: () => {
     const next = THEMES[(THEMES.indexOf(theme.current()) + 1) % THEMES.length] ?? 'system';
     theme.set(next);
@@ -97,6 +100,7 @@ const tools: PageActions = {
   },
   second: () => secondView?.toggle(),
   turn: (by) => pages.current()?.turn?.(by),
+  present: () => pages.current()?.present?.(),
   collect: () =>
     withLessons(({ withCollected }) => {
       const { state, step } = withCollected(store.get(), encode(store.get()));

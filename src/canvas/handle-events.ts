@@ -1,4 +1,5 @@
 import type { Handle } from '../state/handles.ts';
+import { placeIn } from '../ui/zoom.ts';
 import type { HandleDrag } from './handle-drag.ts';
 import type { HandlePlace } from './handle-place.ts';
 import type { Modifiers } from './snap-drag.ts';
@@ -21,10 +22,7 @@ export function listenToHandles(
     svg.classList.toggle('by-mouse', element !== null);
   };
 
-  const where = (event: PointerEvent) => {
-    const box = svg.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  };
+  const where = (event: PointerEvent) => placeIn(svg, event);
   /** The handle whose centre is nearest to the pointer. */
   const under = (event: PointerEvent): HandlePlace | undefined => {
     const symbol = symbolOf(event.target);

@@ -1,5 +1,6 @@
 import type { SceneModel } from '../state/scene-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import { placeIn } from '../ui/zoom.ts';
 import type { Caption } from './figures.ts';
 import { isInside } from './off-screen-pointer.ts';
 import type { Projection, Spot } from './projection.ts';
@@ -71,10 +72,10 @@ export function listenToClicks(
     const isFree = !(target instanceof Element && target.closest('button, a, [data-handle]'));
     from = isFree && isPrimary && button === 0 ? { x: clientX, y: clientY } : null;
   };
-  const up = ({ clientX, clientY, pointerType }: PointerEvent) => {
+  const up = (event: PointerEvent) => {
+    const { clientX, clientY, pointerType } = event;
     if (from && Math.hypot(clientX - from.x, clientY - from.y) <= STILL) {
-      const box = element.getBoundingClientRect();
-      put({ x: clientX - box.left, y: clientY - box.top }, pointerType);
+      put(placeIn(element, event), pointerType);
     }
     from = null;
   };

@@ -1,5 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { GraphModel } from '../state/graph-model.ts';
+import { placeIn } from '../ui/zoom.ts';
 import type { Scales } from './graph-scales.ts';
 import { clamp, niceStep, type Step, snap, stepSize } from './steps.ts';
 
@@ -101,7 +102,8 @@ function picture(event: PointerEvent): Element | null {
 }
 
 function pointerX(event: PointerEvent): number {
-  return event.clientX - (picture(event)?.getBoundingClientRect().left ?? 0);
+  const element = picture(event);
+  return element ? placeIn(element, event).x : event.clientX;
 }
 
 function beadAt(px: number, { model: { from, to }, scales }: Shown): number {

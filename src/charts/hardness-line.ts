@@ -1,4 +1,5 @@
 import { svg, type TemplateResult } from 'lit';
+import { placeIn } from '../ui/zoom.ts';
 import type {
   HardnessActions,
   HardnessLine,
@@ -125,7 +126,7 @@ function click(
 ): void {
   const root = (event.currentTarget as SVGElement).ownerSVGElement;
   if (!root) return;
-  const at = event.clientX - root.getBoundingClientRect().left;
+  const at = placeIn(root, event).x;
   const [nearest] = stops(line).sort((a, b) => Math.abs(x(a) - at) - Math.abs(x(b) - at));
   if (nearest !== undefined) actions.pick({ id: line.id, difficulty: nearest });
 }

@@ -19,6 +19,7 @@ const TITLES: Readonly<Record<string, string>> = {
   reset: 'reset everything',
   'lesson-next': 'next: show what is hidden or asked, or the next step',
   'lesson-back': 'back: hide what was shown, or the step before',
+  present: 'open the presenter’s window: notes, what comes next, a clock',
   collect: 'add what is shown to your own lesson, as its next step',
   undo: 'undo',
   redo: 'redo',
@@ -28,7 +29,7 @@ const TITLES: Readonly<Record<string, string>> = {
   export: 'copy or save the derivation, code, picture',
   theme: 'next theme: system, light, dark, projector',
   full: 'full screen',
-  black: 'black screen; the same key, Escape, Page Down, Page Up or a click ends it',
+  black: 'black screen; one of these keys, Escape, Page Down, Page Up or a click ends it',
   help: 'help',
 };
 

@@ -18,6 +18,8 @@ export interface PageActions {
   second(): void;
   /** Goes one step of a lesson forward or back. */
   turn(by: 1 | -1): void;
+  /** Opens the presenter's window of a lesson. */
+  present(): void;
   /** Adds what is shown to the own lesson, as its next step. */
   collect(): void;
   /** Number of lines of the result, and how many are shown. */
@@ -102,7 +104,7 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
       run: () => dispatch({ type: 'ghost', on: store.get().ghost === null }),
     },
     { id: 'second', keys: ['v'], run: tools.second },
-    { id: 'play', keys: ['b'], run: tools.play },
+    { id: 'play', keys: ['p'], run: tools.play },
     {
       id: 'reset',
       keys: ['Shift+r'],
@@ -126,6 +128,7 @@ function lessonCommands(tools: PageActions): Command[] {
       pages: ['lesson'],
       run: () => tools.turn(-1),
     },
+    { id: 'present', keys: ['p'], pages: ['lesson'], run: tools.present },
     {
       id: 'collect',
       keys: ['c'],
@@ -157,7 +160,7 @@ function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {
       run: tools.theme,
     },
     { id: 'full', keys: ['f'], run: tools.fullScreen },
-    { id: 'black', keys: ['.'], run: tools.black },
+    { id: 'black', keys: ['b', '.'], run: tools.black },
     { id: 'help', keys: ['?'], run: tools.help },
   ];
 }

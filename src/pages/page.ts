@@ -35,6 +35,8 @@ export interface PageView {
   score?(): { readonly right: number; readonly asked: number };
   /** Goes one step forward or back, for the keys of a clicker. */
   turn?(by: 1 | -1): void;
+  /** Opens a window with notes and a clock, for who presents. */
+  present?(): void;
   /** Called when another page is shown; the element is kept outside of the document. */
   rest?(): void;
 }

@@ -18,7 +18,9 @@ interface ClickerKeys {
 }
 
 const TURNS = ['PageDown', 'PageUp'];
-const BACK = ['.', 'Escape', ...TURNS];
+/** Clickers send the one or the other: Kensington's 'b', Logitech's a full stop. */
+const BLACK = ['b', '.'];
+const BACK = [...BLACK, 'Escape', ...TURNS];
 
 /** The rule for a presenter's clicker, which sends page keys and '.' wherever the focus is. */
 export function createClickerKeys(): ClickerKeys {
@@ -41,7 +43,9 @@ export function createClickerKeys(): ClickerKeys {
       }
       if (/^(Tab|Arrow|Home|End)/.test(key)) byPointer = false;
       if (!plain || !byPointer) return 'control';
-      return TURNS.includes(key) || (key === '.' && focused === 'select') ? 'turn' : 'control';
+      return TURNS.includes(key) || (BLACK.includes(key) && focused === 'select')
+        ? 'turn'
+        : 'control';
     },
     release(key) {
       if (key === spent) spent = null;
@@ -64,7 +68,7 @@ export function watchClicker(turns: () => boolean, announce: (words: string) => 
     if (whose === 'turn') {
       const on = event.target as Element;
       if (!on.closest(CONTROLS) || on.closest('dialog')) return;
-      if (event.key !== '.' && !turns()) return;
+      if (!BLACK.includes(event.key) && !turns()) return;
       event.preventDefault();
       event.stopPropagation();
       // What was typed counts, as when the box is left by any other way.

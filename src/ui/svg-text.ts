@@ -1,3 +1,5 @@
+import { zoomOf } from './zoom.ts';
+
 /** Style properties that are copied into an exported drawing, which has no style sheet. */
 const KEPT = [
   'fill',
@@ -22,7 +24,7 @@ const KEPT = [
 
 /** An SVG of the page as a file: with computed styles in each element and a painted background. */
 export function svgText(source: SVGSVGElement, background: string): string {
-  const { width, height } = source.getBoundingClientRect();
+  const { width, height } = sizeOf(source);
   const copy = source.cloneNode(true) as SVGSVGElement;
   inline(source, copy);
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
@@ -48,12 +50,19 @@ function inline(from: Element, to: Element): void {
   }
 }
 
+/** In its own pixels, whatever the style sheet's zoom. */
+function sizeOf(source: SVGSVGElement): { width: number; height: number } {
+  const { width, height } = source.getBoundingClientRect();
+  const zoom = zoomOf(source);
+  return { width: width / zoom, height: height / zoom };
+}
+
 /** Pixels of the PNG per CSS pixel: 2, for print. */
 const PNG_SCALE = 2;
 
 /** The SVG as a PNG; null if the browser refuses to draw it. */
 export async function svgPng(source: SVGSVGElement, background: string): Promise<Blob | null> {
-  const { width, height } = source.getBoundingClientRect();
+  const { width, height } = sizeOf(source);
   const image = new Image();
   image.src = `data:image/svg+xml,${encodeURIComponent(svgText(source, background))}`;
   await image.decode();

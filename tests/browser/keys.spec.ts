@@ -53,7 +53,7 @@ test('the help lists every key', async ({ page }) => {
   const help = page.getByRole('dialog', { name: 'Help' });
   await expect(help).toBeVisible();
   const keys = await help.locator('kbd').allInnerTexts();
-  const some = ['1', '6', 'Page Down', 'h', 'g', 'b', 'Ctrl+Z', '?'];
+  const some = ['1', '6', 'Page Down', 'h', 'g', 'p', 'b', 'Ctrl+Z', '?'];
   expect(keys).toEqual(expect.arrayContaining(some));
   await page.keyboard.press('Escape');
   await expect(help).toBeHidden();
@@ -93,22 +93,31 @@ test('single keys can be switched off, and stay off', async ({ page }) => {
 const beadAt = async (page: Page) => Number((await quantities(page))['bead.t']);
 
 test('the bead plays, and stands still when it is stopped', async ({ page }) => {
-  await page.keyboard.press('b');
+  await page.keyboard.press('p');
   await expect.poll(() => beadAt(page)).toBeLessThan(1);
   await expect.poll(() => beadAt(page)).toBeGreaterThan(1);
-  await page.keyboard.press('b');
+  await page.keyboard.press('p');
   await settle(page);
   const rest = await beadAt(page);
   // While it plays it moves with every frame.
   await frames(page, 20);
   expect(await beadAt(page)).toBe(rest);
+  // Nobody sees it under the black screen: there it stops too.
+  await page.keyboard.press('p');
+  await expect.poll(() => beadAt(page)).not.toBe(rest);
+  await page.keyboard.press('b');
+  await page.getByRole('dialog', { name: 'Black screen' }).waitFor();
+  const under = await beadAt(page);
+  await frames(page, 20);
+  expect(await beadAt(page)).toBe(under);
+  await page.keyboard.press('b');
 });
 
 test('with less motion the bead steps from root to root', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   const { t1 } = await quantities(page);
   const seen = new Set<string>();
-  await page.keyboard.press('b');
+  await page.keyboard.press('p');
   await settle(page);
   await expect
     .poll(async () => {
@@ -116,7 +125,7 @@ test('with less motion the bead steps from root to root', async ({ page }) => {
       return [...seen];
     })
     .toContain(t1);
-  await page.keyboard.press('b');
+  await page.keyboard.press('p');
   expect(seen.size).toBeLessThanOrEqual(3);
 });
 
@@ -186,8 +195,8 @@ test('the screen is black on every page, until a key or a click that does nothin
     await page.locator(`header [aria-current="page"]`).getByText(title).waitFor();
     await linkWritten(page);
     const before = await hashOf(page);
-    for (const end of ['.', 'Escape', 'PageDown', 'PageUp', null]) {
-      await page.keyboard.press('.');
+    for (const end of ['.', 'b', 'Escape', 'PageDown', 'PageUp', null]) {
+      await page.keyboard.press(end === '.' ? 'b' : '.');
       await expect(black, id).toBeVisible();
       await page.keyboard.press('3');
       await page.keyboard.press('t');

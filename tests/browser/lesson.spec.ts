@@ -398,3 +398,54 @@ for (const viewport of [
     });
   });
 }
+
+test('a presenter’s window follows the lesson, and a clicker works in either', async ({ page }) => {
+  const { steps } = lessonOf('ray');
+  await page.goto('./#/lesson/ray?step=3');
+  await stepShown(page, 3);
+  const [presenter] = await Promise.all([
+    page.context().waitForEvent('page'),
+    page.keyboard.press('p'),
+  ]);
+  const head = presenter.getByRole('heading', { level: 2 });
+  await expect(head).toHaveText(`3 of ${steps.length}: ${steps[2]?.title}`);
+  await presenter.keyboard.press('PageDown');
+  await stepShown(page, 4);
+  await expect(head).toHaveText(`4 of ${steps.length}: ${steps[3]?.title}`);
+  await expect(presenter.getByRole('region', { name: 'Notes' })).toContainText('Let the audience');
+  const next = presenter.getByRole('region', { name: 'Next' });
+  await expect(next).toContainText(`the answer, then ${steps[4]?.title}`);
+  await expect(next.locator('svg')).toBeVisible();
+  await expect(page.getByRole('form', { name: 'Question' })).toBeVisible();
+  await page.keyboard.press('PageDown');
+  await expect(next).not.toContainText('the answer');
+  // The projected window becomes black, and what ends that does nothing else.
+  const black = page.getByRole('dialog', { name: 'Black screen' });
+  await presenter.keyboard.press('.');
+  await expect(black).toBeVisible();
+  await expect(presenter.getByRole('dialog')).toHaveCount(0);
+  await presenter.getByRole('button', { name: 'Next' }).click();
+  await expect(black).toHaveCount(0);
+  await stepShown(page, 4);
+  expect(await violations(presenter)).toEqual([]);
+  // A reloaded window is found again; one that leaves the lesson says so.
+  await page.reload();
+  await stepShown(page, 4);
+  await presenter.keyboard.press('PageDown');
+  await expect(head).toHaveText(`5 of ${steps.length}: ${steps[4]?.title}`);
+  await page.goto('./#/explore');
+  await expect(presenter.locator('.presenter-notice')).toContainText('does not show a lesson now');
+  await presenter.close();
+});
+
+test('a presenter’s window that is kept from opening is a link', async ({ page }) => {
+  await page.addInitScript(() => {
+    window.open = () => null;
+  });
+  await page.goto('./#/lesson/ray?step=3');
+  await stepShown(page, 3);
+  await page.getByRole('button', { name: 'Presenter’s window' }).click();
+  await expect(page.locator('.present-problem')).toContainText('kept the presenter’s window');
+  const link = page.getByRole('link', { name: 'open it here' });
+  expect(await link.getAttribute('href')).toMatch(/\?presenter=[a-z\d]+#\/lesson\/ray\?step=3$/);
+});

@@ -1,24 +1,83 @@
+import type { Page } from '@playwright/test';
+import { SHAPES } from '../../src/math/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
-import { NO_SCENE, open, withoutScene } from './support/page.ts';
+import { collisions, cutOff, extent } from './support/layout.ts';
+import { NO_SCENE, open, settle, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ provoked: NO_SCENE, viewport: { width: 1280, height: 720 } });
 test.beforeEach(({ page }) => withoutScene(page));
 
-test('on the projector everything is on one screen, for every example', async ({ page }) => {
+/** What ends below the window, in words. */
+const below = (page: Page): Promise<(string | null)[]> =>
+  page.evaluate(() =>
+    [
+      ...document.querySelectorAll(
+        '.panel-area :is(.value, .verdict, .chip), .story p, .graph-area',
+      ),
+    ]
+      .filter((element) => element.getBoundingClientRect().bottom > innerHeight)
+      .map((element) => element.textContent),
+  );
+
+test('on the projector everything is on one screen of any size, and no text on another one', async ({
+  page,
+}) => {
   await page.addInitScript(() => localStorage.setItem('graze.theme', 'projector'));
+  await page.setViewportSize({ width: 1024, height: 768 });
   await open(page, '#/explore');
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'projector');
-  const tooLarge: string[] = [];
+  const fits = async (name: string, width: number, height: number): Promise<void> => {
+    expect.soft(await extent(page), name).toEqual({ width, height });
+    expect.soft(await below(page), name).toEqual([]);
+    expect.soft(await collisions(page), name).toEqual([]);
+    expect.soft(await cutOff(page), name).toEqual([]);
+  };
   for (const { id, link } of GALLERY) {
     await open(page, link);
-    const { height, width } = await page.evaluate(() => ({
-      height: document.documentElement.scrollHeight,
-      width: document.documentElement.scrollWidth,
-    }));
-    if (height > 720 || width > 1280) tooLarge.push(`${id}: ${width} × ${height}`);
+    // The longest headline: with its answer.
+    await page.keyboard.press('a');
+    await settle(page);
+    await expect.soft(page.locator('#example-answer'), id).not.toBeEmpty();
+    await fits(id, 1024, 768);
   }
-  expect(tooLarge).toEqual([]);
+  for (const [width, height] of [
+    [1280, 720],
+    [1920, 1080],
+    [3840, 2160],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    for (const { kind } of SHAPES) {
+      await open(page, `#/explore?shape=${kind}`);
+      await fits(`${kind} at ${width} × ${height}`, width, height);
+    }
+    const seen = await page.evaluate(() =>
+      ['.verdict', '.hit .t .value', '.shape-choice span', '.step .letter math'].map(
+        (what) => document.querySelector(what)?.getBoundingClientRect().height ?? 0,
+      ),
+    );
+    // 16 px of type in lines of 1.35 at 1024 × 768, and as much more as the window is larger.
+    const least = 21 * Math.min(width / 1024, height / 768);
+    expect(Math.min(...seen)).toBeGreaterThanOrEqual(least);
+  }
+});
+
+test('in full screen the controls withdraw, and what is left fills it', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('graze.theme', 'projector'));
+  await open(page, GALLERY[0]?.link ?? '');
+  await page.keyboard.press('f');
+  await expect(page.locator('.header')).toBeHidden();
+  await settle(page);
+  for (const away of ['.picker-area', '.ray-tools', '.example-name', '.story button']) {
+    await expect(page.locator(away).first()).toBeHidden();
+  }
+  for (const stays of ['.story .asks', '.verdict', '.compact-controls', '.explore > .graph-area']) {
+    await expect(page.locator(stays)).toBeVisible();
+  }
+  const size = await page.evaluate(() => ({ width: innerWidth, height: innerHeight }));
+  expect(await extent(page)).toEqual(size);
+  await page.keyboard.press('f');
+  await expect(page.locator('.header')).toBeVisible();
 });
 
 test('and its type is large', async ({ page }) => {

@@ -44,7 +44,7 @@ export function sceneBar(
       }
     </div>
     <div class="ray-tools" role="group" aria-label="This ray">
-      ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (b)')}
+      ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (p)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
       ${toggle('two views', second, run('second'), 'A second view beside this one (v)')}
       ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}

@@ -1,3 +1,5 @@
+import { zoomOf } from '../../ui/zoom.ts';
+
 /*
  * A term of the derivation keeps its identity from step to step: `data-terms` of an element are the
  * numbers of the products that are in it.
@@ -29,7 +31,8 @@ export function travel(host: Element, before: Places): void {
     const from = before.find((place) => place.terms.some((term) => terms.includes(term)));
     if (!from) continue;
     const to = element.getBoundingClientRect();
-    const [dx, dy] = [from.at.left - to.left, from.at.top - to.top];
+    const zoom = zoomOf(element);
+    const [dx, dy] = [(from.at.left - to.left) / zoom, (from.at.top - to.top) / zoom];
     if (dx === 0 && dy === 0) continue;
     element.animate([{ transform: `translate(${dx}px, ${dy}px)` }, { transform: 'none' }], {
       duration: TRAVEL_MS,

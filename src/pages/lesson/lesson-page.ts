@@ -23,11 +23,14 @@ import { listView } from './list-view.ts';
 import { createOtherPages } from './other-pages.ts';
 import { openedLesson, withCollected } from './own-lesson.ts';
 import { createPaper } from './paper.ts';
+import { mountPresenter } from './presenter.ts';
+import { createProjected } from './projected.ts';
 import { proseTools } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';
 import { createTravel } from './step-transition.ts';
 import { type StepParts, stepView } from './step-view.ts';
+import { presenterIn } from './two-windows.ts';
 import './lesson-page.css';
 import './lesson-text.css';
 
@@ -41,6 +44,8 @@ const firstStep = ({ id, file }: Settings): Settings => ({
 export const mountLesson: MountPage = (host, context) => {
   const { dispatch, changed, announce } = context;
   host.classList.add('lesson');
+  const presenter = presenterIn(location.search);
+  if (presenter) return mountPresenter(host, context, presenter);
   const area = (name: string): HTMLElement => {
     const element = document.createElement('div');
     element.className = `lesson-${name}`;
@@ -54,6 +59,7 @@ export const mountLesson: MountPage = (host, context) => {
   const editing = createEditing(dispatch, changed);
   const derive = createDerive(() => closerLook);
   const travel = createTravel(changed);
+  const projected = createProjected(changed);
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
   let shown: { place: Place; inner: AppState; model: FullModel | null } | null = null;
@@ -189,7 +195,11 @@ export const mountLesson: MountPage = (host, context) => {
       editor: editing.view(place),
     };
     const print = () => void printPage();
-    const tools = { go, reveal: handIn.reveal, edit: () => editing.begin(place), save, print };
+    const tools = {
+      ...{ go, reveal: handIn.reveal, edit: () => editing.begin(place), save, print },
+      present: projected.open,
+      problem: projected.problem,
+    };
     render(stepView(parts, { ...tools, add: () => collect(encode(target)) }), text);
     if (!onExplore && covered === null) paper.drawn(step);
     if (!forPaper) tell(before, shown);
@@ -234,6 +244,7 @@ export const mountLesson: MountPage = (host, context) => {
       outer = state;
       const settings = forPaper ?? state.settings.lesson;
       const place = placeOf(settings);
+      if (!forPaper) projected.show(place ? encode(state) : null);
       if (place) showStep(settings, place);
       else showList(state);
     },
@@ -247,6 +258,10 @@ export const mountLesson: MountPage = (host, context) => {
       const text = () => writeLesson(lesson);
       return [{ ...item, type: 'text/markdown', text, blob: null }, ...others.exports()];
     },
-    rest: () => others.leave(),
+    present: projected.open,
+    rest() {
+      projected.show(null);
+      others.leave();
+    },
   };
 };

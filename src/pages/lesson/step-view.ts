@@ -23,6 +23,10 @@ interface StepTools {
   readonly add: () => void;
   readonly save: () => void;
   readonly print: () => void;
+  /** Opens the presenter's window. */
+  readonly present: () => void;
+  /** Why that did not open; nothing where it did. */
+  readonly problem: () => TemplateResult | typeof nothing;
 }
 
 /** The text column of a step. */
@@ -51,6 +55,9 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
             <button type="button" class="quiet" @click=${tools.add}>Add a step from here</button>
             <button type="button" class="quiet" @click=${tools.save}>Save the lesson</button>
             <button type="button" class="quiet" @click=${tools.print}>Print the lesson</button>
+            <button type="button" class="quiet" title="Notes, what comes next and a clock (p)"
+              @click=${tools.present}>Presenter’s window</button>
+            <span class="present-problem" role="status">${tools.problem()}</span>
           </p>`
       }
     </div>

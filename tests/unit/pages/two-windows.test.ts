@@ -1,0 +1,64 @@
+import fc from 'fast-check';
+import { expect, test } from 'vitest';
+import {
+  CLICKER_KEYS,
+  type Message,
+  openChannel,
+  presenterIn,
+  readMessage,
+} from '../../../src/pages/lesson/two-windows.ts';
+
+const MESSAGES: readonly Message[] = [
+  { type: 'hello' },
+  { type: 'shown', hash: null },
+  { type: 'shown', hash: '#/lesson/ray?step=3' },
+  ...CLICKER_KEYS.map((key): Message => ({ type: 'key', key })),
+];
+
+test('a message is read as it was sent, and nothing that comes with it', () => {
+  for (const message of MESSAGES) expect(readMessage({ ...message, more: 1 })).toEqual(message);
+});
+
+test('what is no message is ignored, whatever it is', () => {
+  for (const data of [
+    { type: 'key', key: 'F5' },
+    { type: 'key', key: 'toString' },
+    { type: 'shown', hash: 'javascript:alert(1)' },
+    { type: 'shown', hash: '#/check' },
+    { type: 'shown', hash: `#/lesson/${'x'.repeat(1_000_000)}` },
+    { type: 'shown' },
+  ]) {
+    expect(readMessage(data)).toBeNull();
+  }
+  fc.assert(
+    fc.property(fc.anything(), (data) => {
+      const read = readMessage(data);
+      if (read !== null) expect(data).toMatchObject(read);
+    }),
+  );
+});
+
+test('only an address with an id is that of a presenter’s window', () => {
+  expect(presenterIn('?presenter=a1b2')).toBe('a1b2');
+  for (const search of ['', '?presenter', '?presenter=', '?presenter=A b', '?x=a1']) {
+    expect(presenterIn(search)).toBeNull();
+  }
+});
+
+test('windows of one id hear each other, and no other ones', async () => {
+  const heard: Message[] = [];
+  const foreign: Message[] = [];
+  const done = new Promise<void>((resolve) => {
+    openChannel('one', (message) => {
+      heard.push(message);
+      if (message.type === 'hello') resolve();
+    });
+  });
+  openChannel('two', (message) => foreign.push(message));
+  new BroadcastChannel('graze.presenter.one').postMessage('noise');
+  const sender = openChannel('one', () => {});
+  for (const message of [...MESSAGES].reverse()) sender.send(message);
+  await done;
+  expect(heard).toEqual([...MESSAGES].reverse());
+  expect(foreign).toEqual([]);
+});
