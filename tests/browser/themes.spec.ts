@@ -20,7 +20,7 @@ const below = (page: Page): Promise<(string | null)[]> =>
       .map((element) => element.textContent),
   );
 
-test('on the projector everything is on one screen of any size, and no text on another one', async ({
+test('on the projector all is on one screen of any size, no text on another one', async ({
   page,
 }) => {
   await page.addInitScript(() => localStorage.setItem('graze.theme', 'projector'));
