@@ -1,15 +1,14 @@
 import { type Allocate, useMemory } from './batch/memory.ts';
 import { bytesOf, createSimdMemory } from './batch/simd-memory.ts';
-import type { Source } from './batch/straight.ts';
 import { simdSource } from './batch/straight-simd.ts';
-import { useSimd } from './batch/target.ts';
+import { type Simd, useSimd } from './batch/target.ts';
 import { CERTIFIED_SIMD } from './methods/certified/generated/certified-simd.ts';
 import { type FastStages, useFastStages } from './methods/certified/quadric-kernel.ts';
 import { createFastStages } from './methods/certified/simd.ts';
 
 interface Fast {
   readonly stages: FastStages;
-  readonly source: Source;
+  readonly simd: Simd;
   readonly allocate: Allocate;
 }
 
@@ -32,7 +31,7 @@ export function accelerate(): boolean {
   const fast = typeof made === 'string' ? null : made;
   useFastStages(fast?.stages ?? null);
   useMemory(fast?.allocate ?? null);
-  useSimd(fast?.source ?? null);
+  useSimd(fast?.simd ?? null);
   return fast !== null;
 }
 
@@ -64,9 +63,10 @@ function loaded(): Fast | string {
   if (!WebAssembly.validate(VECTORS)) return 'The WebAssembly of this engine has no SIMD.';
   try {
     const memory = createSimdMemory();
+    const stages = createFastStages(memory, bytesOf(CERTIFIED_SIMD));
     return {
-      stages: createFastStages(memory, bytesOf(CERTIFIED_SIMD)),
-      source: simdSource(memory),
+      stages,
+      simd: { source: simdSource(memory), choose: stages.first },
       allocate: memory.allocate,
     };
   } catch (error) {

@@ -57,9 +57,9 @@ function hasSimd(method: Method, shape: Shape): boolean {
 function asAccelerated(method: Method, shape: Shape, plain: Kernel): Kernel {
   let fast: Kernel | null = null;
   const now = (): Kernel => {
-    const source = simdNow();
-    if (!source) return plain;
-    fast ??= straightKernel(method, shape, source);
+    const simd = simdNow();
+    if (!simd) return plain;
+    fast ??= straightKernel(method, shape, simd.source, simd.choose);
     return fast ?? plain;
   };
   return {

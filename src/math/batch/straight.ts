@@ -8,11 +8,12 @@ import { definitionOf } from '../shapes/lookup.ts';
 import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import {
   type Answers,
+  chooseFirst,
   type Kernel,
+  keepUnsettled,
   NONE,
   ONE,
   type Rays,
-  selectFirst,
   TANGENT,
   TWO,
   UNDECIDED,
@@ -28,10 +29,20 @@ const slot = new Float64Array(SLOT);
 /** Where a method's loops for a kind of shape come from; null where there are none. */
 export type Source = (method: string, kind: string) => Loops | null;
 
+/** The roots' part of `selectFirst`, of rays 0 … count − 1. */
+export type Choose = (out: Answers, count: number, tMin: number, tMax: number) => void;
+
+const chosen: Choose = (out, count, tMin, tMax) => chooseFirst(out, 0, count, tMin, tMax);
+
 export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
 
 /** The loops of `source`, and the method itself for what they cannot settle; null without loops. */
-export function straightKernel(method: Method, shape: Shape, source: Source): Kernel | null {
+export function straightKernel(
+  method: Method,
+  shape: Shape,
+  source: Source,
+  choose: Choose = chosen,
+): Kernel | null {
   const loops = source(method.id, shape.kind);
   if (!loops || !isOrdinary(method, shape)) return null;
   const met = definitionOf(shape).formula(shape).family === 'curved' ? 'two' : 'one';
@@ -91,7 +102,8 @@ export function straightKernel(method: Method, shape: Shape, source: Source): Ke
     classes: (rays, out) => ask('classes', rays, out),
     first(rays, tMin, tMax, out) {
       ask('both', rays, out);
-      selectFirst(out, rays.count, tMin, tMax);
+      choose(out, rays.count, tMin, tMax);
+      keepUnsettled(out);
     },
   };
 }
