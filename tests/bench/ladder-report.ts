@@ -12,6 +12,8 @@ export interface Measured {
   readonly family: Pick<Family, 'id' | 'title' | 'idea'>;
   readonly quality: ReadonlyMap<string, Quality>;
   readonly prices: Prices;
+  /** Rays that a method's loops leave to the method itself; null: it has no loops. */
+  readonly left: ReadonlyMap<string, number | null>;
   readonly rays: number;
 }
 
@@ -60,8 +62,11 @@ const toTextbook = (
 ): Quartiles | null =>
   ratioOf(times[order], nameOf(id, target, form), nameOf('textbook', target, form));
 
+const shareOf = (part: number | null, all: number): string =>
+  part === null ? MISSING : percent(part, all);
+
 /** One family in full, in the order that it is drawn in. */
-export function familyTable({ family, quality, prices }: Measured): string[] {
+export function familyTable({ family, quality, prices, left, rays }: Measured): string[] {
   const rows = [...quality].map(([id, q]) => [
     id,
     ...TARGETS.map((target) =>
@@ -71,8 +76,10 @@ export function familyTable({ family, quality, prices }: Measured): string[] {
     `${q.undecided}`,
     ulpsOf(q, 0.999),
     ulpsOf(q, 1),
+    shareOf(left.get(id) ?? null, rays),
   ]);
-  const head = 'method,SIMD,TypeScript,wrong class,undecided,ulps: 99.9 %,max'.split(',');
+  const head =
+    'method,SIMD,TypeScript,wrong class,undecided,ulps: 99.9 %,max,left by the loops'.split(',');
   return [`### ${family.title}`, '', family.idea, '', ...table(head, rows), ''];
 }
 

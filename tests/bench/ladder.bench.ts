@@ -17,6 +17,7 @@ import {
   otherLines,
   quartilesTable,
 } from './ladder-report.ts';
+import { leftBy } from './left.ts';
 import { objectPrices } from './objects.ts';
 import { besideOthers } from './others.ts';
 import { type Asked, type Form, pricesOf, TARGETS } from './prices.ts';
@@ -82,6 +83,7 @@ function measured(family: Family): Measured {
   return {
     family,
     quality: new Map(METHODS.map((method) => [method.id, qualityOf(method, batches)])),
+    left: new Map(METHODS.map((method) => [method.id, leftBy(method, batches)])),
     prices: pricesOf(family, sample, ask(METHODS, 'both'), few, ['random']),
     rays: SHAPES * COUNT,
   };
@@ -128,7 +130,9 @@ const lines = [
   '## Every family',
   '',
   `${SHAPES} shapes × ${COUNT} rays, asked again and again: branches are learned, so ` +
-    `these prices compare methods, not orders. Mistakes are counted on all of these rays.`,
+    `these prices compare methods, not orders. Mistakes are counted on all of these rays. ` +
+    `What a loop leaves, because a number leaves its range, the method answers ray by ray, at ` +
+    `many times the loop's price: where that share is large, the price is that of the leaving.`,
   '',
 ];
 print([...first, '', ...lines]);
