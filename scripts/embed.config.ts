@@ -5,11 +5,11 @@ import { thirdParty } from './third-party.ts';
 
 /* Builds the element <graze-ray>: `vite build -c scripts/embed.config.ts`, to dist/embed. */
 
-/** In a shadow tree the element itself is what the document's root is to the page. */
+/** In a shadow tree the element is what the root is in a document, and its content is the page. */
 const forShadow = (css: string): string =>
   css
     .replace(/@font-face\s*\{[^}]*\}/g, '')
-    .replace(/(^|[\s,}])(?:html|body)(?=[\s,{])/g, '$1:host')
+    .replace(/(^|[\s,}])(?:html|body)(?=[\s,{])/g, '$1.embed-root')
     .replace(/:root((?:\[[^\]]*\]|:not\([^)]*\))*)/g, (_, of: string) =>
       of ? `:host(${of})` : ':host',
     );

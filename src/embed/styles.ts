@@ -10,7 +10,7 @@ import tokens from '../ui/tokens.css?inline';
 import element from './element.css?inline';
 
 /** What src/main.ts and the modules behind src/pages/embed import for the whole page. */
-const TEXTS = [tokens, base, fields, controls, paramRows, algebra, graph, scene, embed, element];
+const TEXTS = [element, tokens, base, fields, controls, paramRows, algebra, graph, scene, embed];
 
 let made: CSSStyleSheet[] | null = null;
 

@@ -26,6 +26,22 @@ export function liveAs(name: string): Promise<void> {
   });
 }
 
+/**
+ * A worker of the site's own file. A page without an origin, in a sandboxed frame, may not start
+ * one; in some browsers a text of its own may import the file. Where that is not allowed either,
+ * the worker has an `error` event as any that cannot be started.
+ */
+export function moduleWorker(url: string, { name }: { name: string }): Worker {
+  const options = { type: 'module', name } as const;
+  try {
+    return new Worker(url, options);
+  } catch {
+    const text = `import ${JSON.stringify(new URL(url, location.href).href)};`;
+    const own = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
+    return new Worker(own, options);
+  }
+}
+
 /** Starts a worker that gets an `error` event with a message when it has crashed. */
 export function startWatched(start: (options: { name: string }) => Worker): Worker {
   // Pages of the same site share their locks.

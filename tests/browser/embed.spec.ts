@@ -149,6 +149,11 @@ test('a sandboxed frame, of the site and of the single file', async ({ page, bas
   const two = [`${baseURL}${LINK}`, `${origin()}/offline.html${LINK}`];
   await host(page, two.map((src) => frame(src, 'sandbox="allow-scripts"')).join(''));
   for (const i of [0, 1]) await standsIn(page.frameLocator('iframe').nth(i));
+  await test.step('what cannot be started there is said', async () => {
+    await host(page, frame(`${baseURL}#/picture`, 'sandbox="allow-scripts"'));
+    const words = 'failed: a worker could not be started';
+    await expect(page.frameLocator('iframe').getByText(words)).toBeVisible();
+  });
 });
 
 test('all of Graze in a frame tells the score', async ({ page, baseURL }) => {
@@ -165,7 +170,12 @@ const ELEMENT = (site: string): string =>
 
 test('two elements on one page, live and apart', async ({ page, baseURL }) => {
   const site = baseURL ?? '';
-  const body = `<body><style>graze-ray { height: 420px }</style><h1>A course page</h1>
+  // As a static site of lecture notes styles it: text, buttons, drawings and boxes of its own.
+  const body = `<body class="fullcontent"><style>graze-ray { height: 420px }
+      body { font: 30px/3 cursive; text-align: center; letter-spacing: 2px; color: red }
+      svg, canvas { max-width: 40%; border: 3px solid } button, input { padding: 20px }
+      * { box-sizing: content-box; --E: lime }</style>
+    <main class="content" id="quarto-document-content"><h1>A course page</h1>
     <graze-ray id="a" shape="cone" E="3,1,1" d="-.8,-.2,-.3" show="scene,graph" lock="c">
     </graze-ray>
     <graze-ray id="b" shape="sphere" show="parameters,algebra,hits" theme="dark"></graze-ray>
@@ -178,6 +188,9 @@ test('two elements on one page, live and apart', async ({ page, baseURL }) => {
   await expect(b.locator('[data-quantity="class"]')).toBeVisible();
   await expect(b.locator('.scene-root, .graph')).toHaveCount(0);
   expect(await a.evaluate((element) => (element as HTMLElement).offsetHeight)).toBe(420);
+  await expect(a.locator('.embed-title, .graph').first()).toHaveCSS('letter-spacing', 'normal');
+  await expect(b.locator('.controls')).toHaveCSS('text-align', 'start');
+  await expect(b.locator('#box-E\\.x input')).toHaveCSS('padding-top', '0px');
   // Nothing of it is in the host's own document.
   await expect(page.locator('head link[rel=stylesheet], head style')).toHaveCount(0);
 

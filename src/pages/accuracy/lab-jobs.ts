@@ -2,7 +2,7 @@ import type { LabReply, LabRequest } from '../../lab/messages.ts';
 import type { Measured, MeasureRequest } from '../../lab/session.ts';
 import type { SweepPoint, SweepRequest } from '../../lab/sweep.ts';
 import { late } from '../../ui/late.ts';
-import { startWatched } from '../../workers/life.ts';
+import { moduleWorker, startWatched } from '../../workers/life.ts';
 
 /** The part of the Worker interface that the page uses. */
 export interface LabWorker {
@@ -125,9 +125,10 @@ function createJob<Request, Result>(
 
 /** Starts a worker; the offline file holds its code inline. */
 export async function spawnLab(): Promise<LabWorker> {
-  const { default: Lab } =
-    import.meta.env.MODE === 'single'
-      ? await late(() => import('../../workers/lab.ts?worker&inline'))
-      : await late(() => import('../../workers/lab.ts?worker'));
-  return startWatched((options) => new Lab(options));
+  if (import.meta.env.MODE === 'single') {
+    const { default: Lab } = await late(() => import('../../workers/lab.ts?worker&inline'));
+    return startWatched((options) => new Lab(options));
+  }
+  const { default: url } = await late(() => import('../../workers/lab.ts?worker&url'));
+  return startWatched((options) => moduleWorker(url, options));
 }

@@ -9,6 +9,9 @@ export const frameLine = (link: string): string =>
   `<iframe src="${attribute(link)}" title="Graze: a ray and a surface" width="100%" height="420" ` +
   `style="border:0" allow="fullscreen"></iframe>`;
 
+/** Stands there until the module is loaded, and where the host's policy does not let it. */
+const NOT_LOADED = 'Graze shows a ray and a surface here, if the page may load its module.';
+
 /** The lines of HTML that show the state by the element. `site`: address of Graze's own page. */
 export function elementLine(state: AppState, site: string): string {
   const query = encode(state).split('?')[1] ?? '';
@@ -19,6 +22,6 @@ export function elementLine(state: AppState, site: string): string {
   const module = new URL('embed/graze.js', site).href;
   return (
     `<script type="module" src="${attribute(module)}"></script>\n` +
-    `<graze-ray${pairs.join('')}></graze-ray>`
+    `<graze-ray${pairs.join('')}>${NOT_LOADED}</graze-ray>`
   );
 }

@@ -1,5 +1,5 @@
 import { late } from '../../ui/late.ts';
-import { startWatched } from '../../workers/life.ts';
+import { moduleWorker, startWatched } from '../../workers/life.ts';
 import type { WorkerLike } from '../../workers/trace-job.ts';
 
 export type StartTracer = () => WorkerLike;
@@ -9,9 +9,10 @@ export type StartTracer = () => WorkerLike;
  * a file, and loads the effects' code when a scene needs it. Of the two imports a build keeps one.
  */
 export async function loadTracer(): Promise<StartTracer> {
-  const { default: TraceWorker } =
-    import.meta.env.MODE === 'single'
-      ? await late(() => import('../../workers/trace.ts?worker&inline'))
-      : await late(() => import('../../workers/trace.ts?worker'));
-  return () => startWatched((options) => new TraceWorker(options));
+  if (import.meta.env.MODE === 'single') {
+    const { default: Tracer } = await late(() => import('../../workers/trace.ts?worker&inline'));
+    return () => startWatched((options) => new Tracer(options));
+  }
+  const { default: url } = await late(() => import('../../workers/trace.ts?worker&url'));
+  return () => startWatched((options) => moduleWorker(url, options));
 }
