@@ -53,9 +53,24 @@ const NO_MORE = 'no-more';
 
 /**
  * One line over the scene, from the first change on: what to try, and that it has been done. A
- * challenge that was met is kept on the device, and never asked again.
+ * challenge that was met is kept on the device, and never asked again. What a drag passes on its
+ * way is not met: `changed` asks for a look at where it ends.
  */
-export function createChallenges(): (host: HTMLElement, model: ExploreModel) => null {
+export function createChallenges(
+  changed: () => void,
+): (host: HTMLElement, model: ExploreModel) => null {
+  // It is loaded by the first change, which may be in the middle of a drag.
+  let isDragging = true;
+  const press = (): void => {
+    isDragging = true;
+  };
+  const release = (): void => {
+    isDragging = false;
+    changed();
+  };
+  window.addEventListener('pointerdown', press, { capture: true, passive: true });
+  for (const end of ['pointerup', 'pointercancel', 'keyup'])
+    window.addEventListener(end, release, { capture: true, passive: true });
   const done = new Set((recall(STORED) ?? '').split(' ').filter(Boolean));
   /** What was said last of one that has just been met. */
   let praise = '';
@@ -70,7 +85,7 @@ export function createChallenges(): (host: HTMLElement, model: ExploreModel) => 
     const { found, shape, state } = model;
     const curved = found.details.family === 'curved';
     const on = curved && state.revealed === null && !done.has(NO_MORE);
-    for (const { id, asks, met } of on && !model.passing ? open(shape) : []) {
+    for (const { id, asks, met } of on && !model.passing && !isDragging ? open(shape) : []) {
       const now = met(model);
       if (now === null) continue;
       keep(id);

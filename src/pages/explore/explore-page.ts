@@ -65,7 +65,10 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
     changed,
   );
   const challenges = lateCard(
-    () => late(() => import('./challenges.ts')).then(({ createChallenges }) => createChallenges()),
+    () =>
+      late(() => import('./challenges.ts')).then(({ createChallenges }) =>
+        createChallenges(changed),
+      ),
     changed,
   );
   const narrow = matchMedia('(max-width: 559px)');

@@ -15,6 +15,7 @@ import { recall } from '../../ui/storage.ts';
 import { lessonHandout } from '../handout/lesson-handout.ts';
 import { printPage, printsAs } from '../handout/print.ts';
 import type { MountPage } from '../page.ts';
+import { createTransition } from '../transition.ts';
 import { createEditing } from './editing.ts';
 import { mountExploreStage } from './explore-stage.ts';
 import { answerView, questionView } from './guess-view.ts';
@@ -28,11 +29,13 @@ import { createProjected } from './projected.ts';
 import { proseTools } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';
-import { createTravel } from './step-transition.ts';
 import { type StepParts, stepView } from './step-view.ts';
 import { presenterIn } from './two-windows.ts';
 import './lesson-page.css';
 import './lesson-text.css';
+
+/** From one step to the next. */
+const TRAVEL_MS = 400;
 
 /** The settings of the first step of a lesson. */
 const firstStep = ({ id, file }: Settings): Settings => ({
@@ -58,7 +61,7 @@ export const mountLesson: MountPage = (host, context) => {
   const handIn = createHandIn(dispatch, changed);
   const editing = createEditing(dispatch, changed);
   const derive = createDerive(() => closerLook);
-  const travel = createTravel(changed);
+  const travel = createTransition(TRAVEL_MS, changed);
   const projected = createProjected(changed);
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
@@ -164,7 +167,7 @@ export const mountLesson: MountPage = (host, context) => {
       text.scrollTop = 0;
       if (before) window.scrollTo({ top: 0 });
     }
-    const inner = travel.now(target);
+    const inner = travel.at(target);
     const onExplore = inner.page === 'explore';
     const model = onExplore ? derive(inner) : null;
     shown = { place, inner, model };

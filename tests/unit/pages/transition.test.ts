@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
-import { between } from '../../../../src/pages/explore/travel.ts';
-import { closerLook } from '../../../../src/state/closer-look.ts';
-import { createDerive } from '../../../../src/state/derive.ts';
-import { GALLERY } from '../../../../src/state/gallery/index.ts';
-import { rayOf, shapeOf } from '../../../../src/state/state.ts';
-import { decode } from '../../../../src/state/url.ts';
+import { between } from '../../../src/pages/transition.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
+import { createDerive } from '../../../src/state/derive.ts';
+import { GALLERY } from '../../../src/state/gallery/index.ts';
+import { rayOf, shapeOf } from '../../../src/state/state.ts';
+import { decode } from '../../../src/state/url.ts';
 
 const PAIRS = GALLERY.slice(1).flatMap((entry, i) => {
   const [from, to] = [decode(GALLERY[i]?.link ?? ''), decode(entry.link)];
