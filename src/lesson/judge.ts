@@ -3,7 +3,9 @@ import type { Misconception } from '../check/misconceptions/define.ts';
 import { checkOwn, ownFields } from '../check/own-numbers.ts';
 import type { Field, Input } from '../check/types.ts';
 import type { Verdict } from '../math/index.ts';
+import type { Ask } from '../state/ask.ts';
 import type { ExploreModel } from '../state/derive.ts';
+import { judgementOf, questionOf } from '../state/predictions.ts';
 import { display } from '../text/format.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { Guess } from './lesson.ts';
@@ -46,7 +48,7 @@ const inputOf = ({ shape, ray }: ExploreModel): Input => ({ shape, ray });
 
 /** Why a text is no valid guess, quoting it; null if it is one. */
 export function whyNoGuess(text: string, guess: Guess, model: ExploreModel | null): string | null {
-  if (guess.type === 'class') return null;
+  if (guess.type !== 'quantity' && guess.type !== 'free') return null;
   const field = fieldOf(guess, model);
   const read = field ? readAnswer(field, text) : parseNumber(text);
   return read.ok ? null : read.reason;
@@ -54,6 +56,9 @@ export function whyNoGuess(text: string, guess: Guess, model: ExploreModel | nul
 
 /** Judges a guess: by Check's rules if it has such a field, else by the digits shown. */
 export function judgeGuess(guess: Guess, given: string, seen: Seen): JudgedGuess {
+  if (guess.type === 'open') return { words: 'The answer', causes: [] };
+  if (guess.type === 'prediction')
+    return { words: ofPrediction(guess.ask, given, seen), causes: [] };
   const field = fieldOf(guess, seen.model);
   if (field && seen.model) return judgedByCheck(field, given, seen.model);
   const truth = guess.type === 'free' ? guess.truth : seen.value(guess.quantity);
@@ -73,6 +78,16 @@ function judgedByCheck(field: Field, given: string, model: ExploreModel): Judged
     return { words: truth === null ? `${said}: not so` : ofNumber(given, truth), causes };
   }
   return { words: line?.note ? `${said}: ${line.note}` : said, causes };
+}
+
+/** The words of Explore's own judgement. */
+function ofPrediction(ask: Ask, given: string, { model }: Seen): string {
+  if (!model) return `Your guess: ${given}`;
+  const question = questionOf(ask, model.found.details.family === 'curved');
+  const said = question.options.find(({ id }) => id === given)?.title ?? given;
+  const { right, gap, mistake } = judgementOf(question, given, model);
+  const words = `Your guess, ${said}: ${right ? 'right' : 'not so'}. ${gap}`;
+  return mistake ? `${words} ${mistake}` : words;
 }
 
 const ofClass = (given: string, truth: number | string | null): string => {

@@ -1,3 +1,4 @@
+import type { Ask } from '../state/ask.ts';
 import type { Prose } from './prose.ts';
 
 /** What a student guesses before the answer is shown. */
@@ -7,7 +8,15 @@ export type Guess =
   /** A number that the page shows. */
   | { readonly type: 'quantity'; readonly quantity: string }
   /** "class", or that of a row: "textbook.class". */
-  | { readonly type: 'class'; readonly quantity: string };
+  | { readonly type: 'class'; readonly quantity: string }
+  /** One of the options of what Explore asks while results are hidden. */
+  | { readonly type: 'prediction'; readonly ask: ChosenAsk }
+  /** Nothing is handed in: the answer is shown on request. */
+  | { readonly type: 'open' };
+
+/** What Explore asks that is answered by a choice, not by a mark on the ray. */
+export const CHOSEN_ASKS = ['points', 'first', 'sign'] as const satisfies readonly Ask[];
+type ChosenAsk = (typeof CHOSEN_ASKS)[number];
 
 export interface Step {
   readonly title: string;

@@ -1,9 +1,13 @@
-import { quote } from '../math/shapes.ts';
+import { definitionOf, quote } from '../math/shapes.ts';
 import { createDerive } from '../state/derive.ts';
+import type { Example } from '../state/gallery/define.ts';
+import { GALLERY } from '../state/gallery/index.ts';
+import { questionOf } from '../state/predictions.ts';
+import { shapeOf } from '../state/state.ts';
 import { decode } from '../state/url.ts';
 import { parseNumber } from '../text/parse.ts';
 import { freedomOf } from './freedom.ts';
-import type { Guess, Lesson, Step } from './lesson.ts';
+import { CHOSEN_ASKS, type Guess, type Lesson, type Step } from './lesson.ts';
 import { proseOf, type Section, sectionsOf, sourceOf, tokensOf } from './markdown.ts';
 import { partsOf } from './parts.ts';
 import { type Prose, quantitiesIn } from './prose.ts';
@@ -12,7 +16,8 @@ import { isQuantity, isQuantityOf } from './quantities.ts';
 /*
  * A lesson is Markdown with front matter (docs/ADDING.md, "A lesson"): `title` and `about` between
  * two lines of three dashes, then one heading of level 2 a step. Under it stand lines "key: value"
- * (link, part, free, guess, hide), then text, then sections of level 3: Question, Answer, Notes.
+ * (link or example, part, free, guess, hide), then text, then sections of level 3: Question,
+ * Answer, Notes.
  */
 
 export interface ReadLesson {
@@ -28,7 +33,7 @@ const LONGEST_TITLE = 200;
 /** Most messages on one lesson. */
 const MOST_PROBLEMS = 12;
 const FRONT = /^\s*---[ \t]*\r?\n([\s\S]*?)\r?\n---[ \t]*(?:\r?\n|$)/;
-const KEYS = ['link', 'part', 'free', 'guess', 'hide'];
+const KEYS = ['link', 'example', 'part', 'free', 'guess', 'hide'];
 
 /** Whether a text looks like a lesson: it begins with front matter. */
 export const isLesson = (text: string): boolean => FRONT.test(text);
@@ -81,8 +86,15 @@ function stepOf(section: Section, fault: Fault): Step {
   for (const { title } of parts) {
     if (!/^(question|answer|notes)$/i.test(title)) fault(`there is no section ${quote(title)}`);
   }
-  const link = linkOf(keys.get('link'), fault);
+  const example = exampleOf(keys, fault);
+  const link = example?.link ?? linkOf(keys.get('link'), fault);
+  /** The section, or, where it has none, what the example says. */
+  const asked = (name: string, said: string | undefined): Prose => {
+    const own = part(name);
+    return own.length > 0 || said === undefined ? own : proseOf(tokensOf(said), fault);
+  };
   const free = freeOf(keys.get('free'), link, fault);
+  const guess = guessOf(keys.get('guess'), free, link, fault);
   const hide = keys.get('hide') ?? 'no';
   if (!/^(yes|no)$/.test(hide)) fault(`hide is yes or no, got ${quote(hide)}`);
   const step: Step = {
@@ -90,12 +102,13 @@ function stepOf(section: Section, fault: Fault): Step {
     link,
     part: shownPart(keys.get('part'), link, fault),
     free,
-    guess: guessOf(keys.get('guess'), free, fault),
+    // An example's question has no field of its own.
+    guess: guess ?? (example ? { type: 'open' } : null),
     // A link with hidden results counts as `hide`.
     hide: hide === 'yes' || decode(link).revealed !== null,
     text: proseOf(given ? rest : (body?.tokens ?? []), fault),
-    question: part('question'),
-    answer: part('answer'),
+    question: asked('question', example?.asks),
+    answer: asked('answer', example?.answer),
     notes: part('notes'),
     source: `## ${section.title}\n\n${sourceOf(section.tokens)}`,
   };
@@ -160,9 +173,39 @@ function freeOf(text: string | undefined, link: string, fault: Fault): string | 
   return null;
 }
 
-/** Reads a guess: "t1", "class", or the value of the free number, "r = 1". */
-function guessOf(text: string | undefined, free: string | null, fault: Fault): Guess | null {
+/** The example of the gallery that a step shows, in place of a link. */
+function exampleOf(keys: ReadonlyMap<string, string>, fault: Fault): Example | undefined {
+  const id = keys.get('example');
+  if (!id) return undefined;
+  const found = GALLERY.find((one) => one.id === id);
+  if (!found) fault(`there is no example ${quote(id)}`);
+  if (keys.has('link')) fault('it has an example and a link: the example counts');
+  return found;
+}
+
+/**
+ * Reads a guess: "t1", "class", the value of the free number, "r = 1", what Explore asks, "sign",
+ * or "open".
+ */
+function guessOf(
+  text: string | undefined,
+  free: string | null,
+  link: string,
+  fault: Fault,
+): Guess | null {
   if (!text) return null;
+  if (text === 'open') return { type: 'open' };
+  const ask = CHOSEN_ASKS.find((one) => one === text);
+  if (ask) {
+    const state = decode(link);
+    const shape = shapeOf(state);
+    const isCurved = definitionOf(shape).formula(shape).family === 'curved';
+    if (state.page === 'explore' && questionOf(ask, isCurved).id === ask) {
+      return { type: 'prediction', ask };
+    }
+    fault(`${quote(text)} cannot be predicted there`);
+    return null;
+  }
   if (/^([\w-]+\.)?class$/.test(text)) return { type: 'class', quantity: text };
   const [, letter, value = ''] = text.match(/^(\S+) = (.+)$/) ?? [];
   if (letter === undefined && isQuantity(text)) return { type: 'quantity', quantity: text };
@@ -170,6 +213,8 @@ function guessOf(text: string | undefined, free: string | null, fault: Fault): G
   if (letter !== undefined && letter === free && parsed.ok) {
     return { type: 'free', truth: parsed.value };
   }
-  fault(`${quote(text)} cannot be guessed: "class", "t1", or "r = 1" where r is free`);
+  fault(
+    `${quote(text)} cannot be guessed: "class", "t1", "points", "open", or "r = 1" where r is free`,
+  );
   return null;
 }

@@ -52,7 +52,11 @@ export const isAsked = ({ guess }: Step, settings: Settings): boolean =>
 
 /** Whether results are hidden: while they are asked for, or until they are revealed. */
 export function isHidden(step: Step, settings: Settings): boolean {
-  if (step.guess !== null && step.guess.type !== 'free') return isAsked(step, settings);
+  const { guess } = step;
+  // What is free may be moved, and what is only asked may be looked for, with the results in view.
+  if (guess !== null && guess.type !== 'free' && guess.type !== 'open') {
+    return isAsked(step, settings);
+  }
   return step.hide && settings.shown === undefined;
 }
 

@@ -4,8 +4,8 @@ import type { Dispatch } from '../../state/actions.ts';
 import { isAsk } from '../../state/ask.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { hiddenReach, markOf, markStep } from '../../state/hidden.ts';
+import { type Guess, judgementOf, QUESTIONS, questionOf } from '../../state/predictions.ts';
 import { display } from '../../text/format.ts';
-import { type Guess, judgementOf, QUESTIONS, questionOf } from './predictions.ts';
 import './predict-card.css';
 
 interface Committed {

@@ -2,6 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { CLASS_WORDS, judgeGuess, type Seen, whyNoGuess } from '../../lesson/judge.ts';
 import type { Guess, Step } from '../../lesson/lesson.ts';
 import { namedCauses, whereAndWhat } from '../../panels/check-feedback.ts';
+import { questionOf } from '../../state/predictions.ts';
 import { spokenName } from '../../text/spoken.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
 
@@ -22,6 +23,13 @@ export function questionView(
   prose: ProseTools,
   { draft, now, change, hand, show }: GuessTools,
 ): TemplateResult {
+  if (guess.type === 'open') {
+    return html`<section class="lesson-question" aria-label="Question">
+      <div class="asked">${proseView(step.question, prose)}</div>
+      <div class="answering">
+        <button type="button" class="show-me" @click=${show}>show the answer</button></div>
+    </section>`;
+  }
   const whyNot = (text: string): string | null => whyNoGuess(text, guess, prose.model);
   const refused = draft === '' ? null : whyNot(draft);
   const isOpen = draft === '' || refused !== null;
@@ -44,8 +52,8 @@ export function questionView(
     }
     <div class="answering">
       ${
-        guess.type === 'class'
-          ? choices(draft, change)
+        guess.type === 'class' || guess.type === 'prediction'
+          ? choices(optionsOf(guess), draft, change)
           : html`<label>${nameOf(step, guess)} = <input
               class="guess-box"
               inputmode="text"
@@ -63,9 +71,20 @@ export function questionView(
   </form>`;
 }
 
-function choices(draft: string, change: (text: string) => void): TemplateResult {
+type Option = readonly [id: string, words: string];
+
+const optionsOf = (guess: Guess): readonly Option[] =>
+  guess.type === 'prediction'
+    ? questionOf(guess.ask, true).options.map(({ id, title }) => [id, title])
+    : Object.entries(CLASS_WORDS);
+
+function choices(
+  options: readonly Option[],
+  draft: string,
+  change: (text: string) => void,
+): TemplateResult {
   return html`<fieldset class="guess-classes"><legend class="visually-hidden">Your guess</legend>
-    ${Object.entries(CLASS_WORDS).map(
+    ${options.map(
       ([id, words]) =>
         html`<label><input type="radio" name="lesson-class"
           value=${id}
@@ -78,6 +97,7 @@ function choices(draft: string, change: (text: string) => void): TemplateResult 
 /** The name of the asked quantity; a number in a table's row has no letter of its own. */
 function nameOf({ free }: Step, guess: Guess): string {
   if (guess.type === 'free') return free ?? '';
+  if (!('quantity' in guess)) return 'your guess';
   const isLetter = /^[A-Za-z]\d?(\.[xyz])?$/.test(guess.quantity);
   return isLetter ? spokenName(guess.quantity) : 'your guess';
 }

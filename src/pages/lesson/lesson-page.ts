@@ -184,7 +184,7 @@ export const mountLesson: MountPage = (host, context) => {
     } else others.render(inner, partShown(step.part, inner));
     const { guess } = step;
     // While a question is open, another page is covered, since it would give the answer away.
-    const covered = asked && !onExplore && guess && guess.type !== 'free' ? guess.quantity : null;
+    const covered = asked && !onExplore && guess && 'quantity' in guess ? guess.quantity : null;
     host.toggleAttribute('data-covered', covered !== null);
     const beside = { model, page: other, asked: covered };
     const prose = proseTools(place, beside, sliders.view);

@@ -40,6 +40,19 @@ describe('a number that Check asks for is marked by its rules', () => {
   });
 });
 
+test('a prediction is judged as on Explore', () => {
+  expect(words({ type: 'prediction', ask: 'points' }, '1')).toBe(
+    'Your guess, 1: not so. There are 2 points: you said 1 too few.',
+  );
+  expect(words({ type: 'prediction', ask: 'first' }, 't1')).toBe(
+    'Your guess, t₁: right. t₁ = 1.8, t₂ = 3: t₁ is the first with t ≥ 0.',
+  );
+  expect(words({ type: 'prediction', ask: 'sign' }, '+')).toBe(
+    'Your guess, D > 0: right. D = 3.51563.',
+  );
+  expect(whyNoGuess('t1', { type: 'prediction', ask: 'first' }, model)).toBeNull();
+});
+
 test('a class is said in the words of the page', () => {
   const guess: Guess = { type: 'class', quantity: 'class' };
   expect(words(guess, 'two')).toBe('Your guess, two points: right');

@@ -1,10 +1,12 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { stepAt } from '../../../src/lesson/lesson.ts';
+import type { Prose } from '../../../src/lesson/prose.ts';
 import { isLesson, readLesson } from '../../../src/lesson/read.ts';
 import { changesOf, innerState, toStep } from '../../../src/lesson/step-state.ts';
 import { withSteps, writeLesson } from '../../../src/lesson/write.ts';
 import { collected } from '../../../src/pages/lesson/own-lesson.ts';
+import { GALLERY } from '../../../src/state/gallery/index.ts';
 import type { Settings } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
@@ -53,6 +55,46 @@ describe('a lesson is read', () => {
     ['a lesson in a lesson', 'link: #/lesson/ray', /cannot be a lesson/],
   ])('%s is said', (_, head, words) => {
     expect(stepOf('Text.', head).problems.join()).toMatch(words);
+  });
+
+  test.each([
+    ['an example that is not there', 'example: klein-bottle', /no example 'klein-bottle'/],
+    ['a link beside an example', `example: cone-hit\nlink: ${LINK}`, /the example counts/],
+    ['D of a plane', 'link: #/explore?shape=plane\nguess: sign', /'sign' cannot be predicted/],
+    ['a choice on another page', 'link: #/check\nguess: points', /'points' cannot be predicted/],
+  ])('%s is said', (_, head, words) => {
+    expect(stepOf('Text.', head).problems.join()).toMatch(words);
+  });
+
+  test('every example is a step with its question and answer, word for word', () => {
+    const told = (prose: Prose): string =>
+      prose
+        .flatMap((block) => (block.type === 'paragraph' ? block.inside : []))
+        .map((part) => (part.type === 'text' ? part.text : `(${part.type})`))
+        .join('');
+    for (const { id, link, asks, answer } of GALLERY) {
+      const { lesson, problems } = stepOf('Text.', `example: ${id}`);
+      const [step] = lesson.steps;
+      expect(problems, id).toEqual([]);
+      expect(step, id).toMatchObject({ link, guess: { type: 'open' }, hide: false });
+      expect([told(step?.question ?? []), told(step?.answer ?? [])]).toEqual([asks, answer]);
+    }
+  });
+
+  test('a question of its own, and something to predict, come before those of the example', () => {
+    const own = stepOf('### Question\n\nMine?', 'example: cone-tangent\nguess: points');
+    const [step] = own.lesson.steps;
+    expect(own.problems).toEqual([]);
+    expect(step?.guess).toEqual({ type: 'prediction', ask: 'points' });
+    expect(JSON.stringify(step?.question)).toContain('Mine?');
+    expect(step && innerState(step, {}).revealed).toBe(0);
+    expect(step && innerState(step, { guess: '2' }).revealed).toBeNull();
+  });
+
+  test('an open question hides nothing', () => {
+    const [step] = stepOf('### Question\n\nWhy?', `link: ${LINK}\nguess: open`).lesson.steps;
+    expect(step?.guess).toEqual({ type: 'open' });
+    expect(step && innerState(step, {}).revealed).toBeNull();
   });
 
   test('a script is no link', () => {

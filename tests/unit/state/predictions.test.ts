@@ -1,15 +1,10 @@
 import { describe, expect, test } from 'vitest';
-import {
-  type Guess,
-  judgementOf,
-  QUESTIONS,
-  questionOf,
-} from '../../../../src/pages/explore/predictions.ts';
-import { ASKS } from '../../../../src/state/ask.ts';
-import { closerLook } from '../../../../src/state/closer-look.ts';
-import { createDerive, type ExploreModel } from '../../../../src/state/derive.ts';
-import { GALLERY } from '../../../../src/state/gallery/index.ts';
-import { decode } from '../../../../src/state/url.ts';
+import { ASKS } from '../../../src/state/ask.ts';
+import { closerLook } from '../../../src/state/closer-look.ts';
+import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
+import { GALLERY } from '../../../src/state/gallery/index.ts';
+import { type Guess, judgementOf, QUESTIONS, questionOf } from '../../../src/state/predictions.ts';
+import { decode } from '../../../src/state/url.ts';
 
 const modelOf = (link: string): ExploreModel => createDerive(() => closerLook)(decode(link));
 const isCurved = (model: ExploreModel): boolean => model.found.details.family === 'curved';

@@ -1,12 +1,12 @@
-import { courseOf } from '../../check/course.ts';
-import { ALL_MISCONCEPTIONS, MISCONCEPTIONS } from '../../check/misconceptions/index.ts';
-import type { Answers, Input } from '../../check/types.ts';
-import { work } from '../../check/work.ts';
-import type { Ask } from '../../state/ask.ts';
-import type { ExploreModel } from '../../state/derive.ts';
-import { hiddenReach } from '../../state/hidden.ts';
-import { display } from '../../text/format.ts';
-import { subscript } from '../../text/scripts.ts';
+import { courseOf } from '../check/course.ts';
+import { ALL_MISCONCEPTIONS, MISCONCEPTIONS } from '../check/misconceptions/index.ts';
+import type { Answers, Input } from '../check/types.ts';
+import { work } from '../check/work.ts';
+import { display } from '../text/format.ts';
+import { subscript } from '../text/scripts.ts';
+import type { Ask } from './ask.ts';
+import type { ExploreModel } from './derive.ts';
+import { hiddenReach } from './hidden.ts';
 
 /** An answer: the id of an option, or t of the mark on the ray. */
 export type Guess = string | number;
