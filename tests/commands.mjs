@@ -7,6 +7,7 @@ const BRIEF = [
   ['fuzz', '--rays', '3000', '--seed', '1'],
   ['fuzz:page', '--actions', '10', '--seed', '7'],
   ['shots', 'cone-tangent'],
+  ['cases', '--family', 'vertex', '--count', '3', '--out', 'test-results/cases.json'],
   ['bench', 'page'],
   ['bench', 'ladder', '--families', 'typical', '--rounds', '1', '--rays', '4096'],
 ];
