@@ -96,9 +96,8 @@ const BRIEFLY: Readonly<Partial<Record<Cause['kind'], string>>> = {
 };
 
 function noneLost(method: Method): string {
-  if (method.id === 'exact') return 'none: correctly rounded';
-  if (method.id === 'certified') return 'none: at most 1 unit in the last place';
-  return 'none here';
+  if (method.proven === 'rounded') return 'none: correctly rounded';
+  return method.proven ? 'none: at most 1 unit in the last place' : 'none here';
 }
 
 const LONGEST = 16;

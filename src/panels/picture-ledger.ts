@@ -203,7 +203,7 @@ function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | 
 
 /** Number of rays of a kind, and of each effect if several fire them. */
 function kindWords({ kind, rays, parts }: KindRow): TemplateResult {
-  const several = parts.every((part) => part.rays > 0) && parts.length > 1;
+  const several = parts.length > 1;
   const words = parts.map((part) => `${grouped(part.rays)} ${part.words}`).join(', ');
   return html`<span data-quantity="rays.${kind}"
     data-value=${rays}>${grouped(rays)} ${kind}</span>${several ? ` (${words})` : ''}`;

@@ -278,8 +278,8 @@ export function playedAt(
 }
 
 /**
- * The value at each moment: up, down, and back to where it was, evenly, with a rest at each
- * boundary; null when it is back.
+ * The value after `elapsed` ms: evenly from home to the upper end, to the lower one, and back, with
+ * a rest at each boundary but home, also at one that is an end; null when it is back.
  */
 export function valueAt(
   { home, low, high, boundaries }: Pick<Sweep, 'home' | 'low' | 'high' | 'boundaries'>,
@@ -299,7 +299,7 @@ export function valueAt(
       if (left < way) return at + (up ? 1 : -1) * left * speed;
       left -= way;
       at = next;
-      const rest = next === to ? 0 : REST_MS;
+      const rest = stops.includes(next) && next !== home ? REST_MS : 0;
       if (left < rest) return at;
       left -= rest;
     }

@@ -15,7 +15,10 @@ export interface Counts {
   /** Counts of camera rays. */
   readonly camera: Tally;
   tallyOf(id: EffectId): Tally;
-  count(kind: RayKind, rays: number): void;
+  /** Counts rays of a kind that an effect fires. */
+  fire(id: EffectId, kind: RayKind, rays: number): void;
+  /** Counts camera rays. */
+  start(rays: number): void;
   save(): void;
   cut(): void;
   /**
@@ -33,6 +36,7 @@ export function createCounts(parts: readonly Part[], clock: () => number): Count
   const camera = newTally();
   const tallies = new Map<EffectId, Tally>(parts.map(({ id }) => [id, newTally()]));
   const kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
+  const fired = new Map<EffectId, Partial<Record<RayKind, number>>>();
   const heights = parts.find(({ body }) => body.at === 'roots');
   let saved = 0;
   let cut = 0;
@@ -44,8 +48,16 @@ export function createCounts(parts: readonly Part[], clock: () => number): Count
     camera,
     tallyOf,
     heightsMs,
-    count(kind, rays) {
+    fire(id, kind, rays) {
+      if (rays === 0) return;
       kinds[kind] += rays;
+      tallyOf(id).rays += rays;
+      const own = fired.get(id) ?? {};
+      fired.set(id, { ...own, [kind]: (own[kind] ?? 0) + rays });
+    },
+    start(rays) {
+      kinds.camera += rays;
+      camera.rays += rays;
     },
     save() {
       saved += 1;
@@ -65,7 +77,14 @@ export function createCounts(parts: readonly Part[], clock: () => number): Count
     ledger() {
       const effects: Partial<Record<EffectId, Cost>> = {};
       for (const [id, tally] of tallies) effects[id] = { ...tally };
-      return { camera: { ...camera }, effects, kinds: { ...kinds }, saved, cut };
+      return {
+        camera: { ...camera },
+        effects,
+        kinds: { ...kinds },
+        fired: Object.fromEntries(fired),
+        saved,
+        cut,
+      };
     },
   };
 }

@@ -16,9 +16,6 @@ export const ERROR = 6 * 2 ** -53;
 export const SMALLEST = 2 ** -1072;
 const LEAST_NORMAL = 2 ** -1022;
 
-/** The methods whose class and signs are those of exact arithmetic. */
-export const PROVEN: ReadonlySet<string> = new Set(['certified', 'exact']);
-
 /** Whether ray i, which starts on the surface, provably does not meet it again at t > 0. */
 export function departs(q: Quadric, a: number, rays: Rays, i: number): boolean {
   const x = rays.dx[i] as number;

@@ -22,6 +22,7 @@ export const EMPTY_LEDGER: Ledger = {
   camera: newTally(),
   effects: {},
   kinds: NO_KINDS,
+  fired: {},
   saved: 0,
   cut: 0,
 };
@@ -33,12 +34,25 @@ const addCosts = (a: Cost, b: Cost): Cost => ({
   ms: a.ms + b.ms,
 });
 
+type Fired = NonNullable<Ledger['fired'][EffectId]>;
+
+function addFired(a: Fired, b: Fired): Fired {
+  const sum: Partial<Record<RayKind, number>> = { ...a };
+  for (const [kind, rays] of Object.entries(b) as [RayKind, number][]) {
+    sum[kind] = (sum[kind] ?? 0) + rays;
+  }
+  return sum;
+}
+
 /** The sum of two tiles' ledgers. */
 export function addLedgers(a: Ledger, b: Ledger): Ledger {
   const effects: Partial<Record<EffectId, Cost>> = { ...a.effects };
+  const fired: Partial<Record<EffectId, Fired>> = { ...a.fired };
   for (const { id } of EFFECTS) {
     const more = b.effects[id];
     if (more) effects[id] = addCosts(effects[id] ?? newTally(), more);
+    const also = b.fired[id];
+    if (also) fired[id] = addFired(fired[id] ?? {}, also);
   }
   return {
     camera: addCosts(a.camera, b.camera),
@@ -49,6 +63,7 @@ export function addLedgers(a: Ledger, b: Ledger): Ledger {
       reflected: a.kinds.reflected + b.kinds.reflected,
       refracted: a.kinds.refracted + b.kinds.refracted,
     },
+    fired,
     saved: a.saved + b.saved,
     cut: a.cut + b.cut,
   };

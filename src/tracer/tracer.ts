@@ -106,8 +106,7 @@ export function createEngine(
       feel(asked, about) {
         const tally = counts.tallyOf(id);
         asked.rays.count = asked.count;
-        tally.rays += asked.count;
-        counts.count('shadow', asked.count);
+        counts.fire(id, 'shadow', asked.count);
         finder.blocked(asked, tally);
         watching?.feelers(asked, about);
       },
@@ -118,8 +117,7 @@ export function createEngine(
         return false;
       },
       fired(kind, count) {
-        counts.count(kind, count);
-        counts.tallyOf(id).rays += count;
+        counts.fire(id, kind, count);
       },
     };
   }
@@ -191,8 +189,7 @@ export function createEngine(
       generation = 0;
       counts = createCounts(parts, clock);
       for (const cause of causes) clear(cause.next, 1);
-      counts.count('camera', camera.count);
-      counts.camera.rays = camera.count;
+      counts.start(camera.count);
       pass(camera, counts.camera, film);
       generation = 1;
       while (turn()) {

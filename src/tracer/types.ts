@@ -101,6 +101,8 @@ export interface Ledger {
    */
   readonly effects: Readonly<Partial<Record<EffectId, Cost>>>;
   readonly kinds: Readonly<Record<RayKind, number>>;
+  /** The rays of each effect that runs, by kind; a kind of which it fired none is not in here. */
+  readonly fired: Readonly<Partial<Record<EffectId, Readonly<Partial<Record<RayKind, number>>>>>>;
   /**
    * Rays that were not fired because all that they could bring is less than half a level of 255
    * (see weight.ts).

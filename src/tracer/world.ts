@@ -9,7 +9,6 @@ import { type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
 import { boxOf } from './boxes.ts';
 import { linear } from './colour.ts';
-import { PROVEN } from './departs.ts';
 import { type GradientOf, gradientOf, unit } from './gradient.ts';
 
 /** A surface with everything that the tracer needs of it. */
@@ -68,7 +67,7 @@ export function worldOf(
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
         gradient: gradientOf(surface.shape),
-        proven: PROVEN.has(method) ? quadricOf(surface.shape) : null,
+        proven: asked.proven ? quadricOf(surface.shape) : null,
       };
     }),
   };

@@ -20,6 +20,11 @@ export interface Method {
   /** What it promises, and where the promise ends. */
   readonly promise: string;
   readonly source: string;
+  /**
+   * What is proven for every finite input: the class is that of exact arithmetic, and each root is
+   * the nearest double ('rounded') or one of the two around it ('faithful'). Absent: neither.
+   */
+  readonly proven?: 'rounded' | 'faithful';
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
   solve(A: number, B: number, C: number): QuadraticAnswer;

@@ -23,6 +23,7 @@ export const exact = treeMethod(
     source:
       'A double is m · 2^e, so A, B, C and D are too; roots, points and normals are (u + v√D)/w, ' +
       'whose sign and rounding are decided by whole numbers.',
+    proven: 'rounded',
   },
   exactArithmetic,
   textbookSolver,

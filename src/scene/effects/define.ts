@@ -10,6 +10,9 @@ interface Need {
   readonly reason: string;
 }
 
+/** The kinds of rays that effects fire. */
+type FiredKind = 'shadow' | 'reflected' | 'refracted';
+
 /** An effect without its code, which `load` loads as a chunk of its own. */
 interface EffectDefinition<Id extends string> {
   readonly id: Id;
@@ -18,14 +21,17 @@ interface EffectDefinition<Id extends string> {
   readonly idea: string;
   /** Fields that it adds to scenes, materials or lights; one set per place at most. */
   readonly fields: readonly FieldSet<Id>[];
+  /** Words for its rays, if another effect fires rays of the same kind: 'by mirrors'. */
+  readonly rays: Readonly<Partial<Record<FiredKind, string>>>;
   neededBy(scene: Scene): Need;
   load(): Promise<EffectBody>;
 }
 
-/** Keeps the id's literal type, for the union of all ids; `fields` are empty by default. */
+/** Keeps the id's literal type, for the union of all ids; `fields` and `rays` may be left out. */
 export const defineEffect = <const Id extends string>(
-  effect: Omit<EffectDefinition<Id>, 'fields'> & Partial<Pick<EffectDefinition<Id>, 'fields'>>,
-): EffectDefinition<Id> => ({ fields: [], ...effect });
+  effect: Omit<EffectDefinition<Id>, 'fields' | 'rays'> &
+    Partial<Pick<EffectDefinition<Id>, 'fields' | 'rays'>>,
+): EffectDefinition<Id> => ({ fields: [], rays: {}, ...effect });
 
 export const needed = (reason: string): Need => ({ needed: true, leftOut: false, reason });
 /** The effect is not needed, as it would change nothing in nature either. */

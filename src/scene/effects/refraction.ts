@@ -7,6 +7,7 @@ export const refraction = defineEffect({
   idea:
     'At glass a ray is bent (Snell) and a part of it is sent back (Fresnel): all of it ' +
     'beyond the critical angle.',
+  rays: { reflected: 'by glass (Fresnel), under refraction' },
   neededBy(scene) {
     const things = scene.things.filter(isGlass).length;
     if (things === 0) return notNeeded('no material is glass');

@@ -5,6 +5,7 @@ export const shadow = defineEffect({
   id: 'shadow',
   title: 'shadows',
   idea: 'Before a light is counted, a ray to it asks whether anything stands in between.',
+  rays: { shadow: 'to lights without size' },
   neededBy(scene) {
     const lights = scene.lights.filter(({ light }) => light !== 'sphere').length;
     if (scene.lights.length === 0) return notNeeded('there is no light');

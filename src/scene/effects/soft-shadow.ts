@@ -7,6 +7,7 @@ export const softShadow = defineEffect({
   idea:
     'Rays to many points of a light that has a size: the share of them that arrives is the ' +
     'light.',
+  rays: { shadow: 'to lights with a size' },
   neededBy(scene) {
     const lights = scene.lights.filter(({ light }) => light === 'sphere').length;
     if (scene.lights.length === 0) return notNeeded('there is no light');

@@ -1,4 +1,4 @@
-import type { EffectId } from '../../scene/effects/index.ts';
+import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { type PlannedEffect, planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { Cost, Ledger, RayKind, TraceSettings } from '../../tracer/types.ts';
@@ -31,7 +31,7 @@ export interface LedgerModel {
   readonly samples: number;
 }
 
-/** Number of rays of one kind, split by the effect that fired them. */
+/** Number of rays of one kind, and of the effects that fired some of them. */
 export interface KindRow {
   readonly kind: RayKind;
   readonly rays: number;
@@ -43,6 +43,7 @@ export const EMPTY_LEDGER: Ledger = {
   camera: NOTHING_SPENT,
   effects: {},
   kinds: { camera: 0, shadow: 0, reflected: 0, refracted: 0 },
+  fired: {},
   saved: 0,
   cut: 0,
 };
@@ -51,7 +52,7 @@ export const EMPTY_LEDGER: Ledger = {
 export function ledgerModel(
   scene: Scene,
   settings: TraceSettings,
-  { camera, effects, kinds, saved, cut }: Ledger,
+  { camera, effects, kinds, fired, saved, cut }: Ledger,
   pixels: Readonly<Partial<Record<EffectId, number>>>,
 ): LedgerModel {
   const plan = planEffects(scene, settings.forced);
@@ -83,7 +84,7 @@ export function ledgerModel(
     simulated: rows.filter(({ runs }) => runs),
     idle: rows.filter(({ runs }) => !runs),
     total,
-    kinds: kindRows(kinds, effects),
+    kinds: kindRows(kinds, fired),
     saved,
     cut,
     pixels: settings.width * settings.height,
@@ -91,25 +92,16 @@ export function ledgerModel(
   };
 }
 
-function kindRows(
-  kinds: Ledger['kinds'],
-  effects: Readonly<Partial<Record<EffectId, Cost>>>,
-): KindRow[] {
-  const firedBy = (id: EffectId): number => effects[id]?.rays ?? 0;
-  const parts: Readonly<Partial<Record<RayKind, KindRow['parts']>>> = {
-    shadow: [
-      { words: 'to lights without size', rays: firedBy('shadow') },
-      { words: 'to lights with a size', rays: firedBy('soft-shadow') },
-    ],
-    reflected: [
-      { words: 'by mirrors', rays: firedBy('reflection') },
-      {
-        words: 'by glass (Fresnel), under refraction',
-        rays: firedBy('refraction') - kinds.refracted,
-      },
-    ],
-  };
-  return RAY_KINDS.map((kind) => ({ kind, rays: kinds[kind], parts: parts[kind] ?? [] }));
+function kindRows(kinds: Ledger['kinds'], fired: Ledger['fired']): KindRow[] {
+  return RAY_KINDS.map((kind) => ({
+    kind,
+    rays: kinds[kind],
+    parts: EFFECTS.flatMap(({ id, title, rays }) => {
+      const count = fired[id]?.[kind];
+      const words: Readonly<Partial<Record<RayKind, string>>> = rays;
+      return count ? [{ words: words[kind] ?? `by ${title}`, rays: count }] : [];
+    }),
+  }));
 }
 
 const RAY_KINDS = ['camera', 'shadow', 'reflected', 'refracted'] as const;

@@ -105,6 +105,17 @@ describe.each(NUMBERS)('%s: %s', (_, label, state) => {
   });
 });
 
+test.each([-2, -1.7, 0])(
+  'rests at a boundary at %d, be it within its way or at an end',
+  (value) => {
+    const boundaries = [{ value, what: 'A = 0', isExact: true }];
+    const played = Array.from({ length: 60 }, (_, i) =>
+      valueAt({ home: -1, low: -2, high: 0, boundaries }, 100 * i),
+    );
+    expect(played.filter((one) => one === value).length).toBeGreaterThan(3);
+  },
+);
+
 test('r goes through tangency, and both ways of the hits meet there', () => {
   const state = stateOf('shape=cylinder&C=0,1,0&r=1.5&E=4,1,1&d=-1,0,0');
   const sweep = sweepOf(state, 'r');
