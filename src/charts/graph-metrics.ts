@@ -1,3 +1,4 @@
+import { sizeOf } from '../ui/zoom.ts';
 import type { Metrics } from './graph-frame.ts';
 
 /**
@@ -36,7 +37,7 @@ export function watchMetrics(host: HTMLElement, changed: () => void) {
 /** Null while the host is not shown. */
 function measured(host: HTMLElement, probe: HTMLElement): Metrics | null {
   const { clientWidth: width, clientHeight: height } = host;
-  const { width: em, height: tenMarks } = probe.getBoundingClientRect();
+  const { width: em, height: tenMarks } = sizeOf(probe);
   return width > 0 && height > 0 && em > 0 ? { width, height, em, mark: tenMarks / 10 } : null;
 }
 

@@ -1,4 +1,4 @@
-import { zoomOf } from './zoom.ts';
+import { sizeOf } from './zoom.ts';
 
 /** Style properties that are copied into an exported drawing, which has no style sheet. */
 const KEPT = [
@@ -48,13 +48,6 @@ function inline(from: Element, to: Element): void {
     const [a, b] = [from.children[i], to.children[i]];
     if (a && b) inline(a, b);
   }
-}
-
-/** In its own pixels, whatever the style sheet's zoom. */
-function sizeOf(source: SVGSVGElement): { width: number; height: number } {
-  const { width, height } = source.getBoundingClientRect();
-  const zoom = zoomOf(source);
-  return { width: width / zoom, height: height / zoom };
 }
 
 /** Pixels of the PNG per CSS pixel: 2, for print. */

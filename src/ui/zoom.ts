@@ -13,3 +13,10 @@ export function placeIn(
   const zoom = zoomOf(element);
   return { x: (clientX - left) / zoom, y: (clientY - top) / zoom };
 }
+
+/** The size of an element in its own CSS pixels, to a fraction of one. */
+export function sizeOf(element: Element): { width: number; height: number } {
+  const { width, height } = element.getBoundingClientRect();
+  const zoom = zoomOf(element);
+  return { width: width / zoom, height: height / zoom };
+}

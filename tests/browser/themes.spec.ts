@@ -61,6 +61,20 @@ test('on the projector all is on one screen of any size, no text on another one'
     const least = 16 * Math.min(width / 1024, height / 768);
     expect(Math.min(...sizes)).toBeGreaterThanOrEqual(least);
   }
+  // A plot of a page that is zoomed as a whole keeps its words within it.
+  await page.getByRole('link', { name: 'Accuracy' }).click();
+  await page.locator('.acc-hard .plot-svg text').first().waitFor();
+  const outside = await page.evaluate(() => {
+    const plot = document.querySelector('.acc-hard .plot-svg') as Element;
+    const { top, bottom } = plot.getBoundingClientRect();
+    return [...plot.querySelectorAll('text')]
+      .filter((text) => {
+        const box = text.getBoundingClientRect();
+        return box.top < top - 1 || box.bottom > bottom + 1;
+      })
+      .map((text) => text.textContent);
+  });
+  expect(outside).toEqual([]);
 });
 
 test('in full screen the controls withdraw, and what is left fills it', async ({ page }) => {
