@@ -31,7 +31,8 @@ export class CameraTransition {
   /** @param how 'travel' to a named view, 'follow' a drag, 'jump' if only the scene changed. */
   aim(goal: Pose, how: 'travel' | 'follow' | 'jump', now: number): void {
     const targetMoved = this.#shown && goal.target.some((x, i) => x !== this.#shown?.target[i]);
-    if (this.#shown && !prefersStill() && (how === 'travel' || (how === 'follow' && targetMoved))) {
+    const moves = how === 'travel' || (how === 'follow' && targetMoved);
+    if (this.#shown && moves && !prefersStill()) {
       // A drag during the move of the target goes on with it.
       if (!(how === 'follow' && this.#from && !this.#whole)) {
         this.#from = this.#shown;
