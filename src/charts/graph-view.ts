@@ -20,7 +20,7 @@ export interface Handlers {
 }
 
 const CONTAINED = 'f(t) = 0 for every t';
-const CONCEALED = 'f is hidden: put the mark where it is 0 first';
+const CONCEALED = 'f is hidden';
 const NOT_DRAWN = 'f leaves the range of numbers here and cannot be drawn';
 
 /** The whole graph: description, picture, bead, readout, and a note on what is not shown. */
