@@ -43,6 +43,7 @@ const store = createStore(decode(location.hash, INITIAL), watchGestures(document
 let closerLook: CloserLook | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
 let story: ExploreTools['story'] = null;
+let normalLine: ExploreTools['normalLine'] = null;
 let secondView: ExploreTools['secondView'] = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
@@ -149,7 +150,7 @@ function loadTheRest(): void {
   isLater = true;
   theRest().then(
     (code) => {
-      ({ closerLook, announcement, story } = code);
+      ({ closerLook, announcement, story, normalLine } = code);
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
@@ -217,6 +218,7 @@ function renderExplore(state: AppState): void {
   explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
     story,
+    normalLine,
     secondView,
     second: secondView?.on === true,
     playing: player?.playing === true,

@@ -63,6 +63,9 @@ export function figures(
   addRay();
   // The first hit is drawn last, above the others.
   for (const hit of [...model.hits].sort((a, b) => rank(a) - rank(b))) addHit(hit);
+  for (const { letter, index, at, direction, length } of model.arrows ?? []) {
+    addNormal(`${letter}${index}`, `${letter}${index}`, String(index), at, direction, length);
+  }
   const bead = model.bead?.drawn ? see(model.bead.point) : null;
   if (bead) all.marks.push({ key: 'bead', kind: 'bead', symbols: ['t'], spot: bead });
   return all;
@@ -146,18 +149,29 @@ export function figures(
     const place = units.toStage(hit.point);
     const angle = below(place && heading(place, model.ray.direction, projection));
     all.captions.push({ ...name, x: spot.x, y: spot.y, clear: (CLEAR[kind] + 4) * scale, angle });
-    if (hit.normal) addNormal(`N${n}`, `N${n}`, n, hit.point, hit.normal);
+    if (hit.normal) {
+      addNormal(`N${n}`, `N${n}`, n, hit.point, hit.normal, hit.normalLength ?? null);
+    }
   }
 
-  function addNormal(key: string, symbol: string, sub: string, at: Vec3, direction: Vec3): void {
+  /** `length` in world lengths; null for the one that shows a direction. */
+  function addNormal(
+    key: string,
+    symbol: string,
+    sub: string,
+    at: Vec3,
+    direction: Vec3,
+    length: number | null = null,
+  ): void {
     const place = units.toStage(at);
     const n = unit(direction);
     const from = place && projection.project(place);
-    const to = place && n && projection.project(along(place, n, NORMAL));
+    const long = length === null ? NORMAL : length / model.stage.radius;
+    const to = place && n && projection.project(along(place, n, long));
     if (!from || !to || !isInside(from, projection)) return;
     all.arrows.push({ key, symbols: [symbol], from, to });
     const angle = Math.atan2(to.y - from.y, to.x - from.x);
-    const letter = symbol.charAt(0);
+    const letter = symbol.replace(/\d/, '');
     all.captions.push({
       ...{ key, symbol, letter, sub, tone: 'normal' },
       ...{ x: to.x, y: to.y, clear: 6 * scale, angle },

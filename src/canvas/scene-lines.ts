@@ -8,12 +8,17 @@ import type { Projection } from './projection.ts';
 import { rayStrokes, shadowStrokes } from './ray.ts';
 import { silhouette } from './silhouette.ts';
 import { StageUnits } from './stage-units.ts';
-import type { Dash, Stroke } from './stroke.ts';
+import type { Stroke } from './stroke.ts';
 import { type Grid, tessellate } from './tessellation.ts';
 
 const SILHOUETTE = { ink: 'shape', width: 2, alpha: 0.95, dash: null } as const;
 const FIGURE = { width: 2.6, alpha: 1, dash: null } as const;
-const TRAIL = { width: 2.6, alpha: 0.8, dash: [2, 4] as Dash } as const;
+/** A trail of hits is dotted, a level surface has a thin rim. */
+const LOOKS: Readonly<Record<string, Pick<Stroke, 'width' | 'alpha' | 'dash'>>> = {
+  hit: { width: 2.6, alpha: 0.8, dash: [2, 4] },
+  level: { width: 1, alpha: 0.8, dash: null },
+  normal: { width: 1.4, alpha: 0.9, dash: null },
+};
 const LIT_SHAPE = 1.5;
 const LIT_RAY = 1.35;
 /** Symbols with which the shape's lines are highlighted, besides those of its own marks. */
@@ -21,7 +26,9 @@ const SHAPE_SYMBOLS = new Set(['V', 'C', 'P', 'N', 'c', 'r', 'a', 'L', 'axis']);
 
 /** The lines and walls of a model; cached while drawing and stage are the same objects. */
 export class SceneLines {
-  grids: readonly Grid[] = [];
+  #walls: readonly Grid[] = [];
+  #near: readonly Grid[] = [];
+  #levels: SceneModel['levels'];
   #drawing: Drawing | null = null;
   #stage: Stage | null = null;
   #units: StageUnits | null = null;
@@ -39,11 +46,21 @@ export class SceneLines {
     if (stageIsNew) this.#ground = ground(units);
     if (isNew) {
       this.version++;
-      this.grids = drawing.patches.map((patch) => tessellate(patch, units));
+      this.#walls = drawing.patches.map((patch) => tessellate(patch, units));
       this.#outline = outline(drawing, units);
+    }
+    if (stageIsNew || model.levels !== this.#levels) {
+      this.version++;
+      this.#near = (model.levels ?? []).map((patch) => tessellate(patch, units));
+      this.#levels = model.levels;
     }
     [this.#drawing, this.#stage, this.#units] = [drawing, stage, units];
     return units;
+  }
+
+  /** The walls of the shape, and level surfaces. */
+  get grids(): readonly Grid[] {
+    return [...this.#walls, ...this.#near];
   }
 
   strokes(model: SceneModel, projection: Projection, lit: string | null): Strokes {
@@ -53,7 +70,7 @@ export class SceneLines {
       (SHAPE_SYMBOLS.has(lit) || model.drawing.marks.some((mark) => mark.symbol === lit));
     const edge = SILHOUETTE.width * (shapeIsLit ? LIT_SHAPE : 1);
     const outlines = shapeIsLit ? this.#outline.map(thicker) : this.#outline;
-    const silhouettes = this.grids.flatMap((grid) =>
+    const silhouettes = this.#walls.flatMap((grid) =>
       silhouette(grid, projection, units).map((chain) => ({
         ...chain,
         ...SILHOUETTE,
@@ -75,8 +92,8 @@ function figureStrokes({ figures = [] }: SceneModel, units: StageUnits): Stroke[
     const placed = points.map((point) => units.toStage(point));
     if (placed.includes(null)) return [];
     const flat = Float64Array.from(placed.flatMap((point) => point ?? []));
-    const look = ink === 'hit' ? TRAIL : FIGURE;
-    return [{ points: flat, fade: null, closed, ink, ...look }];
+    const look = LOOKS[ink] ?? FIGURE;
+    return [{ points: flat, fade: null, closed, ink: ink === 'level' ? 'shape' : ink, ...look }];
   });
 }
 

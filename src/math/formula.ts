@@ -74,6 +74,7 @@ export {
   reproduces,
   type Written,
 } from './formula/recompute.ts';
+export { type Level, levelOf } from './level.ts';
 export { courseForm, type Form } from './methods/forms.ts';
 export { type Solver, STABLE_Q, STABLE_ROOTS, textbookSolver } from './methods/solvers.ts';
 export { valuesOf } from './methods/tree-method.ts';

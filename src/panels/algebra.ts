@@ -34,11 +34,20 @@ import {
 } from './typeset.ts';
 import { value } from './value.ts';
 import './algebra.css';
+import './normal-line.css';
+
+/** For the line of N, as long as its code is not loaded. */
+const ROOM = html`<div class="step normal-line"></div>`;
 
 /**
  * The surface's equation, each step in symbols and numbers with its value, the verdict, the hits.
+ * `normalLine` writes the line of N; null for room for it, left out for none.
  */
-export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult {
+export function algebra(
+  model: ExploreModel,
+  dispatch: Dispatch,
+  normalLine?: ((model: ExploreModel, dispatch: Dispatch) => TemplateResult) | null,
+): TemplateResult {
   const { derivation, title, shown, found, exactly, digits } = model;
   const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
   const note = shown.verdict && digits?.rangeNote(derivation, found, exactly);
@@ -55,6 +64,7 @@ export function algebra(model: ExploreModel, dispatch: Dispatch): TemplateResult
     </div>
     <div class="steps" role="group" aria-label="Lines">
       ${derivation.steps.map((step, i) => stepLine(step, model, i < shown.steps, dispatch))}
+      ${normalLine === undefined ? nothing : (normalLine?.(model, dispatch) ?? ROOM)}
       ${shown.conditions ? conditions(derivation, digits, whyCondition) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>

@@ -1,4 +1,4 @@
-import type { Drawing, Stage } from '../math/drawing.ts';
+import type { Drawing, Patch, Stage } from '../math/drawing.ts';
 import type { Vec3 } from '../math/index.ts';
 import type { Handle } from './handles.ts';
 import type { View } from './view.ts';
@@ -28,6 +28,8 @@ export interface HitMark {
   readonly point: Vec3;
   /** Null where the course's normal is exactly zero (a vertex), or for a point that is no hit. */
   readonly normal: Vec3 | null;
+  /** How long its arrow is, in world lengths; absent for the length that shows a direction. */
+  readonly normalLength?: number;
   /** False when the point lies outside the drawn part of the world. */
   readonly drawn: boolean;
 }
@@ -36,7 +38,17 @@ export interface HitMark {
 export interface FigureLine {
   readonly points: readonly Vec3[];
   readonly closed: boolean;
-  readonly ink: 'shape' | 'ink3' | 'hit';
+  readonly ink: 'shape' | 'ink3' | 'hit' | 'normal' | 'level';
+}
+
+/** An arrow at a hit, named 'n' or '−N' with the hit's index. */
+export interface NormalArrow {
+  readonly letter: string;
+  readonly index: number;
+  readonly at: Vec3;
+  readonly direction: Vec3;
+  /** In world lengths; null for the length that shows a direction. */
+  readonly length: number | null;
 }
 
 export interface GhostModel {
@@ -84,6 +96,10 @@ export interface SceneModel {
   readonly ghost: GhostModel | null;
   /** What a step of the derivation draws into the scene, and where the hits of a slider were. */
   readonly figures?: readonly FigureLine[];
+  /** Level surfaces near a hit: walls without an outline. */
+  readonly levels?: readonly Patch[];
+  /** Normals beside the course's: of another length, or the other way. */
+  readonly arrows?: readonly NormalArrow[];
   readonly bead: { readonly t: number; readonly point: Vec3; readonly drawn: boolean } | null;
   /** The bead is a prediction; absent and null where none was asked for. */
   readonly mark?: MarkModel | null;

@@ -1,8 +1,10 @@
 import { closestApproach } from '../math/formula.ts';
-import type { Vec3 } from '../math/index.ts';
+import type { Intersection, Vec3 } from '../math/index.ts';
 import type { ExploreModel, FullModel } from './derive.ts';
 import type { GraphModel } from './graph-model.ts';
-import type { FigureLine, SceneModel } from './scene-model.ts';
+import type { FigureLine, NormalArrow, SceneModel } from './scene-model.ts';
+import { normalFigure } from './walk-normal.ts';
+import { facingSign } from './walk-words.ts';
 
 /** Number of corners of the polygon that a circle is drawn as. */
 const CORNERS = 96;
@@ -35,8 +37,104 @@ export function graphAt(model: FullModel, step: string): GraphModel {
   return Number.isFinite(square.t) && Number.isFinite(square.f) ? { ...graph, square } : graph;
 }
 
-/** The scene, at a step about D with the closest approach of the line drawn in. */
-export function sceneAt(model: FullModel, step: string): SceneModel {
+/** Normals that can be shown beside the course's. */
+export interface NormalChoice {
+  /** That of length 1, with the course's in its own length. */
+  readonly unit: boolean;
+  /** The one that points against d, where the course's does not. */
+  readonly facing: boolean;
+}
+
+const NONE_BESIDE: NormalChoice = { unit: false, facing: false };
+
+/** The steps that are about N: the last one of a curved shape, and N·d of a flat one. */
+const ABOUT_N: ReadonlySet<string> = new Set(['normal', 't']);
+
+/**
+ * The scene with what a step of the derivation draws: the closest approach of the line where it is
+ * about D, level surfaces and normals where it is about N, the distance to a circle's centre.
+ */
+export function sceneAt(
+  model: FullModel,
+  step: string,
+  choice: NormalChoice = NONE_BESIDE,
+): SceneModel {
+  if (!model.shown.hits) return model.scene;
+  if (ABOUT_N.has(step)) return aboutN(model, choice);
+  return step === 'figure' ? aboutFigure(model) : aboutD(model, step);
+}
+
+const drawn = (scene: SceneModel, figures: readonly FigureLine[]): SceneModel => ({
+  ...scene,
+  figures: [...(scene.figures ?? []), ...figures],
+});
+
+/** The hit that the step about N speaks of: the first visible one, else the first one. */
+export function hitOfNormal({ hits, found }: FullModel | ExploreModel) {
+  const first = hits.findIndex(({ role }) => role === 'first');
+  const index = Math.max(first, 0);
+  const hit = found.hits[index];
+  return hit ? { hit, index } : null;
+}
+
+function aboutN(model: FullModel, { unit: isUnit, facing }: NormalChoice): SceneModel {
+  const { scene, shape, found, ray } = model;
+  const about = hitOfNormal(model);
+  const figure = about && normalFigure(shape, about.hit, scene.stage);
+  const near = scene.hits.filter(({ normal, drawn: isDrawn }) => normal && isDrawn);
+  const lengths = near.map(({ normal }) => Math.hypot(...(normal ?? [0, 0, 0])));
+  // In their proportions, where they would leave the picture or not be seen in it.
+  const shrunk = scaleFor([1, ...lengths], scene.stage.radius);
+  const long = (length: number): number | null => (isUnit ? length * shrunk : null);
+  const arrows = near.flatMap(({ index, point, normal }): NormalArrow[] => {
+    const n = normal ?? ([0, 0, 0] as Vec3);
+    const length = Math.hypot(...n);
+    const against = facing && facingOf(found, index - 1, n, ray.direction) > 0;
+    const back: Vec3 = [-n[0], -n[1], -n[2]];
+    const base = { index, at: point } as const;
+    return [
+      ...(isUnit ? [{ ...base, letter: 'n', direction: n, length: long(1) }] : []),
+      ...(against ? [{ ...base, letter: '−N', direction: back, length: long(length) }] : []),
+    ];
+  });
+  const hits = isUnit
+    ? scene.hits.map((hit) =>
+        hit.normal ? { ...hit, normalLength: shrunk * Math.hypot(...hit.normal) } : hit,
+      )
+    : scene.hits;
+  return { ...drawn(scene, figure?.lines ?? []), hits, arrows, levels: figure?.levels ?? [] };
+}
+
+/** Arrows that differ in length are at most so long, and at least, in radii of the stage. */
+const [LONGEST, SHORTEST] = [0.5, 0.06];
+
+function scaleFor(lengths: readonly number[], radius: number): number {
+  const [most, least] = [Math.max(...lengths), Math.min(...lengths)];
+  if (most > LONGEST * radius) return (LONGEST * radius) / most;
+  return least < SHORTEST * radius ? Math.min(SHORTEST / least, LONGEST / most) * radius : 1;
+}
+
+/** The sign of N·d: exactly where it is known, else of the doubles. */
+function facingOf(found: Intersection, i: number, n: Vec3, d: Vec3): number {
+  return facingSign(found, i) ?? n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+}
+
+/** From a circle's centre to where the line meets its plane: the distance that counts. */
+function aboutFigure(model: FullModel): SceneModel {
+  const { scene, found, derivation } = model;
+  const { details } = found;
+  if (details.family !== 'flat' || !details.plane) return scene;
+  const { point } = details.plane;
+  const figures = derivation.conditions.flatMap(({ relation: { left } }): FigureLine[] => {
+    if (left.op !== 'norm' || left.of.op !== 'difference' || left.of.right.op !== 'vector')
+      return [];
+    const center = derivation.numbers.vectors[left.of.right.id];
+    return center ? [{ points: [center, point], closed: false, ink: 'ink3' }] : [];
+  });
+  return drawn(scene, figures);
+}
+
+function aboutD(model: FullModel, step: string): SceneModel {
   const { scene } = model;
   const closest = isAboutD(model, step) ? closestApproach(model.shape, model.ray) : null;
   if (!closest) return scene;
@@ -52,7 +150,7 @@ export function sceneAt(model: FullModel, step: string): SceneModel {
     },
     { points: [foot, point], closed: false, ink: 'ink3' },
   ];
-  return { ...scene, figures: [...(scene.figures ?? []), ...figures] };
+  return drawn(scene, figures);
 }
 
 type Closest = NonNullable<ReturnType<typeof closestApproach>>;

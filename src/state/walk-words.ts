@@ -1,8 +1,9 @@
-import { closestApproach } from '../math/formula.ts';
-import { type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
+import { closestApproach, levelOf } from '../math/formula.ts';
+import { type Hit, type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
 import { definitionOf, type Naming, type Sign } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Side, sideKey } from './verdict-table.ts';
+import type { NormalFigure } from './walk-normal.ts';
 
 type Words = Readonly<Record<Side, string>>;
 
@@ -117,13 +118,50 @@ const FACING: Words = {
 };
 
 /**
- * Which side of a curved surface the line meets at hit `i` (from 0): N·d has the sign of f′ there,
- * which is known exactly from A, B and the order of the roots. Null if N is zero or the shape flat.
+ * The exact sign of N·d at hit `i` (from 0) of a curved shape: that of f′ there, by A, B and the
+ * order of the roots; of a flat shape that of f′ everywhere. Null if N is zero, or it is not known.
  */
-export function facingWords({ class: verdict, details, hits }: Intersection, i: number) {
-  if (details.family === 'flat' || !hits[i] || hits[i].singular) return null;
+export function facingSign({ class: verdict, details, hits }: Intersection, i: number) {
+  if (!hits[i] || hits[i].singular) return null;
+  if (details.family === 'flat') return details.signs.rate;
   const { A, B } = details.signs;
   const signs = { two: i === 0 ? -(A ?? 0) : A, tangent: 0, one: B } as const;
   const sign = verdict in signs ? signs[verdict as keyof typeof signs] : null;
-  return sign === null ? null : said('N·d', Math.sign(sign) as Sign, FACING);
+  return sign === null ? null : (Math.sign(sign) as Sign);
+}
+
+/** Which side of a curved surface the line meets at hit `i` (from 0). */
+export function facingWords(found: Intersection, i: number): string | null {
+  const sign = found.details.family === 'flat' ? null : facingSign(found, i);
+  return sign === null ? null : said('N·d', sign, FACING);
+}
+
+const AXIS_NAMES = ['x', 'y', 'z'] as const;
+
+/**
+ * What the figure of the step about N shows: from the hit to the level F = k along each axis; where
+ * N is zero, how F grows there.
+ */
+export function nudgeWords(shape: Shape, { point, singular }: Hit, figure: NormalFigure): string {
+  const k = display(figure.k);
+  if (singular) {
+    const { along } = levelOf(shape);
+    const parts = AXIS_NAMES.map((axis, i) => {
+      const { A } = along(point, [i === 0 ? 1 : 0, i === 1 ? 1 : 0, i === 2 ? 1 : 0]);
+      return `${squareTimes(A)} along ${axis}`;
+    });
+    return `Nudged by h from there F is ${parts.join(', ')}: no term in h, so N is zero`;
+  }
+  const steps = figure.nudges.flatMap((s, i) =>
+    s === null ? [] : [`${display(s, 3)} along ${AXIS_NAMES[i]}`],
+  );
+  const none = AXIS_NAMES.filter((_, i) => figure.nudges[i] === null);
+  const never = none.length > 0 ? `; along ${none.join(' and ')} not at all` : '';
+  return `Drawn: F = ±${k}. Nudged from there F is ${k} after ${steps.join(', ')}${never}`;
+}
+
+/** "h²", "−0.25h²", "0". */
+function squareTimes(A: number): string {
+  if (A === 0) return '0';
+  return Math.abs(A) === 1 ? `${A < 0 ? '−' : ''}h²` : `${display(A)}h²`;
 }

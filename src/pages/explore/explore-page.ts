@@ -2,6 +2,7 @@ import { html, render, type TemplateResult } from 'lit';
 import { algebra } from '../../panels/algebra.ts';
 import { compactControls, equations } from '../../panels/compact-controls.ts';
 import { controls } from '../../panels/controls.ts';
+import type { normalLine as NormalLine } from '../../panels/normal-line.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { type ExploreModel, isFull } from '../../state/derive.ts';
@@ -24,6 +25,8 @@ const KEPT_MEASURES = 200;
 export interface ExploreTools extends SceneBarTools {
   /** What the example asks; null before the gallery is there. */
   readonly story: typeof Story | null;
+  /** The line of N; null until it is loaded. */
+  readonly normalLine: typeof NormalLine | null;
   readonly secondView: SecondView | null;
   /** The projector shows one parameter at a time, as a phone does. */
   readonly large: boolean;
@@ -95,7 +98,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       if (walking) walk ??= lateWalk(walkArea, dispatch, changed);
       host.classList.toggle('walking', walking);
       walk?.render(model);
-      const card = algebra(model, dispatch);
+      const card = algebra(model, dispatch, tools.normalLine);
       render(panelContent(model, card, tools.large), panel);
       const isFirst = model.state.E.every((x, i) => x === INITIAL.E[i]);
       visit ??= isFirst;
@@ -132,7 +135,7 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
     ({ mountWalk }) => {
       // The walk also changes what scene and graph show.
       changed();
-      return mountWalk(host, dispatch, opener);
+      return mountWalk(host, dispatch, opener, changed);
     },
     { waiting: 'loading…', failed: 'This could not be loaded.' },
   );

@@ -25,9 +25,17 @@ import { conditions } from '../../panels/algebra.ts';
 import { formula } from '../../panels/formula.ts';
 import { typesetNumbers, typesetNumbersInPieces, typesetSymbols } from '../../panels/typeset.ts';
 import { value } from '../../panels/value.ts';
-import type { ExploreModel } from '../../state/derive.ts';
+import { type ExploreModel, isFull } from '../../state/derive.ts';
 import { putInSideBySide, resultsOf } from '../../state/put-in.ts';
-import { closestWords, facingWords, type SignedLine, signWords } from '../../state/walk-words.ts';
+import { hitOfNormal, type NormalChoice } from '../../state/walk-figures.ts';
+import { normalFigure } from '../../state/walk-normal.ts';
+import {
+  closestWords,
+  facingWords,
+  nudgeWords,
+  type SignedLine,
+  signWords,
+} from '../../state/walk-words.ts';
 import { displayTriple } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -36,17 +44,54 @@ export type Step = WalkStep;
 /** Most digits of a number in a line without a result. */
 const MOST = 15;
 
+/** What is drawn of N beside the step that is about it, and the normals that can be added. */
+function normalChoice(
+  { id }: Step,
+  model: ExploreModel,
+  { choice, choose }: NormalsShown,
+): TemplateResult | typeof nothing {
+  const about = model.shown.hits && (id === 'normal' || id === 't') ? hitOfNormal(model) : null;
+  if (!about || !isFull(model)) return nothing;
+  const { hit, index } = about;
+  const figure = normalFigure(model.shape, hit, model.scene.stage);
+  const toggle = (key: keyof NormalChoice, words: string): TemplateResult =>
+    html`<button type="button" class="walk-choice" aria-pressed=${choice[key]}
+      @click=${() => choose({ ...choice, [key]: !choice[key] })}>${words}</button>`;
+  return html`<div class="walk-normals">
+    ${
+      figure
+        ? html`<p class="walk-results walk-sign">P${subscript(index + 1)}: ${nudgeWords(
+            model.shape,
+            hit,
+            figure,
+          )}.</p>`
+        : nothing
+    }
+    <p class="walk-choices" role="group" aria-label="Normals shown beside the course's">
+      Show beside N: ${toggle('unit', 'n = N/|N|')} ${toggle('facing', '−N where N·d > 0')}
+    </p>
+  </div>`;
+}
+
+/** Which normals are shown beside the course's, and what shows others. */
+export interface NormalsShown {
+  readonly choice: NormalChoice;
+  choose(choice: NormalChoice): void;
+}
+
 /** One step, number `n`; the present one with all its layers. */
 export function stepOf(
   step: Step,
   n: number,
   isPresent: boolean,
   model: ExploreModel,
+  normals: NormalsShown | null = null,
 ): TemplateResult {
   return html`<li class=${isPresent ? 'walk-step present' : 'walk-step'} data-derivation-step=${n}>
     <div class="walk-name"><span class="walk-number">${n}</span> ${step.name}
       ${isPresent ? html`<p class="walk-why">${step.why}</p>` : nothing}</div>
-    <div class="walk-lines">${isPresent ? present(step, model) : short(step)}</div>
+    <div class="walk-lines">${isPresent ? present(step, model) : short(step)}
+      ${isPresent && normals ? normalChoice(step, model, normals) : nothing}</div>
   </li>`;
 }
 

@@ -8,10 +8,10 @@ import type { ExploreModel, FullModel } from '../../state/derive.ts';
 import type { GraphModel } from '../../state/graph-model.ts';
 import type { SceneModel } from '../../state/scene-model.ts';
 import { stepShown } from '../../state/state.ts';
-import { graphAt, isAboutF, sceneAt } from '../../state/walk-figures.ts';
+import { graphAt, isAboutF, type NormalChoice, sceneAt } from '../../state/walk-figures.ts';
 import { display, displayTriple } from '../../text/format.ts';
 import type { Mounted } from '../../ui/mounted.ts';
-import { type Step, stepOf } from './walk-steps.ts';
+import { type NormalsShown, type Step, stepOf } from './walk-steps.ts';
 import { lightTerms, placesOf, travel } from './walk-terms.ts';
 import '../../ui/dialog.css';
 import './walk.css';
@@ -41,8 +41,14 @@ export function mountWalk(
   host: HTMLElement,
   dispatch: Dispatch,
   opener: Element | null,
+  changed: () => void,
 ): MountedWalk {
   let back = opener;
+  let choice: NormalChoice = { unit: false, facing: false };
+  const choose = (next: NormalChoice): void => {
+    choice = next;
+    changed();
+  };
   /** The step that was drawn last; null while it is closed. */
   let drawn: number | null = null;
   let last = 0;
@@ -101,7 +107,7 @@ export function mountWalk(
       present = steps[at - 1]?.id ?? '';
       showGraph(isAboutF(model, present));
       const before = drawn !== null && drawn !== at ? placesOf(host) : null;
-      render(walk(model, steps, at, { go, close }), host);
+      render(walk(model, steps, at, { go, close, normals: { choice, choose } }), host);
       if (isNew) open();
       if (drawn !== at) {
         showPresent();
@@ -109,7 +115,7 @@ export function mountWalk(
       if (before) travel(host, before);
       drawn = at;
     },
-    scene: (model) => sceneAt(model, present),
+    scene: (model) => sceneAt(model, present, choice),
     graph: (model) => graphAt(model, present),
     dispose() {
       showGraph(false);
@@ -122,13 +128,14 @@ export function mountWalk(
 interface Going {
   go(to: number): void;
   close(): void;
+  readonly normals: NormalsShown;
 }
 
 function walk(
   model: ExploreModel,
   steps: readonly Step[],
   at: number,
-  { go, close }: Going,
+  { go, close, normals }: Going,
 ): TemplateResult {
   const step = steps[at - 1];
   const isCurved = model.found.details.family === 'curved';
@@ -142,7 +149,9 @@ function walk(
         title="Close (Esc)" @click=${close}>×</button>
     </header>
     <div class="walk-steps" tabindex="0" role="group" aria-label="Steps up to the present one">
-      <ol>${steps.slice(0, at).map((one, i) => stepOf(one, i + 1, i + 1 === at, model))}</ol>
+      <ol>${steps
+        .slice(0, at)
+        .map((one, i) => stepOf(one, i + 1, i + 1 === at, model, normals))}</ol>
     </div>
     <p class="visually-hidden" role="status">
       Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}

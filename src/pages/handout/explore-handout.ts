@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { algebra } from '../../panels/algebra.ts';
 import { formula, symbol } from '../../panels/formula.ts';
+import { normalLine } from '../../panels/normal-line.ts';
 import { rayHandles, shapeHandles } from '../../panels/params-of.ts';
 import { classOf } from '../../panels/symbols.ts';
 import { typesetRelation } from '../../panels/typeset.ts';
@@ -29,7 +30,7 @@ function exploreHandout(model: FullModel): Handout {
     content: html`<article class="handout-explore">
       ${linkHead(heading(model), encode(model.state))}
       ${sceneFrame('explore')}${graphOf(model, 'explore', GRAPH)}
-      ${given(model)}${algebra(model, untouched)}
+      ${given(model)}${algebra(model, untouched, normalLine)}
     </article>`,
     drawn: (root) => drawSeen(root, 'explore', model.scene, SCENE),
   };

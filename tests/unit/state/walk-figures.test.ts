@@ -40,7 +40,7 @@ test('nothing at other steps, of other surfaces, for A = 0, or while results are
     [CYLINDER, 'coefficients'],
     [`${CYLINDER}&hide=1`, 'complete'],
     [CYLINDER.replace('d=1,0,0', 'd=0,1,0'), 'complete'],
-    ['shape=plane', 't'],
+    ['shape=plane', 'expand'],
   ] as const;
   for (const [link, step] of cases) {
     const model = modelOf(link);

@@ -9,6 +9,7 @@ import { sceneBar } from '../../../../src/pages/explore/scene-bar.ts';
 import { stepOf } from '../../../../src/pages/explore/walk-steps.ts';
 import { galleryContent } from '../../../../src/pages/gallery.ts';
 import { algebra } from '../../../../src/panels/algebra.ts';
+import { normalLine } from '../../../../src/panels/normal-line.ts';
 import { announcement } from '../../../../src/state/announce.ts';
 import { ASKS } from '../../../../src/state/ask.ts';
 import { closerLook } from '../../../../src/state/closer-look.ts';
@@ -59,7 +60,7 @@ const TOOLS = { command: () => undefined, playing: false, second: false };
 function pageOf(model: ExploreModel): string {
   const walk = walkOf(model.shape, false);
   return [
-    algebra(model, nothing),
+    algebra(model, nothing, normalLine),
     sceneBar({ ...model, example: null }, TOOLS, false, null as unknown as HTMLElement),
     ...walk.map((step, i) => stepOf(step, i + 1, true, model)),
   ]
