@@ -20,7 +20,7 @@ export interface ProgramView {
   readonly report: Report | null;
   /** Its time divided by the textbook's; null if it was not measured. */
   readonly timing: Timing | null;
-  /** Why the time was not measured; '' if it was. */
+  /** Why the time was not measured; '' if it was, or if that needs no reason. */
   readonly untimed: string;
   readonly selected: Failure | null;
   /** Number of runs that have ended. */

@@ -9,9 +9,8 @@ import {
   msWords,
   percent,
 } from '../state/picture/ledger.ts';
-import type { Progress } from '../state/picture/progress.ts';
 import { shortest } from '../text/format.ts';
-import type { Cost } from '../tracer/types.ts';
+import type { Cost, Progress } from '../tracer/types.ts';
 import './picture-ledger.css';
 
 interface LedgerTools {

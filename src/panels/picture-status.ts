@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { grouped, msWords, percent } from '../state/picture/ledger.ts';
-import type { Progress } from '../state/picture/progress.ts';
+import type { Progress } from '../tracer/types.ts';
 import './picture-status.css';
 
 /** A progress bar while a picture is traced; then its time and the number of workers. */

@@ -112,6 +112,23 @@ export interface Ledger {
   readonly cut: number;
 }
 
+/** How much of a picture is traced. */
+export interface Progress {
+  readonly state: 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
+  /** Pixels that are done, of how many. */
+  readonly done: number;
+  readonly total: number;
+  /** Size in pixels of the blocks of the present pass; 1 for the last pass. */
+  readonly step: number;
+  /** ms since the start. */
+  readonly msSpent: number;
+  /** Estimated ms to the end; NaN before the first tile. */
+  readonly msLeft: number;
+  readonly workers: number;
+  /** Why it failed; '' otherwise. */
+  readonly message: string;
+}
+
 /** A ray of a ray tree, with its end and the rays it caused. */
 export interface RayNode {
   readonly kind: RayKind;

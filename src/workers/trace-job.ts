@@ -1,7 +1,7 @@
 import type { EffectId } from '../scene/effects/index.ts';
 import type { Scene } from '../scene/types.ts';
 import { addLedgers, EMPTY_LEDGER } from '../tracer/ledger.ts';
-import type { Ledger, RayTree, TraceSettings } from '../tracer/types.ts';
+import type { Ledger, Progress, RayTree, TraceSettings } from '../tracer/types.ts';
 import { type Frame, newFrame, paintTile } from './frame.ts';
 import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
 import { createTiles } from './tiles.ts';
@@ -35,28 +35,14 @@ interface TracePoolOptions {
 
 export const MOST_WORKERS = 8;
 
-type TraceState = 'loading' | 'tracing' | 'finished' | 'cancelled' | 'failed';
-
 /** For the views that show it. */
 export type { Frame } from './frame.ts';
 
-export interface TraceProgress {
-  readonly state: TraceState;
+export interface TraceProgress extends Progress {
   readonly frame: Frame;
   readonly ledger: Ledger;
-  /** Number of pixels that are done. */
-  readonly done: number;
-  readonly total: number;
-  /** Block size of the present pass in px; 1 for the last. */
-  readonly step: number;
-  /** ms since the start, and an estimate of the ms that are left (NaN before the first tile). */
-  readonly msSpent: number;
-  readonly msLeft: number;
-  readonly workers: number;
   /** Effects whose bodies the workers have loaded. */
   readonly effects: readonly EffectId[];
-  /** Why it failed; '' otherwise. */
-  readonly message: string;
 }
 
 export interface TraceJob {
@@ -106,7 +92,7 @@ interface Run {
   ledger: Ledger;
   done: number;
   effects: readonly EffectId[];
-  state: TraceState;
+  state: Progress['state'];
   message: string;
   readonly questions: Question[];
 }
@@ -222,7 +208,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
     question?.answer(tree);
   }
 
-  function end(state: TraceState, message: string): void {
+  function end(state: Progress['state'], message: string): void {
     if (!run) return;
     for (const { refuse } of run.questions.splice(0)) refuse(new Error(message || 'cancelled'));
     if (!runs(run)) return;

@@ -2,7 +2,6 @@ import type { Case } from '../../check/program/cases.ts';
 import { casesFor } from '../../check/program/cases.ts';
 import { casesCsv, casesJson } from '../../check/program/exchange.ts';
 import type { Output } from '../../check/program/judge.ts';
-import type { ConsoleLine, Timing } from '../../check/program/protocol.ts';
 import { type Failure, type Report, reportOf } from '../../check/program/report.ts';
 import { readResults } from '../../check/program/results.ts';
 import { adviceFor, asScript, tooLong } from '../../check/program/script.ts';
@@ -10,6 +9,7 @@ import { textbookFor } from '../../check/program/template.ts';
 import { setOf } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
+import type { ProgramView } from '../../panels/check-program-view.ts';
 import { runInSandbox } from './sandbox.ts';
 
 /** Seed of the cases; always the same, so that reports can be compared. */
@@ -30,20 +30,18 @@ const MOST_NOTES = 3;
 const MOST_LINES = 101;
 
 /** The state of a run with its results so far. */
-interface RunState {
-  readonly running: { readonly done: number; readonly total: number } | null;
-  readonly trouble: string;
-  readonly notes: readonly string[];
-  /** What the program wrote on its console. */
-  readonly lines: readonly ConsoleLine[];
-  readonly report: Report | null;
-  readonly timing: Timing | null;
-  /** Why there is no timing; '' if there is, or if it needs no reason. */
-  readonly untimed: string;
-  readonly selected: Failure | null;
-  /** Number of runs that have ended, for tests and for the report. */
-  readonly finished: number;
-}
+type RunState = Pick<
+  ProgramView,
+  | 'running'
+  | 'trouble'
+  | 'notes'
+  | 'lines'
+  | 'report'
+  | 'timing'
+  | 'untimed'
+  | 'selected'
+  | 'finished'
+>;
 
 const NOTHING: RunState = {
   running: null,
