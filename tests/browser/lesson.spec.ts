@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { Step } from '../../src/lesson/lesson.ts';
 import { type Prose, quantitiesIn } from '../../src/lesson/prose.ts';
+import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
 import { violations, violationsInThemes } from './support/axe.ts';
 import { extent } from './support/layout.ts';
@@ -253,6 +254,20 @@ link: #/picture?scene=plain&size=64x36
 It takes {total.rays} rays.
 `;
 
+const ASKING = `---
+title: Asking
+---
+
+## an example
+
+example: cone-tangent
+
+## a prediction
+
+example: cone-tangent
+guess: sign
+`;
+
 /** Lets a file fall onto the page. */
 async function drop(page: Page, name: string, text: string): Promise<void> {
   await page.evaluate(
@@ -301,6 +316,18 @@ test('an own lesson by file, drop and link: order, hidden results, notes', async
   await drop(page, 'mine.txt', OWN);
   await stepShown(page, 1);
   await expect(page.getByRole('heading', { level: 2, name: 'a state' })).toBeVisible();
+  // An example asks and answers; what Explore asks is answered by a choice.
+  const [one] = GALLERY.filter(({ id }) => id === 'cone-tangent');
+  await drop(page, 'other.md', ASKING);
+  await expect(column(page)).toContainText(one?.asks ?? '-');
+  await expect(column(page)).not.toContainText(one?.answer ?? '-');
+  await page.getByRole('button', { name: 'show the answer' }).click();
+  await expect(column(page)).toContainText(one?.answer ?? '-');
+  await page.keyboard.press('PageDown');
+  await stepShown(page, 2);
+  await question(page).getByLabel('D < 0').check();
+  await page.getByRole('button', { name: 'That is my guess' }).click();
+  await expect(column(page)).toContainText('Your guess, D < 0: not so. D = 0.');
 });
 
 test('a step is changed where it stands, and the present state becomes the next one', async ({
