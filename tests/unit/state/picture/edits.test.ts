@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { SHAPES } from '../../../../src/math/index.ts';
 import { definitionOf } from '../../../../src/math/shapes/lookup.ts';
+import { definitionOf } from '../../../../src/math/shapes.ts';
 import { addLight, addThing } from '../../../../src/scene/edit.ts';
 import { sceneFromJson, sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
@@ -97,13 +98,15 @@ describe('a thing', () => {
     expect(cut.capped).toBe(true);
   });
 
-  test('only round shapes have ends to close', () => {
-    const capped = SHAPES.map(({ kind }) =>
-      newThing((PRESETS[0] as (typeof PRESETS)[number]).scene, kind),
-    )
-      .filter(({ shape }) => canBeCapped(shape))
-      .map(({ shape }) => shape.kind);
-    expect(capped).toEqual(['cylinder', 'cone', 'hyperboloid', 'sphere', 'paraboloid']);
+  test('round shapes have ends to close, flat ones have none', () => {
+    const [{ scene }] = PRESETS as readonly [(typeof PRESETS)[number]];
+    const capped = SHAPES.filter(({ kind }) => canBeCapped(newThing(scene, kind).shape));
+    expect(capped.map(({ kind }) => kind)).toEqual(expect.arrayContaining(['cylinder', 'cone']));
+    const families = capped.map(({ kind }) => {
+      const { shape } = newThing(scene, kind);
+      return definitionOf(shape).formula(shape).family;
+    });
+    expect(new Set(families)).toEqual(new Set(['curved']));
   });
 
   test('keeps its colours from pattern to pattern', () => {
