@@ -4,11 +4,14 @@ import { overlap } from '../../../src/canvas/labels.ts';
 import { layOut } from '../../../src/canvas/overlay.ts';
 import { Projection } from '../../../src/canvas/projection.ts';
 import { SceneLines } from '../../../src/canvas/scene-lines.ts';
+import { walkOf } from '../../../src/math/formula.ts';
+import { SHAPES } from '../../../src/math/index.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import type { SceneModel } from '../../../src/state/scene-model.ts';
 import { decode } from '../../../src/state/url.ts';
+import { sceneAt } from '../../../src/state/walk-figures.ts';
 
 /**
  * The scene's frame in windows of 1280 × 720, 1024 × 768 and 390 × 844 beside an example's
@@ -34,6 +37,49 @@ function laidOut(model: SceneModel, { width, height, scale, label }: (typeof FRA
   return { ...laid, units, projection };
 }
 
+/** Beside the derivation the scene is narrower. */
+const WALK_FRAMES = [
+  { window: '1280 × 720', width: 404, height: 314, scale: 1, label: 23 },
+  { window: '390 × 844', width: 390, height: 242, scale: 0.84, label: 19 },
+  { window: '1280 × 720, projector', width: 404, height: 308, scale: 1.34, label: 31 },
+];
+
+const labelsOf = (one: ReturnType<typeof laidOut>) =>
+  [
+    ...one.captions.map(({ key }, i) => ({ key, box: one.captionBoxes[i] })),
+    ...one.pointers.map(({ key }, i) => ({ key: `${key} →`, box: one.pointerBoxes[i] })),
+    ...one.ticks.numbers.map(({ label, box }) => ({ key: label, box })),
+  ].flatMap(({ key, box }) => (box ? [{ key, box }] : []));
+
+/** Names of labels that lie on each other. */
+const metIn = (labels: ReturnType<typeof labelsOf>): string[] =>
+  labels.flatMap((a, i) =>
+    labels
+      .slice(i + 1)
+      .filter((b) => overlap(a.box, b.box) > 0)
+      .map((b) => `${a.key} on ${b.key}`),
+  );
+
+describe.each(WALK_FRAMES)('the derivation, $window', (frame) => {
+  const derive = createDerive(() => closerLook);
+  const links = SHAPES.flatMap(({ kind }) =>
+    ['', '&hide=1'].map((more) => `#/explore?shape=${kind}${more}`),
+  );
+
+  test.each(links)('%s: no label lies on another at any step', (link) => {
+    const model = derive(decode(link));
+    const beside = [false, true].map((on) => ({ unit: on, facing: on }));
+    const met = walkOf(model.shape, false).flatMap(({ id }) =>
+      beside.flatMap((choice) =>
+        metIn(labelsOf(laidOut(sceneAt(model, id, choice), frame))).map(
+          (words) => `${id}: ${words}`,
+        ),
+      ),
+    );
+    expect(met).toEqual([]);
+  });
+});
+
 describe.each(FRAMES)('$window', (frame) => {
   const derive = createDerive(() => closerLook);
   const all = GALLERY.map((entry) => {
@@ -44,18 +90,8 @@ describe.each(FRAMES)('$window', (frame) => {
   test.each(all.map((one) => [one.entry.id, one] as const))(
     '%s: no label lies on another',
     (_, one) => {
-      const labels = [
-        ...one.captions.map(({ key }, i) => ({ key, box: one.captionBoxes[i] })),
-        ...one.pointers.map(({ key }, i) => ({ key: `${key} →`, box: one.pointerBoxes[i] })),
-        ...one.ticks.numbers.map(({ label, box }) => ({ key: label, box })),
-      ].flatMap(({ key, box }) => (box ? [{ key, box }] : []));
-      const met = labels.flatMap((a, i) =>
-        labels
-          .slice(i + 1)
-          .filter((b) => overlap(a.box, b.box) > 0)
-          .map((b) => `${a.key} on ${b.key}`),
-      );
-      expect(met).toEqual([]);
+      const labels = labelsOf(one);
+      expect(metIn(labels)).toEqual([]);
       const out = labels.filter(
         ({ box: { x, y, w, h } }) =>
           x < w / 2 || y < h / 2 || x > frame.width - w / 2 || y > frame.height - h / 2,
