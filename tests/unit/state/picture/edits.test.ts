@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
 import { SHAPES } from '../../../../src/math/index.ts';
-import { definitionOf } from '../../../../src/math/shapes/lookup.ts';
 import { definitionOf } from '../../../../src/math/shapes.ts';
 import { addLight, addThing } from '../../../../src/scene/edit.ts';
 import { sceneFromJson, sceneToJson } from '../../../../src/scene/json.ts';
