@@ -318,7 +318,7 @@ test('an own lesson by file, drop and link: order, hidden results, notes', async
   await expect(page.getByRole('heading', { level: 2, name: 'a state' })).toBeVisible();
   // An example asks and answers; what Explore asks is answered by a choice.
   const [one] = GALLERY.filter(({ id }) => id === 'cone-tangent');
-  await drop(page, 'other.md', ASKING);
+  await drop(page, 'other.txt', ASKING);
   await expect(column(page)).toContainText(one?.asks ?? '-');
   await expect(column(page)).not.toContainText(one?.answer ?? '-');
   await page.getByRole('button', { name: 'show the answer' }).click();
