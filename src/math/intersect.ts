@@ -1,22 +1,14 @@
 import { ended } from './ended.ts';
 import { checkedRay } from './given-ray.ts';
 import type { Coefficients, Intersection } from './intersection.ts';
-import { InvalidInput, quote, requireFields } from './invalid-input.ts';
+import { requireFields } from './invalid-input.ts';
 import { withoutStart } from './leave.ts';
-import type { Method } from './methods/define.ts';
-import { METHODS } from './methods/index.ts';
 import type { Ray } from './ray.ts';
 import { type Cut, checkedSolid } from './shapes/checked.ts';
 import type { Shape, Solid } from './shapes/index.ts';
 import { checkedShape, definitionOf } from './shapes/lookup.ts';
 import type { Given } from './vec3.ts';
-
-/**
- * What `intersect` and the page use unless told otherwise: the class of exact arithmetic, and each
- * root one of the two doubles around it, at a price that a picture can pay. The page still compares
- * every class that it shows with the exact method's.
- */
-export const DEFAULT_METHOD = 'certified';
+import { DEFAULT_METHOD, methodOf } from './whole.ts';
 
 interface IntersectOptions {
   /**
@@ -112,26 +104,4 @@ export function coefficients(
 ): Coefficients {
   const chosen = methodOf(method);
   return chosen.coefficients(checkedShape(shape), checkedRay(ray));
-}
-
-/**
- * The method with this `id`, or undefined.
- *
- * @param id any text.
- * @example
- * findMethod('certified')?.title; // → 'certified'
- * findMethod('newton'); // → undefined
- */
-export function findMethod(id: string): Method | undefined {
-  return BY_ID.get(id);
-}
-
-const BY_ID: ReadonlyMap<string, Method> = /* @__PURE__ */ new Map(
-  METHODS.map((method) => [method.id, method]),
-);
-
-function methodOf(id: string): Method {
-  const found = findMethod(id);
-  if (!found) throw new InvalidInput(`unknown method ${quote(id)}`);
-  return found;
 }

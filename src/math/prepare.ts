@@ -1,5 +1,4 @@
 import { endingBy, isFaithful } from './ended.ts';
-import { DEFAULT_METHOD, findMethod } from './intersect.ts';
 import { InvalidInput, quote } from './invalid-input.ts';
 import type { Method } from './methods/define.ts';
 import { anySurface } from './prepare/flat.ts';
@@ -15,6 +14,7 @@ import {
 import type { ShapeDefinition } from './shapes/define.ts';
 import { SHAPES, type Shape, type Solid } from './shapes/index.ts';
 import type { Given } from './vec3.ts';
+import { DEFAULT_METHOD, findMethod } from './whole.ts';
 
 /** What `prepare` takes beside a shape. */
 export interface PrepareAnyOptions extends PrepareOptions<Shape> {

@@ -1,6 +1,6 @@
 import { type Derivation, derivation } from '../math/formula.ts';
-import { type Intersection, intersect, type Ray, type Shape, type Verdict } from '../math/index.ts';
-import { definitionOf } from '../math/shapes.ts';
+import type { Intersection, Ray, Shape, Verdict } from '../math/index.ts';
+import { definitionOf, intersectWhole } from '../math/shapes.ts';
 import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
 import { type Exactly, exactlyOf } from './exactly.ts';
@@ -68,7 +68,9 @@ export function createDerive(
   const ray = remember((E: AppState['E'], d: AppState['d'], unit: boolean) =>
     rayOf({ E, d, unit } as AppState),
   );
-  const solve = remember((shape: Shape, r: Ray, method: string) => intersect(shape, r, method));
+  const solve = remember((shape: Shape, r: Ray, method: string) =>
+    intersectWhole(shape, r, method),
+  );
   const check = remember(exactlyOf);
   const typed = remember(
     (
@@ -134,7 +136,7 @@ export function createDerive(
 
 /** What of a ghost is compared: the values of its derivation by id, and its roots. */
 function keptOf({ shape, ray }: Ghost) {
-  const found = intersect(shape, ray);
+  const found = intersectWhole(shape, ray);
   const values = derivation(shape, ray, found).steps.map(({ id, value }) => [id, value]);
   const roots = found.hits.map(({ t }, i) => [`t${i + 1}`, t]);
   return {

@@ -1,7 +1,7 @@
 import type { Surd } from '../math/exact.ts';
 import { DISCRIMINANT, evaluate, exact, valuesOf, withScalars } from '../math/formula.ts';
-import { type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
-import { definitionOf } from '../math/shapes.ts';
+import type { Intersection, Ray, Shape } from '../math/index.ts';
+import { definitionOf, intersectWhole } from '../math/shapes.ts';
 
 /** What exact arithmetic says of a ray and a shape. */
 export interface Exactly {
@@ -13,7 +13,7 @@ export interface Exactly {
 export function exactlyOf(shape: Shape, ray: Ray): Exactly {
   const formula = definitionOf(shape).formula(shape);
   const values = valuesOf(shape, ray, exact);
-  const found = intersect(shape, ray, 'exact');
+  const found = intersectWhole(shape, ray, 'exact');
   if (formula.family === 'flat') {
     const quantities = {
       'N.(E-P)': evaluate(formula.offset, exact, values),

@@ -1,6 +1,6 @@
 import { intersect, SHAPES } from '../../src/math/index.ts';
-import { DEFAULT_METHOD } from '../../src/math/intersect.ts';
 import { unitVector } from '../../src/math/unit.ts';
+import { DEFAULT_METHOD } from '../../src/math/whole.ts';
 import { cone } from '../unit/math/shorthand.ts';
 import { CASES } from './support/cases.ts';
 import { expected, expectedBead, linkOf } from './support/expected.ts';
