@@ -14,7 +14,8 @@ test('no chunk imports the entry of a worker: WebKit would evaluate it twice', (
   const files = readdirSync(FILES).filter((name) => name.endsWith('.js'));
   const text = (name: string): string => readFileSync(`${FILES}/${name}`, 'utf8');
   const entries = files.flatMap((name) =>
-    [...text(name).matchAll(/new Worker\(new URL\(["'`]([^"'`]+)["'`]/g)].map(
+    // A script that is named by its address is started as a worker.
+    [...text(name).matchAll(/new URL\(["'`]([^"'`]+\.js)["'`],import\.meta\.url\)/g)].map(
       ([, url]) => url ?? '',
     ),
   );
