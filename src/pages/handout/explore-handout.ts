@@ -11,8 +11,8 @@ import { display } from '../../text/format.ts';
 import { drawSeen, graphOf, linkHead, sceneFrame } from './parts.ts';
 import { type Handout, printsAs } from './print.ts';
 
-const SCENE = { width: 680, height: 260 };
-const GRAPH = { width: 680, height: 116 };
+const SCENE = { width: 680, height: 226 };
+const GRAPH = { width: 680, height: 110 };
 
 const untouched = (): void => {};
 
