@@ -57,9 +57,11 @@ const isPart = store.get().embed !== null;
 const isFramed = window.parent !== window;
 let host: ReturnType<typeof import('./pages/embed/frame.ts').watchHost> | null = null;
 const modelNow = (): ExploreModel => derive(store.get());
-/** The model that Explore shows. */
+/** What Explore shows, and the model whose news were announced last. */
 let model: ExploreModel | null = null;
+let heard: ExploreModel | null = null;
 let said = '';
+let shownPage = '';
 
 const tools: PageActions = {
   copyLink: async () => {
@@ -69,7 +71,10 @@ const tools: PageActions = {
   },
   save: () =>
     withFiles(({ toFile }) =>
-      withDisk(({ download }) => download('graze.json', toFile(store.get()), 'application/json')),
+      withDisk(({ download }) => {
+        download('graze.json', toFile(store.get()), 'application/json');
+        say('saved: graze.json');
+      }),
     ),
   openFile: () =>
     withDisk(({ pickFile }) => pickFile('.json,application/json,.md,text/markdown').then(openText)),
@@ -80,7 +85,10 @@ const tools: PageActions = {
     const done = document.fullscreenElement
       ? document.exitFullscreen()
       : document.documentElement.requestFullscreen();
-    done.catch(() => say('this browser does not allow full screen here'));
+    done.then(
+      () => say(document.fullscreenElement ? 'full screen' : 'no full screen any more'),
+      () => say('this browser does not allow full screen here'),
+    );
   },
   black() {
     player?.stop();
@@ -93,10 +101,15 @@ const tools: PageActions = {
   },
   // Not while results are hidden: the bead pauses at each root.
   play: () => {
-    if (!modelNow().shown.hits) return;
+    if (!modelNow().shown.hits) {
+      say('not while results are hidden: it would tell them');
+      return;
+    }
     theRest().then(() => {
       const now = modelNow();
-      if (isFull(now)) player?.toggle(now.graph);
+      if (!isFull(now) || !player) return;
+      player.toggle(now.graph);
+      announce(player.playing ? 'The bead plays.' : 'The bead has stopped.', 'deed');
     }, sayNotLoaded);
   },
   second: () => secondView?.toggle(),
@@ -117,7 +130,21 @@ const tools: PageActions = {
     return revealed === null && exampleOf(store.get())?.changed === false ? told : null;
   },
 };
-const commands = commandsOf(store, tools);
+const commands = commandsOf(store, tools).map((command) => ({
+  ...command,
+  run() {
+    const before = store.get();
+    command.run();
+    const after = store.get();
+    late(() => import('./pages/command-words.ts')).then(
+      ({ commandWords }) => {
+        const words = commandWords(command.id, before, after);
+        if (words) announce(words, 'deed');
+      },
+      () => {},
+    );
+  },
+}));
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
 const dialogParts: DialogParts = {
   commands,
@@ -157,7 +184,7 @@ function loadTheRest(): void {
       motion = code.createMotion(main, requestRender, store.dispatch, announce);
       code.printsOnPaper(() => (store.get().page === 'explore' ? modelNow() : null));
       // With the gallery loaded, the link's example is known: this is not announced as a change.
-      model = null;
+      heard = null;
       requestRender();
     },
     () => {
@@ -199,7 +226,7 @@ const pages = createPageSwitcher(main, {
   explore: {
     mount(host) {
       if (isPart) embedded = lateEmbed(host, store.dispatch);
-      else explore = mountExplore(host, store.dispatch, requestRender);
+      else explore = mountExplore(host, store.dispatch, requestRender, announce);
     },
     render: renderExplore,
   },
@@ -209,11 +236,9 @@ const pages = createPageSwitcher(main, {
 function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
+  heard ??= model;
   loadTheRest();
-  if (before !== null && before !== model && !player?.playing) {
-    const words = announcement?.(before, model);
-    if (words) announce(words);
-  }
+  if (before !== model && !player?.playing) announce(tellNews);
   embedded?.render(model);
   explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
@@ -226,11 +251,19 @@ function renderExplore(state: AppState): void {
   });
 }
 
+function tellNews(): string {
+  const before = heard;
+  heard = model;
+  return (before && model && announcement?.(before, model)) ?? '';
+}
+
 function renderAll(): void {
   const state = store.get();
   theme.ask(state.theme);
   if (state.page !== 'explore' || !derive(state).shown.hits) player?.stop();
   const title = PAGES.find(({ id }) => id === state.page)?.title;
+  if (shownPage && state.page !== shownPage) announce(`${title}.`, 'page');
+  shownPage = state.page;
   document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
   if (!isPart) drawHeader(state);
   pages.show(state);
@@ -315,6 +348,7 @@ function readShown(): void {
 let saidTimer = 0;
 function say(words: string): void {
   said = words;
+  announce(`${words}.`, 'deed');
   clearTimeout(saidTimer);
   saidTimer = window.setTimeout(() => {
     said = '';
@@ -389,11 +423,6 @@ late(() => import('./ui/highlight.ts')).then(
   ({ watchHighlight }) => watchHighlight(app),
   () => {},
 );
-// If this cannot be loaded, every control is a Tab stop of its own.
-late(() => import('./ui/tab-stops.ts')).then(
-  ({ watchTabStops }) => watchTabStops(main),
-  () => {},
-);
 if (isFramed) {
   late(() => import('./pages/embed/frame.ts')).then(
     ({ watchHost }) => {
@@ -414,3 +443,8 @@ withDisk(({ watchDrops, onTooLarge }) => {
   watchDrops(document.body, openText);
   onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
 });
+// Without it every control is a stop of its own.
+late(() => import('./ui/tab-stops.ts')).then(
+  ({ watchTabStops }) => watchTabStops(main),
+  () => {},
+);

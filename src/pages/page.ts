@@ -1,5 +1,6 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { AppState, Settings } from '../state/state.ts';
+import type { Announce } from '../ui/announcer.ts';
 import type { ExportItem } from './export-dialog.ts';
 
 /**
@@ -19,7 +20,7 @@ export interface PageContext {
   /** Words beside the header's buttons for a moment: what was just done. */
   readonly say: (words: string) => void;
   /** Words for screen readers, after a pause: the value first, the consequence second. */
-  readonly announce: (words: string) => void;
+  readonly announce: Announce;
 }
 
 export interface PageView {

@@ -37,7 +37,7 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
         )}
       </nav>
       <div class="tools" role="group" aria-label="Tools">
-        <span class="said" role="status">${tools.said}</span>
+        <span class="said">${tools.said}</span>
         ${tool(tools, 'undo', 'Undo', !tools.canUndo)} ${tool(
           tools,
           'redo',

@@ -3,19 +3,22 @@ import { rootTexts } from '../text/apart.ts';
 import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
+import { spokenName } from '../text/spoken.ts';
 import type { ExploreModel } from './derive.ts';
 import { paramValue } from './state.ts';
+import { NAMED_VIEWS } from './view.ts';
 
 /**
  * What a listener should hear of a change: the value first, the consequence second. "r 1.2. The ray
  * is now tangent: one double root, the ray touches, t₁ 3.46." Empty if nothing audible changed.
  */
 export function announcement(before: ExploreModel, after: ExploreModel): string {
-  const value = newExample(before, after) || changedValue(before, after);
-  const news = after.state.revealed === null ? consequence(before, after) : '';
+  const value = newExample(before, after) || changedValues(before, after);
+  const news = after.state.revealed === null ? consequence(before, after) : revealed(before, after);
   const told = after.state.told && !before.state.told ? (after.example?.entry.answer ?? '') : '';
   const left = leavesExample(before, after) ? 'The example is changed.' : '';
-  return [value, news, told, left].filter(Boolean).join(' ');
+  const seen = value ? '' : viewed(before, after);
+  return [value, seen, news, told, left].filter(Boolean).join(' ');
 }
 
 /**
@@ -33,20 +36,60 @@ function newExample({ example: old }: ExploreModel, { example, state }: ExploreM
 const leavesExample = (before: ExploreModel, after: ExploreModel): boolean =>
   before.example?.changed === false && after.example?.changed === true;
 
-function changedValue(before: ExploreModel, after: ExploreModel): string {
+/** "E (3, 1, 1). r 1.2.": all that has got another value. */
+function changedValues(before: ExploreModel, after: ExploreModel): string {
   const { state: a, shape: old } = before;
   const { state: b, shape, title } = after;
-  if (a.kind !== b.kind) return `${title}.`;
-  if (a.E !== b.E) return `E ${displayTriple(b.E)}.`;
-  if (a.d !== b.d || a.unit !== b.unit) return `d ${displayTriple(after.ray.direction)}.`;
-  if (a.method !== b.method) return `Computed by ${b.method}.`;
-  const param = findShape(shape.kind)?.params.find(
-    ({ key }) => paramValue(shape, key) !== paramValue(old, key),
+  const isOther = a.kind !== b.kind;
+  const params = (findShape(shape.kind)?.params ?? []).filter(
+    ({ key }) => !isOther && paramValue(shape, key) !== paramValue(old, key),
   );
-  if (!param) return '';
-  const value = spoken(paramValue(shape, param.key));
-  return `${param.symbol} ${value}${title === before.title ? '' : `: ${named(title)}`}.`;
+  const becomes = title === before.title ? '' : `: ${named(title)}`;
+  return [
+    isOther ? `${title}.` : '',
+    a.E === b.E ? '' : `E ${displayTriple(b.E)}.`,
+    a.d === b.d && a.unit === b.unit ? '' : `d ${displayTriple(after.ray.direction)}.`,
+    a.method === b.method ? '' : `Computed by ${b.method}.`,
+    ...params.map(({ key, symbol }, i) => {
+      const isLast = i === params.length - 1;
+      return `${symbol} ${spoken(paramValue(shape, key))}${isLast ? becomes : ''}.`;
+    }),
+  ]
+    .filter(Boolean)
+    .join(' ');
 }
+
+/** Where the scene is looked at from, when that is all that has changed. */
+function viewed({ state: { view: old } }: ExploreModel, { state: { view } }: ExploreModel): string {
+  if (view === old) return '';
+  if (typeof view === 'string') {
+    return `View: ${NAMED_VIEWS.find(({ id }) => id === view)?.title}.`;
+  }
+  const { azimuth, elevation, zoom } = view;
+  const near = zoom === null ? '' : `, zoom ${display(zoom)}`;
+  return `View: ${display(azimuth)}° round, ${display(elevation)}° up${near}.`;
+}
+
+/** The lines that were shown one by one, while others are still hidden. */
+function revealed({ shown: before }: ExploreModel, after: ExploreModel): string {
+  const { shown, derivation, verdict } = after;
+  const steps = derivation.steps.slice(before.steps, Math.max(before.steps, shown.steps));
+  return [
+    ...steps.map(({ id, value }) =>
+      value === null ? 'The line of t.' : `${spokenName(id)} ${display(value)}.`,
+    ),
+    ...(shown.conditions && !before.conditions
+      ? derivation.conditions.map(({ holds }, i) => `Condition ${i + 1} ${holdsWords(holds)}.`)
+      : []),
+    shown.verdict && !before.verdict ? `${verdict.text}.` : '',
+    shown.hits && !before.hits ? `${hitsSpoken(after)}.` : '',
+  ]
+    .filter((words) => words.length > 1)
+    .join(' ');
+}
+
+const holdsWords = (holds: boolean | null): string =>
+  holds === null ? 'cannot be told' : holds ? 'holds' : 'fails';
 
 /** "a cylinder" */
 function named(title: string): string {
@@ -63,12 +106,14 @@ function spoken(value: ReturnType<typeof paramValue>): string {
 /** The verdict if it is another one now; else just where the first visible hit has gone. */
 function consequence(before: ExploreModel, after: ExploreModel): string {
   const moved = hitsSpoken(before) !== hitsSpoken(after);
-  const changed = before.verdict.text !== after.verdict.text;
+  const isShown = before.state.revealed !== null;
+  const changed = isShown || before.verdict.text !== after.verdict.text;
   const typed = typedSpoken(after);
   const news = typed !== typedSpoken(before) ? typed : '';
   const hits = moved || changed ? hitsSpoken(after) : '';
   if (!changed) return [hits && `${hits}.`, news].filter(Boolean).join(' ');
-  return `Now ${after.verdict.text}${hits ? `, ${hits}` : ''}. ${news}`.trim();
+  const lead = isShown ? 'Shown:' : 'Now';
+  return `${lead} ${after.verdict.text}${hits ? `, ${hits}` : ''}. ${news}`.trim();
 }
 
 /** What the numbers as typed say, where that is something else, and what is to be known of them. */

@@ -3,6 +3,7 @@ import type { Intersection, Shape } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { display } from '../../text/format.ts';
+import type { Announce } from '../../ui/announcer.ts';
 import { recall, remember } from '../../ui/storage.ts';
 
 /** Something to achieve with the sliders, and what the page says when it is achieved. */
@@ -58,6 +59,7 @@ const NO_MORE = 'no-more';
  */
 export function createChallenges(
   changed: () => void,
+  announce: Announce,
 ): (host: HTMLElement, model: ExploreModel) => null {
   // It is loaded by the first change, which may be in the middle of a drag.
   let isDragging = true;
@@ -90,6 +92,7 @@ export function createChallenges(
       if (now === null) continue;
       keep(id);
       praise = `Done: ${asks} (${now}). `;
+      announce(praise.trim(), 'challenge');
       praised = found;
     }
     const [next] = open(shape);
@@ -100,9 +103,7 @@ export function createChallenges(
     };
     render(
       shown
-        ? html`<p class="challenge"><span role="status">${praise}${
-            next ? `Try: ${next.asks}.` : ''
-          }</span>
+        ? html`<p class="challenge"><span>${praise}${next ? `Try: ${next.asks}.` : ''}</span>
             <button type="button" class="challenge-end" aria-label="No more challenges"
               title="No more challenges" @click=${end}>×</button>
           </p>`

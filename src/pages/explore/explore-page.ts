@@ -7,6 +7,7 @@ import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { type ExploreModel, isFull } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
+import type { Announce } from '../../ui/announcer.ts';
 import { late } from '../../ui/late.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
 import { lateView } from '../late-view.ts';
@@ -44,7 +45,12 @@ export interface Explore {
  * Scene and graph on the left, parameters and algebra on the right. The scene comes when it has
  * been loaded.
  */
-export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () => void): Explore {
+export function mountExplore(
+  host: HTMLElement,
+  dispatch: Dispatch,
+  changed: () => void,
+  announce: Announce,
+): Explore {
   host.classList.add('explore');
   const picker = section(host, 'picker-area');
   const stage = section(host, 'scene-area');
@@ -70,7 +76,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
   const challenges = lateCard(
     () =>
       late(() => import('./challenges.ts')).then(({ createChallenges }) =>
-        createChallenges(changed),
+        createChallenges(changed, announce),
       ),
     changed,
   );
@@ -95,7 +101,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
       const marked = predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
       const walking = model.state.derive !== null;
-      if (walking) walk ??= lateWalk(walkArea, dispatch, changed);
+      if (walking) walk ??= lateWalk(walkArea, dispatch, changed, announce);
       host.classList.toggle('walking', walking);
       walk?.render(model);
       const card = algebra(model, dispatch, tools.normalLine);
@@ -127,7 +133,7 @@ export function mountExplore(host: HTMLElement, dispatch: Dispatch, changed: () 
 }
 
 /** The walk beside the scene, whose code is loaded when it is first opened. */
-function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
+function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void, announce: Announce) {
   const opener = document.activeElement;
   return lateView<ExploreModel, typeof import('./walk.ts'), MountedWalk>(
     host,
@@ -135,7 +141,7 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void) {
     ({ mountWalk }) => {
       // The walk also changes what scene and graph show.
       changed();
-      return mountWalk(host, dispatch, opener, changed);
+      return mountWalk(host, dispatch, opener, changed, announce);
     },
     { waiting: 'loading…', failed: 'This could not be loaded.' },
   );

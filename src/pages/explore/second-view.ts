@@ -35,8 +35,8 @@ export function createSecondView(
       return on && wide.matches;
     },
     toggle() {
-      if (!wide.matches) say(NO_ROOM);
-      else on = !on;
+      if (wide.matches) on = !on;
+      say(!wide.matches ? NO_ROOM : on ? 'two views' : 'one view');
       changed();
     },
     render(stage, model) {

@@ -10,6 +10,7 @@ import type { SceneModel } from '../../state/scene-model.ts';
 import { stepShown } from '../../state/state.ts';
 import { graphAt, isAboutF, type NormalChoice, sceneAt } from '../../state/walk-figures.ts';
 import { display, displayTriple } from '../../text/format.ts';
+import type { Announce } from '../../ui/announcer.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { type NormalsShown, type Step, stepOf } from './walk-steps.ts';
 import { lightTerms, placesOf, travel } from './walk-terms.ts';
@@ -42,6 +43,7 @@ export function mountWalk(
   dispatch: Dispatch,
   opener: Element | null,
   changed: () => void,
+  announce: Announce,
 ): MountedWalk {
   let back = opener;
   let choice: NormalChoice = { unit: false, facing: false };
@@ -111,6 +113,8 @@ export function mountWalk(
       if (isNew) open();
       if (drawn !== at) {
         showPresent();
+        const step = steps[at - 1];
+        announce(`Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}`, 'walk');
       }
       if (before) travel(host, before);
       drawn = at;
@@ -137,7 +141,6 @@ function walk(
   at: number,
   { go, close, normals }: Going,
 ): TemplateResult {
-  const step = steps[at - 1];
   const isCurved = model.found.details.family === 'curved';
   const what = isCurved ? html`<i>A</i>, <i>B</i>, <i>C</i> come from` : html`<i>t</i> comes from`;
   return html`<section class="walk" tabindex="-1" aria-label="The derivation, step by step">
@@ -153,9 +156,6 @@ function walk(
         .slice(0, at)
         .map((one, i) => stepOf(one, i + 1, i + 1 === at, model, normals))}</ol>
     </div>
-    <p class="visually-hidden" role="status">
-      Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}
-    </p>
     ${bar(steps, at, go)}
   </section>`;
 }

@@ -43,6 +43,14 @@ const firstStep = ({ id, file }: Settings): Settings => ({
   ...(file === undefined ? {} : { file }),
 });
 
+/** A step as it was drawn last. */
+interface Shown {
+  readonly place: Place;
+  readonly inner: AppState;
+  readonly model: FullModel | null;
+  readonly asked: boolean;
+}
+
 /** The page Lessons: a text beside what it is about, step by step; without an id, the list. */
 export const mountLesson: MountPage = (host, context) => {
   const { dispatch, changed, announce } = context;
@@ -65,7 +73,9 @@ export const mountLesson: MountPage = (host, context) => {
   const projected = createProjected(changed);
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
-  let shown: { place: Place; inner: AppState; model: FullModel | null } | null = null;
+  let shown: Shown | null = null;
+  /** Of which Explore's news were told last. */
+  let heard: FullModel | null = null;
   let outer: AppState | null = null;
   let last: { readonly link: string; readonly state: AppState } | null = null;
 
@@ -146,15 +156,27 @@ export const mountLesson: MountPage = (host, context) => {
   };
 
   /** Announces a new step, or a change within a step. */
-  const tell = (before: typeof shown, now: NonNullable<typeof shown>): void => {
+  const tell = (before: Shown | null, now: Shown): void => {
     const { lesson, number, step } = now.place;
     if (before?.place.lesson !== lesson || before.place.number !== number) {
-      announce(`${lesson.title}, step ${number} of ${lesson.steps.length}: ${step.title}.`);
-    } else if (before.model && now.model && before.model !== now.model && !travel.underWay) {
-      const words = announcement(before.model, now.model);
-      if (words) announce(words);
-    }
+      heard = null;
+      const heading = `${lesson.title}, step ${number} of ${lesson.steps.length}: ${step.title}.`;
+      announce(() => `${heading} ${wordsOf('.lesson-text > *')}`, 'step');
+    } else if (before.asked && !now.asked) announce(() => wordsOf('.lesson-answer'), 'step');
+    if (!now.model || travel.underWay) return;
+    heard ??= now.model;
+    const old = heard;
+    if (old === now.model) return;
+    announce(() => {
+      const last = shown?.model ?? null;
+      const words = last && shown?.place.number === number ? announcement(old, last) : '';
+      heard = last;
+      return words;
+    });
   };
+  /** What stands there, as it is read. */
+  const wordsOf = (selector: string): string =>
+    text.querySelector(selector)?.textContent?.replace(/\s+/g, ' ').trim() ?? '';
 
   const showStep = (settings: Settings, place: Place): void => {
     const before = shown;
@@ -170,11 +192,11 @@ export const mountLesson: MountPage = (host, context) => {
     const inner = travel.at(target);
     const onExplore = inner.page === 'explore';
     const model = onExplore ? derive(inner) : null;
-    shown = { place, inner, model };
+    const asked = isAsked(step, settings);
+    shown = { place, inner, model, asked };
     host.dataset.look = onExplore ? 'explore' : 'other';
     host.dataset.page = inner.page;
     render(nothing, list);
-    const asked = isAsked(step, settings);
     const sliders = slidersOf(step, target, settings, asked, handIn);
     if (model) {
       others.leave();
@@ -210,6 +232,9 @@ export const mountLesson: MountPage = (host, context) => {
 
   const turn = (by: 1 | -1): void => {
     if (!shown) return;
+    const { lesson, number } = shown.place;
+    const end = by === 1 ? lesson.steps.length : 1;
+    if (number === end) announce(`This is the ${by === 1 ? 'last' : 'first'} step.`, 'deed');
     editing.cancel();
     handIn.turn(by);
   };

@@ -39,9 +39,39 @@ test('a shape is named', () => {
   expect(heard(NEAR, { type: 'shape', kind: 'plane' })).toMatch(/^plane\. Now one point/);
 });
 
-test('looking around is silent', () => {
-  expect(heard(NEAR, { type: 'view', view: 'top' })).toBe('');
+test('where it is looked at from, and the bead is silent: its slider speaks', () => {
+  expect(heard(NEAR, { type: 'view', view: 'ray' })).toBe('View: along ray.');
+  const view = { azimuth: 30, elevation: -20, zoom: 1.5 };
+  expect(heard(NEAR, { type: 'view', view })).toBe('View: 30° round, −20° up, zoom 1.5.');
   expect(heard(NEAR, { type: 'bead', t: 2 })).toBe('');
+});
+
+test('all that has changed since it was last told', () => {
+  const derive = createDerive(() => closerLook);
+  const state = decode(NEAR, INITIAL);
+  const moved = update(state, { type: 'origin', value: [5, 1, 1.5] });
+  const both = update(moved, { type: 'param', key: 'radius', value: 1.5 });
+  expect(announcement(derive(state), derive(both))).toBe(
+    'E (5, 1, 1.5). r 1.5. Now tangent: one double root, the ray touches, t₁ 5.',
+  );
+});
+
+test('lines that are revealed one by one, and all of them', () => {
+  const derive = createDerive(() => closerLook);
+  const hidden = update(decode(NEAR, INITIAL), { type: 'reveal', lines: 0 });
+  const told = [1, 4, 5, null].map((lines, i, all) => {
+    const before = i === 0 ? 0 : (all[i - 1] ?? null);
+    return announcement(
+      derive(update(hidden, { type: 'reveal', lines: before })),
+      derive(update(hidden, { type: 'reveal', lines })),
+    );
+  });
+  expect(told).toEqual([
+    'A 1.',
+    'B −8. C 16.29. D −1.16.',
+    'no point: the ray misses.',
+    'Shown: no point: the ray misses.',
+  ]);
 });
 
 test('what is hidden is not told', () => {
