@@ -26,6 +26,7 @@ import './ui/tokens.css';
 import './ui/base.css';
 import './ui/fields.css';
 import './ui/print.css';
+import './ui/touch.css';
 
 /** ms between writes of the link: browsers allow about ten a second. */
 const LINK_DELAY_MS = 150;

@@ -12,12 +12,14 @@ const PER_WHEEL_PIXEL = 1.0015;
 const PER_ZOOM_KEY = 1.2;
 /** px per unit of a wheel event, by its deltaMode: pixels, lines, pages. */
 const WHEEL_UNITS = [1, 16, 400] as const;
-/** px of movement from which a press is a drag and not a click. */
-const DRAG_FROM = 3;
+/** px of movement from which a press is a drag and not a click; a finger is less steady. */
+const DRAG_FROM = { mouse: 3, pen: 3, touch: 9 } as const;
 
 interface Orbit {
   /** The present camera as angles. */
   current(): FreeView;
+  /** Keeps the view as it is now; what is returned puts it back. */
+  keep(): () => void;
   turn(view: FreeView): void;
   /** Returns to the initial view. */
   home(): void;
@@ -36,7 +38,8 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     orbit.turn(view);
   };
   const pointers = new Map<number, { x: number; y: number }>();
-  let start: { view: FreeView; x: number; y: number; spread: number } | null = null;
+  let start: { view: FreeView; back: () => void; x: number; y: number; spread: number } | null =
+    null;
   let isDragging = false;
 
   const grip = () => {
@@ -48,7 +51,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   };
   const begin = () => {
     const now = grip();
-    start = now && { view: orbit.current(), ...now };
+    start = now && { view: orbit.current(), back: orbit.keep(), ...now };
   };
   const down = (event: PointerEvent) => {
     if (event.button !== 0 || pointers.size === 2 || isControl(event.target)) return;
@@ -64,7 +67,14 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     if (!now) return;
     const [dx, dy] = [now.x - start.x, now.y - start.y];
     if (!isDragging) {
-      if (Math.hypot(dx, dy) < DRAG_FROM) return;
+      const kind = event.pointerType as keyof typeof DRAG_FROM;
+      if (Math.hypot(dx, dy) < (DRAG_FROM[kind] ?? DRAG_FROM.mouse)) return;
+      if (kind === 'touch' && Math.abs(dy) > Math.abs(dx)) {
+        // One finger up or down scrolls the page, whatever it does then.
+        pointers.delete(event.pointerId);
+        begin();
+        return;
+      }
       isDragging = true;
       // Captured only now, so that a click reaches the element under the pointer.
       element.setPointerCapture(event.pointerId);
@@ -77,6 +87,11 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     // After a pinch the remaining finger starts a new gesture.
     begin();
     if (pointers.size === 0) isDragging = false;
+  };
+  /** The browser has taken it for a scroll or a zoom of the page: then nothing has been turned. */
+  const cancel = (event: PointerEvent) => {
+    if (isDragging && start && pointers.has(event.pointerId)) start.back();
+    up(event);
   };
   const wheel = (event: WheelEvent) => {
     if (!wantsWheel(element, event)) return;
@@ -115,7 +130,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   element.addEventListener('pointerdown', down, { signal });
   element.addEventListener('pointermove', move, { signal });
   element.addEventListener('pointerup', up, { signal });
-  element.addEventListener('pointercancel', up, { signal });
+  element.addEventListener('pointercancel', cancel, { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('keydown', key, { signal });
   return () => controller.abort();

@@ -101,6 +101,10 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
     ask();
   });
   observer.observe(host);
+  const turn = (next: typeof view): void => {
+    view = next;
+    ask();
+  };
   const stops = [
     onThemeChange(host, () => {
       theme = faint(readTheme(host));
@@ -108,10 +112,11 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
     }),
     listenToOrbit(root, {
       current: () => view,
-      turn: (next) => {
-        view = next;
-        ask();
+      keep: () => {
+        const kept = view;
+        return () => turn(kept);
       },
+      turn,
       home: () => {
         view = { azimuth: model?.scene.azimuth ?? 0, ...FIRST };
         ask();

@@ -129,6 +129,10 @@ export function mountScene(host: HTMLElement, dispatch: Dispatch): MountedScene 
     }),
     listenToOrbit(frame.root, {
       current: () => viewpoint.current(model),
+      keep: () => {
+        const view = model?.view ?? 'iso';
+        return () => dispatch({ type: 'view', view });
+      },
       turn: (view) => dispatch({ type: 'view', view }),
       home: () => dispatch({ type: 'view', view: 'iso' }),
     }),

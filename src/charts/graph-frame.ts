@@ -23,6 +23,9 @@ export const LETTER = 0.56;
 
 const NARROW_EMS = 44;
 
+/** Sum of the margins of a plot, in em, and a little for rounding. */
+export const MARGINS = { width: 4.8 + 0.2, height: 5.3 + 0.2 } as const;
+
 export function frameOf(metrics: Metrics): Frame {
   const { width, height, em } = metrics;
   const bottom = Math.round(height - 2.2 * em);

@@ -1,5 +1,5 @@
 import { sizeOf } from '../ui/zoom.ts';
-import type { Metrics } from './graph-frame.ts';
+import { MARGINS, type Metrics } from './graph-frame.ts';
 
 /**
  * Watches the size of the host and, by a hidden element as large as one caption em and ten mark
@@ -34,11 +34,12 @@ export function watchMetrics(host: HTMLElement, changed: () => void) {
   };
 }
 
-/** Null while the host is not shown. */
+/** Null while the host is not shown, or has no room for a plot within its margins. */
 function measured(host: HTMLElement, probe: HTMLElement): Metrics | null {
   const { clientWidth: width, clientHeight: height } = host;
   const { width: em, height: tenMarks } = sizeOf(probe);
-  return width > 0 && height > 0 && em > 0 ? { width, height, em, mark: tenMarks / 10 } : null;
+  const hasRoom = em > 0 && width > MARGINS.width * em && height > MARGINS.height * em;
+  return hasRoom ? { width, height, em, mark: tenMarks / 10 } : null;
 }
 
 function isSame(a: Metrics | null, b: Metrics | null): boolean {

@@ -488,5 +488,38 @@ test.describe('on a phone', () => {
     await expect(page.locator('.axis-arrow-hit')).not.toHaveCount(0);
     await linkWritten(page);
     expect(await hashOf(page), 'the scene has not been turned').not.toContain('view=');
+
+    // One finger beside the handles scrolls the page or turns the scene, never both: on the
+    // background, and on a mark that is no handle.
+    const mark = await page.locator('.scene-overlay [data-symbol="N"]').first().boundingBox();
+    const starts = [
+      { x: 60, y: 330 },
+      { x: mark?.x ?? 0, y: mark?.y ?? 0 },
+    ];
+    const scrolls: boolean[] = [];
+    for (const start of starts) {
+      for (const [dx, dy] of [
+        [0, -8],
+        [2, -8],
+        [6, -6],
+        [8, -3],
+        [8, 0],
+      ] as const) {
+        await open(page, `#/explore?shape=plane&method=exact&view=iso&t=${dx}`);
+        await page.evaluate(() => scrollTo(0, 0));
+        await touch('touchStart', start);
+        for (let k = 1; k <= 16; k++) {
+          await touch('touchMove', { x: start.x + k * dx, y: start.y + k * dy });
+        }
+        await touch('touchEnd');
+        await linkWritten(page);
+        const scrolled = (await page.evaluate(() => scrollY)) > 0;
+        const turned = (await hashOf(page)).includes('view=');
+        expect(scrolled, `${dx}, ${dy}`).not.toBe(turned);
+        scrolls.push(scrolled);
+      }
+    }
+    for (const at of [0, 5]) expect(scrolls.slice(at, at + 2)).toEqual([true, true]);
+    for (const at of [3, 8]) expect(scrolls.slice(at, at + 2)).toEqual([false, false]);
   });
 });

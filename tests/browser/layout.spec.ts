@@ -114,6 +114,73 @@ const SCREENS = [
   { width: 820, height: 1180 },
 ] as const;
 
+/** From a small phone on; low ones are a phone on its side, and pages at 200 %. */
+const WINDOWS = [
+  ...[320, 360, 390, 480, 600, 601, 720].map((width) => ({ width, height: 780 })),
+  ...[512, 640, 844].map((width) => ({ width, height: 384 })),
+  ...[900, 1024].map((width) => ({ width, height: 768 })),
+] as const;
+
+/** A link of each page, and lessons beside another one. */
+const EVERY_PAGE = [
+  '#/explore?shape=hyperboloid',
+  '#/lesson',
+  '#/lesson/ray?step=5',
+  '#/lesson/digits?step=3',
+  '#/lesson/effects?step=3',
+  '#/accuracy',
+  '#/picture?size=64x36',
+  '#/check?seed=41',
+];
+
+test('no page and no header is wider than a window, in any theme', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const link of EVERY_PAGE) {
+    await open(page, link);
+    // By now its code is there: a heading, a table or the scene.
+    await page.locator('main :is(canvas, table, h2)').first().waitFor();
+    for (const theme of ['light', 'projector']) {
+      for (const window of WINDOWS) {
+        await page.setViewportSize(window);
+        const wide = await page.evaluate(async (name) => {
+          document.documentElement.dataset.theme = name;
+          for (const _ of [1, 2]) await new Promise((drawn) => requestAnimationFrame(drawn));
+          const out = [...document.querySelectorAll('header *')].filter((element) => {
+            const { left, right, width } = element.getBoundingClientRect();
+            return width > 1 && (left < -0.5 || right > innerWidth + 0.5);
+          });
+          const names = out.map((element) => element.getAttribute('class') ?? element.tagName);
+          const { scrollWidth } = document.documentElement;
+          return scrollWidth > innerWidth ? [...names, `${scrollWidth} px`] : names;
+        }, theme);
+        const at = `${link}, ${theme}, ${window.width} × ${window.height}`;
+        expect.soft(wide, at).toEqual([]);
+      }
+    }
+    await page.setViewportSize({ width: 1000, height: 800 });
+  }
+});
+
+test('on a low window scene, parameter and caption are in view at once', async ({ page }) => {
+  for (const window of WINDOWS.filter(({ height }) => height < 500)) {
+    await page.setViewportSize(window);
+    await open(page, '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,1,1.5&d=-1,0,0');
+    const name = `${window.width} × ${window.height}`;
+    for (const share of [0, 1]) {
+      await page.evaluate((s) => scrollTo(0, s * document.body.scrollHeight), share);
+      await settle(page);
+      const scene = await page.locator('.scene-area').boundingBox();
+      const dock = await page.locator('.compact-controls').boundingBox();
+      if (!scene || !dock) throw new Error('not shown');
+      expect.soft(scene.y, name).toBeGreaterThanOrEqual(-1);
+      expect.soft(scene.y + scene.height, name).toBeLessThanOrEqual(window.height + 1);
+      expect.soft(dock.y + dock.height, name).toBeLessThanOrEqual(window.height + 1);
+      expect.soft(dock.x, name).toBeGreaterThanOrEqual(scene.x + scene.width - 1);
+      if (share === 0) await expect.soft(page.locator('.asks')).toBeInViewport();
+    }
+  }
+});
+
 test('nothing is wider than a screen between', async ({ page }) => {
   for (const screen of SCREENS) {
     await page.setViewportSize(screen);

@@ -80,7 +80,7 @@ export function mountExplore(
       ),
     changed,
   );
-  const narrow = matchMedia('(max-width: 559px)');
+  const narrow = matchMedia('(max-width: 559px), (max-width: 899px) and (max-height: 499px)');
   const wide = matchMedia('(min-width: 900px)');
   narrow.addEventListener('change', changed);
   wide.addEventListener('change', changed);
