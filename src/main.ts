@@ -3,6 +3,7 @@ import { type Command, commandFor, commandsOf, type PageActions } from './pages/
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { lateEmbed } from './pages/embed/late-embed.ts';
 import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
+import type { Hearing } from './pages/explore/hear.ts';
 import type { Player } from './pages/explore/player.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
@@ -46,6 +47,7 @@ let announcement: typeof import('./state/announce.ts').announcement | null = nul
 let story: ExploreTools['story'] = null;
 let normalLine: ExploreTools['normalLine'] = null;
 let secondView: ExploreTools['secondView'] = null;
+let hearing: Hearing | null = null;
 const derive = createDerive(() => closerLook);
 const announce = createAnnouncer(document.body);
 let player: Player | null = null;
@@ -111,6 +113,19 @@ const tools: PageActions = {
       if (!isFull(now) || !player) return;
       player.toggle(now.graph);
       announce(player.playing ? 'The bead plays.' : 'The bead has stopped.', 'deed');
+    }, sayNotLoaded);
+  },
+  hear: () => {
+    if (!modelNow().shown.hits) {
+      say('not while results are hidden: it would tell them');
+      return;
+    }
+    const code = () => late(() => import('./pages/explore/hear.ts'));
+    Promise.all([code(), theRest()]).then(([{ createHearing }]) => {
+      const move = (t: number) => store.dispatch({ type: 'bead', t });
+      hearing ??= createHearing(move, requestRender, announce);
+      const now = modelNow();
+      if (isFull(now)) hearing.toggle(now.graph);
     }, sayNotLoaded);
   },
   second: () => secondView?.toggle(),
@@ -239,7 +254,7 @@ function renderExplore(state: AppState): void {
   model = derive(state);
   heard ??= model;
   loadTheRest();
-  if (before !== model && !player?.playing) announce(tellNews);
+  if (before !== model && !player?.playing && !hearing?.on) announce(tellNews);
   embedded?.render(model);
   explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
@@ -248,6 +263,7 @@ function renderExplore(state: AppState): void {
     secondView,
     second: secondView?.on === true,
     playing: player?.playing === true,
+    hearing: hearing?.on === true,
     large: theme.applied() === 'projector',
   });
 }
@@ -261,7 +277,10 @@ function tellNews(): string {
 function renderAll(): void {
   const state = store.get();
   theme.ask(state.theme);
-  if (state.page !== 'explore' || !derive(state).shown.hits) player?.stop();
+  if (state.page !== 'explore' || !derive(state).shown.hits) {
+    player?.stop();
+    hearing?.stop();
+  }
   const title = PAGES.find(({ id }) => id === state.page)?.title;
   if (shownPage && state.page !== shownPage) announce(`${title}.`, 'page');
   shownPage = state.page;
@@ -446,6 +465,6 @@ withDisk(({ watchDrops, onTooLarge }) => {
 });
 // Without it every control is a stop of its own.
 late(() => import('./ui/tab-stops.ts')).then(
-  ({ watchTabStops }) => watchTabStops(main),
+  ({ watchTabStops }) => watchTabStops(main, !isPart),
   () => {},
 );

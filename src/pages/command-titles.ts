@@ -16,6 +16,7 @@ const TITLES: Readonly<Record<string, string>> = {
   ghost: 'keep this ray as a ghost to compare with; or drop it',
   second: 'show a second view beside the scene, on a wide window; or hide it',
   play: 'play the bead along the ray; or stop it',
+  hear: 'hear f along the ray, once; any key stops it',
   reset: 'reset everything',
   'lesson-next': 'next: show what is hidden or asked, or the next step',
   'lesson-back': 'back: hide what was shown, or the step before',

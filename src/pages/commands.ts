@@ -14,6 +14,8 @@ export interface PageActions {
   black(): void;
   theme(): void;
   play(): void;
+  /** f along the ray as a sound, once; or stops it. */
+  hear(): void;
   /** Shows or hides a second view beside the scene. */
   second(): void;
   /** Goes one step of a lesson forward or back. */
@@ -105,6 +107,7 @@ function exploreCommands(store: Store, tools: PageActions): Command[] {
     },
     { id: 'second', keys: ['v'], run: tools.second },
     { id: 'play', keys: ['p'], run: tools.play },
+    { id: 'hear', keys: ['m'], run: tools.hear },
     {
       id: 'reset',
       keys: ['Shift+r'],

@@ -1,5 +1,6 @@
 import { html, type TemplateResult } from 'lit';
 import type { PageId } from '../state/state.ts';
+import { setVolume, volume } from '../ui/volume.ts';
 import { commandTitle } from './command-titles.ts';
 import type { Command } from './commands.ts';
 import { ABOUT, HELP } from './help-pages.ts';
@@ -33,6 +34,10 @@ export function helpContent(
       .checked=${singleKeys}
       @change=${(event: Event) => choose((event.target as HTMLInputElement).checked)}
     /> single letters and digits work as keys</label>
+    <label class="choice-line">volume of what <kbd>m</kbd> lets hear <input type="range" min="0"
+      max="1" step="0.05" .value=${String(volume())}
+      @input=${(event: Event) => setVolume((event.target as HTMLInputElement).valueAsNumber)}
+    /></label>
     <h3>Numbers</h3>
     <p>A box takes any number: <code>1/3</code>, <code>sqrt(2)</code>, <code>1e7</code>,
       <code>-2^-40</code>, <code>0,5</code >. Three numbers pasted into a box of E, d, N, P, C or

@@ -128,9 +128,9 @@ function setStops(): void {
 
 /**
  * Watches the keys of the page: one Tab stop a group, arrows in it, the focus kept where what had
- * it goes away, and a first stop that leads past the header to `main`. To be called once.
+ * it goes away, and, where there is a header, a first stop that leads past it to `main`. To be called once.
  */
-export function watchTabStops(main: HTMLElement): void {
+export function watchTabStops(main: HTMLElement, hasHeader: boolean): void {
   /** What is pressed after a click is the page's: arrows turn its examples. */
   let byPointer = false;
   addEventListener(
@@ -169,7 +169,7 @@ export function watchTabStops(main: HTMLElement): void {
     items[to]?.focus();
   });
   keepFocus(main);
-  skipTo(main);
+  if (hasHeader) skipTo(main);
 }
 
 /** A control that had the focus, and what it was part of. */

@@ -7,6 +7,7 @@ import './scene-bar.css';
 export interface SceneBarTools {
   readonly command: (id: string) => Command | undefined;
   readonly playing: boolean;
+  readonly hearing: boolean;
   readonly second: boolean;
 }
 
@@ -16,7 +17,7 @@ const INVITATION = 'Where does a ray meet a surface? Drag E. Watch D change its 
 /** Over the scene: which example this is, and what can be done with the ray that is shown. */
 export function sceneBar(
   { state, example, found }: ExploreModel,
-  { command, playing, second }: SceneBarTools,
+  { command, playing, hearing, second }: SceneBarTools,
   untouched: boolean,
   challenges: HTMLElement,
 ): TemplateResult {
@@ -45,6 +46,7 @@ export function sceneBar(
     </div>
     <div class="ray-tools" role="group" aria-label="This ray">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (p)')}
+      ${toggle('hear', hearing, run('hear'), 'Hear f along the ray (m)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
       ${toggle('two views', second, run('second'), 'A second view beside this one (v)')}
       ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}
