@@ -1,4 +1,5 @@
 import { SHAPES } from '../../src/math/index.ts';
+import { violationsInThemes } from './support/axe.ts';
 import { box, press, slider } from './support/controls.ts';
 import { collisions, cutOff, extent } from './support/layout.ts';
 import { open, quantities, settle } from './support/page.ts';
@@ -179,6 +180,7 @@ test('on a low window scene, parameter and caption are in view at once', async (
       if (share === 0) await expect.soft(page.locator('.asks')).toBeInViewport();
     }
   }
+  expect(await violationsInThemes(page)).toEqual([]);
 });
 
 test('nothing is wider than a screen between', async ({ page }) => {
