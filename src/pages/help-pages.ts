@@ -9,9 +9,10 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       arrows move it along x and y, Page Up and Page Down along z, Shift makes the steps fine, Alt
       lets go of the grid. On the scene itself the arrows turn it, + and − zoom, 0 goes back.</p>
     <h3>Hearing the ray</h3>
-    <p>m lets f(t) be heard from E to the end of the graph: a pitch against a steady tone that it
-      meets where f is 0, higher for f above 0, lower below. A click is a root; inside the shape there
-      is silence. A flat shape has no inside: f(t) is its signed distance to the plane times |N|.</p>`,
+    <p>m lets f(t) be heard from E to the end of the graph: a pitch against a steady tone, which
+      it meets where f is 0, higher for f above 0, lower below. A click is a root; inside the
+      shape there is silence. A flat shape has no inside: there f(t) is the signed distance to
+      the plane times |N|.</p>`,
   lesson: html`<h3>This page</h3>
     <p>A lesson goes step by step: Page Down and Page Up turn, wherever the focus is, and first show
       what is hidden. What a step leaves free is moved by the slider in its text, or in the scene.

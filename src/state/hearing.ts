@@ -42,8 +42,8 @@ export function pitchOf(f: number, half: number): number {
 
 /**
  * What is heard: a click at each root, silence where the ray is inside. A flat shape has no inside;
- * its f is the signed distance to the plane times |N|, below the reference on the side that N points
- * away from.
+ * its f is the signed distance to the plane times |N|, below the reference on the side that N
+ * points away from.
  */
 export function scoreOf(graph: GraphModel): Score {
   const { A, B, C, from, to, low, high, stretches, roots } = graph;

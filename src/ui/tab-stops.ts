@@ -128,7 +128,8 @@ function setStops(): void {
 
 /**
  * Watches the keys of the page: one Tab stop a group, arrows in it, the focus kept where what had
- * it goes away, and, where there is a header, a first stop that leads past it to `main`. To be called once.
+ * it goes away, and, where there is a header, a first stop that leads past it to `main`. To be
+ * called once.
  */
 export function watchTabStops(main: HTMLElement, hasHeader: boolean): void {
   /** What is pressed after a click is the page's: arrows turn its examples. */

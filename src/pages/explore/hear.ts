@@ -21,8 +21,8 @@ export interface Hearing {
 
 /**
  * Plays f along the ray once, while `move` is told where it is, unless less motion is wanted. Any
- * key ends it and does nothing else; so does leaving the window or the tab. `changed` is called when
- * it begins or ends. Nothing runs while it is silent.
+ * key ends it and does nothing else; so does leaving the window or the tab. `changed` is called
+ * when it begins or ends. Nothing runs while it is silent.
  */
 export function createHearing(
   move: (t: number) => void,

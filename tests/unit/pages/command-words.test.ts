@@ -38,7 +38,7 @@ function commandsOn(store: Store): { commands: readonly Command[]; called: strin
  */
 const PAGES_OWN = new Set(
   ['copyLink', 'save', 'openFile', 'exportDialog', 'gallery', 'help', 'fullScreen', 'black'].concat(
-    ['theme', 'play', 'hear', 'second', 'turn', 'collect'],
+    ['theme', 'play', 'hear', 'present', 'second', 'turn', 'collect'],
   ),
 );
 
