@@ -199,8 +199,8 @@ function loadTheRest(): void {
       secondView = code.createSecondView(store.dispatch, requestRender, say);
       motion = code.createMotion(main, requestRender, store.dispatch, announce);
       code.printsOnPaper(() => (store.get().page === 'explore' ? modelNow() : null));
-      // With the gallery loaded, the link's example is known: this is not announced as a change.
-      heard = null;
+      // That a link's example is known now is no news; a change before it was known is.
+      heard = heard && derive(heard.state);
       requestRender();
     },
     () => {
@@ -269,9 +269,10 @@ function renderExplore(state: AppState): void {
 }
 
 function tellNews(): string {
-  const before = heard;
+  if (!announcement || !heard || !model) return '';
+  const words = announcement(heard, model);
   heard = model;
-  return (before && model && announcement?.(before, model)) ?? '';
+  return words;
 }
 
 function renderAll(): void {

@@ -45,8 +45,8 @@ export function exampleOf(state: AppState): ShownExample | null {
 
 /** Key of what an example is about: ray, shape and method, without view and bead. */
 function valuesOf(state: AppState): string {
-  const { view, bead, settings, revealed, ask } = INITIAL;
-  return encode({ ...state, page: 'explore', view, bead, settings, revealed, ask });
+  const { view, bead, settings, revealed, ask, derive } = INITIAL;
+  return encode({ ...state, page: 'explore', view, bead, settings, revealed, ask, derive });
 }
 
 /**

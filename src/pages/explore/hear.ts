@@ -86,7 +86,7 @@ export function createHearing(
 }
 
 /** Puts what is heard onto the clock of the context, from `start` on, in seconds. */
-export function schedule(
+function schedule(
   context: BaseAudioContext,
   { seconds, tones, clicks }: Score,
   loudness: number,

@@ -101,6 +101,12 @@ describe('an example', () => {
     expect(announcement(derive(further), derive(opened))).toMatch(/^Example \d+ of/);
   });
 
+  test('is not changed by the derivation that is opened beside it', () => {
+    const open = update(opened, { type: 'derive', step: () => 1 });
+    expect(derive(open).example?.changed).toBe(false);
+    expect(announcement(derive(opened), derive(open))).toBe('');
+  });
+
   test('has its answer announced when it is asked for', () => {
     const told = update(opened, { type: 'tell', on: true });
     const answer = '|P₁ − C| is exactly r: the rim belongs to the circle.';
