@@ -16,7 +16,7 @@ import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
 import { createStore } from './state/store.ts';
 import { decode, encode } from './state/url.ts';
-import { createAnnouncer } from './ui/announcer.ts';
+import type { Announce } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
 import { watchGestures } from './ui/gesture.ts';
 import { late, watchStyles } from './ui/late.ts';
@@ -49,7 +49,14 @@ let normalLine: ExploreTools['normalLine'] = null;
 let secondView: ExploreTools['secondView'] = null;
 let hearing: Hearing | null = null;
 const derive = createDerive(() => closerLook);
-const announce = createAnnouncer(document.body);
+const voice = late(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
+  createAnnouncer(document.body),
+);
+voice.catch(() => {});
+/** Nothing is announced if its code did not come. */
+const announce: Announce = (...words) => {
+  voice.then((speak) => speak(...words)).catch(() => {});
+};
 let player: Player | null = null;
 let motion: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
@@ -65,6 +72,13 @@ let model: ExploreModel | null = null;
 let heard: ExploreModel | null = null;
 let said = '';
 let shownPage = '';
+
+/** Says so where the results are hidden, which would be told. */
+function areHidden(): boolean {
+  const { hits } = modelNow().shown;
+  if (!hits) say('not while results are hidden: it would tell them');
+  return !hits;
+}
 
 const tools: PageActions = {
   copyLink: async () => {
@@ -104,10 +118,7 @@ const tools: PageActions = {
   },
   // Not while results are hidden: the bead pauses at each root.
   play: () => {
-    if (!modelNow().shown.hits) {
-      say('not while results are hidden: it would tell them');
-      return;
-    }
+    if (areHidden()) return;
     theRest().then(() => {
       const now = modelNow();
       if (!isFull(now) || !player) return;
@@ -116,10 +127,7 @@ const tools: PageActions = {
     }, sayNotLoaded);
   },
   hear: () => {
-    if (!modelNow().shown.hits) {
-      say('not while results are hidden: it would tell them');
-      return;
-    }
+    if (areHidden()) return;
     const code = () => late(() => import('./pages/explore/hear.ts'));
     Promise.all([code(), theRest()]).then(([{ createHearing }]) => {
       const move = (t: number) => store.dispatch({ type: 'bead', t });
