@@ -73,6 +73,8 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
   expect(heard.get('play')).toContain('not while results are hidden');
   expect(heard.get('next')).toMatch(/^Example \d+ of \d+: /);
 
+  // A full screen withdraws the controls.
+  await page.evaluate(() => document.exitFullscreen().catch(() => {}));
   // Heard: t from 0 to the end in six seconds; the roots are 2 and 6, inside between them.
   await open(page, '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0');
   if (await page.getByRole('button', { name: 'show results' }).isVisible()) {
