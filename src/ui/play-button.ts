@@ -5,6 +5,8 @@ import { html, render } from 'lit';
  * its label. `playing` turns it into one that stops.
  */
 class GrazePlay extends HTMLElement {
+  /** The same element stands beside another number when the shape changes. */
+  static readonly observedAttributes = ['label'];
   #playing = false;
 
   get label(): string {
@@ -23,6 +25,10 @@ class GrazePlay extends HTMLElement {
 
   connectedCallback(): void {
     this.#draw();
+  }
+
+  attributeChangedCallback(): void {
+    if (this.isConnected) this.#draw();
   }
 
   #draw(): void {

@@ -3,7 +3,9 @@ import { expectInLink, pickShape, resetOf, typeInto } from './support/controls.t
 import { linkOf } from './support/expected.ts';
 import { open, quantities, settle } from './support/page.ts';
 import { expectShown, initial } from './support/question.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test('with unit d the results are those of d / |d|, and |d| is not shown', async ({ page }) => {
   await open(page, '#/explore?shape=cylinder&E=3,1,0.5&d=-3,0,-4&method=exact');
@@ -31,6 +33,13 @@ test('the ray stays when the shape changes, and each shape remembers its paramet
     await pickShape(page, title);
     const shown = await quantities(page);
     expect(shown, title).toMatchObject({ 'E.x': '4', 'E.z': '0.5', 'd.x': '-1', 'd.y': '0.1' });
+    const plays = await page
+      .locator('graze-play')
+      .evaluateAll((all) =>
+        all.map((one) => [one.getAttribute('label'), one.querySelector('button')?.ariaLabel]),
+      );
+    expect(plays.length, title).toBeGreaterThan(6);
+    for (const [label, said] of plays) expect(said, title).toBe(`Play ${label}`);
     await expectInLink(page, { shape: kind, E: '4,1,0.5', d: '-1,0.1,0' });
     if (kind === 'circle') expect(shown.r).toBe('2');
     if (kind === 'hyperboloid') await typeInto(page, 'r', '0.3');
