@@ -1,6 +1,9 @@
 import type { Page } from '@playwright/test';
 import { hashOf, linkWritten, NO_SCENE, open, settle, withoutScene } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+import { showTheme } from './support/theme.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const CONE = '#/explore?shape=cone&V=0,1,0&c=0.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
 const CIRCLE = '#/explore?shape=circle&N=1,1,0&C=0,1,0&r=1.5&E=3,2,0.5&d=-1,-0.25,0&method=exact';
@@ -12,6 +15,7 @@ const ABC = [/^A > 0: .*outside/, /^B < 0: f falls at E/, /^C > 0: E is outside 
 const FLAT = [/^N·\(E − P\) > 0: E is on the side that N points to/, /^N·d < 0: f falls at E/];
 
 test.use({ provoked: NO_SCENE });
+test.beforeEach(({ page }) => withoutScene(page));
 
 const texOf = (page: Page, step: number): Promise<string[]> =>
   page
@@ -44,7 +48,6 @@ async function thereAndBack(page: Page, on: string, back: string): Promise<strin
 }
 
 test('the walk by keys and by a clicker: each step says something new', async ({ page }) => {
-  await withoutScene(page);
   for (const link of [CONE, CIRCLE]) {
     await open(page, link);
     await page.locator('button.derive').click();
@@ -66,7 +69,6 @@ test('the walk by keys and by a clicker: each step says something new', async ({
 });
 
 test('every line of the card leads to the step that has it', async ({ page }) => {
-  await withoutScene(page);
   const squares = '#/explore?shape=square&P=0,0,-1&L=2&axis=x&E=3,1,1&d=-0.75,-0.25,-0.25';
   // Two roots: −B ± √D, as in the step.
   for (const link of [CONE.replace('d=-1,-0.25,-0.25', 'd=-1,-0.25,-0.125'), squares]) {
@@ -99,7 +101,6 @@ test('every line of the card leads to the step that has it', async ({ page }) =>
 });
 
 test('hidden results are not told by any step', async ({ page }) => {
-  await withoutScene(page);
   await open(page, CONE);
   for (const link of [CONE, STRAIGHT]) {
     await open(page, `${link}&hide=1&derive=1`);
@@ -117,7 +118,6 @@ test('hidden results are not told by any step', async ({ page }) => {
 });
 
 test('the link has the step: closed, reloaded, back and forth', async ({ page }) => {
-  await withoutScene(page);
   await open(page, CONE);
   await linkWritten(page);
   await page.keyboard.press('d');
@@ -145,7 +145,6 @@ test('the link has the step: closed, reloaded, back and forth', async ({ page })
 });
 
 test('a term lights where it came from, and travels there', async ({ page }) => {
-  await withoutScene(page);
   await open(page, `${CONE}&derive=5`);
   await page.locator('.walk').waitFor();
   const first = page.locator('.walk-step.present .term').first();
@@ -192,11 +191,10 @@ for (const { width, height, theme } of SCREENS) {
   test(`${width} × ${height}, ${theme}: in every step there is what it speaks of`, async ({
     page,
   }) => {
-    await withoutScene(page);
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.setViewportSize({ width, height });
-    await page.addInitScript((t) => localStorage.setItem('graze.theme', t), theme);
     await open(page, `${CONE}&derive=1`);
+    await showTheme(page, theme);
     await page.locator('.walk').waitFor();
     const last = await stops(page);
     for (let step = 1; step <= last; step++) {
@@ -241,5 +239,6 @@ for (const { width, height, theme } of SCREENS) {
       await page.keyboard.press('PageDown');
     }
     await settle(page);
+    await showTheme(page, 'light');
   });
 }

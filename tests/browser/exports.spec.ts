@@ -4,8 +4,10 @@ import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
-import { hashOf, open, settle } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { hashOf, linkWritten, open, settle } from './support/page.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({
   viewport: { width: 1000, height: 680 },
@@ -67,6 +69,39 @@ test('GLSL compiles in WebGL2, for every example', async ({ page }) => {
   expect(faults).toEqual([]);
 });
 
+test('a saved state opens again, by dialog and by dropping it on the page', async ({ page }) => {
+  await open(page, '#/explore?shape=square&P=1/3,0,-1&L=2&E=3,1,0.7&d=-1,0,0&method=exact');
+  await expect.poll(() => hashOf(page)).not.toContain('L=2');
+  const link = await hashOf(page);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
+  expect(download.suggestedFilename()).toBe('graze.json');
+  const path = await download.path();
+  // Listening from early on: the browser has to be told that a program answers its dialogs.
+  page.on('filechooser', (chooser) => void chooser.setFiles(path));
+  await open(page, LINK);
+  await expect.poll(() => hashOf(page)).toContain('method=textbook');
+  await expect(async () => {
+    await page.keyboard.press('o');
+    await expect.poll(() => hashOf(page), { timeout: 4000 }).toBe(link);
+  }).toPass();
+  await open(page, LINK);
+  await drop(page, readFileSync(path, 'utf8'));
+  await expect.poll(() => hashOf(page)).toBe(link);
+});
+
+test('a file that is none of ours is refused in words, and nothing is lost', async ({ page }) => {
+  await open(page, LINK);
+  await linkWritten(page);
+  const before = await hashOf(page);
+  await drop(page, '<b>not a state</b>');
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText("'<b>not a state</b>' is not a saved state");
+  expect(await hashOf(page)).toBe(before);
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await settle(page);
+  await expect(alert).toHaveCount(0);
+});
+
 test.describe('with the picture', () => {
   test.use({ ink: true });
 
@@ -98,38 +133,6 @@ function colours(page: Page, base64: string): Promise<number> {
     return seen.size;
   }, base64);
 }
-
-test('a saved state opens again, by dialog and by dropping it on the page', async ({ page }) => {
-  await open(page, '#/explore?shape=square&P=1/3,0,-1&L=2&E=3,1,0.7&d=-1,0,0&method=exact');
-  await expect.poll(() => hashOf(page)).not.toContain('L=2');
-  const link = await hashOf(page);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
-  expect(download.suggestedFilename()).toBe('graze.json');
-  const path = await download.path();
-  // Listening from early on: the browser has to be told that a program answers its dialogs.
-  page.on('filechooser', (chooser) => void chooser.setFiles(path));
-  await open(page, LINK);
-  await expect.poll(() => hashOf(page)).toContain('method=textbook');
-  await expect(async () => {
-    await page.keyboard.press('o');
-    await expect.poll(() => hashOf(page), { timeout: 4000 }).toBe(link);
-  }).toPass();
-  await open(page, LINK);
-  await drop(page, readFileSync(path, 'utf8'));
-  await expect.poll(() => hashOf(page)).toBe(link);
-});
-
-test('a file that is none of ours is refused in words, and nothing is lost', async ({ page }) => {
-  await open(page, LINK);
-  const before = await hashOf(page);
-  await drop(page, '<b>not a state</b>');
-  const alert = page.getByRole('alert');
-  await expect(alert).toContainText("'<b>not a state</b>' is not a saved state");
-  expect(await hashOf(page)).toBe(before);
-  await page.getByRole('button', { name: 'Dismiss' }).click();
-  await settle(page);
-  await expect(alert).toHaveCount(0);
-});
 
 async function drop(page: Page, text: string): Promise<void> {
   await page.evaluate((content) => {

@@ -3,10 +3,19 @@ import { GALLERY } from '../../src/state/gallery/index.ts';
 import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { expectInLink, typeInto } from './support/controls.ts';
-import { hashOf, NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
+import {
+  hashOf,
+  linkWritten,
+  NO_SCENE,
+  open,
+  quantities,
+  settle,
+  withoutScene,
+} from './support/page.ts';
 import { frames, framesDone } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { test as alone, expect, visit as test } from './support/test.ts';
 
+test.describe.configure({ mode: 'default' });
 test.use({ viewport: { width: 900, height: 660 } });
 
 const subjectAt = (at: number) => {
@@ -14,7 +23,7 @@ const subjectAt = (at: number) => {
   return { shape: shapeOf(state), ray: rayOf(state) };
 };
 
-test('every example is in the gallery with its question and a small picture', async ({ page }) => {
+alone('every example is in the gallery with its question and a small picture', async ({ page }) => {
   await open(page, '#/explore');
   await page.locator('canvas').waitFor();
   await page.getByRole('button', { name: /^example:/ }).click();
@@ -31,6 +40,38 @@ test('every example is in the gallery with its question and a small picture', as
   await expect(page.locator('.example-name')).toContainText('through the vertex');
   expect((await quantities(page)).class).toBe('tangent');
 });
+
+alone(
+  'who has done nothing yet is told what to do; then there is something to try',
+  async ({ page }) => {
+    const challenge = page.locator('.challenge');
+    const invitation = page.locator('.invitation');
+    await open(page, '');
+    await expect(invitation).toHaveText(/Drag E\. Watch D change its sign\./);
+    await typeInto(page, 'E.x', '2');
+    await expect(invitation).toHaveCount(0);
+    await expect(challenge).toContainText('Try: make it tangent.');
+    await page.locator('.example-name').focus();
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    await expect(invitation).toHaveCount(0);
+    await open(page, '#/explore?shape=cone&V=0,0,0&c=1&E=0,1,0&d=-1,0,0');
+    await expect(challenge).toContainText(
+      'Done: make t₁ negative (t₁ = −1). Try: make it tangent.',
+    );
+    await page.getByRole('button', { name: 'No more challenges' }).click();
+    await expect(challenge).toHaveCount(0);
+    await open(page, '#/explore?shape=sphere&C=0,0,0&r=1&E=3,1,0&d=-1,0,0');
+    await expect(page.locator('.verdict')).toContainText('touches');
+    await expect(challenge).toHaveCount(0);
+    const { title, idea } = METHODS.find(({ id }) => id === INITIAL.method) ?? METHODS[0];
+    const words = page.locator('.method-words');
+    await words.getByLabel(`What ${title} means`).click();
+    await expect(words).toContainText(idea);
+    await page.keyboard.press('Escape');
+    await expect(words.locator('p')).toBeHidden();
+  },
+);
 
 test.describe('without the picture', () => {
   test.use({ provoked: NO_SCENE });
@@ -118,44 +159,47 @@ test.describe('without the picture', () => {
     expect((await quantities(page)).class).toBe('none');
   });
 
-  test('a slider plays; what stops it keeps what is seen; with less motion its trail', async ({
-    page,
-  }) => {
-    await open(page, '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,1,1&d=-1,0,0');
-    const play = page.getByRole('button', { name: 'Play r', exact: true });
-    const playing = page.locator('main[data-playing]');
-    const trail = page.locator('.graph-trail');
-    const r = async (): Promise<number> => Number((await quantities(page)).r);
-    const link = await hashOf(page);
-    await play.click();
-    await playing.waitFor({ state: 'attached' });
-    await expect(play).toHaveAttribute('aria-pressed', 'true');
-    await expect.poll(r).toBeLessThan(1.45);
-    expect(await hashOf(page)).toBe(link);
-    await page.keyboard.press('Shift');
-    await expect(playing).toHaveCount(0);
-    await framesDone(page);
-    const stopped = await r();
-    expect(stopped).toBeLessThan(1.45);
-    await expectInLink(page, { r: String(stopped) });
-    await expect(trail).toHaveAttribute('d', /^M/);
-    await page.keyboard.press('Control+z');
-    await framesDone(page);
-    expect(await r()).toBe(1.5);
-    await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute(
-      'aria-disabled',
-      'true',
-    );
-    await expect(trail).toHaveCount(0);
-    await page.emulateMedia({ reducedMotion: 'reduce' });
-    await play.press('Enter');
-    await framesDone(page);
-    expect(await r()).toBe(1.5);
-    await expect(trail).toHaveAttribute('d', /^M/);
-    await play.press('Enter');
-    await expect(trail).toHaveCount(0);
-    expect(await hashOf(page)).toBe(link);
-  });
+  alone(
+    'a slider plays; what stops it keeps what is seen; with less motion its trail',
+    async ({ page }) => {
+      await open(page, '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,1,1&d=-1,0,0');
+      const play = page.getByRole('button', { name: 'Play r', exact: true });
+      const playing = page.locator('main[data-playing]');
+      const trail = page.locator('.graph-trail');
+      const r = async (): Promise<number> => Number((await quantities(page)).r);
+      await linkWritten(page);
+      const link = await hashOf(page);
+      await play.click();
+      await playing.waitFor({ state: 'attached' });
+      await expect(play).toHaveAttribute('aria-pressed', 'true');
+      await expect.poll(r).toBeLessThan(1.45);
+      expect(await hashOf(page)).toBe(link);
+      await page.keyboard.press('Shift');
+      await expect(playing).toHaveCount(0);
+      await framesDone(page);
+      const stopped = await r();
+      expect(stopped).toBeLessThan(1.45);
+      await expectInLink(page, { r: String(stopped) });
+      await expect(trail).toHaveAttribute('d', /^M/);
+      await page.keyboard.press('Control+z');
+      await framesDone(page);
+      expect(await r()).toBe(1.5);
+      await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute(
+        'aria-disabled',
+        'true',
+      );
+      await expect(trail).toHaveCount(0);
+      await page.emulateMedia({ reducedMotion: 'reduce' });
+      await play.press('Enter');
+      await framesDone(page);
+      expect(await r()).toBe(1.5);
+      await expect(trail).toHaveAttribute('d', /^M/);
+      await play.press('Enter');
+      await expect(trail).toHaveCount(0);
+      await linkWritten(page);
+      expect(await hashOf(page)).toBe(link);
+    },
+  );
 
   test('the answer comes by its key and by its button, and goes again', async ({ page }) => {
     await open(page, GALLERY[0]?.link ?? '');
@@ -170,37 +214,6 @@ test.describe('without the picture', () => {
     await page.keyboard.press('a');
     await expect(answer).not.toBeEmpty();
     expect(await page.locator('.scene-area').boundingBox()).toEqual(scene);
-  });
-
-  test('who has done nothing yet is told what to do; then there is something to try', async ({
-    page,
-  }) => {
-    const challenge = page.locator('.challenge');
-    const invitation = page.locator('.invitation');
-    await open(page, '');
-    await expect(invitation).toHaveText(/Drag E\. Watch D change its sign\./);
-    await typeInto(page, 'E.x', '2');
-    await expect(invitation).toHaveCount(0);
-    await expect(challenge).toContainText('Try: make it tangent.');
-    await page.locator('.example-name').focus();
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    await expect(invitation).toHaveCount(0);
-    await open(page, '#/explore?shape=cone&V=0,0,0&c=1&E=0,1,0&d=-1,0,0');
-    await expect(challenge).toContainText(
-      'Done: make t₁ negative (t₁ = −1). Try: make it tangent.',
-    );
-    await page.getByRole('button', { name: 'No more challenges' }).click();
-    await expect(challenge).toHaveCount(0);
-    await open(page, '#/explore?shape=sphere&C=0,0,0&r=1&E=3,1,0&d=-1,0,0');
-    await expect(page.locator('.verdict')).toContainText('touches');
-    await expect(challenge).toHaveCount(0);
-    const { title, idea } = METHODS.find(({ id }) => id === INITIAL.method) ?? METHODS[0];
-    const words = page.locator('.method-words');
-    await words.getByLabel(`What ${title} means`).click();
-    await expect(words).toContainText(idea);
-    await page.keyboard.press('Escape');
-    await expect(words.locator('p')).toBeHidden();
   });
 
   test('the far one says that the textbook formula is contradicted', async ({ page }) => {

@@ -13,7 +13,9 @@ import {
   withoutScene,
 } from './support/page.ts';
 import { frames } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { test as alone, expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({ provoked: NO_SCENE });
 test.beforeEach(async ({ page }) => {
@@ -21,7 +23,7 @@ test.beforeEach(async ({ page }) => {
   await open(page, '#/explore');
 });
 
-test('1 to 6 pick the shape', async ({ page }) => {
+test('a digit picks the shape', async ({ page }) => {
   for (const [i, { kind }] of SHAPES.entries()) {
     await page.keyboard.press(String(i + 1));
     await expectInLink(page, { shape: kind });
@@ -29,12 +31,14 @@ test('1 to 6 pick the shape', async ({ page }) => {
 });
 
 test('digits and letters typed into a box are text', async ({ page }) => {
+  await linkWritten(page);
   const before = await hashOf(page);
   await box(page, 'c').focus();
   await page.keyboard.type('1hgt');
   await settle(page);
   expect(await hashOf(page)).toBe(before);
   await expect(box(page, 'c')).toHaveValue('1hgt');
+  await page.keyboard.press('Escape');
 });
 
 test('on a slider Page Down belongs to the slider, and Shift makes a step fine', async ({
@@ -73,7 +77,7 @@ test('on another page it lists what works there, and how that page is worked', a
   await expect(page).toHaveURL(/shape=cone/);
 });
 
-test('single keys can be switched off, and stay off', async ({ page }) => {
+alone('single keys can be switched off, and stay off', async ({ page }) => {
   await page.keyboard.press('?');
   await page.getByLabel(/single letters and digits/).uncheck();
   await page.keyboard.press('Escape');
@@ -129,9 +133,7 @@ test('with less motion the bead steps from root to root', async ({ page }) => {
   expect(seen.size).toBeLessThanOrEqual(3);
 });
 
-test('a clicker turns pages after a click on a slider, a box, a list and the bead', async ({
-  page,
-}) => {
+alone('a clicker turns pages after a click on slider, box, list and bead', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   const title = page.locator('.example-name strong');
   const thereAndBack = async (of: string): Promise<void> => {
@@ -216,4 +218,5 @@ test('the screen is black on every page, until a key or a click that does nothin
   );
   expect(colours).toEqual(['rgb(0, 0, 0)', 'rgb(0, 0, 0)']);
   expect(await violations(page)).toEqual([]);
+  await page.keyboard.press('.');
 });

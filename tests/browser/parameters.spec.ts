@@ -13,7 +13,11 @@ import {
   type Question,
   withValue,
 } from './support/question.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
+test.use({ provoked: NO_SCENE });
+test.beforeEach(({ page }) => withoutScene(page));
 
 /** What a person types, the double that it means, and what the link has of it. */
 const TYPED: readonly (readonly [string, number, string])[] = [
@@ -48,56 +52,50 @@ function moved(kind: (typeof SHAPES)[number]['kind']): Question {
 const names = ({ symbol, type }: Moved): string[] =>
   type === 'number' ? [symbol] : ['x', 'y', 'z'].map((axis) => `${symbol}.${axis}`);
 
-test.describe('without the picture', () => {
-  test.use({ provoked: NO_SCENE });
-  for (const { kind } of SHAPES) {
-    test(`${kind}: each parameter changes exactly what depends on it`, async ({ page }) => {
-      await withoutScene(page);
-      const start = moved(kind);
-      await open(page, linkOf(start.shape, start.ray, { method: 'exact' }));
-      await expectShown(page, start);
-      let count = 0;
-      for (const param of movedParams(kind)) {
-        let now = start;
-        const written: string[] = [];
-        const put = (i: number, x: number): void => {
-          now = withValue(
-            now,
-            param,
-            mapped(currentOf(now, param), (old, k) => (k === i ? x : old)),
-          );
-        };
-        const mayBeNegative = param.type === 'vector' || param.least === undefined;
-        for (const [i, name] of names(param).entries()) {
-          const from = [currentOf(now, param)].flat()[i] as number;
-          const [key, sign] = count % 2 ? ['ArrowDown', -1] : ['ArrowRight', 1];
-          await press(page, slider(page, name), String(key));
-          put(i, Number((from + Number(sign) * param.step).toPrecision(12)) + 0);
-          await expectShown(page, now);
-          const list = mayBeNegative && count % 3 === 2 ? TYPED_NEGATIVE : TYPED;
-          const [typed, x, linked] = list[count++ % list.length] ?? ['1', 1, '1'];
-          written.push(linked);
-          await typeInto(page, name, typed);
-          put(i, x);
-          await expectShown(page, now);
-          const end = Math.min(Math.max(x, param.range[0]), param.range[1]);
-          const rest = await slider(page, name).evaluate(
-            (at: HTMLInputElement) => at.valueAsNumber,
-          );
-          expect(rest, `the slider of ${name} for ${typed}`).toBeCloseTo(end, 12);
-        }
-        await expectInLink(page, { shape: kind, [param.symbol]: written.join(',') });
-        await resetOf(page, param.symbol).click();
-        await settle(page);
-        await expectShown(page, withValue(start, param, param.initial));
-        // What links have always meant without the key is left out.
-        const linked = param.linkDefault === undefined ? null : String(param.initial);
-        await expectInLink(page, { [param.symbol]: linked });
-        await open(page, linkOf(start.shape, start.ray, { method: 'exact' }));
+for (const { kind } of SHAPES) {
+  test(`${kind}: each parameter changes exactly what depends on it`, async ({ page }) => {
+    const start = moved(kind);
+    await open(page, linkOf(start.shape, start.ray, { method: 'exact' }));
+    await expectShown(page, start);
+    let count = 0;
+    for (const param of movedParams(kind)) {
+      let now = start;
+      const written: string[] = [];
+      const put = (i: number, x: number): void => {
+        now = withValue(
+          now,
+          param,
+          mapped(currentOf(now, param), (old, k) => (k === i ? x : old)),
+        );
+      };
+      const mayBeNegative = param.type === 'vector' || param.least === undefined;
+      for (const [i, name] of names(param).entries()) {
+        const from = [currentOf(now, param)].flat()[i] as number;
+        const [key, sign] = count % 2 ? ['ArrowDown', -1] : ['ArrowRight', 1];
+        await press(page, slider(page, name), String(key));
+        put(i, Number((from + Number(sign) * param.step).toPrecision(12)) + 0);
+        await expectShown(page, now);
+        const list = mayBeNegative && count % 3 === 2 ? TYPED_NEGATIVE : TYPED;
+        const [typed, x, linked] = list[count++ % list.length] ?? ['1', 1, '1'];
+        written.push(linked);
+        await typeInto(page, name, typed);
+        put(i, x);
+        await expectShown(page, now);
+        const end = Math.min(Math.max(x, param.range[0]), param.range[1]);
+        const rest = await slider(page, name).evaluate((at: HTMLInputElement) => at.valueAsNumber);
+        expect(rest, `the slider of ${name} for ${typed}`).toBeCloseTo(end, 12);
       }
-    });
-  }
-});
+      await expectInLink(page, { shape: kind, [param.symbol]: written.join(',') });
+      await resetOf(page, param.symbol).click();
+      await settle(page);
+      await expectShown(page, withValue(start, param, param.initial));
+      // What links have always meant without the key is left out.
+      const linked = param.linkDefault === undefined ? null : String(param.initial);
+      await expectInLink(page, { [param.symbol]: linked });
+      await open(page, linkOf(start.shape, start.ray, { method: 'exact' }));
+    }
+  });
+}
 
 test('a slider is dragged: everything follows, and the value is on its step', async ({ page }) => {
   const start = initial('cylinder');

@@ -12,7 +12,9 @@ import {
 } from './support/page.ts';
 import { frames, framesAsked } from './support/pending.ts';
 import { drawn, middleOf, openScene, picture, still } from './support/scene.ts';
-import { expect, test } from './support/test.ts';
+import { test as alone, expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({ viewport: { width: 940, height: 700 }, ink: true });
 
@@ -24,7 +26,7 @@ async function viewInLink(page: Page): Promise<number[]> {
   return view.split(',').map(Number);
 }
 
-test('formulas stand on the page before the picture has been loaded', async ({ page }) => {
+alone('formulas stand on the page before the picture has been loaded', async ({ page }) => {
   let release = (): void => {};
   const gate = new Promise<void>((open) => {
     release = open;
@@ -44,7 +46,7 @@ test('formulas stand on the page before the picture has been loaded', async ({ p
 
 test.describe('without the picture', () => {
   test.use({ provoked: NO_SCENE });
-  test('numbers and formulas work, and a sentence says what is missing', async ({ page }) => {
+  alone('numbers and formulas work, and a sentence says what is missing', async ({ page }) => {
     await withoutScene(page);
     await open(page, START);
     await expect(page.locator('.view-waiting')).toContainText('not be loaded');

@@ -3,31 +3,38 @@ import { createRequire } from 'node:module';
 import type { Page } from '@playwright/test';
 import type { AxeResults, RunOptions } from 'axe-core';
 import { THEMES } from '../../../src/ui/theme.ts';
-import { frames } from './pending.ts';
+import { showTheme } from './theme.ts';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /** What a theme can break: it changes colours, and on the projector sizes. */
-const OF_A_THEME = ['color-contrast', 'link-in-text-block', 'scrollable-region-focusable'];
+const OF_A_THEME: RunOptions = {
+  runOnly: ['color-contrast', 'link-in-text-block', 'scrollable-region-focusable'],
+};
+/** As they are applied; 'system' is one of them. */
+const APPLIED = THEMES.filter((theme) => theme !== 'system');
+
+/** What axe runs by itself without the dearest rule, for states that bring no colour. */
+export const BUT_CONTRAST: RunOptions = { rules: { 'color-contrast': { enabled: false } } };
 
 type Axe = { readonly run: (where: Element, options: RunOptions) => Promise<AxeResults> };
 
 /**
  * One line a violation within the first element of a selector: the rule, and the elements that
- * break it; of these rules, or of all that axe runs by itself. Elements that pass are not
- * described, which takes most of axe's time. The page has no frame that shows anything.
+ * break it; of the rules of these options, or of all that axe runs by itself. Elements that pass
+ * are not described, which takes most of axe's time. The page has no frame that shows anything.
  */
 export async function violations(
   page: Page,
   within = 'html',
-  rules?: readonly string[],
+  rules: RunOptions = {},
 ): Promise<string[]> {
   if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
   const options: RunOptions = {
     resultTypes: ['violations'],
     preload: false,
     iframes: false,
-    ...(rules && { runOnly: { type: 'rule', values: [...rules] } }),
+    ...rules,
   };
   return page.evaluate(
     async ([within, options]) => {
@@ -48,20 +55,24 @@ export async function violationsInThemes(page: Page, within = 'html'): Promise<s
   const root = page.locator('html');
   const shown = await root.getAttribute('data-theme');
   const found = await violations(page, within);
-  for (const theme of THEMES) {
-    if (theme === 'system' || theme === shown) continue;
-    await show(page, theme);
+  for (const theme of APPLIED) {
+    if (theme === shown) continue;
+    await showTheme(page, theme);
     found.push(...(await violations(page, within, OF_A_THEME)).map((line) => `${theme}: ${line}`));
   }
-  await show(page, shown ?? '');
+  await showTheme(page, shown ?? '');
   return found;
 }
 
-/** The style sheets know the theme by the attribute alone. */
-async function show(page: Page, theme: string): Promise<void> {
-  await page.evaluate(async (name) => {
-    document.documentElement.dataset.theme = name;
-    await Promise.all(document.getAnimations().map(({ finished }) => finished.catch(() => null)));
-  }, theme);
-  await frames(page, 2);
+/**
+ * All rules in one theme, the nth of them and round again: for many states at many sizes, where
+ * every theme comes to every size.
+ */
+export async function violationsInNthTheme(page: Page, n: number): Promise<string[]> {
+  const shown = await page.locator('html').getAttribute('data-theme');
+  const theme = APPLIED[n % APPLIED.length] ?? '';
+  await showTheme(page, theme);
+  const found = await violations(page);
+  await showTheme(page, shown ?? '');
+  return found.map((line) => `${theme}: ${line}`);
 }

@@ -24,12 +24,16 @@ export async function drawn(page: Page): Promise<number> {
 /** What the canvas itself shows, without what lies over it. */
 export async function picture(page: Page): Promise<Buffer> {
   await still(page);
-  await page.evaluate(() => {
-    for (const over of document.querySelectorAll<HTMLElement>('.scene-root > :not(canvas)')) {
-      over.style.visibility = 'hidden';
-    }
-  });
-  return page.locator('canvas').screenshot();
+  const show = (visibility: string): Promise<void> =>
+    page.evaluate((value) => {
+      for (const over of document.querySelectorAll<HTMLElement>('.scene-root > :not(canvas)')) {
+        over.style.visibility = value;
+      }
+    }, visibility);
+  await show('hidden');
+  const seen = await page.locator('canvas').screenshot();
+  await show('');
+  return seen;
 }
 
 export async function middleOf(page: Page, selector: string): Promise<[number, number]> {

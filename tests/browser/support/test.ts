@@ -26,6 +26,12 @@ interface Strict {
   complaints: string[];
 }
 
+interface Kept {
+  /** The file, and what of its options a context cannot change. */
+  key: string;
+  page: Page | null;
+}
+
 async function prepare(context: BrowserContext, ink: boolean): Promise<void> {
   await context.addInitScript(countPending);
   if (!ink) await context.addInitScript(withoutInk);
@@ -35,7 +41,17 @@ async function prepare(context: BrowserContext, ink: boolean): Promise<void> {
  * Every test fails on an error or warning on the console, an uncaught error, a dialog, and on any
  * request that leaves the page's own origin.
  */
-export const test = base.extend<Strict>({
+export const test = base.extend<Strict, { kept: Kept }>({
+  // Also where it is not used: tests with other fixtures of a worker get a worker and a browser of
+  // their own, which takes longer than a visit.
+  kept: [
+    async ({ browser: _ }, use) => {
+      const kept: Kept = { key: '', page: null };
+      await use(kept);
+      await kept.page?.context().close();
+    },
+    { scope: 'worker' },
+  ],
   provoked: [null, { option: true }],
   ink: [false, { option: true }],
   context: async ({ context, ink }, use) => {
@@ -72,12 +88,6 @@ export const test = base.extend<Strict>({
   ],
 });
 
-interface Kept {
-  /** The file, and what of its options a context cannot change. */
-  key: string;
-  page: Page | null;
-}
-
 /**
  * As `test`, but the tests of a file have the same page, one after another: a visit takes more
  * time than most of what is done there. A link says anew what is shown; storage, media, mouse,
@@ -85,15 +95,7 @@ interface Kept {
  * that were given, and numbers of shapes that were left: a test ends what it began of these, and
  * lets go of the keys that it holds. The file says `test.describe.configure({ mode: 'default' })`.
  */
-export const visit = test.extend<object, { kept: Kept }>({
-  kept: [
-    async ({ browser: _ }, use) => {
-      const kept: Kept = { key: '', page: null };
-      await use(kept);
-      await kept.page?.context().close();
-    },
-    { scope: 'worker' },
-  ],
+export const visit = test.extend({
   context: async ({ browser, kept, ink, hasTouch, isMobile, permissions }, use, { file }) => {
     const key = JSON.stringify([file, ink, hasTouch, isMobile, permissions]);
     if (kept.key !== key) {
