@@ -506,7 +506,13 @@ test.describe('on a phone', () => {
         [8, 0],
       ] as const) {
         await open(page, `#/explore?shape=plane&method=exact&view=iso&t=${dx}`);
-        await page.evaluate(() => scrollTo(0, 0));
+        // What the last swipe has set rolling has come to rest.
+        await page.evaluate(async () => {
+          for (let still = 0; still < 5; still = scrollY === 0 ? still + 1 : 0) {
+            scrollTo(0, 0);
+            await new Promise((drawn) => requestAnimationFrame(drawn));
+          }
+        });
         await touch('touchStart', start);
         for (let k = 1; k <= 16; k++) {
           await touch('touchMove', { x: start.x + k * dx, y: start.y + k * dy });
