@@ -124,14 +124,11 @@ const WINDOWS = [
 /** Where large type is the widest for its window. */
 const TIGHT = new Set([320, 512, 640, 900]);
 
-/** A link of each page, and lessons beside another one. */
+/** Pages that measure nothing: measuring takes long, and their header is the same. */
 const EVERY_PAGE = [
   '#/explore?shape=hyperboloid',
   '#/lesson',
   '#/lesson/ray?step=5',
-  '#/lesson/digits?step=3',
-  '#/lesson/effects?step=3',
-  '#/accuracy',
   '#/picture?size=64x36',
   '#/check?seed=41',
 ];
