@@ -160,6 +160,10 @@ test('a term lights where it came from, and travels there', async ({ page }) => 
   expect(await litIn()).toEqual([]);
   await first.focus();
   expect(await litIn()).toEqual(['1', '2', '3', '4', '5']);
+  // As by a finger, which points at nothing once it is lifted: a square of an earlier step.
+  await page.locator('[data-derivation-step="2"] .term').nth(1).dispatchEvent('click');
+  expect(await litIn()).toEqual(['1', '2', '3', '4', '5']);
+  await expect(first).not.toHaveClass(/term-lit/);
 
   /** How far the terms of the step still have to go, as soon as it is drawn. */
   const travelling = (stop: number): Promise<number> =>

@@ -57,6 +57,8 @@ export function lightTerms(host: HTMLElement): void {
   };
   host.addEventListener('pointerover', ({ target }) => light(target));
   host.addEventListener('pointerleave', () => light(document.activeElement));
+  // A finger leaves before its click, and takes the focus away from a term.
+  host.addEventListener('click', ({ target }) => light(target));
   host.addEventListener('focusin', ({ target }) => light(target));
   host.addEventListener('focusout', ({ relatedTarget }) => light(relatedTarget));
 }
