@@ -21,31 +21,40 @@ export const NARROW = 480;
 const BUTTONS = { top: 40, bottom: 34, side: 8, column: 64 };
 const MARK = 18;
 
-/** Least zoom that is chosen to have everything in the frame. */
-const LEAST_ZOOM = 0.3;
+/** px of the frame's edges that the shape leaves free. */
+const EDGE = 4;
+/** Samples of a patch along u and v, for its extent. */
+const SAMPLES = { u: 24, v: 4 };
+
+/** Least zoom, as a part of the view's, that is chosen to have everything in the frame. */
+const LEAST_ZOOM = { points: 0.3, shape: 0.75 };
 const ROUNDS = 8;
 /** Tolerance in px, so that the iteration ends. */
 const PLAY = 0.5;
 
 /**
  * The camera for a view of the model. A view with a zoom is taken as it is. For another the camera
- * is moved back and aside until the important points are in the frame, clear of the buttons. The
- * pose is a continuous function of the points, and does not move while they are in the frame.
+ * is moved back and aside until the important points are in the frame, clear of the buttons, and
+ * the shape as far as it is drawn, unless that makes it too small. The pose is a continuous
+ * function of the points, and does not move while they are in the frame.
  */
 export function framedPose(model: SceneModel, units: StageUnits, frame: Frame): Pose {
   const pose = poseOf(model.view, model.ray, units);
-  return isAsItIs(model.view) ? pose : moved(pose, points(model, units), frame);
+  if (isAsItIs(model.view)) return pose;
+  return moved(pose, points(model, units), extent(model, units), frame);
 }
 
 const isAsItIs = (view: View): boolean => typeof view !== 'string' && view.zoom !== null;
 
+interface Box {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
 /** The part of the frame that is free of buttons, with room for a mark. */
-function clearOf({ width, height, scale }: Frame): {
-  left: number;
-  right: number;
-  top: number;
-  bottom: number;
-} {
+function clearOf({ width, height, scale }: Frame): Box {
   const mark = MARK * scale;
   const isNarrow = width < NARROW;
   return {
@@ -55,6 +64,13 @@ function clearOf({ width, height, scale }: Frame): {
     bottom: height - BUTTONS.bottom - mark,
   };
 }
+
+const inside = ({ width, height }: Frame): Box => ({
+  left: EDGE,
+  right: width - EDGE,
+  top: EDGE,
+  bottom: height - EDGE,
+});
 
 /** The important points: E, the hits with their normals, and the shape's anchor. */
 function points({ ray, hits, drawing }: SceneModel, units: StageUnits): Point[] {
@@ -74,26 +90,43 @@ function points({ ray, hits, drawing }: SceneModel, units: StageUnits): Point[] 
   return found;
 }
 
-function moved(pose: Pose, all: readonly Point[], frame: Frame): Pose {
-  const { left, right, top, bottom } = clearOf(frame);
-  const [width, height] = [right - left, bottom - top];
-  if (width < 1 || height < 1) return pose;
+/** Points all over the shape, but for what goes on to all sides, as a plane does. */
+function extent({ drawing }: SceneModel, units: StageUnits): Point[] {
+  const { u, v } = SAMPLES;
+  return drawing.patches
+    .filter(({ closed, sides }) => closed || sides === 'edge')
+    .flatMap((patch) =>
+      Array.from({ length: (u + 1) * (v + 1) }, (_, k) =>
+        units.toStage(patch.at((k % (u + 1)) / u, Math.floor(k / (u + 1)) / v)),
+      ),
+    )
+    .filter((point) => point !== null);
+}
+function moved(pose: Pose, all: readonly Point[], shape: readonly Point[], frame: Frame): Pose {
+  const clear = clearOf(frame);
+  const whole = inside(frame);
+  if (clear.right - clear.left < 1 || clear.bottom - clear.top < 1) return pose;
   let now = pose;
   for (let k = 0; k < ROUNDS; k++) {
     const projection = new Projection(now, frame.width, frame.height);
-    const spots = all.flatMap((p) => projection.project(p) ?? []);
-    if (spots.length === 0) return now;
-    const [xs, ys] = [spots.map(({ x }) => x), spots.map(({ y }) => y)];
-    const [x1, x2] = [Math.min(...xs), Math.max(...xs)];
-    const [y1, y2] = [Math.min(...ys), Math.max(...ys)];
-    const share = Math.min(1, width / Math.max(x2 - x1, 1), height / Math.max(y2 - y1, 1));
-    const dx = aside(x1, x2, left, right);
-    const dy = aside(y1, y2, top, bottom);
-    if (share === 1 && Math.abs(dx) < PLAY && Math.abs(dy) < PLAY) return now;
+    const needed = { box: boxOf(all, projection), into: clear };
+    const drawn = { box: boxOf(shape, projection), into: whole };
+    const share = shareOf(needed, needed);
+    const shareDrawn = Math.min(
+      shareOf(drawn, drawn),
+      shareOf(needed, drawn),
+      shareOf(drawn, needed),
+    );
+    const zoom = Math.min(
+      Math.max(now.zoom * share, Math.min(now.zoom, LEAST_ZOOM.points * pose.zoom)),
+      Math.max(now.zoom * shareDrawn, Math.min(now.zoom, LEAST_ZOOM.shape * pose.zoom)),
+    );
+    const [dx, dy] = shift(needed, shift(drawn, [0, 0]));
+    if (zoom === now.zoom && Math.abs(dx) < PLAY && Math.abs(dy) < PLAY) return now;
     const perPixel = projection.distance(now.target) / projection.focal;
     now = {
       ...now,
-      zoom: Math.max(now.zoom * share, LEAST_ZOOM * pose.zoom),
+      zoom,
       target: along(
         along(now.target, projection.right, -dx * perPixel),
         projection.up,
@@ -102,6 +135,47 @@ function moved(pose: Pose, all: readonly Point[], frame: Frame): Pose {
     };
   }
   return now;
+}
+
+/** The box around points on the screen; null where none is seen. */
+function boxOf(points: readonly Point[], projection: Projection): Box | null {
+  const spots = points.flatMap((p) => projection.project(p) ?? []);
+  if (spots.length === 0) return null;
+  const [xs, ys] = [spots.map(({ x }) => x), spots.map(({ y }) => y)];
+  return {
+    left: Math.min(...xs),
+    right: Math.max(...xs),
+    top: Math.min(...ys),
+    bottom: Math.max(...ys),
+  };
+}
+
+/** A box on the screen, null where nothing is seen, and the one it should be in. */
+interface Fit {
+  readonly box: Box | null;
+  readonly into: Box;
+}
+
+/**
+ * The factor, at most 1, with which what is between the left and upper sides of one box and the
+ * right and lower sides of another fits between where these should be.
+ */
+function shareOf(one: Fit, other: Fit): number {
+  if (!one.box || !other.box) return 1;
+  return Math.min(
+    1,
+    (other.into.right - one.into.left) / Math.max(other.box.right - one.box.left, 1),
+    (other.into.bottom - one.into.top) / Math.max(other.box.bottom - one.box.top, 1),
+  );
+}
+
+/** The least shift, beside the one given, that brings a box into another. */
+function shift({ box, into }: Fit, [dx, dy]: [number, number]): [number, number] {
+  if (!box) return [dx, dy];
+  return [
+    dx + aside(box.left + dx, box.right + dx, into.left, into.right),
+    dy + aside(box.top + dy, box.bottom + dy, into.top, into.bottom),
+  ];
 }
 
 /** The shift that brings an interval into another one; into its middle if it is longer. */

@@ -37,7 +37,7 @@ export function sceneBar(
       </span>
       ${
         invites
-          ? html`<p class="invitation">${INVITATION}
+          ? html`<p class="invitation"><span>${INVITATION}</span>
               <a href="#/lesson/ray">First lesson</a></p>`
           : example
             ? nothing

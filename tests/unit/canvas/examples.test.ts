@@ -82,6 +82,28 @@ describe.each(WALK_FRAMES)('the derivation, $window', (frame) => {
 
 describe.each(FRAMES)('$window', (frame) => {
   const derive = createDerive(() => closerLook);
+
+  const first = SHAPES.map(({ kind }) => `#/explore?shape=${kind}`);
+  test.each([
+    '',
+    ...first,
+    // Its lower circle is wider than the stage.
+    '#/explore?shape=cone&c=1',
+  ])('"%s": the whole shape is in the frame, as far as it is drawn', (link) => {
+    const { scene } = derive(decode(link));
+    const { units, projection } = laidOut(scene, frame);
+    const steps = Array.from({ length: 31 }, (_, i) => i / 30);
+    const out = scene.drawing.patches
+      .filter(({ closed, sides }) => closed || sides === 'edge')
+      .flatMap((patch) => steps.flatMap((u) => steps.map((v) => units.toStage(patch.at(u, v)))))
+      .map((place) => place && projection.project(place))
+      .filter(
+        (spot) =>
+          !spot || spot.x < 0 || spot.y < 0 || spot.x > frame.width || spot.y > frame.height,
+      );
+    expect(out).toEqual([]);
+  });
+
   const all = GALLERY.map((entry) => {
     const { scene } = derive(decode(entry.link));
     return { entry, scene, ...laidOut(scene, frame) };
