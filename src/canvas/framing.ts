@@ -18,8 +18,10 @@ export const NORMAL = 0.2;
 export const NARROW = 480;
 
 /** px at the frame's edges for the page's buttons and for E's disc. */
-const BUTTONS = { top: 40, bottom: 34, side: 8, column: 64 };
+export const BUTTONS = { top: 40, bottom: 34, side: 8, column: 64 };
 const MARK = 18;
+/** px above the buttons for two lines of notes, which lie across a narrow frame. */
+const NOTES = 46;
 
 /** px of the frame's edges that the shape leaves free. */
 const EDGE = 4;
@@ -41,7 +43,8 @@ const PLAY = 0.5;
 export function framedPose(model: SceneModel, units: StageUnits, frame: Frame): Pose {
   const pose = poseOf(model.view, model.ray, units);
   if (isAsItIs(model.view)) return pose;
-  return moved(pose, points(model, units), extent(model, units), frame);
+  const clear = clearOf(frame, model.notes.length > 0);
+  return moved(pose, points(model, units), extent(model, units), frame, clear);
 }
 
 const isAsItIs = (view: View): boolean => typeof view !== 'string' && view.zoom !== null;
@@ -53,15 +56,15 @@ interface Box {
   readonly bottom: number;
 }
 
-/** The part of the frame that is free of buttons, with room for a mark. */
-function clearOf({ width, height, scale }: Frame): Box {
+/** The part of the frame that is free of buttons and notes, with room for a mark. */
+function clearOf({ width, height, scale }: Frame, hasNotes: boolean): Box {
   const mark = MARK * scale;
   const isNarrow = width < NARROW;
   return {
     left: BUTTONS.side + mark,
     right: width - (isNarrow ? BUTTONS.column : BUTTONS.side) - mark,
     top: BUTTONS.top + mark,
-    bottom: height - BUTTONS.bottom - mark,
+    bottom: height - BUTTONS.bottom - mark - (isNarrow && hasNotes ? NOTES : 0),
   };
 }
 
@@ -102,8 +105,13 @@ function extent({ drawing }: SceneModel, units: StageUnits): Point[] {
     )
     .filter((point) => point !== null);
 }
-function moved(pose: Pose, all: readonly Point[], shape: readonly Point[], frame: Frame): Pose {
-  const clear = clearOf(frame);
+function moved(
+  pose: Pose,
+  all: readonly Point[],
+  shape: readonly Point[],
+  frame: Frame,
+  clear: Box,
+): Pose {
   const whole = inside(frame);
   if (clear.right - clear.left < 1 || clear.bottom - clear.top < 1) return pose;
   let now = pose;

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import type { RaySegment, SceneModel } from '../state/scene-model.ts';
+import { BUTTONS, NARROW } from './framing.ts';
 import { spanInside } from './labels.ts';
 import type { Projection } from './projection.ts';
 import { pointAt } from './ray.ts';
@@ -31,12 +32,13 @@ export function pointerTo(
 ): OffScreenPointer {
   const { segments } = model.ray;
   const end = nearestEnd(segments, t);
-  const seen = visibleRay(model, units, projection);
+  const width = widthOf(projection);
+  const seen = visibleRay(model, units, projection, width);
   if (end && seen) {
     const { x, y } = end.sign < 0 ? seen.start : seen.end;
     const [dx, dy] = seen.course;
     const direction = [end.sign * dx, end.sign * dy] as const;
-    const isEnd = x > 1 && x < projection.width - 1 && y > 1 && y < projection.height - 1;
+    const isEnd = x > 1 && x < width - 1 && y > 1 && y < projection.height - 1;
     if (!isEnd) return clamp(x, y - ABOVE * scale, direction, projection, scale);
     const reach = BEYOND * scale;
     return clamp(x + reach * direction[0], y + reach * direction[1], direction, projection, scale);
@@ -50,11 +52,15 @@ interface VisibleRay {
   readonly course: readonly [number, number];
 }
 
+/** The frame's width in px without the column of views. */
+const widthOf = ({ width }: Projection): number => width - (width < NARROW ? BUTTONS.column : 0);
+
 /** Both ends of the drawn ray within the frame; null if it is outside or seen head-on. */
 export function visibleRay(
   model: SceneModel,
   units: StageUnits,
   projection: Projection,
+  width = projection.width,
 ): VisibleRay | null {
   const { segments } = model.ray;
   const [first, last] = [segments[0], segments.at(-1)];
@@ -66,9 +72,9 @@ export function visibleRay(
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const length = Math.hypot(dx, dy);
   const frame = {
-    x: projection.width / 2,
+    x: width / 2,
     y: projection.height / 2,
-    w: projection.width,
+    w: width,
     h: projection.height,
   };
   const inside = spanInside([a.x, a.y, b.x, b.y], frame);
@@ -119,11 +125,9 @@ function clamp(
   projection: Projection,
   scale: number,
 ): OffScreenPointer {
-  const [cx, cy] = [
-    projection.width / 2,
-    (projection.height + (INSET.top - INSET.bottom) * scale) / 2,
-  ];
-  const halfWidth = Math.max(projection.width / 2 - INSET.x * scale, 1);
+  const width = widthOf(projection);
+  const [cx, cy] = [width / 2, (projection.height + (INSET.top - INSET.bottom) * scale) / 2];
+  const halfWidth = Math.max(width / 2 - INSET.x * scale, 1);
   const halfHeight = Math.max((projection.height - (INSET.top + INSET.bottom) * scale) / 2, 1);
   const excess = Math.max(Math.abs(x - cx) / halfWidth, Math.abs(y - cy) / halfHeight, 1);
   return { x: cx + (x - cx) / excess, y: cy + (y - cy) / excess, direction };

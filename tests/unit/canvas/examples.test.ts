@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { framedPose } from '../../../src/canvas/framing.ts';
+import { BUTTONS, framedPose, NARROW } from '../../../src/canvas/framing.ts';
 import { overlap } from '../../../src/canvas/labels.ts';
 import { layOut } from '../../../src/canvas/overlay.ts';
 import { Projection } from '../../../src/canvas/projection.ts';
@@ -119,6 +119,9 @@ describe.each(FRAMES)('$window', (frame) => {
           x < w / 2 || y < h / 2 || x > frame.width - w / 2 || y > frame.height - h / 2,
       );
       expect(out.map(({ key }) => key)).toEqual([]);
+      const column = frame.width - (frame.width < NARROW ? BUTTONS.column : 0);
+      const under = one.pointerBoxes.filter(({ x, w }) => x + w / 2 > column);
+      expect(under, 'pointers under the views').toEqual([]);
     },
   );
 
