@@ -383,7 +383,7 @@ function results(
     case 't':
       if (hits.length === 0) return html`<p class="walk-results">There is no root.</p>`;
       return html`<p class="walk-results">${hits.map(
-        ({ index, t }) => html`t${subscript(index)} = ${value(`walk.t${index}`, t)} `,
+        ({ index, t }) => html`<span>t${subscript(index)} = ${value(`walk.t${index}`, t)}</span> `,
       )}</p>`;
     case 'normal':
       return html`${found.hits.map((hit, i) => normalOf(hit, i, model))}`;
