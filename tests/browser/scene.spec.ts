@@ -51,6 +51,8 @@ test.describe('without the picture', () => {
     await open(page, START);
     await expect(page.locator('.view-waiting')).toContainText('not be loaded');
     await typeInto(page, 'E.x', '4');
+    // The graph, which has the bead, comes after the first frame.
+    await page.locator('.graph-bead').waitFor();
     expect(await quantities(page)).toMatchObject({ 'E.x': '4', 'bead.t': /./ });
     await press(page, page.locator('.graph-bead'), 'ArrowRight');
     await expectInLink(page, { E: '4,1,1' });
