@@ -156,12 +156,7 @@ test('no page and no header is wider than a window, in any theme', async ({ page
           });
           const names = out.map((element) => element.getAttribute('class') ?? element.tagName);
           const { scrollWidth } = document.documentElement;
-          if (scrollWidth <= innerWidth) return names;
-          const ends = [...document.querySelectorAll('main *')].filter(
-            (element) => Math.round(element.getBoundingClientRect().right) === scrollWidth,
-          );
-          const first = ends[0]?.outerHTML.slice(0, 120);
-          return [...names, `${scrollWidth} px: ${first}`];
+          return scrollWidth > innerWidth ? [...names, `${scrollWidth} px`] : names;
         }, theme);
         const at = `${link}, ${theme}, ${window.width} × ${window.height}`;
         expect.soft(wide, at).toEqual([]);
