@@ -164,6 +164,9 @@ test('no page and no header is wider than a window, in any theme', async ({ page
     }
     await page.setViewportSize({ width: 1000, height: 800 });
   }
+  await page.evaluate(() => {
+    document.documentElement.dataset.theme = 'light';
+  });
 });
 
 test('on a low window scene, parameter and caption are in view at once', async ({ page }) => {

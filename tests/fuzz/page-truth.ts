@@ -15,7 +15,8 @@ export async function pageTruth(page: Page, errors: readonly string[]): Promise<
   if (errors.length > 0) return `errors at ${page.url()}: ${errors.join('\n')}`;
   await frames(page, 2);
   await timersDone(page);
-  const { hash, shown, words, boxes, playing } = await page.evaluate(() => ({
+  const { hash, shown, words, boxes, playing, sweeping } = await page.evaluate(() => ({
+    sweeping: document.querySelector('[data-playing]') !== null,
     playing: document.querySelector('.ray-tool[aria-pressed="true"]')?.textContent === 'stop',
     hash: location.hash,
     words: (document.querySelector('#app') as HTMLElement).innerText,
@@ -28,6 +29,8 @@ export async function pageTruth(page: Page, errors: readonly string[]): Promise<
   const nonsense = /\bNaN\b|\bundefined\b|\[object/.exec(words);
   if (nonsense) return `the page says ${nonsense[0]} at ${hash}`;
   if (boxes.some((value) => /NaN|undefined/.test(value))) return `a box says NaN at ${hash}`;
+  // While a number plays, what is drawn is on its way and the state is not.
+  if (sweeping) return null;
   // While the bead plays the link follows a little behind.
   const still = shown.filter(([name]) => !(playing && name?.startsWith('bead.')));
   return differences(hash, still as [string, string][]);
