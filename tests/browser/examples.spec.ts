@@ -4,17 +4,11 @@ import { open } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
-/**
- * Each theme in the windows that it is for; tests/unit/canvas/examples.test.ts has the scene's
- * labels at more sizes.
- */
-const SIZES = {
-  light: [
-    { width: 1280, height: 720 },
-    { width: 390, height: 844 },
-  ],
-  projector: [{ width: 1024, height: 768 }],
-};
+const SIZES = [
+  { width: 1280, height: 720 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+];
 
 /** Texts of the scene and of the graph that lie on another one, as they are drawn. */
 async function met(page: Page): Promise<string[]> {
@@ -46,11 +40,11 @@ async function met(page: Page): Promise<string[]> {
 }
 
 // Dark is light in other colours: tests/unit/ui/themes.test.ts.
-for (const theme of ['light', 'projector'] as const) {
+for (const theme of ['light', 'projector']) {
   test(`${theme}: no text of an example's pictures lies on another one`, async ({ page }) => {
     await page.addInitScript((name) => localStorage.setItem('graze.theme', name), theme);
     await page.emulateMedia({ reducedMotion: 'reduce' });
-    for (const size of SIZES[theme]) {
+    for (const size of SIZES) {
       await page.setViewportSize(size);
       for (const { id, link } of GALLERY) {
         await open(page, link);
