@@ -112,6 +112,8 @@ function blackScreen(announce: (words: string) => void): HTMLDialogElement {
   });
   screen.addEventListener('wheel', (event) => event.preventDefault(), { passive: false });
   screen.addEventListener('close', () => {
+    // The event comes a task later: a quick press may have opened it again.
+    if (screen.open) return;
     screen.remove();
     announce('The page is shown again.');
   });
