@@ -165,6 +165,13 @@ test('all of Graze in a frame tells the score', async ({ page, baseURL }) => {
     .toMatchObject({ right: 0, asked: expect.any(Number) });
 });
 
+test('a frame that is higher than its content says so', async ({ page, baseURL }) => {
+  await host(page, LISTEN + frame(`${baseURL}#/explore?shape=cone&embed=caption,hits`));
+  const px = async (): Promise<unknown> => (await heard(page, 'height')).at(-1)?.px;
+  await expect.poll(px).toBeLessThan(300);
+  expect(await px()).toBeGreaterThan(60);
+});
+
 const ELEMENT = (site: string): string =>
   `<script type="module" src="${site}embed/graze.js"></script>`;
 
