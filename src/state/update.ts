@@ -28,12 +28,16 @@ export function update(state: AppState, action: Action): AppState {
   return isLocked(state, next) ? state : kept(state, next);
 }
 
-/** Whether something that the link locks would change. */
+/**
+ * Whether something that the link locks would change. Another shape has numbers of its own, and an
+ * example its own locks.
+ */
 function isLocked(state: AppState, next: AppState): boolean {
+  if (next.lock !== state.lock) return false;
   const value = (now: AppState, symbol: string): unknown => {
     if (symbol === 'E' || symbol === 'd') return now[symbol];
-    const param = findShape(now.kind)?.params.find((one) => one.symbol === symbol);
-    return param && paramValue(shapeOf(now), param.key);
+    const param = findShape(state.kind)?.params.find((one) => one.symbol === symbol);
+    return param && paramValue(now.shapes[state.kind], param.key);
   };
   return state.lock.some(
     (symbol) =>

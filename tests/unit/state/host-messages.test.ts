@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { createDerive } from '../../../src/state/derive.ts';
 import { PARTS } from '../../../src/state/embed.ts';
 import { answerOf, opened, readMessage } from '../../../src/state/host-messages.ts';
-import { INITIAL } from '../../../src/state/state.ts';
+import { INITIAL, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
 import { anyState } from './random-state.ts';
@@ -145,7 +145,6 @@ describe('keys of a link for a host', () => {
         type: fc.constant('reset' as const),
         what: fc.constantFrom('E' as const, 'd' as const, 'all' as const),
       }),
-      fc.record({ type: fc.constant('shape' as const), kind: fc.constantFrom('cone', 'sphere') }),
     );
     const locked = anyState.filter(({ lock }) => lock.length > 0);
     fc.assert(
@@ -165,4 +164,12 @@ test('what is not locked moves', () => {
   expect(update(state, { type: 'param', key: 'slope', value: 3 })).toBe(state);
   expect(update(state, { type: 'origin', value: [1, 2, 3] }).E).toEqual([1, 2, 3]);
   expect(INITIAL.lock).toEqual([]);
+});
+
+test('another shape is free, and the locked one comes back as it was', () => {
+  const state = decode('#/explore?shape=cone&c=2&lock=c');
+  const sphere = update(state, { type: 'shape', kind: 'sphere' });
+  expect(sphere.kind).toBe('sphere');
+  const back = update(sphere, { type: 'shape', kind: 'cone' });
+  expect(shapeOf(back)).toMatchObject({ kind: 'cone', slope: 2 });
 });
