@@ -136,7 +136,9 @@ const tools: PageActions = {
       if (isFull(now)) hearing.toggle(now.graph);
     }, sayNotLoaded);
   },
-  second: () => secondView?.toggle(),
+  second: () => {
+    theRest().then(() => secondView?.toggle(), sayNotLoaded);
+  },
   turn: (by) => pages.current()?.turn?.(by),
   present: () => pages.current()?.present?.(),
   collect: () =>
