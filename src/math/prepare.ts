@@ -2,7 +2,7 @@ import { endingBy, isFaithful } from './ended.ts';
 import { InvalidInput, quote } from './invalid-input.ts';
 import type { Method } from './methods/define.ts';
 import { anySurface } from './prepare/flat.ts';
-import type { Surface } from './prepare/lines.ts';
+import { neverTold, type Surface } from './prepare/lines.ts';
 import {
   entryOf,
   ownSolid,
@@ -62,6 +62,7 @@ const ENTRIES = SHAPES as unknown as readonly ShapeDefinition<Shape>[];
 /** As any method answers. */
 const surfaceBy = (method: Method, shape: Shape): Surface => ({
   ask: null,
+  settle: neverTold,
   quadric: null,
   isExact: isFaithful(method.id),
   ending: (ray, whole) => endingBy(method.id, shape, ray, whole),

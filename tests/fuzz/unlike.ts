@@ -2,6 +2,7 @@ import { accelerate, decelerate } from '../../src/math/accelerate.ts';
 import { createAnswers, packRays, verdictsOfRoots } from '../../src/math/batch/batch.ts';
 import { batchOf } from '../../src/math/batch/kernels.ts';
 import type { Question } from '../../src/math/families.ts';
+import { createHit, type PreparedHit, prepare } from '../../src/math/index.ts';
 import { certified } from '../../src/math/methods/certified.ts';
 import type { Ray } from '../../src/math/ray.ts';
 
@@ -46,4 +47,34 @@ export function unlike(question: Question): string | null {
     ? null
     : `${JSON.stringify({ shape: question.shape, ray: besides(question.ray)[k] })}: ` +
         `${fast[k]} by WebAssembly, ${plain[k]} without`;
+}
+
+const WINDOWS = [
+  {},
+  { tMin: Number.NEGATIVE_INFINITY },
+  { tMin: 0.5, tMax: 2 },
+  { tMin: -1, tMax: 0 },
+] as const;
+
+/** All of a hit, zeros with their sign. */
+const written = (hit: PreparedHit | null | undefined): string =>
+  JSON.stringify(hit ?? null, (_, x) => (Object.is(x, -0) ? '-0' : Number.isNaN(x) ? 'NaN' : x));
+
+/**
+ * Where `first`, which solves the root that it needs, differs in a bit from the first one of `all`,
+ * which has both; or `any`, which may need none. In words; null where they do not.
+ */
+export function unlikeAll({ shape, ray }: Question): string | null {
+  for (const window of WINDOWS) {
+    const one = prepare(shape, window);
+    for (const near of besides(ray, 5)) {
+      const wanted = written(one.all(near).find(({ fate }) => fate !== 'cut'));
+      const at = JSON.stringify({ shape, ray: near, window });
+      const found = written(one.first(near));
+      const put = written(one.first(near, createHit()));
+      if (found !== wanted || put !== wanted) return `first ${found}, of all ${wanted}: ${at}`;
+      if (one.any(near) !== (wanted !== 'null')) return `any is not so: ${at}`;
+    }
+  }
+  return null;
 }

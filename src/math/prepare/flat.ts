@@ -5,7 +5,7 @@ import { certifiedSlot } from '../methods/certified/numbers.ts';
 import { planarRoots, solvePlanarSlowly } from '../methods/certified/planar.ts';
 import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Planar } from '../shapes/numbers.ts';
-import { curvedSurface, exactHit, MISSED, type Surface } from './lines.ts';
+import { curvedSurface, exactHit, MISSED, neverTold, type Surface } from './lines.ts';
 
 /** By `certified`: any shape, flat ones by their numbers too. */
 export function anySurface<S extends { readonly kind: string }>(
@@ -26,6 +26,7 @@ function planarSurface(s: Planar): Surface {
     placeInPlane(s, ray, t) ?? exactHit(whole, k, t);
   return {
     ask: null,
+    settle: neverTold,
     quadric: null,
     isExact: true,
     ending: (ray, whole) => exactEnding(ray, null, whole),

@@ -8,7 +8,7 @@ import type { WholeLine } from '../methods/whole-line.ts';
 import type { Ray } from '../ray.ts';
 import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Quadric } from '../shapes/numbers.ts';
-import { type AskOne, createHit, OPEN, sharpLine } from './sharp.ts';
+import { type AskOne, createHit, FAR, NEAR, OPEN, put, sharpLine, UNPLACED } from './sharp.ts';
 
 /** All roots of a line, ascending, with their points and normals. */
 interface Roots {
@@ -20,6 +20,8 @@ interface Roots {
 export interface Surface {
   /** One root, if that is quickly told; null for a shape of which it never is. */
   readonly ask: AskOne | null;
+  /** The same, with twice the digits, of a ray that `ask` leaves OPEN: where there are two roots. */
+  readonly settle: AskOne;
   /** @param whole exact arithmetic about this ray, asked for only where doubles cannot tell. */
   readonly roots: (ray: Ray, whole: () => WholeLine) => Roots;
   /** Point and normal of root k, whose faithful double is t. */
@@ -47,6 +49,7 @@ export function curvedSurface<S extends { readonly kind: string }>(
 
 const byTrees: Surface = {
   ask: null,
+  settle: neverTold,
   quadric: null,
   isExact: true,
   ending: (ray, whole) => exactEnding(ray, null, whole),
@@ -65,16 +68,34 @@ function quadricSurface(q: Quadric): Surface {
     placeOnQuadric(q, ray, t) ?? exactHit(whole, k, t);
   return {
     ask,
+    settle(ray, wanted, placed, out) {
+      if (!isOrdered(ray)) return OPEN;
+      const verdict = solveSlowly(q, ray, slot);
+      if (verdict === NONE) return 0;
+      if (verdict !== TWO) return OPEN;
+      const isFar = wanted === FAR || (wanted !== NEAR && slot.t0 < 0);
+      if (isFar && wanted !== FAR) {
+        // A root has one double, whoever else is asked for.
+        const said = ask(ray, FAR, placed, out);
+        if (said !== OPEN) return said;
+      }
+      const told = isFar ? FAR : NEAR;
+      out.t = isFar ? slot.t1 : slot.t0;
+      if (!placed) return told;
+      const hit = placeOnQuadric(q, ray, out.t);
+      if (hit) put(out, hit);
+      return hit ? told : told + UNPLACED;
+    },
     quadric: q,
     isExact: true,
     ending: (ray, whole) => exactEnding(ray, q, whole),
     place,
     roots(ray, whole) {
-      const first = ask(ray, 0, true, near);
-      if (first === NONE) return MISSED;
-      const second = ask(ray, 1, true, far);
+      const first = ask(ray, NEAR, true, near);
+      if (first === 0) return MISSED;
+      const second = ask(ray, FAR, true, far);
       const at = (k: number, said: number, { t, point, normal }: Hit): Hit =>
-        said === TWO
+        said === k + 1
           ? { t, point: [...point], normal: [...normal], singular: false }
           : place(ray, k, t, whole);
       if (first !== OPEN && second !== OPEN) {
@@ -93,6 +114,18 @@ function quadricSurface(q: Quadric): Surface {
       return { verdict: 'two', hits: [at(0, first, near), at(1, second, far)] };
     },
   };
+}
+
+/** Finite, with d ≠ 0: of others the slow road says what is wrong. */
+function isOrdered({ origin: E, direction: d }: Ray): boolean {
+  const [x, y, z] = d;
+  const zero = x - x + (y - y) + (z - z) + (E[0] - E[0]) + (E[1] - E[1]) + (E[2] - E[2]);
+  return zero === 0 && (x !== 0 || y !== 0 || z !== 0);
+}
+
+/** For a shape of which nothing is quickly told. */
+export function neverTold(): number {
+  return OPEN;
 }
 
 /** Of a line that does not meet the shape. */

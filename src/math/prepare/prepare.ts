@@ -1,4 +1,4 @@
-import { NONE, type Rays, TWO } from '../batch/batch.ts';
+import type { Rays } from '../batch/batch.ts';
 import { type FatedHit, withEnds } from '../ends.ts';
 import type { Fate, Hit, Sign } from '../intersection.ts';
 import {
@@ -18,7 +18,18 @@ import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Quadric } from '../shapes/numbers.ts';
 import { type Given, plainVector, type Vec3 } from '../vec3.ts';
 import { curvedSurface, type Surface } from './lines.ts';
-import { createHit, type HitRoom, OPEN, UNPLACED } from './sharp.ts';
+import {
+  ANY,
+  createHit,
+  FAR,
+  FIRST,
+  type HitRoom,
+  NEAR,
+  OPEN,
+  put,
+  rootOf,
+  UNPLACED,
+} from './sharp.ts';
 
 /** What a ray may be asked about a prepared shape. */
 export interface PrepareOptions<S> {
@@ -142,7 +153,7 @@ export function preparedBy<S extends { readonly kind: string }>(
   const leaving = from !== null && isSameSurface(entry, shape, from);
   // A cut needs the point, and a start the other root.
   const ask = cut || leaving ? null : surface.ask;
-  const { quadric, place } = surface;
+  const { quadric, place, settle } = surface;
 
   function slowly(given: Given<Ray>): readonly PreparedHit[] {
     const ray = plainRay(given);
@@ -176,46 +187,54 @@ export function preparedBy<S extends { readonly kind: string }>(
     slowly(ray).find(({ fate }) => fate !== 'cut') ?? null;
 
   const scratch = createHit();
+  // Where no root below 0 counts, its sign tells which one is wanted.
+  const earliest = tMin >= 0 ? FIRST : NEAR;
+  const isHalfLine = tMin === 0 && tMax === Number.POSITIVE_INFINITY;
+
+  /** What AskOne says of the first hit, in `room`; OPEN where only the slow road knows. */
+  function quickly(ray: Ray, placed: boolean, room: HitRoom): number {
+    if (!ask) return OPEN;
+    let said = ask(ray, earliest, placed, room);
+    if (said === OPEN) said = settle(ray, earliest, placed, room);
+    if (said > 0 && room.t < tMin) {
+      if (rootOf(said) === FAR) return 0;
+      said = ask(ray, FAR, placed, room);
+      if (said === OPEN) said = settle(ray, FAR, placed, room);
+      if (said > 0 && room.t < tMin) return 0;
+    }
+    if (said <= 0) return said;
+    if (room.t > tMax) return 0;
+    return room.t > tMin && room.t < tMax ? said : OPEN;
+  }
 
   /** t of the first hit; NaN where there is none. */
   function firstTime(ray: Given<Ray>): number {
-    if (ask) {
-      const given = ray as Ray;
-      let said = ask(given, 0, false, scratch);
-      if (said === NONE) return Number.NaN;
-      if (said === TWO && scratch.t < tMin) {
-        said = ask(given, 1, false, scratch);
-        if (said === TWO && scratch.t < tMin) return Number.NaN;
-      }
-      if (said === TWO && scratch.t > tMax) return Number.NaN;
-      if (said === TWO && scratch.t > tMin && scratch.t < tMax) return scratch.t;
-    }
-    return firstSlowly(ray)?.t ?? Number.NaN;
+    const said = quickly(ray as Ray, false, scratch);
+    if (said > 0) return scratch.t;
+    return said === 0 ? Number.NaN : (firstSlowly(ray)?.t ?? Number.NaN);
+  }
+
+  function any(ray: Given<Ray>): boolean {
+    const said = ask && isHalfLine ? ask(ray as Ray, ANY, false, scratch) : OPEN;
+    return said === OPEN ? !Number.isNaN(firstTime(ray)) : said > 0;
   }
 
   function first(ray: Given<Ray>): PreparedHit | null;
   function first(ray: Given<Ray>, out: HitRoom): HitRoom | null;
   function first(ray: Given<Ray>, out?: HitRoom): PreparedHit | null {
-    if (ask) {
-      const room = out ?? createHit();
-      const given = ray as Ray;
-      let k: 0 | 1 = 0;
-      let said = ask(given, k, true, room);
-      if (said === NONE) return null;
-      if (said !== OPEN && room.t < tMin) {
-        k = 1;
-        said = ask(given, k, true, room);
-        if (said !== OPEN && room.t < tMin) return null;
-      }
-      if (said !== OPEN && room.t > tMax) return null;
-      if (said !== OPEN && room.t > tMin && room.t < tMax) {
-        if (said === UNPLACED) placeIn(room, ray, k);
-        room.fate = 'hit';
-        return room;
-      }
+    const room = out ?? createHit();
+    const said = quickly(ray as Ray, true, room);
+    if (said === 0) return null;
+    if (said > 0) {
+      if ((said & UNPLACED) !== 0) placeIn(room, ray, rootOf(said) - 1);
+      room.fate = 'hit';
+      return room;
     }
     const found = firstSlowly(ray);
-    return found && out ? put(out, found) : found;
+    if (!found || !out) return found;
+    put(out, found);
+    out.fate = found.fate;
+    return out;
   }
 
   function placeIn(room: HitRoom, given: Given<Ray>, k: number): void {
@@ -226,7 +245,7 @@ export function preparedBy<S extends { readonly kind: string }>(
       room.t,
       lazy(() => wholeLine(entry, shape, ray)),
     );
-    put(room, { ...hit, fate: 'hit' });
+    put(room, hit);
   }
 
   function side(given: ArrayLike<number>): Sign | null {
@@ -241,7 +260,7 @@ export function preparedBy<S extends { readonly kind: string }>(
   return {
     first,
     all: slowly,
-    any: (ray) => !Number.isNaN(firstTime(ray)),
+    any,
     inside(point) {
       const sign = side(point);
       return sign !== null && sign <= 0;
@@ -276,17 +295,6 @@ const startOf = (hits: readonly FatedHit[], whole: (() => WholeLine) | null): Fa
         ? far
         : near;
     }, null);
-
-function put(out: HitRoom, { t, point, normal, singular, fate }: PreparedHit): HitRoom {
-  out.t = t;
-  for (let i = 0; i < 3; i++) {
-    out.point[i] = point[i] as number;
-    out.normal[i] = normal[i] as number;
-  }
-  out.singular = singular;
-  out.fate = fate;
-  return out;
-}
 
 function plainRay(given: Given<Ray>): Ray {
   const { origin, direction } = given ?? {};

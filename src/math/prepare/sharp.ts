@@ -1,7 +1,6 @@
-import { NONE, TWO } from '../batch/batch.ts';
 import type { Quadric } from '../batch/quadric.ts';
 import { SPLITTER } from '../float/eft.ts';
-import type { Fate } from '../intersection.ts';
+import type { Fate, Hit } from '../intersection.ts';
 import { DIRECT_ERROR, LARGEST, LEAST_A, SMALLEST_DIRECT } from '../methods/certified/class.ts';
 import { LOST_POINT, SMALLEST_NORMAL } from '../methods/certified/hits.ts';
 import { AT_SCALED, type CertifiedQuadric, FAITHFUL_ONCE } from '../methods/certified/numbers.ts';
@@ -37,6 +36,11 @@ import type { Ray } from '../ray.ts';
  * Underflow: with all numbers of G² and Am below 2^400, what a product loses (2^-1073) is
  * multiplied by 2s·a < 2^400 at most, which is far below u² SMALLEST_DIRECT.
  *
+ * Which root is wanted where only those from 0 on count: with D > 0, and A and C certain by the
+ * bounds of class.ts (7u of Cm; LEAST_A), roots of unlike signs have A C < 0, and the far one is
+ * it. Else b² > D > 27u AmCm says that b, known to 5u√(AmCm), has its sign, and both roots have
+ * that of −b/A. Nothing but signs of exact numbers, and so the same answer as by both roots.
+ *
  * The point E + t* d is E + m + (l + x d) with m = fl(t d): off by Δ|d| and 4u of what is small.
  * The normal is that of g + x d; 2^-54 of its longest component is left for it, and each is rounded
  * three times at most: its direction is right to 2^-51.
@@ -44,8 +48,18 @@ import type { Ray } from '../ray.ts';
 
 /** No verdict. */
 export const OPEN = -1;
-/** TWO, but point and normal are not certain. */
-export const UNPLACED = -2;
+/** Added to what was found: its point and normal are not certain. */
+export const UNPLACED = 4;
+
+/** The near root, the far one; the lesser one of those from 0 on; whether there is such a one. */
+export const NEAR = 1;
+export const FAR = 2;
+export const FIRST = 3;
+export const ANY = 4;
+type Wanted = typeof NEAR | typeof FAR | typeof FIRST | typeof ANY;
+
+/** Which root was found, from what AskOne says; 0: there is none. */
+export const rootOf = (said: number): number => said & 3;
 
 /** A hit that is filled again and again, so that nothing is allocated for one. */
 export interface HitRoom {
@@ -72,11 +86,21 @@ export const createHit = (): HitRoom => ({
   fate: 'hit',
 });
 
+/** Copies a hit, whatever else it has, and whatever became of the root. */
+export function put(out: HitRoom, { t, point, normal, singular }: Hit): void {
+  out.t = t;
+  for (let i = 0; i < 3; i++) {
+    out.point[i] = point[i] as number;
+    out.normal[i] = normal[i] as number;
+  }
+  out.singular = singular;
+}
+
 /**
- * Puts root k of a ray, 0 the near one, with its point and normal if `placed`. NONE, TWO, UNPLACED
- * or OPEN.
+ * Puts one root of a ray, with its point and normal if `placed`; for ANY nothing. NEAR or FAR with
+ * or without UNPLACED, 0 where there is none that is wanted, or OPEN.
  */
-export type AskOne = (ray: Ray, k: 0 | 1, placed: boolean, out: HitRoom) => number;
+export type AskOne = (ray: Ray, wanted: Wanted, placed: boolean, out: HitRoom) => number;
 
 /**
  * For one curved shape. In one piece, error-free transforms (float/eft.ts) and all: a call that is
@@ -96,7 +120,7 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
   const [direct, smallest, leastA] = [DIRECT_ERROR, SMALLEST_DIRECT, LEAST_A];
   const [once, lostPoint, smallestNormal] = [FAITHFUL_ONCE, LOST_POINT, SMALLEST_NORMAL];
 
-  return ({ origin, direction }, k, placed, out) => {
+  return ({ origin, direction }, wanted, placed, out) => {
     const ex = origin[0];
     const ey = origin[1];
     const ez = origin[2];
@@ -117,12 +141,20 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
     const Cm = away + Math.abs(above) + rho;
     const D = b * b - A * C;
     if (!(Math.abs(D) > direct * (Am * Cm) + smallest && Am + Cm < largest)) return OPEN;
-    if (D < 0) return NONE;
+    if (D < 0) return 0;
     if (!(Math.abs(A) > leastA * Am)) return OPEN;
+    let isFar = wanted === FAR;
+    if (wanted > FAR) {
+      const certain = Math.abs(C) > direct * Cm + smallest;
+      isFar = certain && A > 0 !== C > 0;
+      // Both are below 0.
+      if (certain && !isFar && A > 0 === b > 0) return 0;
+      if (wanted === ANY) return certain ? NEAR : OPEN;
+    }
     const root = Math.sqrt(D);
     const larger = b < 0 ? root - b : -b - root;
     // The near one is larger/A where these differ in sign.
-    const t = (A > 0 === larger < 0) === (k === 0) ? larger / A : C / larger;
+    const t = (A > 0 === larger < 0) === isFar ? C / larger : larger / A;
     const mx = t * dx;
     const my = t * dy;
     const mz = t * dz;
@@ -207,10 +239,11 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
       steep * Math.abs(t) > smallest &&
       20 * u * K <= narrow * steep &&
       Am * far <= narrow * steep &&
-      slope < 0 === (A > 0 === (k === 0));
+      slope < 0 === (A > 0 === !isFar);
     if (!known) return OPEN;
     out.t = found;
-    if (!placed) return TWO;
+    const told = isFar ? FAR : NEAR;
+    if (!placed) return told;
     const stepX = step * dx;
     const stepY = step * dy;
     const stepZ = step * dz;
@@ -237,7 +270,7 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
       (dx === 0 || offX + lostPoint <= once * Math.abs(x)) &&
       (dy === 0 || offY + lostPoint <= once * Math.abs(y)) &&
       (dz === 0 || offZ + lostPoint <= once * Math.abs(z));
-    if (!isPoint) return UNPLACED;
+    if (!isPoint) return told + UNPLACED;
     const rise = sy + (ly + stepY);
     const nx = sx + (lx + stepX);
     const ny = hasY ? -(a * rise + aLow * rise) : 0;
@@ -246,11 +279,11 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
       off * (Math.abs(dx) + size * Math.abs(dy) + Math.abs(dz)) +
       4 * u * (2 * u * (gx + size * gy + gz) + (sizeX + size * sizeY + sizeZ));
     const long = Math.max(Math.abs(nx), Math.abs(ny), Math.abs(nz));
-    if (!(offN + smallestNormal <= 2 ** -54 * long)) return UNPLACED;
+    if (!(offN + smallestNormal <= 2 ** -54 * long)) return told + UNPLACED;
     normal[0] = nx + 0;
     normal[1] = ny + 0;
     normal[2] = nz + 0;
     out.singular = false;
-    return TWO;
+    return told;
   };
 }

@@ -26,6 +26,7 @@ import { pick } from '../../../src/math/rng.ts';
 import type { ShapeDefinition } from '../../../src/math/shapes/define.ts';
 import { sideOf } from '../../../src/math/side.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { unlikeAll } from '../../fuzz/unlike.ts';
 import { type ExactHit, exactHits, faithful, straight } from './exact-hits.ts';
 import { wild } from './wild.ts';
 
@@ -106,6 +107,13 @@ function limitsNear(roots: readonly number[], random: Random): readonly [number,
 }
 
 describe('the first hit of an interval', () => {
+  test(`is the first of all hits, to the bit (seed ${SEED})`, () => {
+    const random = seeded(SEED);
+    const questions = FAMILIES.flatMap(({ make }) => [make(random), make(random), make(random)]);
+    const found = [...questions, ...wild(SEED, 60)].map(unlikeAll);
+    expect(found.filter((one) => one !== null)).toEqual([]);
+  });
+
   test.each(FAMILIES.map(({ id }) => id))(
     `is the first exact root in it: the family %s (seed ${SEED})`,
     (id) => {
