@@ -20,7 +20,7 @@ interface Roots {
 export interface Surface {
   /** One root, if that is quickly told; null for a shape of which it never is. */
   readonly ask: AskOne | null;
-  /** The same, with twice the digits, of a ray that `ask` leaves OPEN: where there are two roots. */
+  /** The same, with twice the digits, of a ray that `ask` leaves OPEN; OPEN but for two or none. */
   readonly settle: AskOne;
   /** @param whole exact arithmetic about this ray, asked for only where doubles cannot tell. */
   readonly roots: (ray: Ray, whole: () => WholeLine) => Roots;
