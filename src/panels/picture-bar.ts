@@ -15,7 +15,6 @@ interface BarTools {
   compare(): void;
   again(): void;
   cancel(): void;
-  save(): void;
   readonly isTracing: boolean;
   /** Whether a light of the scene has a size, so that its number of rays can be chosen. */
   readonly hasSoftLight: boolean;
@@ -27,7 +26,7 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
   const size = `${width}x${height}`;
   const sizes: readonly string[] = SIZES.includes(size as never) ? SIZES : [...SIZES, size];
   return html`<div class="bar-choices">
-      <label class="choice-scene">scene:
+      <label class="choice-scene"><span class="visually-hidden">scene:</span>
         <select
           @change=${(e: Event) => tools.set({ scene: chosenIn(e), pixel: '', on: '', off: '' })}>
           ${
@@ -67,9 +66,6 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
     <div class="bar-acts">
       <button type="button" class="plain-button" aria-pressed=${against !== null}
         @click=${tools.compare}>Compare</button>
-      <button type="button" class="plain-button"
-        title="The picture as PNG; the scene and the ledger: 'File and export' in the header"
-          @click=${tools.save}>Save</button>
       ${
         tools.isTracing
           ? html`<button type="button" class="plain-button primary"

@@ -18,7 +18,6 @@ export interface CompareTools {
   left(value: string): void;
   /** 'method:…' or 'start:…' */
   right(value: string): void;
-  show(what: 'both' | 'errors'): void;
 }
 
 /** A picker above each side, which names what differs. */
@@ -73,15 +72,13 @@ interface ComparisonShown {
   /** Null until both pictures are finished. */
   readonly found: Comparison | null;
   readonly trustsLeft: boolean;
-  readonly show: 'both' | 'errors';
 }
 
 /** Words on how many pixels differ, why, and in which ways. */
 export function comparisonWords(
   settings: TraceSettings,
   against: Against,
-  { found, trustsLeft, show }: ComparisonShown,
-  tools: CompareTools,
+  { found, trustsLeft }: ComparisonShown,
 ): TemplateResult {
   const cause = causeWords(settings, against);
   return html`<p class="compare-sentence">${
@@ -95,26 +92,7 @@ export function comparisonWords(
         }. `
       : nothing
   }${cause}</p>
-  <p class="compare-counts">${found ? counts(found, trustsLeft ? 'right' : 'left') : nothing}
-    <span class="show-switch" role="group"
-      aria-label="what is shown">${switchTo('both', 'side by side')}${switchTo(
-        'errors',
-        'error map',
-      )}</span>
-  </p>
-  ${
-    show === 'errors'
-      ? html`<p
-    class="compare-key"
-    >Black: another surface, or none. Dark grey: another colour. Paler: only digits of t differ.
-    Empty: the same bits.</p>`
-      : nothing
-  }`;
-
-  function switchTo(what: 'both' | 'errors', words: string): TemplateResult {
-    return html`<button type="button" aria-pressed=${show === what}
-      @click=${() => tools.show(what)}>${words}</button>`;
-  }
+  <p class="compare-counts">${found ? counts(found, trustsLeft ? 'right' : 'left') : nothing}</p>`;
 }
 
 /** @param side the less accurate one; 'left' if both are equally accurate. */

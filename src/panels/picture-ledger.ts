@@ -6,20 +6,45 @@ import {
   type KindRow,
   type LedgerModel,
   type LedgerRow,
+  MEASURES,
+  type Measure,
   msWords,
   percent,
 } from '../state/picture/ledger.ts';
+import type { Spread, Times } from '../state/picture/times.ts';
 import { shortest } from '../text/format.ts';
 import type { Cost, Progress } from '../tracer/types.ts';
 import './picture-ledger.css';
 
 interface LedgerTools {
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
+  /** Chooses what the bars show. */
+  by(measure: Measure): void;
   /** Traces the picture once more without each effect, to count the pixels that it changes. */
   measure(): void;
   /** Number of pictures that `measure` would trace; 0 if all pixels are counted. */
   readonly unmeasured: number;
   readonly isMeasuring: boolean;
+  /** Traces the picture, and others that the ledger has, again and again to measure the time. */
+  time(): void;
+  stopTiming(): void;
+  /** Null while no time is measured. */
+  readonly timing: Timing | null;
+  /** Whether the picture stands, so that its time can be measured. */
+  readonly stands: boolean;
+}
+
+interface Timing {
+  readonly repeat: number;
+  readonly repeats: number;
+  readonly msLeft: number;
+}
+
+interface LedgerHead {
+  /** Null before the picture is finished. */
+  readonly took: Pick<Progress, 'msSpent' | 'workers'> | null;
+  /** Which picture it is: "752 × 424, 1 ray a pixel". */
+  readonly resolution: string;
 }
 
 const SAMPLE_WORDS: Readonly<Record<number, string>> = {
@@ -29,46 +54,63 @@ const SAMPLE_WORDS: Readonly<Record<number, string>> = {
   16: 'sixteen through every pixel',
 };
 
-/**
- * What was simulated, why, and what it cost; then what was not, and why. `took`: time of the
- * finished picture; null before.
- */
+const MEASURE_WORDS: Readonly<Record<Measure, string>> = {
+  rays: 'rays',
+  questions: 'questions',
+  solves: 'roots worked out',
+  roots: 'roots found',
+  ms: 'time',
+};
+
+/** What was simulated, why, and what it cost; then what was not, and why. */
 export function ledger(
   model: LedgerModel,
-  took: Pick<Progress, 'msSpent' | 'workers'> | null,
+  { took, resolution }: LedgerHead,
   tools: LedgerTools,
 ): TemplateResult {
-  const { camera, simulated, idle, total, pixels } = model;
+  const { camera, simulated, idle, total, pixels, by, times } = model;
+  const choice = picker(by, times !== null, tools);
+  const row = (r: LedgerRow): TemplateResult => simulatedRow(r, by, pixels, tools);
   return html`<table class="ledger">
       <thead>
-        <tr><th scope="col"><span class="visually-hidden">effect</span></th><th
-          scope="col">rays</th><th scope="col">solves</th><th scope="col">ms</th><th
-            scope="col">pixels it changes</th></tr>
+        <tr><th scope="col" data-quantity="resolution"
+          data-value=${resolution}>${resolution}</th><th scope="col" class="bars">${choice}</th><th
+          scope="col">rays</th><th scope="col">questions</th><th scope="col">roots</th><th
+            scope="col">ms</th></tr>
       </thead>
       <tbody class="entry" data-effect="camera">
         <tr>
           <th scope="row">camera rays</th>
-          ${costCells(camera.cost)}
-          <td>all</td>
+          ${bar(camera, by)} ${costCells(camera.cost, camera.time)}
         </tr>
-        ${under(SAMPLE_WORDS[model.samples] ?? '', nothing, camera)}
+        ${under(SAMPLE_WORDS[model.samples] ?? '', nothing)}
       </tbody>
-      ${simulated.map((row) => simulatedRow(row, pixels, tools))}
+      ${simulated.map(row)}
       <tbody class="entry total" data-effect="total">
         <tr>
           <th scope="row">picture</th>
-          ${costCells(total.rays > 0 ? total : null)}
-          <td></td>
+          <td class="bars"></td>
+          ${costCells(total.rays > 0 ? total : null, times?.work ?? null)}
         </tr>
       </tbody>
     </table>
-    <p class="ledger-kinds">${kinds(model)}</p>
-    ${model.total.rays > 0 ? countWords(model, took) : nothing}
+    ${timeWords(model, took, tools)}
+    ${kinds(model)}
     ${measureLine(tools)}
     <h3 class="ledger-title">Not simulated</h3>
     <ul class="idle">
-      ${idle.map((row) => idleRow(row, pixels, tools))}
+      ${idle.map((one) => idleRow(one, pixels, tools))}
     </ul>`;
+}
+
+function picker(by: Measure, timed: boolean, tools: LedgerTools): TemplateResult {
+  return html`<label>bars by <select
+    @change=${(e: Event) => tools.by((e.target as HTMLSelectElement).value as Measure)}>
+    ${MEASURES.map(
+      (measure) => html`<option value=${measure} ?selected=${measure === by}
+      ?disabled=${measure === 'ms' && !timed}>${MEASURE_WORDS[measure]}</option>`,
+    )}
+  </select></label>`;
 }
 
 /** The list of simplifications in every picture. */
@@ -84,7 +126,12 @@ export function simplifications(): TemplateResult {
     </ul>`;
 }
 
-function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateResult {
+function simulatedRow(
+  row: LedgerRow,
+  by: Measure,
+  pixels: number,
+  tools: LedgerTools,
+): TemplateResult {
   const forcedOn = row.forced === 'on';
   const reason = forcedOn
     ? html`<strong>forced on</strong>; ${needWords(row)}: ${row.reason}`
@@ -92,37 +139,58 @@ function simulatedRow(row: LedgerRow, pixels: number, tools: LedgerTools): Templ
   const toggle = forcedOn
     ? button(row, 'no', RELEASE, tools)
     : button(row, 'off', 'force off', tools);
+  const changes =
+    row.pixels === null ? nothing : html`; changes ${changed(row, pixels)} of the pixels`;
+  const price = forcedOn ? unforcedWords(row) : nothing;
   return html`<tbody class="entry" data-effect=${row.id}>
     <tr>
       <th scope="row">${row.title}${needed(row)}</th>
-      ${costCells(row.cost)}
-      <td>${changed(row, pixels)}</td>
+      ${bar(row, by)} ${costCells(row.cost, row.time)}
     </tr>
-    ${under(reason, toggle, row)}
+    ${under(html`${reason}${changes}${price}`, toggle)}
   </tbody>`;
 }
 
-/** The reason of a row, and the bar of its share of the time. */
+/** What the picture costs without forcing. */
+const unforcedWords = ({ unforced }: LedgerRow): TemplateResult | typeof nothing =>
+  unforced
+    ? html`; as called for the picture takes <span data-quantity="unforced"
+      data-value=${shortest(unforced.work.low)}>${msWords(unforced.work.low)} ms</span> of work`
+    : nothing;
+
+/** The reason of a row. */
 function under(
   reason: TemplateResult | string,
   toggle: TemplateResult | typeof nothing,
-  { cost, share, from }: Pick<LedgerRow, 'cost' | 'share' | 'from'>,
 ): TemplateResult {
-  const words = cost ? `${percent(share, 1)} of the time` : '';
-  return html`<tr class="why"><td colspan="5">
-      <span class="reason-line"><span>${reason}</span>${toggle}</span>
-      <svg class="bar" viewBox="0 0 1000 8" preserveAspectRatio="none" role="img"
-        aria-label=${words || 'not traced yet'} data-quantity="share"
-          data-value=${shortest(share)}><title>${words}</title><rect class="part" x=${1000 * from}
-            y="0" width=${1000 * share} height="8" /></svg>
-    </td></tr>`;
+  return html`<tr class="reason-row"><td colspan="6"><span
+    class="reason-line"><span>${reason}</span>${toggle}</span></td></tr>`;
 }
 
-function costCells(cost: Cost | null): TemplateResult {
-  if (!cost) return html`<td></td><td></td><td></td>`;
-  return html`<td data-quantity="rays" data-value=${cost.rays}>${grouped(cost.rays)}</td>
-    <td data-quantity="solves" data-value=${cost.solves}>${grouped(cost.solves)}</td>
-    <td data-quantity="ms" data-value=${shortest(cost.ms)}>${msWords(cost.ms)}</td>`;
+/** The bar of a row's share, placed where its share begins. */
+function bar({ cost, share, from }: Shared, by: Measure): TemplateResult {
+  const of = by === 'ms' ? 'of the time' : `of the ${MEASURE_WORDS[by]}`;
+  const words = cost ? `${percent(share, 1)} ${of}` : '';
+  return html`<td class="bars"><svg class="bar" viewBox="0 0 1000 8" preserveAspectRatio="none"
+    role="img" aria-label=${words || 'not traced yet'} data-quantity="share"
+    data-value=${shortest(share)}><title>${words}</title><rect class="part" x=${1000 * from}
+      y="0" width=${1000 * share} height="8" /></svg></td>`;
+}
+
+type Shared = Pick<LedgerRow, 'cost' | 'share' | 'from'>;
+
+function costCells(cost: Cost | null, time: Spread | null): TemplateResult {
+  if (!cost) return html`<td></td><td></td><td></td><td></td>`;
+  const cell = (key: 'rays' | 'questions' | 'roots'): TemplateResult =>
+    html`<td data-quantity=${key} data-value=${cost[key]}>${grouped(cost[key])}</td>`;
+  return html`${cell('rays')}${cell('questions')}${cell('roots')}${
+    time
+      ? html`<td data-quantity="ms" data-value=${shortest(time.low)}>${msWords(time.low)}
+      <span class="to" data-quantity="ms.most" data-value=${shortest(time.high)}>to ${msWords(
+        time.high,
+      )}</span></td>`
+      : html`<td class="unmeasured">–</td>`
+  }`;
 }
 
 const needWords = ({ needed, leftOut }: LedgerRow): string =>
@@ -133,24 +201,53 @@ function needed(row: LedgerRow): TemplateResult {
     data-value=${String(row.needed)}>, ${needWords(row)}</span>`;
 }
 
-/** Words on what the columns count, and why times add up to more than the elapsed time. */
-function countWords(
-  { total: { questions, solves, ms } }: LedgerModel,
-  took: Pick<Progress, 'msSpent' | 'workers'> | null,
-): TemplateResult {
-  const clock = took
-    ? html`; from start to end it took ${msWords(took.msSpent)} ms, with ${
-        took.workers === 1 ? 'one worker' : `${grouped(took.workers)} workers`
-      }`
-    : nothing;
-  return html`<p class="ledger-kinds">A surface was asked about a ray <span
-    data-quantity="questions"
-      data-value=${questions}>${grouped(questions)}</span
-      > times. Solves: how often a root was worked out for that, found or not (${grouped(solves)}):
-      often none is needed to say that a line misses a shape, and finite heights need the second
-      one.
-    ms: the work of all workers added up (${msWords(ms)})${clock}.</p>`;
+/** What was waited for, what of it was work, and how to measure that. */
+function timeWords(
+  { times, total }: LedgerModel,
+  took: LedgerHead['took'],
+  tools: LedgerTools,
+): TemplateResult | typeof nothing {
+  if (total.rays === 0) return nothing;
+  const { timing, stands } = tools;
+  const act = (words: string): TemplateResult =>
+    html`<button type="button" class="textual" @click=${tools.time}>${words}</button>`;
+  if (timing) {
+    const { repeat, repeats, msLeft } = timing;
+    const left = Number.isNaN(msLeft) ? '' : `, about ${secondsWords(msLeft)} left`;
+    const which = repeat === 0 ? 'warming up' : `repeat ${repeat} of ${repeats}`;
+    return html`<p class="ledger-time" data-timing role="status">measuring the time: ${which}${left}
+      <button type="button" class="textual" @click=${tools.stopTiming}>stop</button></p>`;
+  }
+  if (times) return html`<p class="ledger-time">${measured(times)} ${act('measure again')}</p>`;
+  if (!took || !stands) return html`<p class="ledger-time"></p>`;
+  return html`<p class="ledger-time">${act('measure the time')}: seven times more, by then warm
+    workers. The first time, with code still to be compiled, it took <span data-quantity="took"
+      data-value=${shortest(took.msSpent)}>${msWords(took.msSpent)} ms</span>.</p>`;
 }
+
+/** "Work of 2 workers ÷ 2 + rest = what you waited", with numbers. */
+function measured({ typical, repeats, spread, busy, waited }: Times): TemplateResult {
+  const { work, workers, rest } = typical;
+  const number = (name: string, ms: number): TemplateResult =>
+    html`<span data-quantity="time.${name}" data-value=${shortest(ms)}>${msWords(ms)} ms</span>`;
+  const sum =
+    workers === 1
+      ? html`The worker’s ${number('work', work)}`
+      : html`The work of <span data-quantity="time.workers"
+        data-value=${workers}>${workers}</span> workers, ${number('work', work)}, ÷ ${workers}`;
+  const tail = busy
+    ? html` <strong>The machine was busy</strong>: one repeat in four took at least ${Math.round(
+        100 * spread,
+      )} % longer, so times may be too long.`
+    : nothing;
+  return html`${sum} + ${number('rest', rest)} start and end =
+    <strong>${number('waited', typical.waited)}</strong>, what you waited. Lower quartile of
+    ${repeats} repeats (<span class="to">upper: ${msWords(waited.high)} ms</span>); each row’s own
+    quartiles stand in it, of all workers added up.${tail}`;
+}
+
+const secondsWords = (ms: number): string =>
+  ms < 1500 ? 'a second' : `${grouped(Math.round(ms / 1000))} s`;
 
 function changed({ pixels }: LedgerRow, all: number): TemplateResult | string {
   if (pixels === null) return '';
@@ -171,7 +268,7 @@ function idleRow(row: LedgerRow, pixels: number, tools: LedgerTools): TemplateRe
       data-quantity="rays" data-value="0">, 0 rays</span></span>
     <span class="idle-reason">${
       off
-        ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}`
+        ? html`<strong>forced off</strong>; needed: ${row.reason}${lost}${unforcedWords(row)}`
         : row.leftOut
           ? html`<strong>left out</strong>: ${row.reason}`
           : row.reason
@@ -190,22 +287,34 @@ function button(
     @click=${() => tools.force(id, how)}>${words}</button>`;
 }
 
+/** The work by kind of ray, and what the numbers count. */
 function kinds({ kinds: of, saved, cut, total }: LedgerModel): TemplateResult | typeof nothing {
   if (total.rays === 0) return nothing;
-  return html`Rays: ${of.map((row, i) => html`${i > 0 ? ' · ' : ''}${kindWords(row)}`)};
-    <span data-quantity="rays.saved"
-      data-value=${saved}
-      >${grouped(saved)} not fired, since they could bring less than half a level of 255</span>${
-        cut > 0 ? html`, ${grouped(cut)} not fired after the last bounce` : nothing
-      }`;
+  return html`<table class="kinds">
+      <caption class="visually-hidden">the same by kind of ray</caption>
+      <thead class="visually-hidden"><tr><th scope="col">kind</th><th scope="col">fired</th><th
+        scope="col">rays</th><th scope="col">questions</th><th scope="col">roots</th></tr></thead>
+      <tbody>${of.filter(({ rays }) => rays > 0).map(kindRow)}</tbody>
+    </table>
+    <p class="ledger-kinds">A question asks a surface about a ray; a root is one that counts, ahead
+      of the start and between the heights. For that <span data-quantity="solves"
+        data-value=${total.solves}>${grouped(total.solves)}</span> roots were worked out, found or
+      not: often none is needed to say that a line misses a shape, and finite heights need the
+      second one. <span data-quantity="rays.saved"
+        data-value=${saved}>${grouped(saved)} rays</span> were not
+      fired, since they could bring less than half a level of 255${
+        cut > 0 ? html`, ${grouped(cut)} not after the last bounce` : nothing
+      }. All of this is the same on every machine.</p>`;
 }
 
-/** Number of rays of a kind, and of each effect if several fire them. */
-function kindWords({ kind, rays, parts }: KindRow): TemplateResult {
-  const several = parts.length > 1;
+/** Work of a kind, and the rays of each effect if several fire them. */
+function kindRow({ kind, rays, questions, roots, parts }: KindRow): TemplateResult {
   const words = parts.map((part) => `${grouped(part.rays)} ${part.words}`).join(', ');
-  return html`<span data-quantity="rays.${kind}"
-    data-value=${rays}>${grouped(rays)} ${kind}</span>${several ? ` (${words})` : ''}`;
+  const cell = (name: string, n: number): TemplateResult =>
+    html`<td data-quantity="${name}.${kind}" data-value=${n}>${grouped(n)}</td>`;
+  return html`<tr><th scope="row">${kind}</th><td class="kind-parts">${
+    parts.length > 1 ? words : nothing
+  }</td>${cell('rays', rays)}${cell('questions', questions)}${cell('roots', roots)}<td></td></tr>`;
 }
 
 function measureLine({ measure, unmeasured, isMeasuring }: LedgerTools): TemplateResult {

@@ -13,6 +13,12 @@ import type { Tally } from './ledger.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
+/** Per ray: number of surfaces asked about it, and of those with a root that counts. */
+interface Counted {
+  readonly asked: Int32Array;
+  readonly found: Int32Array;
+}
+
 /** Rays packed for one kernel call: the k-th is ray `index[k]` of the wave. */
 interface Packed {
   readonly rays: Rays;
@@ -24,6 +30,8 @@ export interface Asker {
   readonly others: Packed;
   readonly leaving: Packed;
   readonly out: Answers;
+  /** Begins with a wave, or shadow rays, of so many: what is asked and found is counted there. */
+  begin(counted: Counted, count: number): void;
   /**
    * Packs rays list[0 … count − 1] for the target. Only under the start rule `from` are rays that
    * leave it kept apart.
@@ -39,7 +47,7 @@ export interface Asker {
   /** Drops packed others whose whole line misses the target; computes no roots. */
   keepMeeting(target: Target, tally: Tally): void;
   /** Puts the first root that counts into out.t0, NaN without one; for rays that do not leave. */
-  firstOf(target: Target, rays: Rays, tMin: number, tally: Tally): void;
+  firstOf(target: Target, packed: Packed, tMin: number, tally: Tally): void;
   /** The same for packed rays that leave the target; the root at their start is dropped. */
   firstOfLeaving(target: Target, tally: Tally): void;
 }
@@ -77,11 +85,33 @@ export function createAsker(
   };
   const out = createAnswers(capacity, kernelArray);
   const byIdentity = start.rule === 'from';
+  let asked = new Int32Array(0);
+  let found = new Int32Array(0);
+
+  function ask({ rays, index }: Packed, tally: Tally): void {
+    tally.questions += rays.count;
+    for (let k = 0; k < rays.count; k++) {
+      const i = index[k] as number;
+      asked[i] = (asked[i] as number) + 1;
+    }
+  }
+
+  /** Counts the rays with a root in out.t0. */
+  function find({ rays, index }: Packed, tally: Tally): void {
+    const { t0 } = out;
+    let n = 0;
+    for (let k = 0; k < rays.count; k++) {
+      if (Number.isNaN(t0[k])) continue;
+      const i = index[k] as number;
+      found[i] = (found[i] as number) + 1;
+      n += 1;
+    }
+    tally.roots += n;
+  }
 
   /** Chooses between both roots by height; the second root counts as a cost of the heights. */
   function choose(target: Target, rays: Rays, tMin: number, leaves: boolean, tally: Tally): void {
     target.kernel.both(rays, out);
-    tally.questions += rays.count;
     const second = target.flat ? 0 : rays.count;
     tally.solves += rays.count + (leaves ? second : 0);
     if (!heights) return;
@@ -94,6 +124,12 @@ export function createAsker(
     others,
     leaving,
     out,
+    begin(counted, count) {
+      asked = counted.asked as typeof asked;
+      found = counted.found as typeof found;
+      asked.fill(0, 0, count);
+      found.fill(0, 0, count);
+    },
     pack(target, rays, from, list, count, tally) {
       const self = byIdentity ? target.surface : -2;
       const { proven } = target;
@@ -108,6 +144,7 @@ export function createAsker(
           if (target.flat) continue;
           if (proven && departs(proven, a, rays, i)) {
             gone += 1;
+            asked[i] = (asked[i] as number) + 1;
             continue;
           }
           copyRay(rays, i, leaving.rays, m);
@@ -125,7 +162,7 @@ export function createAsker(
       const { rays, index } = others;
       if (target.endless || rays.count === 0) return;
       target.kernel.classes(rays, out);
-      tally.questions += rays.count;
+      ask(others, tally);
       const { margin } = out;
       // Rays in the rare list are decided there, not by their margin.
       for (let k = 0; k < out.rareCount; k++) {
@@ -139,25 +176,27 @@ export function createAsker(
       }
       rays.count = n;
     },
-    firstOf(target, rays, tMin, tally) {
+    firstOf(target, packed, tMin, tally) {
+      const { rays } = packed;
       if (rays.count === 0) return;
-      if (target.cut) {
-        choose(target, rays, tMin, false, tally);
-        return;
+      ask(packed, tally);
+      if (target.cut) choose(target, rays, tMin, false, tally);
+      else {
+        target.kernel.first(rays, tMin, Number.POSITIVE_INFINITY, out);
+        tally.solves += rays.count;
       }
-      target.kernel.first(rays, tMin, Number.POSITIVE_INFINITY, out);
-      tally.questions += rays.count;
-      tally.solves += rays.count;
+      find(packed, tally);
     },
     firstOfLeaving(target, tally) {
       const { rays } = leaving;
       if (rays.count === 0) return;
+      ask(leaving, tally);
       if (target.cut) {
         choose(target, rays, AHEAD, true, tally);
+        find(leaving, tally);
         return;
       }
       target.kernel.both(rays, out);
-      tally.questions += rays.count;
       tally.solves += 2 * rays.count;
       dropStart(out, rays.count);
       const { t0, t1 } = out;
@@ -165,6 +204,7 @@ export function createAsker(
         if ((t0[k] as number) >= AHEAD) continue;
         t0[k] = (t1[k] as number) >= AHEAD ? (t1[k] as number) : Number.NaN;
       }
+      find(leaving, tally);
     },
   };
 }

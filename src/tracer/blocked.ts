@@ -22,6 +22,7 @@ export function findBlocked(
   scratch.need(count);
   const asker = scratch.asker();
   const everyone = scratch.everyone();
+  asker.begin(feelers, count);
   blocker.fill(NOTHING, 0, count);
   t.set(limit.subarray(0, count));
 
@@ -39,7 +40,7 @@ export function findBlocked(
     const { others, leaving } = asker;
     asker.pack(target, rays, from, list, n, tally);
     asker.keepMeeting(target, tally);
-    asker.firstOf(target, others.rays, tMin, tally);
+    asker.firstOf(target, others, tMin, tally);
     take(target, others.index, others.rays.count);
     asker.firstOfLeaving(target, tally);
     take(target, leaving.index, leaving.rays.count);

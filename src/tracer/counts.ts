@@ -1,7 +1,7 @@
-import type { EffectBody } from '../scene/effects/body.ts';
+import type { EffectBody, Feelers, Wave } from '../scene/effects/body.ts';
 import type { EffectId } from '../scene/effects/index.ts';
-import { newTally, type Tally } from './ledger.ts';
-import type { Cost, Ledger, RayKind } from './types.ts';
+import { newKinds, newTally, type Tally } from './ledger.ts';
+import type { Cost, Ledger, PixelWork, RayKind } from './types.ts';
 
 /** An effect that runs: its body, and whether it was forced on though not needed. */
 export interface Part<B extends EffectBody = EffectBody> {
@@ -9,6 +9,8 @@ export interface Part<B extends EffectBody = EffectBody> {
   readonly body: B;
   readonly all: boolean;
 }
+
+type Asked = Pick<Wave | Feelers, 'count' | 'sample' | 'asked' | 'found'>;
 
 /** Counters while rays are traced. */
 export interface Counts {
@@ -19,6 +21,8 @@ export interface Counts {
   fire(id: EffectId, kind: RayKind, rays: number): void;
   /** Counts camera rays. */
   start(rays: number): void;
+  /** Adds up what rays of a wave, or shadow rays, asked and found, by kind and by sample. */
+  spent(rays: Asked, kindOf: (i: number) => RayKind): void;
   save(): void;
   cut(): void;
   /**
@@ -32,10 +36,14 @@ export interface Counts {
   ledger(): Ledger;
 }
 
-export function createCounts(parts: readonly Part[], clock: () => number): Counts {
+export function createCounts(
+  parts: readonly Part[],
+  clock: () => number,
+  work?: PixelWork,
+): Counts {
   const camera = newTally();
   const tallies = new Map<EffectId, Tally>(parts.map(({ id }) => [id, newTally()]));
-  const kinds: Record<RayKind, number> = { camera: 0, shadow: 0, reflected: 0, refracted: 0 };
+  const kinds = newKinds();
   const fired = new Map<EffectId, Partial<Record<RayKind, number>>>();
   const heights = parts.find(({ body }) => body.at === 'roots');
   let saved = 0;
@@ -50,14 +58,28 @@ export function createCounts(parts: readonly Part[], clock: () => number): Count
     heightsMs,
     fire(id, kind, rays) {
       if (rays === 0) return;
-      kinds[kind] += rays;
+      kinds[kind].rays += rays;
       tallyOf(id).rays += rays;
       const own = fired.get(id) ?? {};
       fired.set(id, { ...own, [kind]: (own[kind] ?? 0) + rays });
     },
     start(rays) {
-      kinds.camera += rays;
+      kinds.camera.rays += rays;
       camera.rays += rays;
+    },
+    spent({ count, sample, asked, found }, kindOf) {
+      for (let i = 0; i < count; i++) {
+        const kind = kinds[kindOf(i)];
+        const questions = asked[i] as number;
+        const roots = found[i] as number;
+        kind.questions += questions;
+        kind.roots += roots;
+        if (!work) continue;
+        const at = sample[i] as number;
+        work.rays[at] = (work.rays[at] as number) + 1;
+        work.questions[at] = (work.questions[at] as number) + questions;
+        work.roots[at] = (work.roots[at] as number) + roots;
+      }
     },
     save() {
       saved += 1;
@@ -80,7 +102,7 @@ export function createCounts(parts: readonly Part[], clock: () => number): Count
       return {
         camera: { ...camera },
         effects,
-        kinds: { ...kinds },
+        kinds,
         fired: Object.fromEntries(fired),
         saved,
         cut,

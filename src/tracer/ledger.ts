@@ -1,27 +1,29 @@
 import { EFFECTS, type EffectId } from '../scene/effects/index.ts';
-import type { Cost, Ledger, RayKind } from './types.ts';
+import type { Cost, Ledger, RayKind, Work } from './types.ts';
 
 /** Counts of one cause while rays are traced. */
 export interface Tally {
   rays: number;
   questions: number;
   solves: number;
+  roots: number;
   ms: number;
 }
 
-export const newTally = (): Tally => ({ rays: 0, questions: 0, solves: 0, ms: 0 });
+export const newTally = (): Tally => ({ rays: 0, questions: 0, solves: 0, roots: 0, ms: 0 });
 
-const NO_KINDS: Readonly<Record<RayKind, number>> = {
-  camera: 0,
-  shadow: 0,
-  reflected: 0,
-  refracted: 0,
-};
+/** Counts of each kind of ray. */
+export const newKinds = (): Record<RayKind, { -readonly [K in keyof Work]: number }> => ({
+  camera: { rays: 0, questions: 0, roots: 0 },
+  shadow: { rays: 0, questions: 0, roots: 0 },
+  reflected: { rays: 0, questions: 0, roots: 0 },
+  refracted: { rays: 0, questions: 0, roots: 0 },
+});
 
 export const EMPTY_LEDGER: Ledger = {
   camera: newTally(),
   effects: {},
-  kinds: NO_KINDS,
+  kinds: newKinds(),
   fired: {},
   saved: 0,
   cut: 0,
@@ -31,7 +33,14 @@ const addCosts = (a: Cost, b: Cost): Cost => ({
   rays: a.rays + b.rays,
   questions: a.questions + b.questions,
   solves: a.solves + b.solves,
+  roots: a.roots + b.roots,
   ms: a.ms + b.ms,
+});
+
+const addWork = (a: Work, b: Work): Work => ({
+  rays: a.rays + b.rays,
+  questions: a.questions + b.questions,
+  roots: a.roots + b.roots,
 });
 
 type Fired = NonNullable<Ledger['fired'][EffectId]>;
@@ -58,10 +67,10 @@ export function addLedgers(a: Ledger, b: Ledger): Ledger {
     camera: addCosts(a.camera, b.camera),
     effects,
     kinds: {
-      camera: a.kinds.camera + b.kinds.camera,
-      shadow: a.kinds.shadow + b.kinds.shadow,
-      reflected: a.kinds.reflected + b.kinds.reflected,
-      refracted: a.kinds.refracted + b.kinds.refracted,
+      camera: addWork(a.kinds.camera, b.kinds.camera),
+      shadow: addWork(a.kinds.shadow, b.kinds.shadow),
+      reflected: addWork(a.kinds.reflected, b.kinds.reflected),
+      refracted: addWork(a.kinds.refracted, b.kinds.refracted),
     },
     fired,
     saved: a.saved + b.saved,

@@ -20,6 +20,8 @@ export function findNearest(
   scratch.need(count);
   const asker = scratch.asker();
   const everyone = scratch.everyone();
+  const all = { rays, index: everyone };
+  asker.begin(wave, count);
   t.fill(Number.POSITIVE_INFINITY, 0, count);
   surface.fill(NOTHING, 0, count);
   // Camera rays leave no surface: any t > 0 counts, and they need not be packed.
@@ -28,13 +30,13 @@ export function findNearest(
 
   function ask(target: Target, list: Int32Array, n: number): void {
     if (camera && list === everyone) {
-      asker.firstOf(target, rays, least, tally);
+      asker.firstOf(target, all, least, tally);
       takeNearer(target.surface, everyone, asker.out.t0, count, wave);
       return;
     }
     const { others, leaving, out } = asker;
     asker.pack(target, rays, from, list, n, tally);
-    asker.firstOf(target, others.rays, least, tally);
+    asker.firstOf(target, others, least, tally);
     takeNearer(target.surface, others.index, out.t0, others.rays.count, wave);
     asker.firstOfLeaving(target, tally);
     takeNearer(target.surface, leaving.index, out.t0, leaving.rays.count, wave);

@@ -9,7 +9,7 @@ import { mediumAt } from './medium.ts';
 import { createRecorder } from './record.ts';
 import type { Film } from './shade.ts';
 import { createEngine, type Engine } from './tracer.ts';
-import type { RayTree, Tile, TileResult, TraceSettings } from './types.ts';
+import type { PixelWork, RayTree, Tile, TileResult, TraceSettings } from './types.ts';
 
 export interface Tracer {
   /** The effects that run. */
@@ -57,7 +57,7 @@ export function tracerOf(
       const recorder = createRecorder(scene);
       const wave = engine.camera(settings.samples);
       fireCamera(axes, settings, [y * settings.width + x], wave);
-      engine.follow(wave, new Float64Array(3 * settings.samples), recorder);
+      engine.follow(wave, new Float64Array(3 * settings.samples), undefined, recorder);
       return recorder.treeOf(x, y);
     },
   };
@@ -76,21 +76,37 @@ function traceTile(
   const t = new Float64Array(pixels.length);
   const each = Math.max(1, Math.floor(AT_ONCE / samples));
   const film = new Float64Array(3 * each * samples);
+  const spent = newWork(each * samples);
+  const work = newWork(pixels.length);
   let ledger = EMPTY_LEDGER;
   for (let first = 0; first < pixels.length; first += each) {
     const some = pixels.subarray(first, first + each);
     const wave = engine.camera(some.length * samples);
     fireCamera(axes, settings, some, wave);
     film.fill(0);
-    ledger = addLedgers(ledger, engine.follow(wave, film));
+    for (const array of Object.values(spent)) array.fill(0);
+    ledger = addLedgers(ledger, engine.follow(wave, film, spent));
     develop(film, samples, some.length, rgba.subarray(4 * first));
     for (let k = 0; k < some.length; k++) {
       const middle = k * samples + (samples >> 1);
       surface[first + k] = wave.surface[middle] as number;
       t[first + k] = wave.t[middle] as number;
+      for (let s = k * samples; s < (k + 1) * samples; s++) addWork(work, first + k, spent, s);
     }
   }
-  return { tile, rgba, surface, t, ledger };
+  return { tile, rgba, surface, t, work, ledger };
+}
+
+const newWork = (n: number): PixelWork => ({
+  rays: new Uint32Array(n),
+  questions: new Uint32Array(n),
+  roots: new Uint32Array(n),
+});
+
+function addWork(to: PixelWork, at: number, from: PixelWork, s: number): void {
+  to.rays[at] = (to.rays[at] as number) + (from.rays[s] as number);
+  to.questions[at] = (to.questions[at] as number) + (from.questions[s] as number);
+  to.roots[at] = (to.roots[at] as number) + (from.roots[s] as number);
 }
 
 /** Writes pixels as sRGB bytes: the mean of their samples in linear light. */

@@ -4,7 +4,7 @@ import { type Counts, createCounts, type Part } from './counts.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
 import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
-import type { Ledger, TraceSettings } from './types.ts';
+import type { Ledger, PixelWork, RayKind, TraceSettings } from './types.ts';
 import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
 import { worldOf } from './world.ts';
@@ -22,9 +22,16 @@ export interface Recorder {
 export interface Engine {
   /** The wave for camera rays, with room for `count`. */
   camera(count: number): Wave;
-  /** Traces camera rays and all rays they cause, and adds their light to the film, initially 0. */
-  follow(camera: Wave, film: Film, recorder?: Recorder): Ledger;
+  /**
+   * Traces camera rays and all rays they cause; adds their light to the film and their work to that
+   * of their samples, both initially 0.
+   */
+  follow(camera: Wave, film: Film, work?: PixelWork, recorder?: Recorder): Ledger;
 }
+
+/** By CAMERA, REFLECTED, REFRACTED. */
+const KINDS: readonly RayKind[] = ['camera', 'reflected', 'refracted'];
+const shadowKind = (): RayKind => 'shadow';
 
 type At<K extends EffectBody['at']> = Extract<EffectBody, { readonly at: K }>;
 
@@ -108,6 +115,7 @@ export function createEngine(
         asked.rays.count = asked.count;
         counts.fire(id, 'shadow', asked.count);
         finder.blocked(asked, tally);
+        counts.spent(asked, shadowKind);
         watching?.feelers(asked, about);
       },
       worth(weight) {
@@ -146,6 +154,7 @@ export function createEngine(
     const before = clock();
     const chosen = counts.heightsMs();
     finder.nearest(wave, cause);
+    counts.spent(wave, (i) => KINDS[wave.kind[i] as number] ?? 'camera');
     let others = counts.heightsMs() - chosen;
     meet(wave, world);
     watching?.wave(wave);
@@ -184,10 +193,10 @@ export function createEngine(
       clear(first, 0);
       return first;
     },
-    follow(camera, film, recorder) {
+    follow(camera, film, work, recorder) {
       watching = recorder;
       generation = 0;
-      counts = createCounts(parts, clock);
+      counts = createCounts(parts, clock, work);
       for (const cause of causes) clear(cause.next, 1);
       counts.start(camera.count);
       pass(camera, counts.camera, film);

@@ -73,20 +73,34 @@ export interface TileResult {
   readonly surface: Int32Array;
   /** t of that hit; NaN without one. */
   readonly t: Float64Array;
+  /** What each pixel needed, with all that its camera rays caused. */
+  readonly work: PixelWork;
   readonly ledger: Ledger;
 }
+
+/** The work of each pixel (or sample). */
+export type PixelWork = { readonly [K in keyof Work]: Uint32Array };
 
 export type RayKind = 'camera' | 'shadow' | 'reflected' | 'refracted';
 export const RAY_KINDS: readonly RayKind[] = ['camera', 'shadow', 'reflected', 'refracted'];
 
 /**
- * Costs. `questions`: number of tests of a ray against a surface. `solves`: number of those that
- * computed a root, or found that there is none; tests of the whole line or by `departs` need none.
- * `ms`: sum over all workers, including waiting.
+ * What was done, the same on every machine. `questions`: number of tests of a ray against a
+ * surface. `roots`: number of those that found one that counts: ahead of the start, and between the
+ * heights of a surface that has some.
  */
-export interface Cost {
+export interface Work {
   readonly rays: number;
   readonly questions: number;
+  readonly roots: number;
+}
+
+/**
+ * Costs. `solves`: number of roots that were computed, or found not to be there; tests of the whole
+ * line or by `departs` need none, finite heights need the second one. `ms`: sum over all workers,
+ * including waiting.
+ */
+export interface Cost extends Work {
   readonly solves: number;
   readonly ms: number;
 }
@@ -100,7 +114,7 @@ export interface Ledger {
    * for the mirror.
    */
   readonly effects: Readonly<Partial<Record<EffectId, Cost>>>;
-  readonly kinds: Readonly<Record<RayKind, number>>;
+  readonly kinds: Readonly<Record<RayKind, Work>>;
   /** The rays of each effect that runs, by kind; a kind of which it fired none is not in here. */
   readonly fired: Readonly<Partial<Record<EffectId, Readonly<Partial<Record<RayKind, number>>>>>>;
   /**

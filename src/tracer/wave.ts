@@ -19,6 +19,8 @@ export function createWave(capacity: number): Wave {
     green: doubles(n),
     blue: doubles(n),
     node: whole(n),
+    asked: whole(n),
+    found: whole(n),
     t: doubles(n),
     surface: whole(n),
     hitCount: 0,
@@ -89,6 +91,9 @@ export function createFeelers(capacity: number): Feelers {
     blocker: whole(capacity),
     t: doubles(capacity),
     node: whole(capacity),
+    sample: whole(capacity),
+    asked: whole(capacity),
+    found: whole(capacity),
   };
 }
 

@@ -1,5 +1,5 @@
 import { pixelsOf } from '../tracer/camera.ts';
-import { NOTHING, type TileResult } from '../tracer/types.ts';
+import { NOTHING, type PixelWork, type TileResult } from '../tracer/types.ts';
 
 /**
  * The picture so far. Coarse blocks are filled, so that it can be shown at any time. The arrays are
@@ -14,6 +14,8 @@ export interface Frame {
   readonly t: Float64Array;
   /** Size of the block that gave a pixel its colour; 0: the pixel was traced, 255: none yet. */
   readonly block: Uint8Array;
+  /** What each pixel needed; valid for traced pixels. */
+  readonly work: PixelWork;
 }
 
 /** A frame before tracing: transparent. */
@@ -26,6 +28,11 @@ export function newFrame(width: number, height: number): Frame {
     surface: new Int32Array(pixels).fill(NOTHING),
     t: new Float64Array(pixels).fill(Number.NaN),
     block: new Uint8Array(pixels).fill(255),
+    work: {
+      rays: new Uint32Array(pixels),
+      questions: new Uint32Array(pixels),
+      roots: new Uint32Array(pixels),
+    },
   };
 }
 
@@ -33,7 +40,7 @@ export function newFrame(width: number, height: number): Frame {
  * Puts a tile into the picture. A pixel of a coarse pass fills its block. Tiles may arrive in any
  * order, so pixels that already have a finer colour are kept.
  */
-export function paintTile(frame: Frame, { tile, rgba, surface, t }: TileResult): void {
+export function paintTile(frame: Frame, { tile, rgba, surface, t, work }: TileResult): void {
   const { width, height, block } = frame;
   const { step } = tile;
   const colours = new Uint32Array(frame.rgba.buffer);
@@ -43,6 +50,9 @@ export function paintTile(frame: Frame, { tile, rgba, surface, t }: TileResult):
     const pixel = pixels[k] as number;
     frame.surface[pixel] = surface[k] as number;
     frame.t[pixel] = t[k] as number;
+    frame.work.rays[pixel] = work.rays[k] as number;
+    frame.work.questions[pixel] = work.questions[k] as number;
+    frame.work.roots[pixel] = work.roots[k] as number;
     const x = pixel % width;
     const y = (pixel - x) / width;
     const right = Math.min(x + step, width);

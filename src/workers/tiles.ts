@@ -2,7 +2,7 @@ import { pixelsOf } from '../tracer/camera.ts';
 import type { Tile } from '../tracer/types.ts';
 
 /** Block sizes of the passes in px, coarse to fine. */
-const STEPS: readonly number[] = [8, 4, 2, 1];
+export const STEPS: readonly number[] = [8, 4, 2, 1];
 
 /** Wanted time of a tile in ms: short for progress and cancelling, long enough for fast kernels. */
 const MS_A_TILE = 60;
@@ -22,20 +22,20 @@ interface Tiles {
 }
 
 /** Cuts a picture into bands of rows, pass after pass; each pixel is in exactly one tile. */
-export function createTiles(width: number, height: number, workers: number): Tiles {
+export function createTiles(width: number, height: number, workers: number, steps = STEPS): Tiles {
   let pass = 0;
   let row = 0;
   let pixels = FIRST_PIXELS;
   return {
     total: width * height,
-    step: () => STEPS[Math.min(pass, STEPS.length - 1)] as number,
+    step: () => steps[Math.min(pass, steps.length - 1)] as number,
     took(count, ms) {
       const fitting = (count / Math.max(ms, 0.1)) * MS_A_TILE;
       // Rows differ, so the size moves only halfway to what was measured.
       pixels = Math.min(Math.max((pixels + fitting) / 2, LEAST_PIXELS), MOST_PIXELS);
     },
     next() {
-      const step = STEPS[pass];
+      const step = steps[pass];
       if (step === undefined) return undefined;
       const refines = pass > 0;
       // In a refining pass every other row is already half traced.

@@ -4,7 +4,7 @@ import { addLedgers, EMPTY_LEDGER } from '../tracer/ledger.ts';
 import type { Ledger, Progress, RayTree, TraceSettings } from '../tracer/types.ts';
 import { type Frame, newFrame, paintTile } from './frame.ts';
 import type { FromTraceWorker, ToTraceWorker } from './protocol.ts';
-import { createTiles } from './tiles.ts';
+import { createTiles, STEPS } from './tiles.ts';
 
 /**
  * What the driver needs of a worker; the browser's own Worker fits, and so does a fake one:
@@ -58,8 +58,8 @@ interface TraceListener {
 }
 
 export interface TracePool {
-  /** Starts a job, and cancels the one before. */
-  start(scene: Scene, settings: TraceSettings, listener: TraceListener): TraceJob;
+  /** Starts a job, and cancels the one before. `atOnce`: without coarse passes before. */
+  start(scene: Scene, settings: TraceSettings, listener: TraceListener, atOnce?: boolean): TraceJob;
   /** Ends the workers. */
   dispose(): void;
 }
@@ -229,7 +229,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
   }
 
   return {
-    start(scene, settings, listener) {
+    start(scene, settings, listener, atOnce = false) {
       end('cancelled', '');
       refill();
       jobs += 1;
@@ -238,7 +238,7 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
         id,
         listener,
         frame: newFrame(settings.width, settings.height),
-        tiles: createTiles(settings.width, settings.height, members.length),
+        tiles: createTiles(settings.width, settings.height, members.length, atOnce ? [1] : STEPS),
         started: clock(),
         ledger: EMPTY_LEDGER,
         done: 0,

@@ -34,8 +34,9 @@ async function answer(asked: ToTraceWorker): Promise<void> {
   }
   const before = clock();
   const result = tracer.trace(asked.tile);
-  const { rgba, surface, t } = result;
-  const owned = [rgba.buffer, surface.buffer, t.buffer] as ArrayBuffer[];
+  const { rgba, surface, t, work } = result;
+  const arrays = [rgba, surface, t, ...Object.values(work)];
+  const owned = arrays.map(({ buffer }) => buffer as ArrayBuffer);
   post({ type: 'tile', job, result, ms: clock() - before }, owned);
 }
 

@@ -53,7 +53,7 @@ test('glass cone on a mirror: what it cost; without the mirror its rays are gone
   await openPicture(page, SMALL);
   expect(await cell(page, 'camera', 'rays')).toBe(96 * 54);
   expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(500);
-  expect(await cell(page, 'reflection', 'solves')).toBeGreaterThan(500);
+  expect(await cell(page, 'reflection', 'roots')).toBeGreaterThan(500);
   const before = await cell(page, 'total', 'rays');
   // A plain picture of this size has some 300 characters.
   expect((await pixels(page)).length).toBeGreaterThan(4000);
@@ -72,23 +72,70 @@ test('glass cone on a mirror: what it cost; without the mirror its rays are gone
   expect(await cell(page, 'total', 'rays')).toBe(before);
 });
 
-test('rows add up: rays and roots of camera and effects are the picture’s', async ({ page }) => {
+test('rows add up: rays, questions and roots of camera and effects are the picture’s', async ({
+  page,
+}) => {
   await openPicture(page, `${SMALL}&scene=everything&light=4`);
   const named = await page
     .locator(':is(.ledger .entry:not(.total), .idle [data-effect])')
     .evaluateAll((rows) => rows.map((row) => row.getAttribute('data-effect') ?? ''));
   expect(named.sort()).toEqual(['camera', ...EFFECTS.map(({ id }) => id)].sort());
-  for (const quantity of ['rays', 'solves']) {
+  for (const quantity of ['rays', 'questions', 'roots']) {
     const parts = await page
       .locator(`.ledger .entry:not(.total) [data-quantity="${quantity}"]`)
       .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
     expect(parts.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', quantity));
   }
-  const kinds = await page
-    .locator('.ledger-kinds [data-quantity^="rays."]:not([data-quantity="rays.saved"])')
-    .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
-  expect(kinds).toHaveLength(RAY_KINDS.length);
-  expect(kinds.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', 'rays'));
+  for (const quantity of ['rays', 'questions', 'roots']) {
+    const kinds = await page
+      .locator(`.kinds [data-quantity^="${quantity}."]`)
+      .evaluateAll((cells) => cells.map((c) => Number(c.getAttribute('data-value'))));
+    expect(kinds).toHaveLength(RAY_KINDS.length);
+    expect(kinds.reduce((a, b) => a + b, 0)).toBe(await cell(page, 'total', quantity));
+  }
+  const sum = page.locator('.picture-map [data-quantity="sum"]');
+  await expect(sum).toHaveAttribute('data-value', String(await cell(page, 'total', 'questions')));
+});
+
+test('time is measured when asked for: repeats of warm workers, and their sum', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=shadows&on=reflection`);
+  await page.getByRole('button', { name: 'measure the time' }).click();
+  const waited = page.locator('[data-quantity="time.waited"]');
+  await expect(waited).toBeVisible({ timeout: 60_000 });
+  const number = async (name: string): Promise<number> =>
+    Number(await page.locator(`[data-quantity="time.${name}"]`).getAttribute('data-value'));
+  const count = page.locator('[data-quantity="time.workers"]');
+  const workers = (await count.count()) ? await number('workers') : 1;
+  const sum = (await number('work')) / workers + (await number('rest'));
+  expect(sum).toBeCloseTo(await number('waited'), 6);
+  expect(await cell(page, 'shadow', 'ms')).toBeGreaterThan(0);
+  await expect(row(page, 'reflection').locator('[data-quantity="unforced"]')).toBeVisible();
+  await page.getByLabel('bars by').selectOption('ms');
+  await settle(page);
+  expect(await cell(page, 'shadow', 'share')).toBeGreaterThan(0);
+});
+
+test('a pixel’s number is read from the map, by the pointer or by the cursor', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
+  const value = page.locator('[data-quantity="pixel.questions"]');
+  await expect(value).toHaveCount(0);
+  await page.locator('.map-frame').scrollIntoViewIfNeeded();
+  const box = await page.locator('.map-frame').boundingBox();
+  if (!box) throw new Error('no map');
+  await page.mouse.move(box.x + (box.width * 48.5) / 96, box.y + (box.height * 25.5) / 54);
+  const glass = Number(await value.getAttribute('data-value'));
+  await page.mouse.move(box.x + 3, box.y + 3);
+  await expect(page.locator('.map-pixel')).toContainText('pixel 0, 0');
+  expect(Number(await value.getAttribute('data-value'))).toBeLessThan(glass / 4);
+  await page.mouse.move(0, 0);
+  await page.getByRole('application').focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.locator('.map-pixel')).toContainText('pixel 49, 27');
+  await page.getByRole('tab', { name: 'questions' }).press('ArrowRight');
+  await expectInLink(page, { show: 'roots' });
+  await expect(page.getByRole('tab', { name: 'roots' })).toBeFocused();
 });
 
 fresh('only what a scene needs is loaded', async ({ page }) => {
@@ -208,10 +255,9 @@ test('the divider is moved by keys and by the pointer; one drag is one step of u
   await page.getByRole('button', { name: 'Undo' }).click();
   await settle(page);
   await expect(divider).toHaveAttribute('aria-valuenow', '54.5');
-  await page.getByRole('button', { name: 'error map' }).click();
-  await settle(page);
-  await expect(divider).toBeHidden();
-  await expect(page.locator('.traced-errors')).toBeVisible();
+  await page.getByRole('tab', { name: 'errors' }).click();
+  await expect(page.locator('.map-key')).toBeVisible();
+  await expectInLink(page, { show: 'errors' });
 });
 
 test('a pixel’s rays: the list, the algebra, and the same ray in Explore', async ({ page }) => {
@@ -319,6 +365,7 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
 test('a dragged shape takes its heights along; one drag is one step of undo', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
   await page.getByRole('tab', { name: 'Scene' }).click();
+  await page.getByRole('application').scrollIntoViewIfNeeded();
   const box = await page.getByRole('application').boundingBox();
   if (!box) throw new Error('no picture');
   const [x, y] = [box.x + box.width * 0.5, box.y + box.height * 0.4];

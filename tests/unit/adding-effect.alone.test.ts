@@ -319,7 +319,7 @@ describe('what is not worth a ray', () => {
     expect(planEffects(glowing).some(({ id, runs }) => id === (glow.id as string) && runs)).toBe(
       true,
     );
-    expect(ledger.kinds.reflected).toBeGreaterThan(100);
+    expect(ledger.kinds.reflected.rays).toBeGreaterThan(100);
     const parts = (await tracerFor(glowing)).parts;
     const all = tracerOf(glowing, TINY, parts, () => 0, 0);
     const { rgba: whole } = all.trace({ y0: 0, y1: TINY.height, step: 1, refines: false });

@@ -6,8 +6,6 @@ export interface CompareViewModel {
   /** The picture as far as it is traced; null keeps the one before on the screen. */
   readonly right: Picture | null;
   readonly left: Picture | null;
-  /** The error map, drawn over both pictures; null if it is not shown. */
-  readonly errors: (() => ImageData) | null;
   readonly comparing: boolean;
   /** Percent of the width that the left picture takes. */
   readonly split: number;
@@ -22,6 +20,8 @@ interface CompareViewActions {
   pixel(x: number, y: number): void;
   /** The pixel cursor was moved here; the pixel is not chosen yet. */
   cursor(x: number, y: number): void;
+  /** The pointer or the cursor is at this pixel, or at none. */
+  point(pixel: readonly [number, number] | null): void;
   /**
    * A press on the picture, in pixels and parts of them: true if something was taken hold of, which
    * `drag` then moves.
@@ -51,7 +51,6 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   frame.setAttribute('role', 'application');
   const right = canvas('traced', frame);
   const left = canvas('traced traced-left', frame);
-  const errors = canvas('traced traced-errors', frame);
   const mark = element('div', 'pixel-mark', frame);
   const over = element('div', 'compare-view-over', host);
   const divider = element('div', 'split', host);
@@ -90,6 +89,11 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   frame.addEventListener('pointermove', (event) => {
     if (holds && frame.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
   });
+  frame.addEventListener('pointermove', (event) => {
+    const [x, y] = placeAt(event);
+    if (model) actions.point(inside(Math.floor(x), Math.floor(y), model));
+  });
+  frame.addEventListener('pointerleave', () => actions.point(null));
   frame.addEventListener('click', (event) => {
     cursor = null;
     if (!model || holds) return;
@@ -111,10 +115,12 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
     const far = event.ctrlKey || event.key.startsWith('Page') ? FAR_STEP : 1;
     cursor = inside(here[0] + far * move[0], here[1] + far * move[1], model);
     place();
+    actions.point(cursor);
     actions.cursor(...cursor);
   });
   frame.addEventListener('blur', () => {
     cursor = null;
+    actions.point(null);
     place();
   });
 
@@ -163,17 +169,14 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
           `ten; Enter follows the rays of that pixel.`,
       );
       host.classList.toggle('coarse', frame.clientWidth > 1.6 * width);
-      const two = comparing && next.errors === null;
-      divider.hidden = !two;
-      left.hidden = !two;
-      errors.hidden = next.errors === null;
+      divider.hidden = !comparing;
+      left.hidden = !comparing;
       divider.setAttribute('aria-valuenow', String(split));
       divider.setAttribute('aria-valuetext', `${split} % left picture`);
       if (next.version !== drawn) {
         drawn = next.version;
         paint(right, next.right);
         paint(left, next.left);
-        if (next.errors) put(errors, next.errors());
       }
       place();
     },

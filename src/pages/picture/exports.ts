@@ -42,7 +42,7 @@ export function pictureExports(model: () => PictureModel | null): readonly Expor
 }
 
 /** At its own size, pixel by pixel; null while nothing is traced. */
-export function pictureBlob(model: PictureModel | null): Promise<Blob | null> {
+function pictureBlob(model: PictureModel | null): Promise<Blob | null> {
   const frame = model?.main?.frame;
   if (!frame) return Promise.resolve(null);
   const canvas = document.createElement('canvas');

@@ -1,7 +1,13 @@
 import { METHODS } from '../../math/index.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
-import { EMPTY_LEDGER, type LedgerModel, ledgerModel } from '../../state/picture/ledger.ts';
+import {
+  EMPTY_LEDGER,
+  type LedgerModel,
+  ledgerModel,
+  type Measure,
+} from '../../state/picture/ledger.ts';
 import { type PictureSettings, pictureSettings } from '../../state/picture/settings.ts';
+import type { Times } from '../../state/picture/times.ts';
 import type { AppState } from '../../state/state.ts';
 import { type Comparison, comparePictures } from '../../tracer/compare.ts';
 import type { Frame, TraceProgress } from '../../workers/trace-job.ts';
@@ -23,7 +29,19 @@ export interface PictureModel {
   readonly uncounted: readonly TraceRequest[];
 }
 
-export function pictureModel(state: AppState, traceQueue: TraceQueue): PictureModel {
+/** What is shown of a picture, and measured of it, on this visit. */
+export interface PictureVisit {
+  readonly by: Measure;
+  times(request: TraceRequest): Times | null;
+}
+
+const NO_VISIT: PictureVisit = { by: 'questions', times: () => null };
+
+export function pictureModel(
+  state: AppState,
+  traceQueue: TraceQueue,
+  visit: PictureVisit = NO_VISIT,
+): PictureModel {
   const picture = pictureSettings(state.settings.picture);
   const requests = traceRequests(picture, state.method);
   const main = traceQueue.seen(requests.main);
@@ -49,10 +67,21 @@ export function pictureModel(state: AppState, traceQueue: TraceQueue): PictureMo
       requests.main.settings,
       main?.ledger ?? EMPTY_LEDGER,
       counts,
+      {
+        by: visit.by,
+        times: visit.times(requests.main),
+        unforced: mapped(requests.toggled, (request) => request && visit.times(request)),
+      },
     ),
     uncounted,
   };
 }
+
+const mapped = <A, B>(
+  of: Readonly<Partial<Record<EffectId, A>>>,
+  change: (a: A | undefined) => B,
+): Partial<Record<EffectId, B>> =>
+  Object.fromEntries(EFFECTS.map(({ id }) => [id, change(of[id])]));
 
 /** Index of the method in METHODS, which are ordered by accuracy. */
 const trustOf = ({ settings }: TraceRequest): number =>

@@ -2,23 +2,27 @@ import { nothing, render } from 'lit';
 import { pictureBar } from '../../panels/picture-bar.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
 import { firstAgainst } from '../../state/picture/against.ts';
+import type { Measure } from '../../state/picture/ledger.ts';
 import { readPicture } from '../../state/picture/settings.ts';
-import { download } from '../../ui/files.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
 import { type DraggedThing, dragTo, thingAt } from './drag-thing.ts';
-import { openScene, pictureBlob, pictureExports } from './exports.ts';
+import { openScene, pictureExports } from './exports.ts';
 import { lateRayTree } from './late-ray-tree.ts';
 import { pictureActions } from './page-actions.ts';
-import { type PictureModel, pictureModel } from './picture-model.ts';
+import { type PictureModel, type PictureVisit, pictureModel } from './picture-model.ts';
 import { createPixelMagnifier } from './pixel-magnifier.ts';
+import { createPixelMap } from './pixel-map.ts';
 import { createPixelView } from './pixel-view.ts';
 import { createRayRecorder } from './ray-recorder.ts';
+import { createRepeats } from './repeats.ts';
 import { createSidePanel } from './side-panel.ts';
 import { loadTracer, type StartTracer } from './start-tracer.ts';
 import { statusLine } from './status-line.ts';
+import { themeColours } from './theme-colours.ts';
 import { coresOf, createTraceQueue } from './trace-queue.ts';
+import type { TraceRequest, TraceRequests } from './trace-request.ts';
 import './picture-page.css';
 
 /** The page, once it is known how its workers are started. */
@@ -35,11 +39,18 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const { changed, dispatch, announce } = context;
   const parts = sections(host);
   const tools = pictureActions(dispatch);
-  const traceQueue = createTraceQueue({ spawn, workers: coresOf(navigator), changed });
+  const repeats = createRepeats();
+  const traceQueue = createTraceQueue({
+    spawn,
+    workers: coresOf(navigator),
+    changed,
+    background: repeats,
+  });
   const compareView = createCompareView(parts.compareView, {
     split: (edit) => tools.edit(({ split }) => ({ split: String(edit(split)) })),
     pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
-    cursor: (x, y) => announce(`pixel ${x}, ${y}`),
+    cursor: (x, y) => announce(`pixel ${x}, ${y}: ${pixelMap.words(x, y)}`),
+    point,
     grab(x, y) {
       const frame = sidePanel.isEditing() ? model?.main?.frame : undefined;
       held = model && frame ? thingAt(model.picture.scene, frame, x, y) : null;
@@ -49,6 +60,11 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     drag(x, y) {
       if (held) tools.scene(dragTo(held, x, y));
     },
+  });
+  const pixelMap = createPixelMap(parts.map, {
+    show: (what) => tools.set({ show: what === 'questions' ? 'both' : what }),
+    point,
+    choose: (x, y) => tools.set({ pixel: `${x},${y}` }),
   });
   const magnifier = createPixelMagnifier(parts.magnifiers);
   const space = lateRayTree(parts.space);
@@ -61,26 +77,37 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   let counting = '';
   let held: DraggedThing | null = null;
   let told = '';
+  let by: Measure = 'questions';
+  let pointed: readonly [number, number] | null = null;
   let model: PictureModel | null = null;
   const sidePanel = createSidePanel(parts.sidePanel, {
     dispatch,
     changed,
     tools,
-    count() {
-      counting = model?.requests.main.key ?? '';
-      changed();
+    asks: {
+      by(measure) {
+        by = measure;
+        changed();
+      },
+      count() {
+        counting = model?.requests.main.key ?? '';
+        changed();
+      },
+      isCounting: () => counting === model?.requests.main.key && traceQueue.current() !== null,
+      time() {
+        if (model) repeats.start(toTime(model.requests));
+        changed();
+      },
+      stopTiming() {
+        repeats.stop();
+        changed();
+      },
+      timing: repeats.progress,
     },
-    isCounting: () => counting === model?.requests.main.key && traceQueue.current() !== null,
   });
   const compareTools: CompareTools = {
     left: (value) => tools.set({ against: value }),
     right: tools.right,
-    show: (show) => tools.set({ show }),
-  };
-
-  const save = async (): Promise<void> => {
-    const blob = await pictureBlob(model);
-    if (blob) download('graze-picture.png', blob);
   };
 
   const bar = ({ picture, requests }: PictureModel) =>
@@ -89,11 +116,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       compare: () =>
         tools.edit(({ against, sceneText, start }) => ({
           against: against ? '' : firstAgainst(sceneText, start, requests.main.settings.method),
-          show: 'both',
+          show: against ? 'both' : 'errors',
         })),
       again: () => traceQueue.again([requests.main, ...(requests.other ? [requests.other] : [])]),
       cancel: traceQueue.cancel,
-      save: () => void save(),
       isTracing: traceQueue.current() !== null,
       hasSoftLight: picture.scene.lights.some(({ light }) => light === 'sphere'),
     });
@@ -118,6 +144,25 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     space.render(pixels.space(now));
   };
 
+  const drawMap = ({ picture, main, comparison }: PictureModel): void => {
+    pixelMap.render({
+      frame: main?.state === 'finished' ? main.frame : null,
+      comparing: picture.against !== null,
+      comparison,
+      show: picture.show,
+      pixel: pointed ?? picture.pixel,
+      theme: themeColours(host).join(),
+    });
+  };
+
+  function point(pixel: readonly [number, number] | null): void {
+    if (pixel?.join() === pointed?.join()) return;
+    pointed = pixel;
+    if (model) drawMap(model);
+  }
+
+  const visit = (): PictureVisit => ({ by, times: repeats.times });
+
   /** Announces once that the picture is finished, and what was simulated. */
   const tell = ({ requests, main, ledger: { total, simulated } }: PictureModel): void => {
     if (main?.state !== 'finished' || told === requests.main.key) return;
@@ -128,18 +173,20 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
 
   return {
     render(state) {
-      const { requests, uncounted } = pictureModel(state, traceQueue);
+      const { requests, uncounted } = pictureModel(state, traceQueue, visit());
+      if (!repeats.isOf(requests.main)) repeats.stop();
       traceQueue.want([
         requests.main,
         ...(requests.other ? [requests.other] : []),
         ...requests.baselines,
         ...(counting === requests.main.key ? uncounted : []),
       ]);
-      model = pictureModel(state, traceQueue);
+      model = pictureModel(state, traceQueue, visit());
       render(bar(model), parts.bar);
-      compareView.render(compareViewModel(model, host));
+      compareView.render(compareViewModel(model));
       render(over(model), compareView.over);
-      render(statusLine(model, traceQueue, compareTools), parts.status);
+      render(statusLine(model, traceQueue), parts.status);
+      drawMap(model);
       drawPixel(model);
       sidePanel.render(state, model);
       host.classList.toggle('editing', sidePanel.isEditing());
@@ -153,6 +200,13 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   };
 }
 
+/** The pictures whose times are measured in turn: the shown ones, and those without forcing. */
+const toTime = ({ main, other, baselines }: TraceRequests): readonly TraceRequest[] => [
+  main,
+  ...(other ? [other] : []),
+  ...baselines.filter(({ key }) => key !== other?.key),
+];
+
 function sections(host: HTMLElement) {
   host.classList.add('picture');
   const section = (className: string, parent: Element = host): HTMLElement => {
@@ -165,7 +219,9 @@ function sections(host: HTMLElement) {
   const bar = section('picture-bar', work);
   const compareView = section('compare-view', work);
   const status = section('picture-status', work);
-  const pixel = section('picture-pixel', work);
+  const map = section('picture-map');
+  const pixel = section('picture-pixel', section('picture-more'));
+  const side = section('side-panel');
   const rays = section('pixel-list', pixel);
   const magnifiers = section('magnifiers', pixel);
   const space = section('pixel-space', pixel);
@@ -173,10 +229,11 @@ function sections(host: HTMLElement) {
     bar,
     compareView,
     status,
+    map,
     pixel,
     rays,
     magnifiers,
     space,
-    sidePanel: section('side-panel'),
+    sidePanel: side,
   };
 }

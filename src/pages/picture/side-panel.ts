@@ -6,11 +6,13 @@ import { remove } from '../../scene/edit.ts';
 import { sceneToJson } from '../../scene/json.ts';
 import { jsonFault } from '../../scene/json-fault.ts';
 import type { Dispatch } from '../../state/actions.ts';
+import type { Measure } from '../../state/picture/ledger.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { openScene } from './exports.ts';
 import type { PictureActions } from './page-actions.ts';
 import type { PictureModel } from './picture-model.ts';
+import type { RepeatProgress } from './repeats.ts';
 
 interface SidePanel {
   /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
@@ -20,13 +22,22 @@ interface SidePanel {
   render(state: AppState, model: PictureModel): void;
 }
 
+interface LedgerAsks {
+  by(measure: Measure): void;
+  /** Counts the pixels that each effect changes. */
+  readonly count: () => void;
+  readonly isCounting: () => boolean;
+  time(): void;
+  stopTiming(): void;
+  readonly timing: () => RepeatProgress | null;
+}
+
 interface SidePanelTools {
   readonly dispatch: Dispatch;
   readonly changed: () => void;
   readonly tools: PictureActions;
-  /** Asks for the ledger's last column. */
-  readonly count: () => void;
-  readonly isCounting: () => boolean;
+  /** What the ledger can be asked for. */
+  readonly asks: LedgerAsks;
 }
 
 type Tab = 'ledger' | 'scene';
@@ -37,7 +48,7 @@ type Tab = 'ledger' | 'scene';
  */
 export function createSidePanel(
   host: HTMLElement,
-  { dispatch, changed, tools, count, isCounting }: SidePanelTools,
+  { dispatch, changed, tools, asks }: SidePanelTools,
 ): SidePanel {
   let tab: Tab = 'ledger';
   let edited: string | null = null;
@@ -64,18 +75,19 @@ export function createSidePanel(
 
   const costs = ({ method }: AppState, model: PictureModel): TemplateResult => {
     const { picture, uncounted, main } = model;
+    const stands = main?.state === 'finished';
     const tool = {
+      ...asks,
       force: tools.force,
-      measure: count,
-      unmeasured: main?.state === 'finished' ? uncounted.length : 0,
-      isMeasuring: isCounting() && uncounted.length > 0,
+      measure: asks.count,
+      unmeasured: stands ? uncounted.length : 0,
+      isMeasuring: asks.isCounting() && uncounted.length > 0,
+      timing: asks.timing(),
+      stands,
     };
+    const head = { took: stands ? main : null, resolution: resolutionOf(model) };
     return html`<div role="tabpanel"
-      aria-label="What this picture needed">${ledger(
-        model.ledger,
-        main?.state === 'finished' ? main : null,
-        tool,
-      )}
+      aria-label="What this picture needed">${ledger(model.ledger, head, tool)}
       ${methodPanel(method, picture, dispatch)}
       ${simplifications()}</div>`;
   };
@@ -104,6 +116,12 @@ export function createSidePanel(
       render(html`${tabs(tab, turn)}${panel}`, host);
     },
   };
+}
+
+/** Which picture the ledger is of. */
+function resolutionOf({ requests: { main } }: PictureModel): string {
+  const { width, height, samples } = main.settings;
+  return `${width} × ${height}, ${samples === 1 ? '1 ray' : `${samples} rays`} a pixel`;
 }
 
 async function openFile(dispatch: Dispatch): Promise<void> {

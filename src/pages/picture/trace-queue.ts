@@ -31,7 +31,16 @@ export interface TraceQueue {
   rest(): void;
 }
 
+/** Pictures that are traced when all that is wanted has been: repeats, more samples. */
+export interface Background {
+  /** The next one, under a key of its own; null for none. */
+  next(): TraceRequest | null;
+  /** Takes a finished one, or one that failed. */
+  took(request: TraceRequest, result: TraceProgress): void;
+}
+
 interface TraceQueueTools {
+  readonly background?: Background;
   readonly spawn: () => WorkerLike;
   readonly workers: number;
   /** Called when there are new pixels or a new state. */
@@ -45,11 +54,23 @@ export const coresOf = ({
   readonly hardwareConcurrency?: number;
 }): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
 
-export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): TraceQueue {
+const isUnderWay = ({ state }: TraceProgress): boolean =>
+  state === 'loading' || state === 'tracing';
+
+export function createTraceQueue({
+  spawn,
+  workers,
+  changed,
+  background,
+}: TraceQueueTools): TraceQueue {
   const seen = new Map<string, TraceProgress>();
   const stopped = new Set<string>();
   let wanted: readonly TraceRequest[] = [];
-  let running: { readonly request: TraceRequest; readonly job: TraceJob } | null = null;
+  let running: {
+    readonly request: TraceRequest;
+    readonly job: TraceJob;
+    readonly later: boolean;
+  } | null = null;
   let pool: ReturnType<typeof createTracePool> | null = null;
 
   const open = (): NonNullable<typeof pool> => {
@@ -72,25 +93,48 @@ export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): 
 
   const go = (): void => {
     const next = wanted.find(isOpen);
-    if (running && running.request.key === next?.key) return;
+    const later = next ? null : background?.next();
+    const key = (next ?? later)?.key;
+    if (running && running.request.key === key) return;
     drop();
     if (next) start(next);
+    else if (later) startLater(later);
+  };
+
+  /** Its progress is not shown: drawing would take time from it. */
+  const startLater = (request: TraceRequest): void => {
+    let over = false;
+    const job = open().start(
+      request.scene,
+      request.settings,
+      {
+        progress(state) {
+          if (isUnderWay(state) || over) return;
+          over = true;
+          if (state.state === 'cancelled') return;
+          if (running?.request === request) running = null;
+          background?.took(request, state);
+          changed();
+        },
+      },
+      request.atOnce,
+    );
+    if (!over) running = { request, job, later: true };
   };
 
   const start = (request: TraceRequest): void => {
-    const job = open().start(request.scene, request.settings, {
-      progress(state) {
-        // A job that was replaced may still post a message.
-        if (running !== null && running.request !== request) return;
-        seen.set(request.key, state);
-        if (state.state !== 'loading' && state.state !== 'tracing') {
-          running = null;
-          forget();
-        }
-        changed();
-      },
-    });
-    if (isOpen(request)) running = { request, job };
+    const progress = (state: TraceProgress): void => {
+      // A job that was replaced may still post a message.
+      if (running !== null && running.request !== request) return;
+      seen.set(request.key, state);
+      if (!isUnderWay(state)) {
+        running = null;
+        forget();
+      }
+      changed();
+    };
+    const job = open().start(request.scene, request.settings, { progress }, request.atOnce);
+    if (isOpen(request)) running = { request, job, later: false };
   };
 
   /** Drops the oldest pictures that are no longer wanted. */
@@ -107,7 +151,7 @@ export function createTraceQueue({ spawn, workers, changed }: TraceQueueTools): 
       go();
     },
     seen: ({ key }) => seen.get(key) ?? null,
-    current: () => running?.request ?? null,
+    current: () => (running && !running.later ? running.request : null),
     cancel() {
       for (const { key } of wanted.filter(isOpen)) stopped.add(key);
       const job = running?.job;

@@ -10,6 +10,8 @@ export interface TraceRequest {
   readonly key: string;
   readonly scene: Scene;
   readonly settings: TraceSettings;
+  /** Whether there is no coarse picture first. */
+  readonly atOnce?: boolean;
 }
 
 export interface TraceRequests {

@@ -37,6 +37,9 @@ export interface Wave {
   /** For the recorder: its node's number; before that is set, that of its parent. */
   readonly node: Int32Array;
 
+  /** Number of surfaces that were asked about the ray, and of those with a root that counts. */
+  readonly asked: Int32Array;
+  readonly found: Int32Array;
   /** t and surface of the nearest hit; NaN and −1 without one. */
   readonly t: Float64Array;
   readonly surface: Int32Array;
@@ -133,12 +136,17 @@ export interface Feelers {
   readonly t: Float64Array;
   /** For the recorder: node of the ray whose hit it starts from. */
   readonly node: Int32Array;
+  /** Index in the tile of the camera ray from which it descends. */
+  readonly sample: Int32Array;
+  /** As in `Wave`. */
+  readonly asked: Int32Array;
+  readonly found: Int32Array;
 }
 
 export interface Tools {
   /** Empty arrays for so many feelers. */
   feelers(count: number): Feelers;
-  /** Sets their blockers, and counts them as shadow rays of the effect. */
+  /** Sets their blockers, and counts them as shadow rays of the effect (feelers.ts fills them). */
   feel(feelers: Feelers, light: WorldLight): void;
   /** The wave for the effect's rays of the next generation, with room for `count` more. */
   next(count: number): Wave;

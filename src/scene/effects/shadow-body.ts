@@ -1,4 +1,5 @@
 import type { LightBody } from './body.ts';
+import { addFeeler } from './feelers.ts';
 
 /** A shadow ray to each light without a size. */
 export const body: LightBody = {
@@ -6,20 +7,12 @@ export const body: LightBody = {
   run(wave, lit, tools, all) {
     if (lit.light.radius > 0 && !all) return;
     const feelers = tools.feelers(lit.count);
-    const { rays } = feelers;
     for (let k = 0; k < lit.count; k++) {
       const i = lit.ray[k] as number;
-      rays.Ex[k] = wave.Px[i] as number;
-      rays.Ey[k] = wave.Py[i] as number;
-      rays.Ez[k] = wave.Pz[i] as number;
-      rays.dx[k] = lit.Lx[k] as number;
-      rays.dy[k] = lit.Ly[k] as number;
-      rays.dz[k] = lit.Lz[k] as number;
-      feelers.limit[k] = lit.distance[k] as number;
-      feelers.from[k] = wave.surface[i] as number;
-      feelers.node[k] = wave.node[i] as number;
+      const distance = lit.distance[k] as number;
+      const [x, y, z] = [lit.Lx[k] as number, lit.Ly[k] as number, lit.Lz[k] as number];
+      addFeeler(wave, i, feelers, x, y, z, distance);
     }
-    feelers.count = lit.count;
     tools.feel(feelers, lit.light);
     // Lights with a size are left to soft shadows, also if shadows are forced on.
     if (lit.light.radius > 0) return;

@@ -1,5 +1,6 @@
 import { seeded } from '../../math/rng.ts';
 import type { Feelers, LightBody, Lit, Wave } from './body.ts';
+import { addFeeler } from './feelers.ts';
 
 /** Feelers per call: enough for fast kernels, few enough to stay in the cache. */
 const AT_ONCE = 4096;
@@ -113,18 +114,7 @@ function put(
   const above =
     x * (wave.Nx[i] as number) + y * (wave.Ny[i] as number) + z * (wave.Nz[i] as number);
   if (!(above > 0)) return;
-  const { rays } = feelers;
-  const j = feelers.count;
-  rays.Ex[j] = wave.Px[i] as number;
-  rays.Ey[j] = wave.Py[i] as number;
-  rays.Ez[j] = wave.Pz[i] as number;
-  rays.dx[j] = x;
-  rays.dy[j] = y;
-  rays.dz[j] = z;
-  feelers.limit[j] = limit;
-  feelers.from[j] = wave.surface[i] as number;
-  feelers.node[j] = wave.node[i] as number;
-  feelers.count = j + 1;
+  addFeeler(wave, i, feelers, x, y, z, limit);
 }
 
 /** Sets the share of the points that are visible. */

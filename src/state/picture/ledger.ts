@@ -1,13 +1,22 @@
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { type PlannedEffect, planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { Cost, Ledger, RayKind, TraceSettings } from '../../tracer/types.ts';
+import type { Cost, Ledger, RayKind, TraceSettings, Work } from '../../tracer/types.ts';
+import type { Spread, Times } from './times.ts';
+
+/** What the bars may show; all but the time are the same on every machine. */
+export const MEASURES = ['questions', 'rays', 'solves', 'roots', 'ms'] as const;
+export type Measure = (typeof MEASURES)[number];
 
 /** One effect in the ledger. */
 export interface LedgerRow extends PlannedEffect {
   /** Null while nothing has been traced, and for what does not run. */
   readonly cost: Cost | null;
-  /** Its share of the time, 0 … 1, and the sum of the shares in the rows above. */
+  /** Its time in repeats of the warm picture; null before they were made, and for what is idle. */
+  readonly time: Spread | null;
+  /** If it is forced, times of the picture in which it is as called for; null before measuring. */
+  readonly unforced: Times | null;
+  /** Its share of the measure, 0 … 1, and the sum of the shares in the rows above. */
   readonly share: number;
   readonly from: number;
   /**
@@ -18,11 +27,14 @@ export interface LedgerRow extends PlannedEffect {
 }
 
 export interface LedgerModel {
-  readonly camera: Omit<LedgerRow, keyof PlannedEffect>;
+  readonly camera: Omit<LedgerRow, keyof PlannedEffect | 'unforced'>;
   /** What runs, in the order of the registry, then what does not. */
   readonly simulated: readonly LedgerRow[];
   readonly idle: readonly LedgerRow[];
   readonly total: Cost;
+  /** What the bars show. */
+  readonly by: Measure;
+  readonly times: Times | null;
   readonly kinds: readonly KindRow[];
   readonly saved: number;
   readonly cut: number;
@@ -31,22 +43,29 @@ export interface LedgerModel {
   readonly samples: number;
 }
 
-/** Number of rays of one kind, and of the effects that fired some of them. */
-export interface KindRow {
+/** Work of one kind of ray, and how many each effect fired of them. */
+export interface KindRow extends Work {
   readonly kind: RayKind;
-  readonly rays: number;
   readonly parts: readonly { readonly words: string; readonly rays: number }[];
 }
 
-const NOTHING_SPENT: Cost = { rays: 0, questions: 0, solves: 0, ms: 0 };
+const NO_WORK: Work = { rays: 0, questions: 0, roots: 0 };
+const NOTHING_SPENT: Cost = { ...NO_WORK, solves: 0, ms: 0 };
 export const EMPTY_LEDGER: Ledger = {
   camera: NOTHING_SPENT,
   effects: {},
-  kinds: { camera: 0, shadow: 0, reflected: 0, refracted: 0 },
+  kinds: { camera: NO_WORK, shadow: NO_WORK, reflected: NO_WORK, refracted: NO_WORK },
   fired: {},
   saved: 0,
   cut: 0,
 };
+
+interface LedgerView {
+  readonly by?: Measure;
+  readonly times?: Times | null;
+  /** By forced effect, times of the picture in which it is as called for. */
+  readonly unforced?: Readonly<Partial<Record<EffectId, Times | null | undefined>>>;
+}
 
 /** The ledger of a scene and its settings, with what has been measured so far. */
 export function ledgerModel(
@@ -54,19 +73,28 @@ export function ledgerModel(
   settings: TraceSettings,
   { camera, effects, kinds, fired, saved, cut }: Ledger,
   pixels: Readonly<Partial<Record<EffectId, number>>>,
+  { by = 'questions', times = null, unforced = {} }: LedgerView = {},
 ): LedgerModel {
   const plan = planEffects(scene, settings.forced);
   const costs = plan.map(({ id }) => effects[id] ?? NOTHING_SPENT);
   const total = [camera, ...costs].reduce(sum, NOTHING_SPENT);
-  const shareOf = ({ ms }: Cost): number => (total.ms > 0 ? ms / total.ms : 0);
   const traced = camera.rays > 0;
-  let from = shareOf(camera);
+  const amount = (id: EffectId | 'camera', cost: Cost): number =>
+    by === 'ms' ? (times?.of[id]?.low ?? 0) : cost[by];
+  const all =
+    amount('camera', camera) +
+    plan.reduce((sum, { id }, i) => sum + amount(id, costs[i] ?? NOTHING_SPENT), 0);
+  const shareOf = (id: EffectId | 'camera', cost: Cost): number =>
+    all > 0 ? amount(id, cost) / all : 0;
+  let from = shareOf('camera', camera);
   const rows = plan.map((effect, i): LedgerRow => {
     const cost = costs[i] ?? NOTHING_SPENT;
-    const share = effect.runs ? shareOf(cost) : 0;
+    const share = effect.runs ? shareOf(effect.id, cost) : 0;
     const row = {
       ...effect,
       cost: traced && effect.runs ? cost : null,
+      time: (effect.runs && times?.of[effect.id]) || null,
+      unforced: (effect.forced !== 'no' && unforced[effect.id]) || null,
       share,
       from,
       pixels: pixels[effect.id] ?? null,
@@ -77,13 +105,16 @@ export function ledgerModel(
   return {
     camera: {
       cost: traced ? camera : null,
-      share: shareOf(camera),
+      time: times?.of.camera ?? null,
+      share: shareOf('camera', camera),
       from: 0,
       pixels: settings.width * settings.height,
     },
     simulated: rows.filter(({ runs }) => runs),
     idle: rows.filter(({ runs }) => !runs),
     total,
+    by,
+    times,
     kinds: kindRows(kinds, fired),
     saved,
     cut,
@@ -95,7 +126,7 @@ export function ledgerModel(
 function kindRows(kinds: Ledger['kinds'], fired: Ledger['fired']): KindRow[] {
   return RAY_KINDS.map((kind) => ({
     kind,
-    rays: kinds[kind],
+    ...kinds[kind],
     parts: EFFECTS.flatMap(({ id, title, rays }) => {
       const count = fired[id]?.[kind];
       const words: Readonly<Partial<Record<RayKind, string>>> = rays;
@@ -110,15 +141,23 @@ const sum = (a: Cost, b: Cost): Cost => ({
   rays: a.rays + b.rays,
   questions: a.questions + b.questions,
   solves: a.solves + b.solves,
+  roots: a.roots + b.roots,
   ms: a.ms + b.ms,
 });
 
-/** The ledger as CSV, one effect per line, also those that did not run, with their reasons. */
-export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): string {
+/**
+ * The ledger as CSV, one effect per line, also those that did not run, with their reasons. Times
+ * are the quartiles of repeats, of all workers; empty if they were not measured.
+ */
+export function ledgerCsv({ camera, simulated, idle, total, by, times }: LedgerModel): string {
   const head =
-    'effect,needed,forced,reason,rays,questions,solves,ms of all workers,share,pixels changed';
-  const costs = (cost: Cost | null): string =>
-    cost ? [cost.rays, cost.questions, cost.solves, cost.ms].join(',') : '0,0,0,0';
+    'effect,needed,forced,reason,rays,questions,roots worked out,roots found,' +
+    `ms lower quartile,ms upper quartile,share of ${by},pixels changed`;
+  const costs = (cost: Cost | null, time: Spread | null): string =>
+    [
+      ...(cost ? [cost.rays, cost.questions, cost.solves, cost.roots] : [0, 0, 0, 0]),
+      ...[time?.low ?? '', time?.high ?? ''],
+    ].join(',');
   const line = (row: LedgerRow): string =>
     [
       ...[
@@ -126,16 +165,16 @@ export function ledgerCsv({ camera, simulated, idle, total }: LedgerModel): stri
         row.leftOut ? 'left out' : row.needed,
         row.forced,
         quoted(row.reason),
-        costs(row.cost),
+        costs(row.cost, row.time),
       ],
       ...[row.share, row.pixels ?? ''],
     ].join(',');
   return `${[
     head,
-    `camera rays,true,no,,${costs(camera.cost)},${camera.share},${camera.pixels}`,
+    `camera rays,true,no,,${costs(camera.cost, camera.time)},${camera.share},${camera.pixels}`,
     ...simulated.map(line),
     ...idle.map(line),
-    `picture,,,,${costs(total)},1,`,
+    `picture,,,,${costs(total, times?.work ?? null)},1,`,
   ].join('\n')}\n`;
 }
 

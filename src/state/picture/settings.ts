@@ -24,11 +24,17 @@ export interface PictureSettings {
   readonly against: Against | null;
   /** Position of the divider, in percent of the width. */
   readonly split: number;
-  /** Two pictures side by side, or the map of their differences. */
-  readonly show: 'both' | 'errors';
+  /** What the map beside the picture shows: in links 'both' for questions. */
+  readonly show: 'questions' | 'roots' | 'rays' | 'errors';
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
 }
+
+const SHOWS: Readonly<Record<string, PictureSettings['show']>> = {
+  errors: 'errors',
+  roots: 'roots',
+  rays: 'rays',
+};
 
 export const SIZES = ['160x90', '320x180', '640x360', '752x424', '960x540', '1280x720'] as const;
 export const SAMPLES = [1, 4, 9, 16] as const;
@@ -51,7 +57,7 @@ const KEYS = {
   off: { initial: '', read: readEffects },
   against: { initial: '', read: AGAINST.read },
   split: { initial: '50', read: readPercent },
-  show: { initial: 'both', read: word(['both', 'errors']) },
+  show: { initial: 'both', read: word(['both', 'errors', 'roots', 'rays']) },
   pixel: { initial: '', read: readPixel },
 } as const satisfies Record<string, Key>;
 
@@ -82,7 +88,7 @@ export function pictureSettings(settings: Settings): PictureSettings {
     forced: forcedOf(value('on'), value('off')),
     against: value('against'),
     split: value('split'),
-    show: value('show') as 'both' | 'errors',
+    show: SHOWS[value('show')] ?? 'questions',
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
   };
 }

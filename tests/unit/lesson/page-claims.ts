@@ -38,7 +38,15 @@ function trace({ state }: Shown, forced?: PictureSettings['forced']): Promise<Ti
 const pictureOf = ({ settings }: AppState): PictureSettings => pictureSettings(settings.picture);
 const planOf = ({ state }: Shown) => planEffects(pictureOf(state).scene, pictureOf(state).forced);
 const rowOf = (shown: Shown, id: string) => planOf(shown).find((one) => one.id === id);
-const kindsOf = async (shown: Shown) => (await trace(shown)).ledger.kinds;
+const kindsOf = async (shown: Shown) => {
+  const { camera, shadow, reflected, refracted } = (await trace(shown)).ledger.kinds;
+  return {
+    camera: camera.rays,
+    shadow: shadow.rays,
+    reflected: reflected.rays,
+    refracted: refracted.rays,
+  };
+};
 const raysOf = async (shown: Shown, id: string, forced?: PictureSettings['forced']) =>
   (await trace(shown, forced)).ledger.effects[id as 'shadow']?.rays ?? 0;
 /** Forced off if it runs; as the scene calls for it if it is forced off. */

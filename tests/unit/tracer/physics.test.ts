@@ -282,14 +282,18 @@ describe('the weight bound', () => {
       const bound = Math.floor(Math.log(HALF_A_LEVEL) / Math.log(share));
       expect(depth).toBe(bound);
       const { ledger } = tracer.trace({ y0: 0, y1: 1, step: 1, refines: false });
-      expect(ledger).toMatchObject({ saved: 1, cut: 0, kinds: { reflected: bound } });
+      expect(ledger).toMatchObject({ saved: 1, cut: 0, kinds: { reflected: { rays: bound } } });
     },
   );
 
   test('perfect ones: the limit of bounces, and it is said', async () => {
     const tracer = await tracerFor(hall(1), { width: 1, height: 1 });
     const { ledger } = tracer.trace({ y0: 0, y1: 1, step: 1, refines: false });
-    expect(ledger).toMatchObject({ saved: 0, cut: 1, kinds: { reflected: MOST_BOUNCES } });
+    expect(ledger).toMatchObject({
+      saved: 0,
+      cut: 1,
+      kinds: { reflected: { rays: MOST_BOUNCES } },
+    });
   });
 
   test('the sum of a mirror hall: (1 − s)(1 + s + s² + …) is white, up to the bound', async () => {

@@ -8,9 +8,11 @@ import {
   grouped,
   ledgerCsv,
   ledgerModel,
+  MEASURES,
   msWords,
   percent,
 } from '../../../../src/state/picture/ledger.ts';
+import { LEAST_REPEATS, type Run, timesOf } from '../../../../src/state/picture/times.ts';
 import { comparePictures } from '../../../../src/tracer/compare.ts';
 import { DEFAULT_SETTINGS, type Ledger } from '../../../../src/tracer/types.ts';
 import { picture } from '../../tracer/tracing.ts';
@@ -22,16 +24,70 @@ function scene(id: string): Scene {
 }
 
 const LEDGER: Ledger = {
-  camera: { rays: 100, questions: 500, solves: 50, ms: 2 },
+  camera: { rays: 100, questions: 500, solves: 50, roots: 40, ms: 2 },
   effects: {
-    shadow: { rays: 60, questions: 90, solves: 5, ms: 1 },
-    reflection: { rays: 30, questions: 60, solves: 7, ms: 5 },
+    shadow: { rays: 60, questions: 90, solves: 5, roots: 3, ms: 1 },
+    reflection: { rays: 30, questions: 60, solves: 7, roots: 6, ms: 5 },
   },
-  kinds: { camera: 100, shadow: 60, reflected: 30, refracted: 0 },
+  kinds: {
+    camera: { rays: 100, questions: 500, roots: 40 },
+    shadow: { rays: 60, questions: 90, roots: 3 },
+    reflected: { rays: 30, questions: 60, roots: 6 },
+    refracted: { rays: 0, questions: 0, roots: 0 },
+  },
   fired: { shadow: { shadow: 60 }, reflection: { reflected: 30 } },
   saved: 3,
   cut: 1,
 };
+
+const TIMES = timesOf(Array.from({ length: 5 }, () => ({ ledger: LEDGER, waited: 6, workers: 2 })));
+
+describe('times of repeats', () => {
+  const run = (ms: number, waited: number, workers = 2): Run => ({
+    ledger: {
+      ...LEDGER,
+      camera: { ...LEDGER.camera, ms },
+      effects: { shadow: { ...LEDGER.camera, ms: 2 * ms } },
+    },
+    waited,
+    workers,
+  });
+
+  test('are not told before there are enough', () => {
+    const some = Array.from({ length: LEAST_REPEATS }, (_, k) => run(1 + k, 10 + k));
+    expect(timesOf(some.slice(1))).toBeNull();
+    expect(timesOf(some)?.repeats).toBe(LEAST_REPEATS);
+  });
+
+  test('quartiles leave out what another program took; a wide middle half is told', () => {
+    const times = timesOf([
+      run(1, 10),
+      run(1, 10),
+      run(1, 10),
+      run(1, 10),
+      run(1, 10),
+      run(90, 99),
+    ]);
+    expect(times).toMatchObject({
+      of: { camera: { low: 1, high: 1 }, shadow: { low: 2, high: 2 } },
+      work: { low: 3, high: 3 },
+      waited: { low: 10, high: 10 },
+      busy: false,
+    });
+    const busy = timesOf([10, 10, 12, 15, 20, 30].map((waited) => run(1, waited)));
+    expect(busy?.busy).toBe(true);
+    expect(busy?.spread).toBeCloseTo(18.75 / 10.5 - 1, 12);
+  });
+
+  test.each([1, 2, 8])('work of %d workers, divided, and the rest are the wait', (workers) => {
+    const waits = [31, 30, 47, 33, 36, 34, 90];
+    const typical = timesOf(waits.map((waited, k) => run(k + 1, waited, workers)))?.typical;
+    if (!typical) throw new Error('no times');
+    expect(waits).toContain(typical.waited);
+    expect(typical.work / typical.workers + typical.rest).toBeCloseTo(typical.waited, 12);
+    expect(typical.rest).toBeGreaterThan(0);
+  });
+});
 
 describe('the ledger', () => {
   const model = ledgerModel(scene('mirror'), DEFAULT_SETTINGS, LEDGER, { reflection: 77 });
@@ -43,18 +99,33 @@ describe('the ledger', () => {
     expect(model.idle.every(({ needed, cost }) => !needed && cost === null)).toBe(true);
   });
 
-  test('bars follow each other and fill the whole', () => {
-    let end = model.camera.share;
-    expect(model.camera).toMatchObject({ share: 0.25, from: 0 });
-    for (const { from, share } of model.simulated) {
+  test.each(MEASURES)('bars by %s follow each other and fill the whole', (by) => {
+    const shown = ledgerModel(scene('mirror'), DEFAULT_SETTINGS, LEDGER, {}, { by, times: TIMES });
+    const of = { rays: 190, questions: 650, solves: 62, roots: 49, ms: 8 }[by];
+    let end = shown.camera.share;
+    expect(shown.camera).toMatchObject({ share: LEDGER.camera[by] / of, from: 0 });
+    for (const { from, share } of shown.simulated) {
       expect(from).toBeCloseTo(end, 12);
       end = from + share;
     }
     expect(end).toBeCloseTo(1, 12);
   });
 
+  test('what is not measured has no time, and bars by time are empty', () => {
+    const shown = ledgerModel(scene('mirror'), DEFAULT_SETTINGS, LEDGER, {}, { by: 'ms' });
+    expect([shown.camera, ...shown.simulated].map(({ share, time }) => [share, time])).toEqual(
+      [shown.camera, ...shown.simulated].map(() => [0, null]),
+    );
+  });
+
   test('the total is the sum of its rows', () => {
-    expect(model.total).toEqual({ rays: 190, questions: 650, solves: 62, ms: 8 });
+    expect(model.total).toEqual({
+      rays: 190,
+      questions: 650,
+      solves: 62,
+      roots: 49,
+      ms: 8,
+    });
   });
 
   test.each(EFFECTS)('rays that $id fires, of whatever kind, are told apart from others', (one) => {
@@ -103,28 +174,41 @@ describe('the ledger', () => {
   });
 
   test('as CSV: a line for each, reasons in quotes, every line as long', () => {
-    const lines = ledgerCsv(model).trimEnd().split('\n');
+    const shown = ledgerModel(
+      scene('mirror'),
+      DEFAULT_SETTINGS,
+      LEDGER,
+      { reflection: 77 },
+      { times: TIMES },
+    );
+    const lines = ledgerCsv(shown).trimEnd().split('\n');
     expect(lines).toHaveLength(EFFECTS.length + 3);
     for (const line of lines) {
-      expect(line.replace(/"(?:[^"]|"")*"/g, '').split(',')).toHaveLength(10);
+      expect(line.replace(/"(?:[^"]|"")*"/g, '').split(',')).toHaveLength(12);
     }
     expect(lines.find((line) => line.startsWith('reflection'))).toMatch(
-      /^reflection,true,no,"[^"]+",30,60,7,5,0\.625,77$/,
+      /^reflection,true,no,"[^"]+",30,60,7,6,5,5,0\.09\d*,77$/,
     );
   });
 });
 
 describe.each(PRESETS.map(({ id, scene: of }) => [id, of] as const))('%s', async (_, of) => {
-  const { ledger } = await picture(of);
+  const { ledger, work } = await picture(of);
   const model = ledgerModel(of, DEFAULT_SETTINGS, ledger, {});
 
   test('what is shown adds up to what is shown', () => {
     const rows = [model.camera, ...model.simulated].map(({ cost }) => cost);
-    for (const key of ['rays', 'questions', 'solves'] as const) {
+    for (const key of ['rays', 'questions', 'solves', 'roots'] as const) {
       const sum = rows.reduce((all, cost) => all + (cost?.[key] ?? 0), 0);
       expect([key, sum]).toEqual([key, model.total[key]]);
     }
-    expect(model.kinds.reduce((all, { rays }) => all + rays, 0)).toBe(model.total.rays);
+    for (const key of ['rays', 'questions', 'roots'] as const) {
+      const byKind = model.kinds.reduce((all, kind) => all + kind[key], 0);
+      expect([key, byKind]).toEqual([key, model.total[key]]);
+      const byPixel = work[key].reduce((all, n) => all + n, 0);
+      expect([key, byPixel]).toEqual([key, model.total[key]]);
+    }
+    expect(model.total.roots).toBeLessThanOrEqual(model.total.questions);
     for (const { kind, rays, parts } of model.kinds) {
       const fired = kind === 'camera' ? 0 : rays;
       expect([kind, parts.reduce((all, part) => all + part.rays, 0)]).toEqual([kind, fired]);
