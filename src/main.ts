@@ -94,7 +94,10 @@ const tools: PageActions = {
       }),
     ),
   openFile: () =>
-    withDisk(({ pickFile }) => pickFile('.json,application/json,.md,text/markdown').then(openText)),
+    withDisk(({ mayPick, pickFile }) => {
+      if (mayPick()) pickFile('.json,application/json,.md,text/markdown').then(openText);
+      else say('that took too long for this browser: ask for it again');
+    }),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
   help: () => openDialog('help'),
@@ -109,7 +112,7 @@ const tools: PageActions = {
   },
   black() {
     player?.stop();
-    clicker().then((black) => black(), sayNotLoaded);
+    withCode(clicker(), (black) => black());
   },
   theme: () => {
     const next = THEMES[(THEMES.indexOf(theme.current()) + 1) % THEMES.length] ?? 'system';
@@ -117,30 +120,26 @@ const tools: PageActions = {
     say(`theme: ${next}`);
   },
   // Not while results are hidden: the bead pauses at each root.
-  play: () => {
-    if (areHidden()) return;
-    theRest().then(() => {
+  play: () =>
+    withCode(theRest(), () => {
       const now = modelNow();
-      if (!isFull(now) || !player) return;
+      if (areHidden() || !isFull(now) || !player) return;
       player.toggle(now.graph);
       announce(player.playing ? 'The bead plays.' : 'The bead has stopped.', 'deed');
-    }, sayNotLoaded);
-  },
+    }),
   hear: () => {
-    if (areHidden()) return;
-    const code = () => late(() => import('./pages/explore/hear.ts'));
-    Promise.all([code(), theRest()]).then(([{ createHearing }]) => {
+    const code = late(() => import('./pages/explore/hear.ts'));
+    withCode(Promise.all([code, theRest()]), ([{ createHearing }]) => {
+      if (areHidden()) return;
       const move = (t: number) => store.dispatch({ type: 'bead', t });
       hearing ??= createHearing(move, requestRender, announce);
       const now = modelNow();
       if (isFull(now)) hearing.toggle(now.graph);
-    }, sayNotLoaded);
+    });
   },
-  second: () => {
-    theRest().then(() => secondView?.toggle(), sayNotLoaded);
-  },
-  turn: (by) => pages.current()?.turn?.(by),
-  present: () => pages.current()?.present?.(),
+  second: () => withCode(theRest(), () => secondView?.toggle()),
+  turn: (by) => withCode(shownView(), (view) => view?.turn?.(by)),
+  present: () => withCode(shownView(), (view) => view?.present?.()),
   collect: () =>
     withLessons(({ withCollected }) => {
       const { state, step } = withCollected(store.get(), encode(store.get()));
@@ -156,26 +155,32 @@ const tools: PageActions = {
     return revealed === null && exampleOf(store.get())?.changed === false ? told : null;
   },
 };
+function runNow({ id, run }: Command): void {
+  const before = store.get();
+  run();
+  const after = store.get();
+  late(() => import('./pages/command-words.ts')).then(
+    ({ commandWords }) => {
+      const words = commandWords(id, before, after);
+      if (words) announce(words, 'deed');
+    },
+    () => {},
+  );
+}
 const commands = commandsOf(store, tools).map((command) => ({
   ...command,
+  // What is asked for before examples and player are loaded waits for them, and keeps its turn.
   run() {
-    const before = store.get();
-    command.run();
-    const after = store.get();
-    late(() => import('./pages/command-words.ts')).then(
-      ({ commandWords }) => {
-        const words = commandWords(command.id, before, after);
-        if (words) announce(words, 'deed');
-      },
-      () => {},
-    );
+    const now = () => runNow(command);
+    if (player || store.get().page !== 'explore') now();
+    else marked(theRest()).then(now, now);
   },
 }));
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
 const dialogParts: DialogParts = {
   commands,
   thumbnail: () => explore?.scene.thumbnail() ?? null,
-  exports: async () => pages.current()?.exports() ?? (explore ? exportsOf(explore) : []),
+  exports: async () => (await shownView())?.exports() ?? (explore ? exportsOf(explore) : []),
   example: () => exampleOf(store.get()),
   hidden: () => store.get().revealed !== null,
   page: () => store.get().page,
@@ -195,13 +200,12 @@ async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
   return exploreExports(shown, modelNow);
 }
 
-const theRest = () => late(() => import('./pages/explore/after-first-frame.ts'));
-let isLater = false;
-/** Loads the code after the first frame; called with every frame until it has been loaded. */
-function loadTheRest(): void {
-  if (isLater) return;
-  isLater = true;
-  theRest().then(
+let rest: Promise<typeof import('./pages/explore/after-first-frame.ts')> | null = null;
+/** The code after the first frame, which is put to use first; loaded again after a failure. */
+function theRest(): NonNullable<typeof rest> {
+  if (rest) return rest;
+  rest = late(() => import('./pages/explore/after-first-frame.ts'));
+  rest.then(
     (code) => {
       ({ closerLook, announcement, story, normalLine } = code);
       provideExamples(code.GALLERY);
@@ -214,9 +218,10 @@ function loadTheRest(): void {
       requestRender();
     },
     () => {
-      isLater = false;
+      rest = null;
     },
   );
+  return rest;
 }
 
 let watched: (() => void) | null = null;
@@ -228,6 +233,22 @@ const clicker = (): Promise<() => void> =>
   });
 
 const sayNotLoaded = (): void => say('this could not be loaded: try it again, or reload the page');
+let awaited = 0;
+/** The page says by an attribute that something which was asked for waits for its code. */
+function marked<T>(code: Promise<T>): Promise<T> {
+  const count = (by: number): void => {
+    awaited += by;
+    main.toggleAttribute('data-waiting', awaited > 0);
+  };
+  count(1);
+  const settled = () => count(-1);
+  code.then(settled, settled);
+  return code;
+}
+/** Uses code that a person has asked for. */
+function withCode<T>(code: Promise<T>, use: (code: T) => void): void {
+  marked(code).then(use, sayNotLoaded);
+}
 
 let dialogs: Promise<Dialogs> | null = null;
 /** Opens a dialog; the dialogs' code is loaded with the first. */
@@ -235,15 +256,20 @@ function openDialog(name: keyof Dialogs): void {
   dialogs ??= late(() => import('./pages/dialogs.ts')).then(({ createDialogs }) =>
     createDialogs(dialogParts),
   );
-  dialogs.then(
-    (made) => made[name](),
-    () => {
-      dialogs = null;
-      sayNotLoaded();
-    },
-  );
+  dialogs.catch(() => {
+    dialogs = null;
+  });
+  withCode(dialogs, (made) => made[name]());
 }
 
+/** The page that the state names, when its code has come; null for Explore. */
+const shownView = async (): Promise<PageView | null> => {
+  pages.show(store.get());
+  const view = await pages.arrival();
+  // A page that has just come does nothing before it has been drawn.
+  pages.show(store.get());
+  return view;
+};
 const pages = createPageSwitcher(main, {
   dispatch: store.dispatch,
   changed: requestRender,
@@ -263,7 +289,7 @@ function renderExplore(state: AppState): void {
   const before = model;
   model = derive(state);
   heard ??= model;
-  loadTheRest();
+  theRest();
   if (before !== model && !player?.playing && !hearing?.on) announce(tellNews);
   embedded?.render(model);
   explore?.render(motion && isFull(model) ? motion(model) : model, {
@@ -390,7 +416,11 @@ function say(words: string): void {
 
 function openText(text: string | null): void {
   if (text === null) return;
-  if (pages.current()?.open?.(text)) return;
+  const here = () => shownView().catch(() => null);
+  marked(here()).then((view) => view?.open?.(text) || openAnywhere(text));
+}
+
+function openAnywhere(text: string): void {
   // Only a lesson begins with a line of three dashes.
   if (/^\s*---/.test(text)) {
     withLessons(({ openedLesson }) => {
@@ -410,17 +440,23 @@ function openText(text: string | null): void {
 
 /** Loads the code that reads and writes saved states. */
 function withFiles(use: (files: typeof import('./state/file.ts')) => void): void {
-  late(() => import('./state/file.ts')).then(use, sayNotLoaded);
+  withCode(
+    late(() => import('./state/file.ts')),
+    use,
+  );
 }
 
-/** Loads the code for files of the disk. */
-function withDisk(use: (disk: typeof import('./ui/files.ts')) => void): void {
-  late(() => import('./ui/files.ts')).then(use, sayNotLoaded);
-}
+/** The code for files of the disk. */
+const files = () => late(() => import('./ui/files.ts'));
+const withDisk = (use: (disk: typeof import('./ui/files.ts')) => void): void =>
+  withCode(files(), use);
 
 /** Loads the code that reads and packs lessons. */
 function withLessons(use: (own: typeof import('./pages/lesson/own-lesson.ts')) => void): void {
-  late(() => import('./pages/lesson/own-lesson.ts')).then(use, sayNotLoaded);
+  withCode(
+    late(() => import('./pages/lesson/own-lesson.ts')),
+    use,
+  );
 }
 
 store.subscribe(() => {
@@ -438,9 +474,7 @@ document.addEventListener('keydown', (event) => {
   });
   if (!wanted) return;
   event.preventDefault();
-  // A key pressed before examples and player are loaded is kept until they are.
-  if (player || store.get().page !== 'explore') wanted.run();
-  else theRest().then(wanted.run, wanted.run);
+  wanted.run();
 });
 onNotKept(() => {
   theRest().then(({ NOT_KEPT }) => {
@@ -470,10 +504,10 @@ document.documentElement.classList.toggle('embed-page', isPart);
 watchStyles(document);
 renderAll();
 writeLink();
-withDisk(({ watchDrops, onTooLarge }) => {
+files().then(({ watchDrops, onTooLarge }) => {
   watchDrops(document.body, openText);
   onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
-});
+}, sayNotLoaded);
 // Without it every control is a stop of its own.
 late(() => import('./ui/tab-stops.ts')).then(
   ({ watchTabStops }) => watchTabStops(main, !isPart),

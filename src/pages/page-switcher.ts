@@ -23,6 +23,8 @@ interface PageSwitcher {
   again(): void;
   /** The shown page if its code is loaded; null for Explore. */
   current(): PageView | null;
+  /** The shown page as soon as its code has come, which is loaded again if that failed. */
+  arrival(): Promise<PageView | null>;
 }
 
 interface PageSwitcherTools extends PageContext {
@@ -41,6 +43,7 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
   const views = new Map<PageId, PageView>();
   /** Pages whose code could not be loaded, each with a function that tries again. */
   const failed = new Map<PageId, () => void>();
+  const arrivals = new Map<PageId, Promise<MountPage>>();
   let shown: PageId | null = null;
 
   const place = (page: PageId): void => {
@@ -76,7 +79,8 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
       for (const timer of timers) clearTimeout(timer);
     };
     failed.delete(page);
-    code().then(
+    const coming = code();
+    coming.then(
       (mountPage) => {
         settled();
         // Code that was requested twice arrives twice.
@@ -93,6 +97,11 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
         put(notLoaded('This page could not be loaded.', again));
       },
     );
+    arrivals.set(page, coming);
+  };
+
+  const again = (): void => {
+    if (shown !== null) failed.get(shown)?.();
   };
 
   return {
@@ -101,8 +110,13 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
       if (LATE_PAGES[state.page]) views.get(state.page)?.render(state);
       else tools.explore.render(state);
     },
-    again: () => {
-      if (shown !== null) failed.get(shown)?.();
+    again,
+    async arrival() {
+      again();
+      const page = shown;
+      if (page === null) return null;
+      await arrivals.get(page);
+      return (page === shown && views.get(page)) || null;
     },
     current: () => (shown === null ? null : (views.get(shown) ?? null)),
   };

@@ -13,6 +13,12 @@ export function download(name: string, content: string | Blob, type = 'text/plai
 /** Largest file that is read, in bytes: more than any state or scene, less than a video. */
 const LARGEST_BYTES = 2_000_000;
 
+/**
+ * Whether the browser would let a file be chosen now: it does for some seconds after a key or a
+ * click, and otherwise nothing happens.
+ */
+export const mayPick = (): boolean => navigator.userActivation?.isActive ?? true;
+
 /** Asks for a file and gives its text, or null. */
 export function pickFile(accept: string): Promise<string | null> {
   return new Promise((resolve) => {

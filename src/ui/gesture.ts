@@ -5,7 +5,10 @@ const PAUSE_MS = 1000;
  * Returns a function that names the gesture in progress: from pointer down to pointer up, or a run
  * of key presses on one control; null outside of any gesture.
  */
-export function watchGestures(root: HTMLElement): () => string | null {
+export function watchGestures(
+  root: EventTarget,
+  everywhere: EventTarget = window,
+): () => string | null {
   let count = 0;
   let held: string | null = null;
   let run: { name: string; target: EventTarget | null; until: number } | null = null;
@@ -13,21 +16,24 @@ export function watchGestures(root: HTMLElement): () => string | null {
     held = `pointer ${++count}`;
     run = null;
   };
-  // The click after a release belongs to the gesture as well.
+  // The click after a release belongs to the gesture as well. On a busy machine the next press
+  // comes before this timer: its gesture goes on.
   const end = (): void => {
+    const ended = held;
     setTimeout(() => {
-      held = null;
+      if (held === ended) held = null;
     });
   };
-  const key = (event: KeyboardEvent): void => {
+  const key = (given: Event): void => {
+    const event = given as KeyboardEvent;
     const now = event.timeStamp;
     const same = run !== null && run.target === event.target && now < run.until;
     const name = same && run && /^(Arrow|Page)/.test(event.key) ? run.name : `keys ${++count}`;
     run = { name, target: event.target, until: now + PAUSE_MS };
   };
   root.addEventListener('pointerdown', begin, true);
-  window.addEventListener('pointerup', end, true);
-  window.addEventListener('pointercancel', end, true);
+  everywhere.addEventListener('pointerup', end, true);
+  everywhere.addEventListener('pointercancel', end, true);
   root.addEventListener('keydown', key, true);
   return () => held ?? (run && performance.now() < run.until ? run.name : null);
 }

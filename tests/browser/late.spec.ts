@@ -1,5 +1,8 @@
-import type { Locator, Page } from '@playwright/test';
-import { open, quantities, withoutScene } from './support/page.ts';
+import type { Locator, Page, Route } from '@playwright/test';
+import { type Command, commandsOf } from '../../src/pages/commands.ts';
+import { PAGES } from '../../src/state/state.ts';
+import { share } from '../unit/many.ts';
+import { linkWritten, open, quantities, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 /* What failed to load is fetched again when it is asked for again. */
@@ -66,3 +69,89 @@ test('without its program the page has words', async ({ page }) => {
   await expect(page.locator('#app')).toHaveText(/reload the page/);
   await expect(page.locator('.starting')).toBeVisible();
 });
+
+/** What has been said at once, and on Explore by the voice too, without the pause before it. */
+function keepTold(): void {
+  const { setTimeout } = window;
+  const told: string[] = [];
+  Object.assign(window, {
+    told,
+    setTimeout: (run: TimerHandler, ms?: number, ...given: unknown[]) =>
+      setTimeout(run, ms === 500 ? 0 : ms, ...given),
+  });
+  new MutationObserver(() => {
+    // Of other pages the voice tells that they have come.
+    const where = location.hash.startsWith('#/explore') ? '.announcer, .said' : '.said';
+    for (const { textContent } of document.querySelectorAll(where))
+      if (textContent && textContent !== told.at(-1)) told.push(textContent);
+  }).observe(document, { subtree: true, childList: true, characterData: true });
+}
+
+/** Keeps back all code but the first, until it is let come. */
+async function heldBack(page: Page): Promise<() => Promise<void>> {
+  const waiting: Route[] = [];
+  let isHeld = true;
+  await page.unrouteAll();
+  await page.route(/\/assets\/(?!first-|rolldown-runtime-)[^/]*\.js$/, (route) => {
+    if (!isHeld) return route.continue();
+    waiting.push(route);
+    return;
+  });
+  return async () => {
+    isHeld = false;
+    await Promise.all(waiting.map((route) => route.continue()));
+  };
+}
+
+const WHERE: Readonly<Record<string, string>> = {
+  explore: '?shape=cone&E=4,1,0.5&d=-1,0,0',
+  lesson: '/ray?step=2',
+};
+
+/** All commands; what they do is the page's. */
+const COMMANDS = commandsOf({ dispatch() {}, get() {} } as never, {} as never);
+
+const press = (page: Page, { keys }: Command) =>
+  page.keyboard.press((keys[0] ?? '').replace('Ctrl', 'Control').replace(/^\?$/, 'Shift+?'));
+
+/** Presses a command's key before any late code has come; what comes of it then. */
+async function answerTo(page: Page, at: string, command: Command): Promise<string> {
+  await page.goto('about:blank');
+  const come = await heldBack(page);
+  await page.goto(`./#/${at}${WHERE[at] ?? ''}`);
+  await page.locator('header nav').waitFor();
+  await linkWritten(page);
+  const hash = await page.evaluate(() => location.hash);
+  const browser = Promise.race([
+    page.waitForEvent('filechooser').then(() => 'a file is asked for'),
+    page.waitForEvent('popup').then((popup) => popup.close().then(() => 'another window')),
+  ]);
+  browser.catch(() => {});
+  await press(page, command);
+  await come();
+  const seen = page.waitForFunction(
+    (before) => {
+      const { told } = window as unknown as { readonly told: string[] };
+      const dialog = document.querySelector('dialog[open]')?.getAttribute('aria-label');
+      const link = location.hash === before ? '' : location.hash;
+      return told.join('|') || dialog || link;
+    },
+    hash,
+    { timeout: 30_000 },
+  );
+  return Promise.race([seen.then((found) => found.jsonValue()), browser]);
+}
+
+for (const { id: at } of PAGES) {
+  test(`${at}: a key that is pressed before its code has come is answered`, async ({ page }) => {
+    await page.addInitScript(keepTold);
+    // What each page does itself is asked of each, what is everywhere the same only of Explore.
+    const asked = COMMANDS.filter(({ id, pages }) =>
+      id === 'export' ? true : (pages ?? ['explore']).includes(at),
+    );
+    for (const command of at === 'explore' ? share(asked) : asked) {
+      const answer = await answerTo(page, at, command).catch(() => '');
+      expect(answer, `${command.id} on ${at}`).not.toBe('');
+    }
+  });
+}

@@ -37,20 +37,3 @@ test('on a phone there is none, and that is said', async ({ page }) => {
   await expect(page.getByText('a second view needs a window of 900 pixels or more')).toBeVisible();
   await expect(page.locator('.second-view')).toHaveCount(0);
 });
-
-test('a key that is pressed before its code has come is not lost', async ({ page }) => {
-  await page.setViewportSize({ width: 1280, height: 720 });
-  let pass: () => void = () => {};
-  const pressed = new Promise<void>((resolve) => {
-    pass = resolve;
-  });
-  await page.route(/\/after-first-frame-[^/]*\.js$/, async (route) => {
-    await pressed;
-    await route.continue();
-  });
-  await page.goto(`./${TANGENT}`);
-  await page.locator('[data-quantity="class"]').waitFor();
-  await page.keyboard.press('v');
-  pass();
-  await page.locator('.second-view').waitFor();
-});

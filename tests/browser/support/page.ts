@@ -18,11 +18,13 @@ export type Shown = Record<string, string>;
 
 /**
  * Until what was asked for stands on the page: the state is drawn in the next animation frame, and
- * when the numbers of an example have arrived.
+ * when the numbers of an example have arrived; a command whose code has not come yet waits for it.
  */
 export async function settle(page: Page): Promise<void> {
+  const is = (state: string) => page.locator(`main[data-${state}]`).waitFor({ state: 'detached' });
+  await is('waiting');
   await frames(page, 2);
-  await page.locator('main[data-moving]').waitFor({ state: 'detached' });
+  await is('moving');
 }
 
 /** Until the page has written its own form of the link, which it does by a timer after a change. */
