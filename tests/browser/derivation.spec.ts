@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import { SHAPES } from '../../src/math/index.ts';
 import { hashOf, linkWritten, NO_SCENE, open, settle, withoutScene } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 import { showTheme } from './support/theme.ts';
@@ -182,6 +183,94 @@ test('a term lights where it came from, and travels there', async ({ page }) => 
   await page.locator('.walk-stop').nth(2).click();
   await expect(steps(page)).toHaveCount(3);
   expect(await travelling(4)).toBe(0);
+});
+
+/** Of a step, in the page: what its threads join, and the texts that they cross. */
+const threadsOf = (page: Page) =>
+  page.evaluate(() => {
+    const present = document.querySelector('.walk-step.present') as Element;
+    const before = present.previousElementSibling as Element;
+    const terms = (element: Element) => (element.getAttribute('data-terms') ?? '').split(' ');
+    const boxOf = (element: Element) =>
+      (element.querySelector('math') ?? element).getBoundingClientRect();
+    const texts = [...document.querySelectorAll('.walk-steps :is(math, .value, .walk-name)')].map(
+      (element) => {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return { box: range.getBoundingClientRect(), name: element.textContent?.trim() };
+      },
+    );
+    return [...document.querySelectorAll('.walk-thread')].map((thread) => {
+      const own = terms(thread);
+      const path = thread.querySelector('path:last-child') as SVGGeometryElement;
+      const toScreen = path.getScreenCTM() as DOMMatrix;
+      const length = path.getTotalLength();
+      const points = Array.from({ length: Math.ceil(length / 3) + 1 }, (_, i) =>
+        path.getPointAtLength(Math.min(3 * i, length)).matrixTransform(toScreen),
+      );
+      const near = (at: DOMPoint | undefined, { left, right, top, bottom }: DOMRect) =>
+        at !== undefined &&
+        at.x > left - 24 &&
+        at.x < right + 24 &&
+        at.y > top - 12 &&
+        at.y < bottom + 12;
+      const all = [...document.querySelectorAll('.walk-step .term')];
+      const square = own.length > 1;
+      const lines =
+        square && present.querySelector('.walk-bill')
+          ? [before.previousElementSibling, before]
+          : [before, present];
+      const [from, to] = lines.map((line) =>
+        all.filter((one) => line?.contains(one) && terms(one).every((id) => own.includes(id))),
+      );
+      return {
+        terms: own,
+        starts: from?.some((term) => near(points[0], boxOf(term))) ?? false,
+        ends: to?.some((term) => near(points.at(-1), boxOf(term))) ?? false,
+        crossed: texts
+          .filter(({ box }) =>
+            points.some(
+              ({ x, y }) =>
+                x > box.left + 1 && x < box.right - 1 && y > box.top + 1 && y < box.bottom - 1,
+            ),
+          )
+          .map(({ name }) => name),
+      };
+    });
+  });
+
+test('threads join each term to what it came from, and cross no text', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await open(page, CONE);
+  for (const { kind } of SHAPES) {
+    for (const step of [3, 4]) {
+      await open(page, `#/explore?shape=${kind}&derive=${step}`);
+      await expect(steps(page)).toHaveCount(step);
+      // A flat shape has nothing to collect.
+      if (step === 4 && (await page.locator('.walk-bill').count()) === 0) continue;
+      const threads = await threadsOf(page);
+      const sources = await page
+        .locator(`[data-derivation-step="2"] .term`)
+        .evaluateAll((all) => all.map((one) => one.getAttribute('data-terms') ?? ''));
+      const rows = await page
+        .locator('.walk-row .term')
+        .evaluateAll((all) => all.map((one) => one.getAttribute('data-terms') ?? ''));
+      const joined = threads.map(({ terms }) => terms.join(' '));
+      const squares = sources.filter((terms) => terms.includes(' '));
+      expect(joined.sort(), `${kind}, step ${step}`).toEqual([...squares, ...rows].sort());
+      for (const thread of threads) {
+        expect(thread, `${kind}, step ${step}`).toMatchObject({
+          ...{ starts: true, ends: true, crossed: [] },
+        });
+      }
+    }
+  }
+  await open(page, `${CONE}&derive=4`);
+  await expect(steps(page)).toHaveCount(4);
+  // Pointed at, with both of its ends and the square that they came from.
+  await page.locator('.walk-row .term').first().focus();
+  await expect(page.locator('.walk-thread.term-lit')).toHaveCount(2);
 });
 
 const SCREENS = [

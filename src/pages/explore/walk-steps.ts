@@ -87,7 +87,8 @@ export function stepOf(
   model: ExploreModel,
   normals: NormalsShown | null = null,
 ): TemplateResult {
-  return html`<li class=${isPresent ? 'walk-step present' : 'walk-step'} data-derivation-step=${n}>
+  return html`<li class=${isPresent ? 'walk-step present' : 'walk-step'} data-derivation-step=${n}
+    data-step=${step.id}>
     <div class="walk-name"><span class="walk-number">${n}</span> ${step.name}
       ${isPresent ? html`<p class="walk-why">${step.why}</p>` : nothing}</div>
     <div class="walk-lines">${isPresent ? present(step, model) : short(step)}
@@ -95,12 +96,19 @@ export function stepOf(
   </li>`;
 }
 
-const short = ({ lines, columns }: Step): TemplateResult =>
-  columns && lines[0]
-    ? html`<div class="walk-line" data-tex=${texOf(lines[0])}>${powers(columns)}</div>`
-    : html`${lines.map(
-        (line) => html`<div class="walk-line" data-tex=${texOf(line)}>${sides(line)}</div>`,
-      )}`;
+/** The line that threads lead to and from stands in one row, where it can. */
+const lineClass = ({ id }: Step): string => (id === 'expand' ? 'walk-line walk-fits' : 'walk-line');
+
+function short(step: Step): TemplateResult {
+  const { lines, columns } = step;
+  if (columns && lines[0]) {
+    return html`<div class="walk-line" data-tex=${texOf(lines[0])}>${powers(columns)}</div>`;
+  }
+  return html`${lines.map(
+    (line) => html`<div class=${lineClass(step)} data-tex=${texOf(line)}>
+      <div class="walk-symbols">${sides(line)}</div></div>`,
+  )}`;
+}
 
 function present(step: Step, model: ExploreModel): TemplateResult {
   const { id, lines, columns } = step;
@@ -110,7 +118,7 @@ function present(step: Step, model: ExploreModel): TemplateResult {
   return html`${lines.map((line) => {
     const letter = walkSide(line.left);
     const words = letter.op === 'scalar' ? said[letter.id as SignedLine] : undefined;
-    return html`<div class="walk-line" data-tex=${texOf(line)}>
+    return html`<div class=${lineClass(step)} data-tex=${texOf(line)}>
       <div class="walk-symbols">${sides(line, true)}</div>
       ${shown && id !== 'figure' ? numbersOf(step, line, model) : nothing}
       ${words && id !== 'roots' ? sentence(words) : nothing}

@@ -1,4 +1,5 @@
 import { zoomOf } from '../../ui/zoom.ts';
+import { termsOf, threadTo } from './walk-threads.ts';
 
 /*
  * A term of the derivation keeps its identity from step to step: `data-terms` of an element are the
@@ -10,9 +11,6 @@ const TRAVEL_MS = 300;
 /** The rectangle of each term of the present step. */
 type Places = readonly { readonly terms: readonly string[]; readonly at: DOMRect }[];
 
-const termsOf = (element: Element): string[] =>
-  (element.getAttribute('data-terms') ?? '').split(' ').filter(Boolean);
-
 const ofPresent = (host: Element): HTMLElement[] => [
   ...host.querySelectorAll<HTMLElement>('.walk-step.present [data-terms]'),
 ];
@@ -23,8 +21,12 @@ export const placesOf = (host: Element): Places =>
     at: element.getBoundingClientRect(),
   }));
 
-/** Moves each term of the present step from where it, or the term it is part of, was before. */
-export function travel(host: Element, before: Places): void {
+/**
+ * Moves each term of the present step from where it, or the term it is part of, was before. `done`
+ * is called when all have arrived.
+ */
+export function travel(host: Element, before: Places, done: () => void): void {
+  const ways: Promise<unknown>[] = [];
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   for (const element of ofPresent(host)) {
     const terms = termsOf(element);
@@ -34,12 +36,48 @@ export function travel(host: Element, before: Places): void {
     const zoom = zoomOf(element);
     const [dx, dy] = [(from.at.left - to.left) / zoom, (from.at.top - to.top) / zoom];
     if (dx === 0 && dy === 0) continue;
-    element.animate([{ transform: `translate(${dx}px, ${dy}px)` }, { transform: 'none' }], {
-      duration: TRAVEL_MS,
-      easing: 'ease-out',
-    });
+    const way = along(threadTo(host, terms), dx, dy);
+    const { finished } = element.animate(
+      way.map(([x, y]) => ({ transform: `translate(${x}px, ${y}px)` })),
+      { duration: TRAVEL_MS, easing: 'ease-out' },
+    );
+    // A term that is taken away on its way has no end of it.
+    ways.push(finished.catch(() => null));
   }
+  void Promise.all(ways).then(done);
 }
+
+/** Number of straight pieces that a way along a thread is made of. */
+const PIECES = 16;
+
+/**
+ * The displacements of a term on its way from (dx, dy) to (0, 0): along its thread, where it has
+ * one, else straight.
+ */
+function along(
+  thread: SVGGeometryElement | null,
+  dx: number,
+  dy: number,
+): readonly (readonly [number, number])[] {
+  if (!thread)
+    return [
+      [dx, dy],
+      [0, 0],
+    ];
+  const length = thread.getTotalLength();
+  const place = (share: number) => thread.getPointAtLength(share * length);
+  const [start, end] = [place(0), place(1)];
+  // A term begins and ends a little beside its thread's ends.
+  const [besideX, besideY] = [dx - start.x + end.x, dy - start.y + end.y];
+  return Array.from({ length: PIECES + 1 }, (_, i) => {
+    const share = i / PIECES;
+    const { x, y } = place(share);
+    return [x - end.x + (1 - share) * besideX, y - end.y + (1 - share) * besideY] as const;
+  });
+}
+
+export const isTravelling = (host: Element): boolean =>
+  ofPresent(host).some((element) => element.getAnimations().length > 0);
 
 const LIT = 'term-lit';
 

@@ -13,7 +13,8 @@ import { display, displayTriple } from '../../text/format.ts';
 import type { Announce } from '../../ui/announcer.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { type NormalsShown, type Step, stepOf } from './walk-steps.ts';
-import { lightTerms, placesOf, travel } from './walk-terms.ts';
+import { isTravelling, lightTerms, placesOf, travel } from './walk-terms.ts';
+import { drawThreads, fitLines } from './walk-threads.ts';
 import '../../ui/dialog.css';
 import './walk.css';
 
@@ -73,6 +74,14 @@ export function mountWalk(
     go(to);
   });
   lightTerms(host);
+  const draw = (): void => {
+    fitLines(host);
+    if (!isTravelling(host)) drawThreads(host);
+  };
+  const resized = new ResizeObserver(draw);
+  resized.observe(host);
+  // Formulas are wider or narrower once their font is there.
+  document.fonts.addEventListener('loadingdone', draw);
 
   /** Scrolls the present step into view, from its beginning if it does not fit. */
   const showPresent = (): void => {
@@ -110,13 +119,14 @@ export function mountWalk(
       showGraph(isAboutF(model, present));
       const before = drawn !== null && drawn !== at ? placesOf(host) : null;
       render(walk(model, steps, at, { go, close, normals: { choice, choose } }), host);
+      draw();
       if (isNew) open();
       if (drawn !== at) {
         showPresent();
         const step = steps[at - 1];
         announce(`Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}`, 'walk');
       }
-      if (before) travel(host, before);
+      if (before) travel(host, before, draw);
       drawn = at;
     },
     scene: (model) => sceneAt(model, present, choice),
@@ -124,6 +134,8 @@ export function mountWalk(
     dispose() {
       showGraph(false);
       document.removeEventListener('keydown', key);
+      document.fonts.removeEventListener('loadingdone', draw);
+      resized.disconnect();
       render(nothing, host);
     },
   };
@@ -155,6 +167,7 @@ function walk(
       <ol>${steps
         .slice(0, at)
         .map((one, i) => stepOf(one, i + 1, i + 1 === at, model, normals))}</ol>
+      <svg class="walk-threads" aria-hidden="true"></svg>
     </div>
     ${bar(steps, at, go)}
   </section>`;
