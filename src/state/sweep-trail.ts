@@ -136,7 +136,7 @@ function branchesOf(samples: readonly Sample[]): Vec3[][] {
   let before: Sample | null = null;
   for (const sample of samples) {
     const points = sample.hits.map(({ point }) => point);
-    if (before?.key === sample.key) {
+    if (before?.key === sample.key && before.verdict === sample.verdict) {
       points.forEach((point, i) => {
         open[i]?.push(point);
       });

@@ -29,10 +29,20 @@ interface Boundary {
   readonly isExact: boolean;
 }
 
-export interface Sample {
+/** What is exactly so at a value. */
+interface Case {
   readonly value: number;
   readonly key: string;
   readonly zero: string | null;
+  /** Number of hits. */
+  readonly hits: number;
+  readonly isStraight: boolean;
+}
+
+/** What the chosen method shows there. */
+export interface Sample extends Pick<Case, 'value' | 'key' | 'zero'> {
+  /** Its verdict. */
+  readonly verdict: string;
   readonly hits: readonly { readonly t: number; readonly point: Vec3 }[];
   /** f in t. */
   readonly f: readonly [A: number, B: number, C: number];
@@ -127,16 +137,26 @@ export function toNumber(state: AppState, label: string, value: number): Action 
   return { type: 'param', key: param.key, value: edit };
 }
 
-function sampleOf(state: AppState, value: number): Sample {
+function caseOf(state: AppState, value: number): Case {
   const { class: verdict, hits, details } = intersect(shapeOf(state), rayOf(state));
+  const of = (sign: number | null, zero: string | null, isStraight: boolean): Case => ({
+    ...{ value, key: `${verdict} ${sign}`, zero, hits: hits.length, isStraight },
+  });
   if (details.family === 'flat') {
-    const { signs, rate, offset } = details;
-    const zero = signs.rate === 0 ? 'N·d = 0' : null;
-    return { value, key: `${verdict} ${signs.rate}`, zero, hits, f: [0, rate, offset] };
+    const { rate } = details.signs;
+    return of(rate, rate === 0 ? 'N·d = 0' : null, true);
   }
-  const { signs, A, B, C } = details;
-  const zero = signs.A === 0 ? 'A = 0' : signs.D === 0 ? 'D = 0' : null;
-  return { value, key: `${verdict} ${signs.A}`, zero, hits, f: [A, B, C] };
+  const { A, D } = details.signs;
+  return of(A, A === 0 ? 'A = 0' : D === 0 ? 'D = 0' : null, details.A === 0);
+}
+
+function sampleOf(state: AppState, { value, key, zero }: Case): Sample {
+  const { class: verdict, hits, details } = intersect(shapeOf(state), rayOf(state), state.method);
+  const f: Sample['f'] =
+    details.family === 'flat'
+      ? [0, details.rate, details.offset]
+      : [details.A, details.B, details.C];
+  return { value, key, zero, verdict, hits, f };
 }
 
 /**
@@ -149,14 +169,14 @@ export function sweepOf(state: AppState, label: string): Sweep | null {
   if (!place) return null;
   const { step, range } = place.param;
   const home = valueIn(state, place);
-  const at = (value: number): Sample | null => {
+  const at = (value: number): Case | null => {
     const there = withNumber(state, label, value);
-    return there && sampleOf(there, value);
+    return there && caseOf(there, value);
   };
   const [least, most] = rangeAround(home, range);
   const inSteps = multiples(least, most, step).filter((value) => value !== home);
   const scanned = sorted([...inSteps, least, home, most]).flatMap((value) => at(value) ?? []);
-  const found = scanned.slice(1).flatMap((to, i) => changeBetween(scanned[i] as Sample, to, at));
+  const found = scanned.slice(1).flatMap((to, i) => changeBetween(scanned[i] as Case, to, at));
   const boundaries = found.map(({ boundary }) => boundary).filter(isFirst);
   const [low, high] = endsOf(home, step, [least, most], boundaries);
   const grid = multiples(low, high, Math.max((high - low) / SAMPLES, step / FINE));
@@ -166,7 +186,10 @@ export function sweepOf(state: AppState, label: string): Sweep | null {
   ]).filter((value) => value >= low && value <= high);
   if (!(high > low) || values.length < 3) return null;
   const seen = boundaries.filter(({ value }) => value >= low && value <= high);
-  const samples = values.flatMap((value) => at(value) ?? []);
+  const samples = values.flatMap((value) => {
+    const there = withNumber(state, label, value);
+    return there ? sampleOf(there, caseOf(there, value)) : [];
+  });
   return { label, home, low, high, boundaries: seen, text: words(label, low, high, seen), samples };
 }
 
@@ -193,9 +216,9 @@ const isFirst = ({ value }: Boundary, i: number, all: readonly Boundary[]): bool
 
 /** Where the case changes between two values, to the last bit, and the doubles on both sides. */
 function changeBetween(
-  from: Sample,
-  to: Sample,
-  at: (value: number) => Sample | null,
+  from: Case,
+  to: Case,
+  at: (value: number) => Case | null,
 ): { boundary: Boundary; beside: number[] }[] {
   if (from.key === to.key) return [];
   let [low, high] = [from, to];
@@ -215,17 +238,17 @@ function changeBetween(
     if (sample.zero && sample.key !== from.key && sample.key !== to.key) break;
   }
   const exact = [low, high].find(({ zero }) => zero !== null);
-  const nearest = exact ?? (low.hits.length > high.hits.length ? low : high);
+  const nearest = exact ?? (low.hits > high.hits ? low : high);
   const boundary = { value: nearest.value, what: whatIn(low, high), isExact: exact !== undefined };
   return [{ boundary, beside: [low.value, high.value] }];
 }
 
 /** A figure's rim or edge is where nothing is 0 on the way from a hit to none. */
-function whatIn(low: Sample, high: Sample): string {
+function whatIn(low: Case, high: Case): string {
   const zero = low.zero ?? high.zero;
   if (zero) return zero;
   const [a, b] = [low.key.split(' '), high.key.split(' ')];
-  const isFlat = low.f[0] === 0 && high.f[0] === 0;
+  const isFlat = low.isStraight && high.isStraight;
   if (a[1] !== b[1]) return isFlat ? 'N·d = 0' : 'A = 0';
   return isFlat ? 'the edge' : 'D = 0';
 }

@@ -112,6 +112,7 @@ export function encode(state: AppState): string {
   const { [part ?? '']: place, ...settings }: Settings = state.settings[page];
   if (part === undefined) pairs.push(['method', state.method]);
   if (page === 'explore') pairs.push(...lookPairs(state));
+  else if (aboutRay(page)) pairs.push(...hidePairs(state));
   pairs.push(...hostPairs(state));
   for (const [key, value] of Object.entries(settings)) pairs.push([escaped(key), escaped(value)]);
   const path = place ? `#/${page}/${escaped(place)}` : `#/${page}`;
@@ -174,11 +175,15 @@ function lookPairs(state: AppState): [string, string][] {
   if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
   if (state.between) pairs.push(['between', heights.write(state.between)]);
-  if (state.revealed !== null) pairs.push(['hide', '1']);
+  pairs.push(...hidePairs(state));
   if (state.ask) pairs.push(['ask', state.ask]);
   if (state.derive) pairs.push(['derive', String(stepShown(state))]);
   return pairs;
 }
+
+/** On every page about the ray, since a page may tell what is hidden on another one. */
+const hidePairs = ({ revealed }: AppState): [string, string][] =>
+  revealed === null ? [] : [['hide', '1']];
 
 /** What a host's page asks for. */
 function hostPairs({ embed, lock, theme }: AppState): [string, string][] {
@@ -225,7 +230,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
   const look =
     page === 'explore'
       ? readLook(read, before, walkLength(shapeOf(ray)))
-      : { ...before, hidden: before.revealed !== null };
+      : { ...before, hidden: aboutRay(page) ? readHidden(read, before) : before.revealed !== null };
   const host = readHost(read, ray.kind);
   const rest = [...given].filter(([key]) => !known.has(key));
   if (page === 'explore') {
@@ -282,10 +287,12 @@ interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask' | 'der
 /**
  * A link without `hide` keeps lines hidden or shown, so that a lecture can go from link to link.
  */
+const readHidden = (read: Read, { revealed }: AppState): boolean =>
+  read('hide', word, revealed === null ? '0' : '1', flag) === '1';
+
 function readLook(read: Read, before: AppState, steps: number): Look {
-  const unsaid = before.revealed === null ? '0' : '1';
   return {
-    hidden: read('hide', word, unsaid, flag) === '1',
+    hidden: readHidden(read, before),
     ask: read<string | null>('ask', word as Codec<string | null>, null, knownAsk) as Ask | null,
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),

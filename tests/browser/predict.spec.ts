@@ -1,8 +1,10 @@
+import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { ASKS } from '../../src/state/ask.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { display, shortest } from '../../src/text/format.ts';
 import {
@@ -17,18 +19,22 @@ import {
 import { expect, test } from './support/test.ts';
 
 const LINK = '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
-/** Results that stand somewhere in the page's elements, in full or as they would be shown. */
-async function leaksOf(page: Page, link: string): Promise<string[]> {
+/** Results of a link that are not given with it, in full and as they would be shown. */
+function resultsOf(link: string): string[] {
   const { found, derivation, ray, shape, scene } = createDerive(() => closerLook)(decode(link));
   const given = new Set(JSON.stringify([ray, shape, scene.stage]).match(NUMBERS)?.map(Number));
   const results = [
     ...derivation.steps.flatMap(({ value }) => value ?? []),
     ...found.hits.flatMap(({ t, point, normal }) => [t, ...point, ...normal]),
   ].filter((x) => !given.has(x) && shortest(x).length > 6);
-  const texts = new Set(results.flatMap((x) => [shortest(x), display(x), display(x, 3)]));
+  return [...new Set(results.flatMap((x) => [shortest(x), display(x), display(x, 3)]))];
+}
+
+/** Of these, what stands somewhere in the page's elements. */
+async function leaksOf(page: Page, link: string): Promise<string[]> {
   const said = await page.evaluate(() => document.body.outerHTML);
   const numbers = new Set(said.replaceAll('−', '-').match(NUMBERS) ?? []);
-  return [...texts].filter((text) => numbers.has(text.replaceAll('−', '-')));
+  return resultsOf(link).filter((text) => numbers.has(text.replaceAll('−', '-')));
 }
 const NUMBERS = /-?\d+(?:\.\d+)?(?:e[+-]?\d+)?/g;
 
@@ -91,6 +97,46 @@ test.describe('asked', () => {
     await expect(page.locator('.predict')).toContainText('There are 2 points: you said 1 too few.');
     expect((await quantities(page)).class).toBe('two');
     expect(await readable(page)).toContain('two points');
+  });
+
+  test('no other page tells what is hidden, nor its files, also after a reload', async ({
+    page,
+  }) => {
+    const own = LINK.slice(LINK.indexOf('?'));
+    for (const { id, ray } of PAGES) {
+      await page.goto(`./#/explore${own}&hide=1`);
+      await page.locator('.predict-asks').waitFor();
+      await page.goto(`./#/${id}`.replace(/explore$/, `explore${own}`));
+      await page.locator('main > :not([hidden])').first().waitFor();
+      for (const again of ray ? [false, true] : [false]) {
+        await linkWritten(page);
+        if (again) await page.reload();
+        if (id === 'accuracy') {
+          await expect(page.locator('.acc-ray')).toContainText('Results are hidden on Explore');
+          await expect(page.locator('.ladder')).toHaveCount(0);
+        }
+        expect(await leaksOf(page, LINK), `${id}, ${again}`).toEqual([]);
+        expect(await page.title()).not.toMatch(/\d|point|miss|tangent/);
+      }
+    }
+    await page.goto(`./#/explore${own}&hide=1`);
+    await page.locator('.predict-asks').waitFor();
+    await page.getByRole('link', { name: 'Accuracy' }).click();
+    await expect(page.locator('.acc-foot')).toContainText('CSV');
+    for (const name of ['table as CSV', 'everything as JSON']) {
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        page.getByRole('button', { name: `Save ${name}` }).click(),
+      ]);
+      const text = readFileSync(await file.path(), 'utf8');
+      expect(text.length).toBeGreaterThan(200);
+      expect(resultsOf(LINK).filter((result) => text.includes(result))).toEqual([]);
+    }
+    await page.locator('[data-show-hidden]').click();
+    await expect(page.locator('.ladder [data-method="exact"]')).toContainText(/two/);
+    await page.getByRole('link', { name: 'Explore' }).click();
+    await settle(page);
+    expect((await quantities(page)).class).toBe('two');
   });
 
   test('no example tells its answer while it is hidden', async ({ page }) => {

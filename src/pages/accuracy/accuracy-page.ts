@@ -14,6 +14,7 @@ import {
   readAccuracy,
   writeAccuracy,
 } from '../../state/accuracy/settings.ts';
+import { createDerive } from '../../state/derive.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { exploreLink } from '../../state/url.ts';
 import type { MountPage } from '../page.ts';
@@ -24,7 +25,7 @@ import { layOut } from './lay-out.ts';
 import { createMeasuring } from './measuring.ts';
 import { answerHead, hardnessHead, hardnessWords, plotSaves } from './plot-headings.ts';
 import { provenanceOf } from './provenance.ts';
-import { createRayView } from './ray-view.ts';
+import { createRayView, hiddenRay } from './ray-view.ts';
 import { columnOf } from './reference.ts';
 import reference from './reference-prices.json';
 import { measureRequest, sweepRequest } from './requests.ts';
@@ -39,6 +40,10 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   const set = (settings: Partial<AccuracySettings>): void =>
     dispatch({ type: 'settings', values: writeAccuracy(settings) });
   const rayModel = createRayModel();
+  const derive = createDerive();
+  /** Null while results of this ray are hidden on Explore: every method's row tells the answer. */
+  const shownRay = (state: AppState) =>
+    state.revealed === null || derive(state).shown.hits ? rayModel(state) : null;
   const rayView = createRayView(dispatch, announce);
   const measuring = createMeasuring(spawnLab, changed);
   const sweeping = sweepJob(spawnLab, changed);
@@ -131,11 +136,11 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   return {
     render(state) {
       const settings = readAccuracy(state.settings.accuracy).values;
-      const ray = rayModel(state);
+      const ray = shownRay(state);
       sweep(settings);
       const { column, found } = renderAnswer(settings, state.method);
       renderHardness(settings, state.method);
-      render(rayView(state, ray, found, settings), places.ray);
+      render(ray ? rayView(state, ray, found, settings) : hiddenRay(dispatch), places.ray);
       const provenance = provenanceOf(
         found,
         measureRequest(settings, false),
@@ -169,5 +174,6 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
 function withRay(state: AppState, { shape, ray }: Question, method: string): AppState {
   const shapes = { ...state.shapes, [shape.kind]: shape };
   const { origin: E, direction: d } = ray;
-  return { ...state, kind: shape.kind, shapes, E, d, unit: false, method };
+  // What was hidden is about the ray that was there before.
+  return { ...state, kind: shape.kind, shapes, E, d, unit: false, method, revealed: null };
 }

@@ -54,6 +54,18 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
   };
 }
 
+/** In place of that, while the results of the ray are hidden on Explore. */
+export const hiddenRay = (dispatch: Dispatch): TemplateResult =>
+  html`<div class="acc-title">
+      <h2>This ray</h2>
+      <p>Results are hidden on Explore, to be predicted. What each method says of this ray would
+        tell them.</p>
+      <button type="button" class="button"
+        @click=${() => dispatch({ type: 'page', page: 'explore' })}>Predict in Explore</button>
+      <button type="button" class="button" data-show-hidden
+        @click=${() => dispatch({ type: 'reveal', lines: null })}>Show them</button>
+    </div>`;
+
 const NOT_MOVED = 'Move an input by one double: what that changes is said here.';
 
 /**

@@ -1,6 +1,7 @@
 import type { Columns, MeasuredRow, Timing } from '../../lab/session.ts';
 import type { SweepPoint } from '../../lab/sweep.ts';
 import type { Target } from '../../math/batch.ts';
+import { METHODS } from '../../math/index.ts';
 import type { Column } from '../../state/accuracy/column.ts';
 import type { RayModel } from '../../state/accuracy/ladder.ts';
 import { type AccuracySettings, TARGETS } from '../../state/accuracy/settings.ts';
@@ -10,7 +11,8 @@ import { shortest } from '../../text/format.ts';
 export interface Findings {
   readonly provenance: string;
   readonly settings: AccuracySettings;
-  readonly ray: RayModel;
+  /** Null while its results are hidden: the files then have the measured rays alone. */
+  readonly ray: RayModel | null;
   /** The rows that the plot shows. */
   readonly column: Column;
   /** The results of this machine; undefined before a measurement. */
@@ -44,12 +46,14 @@ const headOf = ({ family, order }: AccuracySettings): string =>
 
 /** CSV with one line per method; cells without a measurement are empty. */
 export function toCsv({ settings, ray, columns }: Findings): string {
-  const lines = ray.rows.map(({ method: { id }, found, judgement, roots: [first, second] }) => {
+  const lines = METHODS.map(({ id }) => {
+    const row = ray?.rows.find(({ method }) => method.id === id);
+    const [first, second] = row?.roots ?? [];
     const rowIn = (target: Target): MeasuredRow | undefined =>
       columns?.[target].find((row) => row.id === id);
     const quality = rowIn('typescript')?.quality;
     return [
-      ...[id, found.class, judgement, first?.t, first?.digits, second?.t, second?.digits],
+      ...[id, row?.found.class, row?.judgement, first?.t, first?.digits, second?.t, second?.digits],
       ...[quality?.rays, quality?.wrong, quality?.undecided],
       ...[quality?.digits, quality?.leastDigits, quality?.mostUlps],
       ...TARGETS.flatMap((target) => {
@@ -77,7 +81,7 @@ function cell(x: string | number | null | undefined): string {
 
 /** JSON has no infinities and no NaN: they are written as strings. */
 export function toJson({ ray, ...rest }: Findings): string {
-  const thisRay = ray.rows.map(({ method, found, judgement, roots }) => ({
+  const thisRay = ray?.rows.map(({ method, found, judgement, roots }) => ({
     method: method.id,
     verdict: found.class,
     judgement,

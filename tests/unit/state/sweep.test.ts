@@ -129,6 +129,27 @@ test('r goes through tangency, and both ways of the hits meet there', () => {
   ]);
 });
 
+test('the trail is what the chosen method shows at each value', () => {
+  // Far away, where the textbook formula has other roots than there are.
+  const link = 'shape=cylinder&C=0,0,0&r=1.5&E=1e8,1,5e7&d=-1,0,-0.5&method=textbook';
+  const state = stateOf(link);
+  const sweep = sweepOf(state, 'r');
+  expect(sweep?.samples.length).toBeGreaterThan(2);
+  for (const { value, verdict, hits, f } of sweep?.samples ?? []) {
+    const there = withNumber(state, 'r', value) ?? state;
+    const found = intersect(shapeOf(there), rayOf(there), 'textbook');
+    expect(verdict).toBe(found.class);
+    expect(hits.map(({ t }) => t)).toEqual(found.hits.map(({ t }) => t));
+    const { details } = found;
+    expect(f).toEqual(details.family === 'curved' ? [details.A, details.B, details.C] : []);
+  }
+  const certified = sweepOf({ ...state, method: 'certified' }, 'r');
+  expect(sweep?.boundaries).toEqual(certified?.boundaries);
+  const roots = (of: typeof sweep) =>
+    of?.samples.flatMap(({ hits }) => hits.map(({ t }) => t)) ?? [];
+  expect(roots(sweep)).not.toEqual(roots(certified));
+});
+
 test('a goes through 0, c through a generator, N·d through 0', () => {
   const turns = (link: string, label: string) =>
     sweepOf(stateOf(link), label)?.boundaries.map(({ what, value }) => `${what} ${value}`);

@@ -2,7 +2,7 @@ import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { walkLength } from '../../../src/math/formula.ts';
 import { SHAPES } from '../../../src/math/index.ts';
-import { INITIAL, initialShape, shapeOf } from '../../../src/state/state.ts';
+import { INITIAL, initialShape, PAGES, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
 import { anyState } from './random-state.ts';
@@ -131,6 +131,18 @@ describe('what a link looks like', () => {
     const aimed = decode('#/explore?view=30,-12.5');
     expect(aimed.view).toEqual({ azimuth: 30, elevation: -12.5, zoom: null });
     expect(encode(aimed)).toMatch(/&view=30,-12.5$/);
+  });
+
+  test('what is hidden stays so on every page about the ray, and after a reload there', () => {
+    const hidden = decode('#/explore?shape=cone&hide=1&ask=points');
+    for (const page of PAGES) {
+      const { id } = page;
+      const ray = 'ray' in page && page.ray === true;
+      const there = { ...hidden, page: id };
+      expect(/[?&]hide=1/.test(encode(there)), id).toBe(ray);
+      if (ray) expect(decode(encode(there)), id).toMatchObject({ revealed: 0, problems: [] });
+      expect(encode({ ...there, revealed: null }), id).not.toContain('hide');
+    }
   });
 
   test('hide=1 and what is asked; a link without it leaves hiding as it is', () => {
