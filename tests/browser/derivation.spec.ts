@@ -101,6 +101,28 @@ test('every line of the card leads to the step that has it', async ({ page }) =>
   }
 });
 
+test('on the projector numbers put in, and why, are one click away', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await open(page, CONE);
+  await showTheme(page, 'projector');
+  const lines = page.locator('.algebra .step:has(.why):not(.normal-line)');
+  const more = page.locator('.algebra .step.stacked .in-numbers, .algebra .step .why');
+  await expect(page.locator('.algebra .derive')).toBeVisible();
+  expect(await more.evaluateAll((all) => all.filter((one) => one.checkVisibility()).length)).toBe(
+    0,
+  );
+  await page.getByLabel('in full').check();
+  for (const line of await lines.all()) {
+    await expect(line.locator('.in-numbers')).toBeVisible();
+    await line.locator('.why').click();
+    await page.locator('.walk-step.present').waitFor();
+    await page.keyboard.press('Escape');
+  }
+  await page.getByLabel('in full').uncheck();
+  await expect(page.locator('.algebra .why').first()).toBeHidden();
+  await showTheme(page, 'light');
+});
+
 test('hidden results are not told by any step', async ({ page }) => {
   await open(page, CONE);
   for (const link of [CONE, STRAIGHT]) {

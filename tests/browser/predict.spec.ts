@@ -99,6 +99,40 @@ test.describe('asked', () => {
     expect(await readable(page)).toContain('two points');
   });
 
+  test('on small windows the whole question is in view, with its answers', async ({ page }) => {
+    await open(page, LINK);
+    for (const [width, height] of [
+      [390, 844],
+      [844, 390],
+      [667, 375],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      // A plane has the highest parameters.
+      for (const shape of ['plane', 'cylinder']) {
+        for (const ask of ASKS.filter((one) => shape !== 'plane' || one !== 'sign')) {
+          await open(page, `#/explore?shape=${shape}&hide=1&ask=${ask}`);
+          const asked = page.locator('.predict-asks, .predict [data-guess], .predict-t');
+          await expect(page.locator('.predict-asks')).toBeVisible();
+          const covered = await asked.evaluateAll((all) =>
+            all.flatMap((one) => {
+              const { left, right, top, bottom } = one.getBoundingClientRect();
+              const inside = [
+                [left + 2, top + 2],
+                [right - 2, bottom - 2],
+              ] as const;
+              const isSeen = inside.every(([x, y]) => {
+                const at = document.elementFromPoint(x, y);
+                return at !== null && (one.contains(at) || at.contains(one));
+              });
+              return isSeen ? [] : [one.textContent];
+            }),
+          );
+          expect(covered, `${shape}, ${ask}, ${width} × ${height}`).toEqual([]);
+        }
+      }
+    }
+  });
+
   test('no other page tells what is hidden, nor its files, also after a reload', async ({
     page,
   }) => {
