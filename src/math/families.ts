@@ -1,9 +1,9 @@
 import { linearCancellation, nearAxis } from './families/asymptotes.ts';
-import type { Family } from './families/define.ts';
+import type { Family, Hardness } from './families/define.ts';
 import { circle, circleRim, square, squareEdge } from './families/figures.ts';
 import { generator, linear, nearGenerator } from './families/generators.ts';
 import { mix } from './families/mix.ts';
-import { familiesOfShape, type Hardness, type ShapeFamily } from './families/of-shape.ts';
+import { familiesOfShape } from './families/of-shape.ts';
 import { farOrigin, typical } from './families/ordinary.ts';
 import { plane, planeFar, planeGrazing } from './families/planes.ts';
 import { extremeParameter, outOfRange, scaleRay, scaleWorld } from './families/scales.ts';
@@ -21,7 +21,7 @@ export { type Random, seeded } from './rng.ts';
 const DEFINITIONS = SHAPES as unknown as readonly ShapeDefinition<Shape>[];
 
 /** By kind, of the shapes that have no families written for them. */
-const OF_SHAPE: ReadonlyMap<string, readonly ShapeFamily[]> = new Map(
+const OF_SHAPE: ReadonlyMap<string, readonly Family[]> = new Map(
   DEFINITIONS.filter(({ ownFamilies }) => !ownFamilies).map((definition) => [
     definition.kind,
     familiesOfShape(definition),
@@ -37,18 +37,16 @@ const OF_SHAPE: ReadonlyMap<string, readonly ShapeFamily[]> = new Map(
  * madeFamilies('cone', 'hard'); // → []
  */
 export const madeFamilies = (kind: string, hardness: Hardness | 'invalid'): readonly Family[] =>
-  (OF_SHAPE.get(kind) ?? []).flatMap((made) => (made.hardness === hardness ? [made.family] : []));
+  (OF_SHAPE.get(kind) ?? []).filter((family) => family.hardness === hardness);
 
 /**
- * Every family there is: curved shapes easy ones first, then flat ones, then those made for single
- * shapes. A new one is one entry.
+ * The families that are not made from a shape's parameters: curved shapes easy ones first, then flat
+ * ones. A new one is one word.
  *
  * @example
- * const { shape, rays } = FAMILIES[0]!.batch(seeded(7), 100);
- * rays.length; // → 100
- * intersect(shape, rays[0]!).method; // → 'certified'
+ * WRITTEN_FAMILIES.includes(findFamily('vertex')!); // → true
  */
-export const FAMILIES: readonly Family[] = [
+export const WRITTEN_FAMILIES: readonly Family[] = [
   typical,
   mix,
   farOrigin,
@@ -77,8 +75,17 @@ export const FAMILIES: readonly Family[] = [
   circleRim,
   square,
   squareEdge,
-  ...[...OF_SHAPE.values()].flat().map(({ family }) => family),
 ];
+
+/**
+ * Every family there is: the written ones, then those made for single shapes.
+ *
+ * @example
+ * const { shape, rays } = FAMILIES[0]!.batch(seeded(7), 100);
+ * rays.length; // → 100
+ * intersect(shape, rays[0]!).method; // → 'certified'
+ */
+export const FAMILIES: readonly Family[] = [...WRITTEN_FAMILIES, ...[...OF_SHAPE.values()].flat()];
 
 /**
  * The family with this `id`, or undefined.

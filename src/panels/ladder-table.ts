@@ -1,5 +1,4 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { HINTS } from '../lab/hints.ts';
 import { grouped, priceText } from '../lab/sentence.ts';
 import type { Timing } from '../lab/session.ts';
 import type { MethodRow, RootRow } from '../lab/this-ray.ts';
@@ -68,7 +67,7 @@ function ladderRow(
         <input type="radio" name="ladder-method" .checked=${chosen}
           @change=${() => choose(method.id)} />
         <span class="title">${method.title}</span>
-        <span class="hint">${HINTS[method.id] ?? method.idea}</span>
+        <span class="hint">${method.hint ?? method.idea}</span>
       </label>
     </th>
     <td role="cell" class="ladder-verdict">${verdict(row)}</td>

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { EXERCISES } from '../../src/check/exercises/index.ts';
 import { ALL_MISCONCEPTIONS, MISCONCEPTIONS } from '../../src/check/misconceptions/index.ts';
-import { FAMILIES } from '../../src/math/families.ts';
+import { FAMILIES, WRITTEN_FAMILIES } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/index.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
@@ -22,7 +22,7 @@ const put = <T>(list: readonly T[], entry: T): void => {
   (list as T[]).push(entry);
 };
 put(EXERCISES, laterRoot);
-put(FAMILIES, level);
+for (const list of [WRITTEN_FAMILIES, FAMILIES]) put(list, level);
 put(PRESETS, column);
 put(MISCONCEPTIONS, aForgottenInD);
 // In the same file, made of the list above.
@@ -60,6 +60,7 @@ describe('an exercise', async () => {
 });
 
 describe('a family', async () => {
+  const { casesFor } = await import('../../src/check/program/cases.ts');
   const { qualityOf } = await import('../../src/lab/quality.ts');
   const { batchesOf } = await import('../../src/lab/plan.ts');
   const { METHODS } = await import('../../src/math/index.ts');
@@ -73,6 +74,13 @@ describe('a family', async () => {
     for (const method of METHODS) expect(qualityOf(method, batches).rays).toBe(100);
     const exact = METHODS.find(({ id }) => id === 'exact');
     expect(exact && qualityOf(exact, batches).judged.right).toBe(100);
+  });
+
+  test('is among the cases that programs are tried on', () => {
+    const groups = casesFor(['cone'], 1).flatMap(({ family, group }) =>
+      family === level.title ? [group] : [],
+    );
+    expect(new Set(groups)).toEqual(new Set([level.hardness]));
   });
 });
 

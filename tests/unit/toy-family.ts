@@ -5,6 +5,7 @@ import { uniform } from '../../src/math/rng.ts';
 /** A family that is not Graze's own, as a newcomer would add it. */
 export const level = family({
   id: 'level',
+  hardness: 'ordinary',
   title: 'level',
   idea: 'Rays at right angles to the axis: what depends on dy falls out of every formula.',
   dial: null,

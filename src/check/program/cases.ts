@@ -1,4 +1,4 @@
-import { findFamily, madeFamilies } from '../../math/families.ts';
+import { type Family, madeFamilies, WRITTEN_FAMILIES } from '../../math/families.ts';
 import { type Intersection, intersect, type Vec3 } from '../../math/index.ts';
 import { pick, type Random, seeded } from '../../math/rng.ts';
 import { findShape, type ShapeKind } from '../../math/shapes.ts';
@@ -21,36 +21,12 @@ export interface Case extends Input {
   readonly expected: Expected | null;
 }
 
-/**
- * Groups of cases, each with a score of its own. A family of src/math/families is in one at most.
- */
+/** Groups of cases, each with a score of its own; a family says in which one its rays are. */
 export const GROUPS = [
-  {
-    id: 'ordinary',
-    title: 'ordinary',
-    families: ['typical', 'plane', 'circle', 'square'],
-    each: 14,
-  },
-  {
-    id: 'special',
-    title: 'special',
-    families: [
-      ...['exact-tangent', 'linear', 'generator', 'on-surface', 'degenerate'],
-      ...['flat-degenerate', 'circle-rim exactly', 'square-edge exactly'],
-    ],
-    each: 6,
-  },
-  {
-    id: 'hard',
-    title: 'hard',
-    families: [
-      ...['far-origin', 'near-tangent', 'near-axis', 'near-generator', 'near-surface'],
-      ...['vertex', 'cancellation', 'scale-ray', 'plane-grazing', 'plane-far'],
-      ...['circle-rim', 'square-edge'],
-    ],
-    each: 6,
-  },
-  { id: 'invalid', title: 'invalid', families: [], each: 0 },
+  { id: 'ordinary', title: 'ordinary', each: 14 },
+  { id: 'special', title: 'special', each: 6 },
+  { id: 'hard', title: 'hard', each: 6 },
+  { id: 'invalid', title: 'invalid', each: 0 },
 ] as const;
 
 export type GroupId = (typeof GROUPS)[number]['id'];
@@ -67,24 +43,11 @@ const MAX_DRAWS = 60;
 export function casesFor(kinds: readonly ShapeKind[], seed: number): readonly Case[] {
   return kinds.flatMap((kind) => [
     ...GROUPS.flatMap((group) =>
-      group.families.flatMap((id) => {
-        const [name = '', exactly] = id.split(' ');
-        const family = findFamily(name);
-        if (!family) return [];
-        const draw = (random: Random): Input =>
-          exactly ? family.make(random, NOT_NUDGED) : family.make(random);
-        const title = exactly ? `${family.title}, exactly` : family.title;
-        return familyCases(kind, group, { id, title, draw }, seed);
-      }),
+      sourcesOf(group.id).flatMap((source) => familyCases(kind, group, source, seed)),
     ),
-    ...GROUPS.flatMap((group) =>
-      madeFamilies(kind, group.id).flatMap((family) =>
-        familyCases(
-          kind,
-          { id: group.id, each: MADE_EACH },
-          { ...family, draw: (random) => family.make(random) },
-          seed,
-        ),
+    ...GROUPS.flatMap(({ id }) =>
+      madeFamilies(kind, id).flatMap((family) =>
+        familyCases(kind, { id, each: MADE_EACH }, sourceOf(family), seed),
       ),
     ),
     ...invalidCases(kind),
@@ -95,6 +58,26 @@ interface Source {
   readonly id: string;
   readonly title: string;
   draw(random: Random): Input;
+}
+
+const sourceOf = ({ id, title, make }: Family): Source => ({
+  id,
+  title,
+  draw: (random) => make(random),
+});
+
+/** Families of this group that are not made for one shape, and the borders of others. */
+function sourcesOf(group: GroupId): readonly Source[] {
+  const borders = WRITTEN_FAMILIES.filter(({ border }) => border !== undefined);
+  const exactly = ({ id, title, make, border }: Family): Source => ({
+    id: `${id} exactly`,
+    title: `${title}, exactly`,
+    draw: (random) => make(random, border),
+  });
+  return [
+    ...WRITTEN_FAMILIES.filter(({ hardness }) => hardness === group).map(sourceOf),
+    ...(group === 'special' ? borders.map(exactly) : []),
+  ];
 }
 
 function familyCases(
@@ -131,12 +114,6 @@ function familyCases(
   }
   return found;
 }
-
-/**
- * Dial for points exactly on a rim or an edge: 2^-2000 is 0 as a double. Next to a border the class
- * would depend on a program's rounding.
- */
-const NOT_NUDGED = -2000;
 
 /** The input with d times a power of two, which is exact: with |d| = 1, t would be a distance. */
 function stretched({ shape, ray }: Input, random: Random): Input {

@@ -20,6 +20,7 @@ export function nearAxisRay(random: Random, axial: Axial, k: number): Ray {
 
 export const nearAxis = family({
   id: 'near-axis',
+  hardness: 'hard',
   title: 'near the axis',
   idea: 'd is nearly parallel to the axis or to a generator: A is almost 0 and one root runs off.',
   dial: { title: 'the angle is 10^-k', range: [0, 16], usual: [3, 13] },

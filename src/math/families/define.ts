@@ -18,6 +18,9 @@ export interface Dial {
   readonly usual: readonly [number, number];
 }
 
+/** How hard rays are for a program: 'special' are those that only a case of its own gets right. */
+export type Hardness = 'ordinary' | 'special' | 'hard';
+
 /** Rays that are hard (or not) for one reason. */
 export interface Family {
   readonly id: string;
@@ -26,6 +29,10 @@ export interface Family {
   readonly idea: string;
   /** How hard the rays are; null for a family without such a number. */
   readonly dial: Dial | null;
+  /** The group of Check's cases that it gives rays to; absent: programs are not tried on it. */
+  readonly hardness?: Hardness;
+  /** Where the dial, out of its range, puts every ray exactly onto a border: special cases. */
+  readonly border?: number;
   /**
    * One ray and its shape.
    *
@@ -53,6 +60,8 @@ interface FamilyParts<S extends Setting> {
   readonly title: string;
   readonly idea: string;
   readonly dial: Dial | null;
+  readonly hardness?: Hardness;
+  readonly border?: number;
   setting(random: Random, difficulty: number): S;
   ray(random: Random, setting: S, difficulty: number): Ray;
 }

@@ -22,8 +22,15 @@ import {
 const towards = (random: Random, origin: Vec3, aim: Vec3): Vec3 =>
   times(uniform(random, 0.3, 3), minus(aim, origin));
 
+/**
+ * Dial for points exactly on a rim or an edge: 2^-2000 is 0 as a double. Next to a border the class
+ * would depend on a program's rounding.
+ */
+const NOT_NUDGED = -2000;
+
 export const circle = family({
   id: 'circle',
+  hardness: 'ordinary',
   title: 'circle',
   idea: 'A circle and a ray in no special position, about as often inside as outside.',
   dial: null,
@@ -65,6 +72,8 @@ const RIM_POINTS: NonEmpty<Vec3> = [
 
 export const circleRim = family({
   id: 'circle-rim',
+  hardness: 'hard',
+  border: NOT_NUDGED,
   title: 'rim of a circle',
   idea:
     'The ray meets the plane on the circle’s rim exactly, or E is moved off that by a few ' +
@@ -104,6 +113,7 @@ const NORMALS = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
 
 export const square = family({
   id: 'square',
+  hardness: 'ordinary',
   title: 'square',
   idea: 'A square and a ray in no special position, about as often inside as outside.',
   dial: null,
@@ -123,6 +133,8 @@ export const square = family({
 
 export const squareEdge = family({
   id: 'square-edge',
+  hardness: 'hard',
+  border: NOT_NUDGED,
   title: 'edge of a square',
   idea:
     'The ray meets the plane on an edge or a corner exactly, or E is moved off that by a few ' +

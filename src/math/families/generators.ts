@@ -49,6 +49,7 @@ function exactAsymptote(random: Random, { slope }: Ruled): Vec3 {
 
 export const linear = family({
   id: 'linear',
+  hardness: 'special',
   title: 'A = 0',
   idea:
     'd is exactly parallel to the axis or to a generator: the quadratic is a line, with one ' +
@@ -86,6 +87,7 @@ function generatorRay(random: Random, shape: Ruled): Ray {
 
 export const generator = family({
   id: 'generator',
+  hardness: 'special',
   title: 'generator',
   idea: 'The whole ray lies in the surface: A = B = C = 0.',
   dial: null,
@@ -95,6 +97,7 @@ export const generator = family({
 
 export const nearGenerator = family({
   id: 'near-generator',
+  hardness: 'hard',
   title: 'near a generator',
   idea: 'A ray in the surface with one coordinate of E or d moved by a few doubles.',
   dial: { title: 'by up to 2^k doubles', range: [0, 12], usual: [0, 2] },

@@ -121,83 +121,65 @@ function wholeRay(random: Random, { shape }: Placed): Ray {
   return best;
 }
 
-/** How hard a family's rays are, for who asks for an easy or a hard one. */
-export type Hardness = 'ordinary' | 'special' | 'hard';
-
-export interface ShapeFamily {
-  readonly hardness: Hardness;
-  readonly family: Family;
-}
-
 /** Families of rays about one shape, called after its kind. */
-export function familiesOfShape(definition: AnyDefinition): readonly ShapeFamily[] {
+export function familiesOfShape(definition: AnyDefinition): readonly Family[] {
   const { kind, title } = definition;
   const of = (random: Random): Placed => ordinaryShape(random, definition);
   return [
-    {
+    family({
+      id: kind,
       hardness: 'ordinary',
-      family: family({
-        id: kind,
-        title,
-        idea: `A ${title} and a ray in no special position.`,
-        dial: null,
-        setting: of,
-        ray: ordinaryRay,
-      }),
-    },
-    {
+      title,
+      idea: `A ${title} and a ray in no special position.`,
+      dial: null,
+      setting: of,
+      ray: ordinaryRay,
+    }),
+    family({
+      id: `${kind}-whole`,
       hardness: 'special',
-      family: family({
-        id: `${kind}-whole`,
-        title: `${title} in whole numbers`,
-        idea: 'Every number is whole and small, so that exact tangents and zeros come up.',
-        dial: null,
-        setting: (random) => wholeShape(random, definition),
-        ray: wholeRay,
-      }),
-    },
-    {
+      title: `${title} in whole numbers`,
+      idea: 'Every number is whole and small, so that exact tangents and zeros come up.',
+      dial: null,
+      setting: (random) => wholeShape(random, definition),
+      ray: wholeRay,
+    }),
+    family({
+      id: `${kind}-far`,
       hardness: 'hard',
-      family: family({
-        id: `${kind}-far`,
-        title: `${title}, far origin`,
-        idea: 'E is many sizes away and aimed at the shape.',
-        dial: { title: 'E is 10^k sizes away', range: [0, 12], usual: [3, 9] },
-        setting: of,
-        ray(random, placed, k) {
-          const direction = unitDirection(random);
-          const aim = plus(placed.at, inBox(random, placed.size));
-          const distance = tenTo(k) * placed.size * uniform(random, 1, 2);
-          return { origin: along(aim, -distance, direction), direction };
-        },
-      }),
-    },
-    {
+      title: `${title}, far origin`,
+      idea: 'E is many sizes away and aimed at the shape.',
+      dial: { title: 'E is 10^k sizes away', range: [0, 12], usual: [3, 9] },
+      setting: of,
+      ray(random, placed, k) {
+        const direction = unitDirection(random);
+        const aim = plus(placed.at, inBox(random, placed.size));
+        const distance = tenTo(k) * placed.size * uniform(random, 1, 2);
+        return { origin: along(aim, -distance, direction), direction };
+      },
+    }),
+    family({
+      id: `${kind}-scale-ray`,
       hardness: 'hard',
-      family: family({
-        id: `${kind}-scale-ray`,
-        title: `${title}, long or short d`,
-        idea: 'An ordinary ray whose d is very long or short.',
-        dial: { title: '|d| is about 10^k', range: [-150, 150], usual: [-8, 8] },
-        setting: of,
-        ray(random, placed, k) {
-          const { origin, direction } = ordinaryRay(random, placed);
-          return { origin, direction: scaled(direction, bitsOf(k)) };
-        },
-      }),
-    },
-    {
+      title: `${title}, long or short d`,
+      idea: 'An ordinary ray whose d is very long or short.',
+      dial: { title: '|d| is about 10^k', range: [-150, 150], usual: [-8, 8] },
+      setting: of,
+      ray(random, placed, k) {
+        const { origin, direction } = ordinaryRay(random, placed);
+        return { origin, direction: scaled(direction, bitsOf(k)) };
+      },
+    }),
+    family({
+      id: `${kind}-near-tangent`,
       hardness: 'hard',
-      family: family({
-        id: `${kind}-near-tangent`,
-        title: `${title}, near tangent`,
-        idea:
-          'Between a direction that meets the shape and its neighbour that does not, moved ' +
-          'by a few doubles.',
-        dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
-        setting: of,
-        ray: nearTangentRay,
-      }),
-    },
+      title: `${title}, near tangent`,
+      idea:
+        'Between a direction that meets the shape and its neighbour that does not, moved ' +
+        'by a few doubles.',
+      dial: { title: 'by up to 2^k doubles', range: [0, 20], usual: [0, 6] },
+      setting: of,
+      ray: nearTangentRay,
+    }),
   ];
 }

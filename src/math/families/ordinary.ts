@@ -19,6 +19,7 @@ export function typicalRay(random: Random, axial: Axial): Ray {
 
 export const typical = family({
   id: 'typical',
+  hardness: 'ordinary',
   title: 'typical',
   idea: 'Shapes and rays of a picture: every number between a tenth and ten or so.',
   dial: null,
@@ -34,6 +35,7 @@ export function farOriginRay(random: Random, axial: Axial, k: number): Ray {
 
 export const farOrigin = family({
   id: 'far-origin',
+  hardness: 'hard',
   title: 'far origin',
   idea:
     'E is many radii away and aimed at the shape’s inside: B² and 4AC agree in almost every ' +

@@ -29,6 +29,7 @@ const ordinaryPlane = (random: Random): PlaneSetting =>
 
 export const plane = family({
   id: 'plane',
+  hardness: 'ordinary',
   title: 'plane',
   idea: 'A plane and a ray in no special position.',
   dial: null,
@@ -43,6 +44,7 @@ function levelDirection(random: Random, normal: Vec3): Vec3 {
 
 export const planeGrazing = family({
   id: 'plane-grazing',
+  hardness: 'hard',
   title: 'grazing a plane',
   idea:
     'A ray parallel to the plane, in it or beside it, exactly or with one coordinate of d ' +
@@ -64,6 +66,7 @@ export const planeGrazing = family({
 
 export const planeFar = family({
   id: 'plane-far',
+  hardness: 'hard',
   title: 'plane from afar',
   idea: 'E is far from a plane near the origin: t is large and N·(E − P) + t N·d cancels.',
   dial: { title: 'E is 10^k away', range: [0, 14], usual: [3, 12] },

@@ -21,6 +21,7 @@ function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
 
 export const scaleRay = family({
   id: 'scale-ray',
+  hardness: 'hard',
   title: 'long or short d',
   idea:
     'An ordinary ray whose d is extremely long or short; t shrinks or grows by the same ' +

@@ -49,6 +49,7 @@ function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Stan
 
 export const onSurface = family({
   id: 'on-surface',
+  hardness: 'special',
   title: 'on the surface',
   idea: 'E lies on the surface exactly: C = 0, and t = 0 is a root.',
   dial: null,
@@ -66,6 +67,7 @@ export const nearSurfaceRay = (random: Random, axial: Axial): Ray => ({
 
 export const nearSurface = family({
   id: 'near-surface',
+  hardness: 'hard',
   title: 'near the surface',
   idea:
     'E is a point of the surface, rounded to doubles, as a reflected ray’s is: C is nothing ' +
@@ -83,6 +85,7 @@ export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
 
 export const cancellation = family({
   id: 'cancellation',
+  hardness: 'hard',
   title: 'small root',
   idea:
     'E is a hair off the surface: 4AC is tiny against B², and in −B ± √D the smaller root ' +

@@ -44,6 +44,7 @@ export const nearTangentFarRay = (random: Random, axial: Axial, k: number): Ray 
 
 export const nearTangent = family({
   id: 'near-tangent',
+  hardness: 'hard',
   title: 'near tangent',
   idea: 'The ray passes the surface within a hair of touching it: D is tiny against B².',
   dial: { title: 'the gap is 10^-k radii', range: [1, 17], usual: [8, 16] },
@@ -122,6 +123,7 @@ function tangentDirection(random: Random, { axial, across, upwards }: Touching):
 
 export const exactTangent = family({
   id: 'exact-tangent',
+  hardness: 'special',
   title: 'exact tangent',
   idea: 'Whole numbers from Pythagorean triples make D exactly 0.',
   dial: null,

@@ -14,6 +14,7 @@ const SINGULAR: NonEmpty<Draw<Axial>> = [
 
 export const vertex = family({
   id: 'vertex',
+  hardness: 'hard',
   title: 'vertex',
   idea:
     'Through a cone’s vertex, or another singular point, exactly or past it by up to 128 ' +

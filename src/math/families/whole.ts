@@ -13,6 +13,7 @@ const SMALL_CURVED: NonEmpty<Draw<Axial>> = [
 
 export const degenerate = family({
   id: 'degenerate',
+  hardness: 'special',
   title: 'small whole numbers',
   idea:
     'Coordinates from −2 to 2, with c, r and a that may be 0: every special case happens, ' +
@@ -54,6 +55,7 @@ const SMALL_FLAT: NonEmpty<Draw<SmallFlat>> = [
 
 export const flatDegenerate = family({
   id: 'flat-degenerate',
+  hardness: 'special',
   title: 'parallel or in the plane',
   idea:
     'Flat shapes in small whole numbers: half of the rays are parallel to the plane, and ' +

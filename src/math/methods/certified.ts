@@ -5,6 +5,7 @@ import { exact } from './exact.ts';
 export const certified: Method = {
   id: 'certified',
   title: 'certified',
+  hint: 'a filter, then more digits if needed',
   idea:
     'Floating point with a proven error bound decides nearly every ray; what it leaves open ' +
     'goes to twice the digits, and the rest to whole numbers.',

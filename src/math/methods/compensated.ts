@@ -6,6 +6,7 @@ export const compensated = treeMethod(
   {
     id: 'compensated',
     title: 'compensated',
+    hint: 'A, B, C, D with 106 bits',
     idea:
       'A, B, C, D and the roots in double-double: each number is a sum of two doubles, the ' +
       'second one the error of the first.',

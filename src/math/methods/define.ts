@@ -15,6 +15,8 @@ type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver)
 export interface Method {
   readonly id: string;
   readonly title: string;
+  /** What it does in a few words, to stand below its title; absent: `idea` does. */
+  readonly hint?: string;
   /** What it does, in one sentence. */
   readonly idea: string;
   /** What it promises, and where the promise ends. */

@@ -14,6 +14,7 @@ export const exact = treeMethod(
   {
     id: 'exact',
     title: 'exact',
+    hint: 'whole numbers, rounded once',
     idea:
       'The course’s formula in whole-number arithmetic on the stored doubles, rounded once ' +
       'at the end.',

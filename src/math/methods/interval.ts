@@ -7,6 +7,7 @@ export const interval = treeMethod(
   {
     id: 'interval',
     title: 'interval',
+    hint: 'a bound below and above each step',
     idea:
       'The moment form with a lower and an upper bound for every number, rounded outwards: ' +
       'it knows what it does not know.',

@@ -18,6 +18,7 @@ export const moment = treeMethod(
   {
     id: 'moment',
     title: 'moment',
+    hint: 'D from d × (E − C), then q',
     idea:
       'D/4 = ρA + a(mx² + mz²) − my² from the ray’s moment m = d × (E − C), which does not ' +
       'grow when E slides back along the ray.',

@@ -9,6 +9,7 @@ export const stableByTrees = treeMethod(
   {
     id: 'stable',
     title: 'stable root',
+    hint: 'q = −(B ± √D)/2, then q/A and C/q',
     idea: 'q = −(B ± √D)/2 with the sign that adds, then t = q/A and t = C/q.',
     promise:
       'From the same A, B, C and D as textbook, no digit is lost in the root formula. What A, B, ' +

@@ -9,6 +9,7 @@ export const textbookByTrees = treeMethod(
   {
     id: 'textbook',
     title: 'textbook',
+    hint: '(−B ± √D) / 2A with 53 bits',
     idea: 't = (−B ± √D) / 2A, just as the course writes it, every operation rounded to a double.',
     promise:
       'None: the class and the digits are what float64 makes of the formula. It loses hits far ' +

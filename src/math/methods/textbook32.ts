@@ -6,6 +6,7 @@ export const textbook32 = treeMethod(
   {
     id: 'textbook32',
     title: 'textbook, float32',
+    hint: 'every step with 24 bits',
     idea:
       'The course’s formula with every number and every operation rounded to 24 bits, as on ' +
       'a graphics card.',

@@ -14,7 +14,7 @@ import { intersectCurved, solveDoubles, symbolsOf } from './tree-answer.ts';
 import { intersectFlat } from './tree-flat.ts';
 import type { MethodParts } from './tree-parts.ts';
 
-type About = Pick<Method, 'id' | 'title' | 'idea' | 'promise' | 'source' | 'proven'>;
+type About = Pick<Method, 'id' | 'title' | 'hint' | 'idea' | 'promise' | 'source' | 'proven'>;
 
 /**
  * A method that is an arithmetic, a way to form what decides and a way to solve the quadratic: the
