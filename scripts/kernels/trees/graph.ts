@@ -133,6 +133,9 @@ export class Graph implements Floats<Node, Node> {
   /** |a| < bound: false for NaN. */
   isWithin = (a: Node, bound: number): Node => this.less(this.abs(a), this.of(bound));
 
+  /** Neither an infinity nor NaN: x − x would count as 0 where the format is not strict. */
+  isFinite = (a: Node): Node => this.atMost(this.abs(a), this.of(Number.MAX_VALUE));
+
   rarely = (m: Node): boolean => {
     this.rare.push(m);
     return false;

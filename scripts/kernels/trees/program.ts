@@ -103,14 +103,16 @@ export function lift(
   };
 }
 
+const sumOf = (g: Graph, inputs: readonly Node[]): Node =>
+  inputs.map(g.abs).reduce((a, b) => g.add(a, b));
+
 /** Where an input is outside of the system's box. */
 function unusual(g: Graph, { box }: System, inputs: readonly Node[]): Node[] {
   if (!box) return [];
   const sizes = inputs.map(g.abs);
-  const sum = sizes.reduce((a, b) => g.add(a, b));
   const zero = g.of(0);
   const tiny = sizes.map((size) => g.and(g.less(zero, size), g.less(size, g.of(box.least))));
-  return [g.not(g.less(sum, g.of(box.most))), ...(box.least > 0 ? tiny : [])];
+  return [g.not(g.less(sumOf(g, inputs), g.of(box.most))), ...(box.least > 0 ? tiny : [])];
 }
 
 const any = (g: Graph, masks: readonly Node[]): Node => masks.reduce((a, b) => g.or(a, b));
@@ -129,35 +131,25 @@ function curved(
   const { values, inputs } = lift(g, r, symbols);
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
   const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
-  const known = (x: unknown): Node => g.or(r.isNegative(x), r.isPositive(x));
   const format = system.format;
   const before = g.take();
 
   if (system.box) {
-    const positive = g.and(r.isPositive(D), g.not(r.isWithin(D, system.tiny)));
-    const elsewhere = any(g, [...before, ...unusual(g, system, inputs)]);
-    const rare = any(g, [elsewhere, g.not(known(A)), g.not(g.or(r.isNegative(D), positive))]);
-    const special = specialOf(g, r, system, { A, B, C, D }, elsewhere, null);
+    const limits = (system.reach ? anySize : inTheBox)(g, r, system, { A, B, D }, inputs, before);
+    const { rare, elsewhere, inside, clear, areInside } = limits;
+    const special = specialOf(g, r, { A, B, C, D }, { elsewhere, lost: null, inside });
     const missed = r.isNegative(D);
-    const clear = [
-      g.not(r.isWithin(A, system.tiny)),
-      r.isWithin(A, system.wide),
-      g.or(r.isNegative(B), g.or(r.isPositive(B), r.isZero(B))),
-    ].reduce((a, b) => g.and(a, b));
-    const classes = { margin: g.signed(missed, g.of(1)), rare: g.not(clear) };
     const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
     const [t0, t1] = r.sorted(t, s).map(g.unsigned) as [Node, Node];
-    const inside = (x: Node): Node => g.isWithin(x, system.large);
-    const rareRoots = any(g, [...g.take(), g.not(g.and(inside(t0), inside(t1)))]);
     return {
       format,
       outputs: { t0, t1 },
       rare,
       special,
       missed,
-      rareRoots,
+      rareRoots: any(g, [...g.take(), g.not(areInside(t0, t1))]),
       inBlocks: system.inBlocks,
-      classes,
+      classes: { margin: g.signed(missed, g.of(1)), rare: g.not(clear) },
     };
   }
 
@@ -169,7 +161,8 @@ function curved(
   const unseen =
     format.width === 32 ? inputs.filter((x) => !dependsOn(shownD, x)).map(notFinite) : [];
   const lost = unseen.length > 0 ? any(g, unseen) : null;
-  const special = specialOf(g, r, system, { A, B, C, D }, null, lost);
+  const inside = (t: Node): Node => g.isWithin(t, system.large);
+  const special = specialOf(g, r, { A, B, C, D }, { elsewhere: null, lost, inside });
   if (ask === 'classes') {
     const small = (x: Node): Node => g.isWithin(x, system.wide);
     const large = (x: Node): Node => g.less(g.of(system.tiny), g.abs(x));
@@ -216,6 +209,91 @@ function curved(
   };
 }
 
+/** Where a loop's numbers are the trees', and so is what it makes of them. */
+interface Limits extends Omit<Places, 'lost'> {
+  /** Where D's sign alone does not tell what to do. */
+  readonly rare: Node;
+  /** Where a class is told without the roots. */
+  readonly clear: Node;
+  readonly areInside: (t0: Node, t1: Node) => Node;
+}
+
+type Decisive = Pick<Quadratic, 'A' | 'B' | 'D'>;
+type LimitsOf = (
+  g: Graph,
+  r: Recorder<unknown>,
+  system: System,
+  of: Decisive,
+  inputs: readonly Node[],
+  before: readonly Node[],
+) => Limits;
+
+/** Inputs of the box, and A and D that are not tiny, keep all numbers in range. */
+const inTheBox: LimitsOf = (g, r, system, { A, B, D }, inputs, before) => {
+  const known = (x: unknown): Node => g.or(r.isNegative(x), r.isPositive(x));
+  const positive = g.and(r.isPositive(D), g.not(r.isWithin(D, system.tiny)));
+  const elsewhere = any(g, [...before, ...unusual(g, system, inputs)]);
+  const inside = (t: Node): Node => g.isWithin(t, system.large);
+  return {
+    elsewhere,
+    rare: any(g, [elsewhere, g.not(known(A)), g.not(g.or(r.isNegative(D), positive))]),
+    inside,
+    areInside: (t0, t1) => g.and(inside(t0), inside(t1)),
+    clear: [
+      g.not(r.isWithin(A, system.tiny)),
+      r.isWithin(A, system.wide),
+      g.or(r.isNegative(B), g.or(r.isPositive(B), r.isZero(B))),
+    ].reduce((x, y) => g.and(x, y)),
+  };
+};
+
+/**
+ * Numbers of any size, of which only what overflows may differ from the trees': a product with 4
+ * or 2 near the range's end, which they cut in halves and a loop does not. Where D overflowed here
+ * it did so there, and that is their answer. A root is near enough by its product with all inputs.
+ */
+const anySize: LimitsOf = (g, r, system, of, inputs, before) => {
+  const [A, B, D] = [of.A, of.B, of.D].map(r.shown) as [Node, Node, Node];
+  const reach = system.reach as number;
+  const times = (x: Node, k: number): Node => g.mul(x, g.of(k));
+  const sum = sumOf(g, inputs);
+  // So that a root is below 2^990, however small d is.
+  const sized = g.add(sum, g.of(2 ** -490));
+  const inside = (t: Node): Node => g.isWithin(g.mul(t, sized), system.large);
+  const inputsAndB = g.add(times(g.abs(B), system.wide / reach), times(sum, SUM_TO_WIDE));
+  const inRange = g.less(g.add(g.add(g.abs(A), g.abs(D)), inputsAndB), g.of(system.wide));
+  const nearEnd = (x: Node, most: number): Node => g.and(g.not(g.isWithin(x, most)), g.isFinite(x));
+  const apart = [
+    ...unusual(g, system, inputs),
+    nearEnd(A, system.wide / 4),
+    nearEnd(B, reach / 4),
+    nearEnd(D, system.wide / 4),
+  ];
+  const told = g.or(g.isFinite(D), g.isZero(A));
+  // Both roots are at most (|B| + √D)/|A|, and a few units in the last place.
+  const over = times(g.div(sized, A), 1 / reach);
+  const half = g.add(g.abs(g.mul(B, over)), g.abs(g.mul(g.mul(D, over), over)));
+  return {
+    elsewhere: g.and(any(g, [...before, ...apart]), told),
+    rare: any(g, [...before, g.not(inRange), g.isZero(A), g.isZero(D)]),
+    inside,
+    areInside: (t0, t1) => inside(g.add(g.abs(t0), g.abs(t1))),
+    clear: g.or(r.isNegative(of.D), g.less(half, g.of(2 ** -10))),
+  };
+};
+
+/** Brings 2^480, below which the sum of all inputs must be, to `wide`. */
+const SUM_TO_WIDE = 2 ** 500;
+
+interface Places {
+  /** Where the numbers are not the trees'; null: nowhere. */
+  readonly elsewhere: Node | null;
+  /** Where a point may be NaN, so that the method has no hit. */
+  readonly lost: Node | null;
+  /** Whether a root and its place are in range. */
+  readonly inside: (t: Node) => Node;
+}
+
 interface Quadratic {
   readonly A: unknown;
   readonly B: unknown;
@@ -225,17 +303,12 @@ interface Quadratic {
 
 /**
  * As methods/solvers.ts tells them apart.
- *
- * @param elsewhere where the numbers are not the trees'; null: nowhere.
- * @param lost where a point may be NaN, so that the method has no hit.
  */
 function specialOf(
   g: Graph,
   r: Recorder<unknown>,
-  { large }: System,
   { A, B, C, D }: Quadratic,
-  elsewhere: Node | null,
-  lost: Node | null,
+  { elsewhere, lost, inside }: Places,
 ): Special {
   const ar = r.arithmetic;
   const place = (verdict: number): Node => g.of(verdict);
@@ -264,8 +337,7 @@ function specialOf(
   );
   const told = g.select(unknownA, place(UNDECIDED), g.select(line, ofB, ofD));
   const isRoot = g.or(g.equal(told, place(ONE)), g.equal(told, place(TANGENT)));
-  const inside = g.isWithin(t, large);
-  const certain = lost ? g.and(inside, g.not(lost)) : inside;
+  const certain = lost ? g.and(inside(t), g.not(lost)) : inside(t);
   const asked = g.and(isRoot, g.not(certain));
   return {
     verdict: g.select(elsewhere ? g.or(elsewhere, asked) : asked, place(ASK), told),
@@ -293,21 +365,22 @@ function flat(
   const marks = g.take();
   const outside = excesses.map(r.isPositive);
   const missed = outside.length > 0 ? any(g, outside) : null;
-  const within = (y: unknown, bound: number): Node => g.not(r.isWithin(y, bound));
   const open = excesses.map((y, k) =>
     g.not(g.or(outside[k] as Node, g.or(r.isNegative(y), r.isZero(y)))),
   );
   // E + t d is no NaN; a place by the moment may be one.
   const places = x.filter((y) => !dependsOn(r.shown(y), shown));
   const bound = Math.sqrt(system.large);
+  const sized = g.add(sumOf(g, inputs), g.of(2 ** -490));
+  const near = g.isWithin(system.reach ? g.mul(shown, sized) : shown, bound);
   const elsewhere = [...before, ...unusual(g, system, inputs)];
   const rare = any(g, [
     ...marks,
     ...elsewhere,
-    g.not(g.isWithin(shown, bound)),
+    g.not(near),
     ...(system.box
       ? [g.not(g.or(r.isNegative(rate), r.isPositive(rate))), ...open]
-      : [rate, ...excesses, ...places].map((y) => within(y, bound))),
+      : [rate, ...excesses, ...places].map((y) => g.not(r.isWithin(y, bound)))),
   ]);
   const format = system.format;
   const none = g.of(Number.NaN);
@@ -326,7 +399,7 @@ function flat(
   const beyond = excesses.map((y) => g.and(r.isPositive(y), g.not(r.isUnknown(y))));
   // A root that overflowed is no answer.
   const lost = system.box ? [] : [g.not(g.isZero(g.sub(shown, shown)))];
-  const apart = system.box ? [g.not(g.isWithin(shown, bound)), ...marks] : [];
+  const apart = system.box ? [g.not(near), ...marks] : [];
   const undecided = where(g, [...unclear, ...lost], place(UNDECIDED), place(ASK));
   const ofFigure = where(g, apart, place(ASK), where(g, beyond, place(NONE), undecided));
   const told = g.select(

@@ -41,6 +41,12 @@ export interface System {
   /** |A| above `tiny` and |B|, |D| below `wide` keep every root below `large`. */
   readonly tiny: number;
   readonly wide: number;
+  /**
+   * Where the numbers may be of any size: |D| below `wide` and |B| below this are far enough from
+   * the range's end for what the trees multiply by powers of two. Then `large` is of a root times
+   * the sum of all inputs. Null: they may not.
+   */
+  readonly reach: number | null;
   make(g: Graph): Recorder<unknown>;
 }
 
@@ -146,7 +152,7 @@ function doubleDouble(g: Graph): Recorder<Pair<Node>> {
     isNegative: ({ hi }) => g.less(hi, zero),
     isPositive: ({ hi }) => g.less(zero, hi),
     isZero: ({ hi }) => g.isZero(hi),
-    isUnknown: ({ hi }) => g.not(g.isZero(g.sub(hi, hi))),
+    isUnknown: ({ hi }) => g.not(g.isFinite(hi)),
     select: (where, a, b) => ({
       hi: g.select(where, a.hi, b.hi),
       lo: g.select(where, a.lo, b.lo),
@@ -266,6 +272,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
     large: 2 ** 126,
     tiny: 2 ** -60,
     wide: 2 ** 60,
+    reach: null,
     make: (g) => known(plain(g, 'float32')),
   },
   float64: {
@@ -277,17 +284,21 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
     large: 2 ** 1022,
     tiny: 2 ** -500,
     wide: 2 ** 500,
+    reach: null,
     make: (g) => known(plain(g, 'float64')),
   },
   'double-double': {
     format: { width: 64, strict: false },
     isPlain: false,
     inBlocks: true,
-    box: { least: 0, most: 2 ** 100 },
+    // The loops do what the trees do, one operation after the other: so what underflows is the
+    // same. Only what overflows might not be.
+    box: { least: 0, most: 2 ** 480 },
     greatest: 2 ** 900,
     large: 2 ** 500,
-    tiny: 2 ** -150,
-    wide: 2 ** 900,
+    tiny: 0,
+    wide: 2 ** 980,
+    reach: 2 ** 490,
     make: (g) => known(doubleDouble(g)),
   },
   interval: {
@@ -299,6 +310,7 @@ export const SYSTEMS: Readonly<Record<string, System>> = {
     large: 2 ** 500,
     tiny: 2 ** -150,
     wide: 2 ** 900,
+    reach: null,
     make: (g) => known(interval(g)),
   },
 };

@@ -64,3 +64,49 @@ export function mayLackNormal(
   const at = withPoint(lift(values, possible), [anywhere, anywhere, anywhere]);
   return evaluateTriple(normal, possible, at).some(({ nan }) => nan);
 }
+
+/** |x| is from `least` to `most`. */
+interface Size {
+  readonly least: number;
+  readonly most: number;
+}
+
+/** Bounds of sizes; `told` gets each. */
+function sizes(told: (size: Size) => void): Arithmetic<Size> {
+  const size = (least: number, most: number): Size => {
+    told({ least, most });
+    return { least, most };
+  };
+  const product = (a: Size, b: Size): Size =>
+    size(a.least * b.least, a.most === 0 || b.most === 0 ? 0 : a.most * b.most);
+  const sum = (a: Size, b: Size): Size => size(0, a.most + b.most);
+  return {
+    id: 'sizes',
+    of: (x) => size(Math.abs(x), Math.abs(x)),
+    add: sum,
+    sub: sum,
+    mul: product,
+    div: (a, b) => size(a.least / b.most, a.most / b.least),
+    neg: (a) => a,
+    sqr: (a) => product(a, a),
+    sqrt: ({ least, most }) => size(Math.sqrt(least), Math.sqrt(most)),
+    sign: () => Number.NaN,
+    toNumber: () => Number.NaN,
+  };
+}
+
+/**
+ * A bound of all numbers on the way to the normal at a place within `most`; Infinity: none is
+ * known.
+ *
+ * @param values what the shape's symbols stand for, as stored.
+ */
+export function largestIn({ normal }: CurvedFormula, values: Values<number>, most: number): number {
+  let largest = 0;
+  const ar = sizes((size) => {
+    largest = Math.max(largest, size.most);
+  });
+  const anywhere = { least: 0, most };
+  evaluateTriple(normal, ar, withPoint(lift(values, ar), [anywhere, anywhere, anywhere]));
+  return Number.isNaN(largest) ? Number.POSITIVE_INFINITY : largest;
+}

@@ -20,7 +20,7 @@ import {
   VERDICTS,
 } from './batch.ts';
 import { NUMBERS, STRAIGHT } from './generated/index.ts';
-import { mayLackNormal } from './normals.ts';
+import { largestIn, mayLackNormal } from './normals.ts';
 import { AT_ROOTS, SLOT } from './one-ray.ts';
 import { ASK, type Ask, CLASS_BIT, type Loops, PLACE } from './straight-loop.ts';
 
@@ -114,20 +114,27 @@ const isInRange = ([x, y, z]: Vec3, { of }: Arithmetic<number>): boolean =>
 /** A root that overflowed is no answer. Points and normals are never NaN: isOrdinary. */
 const isLost = (t: number, isRoot: boolean): boolean => isRoot && !(t - t === 0);
 
-/** Shapes whose numbers are outside of this are the trees' in double-double and intervals. */
+/** Shapes whose numbers are outside of this are the trees' in intervals, and flat ones in pairs. */
 const LEAST = 2 ** -100;
 const MOST = 2 ** 100;
 const isInBox = (x: number): boolean => x === 0 || (Math.abs(x) > LEAST && Math.abs(x) < MOST);
 
 const FORMATS: Readonly<Record<string, Arithmetic<number>>> = { float32, float64 };
 
+/** A place that a loop in double-double answers for is within PLACES, and its normal in range. */
+const PLACES = 2 ** 501;
+const GREATEST = 2 ** 990;
+
 /** Whether the loops' conditions are enough for this shape. */
 function isOrdinary(method: Method, shape: Shape): boolean {
-  const format = FORMATS[STRAIGHT[method.id]?.arithmetic ?? ''];
+  const arithmetic = STRAIGHT[method.id]?.arithmetic ?? '';
+  const format = FORMATS[arithmetic];
   const { formula, values } = definitionOf(shape);
-  if (!format) return numbersOf(shape, 0).every(isInBox);
   const own = formula(shape);
-  return own.family === 'flat' || !mayLackNormal(own, values(shape), format);
+  if (format) return own.family === 'flat' || !mayLackNormal(own, values(shape), format);
+  return own.family === 'curved' && arithmetic === 'double-double'
+    ? largestIn(own, values(shape), PLACES) < GREATEST
+    : numbersOf(shape, 0).every(isInBox);
 }
 
 /** A shape that lies along an axis is looked at from there: x is the axis, then y and z follow. */

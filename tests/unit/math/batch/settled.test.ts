@@ -19,6 +19,29 @@ const SPECIAL = [
   ...['paraboloid-whole', 'paraboloid-far', 'paraboloid-near-tangent'],
 ];
 
+/** Numbers of any size: what leaves the range in double-double left it in the trees. */
+const ANY_SIZE = ['scale-world', 'sphere-scale-ray', 'paraboloid-scale-ray'];
+
+test('compensated leaves no scene in other units to its trees, hit or not (seed 402)', () => {
+  const compensated = METHODS.find(({ id }) => id === 'compensated') as (typeof METHODS)[number];
+  const random = seeded(402);
+  let left = 0;
+  for (const family of FAMILIES.filter((one) => ANY_SIZE.includes(one.id))) {
+    for (let k = 0; k < 20; k++) {
+      const { shape, rays } = family.batch(random, 40);
+      const kernel = straightKernel(
+        compensated,
+        shape,
+        counting((count) => (left += count)),
+      );
+      expect(kernel, family.id).not.toBeNull();
+      kernel?.both(packRays(rays), createAnswers(rays.length));
+      kernel?.classes(packRays(rays), createAnswers(rays.length));
+    }
+  }
+  expect(left).toBe(0);
+});
+
 test.each(Object.keys(STRAIGHT))('%s leaves no ray of usual size to its trees (seed 401)', (id) => {
   const method = METHODS.find((one) => one.id === id) as (typeof METHODS)[number];
   const random = seeded(401);
