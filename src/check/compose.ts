@@ -42,17 +42,57 @@ export function derivationFor({ exercise, draft, fields, given }: Posed): Deriva
 const MOST_NUMBERS = 3_000_000;
 
 /**
+ * Largest count of random numbers for a question of a wanted class; a shape may have no such
+ * question. About half a second.
+ */
+const MOST_FOR_A_CLASS = 150_000;
+
+/**
  * The question of a seed, the same on every machine.
  *
+ * @param wanted classes of the exercise's spread, the first one that is found counts.
  * @throws RangeError if the exercise cannot be posed about this kind of shape.
  */
-export function pose(exercise: Exercise, kind: ShapeKind, seed: number, level: Level): Posed {
+export function pose(
+  exercise: Exercise,
+  kind: ShapeKind,
+  seed: number,
+  level: Level,
+  wanted: readonly string[] = [],
+): Posed {
+  for (const one of wanted) {
+    const posed = posedIn(one, exercise, kind, seed, level);
+    if (posed) return posed;
+  }
   const random = atMost(MOST_NUMBERS, seeded(seed), () => {
     throw new RangeError(`no input for ${exercise.id}, ${kind}, seed ${seed}`);
   });
   for (;;) {
     const posed = tryPose(exercise, kind, level, random);
     if (posed) return posed;
+  }
+}
+
+/** The first question of this class; null if there is none within `MOST_FOR_A_CLASS`. */
+function posedIn(
+  wanted: string,
+  exercise: Exercise,
+  kind: ShapeKind,
+  seed: number,
+  level: Level,
+): Posed | null {
+  const end = new RangeError();
+  const random = atMost(MOST_FOR_A_CLASS, seeded(seed), () => {
+    throw end;
+  });
+  try {
+    for (;;) {
+      const posed = tryPose(exercise, kind, level, random);
+      if (posed && exercise.spread?.of(posed.draft, posed.truth) === wanted) return posed;
+    }
+  } catch (error) {
+    if (error !== end) throw error;
+    return null;
   }
 }
 

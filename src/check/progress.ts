@@ -128,7 +128,8 @@ const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
 const isCount = (value: unknown): value is number =>
   Number.isSafeInteger(value) && (value as number) >= 0;
 
-function readAsked(value: unknown): Asked | null {
+/** A question as it was stored; null for anything else. */
+export function readAsked(value: unknown): Asked | null {
   if (!isRecord(value) || !isCount(value.tries) || !isCount(value.hints)) return null;
   const { texts, solvedAt, causes } = value;
   const words = isRecord(texts) ? Object.entries(texts) : [];

@@ -1,5 +1,6 @@
 import { SHAPES } from '../math/index.ts';
-import type { ShapeKind } from '../math/shapes.ts';
+import { quote, type ShapeKind } from '../math/shapes.ts';
+import type { Level } from './exercises/define.ts';
 import { EXERCISES, findExercise } from './exercises/index.ts';
 
 /** An exercise of a set: how often it comes up, and for which shapes in turn. */
@@ -10,10 +11,16 @@ interface Turn {
 }
 
 /** The exercises and shapes from which a seed makes a session. */
-interface QuestionSet {
+export interface QuestionSet {
   /** Shapes that "all shapes" means for own programs. */
   readonly shapes: readonly ShapeKind[];
   readonly turns: readonly Turn[];
+  /** Whether topics are shuffled, and right answers spread over their classes. */
+  readonly spread?: true;
+  /** The level of all questions; absent: they rise from 1 to 3. */
+  readonly level?: Level;
+  /** Whether hints and solutions are not offered. */
+  readonly withoutHints?: true;
 }
 
 const FLAT = ['plane', 'circle', 'square'] as const;
@@ -67,22 +74,103 @@ export const SETS: Readonly<Record<string, QuestionSet>> = {
       { exercise: 'digits', times: 1, kinds: ROUND },
     ],
   },
+  3: {
+    shapes: [
+      ...(['plane', 'cylinder', 'cone', 'hyperboloid', 'circle', 'square'] as const),
+      ...(['sphere', 'paraboloid'] as const),
+    ],
+    spread: true,
+    turns: [
+      { exercise: 'flat', times: 2, kinds: FLAT },
+      { exercise: 'coefficients', times: 2, kinds: CURVED },
+      { exercise: 'discriminant', times: 2, kinds: CURVED },
+      { exercise: 'roots', times: 1, kinds: CURVED },
+      { exercise: 'first', times: 1, kinds: CURVED },
+      { exercise: 'point', times: 1, kinds: CURVED },
+      { exercise: 'parallel.2', times: 1, kinds: FLAT },
+      { exercise: 'nappes.2', times: 1, kinds: ['cone'] },
+      { exercise: 'normal', times: 1, kinds: CURVED },
+      { exercise: 'shadow', times: 1, kinds: CURVED },
+      { exercise: 'linear', times: 1, kinds: [...ROUND, 'paraboloid'] },
+      { exercise: 'crossing.2', times: 1, kinds: CURVED },
+      { exercise: 'tangent', times: 1, kinds: CURVED },
+      { exercise: 'digits', times: 1, kinds: ROUND },
+    ],
+  },
 };
 
 /** The set of a link that names none. */
 export const FIRST_SET = '1';
+const LAST_SET = '3';
 
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
 const isKind = (name: string): name is ShapeKind => KINDS.some((kind) => kind === name);
 
-/**
- * The set of this id, and what its id adds: `2,torus,gap` is set 2 with the shape torus in every
- * exercise that can be posed about it, and the exercise gap at the end.
+/** Most questions of a set that is made of exercises. */
+export const MOST_QUESTIONS = 60;
+
+/*
+ * The id of a set, all of it in one text:
  *
- * @throws RangeError for an unknown set or name, and for a name that the set has already.
+ *   2                                            a numbered set
+ *   2,torus,gap                                  and what it adds
+ *   roots*3,nappes.2                             exercises, and how often each comes
+ *   roots*3;shapes=cone,sphere;level=2;hints=off and what is chosen beside
+ *
+ * A link has what is chosen beside under keys of its own. An exercise of an id without a number is
+ * its first version for ever: 'nappes' and 'nappes.2' are two, so a set is frozen by its text.
+ */
+export const CHOSEN = ['shapes', 'level', 'hints'] as const;
+type ChosenKey = (typeof CHOSEN)[number];
+export type Chosen = Readonly<Partial<Record<ChosenKey, string>>>;
+
+/** The id of a set from its parts. */
+export const setId = (base: string, chosen: Chosen = {}): string =>
+  [base, ...CHOSEN.flatMap((key) => (chosen[key] ? [`${key}=${chosen[key]}`] : []))].join(';');
+
+/** The parts of a set's id. */
+export function partsOf(id: string): { readonly base: string; readonly chosen: Chosen } {
+  const [base = '', ...rest] = id.split(';');
+  const pairs = rest.map((part) => {
+    const at = part.indexOf('=');
+    return [part.slice(0, at), part.slice(at + 1)] as const;
+  });
+  return { base, chosen: Object.fromEntries(pairs) };
+}
+
+/**
+ * The set of this id.
+ *
+ * @throws RangeError with what is wrong with it, for people.
  */
 export function setOf(id: string): QuestionSet {
-  const [number = '', ...added] = id.split(',');
+  const { base, chosen } = partsOf(id);
+  for (const key of Object.keys(chosen)) {
+    if (!CHOSEN.some((one) => one === key)) throw new RangeError(`a set has no ${quote(key)}`);
+  }
+  const isNumbered = /^\d/.test(base);
+  const set = isNumbered ? numbered(base) : ofExercises(base, chosen.shapes);
+  if (isNumbered && (chosen.shapes !== undefined || chosen.level !== undefined)) {
+    throw new RangeError(`set ${base} has its own shapes and levels`);
+  }
+  return { ...set, ...levelOf(chosen.level), ...hintsOf(chosen.hints) };
+}
+
+function levelOf(text: string | undefined): { readonly level?: Level } {
+  if (text === undefined) return {};
+  if (!/^[123]$/.test(text)) throw new RangeError(`the level is 1, 2 or 3, not ${quote(text)}`);
+  return { level: Number(text) as Level };
+}
+
+function hintsOf(text: string | undefined): { readonly withoutHints?: true } {
+  if (text === undefined) return {};
+  if (text !== 'off') throw new RangeError(`hints can be off, not ${quote(text)}`);
+  return { withoutHints: true };
+}
+
+/** `2,torus,gap`: set 2, the shape torus in every exercise that can be posed about it, and gap. */
+function numbered(base: string): QuestionSet {
+  const [number = '', ...added] = base.split(',');
   const found = Object.hasOwn(SETS, number) ? SETS[number] : undefined;
   if (!found) throw new RangeError(`no question set ${number}`);
   const has = (name: string): boolean =>
@@ -94,38 +182,86 @@ export function setOf(id: string): QuestionSet {
   if (wrong !== undefined) throw new RangeError(`set ${number} cannot have ${wrong} added`);
   const newKinds = added.filter(isKind);
   const shapes = [...found.shapes, ...newKinds];
-  const kindsOf = (exercise: string): readonly ShapeKind[] => findExercise(exercise)?.kinds ?? [];
   return {
+    ...found,
     shapes,
     turns: [
       ...found.turns.map(({ kinds, ...turn }) => ({
         ...turn,
         kinds: [...kinds, ...newKinds.filter((kind) => kindsOf(turn.exercise).includes(kind))],
       })),
-      ...added
-        .filter((name) => !isKind(name))
-        .map((exercise) => ({
-          exercise,
-          times: 1,
-          kinds: shapes.filter((kind) => kindsOf(exercise).includes(kind)),
-        })),
+      ...added.filter((name) => !isKind(name)).map((exercise) => turnOf(exercise, 1, shapes)),
     ],
   };
 }
 
-export const isSet = (id: string): boolean => {
-  try {
-    return setOf(id).turns.every(({ kinds }) => kinds.length > 0);
-  } catch {
-    return false;
+const kindsOf = (exercise: string): readonly ShapeKind[] => findExercise(exercise)?.kinds ?? [];
+
+/** @throws RangeError if the exercise cannot be posed about any of these shapes. */
+function turnOf(exercise: string, times: number, shapes: readonly ShapeKind[]): Turn {
+  const kinds = shapes.filter((kind) => kindsOf(exercise).includes(kind));
+  if (kinds.length === 0) {
+    throw new RangeError(`${exercise} cannot be asked about ${shapes.join(' or ')}`);
   }
-};
+  return { exercise, times, kinds };
+}
+
+/** Shapes of a link that names none: those that there were when such sets began. */
+const FIRST_SHAPES: readonly ShapeKind[] = [...FLAT, ...CURVED];
+
+function ofExercises(base: string, named: string | undefined): QuestionSet {
+  const shapes = named === undefined ? FIRST_SHAPES : namedShapes(named);
+  const turns = base.split(',').map((item) => {
+    const [, id = '', times = '1'] = /^([^*]*)(?:\*(.*))?$/.exec(item) ?? [];
+    if (!findExercise(id)) throw new RangeError(`there is no exercise ${quote(id)}`);
+    const count = Number(times);
+    if (!/^\d{1,2}$/.test(times) || count < 1) {
+      throw new RangeError(`${quote(item)} does not say how often, as roots*3 does`);
+    }
+    return turnOf(id, count, shapes);
+  });
+  const twice = turns.find(
+    ({ exercise }, i) => turns.findIndex((t) => t.exercise === exercise) < i,
+  );
+  if (twice) throw new RangeError(`${twice.exercise} comes twice: write how often behind *`);
+  const count = turns.reduce((sum, { times }) => sum + times, 0);
+  if (count > MOST_QUESTIONS) {
+    throw new RangeError(`a set has up to ${MOST_QUESTIONS} questions, not ${count}`);
+  }
+  return { shapes, turns, spread: true };
+}
+
+function namedShapes(text: string): readonly ShapeKind[] {
+  const names = text.split(',');
+  const wrong = names.find((name, i) => !isKind(name) || names.indexOf(name) < i);
+  if (wrong !== undefined) throw new RangeError(`${quote(wrong)} is no shape, or named twice`);
+  return names.filter(isKind);
+}
+
+/** Why this is the id of no set; '' if it is one. */
+export function setProblem(id: string): string {
+  try {
+    setOf(id);
+    return '';
+  } catch (error) {
+    if (error instanceof RangeError) return error.message;
+    throw error;
+  }
+}
+
+export const isSet = (id: string): boolean => setProblem(id) === '';
 
 /** The set id of new sessions: the newest set, with the shapes and exercises that it lacks. */
 export const LATEST_SET = [
-  '2',
-  ...KINDS.filter((kind) => !SETS[2]?.shapes.includes(kind)),
+  LAST_SET,
+  ...KINDS.filter((kind) => !SETS[LAST_SET]?.shapes.includes(kind)),
   ...EXERCISES.map(({ id }) => id).filter(
-    (id) => !SETS[2]?.turns.some(({ exercise }) => exercise === id),
+    (id) => !SETS[LAST_SET]?.turns.some(({ exercise }) => exercise === id),
   ),
 ].join(',');
+
+/** What a set is called in sentences and tables: "set 2", "roots*3". */
+export const setName = (id: string): string => {
+  const { base } = partsOf(id);
+  return /^\d/.test(base) ? `set ${base}` : base;
+};

@@ -57,7 +57,7 @@ export function feedback(judged: Judged, view: QuestionView, tools: QuestionTool
           @click=${() => tools.go(index + 1)}>Next question</button>`
             : nothing
         }
-        ${solutionButton(asked, tools)}
+        ${solutionButton(asked, view, tools)}
       </div>
     </div>`;
   }
@@ -143,16 +143,24 @@ export function helpButtons(
       @click=${again}>Try again</button>`
         : nothing
     }
-    <button type="button" class="button" ?disabled=${!left}
+    ${
+      view.withHints
+        ? html`<button type="button" class="button" ?disabled=${!left}
       @click=${tools.hint}>${
         left ? `Hint ${asked.hints + 1} of ${HINTS}` : 'No more hints'
-      }</button>
-    ${solutionButton(asked, tools)}
+      }</button>`
+        : nothing
+    }
+    ${solutionButton(asked, view, tools)}
   </div>`;
 }
 
-const solutionButton = (asked: Asked, tools: QuestionTools): TemplateResult | typeof nothing =>
-  asked.solutionShown
+const solutionButton = (
+  asked: Asked,
+  { withHints }: QuestionView,
+  tools: QuestionTools,
+): TemplateResult | typeof nothing =>
+  asked.solutionShown || !withHints
     ? nothing
     : html`<button type="button" class="button"
       @click=${tools.solution}>Show the solution</button>`;

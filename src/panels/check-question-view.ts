@@ -10,6 +10,8 @@ export interface QuestionView {
   readonly progress: Progress;
   /** The judgement of the last answer, if the boxes have not changed since. */
   readonly judged: Judged | null;
+  /** Whether hints and solutions are offered. */
+  readonly withHints: boolean;
 }
 
 export interface QuestionTools {

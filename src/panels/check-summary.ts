@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { setName } from '../check/sets.ts';
 import type { Summary } from '../check/summary.ts';
 import './check-summary.css';
 
@@ -14,7 +15,7 @@ export function summaryTable(
   tools: SummaryTools,
 ): TemplateResult {
   return html`<details class="summary">
-    <summary>Summary: ${right} of ${total} right, set ${set}, seed ${seed}</summary>
+    <summary>Summary: ${right} of ${total} right, ${setName(set)}, seed ${seed}</summary>
     <div class="table-area" tabindex="0" role="region" aria-label="Summary of the session">
     <table>
       <thead><tr><th scope="col">#</th><th scope="col">topic</th><th scope="col">shape</th><th

@@ -38,6 +38,42 @@ export function pickFile(accept: string): Promise<string | null> {
   });
 }
 
+/** The texts of files, null for one that is too large; in a folder also what is no text. */
+export const readTexts = (
+  files: readonly File[],
+): Promise<readonly { readonly name: string; readonly text: string | null }[]> =>
+  Promise.all(
+    files.map(async (file) => ({
+      name: (file.webkitRelativePath || file.name).slice(-60),
+      text: file.size <= LARGEST_BYTES ? await file.text() : null,
+    })),
+  );
+
+/** All files that were dropped, also those in folders. To be called while the event is handled. */
+export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly File[]> {
+  const entries = [...items].flatMap((item) => item.webkitGetAsEntry() ?? []);
+  if (entries.length === 0) return [...files];
+  return (await Promise.all(entries.map(filesOf))).flat();
+}
+
+async function filesOf(entry: FileSystemEntry): Promise<File[]> {
+  if (entry.isFile) {
+    return [
+      await new Promise<File>((done, fail) => (entry as FileSystemFileEntry).file(done, fail)),
+    ];
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const found: File[] = [];
+  // A reader gives a hundred entries at a time, and none at the end.
+  for (;;) {
+    const some = await new Promise<FileSystemEntry[]>((done, fail) =>
+      reader.readEntries(done, fail),
+    );
+    if (some.length === 0) return found;
+    found.push(...(await Promise.all(some.map(filesOf))).flat());
+  }
+}
+
 /** Calls back with the text of a file that is dropped anywhere on the page. */
 export function watchDrops(root: HTMLElement, opened: (text: string) => void): void {
   root.addEventListener('dragover', (event) => {

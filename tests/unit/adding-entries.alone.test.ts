@@ -36,17 +36,19 @@ describe('an exercise', async () => {
   const { LATEST_SET } = await import('../../src/check/sets.ts');
   const { readSettings } = await import('../../src/pages/check/settings.ts');
 
-  const place = plan(41, LATEST_SET).findIndex(({ exercise }) => exercise === laterRoot.id);
+  const placeIn = (seed: number): number =>
+    plan(seed, LATEST_SET).findIndex(({ exercise }) => exercise === laterRoot.id);
 
   test('comes up in a session of a new seed, not in one of an old link', () => {
-    expect(place).toBeGreaterThan(0);
+    const place = placeIn(41);
+    expect(place).toBeGreaterThanOrEqual(0);
     expect(plan(41).map(({ exercise }) => exercise)).not.toContain(laterRoot.id);
     expect(readSettings({ set: LATEST_SET, question: String(place + 1) }).problems).toEqual([]);
   });
 
   test('is posed and graded, and a known mistake is named', () => {
     for (let seed = 1; seed <= 20; seed++) {
-      const posed = question(seed, place, LATEST_SET);
+      const posed = question(seed, placeIn(seed), LATEST_SET);
       const { hits } = intersect(posed.draft.shape, posed.draft.ray, 'exact');
       const judged = (t: number | undefined) =>
         judge(derivationFor(posed), { t2: shortest(t ?? Number.NaN) });

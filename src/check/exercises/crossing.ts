@@ -83,3 +83,43 @@ function answersAt(course: Course, { shape, ray, param }: Draft, by: number): An
     after: caseAt(param.value + by),
   };
 }
+
+const CHANGES = ['root count changes at D = 0', 'A = 0', 'always two', 'never any'] as const;
+
+/** What happens where the parameter crosses its value. */
+function changeOf({ before, at, after }: Answers): string {
+  if (before !== after || before === at) {
+    if (at === 'tangent') return 'root count changes at D = 0';
+    return at === 'two' ? 'always two' : at === 'none' ? 'never any' : 'other';
+  }
+  return at === 'one' || at === 'none' ? 'A = 0' : 'other';
+}
+
+/** As `crossing`, but nothing need change at the value. */
+export const passing: Exercise = {
+  ...crossing,
+  id: 'crossing.2',
+  spread: {
+    classes: CHANGES,
+    without: { cylinder: ['A = 0'], sphere: ['A = 0'], paraboloid: ['A = 0'] },
+    of: (_, truth) => changeOf(truth),
+  },
+  draw(random, kind, level) {
+    if (random() < 0.85) {
+      return drawUntil(
+        () => crossing.draw(random, kind, level),
+        (drawn) => drawn !== null,
+      );
+    }
+    const input = drawInput(random, kind, level);
+    const params = numberParams(input.shape);
+    const [first, ...others] = params;
+    if (!first) return null;
+    const draft: Draft = { ...input, param: pick(random, [first, ...others]), watch: [] };
+    const course = courseOf(input.shape);
+    const [near, wide] = [answersAt(course, draft, LITTLE), answersAt(course, draft, MORE)];
+    const same = near.before === near.at && near.at === near.after;
+    const steady = near.before === wide.before && near.after === wide.after;
+    return same && steady && ['two', 'none'].includes(String(near.at)) ? draft : null;
+  },
+};

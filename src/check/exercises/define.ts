@@ -24,14 +24,39 @@ export interface Argument {
   readonly decision: readonly string[];
 }
 
+/**
+ * The classes that questions of an exercise fall into. Sessions of newer sets have each as often as
+ * the others, as far as the shape has them, so that no answer is a good guess.
+ */
+export interface Spread {
+  readonly classes: readonly string[];
+  /** Classes that a shape cannot have; to find none takes long. */
+  readonly without?: Readonly<Partial<Record<ShapeKind, readonly string[]>>>;
+  of(draft: Draft, truth: Answers): string;
+}
+
+/** The classes of a choice's right answers. */
+export const spreadOver = (
+  field: string,
+  classes: readonly string[],
+  without: Spread['without'] = {},
+): Spread => ({
+  classes,
+  without,
+  of: (_, truth) => String(truth[field]),
+});
+
 /** A kind of question: how it is drawn, what it asks, and what right or edited formulas answer. */
 export interface Exercise {
+  /** A word; a later version of it, which draws other questions, has its number: 'nappes.2'. */
   readonly id: string;
   /** Name of the exercise in the summary. */
   readonly topic: string;
   /** Whether its numbers come out as small fractions, so that it can be solved on paper. */
   readonly paper: boolean;
   readonly kinds: readonly ShapeKind[];
+  /** Absent where no field is a choice that could be guessed. */
+  readonly spread?: Spread;
   /** Null if the drawn numbers do not suit the exercise; the caller draws again. */
   draw(random: Random, kind: ShapeKind, level: Level): Draft | null;
   /** The question in one or two sentences; ray, shape and given values are shown beside it. */

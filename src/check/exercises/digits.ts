@@ -4,7 +4,7 @@ import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
 import { type CurvedDetails, findMethod, findShape } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
-import type { Exercise } from './define.ts';
+import { type Exercise, spreadOver } from './define.ts';
 import { drawUntil, kindsOf, numberOf } from './draw.ts';
 
 const LINES = [
@@ -77,6 +77,7 @@ export const digits: Exercise = {
   paper: false,
   // The draws above are about shapes with families of their own.
   kinds: kindsOf('curved').filter((kind) => findShape(kind)?.ownFamilies),
+  spread: spreadOver('line', ['A', 'C', 'D', 't', 'nowhere'], { cylinder: ['A', 't'] }),
   draw(random, kind) {
     const make = pick(random, DRAWS);
     const made = drawUntil(

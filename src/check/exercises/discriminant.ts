@@ -2,7 +2,7 @@ import { pick } from '../../math/rng.ts';
 import { courseOf } from '../course.ts';
 import { choiceField, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
-import { CASES, type Exercise } from './define.ts';
+import { CASES, type Exercise, spreadOver } from './define.ts';
 import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
 import { caseWords } from './words.ts';
 
@@ -11,6 +11,7 @@ export const discriminant: Exercise = {
   topic: 'the discriminant and its case',
   paper: true,
   kinds: kindsOf('curved'),
+  spread: spreadOver('case', ['none', 'tangent', 'two']),
   draw(random, kind, level) {
     const wanted = pick(random, ['none', 'tangent', 'two']);
     const input = drawUntil(

@@ -2,7 +2,7 @@ import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { choiceField, type Input } from '../types.ts';
 import { work } from '../work.ts';
-import type { Exercise } from './define.ts';
+import { type Exercise, spreadOver } from './define.ts';
 import { chosen, drawInput, drawUntil, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 const WHICH = [
@@ -30,6 +30,7 @@ export const first: Exercise = {
   topic: 'the first visible hit',
   paper: true,
   kinds: kindsOf('curved'),
+  spread: spreadOver('first', ['t1', 't2', 'none']),
   draw(random, kind, level) {
     const wanted = pick(random, ['in front', 'in front', 'around', 'around', 'behind']);
     const input = drawUntil(

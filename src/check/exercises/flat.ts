@@ -2,7 +2,7 @@ import { courseOf } from '../course.ts';
 import { findMisconception } from '../misconceptions/index.ts';
 import { choiceField, type Input, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
-import type { Exercise } from './define.ts';
+import { type Exercise, spreadOver } from './define.ts';
 import {
   allClean,
   chosen,
@@ -46,6 +46,7 @@ export const flat: Exercise = {
   topic: 'N·d, t and the figure',
   paper: true,
   kinds: kindsOf('flat'),
+  spread: spreadOver('inside', ['inside', 'outside'], { plane: ['inside', 'outside'] }),
   draw(random, kind, level) {
     // One in four has the usual answer, so that the unusual one cannot be guessed.
     const plain = random() < 0.25;

@@ -1,11 +1,20 @@
-import { seeded } from '../../math/rng.ts';
+import { pick, seeded } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { findMisconception } from '../misconceptions/index.ts';
-import { choiceField, numberField } from '../types.ts';
+import { choiceField, mayBeAbsent, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
-import { CASES, type Exercise } from './define.ts';
-import { chosen, drawInput, drawShape, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
+import { CASES, type Exercise, spreadOver } from './define.ts';
+import {
+  allClean,
+  chosen,
+  drawInput,
+  drawShape,
+  drawUntil,
+  kindsOf,
+  numberOf,
+  withTwoCleanRoots,
+} from './draw.ts';
 import { caseWords } from './words.ts';
 
 /** The shapes that have a second nappe to forget. */
@@ -45,4 +54,43 @@ export const nappes: Exercise = {
   }),
   clue: 'At height h the radius is |c·h|, also below the vertex.',
   lines: ['D', 't'],
+};
+
+const COUNTS = ['none', 'tangent', 'one', 'two'] as const;
+
+/** As `nappes`, but the line may also miss the cone, touch it, or cross it once where A = 0. */
+export const allNappes: Exercise = {
+  ...nappes,
+  id: 'nappes.2',
+  spread: spreadOver('case', COUNTS),
+  draw(random, kind, level) {
+    const wanted = pick(random, [...COUNTS]);
+    if (wanted === 'two') {
+      return drawUntil(
+        () => nappes.draw(random, kind, level),
+        (drawn) => drawn !== null,
+      );
+    }
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => {
+        const found = roughWork(courseOf(drawn.shape), drawn);
+        if (found.case !== wanted || !allClean(found, ['A', 'B', 'C'])) return false;
+        return wanted === 'none' || (numberOf(found, 't1') > 0 && allClean(found, ['t1']));
+      },
+    );
+    return input && { ...input, watch: [] };
+  },
+  ask: () =>
+    'In how many points does the line meet the cone, and at which t does the ray first? (Leave t ' +
+    'empty if it never does.)',
+  fields: () => [choiceField('case', 'the line has', CASES), mayBeAbsent(numberField('t', 't'))],
+  argue: (draft, found) => {
+    const { rule = '', put = '', decision = [] } = nappes.argue?.(draft, found) ?? {};
+    const [counted = ''] = decision;
+    const t = numberOf(found, 't');
+    const second = found.case === 'two' ? decision.slice(1) : [];
+    const only = found.case === 'two' || Number.isNaN(t) ? [] : [`The root is t = ${display(t)}.`];
+    return { rule, put, decision: [counted, ...second, ...only] };
+  },
 };

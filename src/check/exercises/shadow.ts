@@ -2,7 +2,7 @@ import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { choiceField, type Input } from '../types.ts';
 import { work } from '../work.ts';
-import type { Exercise } from './define.ts';
+import { type Exercise, spreadOver } from './define.ts';
 import { chosen, drawInput, drawUntil, kindsOf, numberOf, withTwoCleanRoots } from './draw.ts';
 
 const SHADOW = [
@@ -26,6 +26,7 @@ export const shadow: Exercise = {
   topic: 'a shadow ray',
   paper: true,
   kinds: kindsOf('curved'),
+  spread: spreadOver('shadow', ['lit', 'dark']),
   draw(random, kind, level) {
     const watched = pick(random, ['behind', 'no-light-bound', 'far-root']);
     const input = drawUntil(

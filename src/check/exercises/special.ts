@@ -1,8 +1,9 @@
+import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { choiceField, mayBeAbsent, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
-import { CASES, type Exercise } from './define.ts';
+import { CASES, type Exercise, spreadOver } from './define.ts';
 import {
   allClean,
   chosen,
@@ -20,6 +21,10 @@ export const linear: Exercise = {
   topic: 'A = 0',
   paper: true,
   kinds: kindsOf('curved').filter(mayBeStraight),
+  spread: spreadOver('case', ['none', 'one', 'contained'], {
+    cylinder: ['one'],
+    paraboloid: ['none', 'contained'],
+  }),
   draw(random, kind, level) {
     const input = drawUntil(
       () => drawInput(random, kind, level),
@@ -99,4 +104,20 @@ export const parallel: Exercise = {
   },
   clue: 'N·d says how fast the ray nears the plane, N·(E − P) where it starts.',
   lines: ['N.d', 'N.(E-P)'],
+};
+
+/** As `parallel`, but the line may also meet the plane. */
+export const position: Exercise = {
+  ...parallel,
+  id: 'parallel.2',
+  spread: spreadOver('place', ['meets', 'beside', 'in']),
+  draw(random, kind, level) {
+    const wanted = pick(random, ['meets', 'beside', 'in']);
+    const input = drawUntil(
+      () => drawInput(random, kind, level),
+      (drawn) => roughWork(courseOf(drawn.shape), drawn).place === wanted,
+    );
+    const watch = { meets: [], beside: ['parallel-lies-in'], in: ['parallel-misses'] }[wanted];
+    return input && { ...input, watch: watch ?? [] };
+  },
 };

@@ -1,11 +1,11 @@
 import { html, nothing, render } from 'lit';
-import { seedForm } from '../../panels/check-question.ts';
+import { late, notLoaded } from '../../ui/late.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { MountPage } from '../page.ts';
 import { openMemory } from './memory.ts';
 import { createOwn } from './own-numbers.ts';
 import { mountProgram } from './own-program.ts';
-import { element, type PartContext, turnablePicture } from './part.ts';
+import { element, type PartContext, turnablePicture, type WidePart } from './part.ts';
 import { createQuestions } from './questions.ts';
 import {
   type CheckSettings,
@@ -16,6 +16,14 @@ import {
   settingsOf,
 } from './settings.ts';
 import './check-page.css';
+
+/** The code of the parts for lecturers. */
+const WIDE: Readonly<Partial<Record<PartId, () => Promise<(part: PartContext) => WidePart>>>> = {
+  set: () => import('./set-part.ts').then(({ createSetPart }) => createSetPart),
+  class: () => import('./class-part.ts').then(({ createClassPart }) => createClassPart),
+};
+
+const isWide = (id: PartId): boolean => PARTS.some((one) => one.id === id && one.wide);
 
 /**
  * Questions or own numbers on the left, the own program on the right; on a narrow screen one at a
@@ -32,6 +40,8 @@ export const mountCheck: MountPage = (host, context) => {
   tabs.dataset.part = 'rest';
   left.dataset.part = 'questions own';
   right.dataset.part = 'program';
+  const broad = element('check-wide', host);
+  broad.dataset.part = 'set class';
   const wide = matchMedia('(min-width: 1100px)');
   wide.addEventListener('change', context.changed);
 
@@ -44,11 +54,52 @@ export const mountCheck: MountPage = (host, context) => {
   const own = createOwn(part);
   const program = mountProgram(right, part);
 
+  const wideParts = new Map<PartId, WidePart | 'loading' | 'failed'>();
+  const wideHosts = new Map<PartId, HTMLElement>();
+  const load = (id: PartId): void => {
+    const loader = WIDE[id];
+    if (!loader) return;
+    wideParts.set(id, 'loading');
+    late(loader).then(
+      (create) => {
+        wideParts.set(id, create(part));
+        context.changed();
+      },
+      () => {
+        wideParts.set(id, 'failed');
+        context.changed();
+      },
+    );
+  };
+  const renderWide = (id: PartId, settings: CheckSettings): void => {
+    if (!wideParts.has(id)) load(id);
+    for (const [other, own] of wideHosts) own.hidden = other !== id;
+    const own = wideHosts.get(id) ?? element('wide-part', broad);
+    wideHosts.set(id, own);
+    own.hidden = false;
+    const loaded = wideParts.get(id);
+    if (loaded === 'failed')
+      render(
+        notLoaded('This part could not be loaded.', () => load(id)),
+        own,
+      );
+    else if (loaded === 'loading' || !loaded) own.setAttribute('aria-busy', 'true');
+    else {
+      if (own.hasAttribute('aria-busy')) own.removeAttribute('aria-busy');
+      loaded.render(own, settings);
+    }
+  };
+  const wideShown = (): WidePart | null => {
+    const loaded = now && isWide(now.part) ? wideParts.get(now.part) : undefined;
+    return typeof loaded === 'object' ? loaded : null;
+  };
+  let now: CheckSettings | null = null;
+
   const shownPart = (settings: CheckSettings): PartId => {
     if (!wide.matches) return settings.part;
     return settings.part === 'program' ? 'questions' : settings.part;
   };
-  const drawTabs = (shown: PartId, { seed }: CheckSettings): void => {
+  const drawTabs = (shown: PartId, settings: CheckSettings): void => {
     const offered = wide.matches ? PARTS.filter(({ id }) => id !== 'program') : PARTS;
     render(
       html`<h1 class="visually-hidden">Check yourself: where does the ray meet the surface?</h1>
@@ -56,7 +107,7 @@ export const mountCheck: MountPage = (host, context) => {
         ({ id, title }) =>
           html`<button type="button" class="part" aria-current=${id === shown ? 'true' : nothing}
             @click=${() => part.set({ part: id })}>${title}</button>`,
-      )}</nav>${shown === 'questions' ? seedForm(seed, questions.tools) : nothing}`,
+      )}</nav>${shown === 'questions' ? questions.forms(settings) : nothing}`,
       tabs,
     );
   };
@@ -66,8 +117,11 @@ export const mountCheck: MountPage = (host, context) => {
       const settings = settingsOf(state.settings.check);
       const shown = shownPart(settings);
       drawTabs(shown, settings);
-      left.hidden = shown === 'program';
-      right.hidden = !wide.matches && shown !== 'program';
+      now = settings;
+      broad.hidden = !isWide(shown);
+      left.hidden = shown === 'program' || isWide(shown);
+      right.hidden = isWide(shown) || (!wide.matches && shown !== 'program');
+      if (!broad.hidden) renderWide(shown, settings);
       if (!left.hidden) {
         const drawn = shown === 'own' ? own : questions;
         picture.render(drawn.render(head, body, state, settings));
@@ -92,10 +146,14 @@ export const mountCheck: MountPage = (host, context) => {
     ],
     score: questions.score,
     open(text) {
+      if (wideShown()?.open?.(text)) return true;
       if (!wide.matches) part.set({ part: 'program' });
       return program.open(text);
     },
-    rest: () => program.cancel(),
+    rest() {
+      program.cancel();
+      wideShown()?.rest?.();
+    },
   };
 };
 

@@ -21,6 +21,15 @@ export interface LeftPart {
   render(head: HTMLElement, body: HTMLElement, state: AppState, settings: CheckSettings): Shown;
 }
 
+/** A part that takes the whole width, for whoever makes sets and marks classes. */
+export interface WidePart {
+  render(host: HTMLElement, settings: CheckSettings): void;
+  /** Takes a file that was dropped on the page; false if the part has no use for it. */
+  open?(text: string): boolean;
+  /** The page is left. */
+  rest?(): void;
+}
+
 export type Shown = Omit<Wanted, 'view'>;
 
 export function element(className: string, into: Element): HTMLElement {

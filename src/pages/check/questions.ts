@@ -1,4 +1,4 @@
-import { html, render } from 'lit';
+import { html, nothing, render, type TemplateResult } from 'lit';
 import { derivationFor, type Posed } from '../../check/compose.ts';
 import { drawnInput } from '../../check/drawn-input.ts';
 import { readAll } from '../../check/grade.ts';
@@ -12,25 +12,30 @@ import {
   tried,
   typed,
 } from '../../check/progress.ts';
-import { plan, question } from '../../check/session.ts';
-import { FIRST_SET, LATEST_SET } from '../../check/sets.ts';
+import { plan, question, studentSeed } from '../../check/session.ts';
+import { FIRST_SET, LATEST_SET, setOf } from '../../check/sets.ts';
 import { summary, summaryJson } from '../../check/summary.ts';
-import { answerForm, questionHead, questionText } from '../../panels/check-question.ts';
+import { handInBox, nameForm } from '../../panels/check-hand-in.ts';
+import { answerForm, questionHead, questionText, seedForm } from '../../panels/check-question.ts';
 import { HINTS, type QuestionTools } from '../../panels/check-question-view.ts';
 import { summaryTable } from '../../panels/check-summary.ts';
+import { handInCode, handInOf } from '../../state/hand-in.ts';
+import { copyText } from '../../ui/clipboard.ts';
 import { download } from '../../ui/files.ts';
+import { linkCode } from '../handout/link-code.ts';
 import type { LeftPart, PartContext, Shown } from './part.ts';
 import type { CheckSettings } from './settings.ts';
 
 interface Questions extends LeftPart {
-  readonly tools: QuestionTools;
+  /** The boxes for the seed and for a name. */
+  forms(settings: CheckSettings): TemplateResult;
   /** The session so far as JSON, for a download. */
   json(): string;
   score(): { readonly right: number; readonly asked: number };
 }
 
 /** The questions of sessions. Typed texts are kept in the browser's storage, judgements are not. */
-export function createQuestions({ memory, changed, set }: PartContext): Questions {
+export function createQuestions({ memory, changed, set, say }: PartContext): Questions {
   let progress = memory.session(1, FIRST_SET);
   let index = 0;
   let posed: Posed = question(progress.seed, index, progress.set);
@@ -47,7 +52,12 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
   const recallVerdict = (): void => {
     judged = askedAt(progress, index).solvedAt === null ? null : judgeNow();
   };
-  const show = ({ seed, set: own, question: at }: CheckSettings): void => {
+  /** The seed and the name of the link, from which the session's seed follows. */
+  let given = { seed: 1, who: '' };
+  let handsIn = false;
+  const show = ({ seed: ofAll, who, set: own, question: at }: CheckSettings): void => {
+    given = { seed: ofAll, who };
+    const seed = studentSeed(ofAll, who);
     const same = seed === progress.seed && own === progress.set;
     if (same && at === index) return;
     if (!same) progress = memory.session(seed, own);
@@ -65,6 +75,28 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
     const next = { ...drawn, results, answers, given: posed.given };
     if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
     return picture ?? next;
+  };
+  const isMade = (): boolean => !/^\d/.test(progress.set);
+  const code = (): string => handInCode(handInOf(progress, given.seed, given.who));
+  const handIn = {
+    toggle(open: boolean) {
+      if (open === handsIn) return;
+      handsIn = open;
+      changed();
+    },
+    name: (who: string) => set({ who, question: 0 }),
+    async copy() {
+      const copied = await copyText(code());
+      say(copied ? 'copied: the code of what you hand in' : 'it could not be copied: mark it');
+    },
+    save: () => download(`graze-hand-in-${progress.seed}.txt`, `${code()}\n`),
+  };
+  let drawnCode: { readonly code: string; readonly picture: TemplateResult } | null = null;
+  const handInView = () => {
+    if (!handsIn) return { who: given.who, open: false, code: '', picture: html`` };
+    const now = code();
+    if (drawnCode?.code !== now) drawnCode = { code: now, picture: linkCode(now, 'code') };
+    return { who: given.who, open: true, ...drawnCode };
   };
   /** The question whose first box gets the focus when it is rendered. */
   let arriving: number | null = null;
@@ -84,14 +116,17 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
       set({ question: next });
       changed();
     },
-    // A new session uses the newest set; one from a link keeps the link's.
-    seed: (seed) => set({ seed, set: LATEST_SET, question: 0 }),
+    // A new session uses the newest set; one that was made for a class is kept.
+    seed: (seed) => set({ seed, set: isMade() ? progress.set : LATEST_SET, question: 0 }),
   };
   const save = (): void =>
     download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
   recallVerdict();
   return {
-    tools,
+    forms: ({ seed, who }) =>
+      html`${
+        isMade() || who !== '' ? nameForm(who, handIn.name) : nothing
+      }${seedForm(seed, tools)}`,
     json: () => summaryJson(progress),
     score() {
       const { right, total } = summary(progress);
@@ -105,6 +140,7 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
         count: plan(progress.seed, progress.set).length,
         progress,
         judged,
+        withHints: !setOf(progress.set).withoutHints,
       };
       render(html`${questionHead(view, tools)}${questionText(view)}`, head);
       const print = (): void => {
@@ -117,7 +153,8 @@ export function createQuestions({ memory, changed, set }: PartContext): Question
         keep(started(progress.seed, progress.set));
       };
       const table = summaryTable(summary(progress), { save, print, restart });
-      render(html`${answerForm(view, tools)}${table}`, body);
+      const box = handInBox(handInView(), handIn);
+      render(html`${answerForm(view, tools)}${table}${box}`, body);
       // In the same task: later it would take the focus from whoever has gone on meanwhile.
       if (arriving === index) body.querySelector<HTMLElement>('input, select')?.focus();
       arriving = null;

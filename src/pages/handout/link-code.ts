@@ -10,14 +10,17 @@ export const CODE = {
 } as const;
 
 /** The link as a QR code's rows, true where it is dark; or a sentence on why there is none. */
-export function codeOf(link: string): readonly (readonly boolean[])[] | string {
+export function codeOf(
+  link: string,
+  what = 'link',
+): readonly (readonly boolean[])[] | string {
   if (link.startsWith('file:')) {
     return 'No QR code: this page was opened from a file, which no other device has.';
   }
   const bytes = new TextEncoder().encode(link).length;
   if (bytes > CODE.mostBytes) {
     const most = `one that phones read from paper holds ${CODE.mostBytes}`;
-    return `No QR code: this link has ${bytes} bytes, and ${most}.`;
+    return `No QR code: this ${what} has ${bytes} bytes, and ${most}.`;
   }
   return encode(link, CODE.options).data;
 }
@@ -25,14 +28,15 @@ export function codeOf(link: string): readonly (readonly boolean[])[] | string {
 /**
  * The link as a picture of its code, or words.
  *
- * @param link the whole address
+ * @param link the whole address, or another text
+ * @param what it is, in words
  */
-export function linkCode(link: string): TemplateResult {
-  const rows = codeOf(link);
+export function linkCode(link: string, what = 'link'): TemplateResult {
+  const rows = codeOf(link, what);
   if (typeof rows === 'string') return html`<p class="no-code">${rows}</p>`;
   const path = rows
     .flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : '')))
     .join('');
   return html`<svg class="link-code" viewBox="0 0 ${rows.length} ${rows.length}" role="img"
-    aria-label="QR code of the link" shape-rendering="crispEdges">${svg`<path d=${path} />`}</svg>`;
+    aria-label=${`QR code of the ${what}`} shape-rendering="crispEdges">${svg`<path d=${path} />`}</svg>`;
 }

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { derivationFor, type Posed, pose } from '../../../src/check/compose.ts';
 import type { Level } from '../../../src/check/exercises/define.ts';
 import { isClean } from '../../../src/check/exercises/draw.ts';
-import { EXERCISES } from '../../../src/check/exercises/index.ts';
+import { EARLIER, EXERCISES } from '../../../src/check/exercises/index.ts';
 import { alike, type Texts } from '../../../src/check/grade.ts';
 import { judge } from '../../../src/check/judge.ts';
 import { plan, question } from '../../../src/check/session.ts';
@@ -62,7 +62,7 @@ function byExactMethod({ draft, fields }: Posed): Answers {
   );
 }
 
-describe.each(EXERCISES.map((exercise) => [exercise.id, exercise] as const))(
+describe.each([...EXERCISES, ...EARLIER].map((exercise) => [exercise.id, exercise] as const))(
   '%s',
   (_, exercise) => {
     const all: Posed[] = [];

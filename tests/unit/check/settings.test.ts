@@ -13,12 +13,14 @@ const withoutNulls = (texts: Readonly<Record<string, string | null>>): Record<st
 
 describe('the settings of the page Check', () => {
   test('come back from the link as they went in, 500 runs', () => {
-    const sets = [...Object.keys(SETS), LATEST_SET, '1,sphere,paraboloid'];
+    const own = ['roots*3,normal*2', 'roots*3;shapes=cone,sphere;level=2;hints=off', '2;hints=off'];
+    const sets = [...Object.keys(SETS), LATEST_SET, '1,sphere,paraboloid', ...own];
     const any = fc.constantFrom(...sets).chain((set) =>
       fc.record({
         part: fc.constantFrom(...PARTS.map(({ id }) => id)),
         set: fc.constant(set),
         seed: fc.integer({ min: -999_999_999, max: 999_999_999 }),
+        who: fc.constantFrom('', '4711', 'Ada Lovelace', 'Åsa & Bo = 2'),
         question: fc.integer({ min: 0, max: plan(1, set).length - 1 }),
         cases: fc.constantFrom('all', ...SHAPES.map(({ kind }) => kind)),
       }),
@@ -37,13 +39,17 @@ describe('the settings of the page Check', () => {
     expect(settingsFor(settingsOf({}))).toEqual({
       part: null,
       set: null,
+      shapes: null,
+      level: null,
+      hints: null,
       seed: null,
+      who: null,
       question: null,
       cases: null,
     });
   });
 
-  test.each([...Object.keys(SETS), LATEST_SET, '1,sphere'])(
+  test.each([...Object.keys(SETS), LATEST_SET, '1,sphere', 'roots*3,flat'])(
     'every session of set %s has as many questions: a link to one is good for every seed',
     (set) => {
       const lengths = Array.from({ length: 200 }, (_, seed) => plan(seed - 100, set).length);
@@ -61,6 +67,19 @@ describe('the settings of the page Check', () => {
     ]);
   });
 
+  test('what is chosen beside a set is judged by itself', () => {
+    const given = { set: 'nappes*2', shapes: 'cone', level: '9', hints: 'off' };
+    const { settings, problems } = readSettings(given);
+    expect(settings).toEqual({ set: 'nappes*2', shapes: 'cone', hints: 'off' });
+    expect(problems).toEqual([
+      "opened without level: '9' is not usable (the level is 1, 2 or 3, not '9')",
+    ]);
+    expect(settingsOf(given).set).toBe('nappes*2;shapes=cone;hints=off');
+    expect(readSettings({ ...given, level: '2', shapes: 'sphere' }).problems[0]).toContain(
+      'nappes cannot be asked about sphere',
+    );
+  });
+
   test('how many questions there are depends on the set', () => {
     const last = String(plan(1, LATEST_SET).length);
     expect(readSettings({ set: LATEST_SET, question: last }).problems).toEqual([]);
@@ -74,6 +93,13 @@ describe('the settings of the page Check', () => {
   });
 
   test.each([
+    [{ set: 'roots*x' }, "'roots*x' does not say how often"],
+    [{ set: 'rots*2' }, "there is no exercise 'rots'"],
+    [{ set: 'roots,roots*2' }, 'roots comes twice'],
+    [{ set: 'roots*40,normal*40' }, 'up to 60 questions, not 80'],
+    [{ shapes: 'cone' }, 'set 1 has its own shapes'],
+    [{ hints: 'no' }, "hints can be off, not 'no'"],
+    [{ who: '   ' }, 'a name or number'],
     [{ seed: 'abc' }, "'abc' is not a whole number"],
     [{ seed: '1e99' }, "'1e99'"],
     [{ question: '0' }, "'0' is not a question from 1"],

@@ -1,0 +1,87 @@
+import { html, nothing, type TemplateResult } from 'lit';
+import { EXERCISES } from '../check/exercises/index.ts';
+import { MOST_QUESTIONS } from '../check/sets.ts';
+import { SHAPES } from '../math/index.ts';
+import type { ShapeKind } from '../math/shapes.ts';
+import './check-set.css';
+
+export interface SetView {
+  /** How often each exercise comes, by its id. */
+  readonly times: Readonly<Record<string, number>>;
+  readonly shapes: readonly ShapeKind[];
+  /** '' for levels that rise. */
+  readonly level: string;
+  readonly hints: boolean;
+  readonly seed: number;
+  /** The whole address of the set's questions. */
+  readonly link: string;
+  readonly count: number;
+  /** Why the last change was not taken; '' if it was. */
+  readonly refusal: string;
+}
+
+export interface SetTools {
+  times(exercise: string, times: number): void;
+  shape(kind: ShapeKind, wanted: boolean): void;
+  level(level: string): void;
+  hints(offered: boolean): void;
+  seed(seed: number): void;
+  copy(): void;
+  open(): void;
+}
+
+/** The form in which a lecturer makes a set, and its link. */
+export function setForm(view: SetView, tools: SetTools): TemplateResult {
+  return html`<form class="set-form" @submit=${(event: Event) => event.preventDefault()}>
+    <h2>Make a set</h2>
+    <p class="set-about">Say how often each exercise comes, and about which shapes. The link holds
+      all of it, and poses the same questions for ever: topics in an order of the seed’s, right
+      answers spread evenly over what is possible.</p>
+    <fieldset class="set-exercises"><legend>Exercises: ${view.count} of at most
+      ${MOST_QUESTIONS} questions</legend>
+      <ul>${EXERCISES.map(({ id, topic }) => exerciseRow(id, topic, view, tools))}</ul>
+    </fieldset>
+    <fieldset><legend>Shapes</legend>
+      <div class="set-choices">${SHAPES.map(
+        ({ kind, title }) => html`<label><input type="checkbox"
+          .checked=${view.shapes.includes(kind)}
+          @change=${(event: Event) => tools.shape(kind, (event.target as HTMLInputElement).checked)}
+        /> ${title}</label>`,
+      )}</div>
+    </fieldset>
+    <fieldset><legend>Beside</legend>
+      <div class="set-choices">
+        <label>numbers <select @change=${(event: Event) =>
+          tools.level((event.target as HTMLSelectElement).value)}>
+          <option value="" ?selected=${view.level === ''}>rise from easy to hard</option>
+          <option value="1" ?selected=${view.level === '1'}>easy (level 1)</option>
+          <option value="2" ?selected=${view.level === '2'}>larger (level 2)</option>
+          <option value="3" ?selected=${view.level === '3'}>with halves (level 3)</option>
+        </select></label>
+        <label><input type="checkbox" .checked=${view.hints}
+          @change=${(event: Event) => tools.hints((event.target as HTMLInputElement).checked)}
+        /> hints and solutions</label>
+        <label>seed <input class="set-seed" inputmode="numeric" .value=${String(view.seed)}
+          @change=${(event: Event) => tools.seed(Number((event.target as HTMLInputElement).value))}
+        /></label>
+      </div>
+    </fieldset>
+    <p class="refusal" role="alert">${view.refusal || nothing}</p>
+    <label class="set-link">Link <input readonly .value=${view.link} /></label>
+    <div class="buttons">
+      <button type="button" class="button primary" @click=${tools.copy}>Copy the link</button>
+      <button type="button" class="button" @click=${tools.open}>Open its questions</button>
+    </div>
+    <p class="tolerance">On that page students give a name or number: each gets numbers of their
+      own by it, which you get back from the same name and seed.</p>
+  </form>`;
+}
+
+function exerciseRow(id: string, topic: string, view: SetView, tools: SetTools): TemplateResult {
+  const now = view.times[id] ?? 0;
+  return html`<li data-exercise=${id}><label for=${`times-${id}`}>${topic}</label>
+    <input id=${`times-${id}`} type="number" min="0" max=${MOST_QUESTIONS} step="1"
+      .value=${String(now)}
+      @change=${(event: Event) => tools.times(id, Number((event.target as HTMLInputElement).value))}
+    /></li>`;
+}

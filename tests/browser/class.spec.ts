@@ -1,0 +1,132 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import type { HandIn } from '../../src/check/class.ts';
+import { plan, question, studentSeed } from '../../src/check/session.ts';
+import type { Answer } from '../../src/check/types.ts';
+import { handInCode } from '../../src/state/hand-in.ts';
+import { shortest } from '../../src/text/format.ts';
+import { violationsInThemes } from './support/axe.ts';
+import { extent } from './support/layout.ts';
+import { hashOf, NO_SCENE, withoutScene } from './support/page.ts';
+import { openCheck } from './support/program.ts';
+import { expect, test } from './support/test.ts';
+
+const SET = 'coefficients,roots;shapes=cylinder;level=1';
+const LINK = 'set=coefficients,roots&shapes=cylinder&level=1&seed=41';
+
+const asText = (answer: Answer | undefined): string => {
+  if (typeof answer === 'number') return shortest(answer);
+  return typeof answer === 'object' ? answer.map(shortest).join(', ') : (answer ?? '');
+};
+
+const rightTexts = (seed: number, index: number): Record<string, string> => {
+  const { fields, truth } = question(seed, index, SET);
+  return Object.fromEntries(fields.map(({ id }) => [id, asText(truth[id])]));
+};
+
+/** A hand-in with the first `right` questions answered. */
+function handIn(who: string, right: number): HandIn {
+  const seed = studentSeed(41, who);
+  const asked = plan(seed, SET).map((_, i) => ({
+    texts: i < right ? rightTexts(seed, i) : {},
+    ...{ tries: i < right ? 1 : 0, solvedAt: i < right ? 1 : null },
+    ...{ hints: 0, solutionShown: false, causes: [] },
+  }));
+  return { set: SET, seed: 41, who, asked };
+}
+
+test.use({ provoked: NO_SCENE });
+test.beforeEach(async ({ page }) => {
+  await withoutScene(page);
+});
+
+const answerAll = async (page: Page, texts: Record<string, string>): Promise<void> => {
+  for (const [id, text] of Object.entries(texts)) {
+    await page.locator(`.answer[data-field="${id}"] input`).fill(text);
+  }
+};
+
+test('a set is made in the form, answered under a name, handed in and marked', async ({ page }) => {
+  await openCheck(page, 'part=set&set=flat');
+  const row = (id: string) => page.locator(`[data-exercise="${id}"] input`);
+  for (const id of ['coefficients', 'roots']) {
+    await row(id).fill('1');
+    await row(id).press('Tab');
+  }
+  await row('flat').fill('0');
+  await row('flat').press('Tab');
+  const shapes = page.getByRole('group', { name: 'Shapes' }).getByRole('checkbox');
+  const cylinder = page.getByRole('checkbox', { name: 'cylinder' });
+  for (const box of await shapes.all()) {
+    if ((await box.isChecked()) && !(await box.evaluate((one, own) => one === own, await cylinder.elementHandle())))
+      await box.press('Space');
+  }
+  await page.getByLabel('numbers').selectOption('1');
+  await page.getByRole('checkbox', { name: 'hints and solutions' }).press('Space');
+  await page.getByLabel('seed').fill('41');
+  await page.getByLabel('seed').press('Enter');
+  const link = page.getByRole('textbox', { name: 'Link' });
+  await expect(link).toHaveValue(
+    /#\/check\?set=coefficients,roots&shapes=cylinder&level=1&hints=off&seed=41$/,
+  );
+  expect(await violationsInThemes(page, '.check')).toEqual([]);
+  await page.getByRole('button', { name: 'Open its questions' }).click();
+  await page.getByLabel('name or number').fill('Ada');
+  await page.getByLabel('name or number').press('Enter');
+  await expect.poll(() => hashOf(page)).toContain('who=Ada');
+  await answerAll(page, rightTexts(studentSeed(41, 'Ada'), 0));
+  await page.locator('.answers').getByRole('button', { name: 'Check', exact: true }).click();
+  await expect(page.locator('.feedback').first()).toHaveAttribute('data-verdict', 'correct');
+  await expect(page.getByRole('button', { name: /solution|Hint/ })).toHaveCount(0);
+  await page.getByText('Hand in', { exact: true }).click();
+  await expect(page.locator('.hand-in .link-code')).toBeVisible();
+  expect(await violationsInThemes(page, '.hand-in')).toEqual([]);
+  const code = await page.getByLabel('Code', { exact: true }).inputValue();
+  expect(code).toMatch(/^graze1\./);
+  await page.getByRole('button', { name: 'Mark a class' }).click();
+  await page.getByLabel('Hand-in codes').fill(`From: Ada\n\n${code}\n`);
+  await page.getByRole('button', { name: 'Mark these codes' }).click();
+  const students = page.getByRole('region', { name: 'Results by student' });
+  await expect(students.getByRole('row', { name: /^Ada/ })).toContainText('1 of 2');
+});
+
+test('two hundred codes are marked while the page answers', async ({ page }) => {
+  const codes = Array.from({ length: 200 }, (_, i) => handInCode(handIn(`s${i + 1}`, i % 3)));
+  await openCheck(page, `part=class&${LINK}`);
+  await page.getByLabel('Hand-in codes').fill(codes.join('\n'));
+  await page.evaluate(() => {
+    const gaps: number[] = [];
+    Object.assign(window, { gaps });
+    let last = performance.now();
+    const beat = (): void => {
+      const now = performance.now();
+      gaps.push(now - last);
+      last = now;
+      setTimeout(beat, 0);
+    };
+    beat();
+  });
+  await page.getByRole('button', { name: 'Mark these codes' }).click();
+  const count = page.locator('[data-quantity="students"]');
+  await expect(count).toHaveAttribute('data-value', '200', { timeout: 60_000 });
+  const students = page.getByRole('region', { name: 'Results by student' });
+  await expect(students.locator('tbody tr')).toHaveCount(200);
+  await expect(students.getByRole('row', { name: /^s3 / })).toContainText('2 of 2');
+  // Marked in many tasks, and not in one: between them the page could answer.
+  const tasks = await page.evaluate(() => (window as unknown as { gaps: number[] }).gaps.length);
+  expect(tasks).toBeGreaterThan(20);
+  await expect(page.getByRole('region', { name: 'Results by topic' })).toContainText(' of 200');
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save as CSV' }).click(),
+  ]);
+  const lines = readFileSync(await file.path(), 'utf8').trim().split('\n');
+  expect(lines).toHaveLength(201);
+  expect(lines[1]).toMatch(/^s1,/);
+  expect(await violationsInThemes(page, '.check')).toEqual([]);
+  await page.setViewportSize({ width: 375, height: 800 });
+  expect((await extent(page)).width).toBeLessThanOrEqual(375);
+  await page.getByLabel('Hand-in codes').fill('hello graze1.abc.abcdefg');
+  await page.getByRole('button', { name: 'Mark these codes' }).click();
+  await expect(page.getByRole('alert')).toContainText('the check value does not fit');
+});
