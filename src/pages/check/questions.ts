@@ -76,7 +76,8 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
     if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
     return picture ?? next;
   };
-  const isMade = (): boolean => !/^\d/.test(progress.set);
+  /** Whether a set was made in the form, and is not a numbered one. */
+  const isMade = (id: string): boolean => !/^\d/.test(id);
   const code = (): string => handInCode(handInOf(progress, given.seed, given.who));
   const handIn = {
     toggle(open: boolean) {
@@ -117,15 +118,16 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
       changed();
     },
     // A new session uses the newest set; one that was made for a class is kept.
-    seed: (seed) => set({ seed, set: isMade() ? progress.set : LATEST_SET, question: 0 }),
+    seed: (seed) =>
+      set({ seed, set: isMade(progress.set) ? progress.set : LATEST_SET, question: 0 }),
   };
   const save = (): void =>
     download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
   recallVerdict();
   return {
-    forms: ({ seed, who }) =>
+    forms: ({ seed, who, set: own }) =>
       html`${
-        isMade() || who !== '' ? nameForm(who, handIn.name) : nothing
+        isMade(own) || who !== '' ? nameForm(who, handIn.name) : nothing
       }${seedForm(seed, tools)}`,
     json: () => summaryJson(progress),
     score() {

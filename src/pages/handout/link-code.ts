@@ -10,10 +10,7 @@ export const CODE = {
 } as const;
 
 /** The link as a QR code's rows, true where it is dark; or a sentence on why there is none. */
-export function codeOf(
-  link: string,
-  what = 'link',
-): readonly (readonly boolean[])[] | string {
+export function codeOf(link: string, what = 'link'): readonly (readonly boolean[])[] | string {
   if (link.startsWith('file:')) {
     return 'No QR code: this page was opened from a file, which no other device has.';
   }
