@@ -18,7 +18,7 @@ export interface HandIn {
 }
 
 /** A question of a hand-in, marked anew from its texts. */
-export interface MarkedQuestion {
+interface MarkedQuestion {
   readonly exercise: string;
   readonly topic: string;
   readonly kind: string;
@@ -43,7 +43,7 @@ export interface MarkedStudent {
 }
 
 /** A step of the marking: a question at a time, since posing one may take some 50 ms. */
-export type Marking = Generator<void, MarkedStudent>;
+type Marking = Generator<void, MarkedStudent>;
 
 /** Marks a hand-in; each `next` marks a question. */
 export function* marking({ set, seed, who, asked }: HandIn): Marking {
@@ -108,7 +108,7 @@ export interface ClassReport {
 }
 
 /** What is usual in this class: the set and the seed, if they are known. */
-export interface Expected {
+interface Expected {
   readonly set: string;
   readonly seed: number;
 }
@@ -171,7 +171,7 @@ export function csvCell(value: string | number): string {
 }
 
 /** Rows as CSV. */
-export const csv = (rows: readonly (readonly (string | number)[])[]): string =>
+const csv = (rows: readonly (readonly (string | number)[])[]): string =>
   `${rows.map((row) => row.map(csvCell).join(',')).join('\n')}\n`;
 
 /** A line for each student; a column for each question, by number: 1 if it is right. */

@@ -4,7 +4,7 @@ import { setName } from '../check/sets.ts';
 import './check-set.css';
 import './check-class.css';
 
-export interface ClassView {
+interface ClassView {
   /** What is in the box. */
   readonly text: string;
   /** Codes that are being marked; null while none are. */

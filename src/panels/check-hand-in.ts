@@ -1,7 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import './check-hand-in.css';
 
-export interface HandInView {
+interface HandInView {
   readonly who: string;
   readonly open: boolean;
   /** '' while it is closed. */

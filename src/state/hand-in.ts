@@ -57,7 +57,8 @@ function checkOf(body: string): string {
 /** What mail puts into a long line: a break, blanks, the marks of a quotation. */
 const BREAK = '(?:=?\\s[\\s>]*)?';
 const CODE = new RegExp(
-  `graze1\\.${BREAK}((?:[\\w-]${BREAK})+)\\.${BREAK}((?:[\\da-z]${BREAK}){${CHECK_LENGTH}})(?![\\da-z])`,
+  `graze1\\.${BREAK}((?:[\\w-]${BREAK})+)\\.${BREAK}` +
+    `((?:[\\da-z]${BREAK}){${CHECK_LENGTH}})(?![\\da-z])`,
   'g',
 );
 

@@ -28,7 +28,7 @@ export interface Argument {
  * The classes that questions of an exercise fall into. Sessions of newer sets have each as often as
  * the others, as far as the shape has them, so that no answer is a good guess.
  */
-export interface Spread {
+interface Spread {
   readonly classes: readonly string[];
   /** Classes that a shape cannot have; to find none takes long. */
   readonly without?: Readonly<Partial<Record<ShapeKind, readonly string[]>>>;

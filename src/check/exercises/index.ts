@@ -13,7 +13,10 @@ import { shadow } from './shadow.ts';
 import { linear, parallel, position } from './special.ts';
 import { tangent } from './tangent.ts';
 
-/** The newest version of every exercise, easy ones first. A new one is one new file and one word here. */
+/**
+ * The newest version of every exercise, easy ones first. A new one is one new file and one word
+ * here.
+ */
 export const EXERCISES: readonly Exercise[] = [
   flat,
   coefficients,

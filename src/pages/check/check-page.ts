@@ -19,8 +19,8 @@ import './check-page.css';
 
 /** The code of the parts for lecturers. */
 const WIDE: Readonly<Partial<Record<PartId, () => Promise<(part: PartContext) => WidePart>>>> = {
-  set: () => import('./set-part.ts').then(({ createSetPart }) => createSetPart),
-  class: () => import('./class-part.ts').then(({ createClassPart }) => createClassPart),
+  set: () => late(() => import('./set-part.ts')).then(({ createSetPart }) => createSetPart),
+  class: () => late(() => import('./class-part.ts')).then(({ createClassPart }) => createClassPart),
 };
 
 const isWide = (id: PartId): boolean => PARTS.some((one) => one.id === id && one.wide);
@@ -60,7 +60,7 @@ export const mountCheck: MountPage = (host, context) => {
     const loader = WIDE[id];
     if (!loader) return;
     wideParts.set(id, 'loading');
-    late(loader).then(
+    loader().then(
       (create) => {
         wideParts.set(id, create(part));
         context.changed();

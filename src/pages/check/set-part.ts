@@ -106,7 +106,7 @@ const words = (problem: string): string =>
   problem === '' ? '' : `${problem[0]?.toUpperCase()}${problem.slice(1)}.`;
 
 /** The link of a set's questions: of letters that links hold as they are. */
-export function setLink(set: string, seed: number): string {
+function setLink(set: string, seed: number): string {
   const { base, chosen } = partsOf(set);
   const pairs = [
     ['set', base],

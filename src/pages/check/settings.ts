@@ -50,7 +50,7 @@ const DEFAULTS: CheckSettings = {
 export const KEYS = ['part', 'set', ...CHOSEN, 'seed', 'who', 'question', 'cases'] as const;
 
 /** Most characters of a name in a link. */
-export const LONGEST_NAME = 60;
+const LONGEST_NAME = 60;
 
 const isPart = (text: string): text is PartId => PARTS.some(({ id }) => id === text);
 const isSeed = (text: string): boolean => /^-?\d{1,9}$/.test(text);

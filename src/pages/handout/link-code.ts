@@ -34,6 +34,7 @@ export function linkCode(link: string, what = 'link'): TemplateResult {
   const path = rows
     .flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : '')))
     .join('');
+  const name = `QR code of the ${what}`;
   return html`<svg class="link-code" viewBox="0 0 ${rows.length} ${rows.length}" role="img"
-    aria-label=${`QR code of the ${what}`} shape-rendering="crispEdges">${svg`<path d=${path} />`}</svg>`;
+    aria-label=${name} shape-rendering="crispEdges">${svg`<path d=${path} />`}</svg>`;
 }
