@@ -3,7 +3,7 @@ import { type Posed, pose } from '../../../src/check/compose.ts';
 import { courseOf } from '../../../src/check/course.ts';
 import { byParam, quadraticWords } from '../../../src/check/exercises/by-param.ts';
 import { CASES } from '../../../src/check/exercises/define.ts';
-import { EXERCISES } from '../../../src/check/exercises/index.ts';
+import { EXERCISES, findExercise } from '../../../src/check/exercises/index.ts';
 import { withParam } from '../../../src/check/exercises/params.ts';
 import { hintsOf, solutionOf } from '../../../src/check/solution.ts';
 import { work } from '../../../src/check/work.ts';
@@ -11,7 +11,7 @@ import { display } from '../../../src/text/format.ts';
 
 const LEVELS = [1, 2, 3] as const;
 const posedBy = (id: string): Posed[] => {
-  const exercise = EXERCISES.find((one) => one.id === id);
+  const exercise = findExercise(id);
   if (!exercise) throw new RangeError(id);
   return Array.from({ length: 24 }, (_, i) => {
     const kind = exercise.kinds[i % exercise.kinds.length] as (typeof exercise.kinds)[number];
