@@ -1,17 +1,15 @@
 import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
 import { Ahead } from '../ui/ahead.ts';
+import { wantsWheel, wheelFactor } from '../ui/wheel.ts';
 import { wrapped } from './camera.ts';
 
 /**
- * Degrees per px of a drag and per key press; factors of the zoom per wheel px and per key press.
+ * Degrees per px of a drag and per key press; the factor of the zoom per key press.
  */
 const PER_PIXEL = 0.4;
 const PER_KEY = 5;
 const PER_FINE_KEY = 1;
-const PER_WHEEL_PIXEL = 1.0015;
 const PER_ZOOM_KEY = 1.2;
-/** px per unit of a wheel event, by its deltaMode: pixels, lines, pages. */
-const WHEEL_UNITS = [1, 16, 400] as const;
 /** px of movement from which a press is a drag and not a click; a finger is less steady. */
 const DRAG_FROM = { mouse: 3, pen: 3, touch: 9 } as const;
 
@@ -96,10 +94,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
   const wheel = (event: WheelEvent) => {
     if (!wantsWheel(element, event)) return;
     event.preventDefault();
-    const pixels = event.deltaY * WHEEL_UNITS[event.deltaMode as 0 | 1 | 2];
-    // A pinch on a touchpad arrives as a wheel with ctrl and small steps.
-    const factor = PER_WHEEL_PIXEL ** (-pixels * (event.ctrlKey ? 6 : 1));
-    step(0, 0, factor);
+    step(0, 0, wheelFactor(event));
   };
   const key = (event: KeyboardEvent) => {
     if (event.target !== element || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -150,21 +145,6 @@ function limited(from: FreeView, turn: number, lift: number, factor: number): Fr
  */
 function rounded(x: number, parts: number): number {
   return Math.round(x * parts) / parts;
-}
-
-/**
- * Whether a wheel event zooms: if the page cannot scroll, if the scene has the focus, or with ctrl,
- * as in a touchpad's pinch. Else it scrolls the page.
- */
-function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
-  const page = document.scrollingElement;
-  const canScroll = page !== null && page.scrollHeight > page.clientHeight + 1;
-  return (
-    !canScroll ||
-    event.ctrlKey ||
-    event.metaKey ||
-    element.contains((element.getRootNode() as Document | ShadowRoot).activeElement)
-  );
 }
 
 /** Whether the target is a button or handle, which handles its own presses. */

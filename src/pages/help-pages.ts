@@ -35,7 +35,9 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
       what it cost, and what was left out and why. “Scene” opens the forms in which everything can
       be changed; shapes can then be dragged in the picture too.</p>
     <p>On the picture the arrows move a cursor from pixel to pixel, Page Up, Page Down and Ctrl
-      with an arrow farther, and Enter follows the rays of that pixel. On the divider of a
+      with an arrow farther, and Enter follows the rays of that pixel. A drag turns the camera, with
+      Shift it moves it; by keys these are Shift, and Shift with Ctrl, and an arrow; + and − come
+      nearer and go back. On the divider of a
       comparison the arrows move it, with Shift a tenth as far, Home and End to the sides.</p>`,
   check: html`<h3>This page</h3>
     <p>Enter hands in an answer. Set and seed are in the link: the same two pose the same

@@ -49,7 +49,7 @@ export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32A
 /** Puts the camera rays of these pixels into the wave, a pixel's rays one after the other. */
 export function fireCamera(
   axes: CameraAxes,
-  { width, height, samples }: TraceSettings,
+  { width, height, samples, only }: TraceSettings,
   pixels: ArrayLike<number>,
   wave: Wave,
 ): void {
@@ -61,7 +61,9 @@ export function fireCamera(
     const pixel = pixels[k] as number;
     const x = pixel % width;
     const y = (pixel - x) / width;
-    for (let s = 0; s < side * side; s++) {
+    const first = only ?? 0;
+    const last = only === undefined ? side * side : only + 1;
+    for (let s = first; s < last; s++) {
       const u = (2 * (x + ((s % side) + 0.5) / side)) / width - 1;
       const v = 1 - (2 * (y + (Math.floor(s / side) + 0.5) / side)) / height;
       const dx = ahead[0] + u * right[0] + v * up[0];

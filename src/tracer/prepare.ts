@@ -70,7 +70,8 @@ function traceTile(
   tile: Tile,
 ): TileResult {
   const pixels = pixelsOf(tile, settings.width);
-  const { samples } = settings;
+  const samples = settings.only === undefined ? settings.samples : 1;
+  const light = settings.only === undefined ? undefined : new Float64Array(3 * pixels.length);
   const rgba = new Uint8ClampedArray(4 * pixels.length);
   const surface = new Int32Array(pixels.length);
   const t = new Float64Array(pixels.length);
@@ -86,6 +87,7 @@ function traceTile(
     film.fill(0);
     for (const array of Object.values(spent)) array.fill(0);
     ledger = addLedgers(ledger, engine.follow(wave, film, spent));
+    light?.set(film.subarray(0, 3 * some.length), 3 * first);
     develop(film, samples, some.length, rgba.subarray(4 * first));
     for (let k = 0; k < some.length; k++) {
       const middle = k * samples + (samples >> 1);
@@ -94,7 +96,7 @@ function traceTile(
       for (let s = k * samples; s < (k + 1) * samples; s++) addWork(work, first + k, spent, s);
     }
   }
-  return { tile, rgba, surface, t, work, ledger };
+  return { tile, rgba, surface, t, work, ledger, ...(light ? { film: light } : {}) };
 }
 
 const newWork = (n: number): PixelWork => ({

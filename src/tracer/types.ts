@@ -33,6 +33,8 @@ export interface TraceSettings {
   readonly height: number;
   /** Camera rays a pixel, on a square grid: 1, 4, 9 or 16. */
   readonly samples: number;
+  /** If given, the one of these that is traced, alone; the result then has its film. */
+  readonly only?: number;
   /** Shadow rays to a light with a size, on a square grid with seeded jitter: 4, 9, 16, 25, … */
   readonly lightSamples: number;
   /** The method that answers every question, of METHODS. */
@@ -73,6 +75,8 @@ export interface TileResult {
   readonly surface: Int32Array;
   /** t of that hit; NaN without one. */
   readonly t: Float64Array;
+  /** Linear light of the pixels, three doubles each, if one sample alone is traced. */
+  readonly film?: Float64Array;
   /** What each pixel needed, with all that its camera rays caused. */
   readonly work: PixelWork;
   readonly ledger: Ledger;

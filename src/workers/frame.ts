@@ -14,12 +14,14 @@ export interface Frame {
   readonly t: Float64Array;
   /** Size of the block that gave a pixel its colour; 0: the pixel was traced, 255: none yet. */
   readonly block: Uint8Array;
+  /** Linear light, three doubles a pixel, if one sample alone is traced; else null. */
+  readonly film: Float64Array | null;
   /** What each pixel needed; valid for traced pixels. */
   readonly work: PixelWork;
 }
 
 /** A frame before tracing: transparent. */
-export function newFrame(width: number, height: number): Frame {
+export function newFrame(width: number, height: number, film = false): Frame {
   const pixels = width * height;
   return {
     width,
@@ -28,6 +30,7 @@ export function newFrame(width: number, height: number): Frame {
     surface: new Int32Array(pixels).fill(NOTHING),
     t: new Float64Array(pixels).fill(Number.NaN),
     block: new Uint8Array(pixels).fill(255),
+    film: film ? new Float64Array(3 * pixels) : null,
     work: {
       rays: new Uint32Array(pixels),
       questions: new Uint32Array(pixels),
@@ -40,7 +43,7 @@ export function newFrame(width: number, height: number): Frame {
  * Puts a tile into the picture. A pixel of a coarse pass fills its block. Tiles may arrive in any
  * order, so pixels that already have a finer colour are kept.
  */
-export function paintTile(frame: Frame, { tile, rgba, surface, t, work }: TileResult): void {
+export function paintTile(frame: Frame, { tile, rgba, surface, t, work, film }: TileResult): void {
   const { width, height, block } = frame;
   const { step } = tile;
   const colours = new Uint32Array(frame.rgba.buffer);
@@ -50,6 +53,7 @@ export function paintTile(frame: Frame, { tile, rgba, surface, t, work }: TileRe
     const pixel = pixels[k] as number;
     frame.surface[pixel] = surface[k] as number;
     frame.t[pixel] = t[k] as number;
+    if (film) frame.film?.set(film.subarray(3 * k, 3 * k + 3), 3 * pixel);
     frame.work.rays[pixel] = work.rays[k] as number;
     frame.work.questions[pixel] = work.questions[k] as number;
     frame.work.roots[pixel] = work.roots[k] as number;

@@ -27,6 +27,8 @@ async function traced(page: Page): Promise<void> {
   await settle(page);
   await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
   await expect(page.locator('.progress')).toHaveCount(0);
+  // While nothing else is to do the picture gets finer.
+  await expect(page.locator('.picture')).toHaveAttribute('data-rest', 'still', { timeout: 60_000 });
 }
 
 /** A quantity in an effect's row; null where it is not. */
@@ -115,6 +117,45 @@ test('time is measured when asked for: repeats of warm workers, and their sum', 
   await page.getByLabel('bars by').selectOption('ms');
   await settle(page);
   expect(await cell(page, 'shadow', 'share')).toBeGreaterThan(0);
+});
+
+test('the camera is moved by drag, wheel and keys; one drag is one step of undo', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=shadows`);
+  await expect(page.locator('[data-quantity="rest"]')).toHaveAttribute('data-value', '16');
+  const picture = page.getByRole('application');
+  await picture.scrollIntoViewIfNeeded();
+  const before = await pixels(page);
+  const sceneIs = (value: string | RegExp) =>
+    expect(page.getByLabel('scene:')).toHaveValue(value, { timeout: 15_000 });
+  const box = await picture.boundingBox();
+  if (!box) throw new Error('no picture');
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.down();
+  for (const step of [20, 40, 60]) await page.mouse.move(box.x + 100 + step, box.y + 110);
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'moving');
+  await page.mouse.up();
+  await sceneIs(/^~/);
+  await traced(page);
+  await expectInLink(page, { pixel: null });
+  expect(await pixels(page)).not.toBe(before);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await sceneIs('shadows');
+  await traced(page);
+  expect(await pixels(page)).toBe(before);
+  for (const key of ['Shift+ArrowLeft', 'Control+Shift+ArrowUp', '+']) {
+    await picture.press(key);
+    await sceneIs(/^~/);
+    await traced(page);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await sceneIs('shadows');
+    await traced(page);
+  }
+  await picture.focus();
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.wheel(0, -200);
+  await sceneIs(/^~/);
 });
 
 test('a pixel’s number is read from the map, by the pointer or by the cursor', async ({ page }) => {

@@ -1,19 +1,32 @@
+import type { PictureSettings } from '../../state/picture/settings.ts';
+import type { Picture } from '../../tracer/compare.ts';
 import type { CompareViewModel } from './compare-view.ts';
 import type { PictureModel } from './picture-model.ts';
 
+interface Camera {
+  /** The settings of the picture at rest: their size is the frame's. */
+  readonly still: PictureSettings;
+  /** The picture with more rays a pixel; null without. */
+  readonly finer: Picture | null;
+  /** Whether a coarse picture would be worse than the one on the screen. */
+  readonly waits: boolean;
+}
+
 /** What the compare view shows: one picture, or two. */
-export function compareViewModel({
-  picture,
-  requests,
-  main,
-  other,
-}: PictureModel): CompareViewModel {
-  const { width, height, against, split, pixel } = picture;
-  const traced = (progress: typeof main) => (progress && progress.done > 0 ? progress.frame : null);
+export function compareViewModel(
+  { picture, requests, main, other }: PictureModel,
+  { still, finer, waits }: Camera,
+): CompareViewModel {
+  const { against, split, pixel } = picture;
+  const { width, height } = still;
+  const traced = (progress: typeof main) =>
+    progress && progress.done > 0 && (progress.state === 'finished' || !waits)
+      ? progress.frame
+      : null;
   return {
     width,
     height,
-    right: traced(main),
+    right: finer ?? traced(main),
     left: traced(other),
     comparing: against !== null,
     split,
@@ -26,6 +39,7 @@ export function compareViewModel({
         requests.other?.key,
         other?.done,
         other?.state,
+        finer?.rgba.length,
       ],
     ].join('|'),
   };

@@ -1,4 +1,5 @@
 import type { Picture } from '../../tracer/compare.ts';
+import { listenToCamera } from './camera-gestures.ts';
 
 export interface CompareViewModel {
   readonly width: number;
@@ -28,6 +29,8 @@ interface CompareViewActions {
    */
   grab(x: number, y: number): boolean;
   drag(x: number, y: number): void;
+  /** A gesture moves the camera: see camera-gestures.ts. */
+  readonly camera: Omit<Parameters<typeof listenToCamera>[1], 'free'>;
 }
 
 interface CompareView {
@@ -82,9 +85,13 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   };
 
   let holds = false;
-  frame.addEventListener('pointerdown', (event) => {
-    holds = event.button === 0 && actions.grab(...placeAt(event));
-    if (holds) frame.setPointerCapture(event.pointerId);
+  const wasDragged = listenToCamera(frame, {
+    ...actions.camera,
+    free(event) {
+      holds = event.button === 0 && event.isPrimary && actions.grab(...placeAt(event));
+      if (holds) frame.setPointerCapture(event.pointerId);
+      return !holds;
+    },
   });
   frame.addEventListener('pointermove', (event) => {
     if (holds && frame.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
@@ -96,7 +103,7 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   frame.addEventListener('pointerleave', () => actions.point(null));
   frame.addEventListener('click', (event) => {
     cursor = null;
-    if (!model || holds) return;
+    if (!model || holds || wasDragged()) return;
     const [x, y] = placeAt(event);
     actions.pixel(...inside(Math.floor(x), Math.floor(y), model));
   });
@@ -166,7 +173,8 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
       frame.setAttribute(
         'aria-label',
         `Picture, ${width} by ${height} pixels. Arrow keys move a pixel cursor, with Control by ` +
-          `ten; Enter follows the rays of that pixel.`,
+          `ten; Enter follows the rays of that pixel. With Shift they turn the camera, with ` +
+          `Shift and Control they shift it; plus and minus come nearer and go back.`,
       );
       host.classList.toggle('coarse', frame.clientWidth > 1.6 * width);
       divider.hidden = !comparing;

@@ -41,8 +41,8 @@ export function pictureModel(
   state: AppState,
   traceQueue: TraceQueue,
   visit: PictureVisit = NO_VISIT,
+  picture = pictureSettings(state.settings.picture),
 ): PictureModel {
-  const picture = pictureSettings(state.settings.picture);
   const requests = traceRequests(picture, state.method);
   const main = traceQueue.seen(requests.main);
   const other = requests.other && traceQueue.seen(requests.other);

@@ -1,10 +1,16 @@
 import { nothing, render } from 'lit';
 import { pictureBar } from '../../panels/picture-bar.ts';
+import { cameraLine } from '../../panels/picture-camera.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
 import { firstAgainst } from '../../state/picture/against.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
-import { readPicture } from '../../state/picture/settings.ts';
+import {
+  type PictureSettings,
+  pictureSettings,
+  readPicture,
+} from '../../state/picture/settings.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
+import { atRest, createCameraHand } from './camera-hand.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
 import { type DraggedThing, dragTo, thingAt } from './drag-thing.ts';
@@ -16,13 +22,14 @@ import { createPixelMagnifier } from './pixel-magnifier.ts';
 import { createPixelMap } from './pixel-map.ts';
 import { createPixelView } from './pixel-view.ts';
 import { createRayRecorder } from './ray-recorder.ts';
+import { createRefiner, MOST_SAMPLES, oneAfterAnother } from './refiner.ts';
 import { createRepeats } from './repeats.ts';
 import { createSidePanel } from './side-panel.ts';
 import { loadTracer, type StartTracer } from './start-tracer.ts';
 import { statusLine } from './status-line.ts';
 import { themeColours } from './theme-colours.ts';
 import { coresOf, createTraceQueue } from './trace-queue.ts';
-import type { TraceRequest, TraceRequests } from './trace-request.ts';
+import { type TraceRequest, type TraceRequests, traceRequests } from './trace-request.ts';
 import './picture-page.css';
 
 /** The page, once it is known how its workers are started. */
@@ -40,11 +47,20 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const parts = sections(host);
   const tools = pictureActions(dispatch);
   const repeats = createRepeats();
+  const refiner = createRefiner();
+  const hand = createCameraHand({
+    changed,
+    rest(edit) {
+      landed = true;
+      const { height } = still;
+      tools.scene((scene) => ({ ...scene, camera: atRest(edit, height)(scene.camera) }));
+    },
+  });
   const traceQueue = createTraceQueue({
     spawn,
     workers: coresOf(navigator),
     changed,
-    background: repeats,
+    background: oneAfterAnother(repeats, refiner),
   });
   const compareView = createCompareView(parts.compareView, {
     split: (edit) => tools.edit(({ split }) => ({ split: String(edit(split)) })),
@@ -59,6 +75,14 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     },
     drag(x, y) {
       if (held) tools.scene(dragTo(held, x, y));
+    },
+    camera: {
+      move(edit) {
+        hinted = true;
+        hand.move(edit);
+      },
+      hold: hand.hold,
+      release: hand.release,
     },
   });
   const pixelMap = createPixelMap(parts.map, {
@@ -78,6 +102,11 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   let held: DraggedThing | null = null;
   let told = '';
   let by: Measure = 'questions';
+  /** The settings of the picture at rest, while the camera moves too. */
+  let still: PictureSettings = pictureSettings({});
+  /** Whether the picture is the first one after the camera moved. */
+  let landed = false;
+  let hinted = false;
   let pointed: readonly [number, number] | null = null;
   let model: PictureModel | null = null;
   const sidePanel = createSidePanel(parts.sidePanel, {
@@ -129,6 +158,21 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       ? sidePickers(scene, main.settings, other.settings, against, compareTools)
       : nothing;
 
+  /** How to move the camera, until somebody has; and how fine the picture has become. */
+  const restLine = ({ picture: { against }, requests: { main } }: PictureModel) => {
+    const done = refiner.done(main);
+    return cameraLine({
+      hint: !hinted && against === null && !sidePanel.isEditing(),
+      done: hand.moves() ? null : done,
+      most: MOST_SAMPLES,
+      refines: refiner.next() !== null,
+      stop() {
+        refiner.stop();
+        changed();
+      },
+    });
+  };
+
   const drawPixel = (now: PictureModel): void => {
     const { picture, main, other } = now;
     render(pixels.panel(now), parts.rays);
@@ -173,25 +217,49 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
 
   return {
     render(state) {
-      const { requests, uncounted } = pictureModel(state, traceQueue, visit());
+      still = pictureSettings(state.settings.picture);
+      const seenOf = (moved: PictureSettings) =>
+        traceQueue.seen(traceRequests(moved, state.method).main);
+      const moves = hand.moves();
+      const picture = moves ? hand.moving(still, seenOf) : still;
+      const modelNow = (): PictureModel => pictureModel(state, traceQueue, visit(), picture);
+      const { requests, uncounted, main } = modelNow();
       if (!repeats.isOf(requests.main)) repeats.stop();
-      traceQueue.want([
-        requests.main,
-        ...(requests.other ? [requests.other] : []),
-        ...requests.baselines,
-        ...(counting === requests.main.key ? uncounted : []),
-      ]);
-      model = pictureModel(state, traceQueue, visit());
-      render(bar(model), parts.bar);
-      compareView.render(compareViewModel(model));
+      const stands = !moves && main?.state === 'finished';
+      refiner.of(stands && isRefined(picture) ? requests.main : null);
+      traceQueue.want(
+        moves
+          ? [{ ...requests.main, atOnce: true }]
+          : [
+              requests.main,
+              ...(requests.other ? [requests.other] : []),
+              ...requests.baselines,
+              ...(counting === requests.main.key ? uncounted : []),
+            ],
+      );
+      model = modelNow();
+      if (landed && model.main && (model.main.state === 'finished' || model.main.step <= 2)) {
+        landed = moves;
+      }
+      render(bar({ ...model, picture: still }), parts.bar);
+      compareView.render(
+        compareViewModel(model, {
+          still,
+          finer: refiner.frame(requests.main),
+          waits: moves || landed,
+        }),
+      );
       render(over(model), compareView.over);
-      render(statusLine(model, traceQueue), parts.status);
+      render(restLine(model), parts.rest);
+      render(statusLine({ ...model, picture: still }, traceQueue, moves), parts.status);
       drawMap(model);
       drawPixel(model);
       sidePanel.render(state, model);
       host.classList.toggle('editing', sidePanel.isEditing());
-      host.dataset.trace = model.main?.state ?? 'waiting';
-      tell(model);
+      host.dataset.trace = moves ? 'moving' : (model.main?.state ?? 'waiting');
+      const refined = refiner.done(requests.main);
+      host.dataset.rest = refined === null || !refiner.next() ? 'still' : 'refining';
+      if (!moves) tell(model);
     },
     read: readPicture,
     exports: () => pictureExports(() => model),
@@ -199,6 +267,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     rest: traceQueue.rest,
   };
 }
+
+/** More rays a pixel are for a picture alone: a comparison is of the rays that were asked for. */
+const isRefined = ({ against, samples }: PictureSettings): boolean =>
+  against === null && samples < MOST_SAMPLES;
 
 /** The pictures whose times are measured in turn: the shown ones, and those without forcing. */
 const toTime = ({ main, other, baselines }: TraceRequests): readonly TraceRequest[] => [
@@ -219,6 +291,7 @@ function sections(host: HTMLElement) {
   const bar = section('picture-bar', work);
   const compareView = section('compare-view', work);
   const status = section('picture-status', work);
+  const rest = section('picture-rest', compareView);
   const map = section('picture-map');
   const pixel = section('picture-pixel', section('picture-more'));
   const side = section('side-panel');
@@ -228,6 +301,7 @@ function sections(host: HTMLElement) {
   return {
     bar,
     compareView,
+    rest,
     status,
     map,
     pixel,

@@ -6,7 +6,11 @@ import type { PictureModel } from './picture-model.ts';
 import type { TraceQueue } from './trace-queue.ts';
 
 /** The line below the picture: how far it is, why this scene, or what the comparison found. */
-export function statusLine(model: PictureModel, traceQueue: TraceQueue): TemplateResult {
+export function statusLine(
+  model: PictureModel,
+  traceQueue: TraceQueue,
+  moves: boolean,
+): TemplateResult {
   const { picture, requests, main, other, comparison, trustsLeft } = model;
   const current = traceQueue.current();
   const what = current?.key === requests.main.key ? 'tracing' : 'tracing to compare';
@@ -15,5 +19,5 @@ export function statusLine(model: PictureModel, traceQueue: TraceQueue): Templat
   const middle = against
     ? comparisonWords(requests.main.settings, against, { found: comparison, trustsLeft })
     : html`<p>${findPreset(sceneText)?.reason ?? `${scene.title}, edited`}</p>`;
-  return pictureStatus(running ?? main, what, middle, other);
+  return pictureStatus(moves ? null : (running ?? main), what, middle, other);
 }

@@ -5,6 +5,7 @@ import { glass } from '../../../src/scene/presets/glass.ts';
 import { shadows } from '../../../src/scene/presets/shadows.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
+import { level } from '../../../src/tracer/colour.ts';
 import { addLedgers, EMPTY_LEDGER, totalOf } from '../../../src/tracer/ledger.ts';
 import { tracerOf } from '../../../src/tracer/prepare.ts';
 import { NOTHING, RAY_KINDS, type TileResult } from '../../../src/tracer/types.ts';
@@ -62,6 +63,23 @@ describe('a ray tree is what the picture did', () => {
     expect(levels(four.rgba)).toBeGreaterThan(levels(one.rgba));
     expect(four.ledger.kinds.camera.rays).toBe(4 * one.ledger.kinds.camera.rays);
   });
+
+  test.each([coneOnMirror, everything])(
+    'sixteen pictures of one sample each are the picture of $id with sixteen',
+    async ({ scene }) => {
+      const whole = { y0: 0, y1: TINY.height, step: 1, refines: false };
+      const all = (await picture(scene, { samples: 16 })).rgba;
+      const sums = new Float64Array(3 * TINY.width * TINY.height);
+      for (let only = 0; only < 16; only++) {
+        const { film } = (await tracerFor(scene, { samples: 16, only })).trace(whole);
+        film?.forEach((x, k) => {
+          sums[k] = (sums[k] ?? 0) + x;
+        });
+      }
+      const mean = Array.from(sums, (x) => level(x / 16));
+      expect(mean).toEqual([...all].filter((_, k) => k % 4 !== 3));
+    },
+  );
 
   test('recording does not disturb the picture', async () => {
     const tracer = await tracerFor(everything.scene);

@@ -1,7 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { pictureModel } from '../../../../src/pages/picture/picture-model.ts';
 import { createRayRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
+import { createRefiner, oneAfterAnother } from '../../../../src/pages/picture/refiner.ts';
+import { createRepeats } from '../../../../src/pages/picture/repeats.ts';
 import {
+  type Background,
   coresOf,
   createTraceQueue,
   type TraceQueue,
@@ -23,14 +26,19 @@ interface Bench {
   work(most?: number): Promise<number>;
 }
 
-function bench(workers = 2): Bench {
+function bench(workers = 2, background?: Background): Bench {
   const hands: FakeWorker[] = [];
   const spawn = (): FakeWorker => {
     const hand = fakeWorker();
     hands.push(hand);
     return hand;
   };
-  const room = createTraceQueue({ spawn, workers, changed: () => {} });
+  const room = createTraceQueue({
+    spawn,
+    workers,
+    changed: () => {},
+    ...(background ? { background } : {}),
+  });
   const work = async (most = 10_000): Promise<number> => {
     let done = 0;
     for (let moved = true; moved && done < most; ) {
@@ -158,6 +166,69 @@ describe('the traceQueue', () => {
     [64, 8],
   ])('%s cores: %d workers', (hardwareConcurrency, workers) => {
     expect(coresOf(hardwareConcurrency === undefined ? {} : { hardwareConcurrency })).toBe(workers);
+  });
+});
+
+describe('behind what is wanted', () => {
+  /** Draws the page until nothing more happens. */
+  async function rest({ room, work }: Bench, wanted: readonly TraceRequest[]): Promise<void> {
+    do room.want(wanted);
+    while ((await work()) > 0);
+  }
+
+  test('pictures are repeated in turn, the first time not counted', async () => {
+    const repeats = createRepeats();
+    const the = bench(2, repeats);
+    const { main, baselines } = requests({ on: 'refraction', scene: 'shadows' });
+    const all = [main, ...baselines];
+    await rest(the, all);
+    expect(repeats.times(main)).toBeNull();
+    repeats.start(all);
+    expect(repeats.progress()).toMatchObject({ repeat: 0, repeats: 7 });
+    await rest(the, all);
+    expect(repeats.progress()).toBeNull();
+    for (const one of all) expect(repeats.times(one)?.repeats).toBe(7);
+    const scenes =
+      the.hands[0]?.done.flatMap((m) => (m.type === 'scene' ? [m.settings] : [])) ?? [];
+    const forced = scenes.map((settings) => settings.forced.refraction ?? 'no');
+    expect(forced.slice(0, 6)).toEqual(['on', 'no', 'on', 'no', 'on', 'no']);
+    expect(forced).toHaveLength(all.length * (1 + 8));
+  });
+
+  test('they stop for what is wanted, and when told', async () => {
+    const repeats = createRepeats();
+    const the = bench(1, repeats);
+    const { main } = requests({ scene: 'plain' });
+    await rest(the, [main]);
+    repeats.start([main]);
+    the.room.want([main]);
+    await the.work(3);
+    const { main: other } = requests();
+    the.room.want([other]);
+    expect(the.room.current()).toBe(other);
+    repeats.stop();
+    await rest(the, [other]);
+    expect([state(the.room, other), repeats.times(main)]).toEqual(['finished', null]);
+  });
+
+  test('a picture at rest becomes the one with sixteen rays a pixel', async () => {
+    const refiner = createRefiner();
+    const the = bench(2, oneAfterAnother(createRepeats(), refiner));
+    const { main } = requests();
+    const fine = requests({ samples: '16' }).main;
+    await rest(the, [main]);
+    refiner.of(main);
+    await rest(the, [main]);
+    expect(refiner.done(main)).toBe(16);
+    expect(refiner.next()).toBeNull();
+    refiner.of(null);
+    await rest(the, [fine]);
+    refiner.of(main);
+    expect(refiner.frame(main)).toBeNull();
+    await rest(the, [main]);
+    expect([...(refiner.frame(main)?.rgba ?? [])]).toEqual([
+      ...(the.room.seen(fine)?.frame.rgba ?? []),
+    ]);
   });
 });
 
