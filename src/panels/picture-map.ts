@@ -97,7 +97,8 @@ function heatScale(
         data-value=${heat.tenth}>${percent(heat.tenth, 1)}</strong> of the ${unit}.</span>
         <span class="map-sum"><span data-quantity="sum" data-value=${heat.sum}>${grouped(
           heat.sum,
-        )}</span> in all, ${display(heat.mean, 3)} a pixel; more ink is more, by logarithm</span></p>
+        )}</span> in all, ${display(heat.mean, 3)} a pixel; the more ink the more,
+          by logarithm</span></p>
     </div>
     <p class="map-pixel">${
       pixel && value !== null
