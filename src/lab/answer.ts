@@ -1,4 +1,4 @@
-import type { LabReply, LabRequest } from './messages.ts';
+import type { LabReply, LabRequest, MapJob } from './messages.ts';
 import type { Clock } from './run.ts';
 import { measureSession } from './session.ts';
 import { sweepSession } from './sweep.ts';
@@ -11,7 +11,7 @@ const EVERY_MS = 100;
  * that dies posts nothing. `whyNot` is for `measureSession`.
  */
 export function answer(
-  asked: LabRequest,
+  asked: Exclude<LabRequest, MapJob>,
   clock: Clock,
   post: (reply: LabReply) => void,
   whyNot: string | null = null,

@@ -2,7 +2,7 @@ import type { AppState, PageId } from '../state/state.ts';
 
 /** The parts of other pages that a step can show alone: values of their elements' data-part. */
 const PARTS: Readonly<Partial<Record<PageId, readonly string[]>>> = {
-  accuracy: ['prices', 'hardness', 'ray'],
+  accuracy: ['prices', 'hardness', 'ray', 'atlas'],
 };
 
 export const partsOf = (page: PageId): readonly string[] => PARTS[page] ?? [];

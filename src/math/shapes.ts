@@ -3,6 +3,7 @@
 export { alongRay } from './along.ts';
 export { intersectTyped } from './as-typed.ts';
 export { borderConditions, type Span, spanInFigure } from './figure.ts';
+export { stepped } from './float/stepped.ts';
 export { nextDown, nextUp } from './float/ulp.ts';
 export type { CurvedDetails, FlatDetails, PlaneHit, Sign } from './intersection.ts';
 export { quote, refused } from './invalid-input.ts';

@@ -1,9 +1,9 @@
-/** Largest ms between key presses on one control that count as one gesture. */
+/** Largest ms between key presses on one control, or turns of the wheel, in one gesture. */
 const PAUSE_MS = 1000;
 
 /**
  * Returns a function that names the gesture in progress: from pointer down to pointer up, or a run
- * of key presses on one control; null outside of any gesture.
+ * of key presses on one control, or of the wheel; null outside of any gesture.
  */
 export function watchGestures(
   root: EventTarget,
@@ -12,7 +12,9 @@ export function watchGestures(
   let count = 0;
   let held: string | null = null;
   let run: { name: string; target: EventTarget | null; until: number } | null = null;
-  const begin = (): void => {
+  const begin = (event: PointerEvent): void => {
+    // A second finger belongs to the gesture of the first one.
+    if (!event.isPrimary && held !== null) return;
     held = `pointer ${++count}`;
     run = null;
   };
@@ -28,12 +30,19 @@ export function watchGestures(
     const event = given as KeyboardEvent;
     const now = event.timeStamp;
     const same = run !== null && run.target === event.target && now < run.until;
-    const name = same && run && /^(Arrow|Page)/.test(event.key) ? run.name : `keys ${++count}`;
+    const isRun = /^(Arrow|Page|[-+=\u2212]$)/.test(event.key);
+    const name = same && run && isRun ? run.name : `keys ${++count}`;
     run = { name, target: event.target, until: now + PAUSE_MS };
+  };
+  const wheel = (event: WheelEvent): void => {
+    const same = run?.name.startsWith('wheel') && event.timeStamp < run.until;
+    const name = same && run ? run.name : `wheel ${++count}`;
+    run = { name, target: event.target, until: event.timeStamp + PAUSE_MS };
   };
   root.addEventListener('pointerdown', begin, true);
   everywhere.addEventListener('pointerup', end, true);
   everywhere.addEventListener('pointercancel', end, true);
   root.addEventListener('keydown', key, true);
+  root.addEventListener('wheel', wheel, { capture: true, passive: true });
   return () => held ?? (run && performance.now() < run.until ? run.name : null);
 }

@@ -228,9 +228,9 @@ test('a link restores the settings, and says what it cannot use', async ({ page 
   await page.getByRole('button', { name: 'far away' }).click();
   await expect(page).not.toHaveURL(/family=/);
   await page.goto('about:blank');
-  await page.goto('./#/accuracy?family=nowhere&zoom=3');
+  await page.goto('./#/accuracy?family=nowhere&split=3');
   await expect(page.getByRole('alert')).toContainText("opened without family: 'nowhere'");
-  await expect(page.getByRole('alert')).toContainText("'zoom' means nothing");
+  await expect(page.getByRole('alert')).toContainText("'split' means nothing");
 });
 
 test('axe finds nothing, and nothing is wider than the page', async ({ page }) => {

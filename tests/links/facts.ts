@@ -48,8 +48,13 @@ function exploreFacts(state: AppState): Facts {
 /** The settings, and the first rays that they stand for with what two methods make of them. */
 function accuracyFacts({ settings }: AppState): Facts {
   // What links have told since is at its default in a link of before.
-  const { target, order, ...values } = readAccuracy(settings.accuracy).values;
-  if (target !== INITIAL_ACCURACY.target || order !== INITIAL_ACCURACY.order) return {};
+  const { target, order, atlas, zoom, by, at, maps, start, ...values } = readAccuracy(
+    settings.accuracy,
+  ).values;
+  const since = { target, order, atlas, zoom, by, at, maps, start };
+  if (Object.entries(since).some(([key, value]) => value !== INITIAL_ACCURACY[key as 'zoom'])) {
+    return {};
+  }
   const family = findFamily(values.family);
   if (!family) return values as unknown as Facts;
   const sample = { seed: values.seed, shapes: 2, count: 25, difficulty: values.dial ?? undefined };

@@ -11,6 +11,8 @@ export interface Run {
   readonly cases: readonly { readonly shape: unknown; readonly ray: unknown }[];
   /** Indices of the cases that are timed. */
   readonly timed: readonly number[];
+  /** Whether outputs come many in one message: for more cases than messages are allowed. */
+  readonly together?: boolean;
 }
 
 /** The program's time divided by the textbook's: quartiles of several rounds. */
@@ -32,6 +34,13 @@ export interface ConsoleLine {
 export type Reply =
   | { readonly type: 'ready' }
   | { readonly type: 'case'; readonly id: number; readonly index: number; readonly output: Output }
+  /** Outputs of cases from this index on. */
+  | {
+      readonly type: 'cases';
+      readonly id: number;
+      readonly index: number;
+      readonly outputs: readonly Output[];
+    }
   /** The program cannot start: a syntax error, or no function intersect. */
   | {
       readonly type: 'refused';
@@ -70,6 +79,8 @@ export function readReply(data: unknown): Reply | null {
       const output = readOutput(data.output);
       return output && index !== null ? { type, id, index, output } : null;
     }
+    case 'cases':
+      return index === null ? null : readCases(id, index, data.outputs);
     case 'refused':
       return { type, id, message: text(data.message), line: lineOf(data.line) };
     case 'note':
@@ -91,6 +102,14 @@ export function readReply(data: unknown): Reply | null {
     default:
       return null;
   }
+}
+
+const MOST_TOGETHER = 256;
+
+function readCases(id: number, index: number, data: unknown): Reply | null {
+  if (!Array.isArray(data) || data.length > MOST_TOGETHER) return null;
+  const outputs = data.flatMap((one) => readOutput(one) ?? []);
+  return outputs.length === data.length ? { type: 'cases', id, index, outputs } : null;
 }
 
 const isIndex = (x: unknown): x is number => Number.isSafeInteger(x) && (x as number) >= 0;

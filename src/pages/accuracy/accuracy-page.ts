@@ -19,6 +19,8 @@ import type { AppState, Settings } from '../../state/state.ts';
 import { exploreLink } from '../../state/url.ts';
 import type { MountPage } from '../page.ts';
 import { answerWords, emptyWords, REFERENCE_WORDS } from './answer-words.ts';
+import { createAtlas } from './atlas/atlas.ts';
+import { readyMaps } from './atlas/ready-view.ts';
 import { plotExports, saveButtons, tableExports } from './exports.ts';
 import { spawnLab, sweepJob } from './lab-jobs.ts';
 import { layOut } from './lay-out.ts';
@@ -60,6 +62,18 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     },
     open: openPicked,
   });
+
+  const atlas = createAtlas(places.atlas, { dispatch, changed, announce, toRay });
+  /** What is in the map's place while there is none. */
+  const plots = [
+    ...[places.head, places.plot, places.bar, places.hardHead, places.hard, places.ready],
+  ];
+  let isMap = false;
+
+  function toRay(withSteps: boolean): void {
+    rayView.open(withSteps);
+    places.ray.scrollIntoView();
+  }
 
   const saves = tableExports(() => findings);
   const frontierSaves = plotExports('frontier', places.frontier);
@@ -137,10 +151,26 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
     render(state) {
       const settings = readAccuracy(state.settings.accuracy).values;
       const ray = shownRay(state);
+      isMap = settings.atlas !== '';
+      // A map would tell what is hidden.
+      places.atlas.hidden = !isMap || !ray;
+      for (const place of plots) place.hidden = isMap;
+      host.classList.toggle('has-map', isMap);
+      places.foot.hidden = isMap;
+      if (isMap) {
+        // A map and a measurement at once would disturb the measured times.
+        measuring.rest();
+        if (ray) atlas.render(state, settings);
+        else atlas.rest();
+        render(ray ? rayView.draw(state, ray, null, settings) : hiddenRay(dispatch), places.ray);
+        return;
+      }
+      atlas.rest();
       sweep(settings);
       const { column, found } = renderAnswer(settings, state.method);
       renderHardness(settings, state.method);
-      render(ray ? rayView(state, ray, found, settings) : hiddenRay(dispatch), places.ray);
+      render(readyMaps(set, dispatch), places.ready);
+      render(ray ? rayView.draw(state, ray, found, settings) : hiddenRay(dispatch), places.ray);
       const provenance = provenanceOf(
         found,
         measureRequest(settings, false),
@@ -166,8 +196,11 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
         ],
       };
     },
-    exports: () => [...saves, ...frontierSaves, ...hardnessSaves],
-    rest: measuring.rest,
+    exports: () => (isMap ? atlas.exports() : [...saves, ...frontierSaves, ...hardnessSaves]),
+    rest() {
+      measuring.rest();
+      atlas.rest();
+    },
   };
 };
 

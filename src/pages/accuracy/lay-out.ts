@@ -12,10 +12,13 @@ export function layOut(host: HTMLElement) {
     element.dataset.part = part;
     return element;
   };
+  const atlas = areaOf('atlas', 'acc-atlas');
   const head = areaOf('prices', 'acc-head');
   const plot = areaOf('prices', 'acc-plot');
   const places = {
+    atlas,
     head,
+    plot,
     frontier: area('acc-plot-body', plot),
     empty: area('acc-plot-empty', plot),
     bar: areaOf('prices', 'acc-bar'),
@@ -24,8 +27,10 @@ export function layOut(host: HTMLElement) {
   const hard = areaOf('hardness', 'acc-hard');
   return {
     ...places,
+    hard,
     hardness: area('acc-plot-body', hard),
     hardWords: area('acc-words', hard),
+    ready: areaOf('prices', 'acc-part acc-ready'),
     ray: areaOf('ray', 'acc-part acc-ray'),
     foot: areaOf('rest', 'acc-part acc-foot'),
   };

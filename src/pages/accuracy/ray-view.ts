@@ -16,12 +16,14 @@ import { familyName } from './family-name.ts';
 /** One ray by every method, where its digits are lost, and what a step of one ulp changes. */
 export function createRayView(dispatch: Dispatch, announce: (words: string) => void) {
   const answer = createAnswer(announce);
-  return (
+  let isOpen = false;
+
+  function draw(
     state: AppState,
     ray: RayModel,
     found: Measured | null,
     { family, worth }: AccuracySettings,
-  ): TemplateResult => {
+  ): TemplateResult {
     const answered = answer.wordsFor(ray, state.method);
     const question = questionOf(worth);
     const timingsIn = (target: Target) =>
@@ -41,7 +43,9 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
       </div>
       ${ladderTable(model, (id) => dispatch({ type: 'method', id }))}
       <div class="acc-more">
-        <details>
+        <details .open=${isOpen} @toggle=${(event: Event) => {
+          isOpen = (event.currentTarget as HTMLDetailsElement).open;
+        }}>
           <summary>Where did the digits go?</summary>
           ${digitSteps(ray.chosenTitle, ray.losses)}
         </details>
@@ -51,6 +55,14 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
           <p class="nudge-answer">${answered || NOT_MOVED}</p>
         </details>
       </div>`;
+  }
+
+  return {
+    draw,
+    /** Whether "Where did the digits go?" is open when it is drawn next; false leaves it. */
+    open(steps: boolean): void {
+      if (steps) isOpen = true;
+    },
   };
 }
 

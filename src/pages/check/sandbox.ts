@@ -105,6 +105,9 @@ export function runInSandbox(
 
 function pass(reply: Reply, heard: Heard, end: (ending: Ending) => void): void {
   if (reply.type === 'case') heard.output(reply.index, reply.output);
+  if (reply.type === 'cases') {
+    for (const [i, output] of reply.outputs.entries()) heard.output(reply.index + i, output);
+  }
   if (reply.type === 'note') heard.note(reply.message);
   if (reply.type === 'console') heard.console(reply);
   if (reply.type === 'unsteady') heard.unsteady(reply.index);

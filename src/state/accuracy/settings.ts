@@ -1,10 +1,14 @@
+import { MEASURES, type Measure, ZOOMS } from '../../lab/atlas/window.ts';
 import type { Order } from '../../lab/timed.ts';
 import type { Target } from '../../math/batch.ts';
 import { findFamily } from '../../math/families.ts';
-import { quote } from '../../math/shapes.ts';
+import { InvalidInput } from '../../math/index.ts';
+import { findMethod, quote } from '../../math/shapes.ts';
+import { parseNumber } from '../../text/parse.ts';
+import { readStart } from '../picture/start.ts';
 import type { Settings } from '../state.ts';
 
-/** What the two plots of the Accuracy page show; a link carries it. */
+/** What the plots and the map of the Accuracy page show; a link carries it. */
 export interface AccuracySettings {
   /** The family whose rays are measured. */
   readonly family: string;
@@ -20,7 +24,22 @@ export interface AccuracySettings {
   /** The family whose difficulty is swept. */
   readonly hard: string;
   readonly seed: number;
+  /** The axes of the map, as ids with a comma between; '' while there is none. */
+  readonly atlas: string;
+  /** How far the map is zoomed in, in decades. */
+  readonly zoom: number;
+  /** What the map's window is measured in. */
+  readonly by: Measure;
+  /** The numbers in the window's middle, with a comma between; '' for those of the ray. */
+  readonly at: string;
+  /** The maps' methods, one or two, or OWN; '' for the chosen method. */
+  readonly maps: string;
+  /** The maps' start rules, one or two; '' for maps of the ray itself. */
+  readonly start: string;
 }
+
+/** In `maps`: the student's own program. */
+export const OWN = 'own';
 
 export const WORTHS = [
   { id: 'digits', title: 'digits, 9 rays of 10' },
@@ -54,6 +73,12 @@ export const INITIAL_ACCURACY: AccuracySettings = {
   order: 'random',
   hard: 'far-origin',
   seed: 7,
+  atlas: '',
+  zoom: 0,
+  by: 'lengths',
+  at: '',
+  maps: '',
+  start: '',
 };
 
 interface Read<T> {
@@ -73,7 +98,42 @@ const READERS: {
   order: (text) => ORDERS.find(({ id }) => id === text)?.id ?? null,
   hard: (text) => (findFamily(text)?.dial ? text : null),
   seed: (text) => (/^\d{1,9}$/.test(text) ? Number(text) : null),
+  atlas: (text) => (AXES_TEXT.test(text) ? text : null),
+  zoom: (text) => {
+    const zoom = finite(text);
+    const [least, most] = ZOOMS.lengths;
+    return zoom !== null && zoom >= least && zoom <= most ? zoom : null;
+  },
+  by: (text) => MEASURES.find(({ id }) => id === text)?.id ?? null,
+  at: (text) => (numbersIn(text).length === 2 ? text : null),
+  maps: (text) => listOf(text, (id) => id === OWN || findMethod(id) !== undefined),
+  start: (text) => listOf(text, isStart),
 };
+
+/** Two different ids of numbers; which there are depends on the shape. */
+const AXES_TEXT = /^(?!([^,]+),\1$)[A-Za-z]+(\.[xyz])?,[A-Za-z]+(\.[xyz])?$/;
+
+/** The numbers of a list with commas; empty if one is none. */
+export function numbersIn(text: string): readonly number[] {
+  const all = text.split(',').map((one) => parseNumber(one));
+  return all.flatMap((one) => (one.ok && all.every(({ ok }) => ok) ? [one.value] : []));
+}
+
+/** The text, if it is a list of one or two of these. */
+function listOf(text: string, isOne: (one: string) => boolean): string | null {
+  const all = text.split(',');
+  return all.length <= 2 && all.every(isOne) ? text : null;
+}
+
+function isStart(text: string): boolean {
+  try {
+    readStart(text);
+    return true;
+  } catch (error) {
+    if (error instanceof InvalidInput) return false;
+    throw error;
+  }
+}
 
 const finite = (text: string): number | null => {
   const x = text.trim() === '' ? Number.NaN : Number(text);

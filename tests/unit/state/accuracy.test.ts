@@ -158,6 +158,12 @@ describe('the settings of a link', () => {
     order: 'sorted',
     hard: 'near-axis',
     seed: 99,
+    atlas: 'E.z,r',
+    zoom: 12.5,
+    by: 'ulps',
+    at: '1,0.5',
+    maps: 'own,certified',
+    start: 'none,1e-9',
   };
 
   test('come back from their texts, and defaults leave none', () => {
@@ -171,6 +177,12 @@ describe('the settings of a link', () => {
       order: null,
       hard: null,
       seed: null,
+      atlas: null,
+      zoom: null,
+      by: null,
+      at: null,
+      maps: null,
+      start: null,
     });
     expect(readAccuracy({}).values).toEqual(INITIAL_ACCURACY);
   });
@@ -187,6 +199,18 @@ describe('the settings of a link', () => {
     ['hard', 'typical'],
     ['seed', '-1'],
     ['seed', '1e3'],
+    ['atlas', 'E.z'],
+    ['atlas', 'r,r'],
+    ['atlas', 'E.q,r'],
+    ['zoom', '99'],
+    ['zoom', 'in'],
+    ['by', 'miles'],
+    ['at', '1'],
+    ['at', '1,x'],
+    ['maps', 'newton'],
+    ['maps', 'own,own,own'],
+    ['start', 'somewhere'],
+    ['start', '-1'],
   ])('%s=%s is said to be none, and has its default', (key, text) => {
     const { values, problems } = readAccuracy({ [key]: text });
     expect(values).toEqual(INITIAL_ACCURACY);

@@ -1,0 +1,245 @@
+import type { Output } from '../../../check/program/judge.ts';
+import { asScript, tooLong } from '../../../check/program/script.ts';
+import { textbookFor } from '../../../check/program/template.ts';
+import { isWhole, type MapFrame, newMapFrame, paint, piecesOf } from '../../../lab/atlas/frame.ts';
+import type { MapPart } from '../../../lab/atlas/map.ts';
+import { lostDigits, markByte, markOf, VERDICTS } from '../../../lab/atlas/marks.ts';
+import { type MapRequest, raysOf } from '../../../lab/atlas/request.ts';
+import { summaryOf } from '../../../lab/atlas/summary.ts';
+import { SIDE } from '../../../lab/atlas/window.ts';
+import type { Question } from '../../../math/families.ts';
+import { intersect, type Verdict } from '../../../math/index.ts';
+import { displayAll } from '../../../text/format.ts';
+import { openMemory } from '../../check/memory.ts';
+import { runInSandbox } from '../../check/sandbox.ts';
+import { EMPTY_MAP, type MapState, type mapJobs, sameMap } from './map-jobs.ts';
+
+/** What a program is told to a reader who has none. */
+const NONE = 'There is no program of yours yet: write one on Check, under “own program”.';
+
+/** The student's program, as Check keeps it; null and why, where it cannot be run. */
+function program(): { readonly source: string | null; readonly why: string } {
+  const source = openMemory().program();
+  if (source === null || source.trim() === '') return { source: null, why: NONE };
+  const refusal = tooLong(source);
+  return refusal
+    ? { source: null, why: `Your program is not run: ${refusal}.` }
+    : { source, why: '' };
+}
+
+/** The class that so many roots stand for, where the truth has as many; else the plain one. */
+function verdictOf(output: Output, truth: Verdict): Verdict {
+  if (output.type === 'shape') return 'undecided';
+  const t = output.type === 'value' ? output.t : [];
+  if (t.some(Number.isNaN)) return 'undecided';
+  // A program that throws, or returns no root, has said that there is none.
+  if (t.length === 0) return truth === 'contained' ? 'contained' : 'none';
+  if (t.length === 1) return truth === 'tangent' ? 'tangent' : 'one';
+  return t.length === 2 ? 'two' : 'undecided';
+}
+
+/**
+ * Maps of the student's own program, which runs in the sandbox. `truth` draws certified's map
+ * first, with which it is compared.
+ */
+export function ownMapJobs(
+  host: HTMLElement,
+  truthJobs: (changed: () => void) => ReturnType<typeof mapJobs>,
+  changed: () => void,
+) {
+  let state: MapState = EMPTY_MAP;
+  let close: (() => void) | null = null;
+  let waits = false;
+  const put = (change: Partial<MapState>): void => {
+    state = { ...state, ...change };
+    changed();
+  };
+  const truth = truthJobs(() => {
+    const { frame, summary, failed, request } = truth.state();
+    if (!waits || request !== state.request) return;
+    if (failed) {
+      waits = false;
+      put({ running: false, failed });
+    } else if (summary && frame && request) {
+      waits = false;
+      run(request, frame);
+    }
+  });
+
+  function stop(): void {
+    close?.();
+    close = null;
+    waits = false;
+  }
+
+  function start(request: MapRequest): void {
+    stop();
+    const { source, why } = program();
+    put({ ...EMPTY_MAP, request, failed: why, running: source !== null });
+    if (source === null) return;
+    waits = true;
+    truth.rest();
+    truth.show(request);
+  }
+
+  function run(request: MapRequest, known: MapFrame): void {
+    const { source } = program();
+    if (source === null) return;
+    const frame = newMapFrame();
+    const asked = questionsOf(request, known);
+    // Where there is no ray the program is not asked.
+    for (const { block, pixels } of piecesOf(0, 1)) {
+      for (const pixel of pixels) {
+        if (known.marks[pixel] === markByte('nothing')) paint(frame, partAt(known, pixel), block);
+      }
+    }
+    const share = (): number => frame.done / frame.marks.length;
+    const cases = asked.map(({ question }) => question);
+    const textbook = textbookFor([request.shape.kind], 'textbook');
+    const job = { source: asScript(source), textbook, cases, timed: [], together: true };
+    close = runInSandbox(host, job, {
+      ...SILENT,
+      output(index, output) {
+        const one = asked[index];
+        if (!one) return;
+        paint(frame, judged(known, one, output), one.block);
+        if (index % SHOWN_EVERY === 0) put({ frame, shown: request, share: share() });
+      },
+      unsteady: () => put({ failed: 'Run twice, your program gave two results for one ray.' }),
+      end(ending) {
+        close = null;
+        if (isWhole(frame)) {
+          const summary = summaryOf(request, frame);
+          put({ running: false, frame, shown: request, share: 1, summary });
+          return;
+        }
+        const message = ending.how === 'done' ? 'it ended too soon' : ending.message;
+        put({ running: false, share: share(), failed: `Your program stopped: ${message}.` });
+      },
+    });
+  }
+
+  return {
+    state: () => state,
+    show(request: MapRequest): void {
+      if (!sameMap(state.request, request)) start(request);
+    },
+    again(): void {
+      if (state.request) start(state.request);
+    },
+    cancel(): void {
+      stop();
+      truth.cancel();
+      put({ running: false });
+    },
+    rest(): void {
+      stop();
+      truth.rest();
+      if (state.running) state = { ...state, running: false, request: null };
+    },
+  };
+}
+
+/** Outputs between two drawings. */
+const SHOWN_EVERY = 512;
+
+const SILENT = {
+  output() {},
+  note() {},
+  console() {},
+  unsteady() {},
+  timing() {},
+  untimed() {},
+};
+
+interface Asked {
+  readonly pixel: number;
+  readonly block: number;
+  readonly question: Question;
+}
+
+/** The pixels that have a ray, coarse to fine. */
+function questionsOf(request: MapRequest, known: MapFrame): Asked[] {
+  const rays = raysOf(request);
+  const asked: Asked[] = [];
+  for (const { block, pixels } of piecesOf(0, 1)) {
+    for (const pixel of pixels) {
+      if (known.marks[pixel] === markByte('nothing')) continue;
+      const question = rays.at(pixel % SIDE, Math.floor(pixel / SIDE));
+      if (question) asked.push({ pixel, block, question });
+    }
+  }
+  return asked;
+}
+
+/** One pixel of a whole frame. */
+function partAt(frame: MapFrame, pixel: number): MapPart {
+  const byte = (from: Uint8Array): Uint8Array => from.slice(pixel, pixel + 1);
+  return {
+    pixels: Int32Array.of(pixel),
+    marks: byte(frame.marks),
+    lost: byte(frame.lost),
+    said: byte(frame.said),
+    truth: byte(frame.truth),
+    leading: byte(frame.leading),
+  };
+}
+
+/** A pixel with what the program said in place of certified. */
+function judged(known: MapFrame, { pixel, question }: Asked, output: Output): MapPart {
+  const truth = VERDICTS[known.truth[pixel] as number] ?? 'none';
+  const said = verdictOf(output, truth);
+  const mark = markOf(said, truth);
+  const own = output.type === 'value' ? [...output.t].sort((a, b) => a - b) : [];
+  const { shape, ray } = question;
+  const roots = mark === 'right' ? intersect(shape, ray).hits.map(({ t }) => t) : [];
+  return {
+    ...partAt(known, pixel),
+    marks: Uint8Array.of(markByte(mark)),
+    said: Uint8Array.of(VERDICTS.indexOf(said)),
+    lost: Uint8Array.of(lostDigits(own, roots)),
+  };
+}
+
+/** Runs the student's program on one ray and says what it answers. */
+export function tryProgram(host: HTMLElement, question: Question, tell: (words: string) => void) {
+  const { source, why } = program();
+  if (source === null) return tell(why);
+  tell('Your program is running …');
+  const { shape, ray } = question;
+  const truth = intersect(shape, ray);
+  let said = 'Your program gave no answer.';
+  runInSandbox(
+    host,
+    {
+      source: asScript(source),
+      textbook: textbookFor([shape.kind], 'textbook'),
+      cases: [question],
+      timed: [],
+    },
+    {
+      ...SILENT,
+      output(_, output) {
+        said = answerWords(
+          output,
+          truth.class,
+          truth.hits.map(({ t }) => t),
+        );
+      },
+      end(ending) {
+        tell(ending.how === 'done' ? said : `Your program stopped: ${ending.message}.`);
+      },
+    },
+  );
+}
+
+function answerWords(output: Output, truth: Verdict, roots: readonly number[]): string {
+  const right = roots.length > 0 ? `t = ${roots.map(displayAll).join(', ')}` : 'no root';
+  if (output.type === 'threw') return `Your program throws: ${output.message}. Right is ${right}.`;
+  if (output.type === 'shape') return `Your program ${output.message}. Right is ${right}.`;
+  if (output.type !== 'value') return 'Your program gave no answer.';
+  const own = output.t.length > 0 ? `t = ${output.t.map(displayAll).join(', ')}` : 'no root';
+  const mark = markOf(verdictOf(output, truth), truth);
+  const other = mark === 'right' ? '' : ', another count';
+  return `Your program answers ${own}; right is ${right}${other}.`;
+}
