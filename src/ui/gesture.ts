@@ -12,9 +12,9 @@ export function watchGestures(
   let count = 0;
   let held: string | null = null;
   let run: { name: string; target: EventTarget | null; until: number } | null = null;
-  const begin = (event: PointerEvent): void => {
+  const begin = (event: Event): void => {
     // A second finger belongs to the gesture of the first one.
-    if (!event.isPrimary && held !== null) return;
+    if ((event as PointerEvent).isPrimary === false && held !== null) return;
     held = `pointer ${++count}`;
     run = null;
   };
@@ -34,10 +34,10 @@ export function watchGestures(
     const name = same && run && isRun ? run.name : `keys ${++count}`;
     run = { name, target: event.target, until: now + PAUSE_MS };
   };
-  const wheel = (event: WheelEvent): void => {
-    const same = run?.name.startsWith('wheel') && event.timeStamp < run.until;
+  const wheel = ({ target, timeStamp: now }: Event): void => {
+    const same = run?.name.startsWith('wheel') && now < run.until;
     const name = same && run ? run.name : `wheel ${++count}`;
-    run = { name, target: event.target, until: event.timeStamp + PAUSE_MS };
+    run = { name, target, until: now + PAUSE_MS };
   };
   root.addEventListener('pointerdown', begin, true);
   everywhere.addEventListener('pointerup', end, true);

@@ -22,3 +22,23 @@ test('a press that comes before the last release has settled is a gesture to its
   await tasksDone();
   expect(gesture()).toBeNull();
 });
+
+test('turns of the wheel are one gesture, and so are two fingers', async () => {
+  const page = new EventTarget();
+  const gesture = watchGestures(page, page);
+  const send = (type: string, more = {}) =>
+    page.dispatchEvent(Object.assign(new Event(type), more));
+  send('wheel');
+  const turned = gesture();
+  send('wheel');
+  expect(turned).not.toBeNull();
+  expect(gesture()).toBe(turned);
+  send('pointerdown', { isPrimary: true });
+  const pressed = gesture();
+  expect(pressed).not.toBe(turned);
+  send('pointerdown', { isPrimary: false });
+  expect(gesture()).toBe(pressed);
+  send('pointerup');
+  await tasksDone();
+  expect(gesture()).toBeNull();
+});
