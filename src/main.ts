@@ -46,6 +46,7 @@ let closerLook: CloserLook | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
 let story: ExploreTools['story'] = null;
 let normalLine: ExploreTools['normalLine'] = null;
+let ends: ExploreTools['ends'] = null;
 let secondView: ExploreTools['secondView'] = null;
 let hearing: Hearing | null = null;
 const derive = createDerive(() => closerLook);
@@ -207,7 +208,7 @@ function theRest(): NonNullable<typeof rest> {
   rest = late(() => import('./pages/explore/after-first-frame.ts'));
   rest.then(
     (code) => {
-      ({ closerLook, announcement, story, normalLine } = code);
+      ({ closerLook, announcement, story, normalLine, ends } = code);
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
@@ -296,6 +297,7 @@ function renderExplore(state: AppState): void {
     command,
     story,
     normalLine,
+    ends,
     secondView,
     second: secondView?.on === true,
     playing: player?.playing === true,

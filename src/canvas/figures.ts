@@ -148,9 +148,11 @@ export function figures(
     all.marks.push({ key: `P${n}`, kind, symbols: [`P${n}`, `t${n}`], spot });
     const place = units.toStage(hit.point);
     const angle = below(place && heading(place, model.ray.direction, projection));
-    all.captions.push({ ...name, x: spot.x, y: spot.y, clear: (CLEAR[kind] + 4) * scale, angle });
+    const said = hit.words === undefined ? name : { ...name, letter: hit.words, sub: '' };
+    all.captions.push({ ...said, x: spot.x, y: spot.y, clear: (CLEAR[kind] + 4) * scale, angle });
     if (hit.normal) {
-      addNormal(`N${n}`, `N${n}`, n, hit.point, hit.normal, hit.normalLength ?? null);
+      const sub = hit.words === undefined ? n : '';
+      addNormal(`N${n}`, `N${n}`, sub, hit.point, hit.normal, hit.normalLength ?? null);
     }
   }
 

@@ -1,4 +1,5 @@
 import { svg, type TemplateResult } from 'lit';
+import { CAP_NAMES } from '../state/ends.ts';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import type { Scales } from './graph-scales.ts';
@@ -14,6 +15,10 @@ interface Place {
 
 /** Width of "t₁", and the height it needs above and below the axis, in caption em. */
 const [LABEL, ROOM_ABOVE, ROOM_BELOW] = [1.5, 2.2, 3.4];
+/** Distance of two roots beside which "cut off" has room, in caption em. */
+const CUT_LABELS = 12;
+/** Width of the name of a cap, in caption em. */
+const CAP_LABEL = 6;
 /** Distance in px from a root to the side of its label. */
 const AWAY = 9;
 
@@ -28,15 +33,37 @@ export function roots(model: GraphModel, scales: Scales): TemplateResult {
   const ordered = [...visible].sort(
     (p, q) => Number(p.role === 'first') - Number(q.role === 'first'),
   );
+  const isWide = gapOf(model, x) > CUT_LABELS * frame.em;
   return svg`${ordered.map(
     (root) => svg`<g class="graph-root graph-${root.role}" data-symbol="t${root.index}"
       transform="translate(${coordinate(x(root.t))},${y})">
-      ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em)}
+      ${mark(root, frame.mark)}${label(root, place(root, model, scales), frame.em, isWide)}
     </g>`,
   )}`;
 }
 
-function mark({ role }: Root, scale: number): TemplateResult {
+/** Marks where the ray goes through a cap, on the curve. */
+export function caps(model: GraphModel, { frame, x, y }: Scales): TemplateResult {
+  const visible = model.caps.filter(({ t }) => x(t) >= frame.left && x(t) <= frame.right);
+  return svg`${visible.map(({ end, t, f, role }) => {
+    const [px, py] = [x(t), clamp(y(f), frame.top, frame.bottom)];
+    // Below the curve, on the side that it comes from.
+    const falls = 2 * model.A * t + model.B < 0;
+    const fits = falls
+      ? px - CAP_LABEL * frame.em > frame.left
+      : px + CAP_LABEL * frame.em < frame.width;
+    const side = falls === fits ? 'end' : 'start';
+    return svg`<g class="graph-root graph-${role}" data-symbol="t${end === 'low' ? 3 : 4}"
+      transform="translate(${coordinate(px)},${coordinate(py)})">
+      ${mark({ role }, frame.mark)}<text class="graph-name graph-double" text-anchor=${side}
+        x=${side === 'start' ? AWAY : -AWAY} y=${coordinate(1.1 * frame.em)}>${
+          CAP_NAMES[end]
+        }</text>
+    </g>`;
+  })}`;
+}
+
+function mark({ role }: Pick<Root, 'role'>, scale: number): TemplateResult {
   if (role === 'first')
     return svg`${halo(7, scale)}<circle class="graph-disc" r=${7 * scale}></circle>`;
   if (role === 'other')
@@ -52,12 +79,18 @@ export function halo(radius: number, scale: number): TemplateResult {
   return svg`<circle class="graph-halo" r=${radius * scale + 2}></circle>`;
 }
 
-function label({ index, double }: Root, { side, dx, below }: Place, em: number): TemplateResult {
+function label(
+  { index, double, role }: Root,
+  { side, dx, below }: Place,
+  em: number,
+  isWide: boolean,
+): TemplateResult {
   const up = side === 'middle' ? 1.05 * em : 0.65 * em;
   const dy = below ? up + 0.85 * em : -up;
+  const beside = role === 'cut' && isWide ? 'cut off' : double ? 'double root' : '';
   return svg`<text class="graph-name" text-anchor=${side} x=${coordinate(dx)}
     y=${coordinate(dy)}>𝑡<tspan class="graph-index" dy="0.22em">${index}</tspan>${
-      double ? svg`<tspan class="graph-double" dx="0.4em" dy="-0.3em">double root</tspan>` : ''
+      beside ? svg`<tspan class="graph-double" dx="0.4em" dy="-0.3em">${beside}</tspan>` : ''
     }</text>`;
 }
 

@@ -6,7 +6,7 @@ import { type Frame, frameOf, type Metrics } from './graph-frame.ts';
 import { definitions, grid } from './graph-grid.ts';
 import { area, curve, ghost, rayAxis, trail, words } from './graph-layers.ts';
 import { mark } from './graph-mark.ts';
-import { roots } from './graph-roots.ts';
+import { caps, roots } from './graph-roots.ts';
 import { type Scales, scalesOf } from './graph-scales.ts';
 import { square } from './graph-square.ts';
 
@@ -86,6 +86,6 @@ function layers(
     ${ghost(model, scales, id)}${trail(model, scales, id)}
     ${parabola ? curve(parabola, scales, id) : ''}
     ${model.square || model.mark?.gap ? '' : words(model, scales)}
-    ${square(model, scales)}${roots(model, scales)}
+    ${square(model, scales)}${roots(model, scales)}${caps(model, scales)}
     ${mark(model, scales)}`;
 }

@@ -4,7 +4,11 @@ import { type AppState, INITIAL, shapeOf } from '../state/state.ts';
 import { decode, encode } from '../state/url.ts';
 
 /** Keys of links that an attribute may carry, besides the shape's own symbols. */
-const KEYS = ['shape', 'E', 'd', 'unit', 'method', 'view', 't', 'between', 'hide', 'ask', 'theme'];
+const KEYS = [
+  ...['shape', 'E', 'd', 'unit', 'method', 'view', 't', 'between', 'caps', 'hide', 'ask', 'theme'],
+];
+/** Keys that may be there without a value: hide, for hide=1. */
+const FLAGS = ['hide', 'caps', 'unit'];
 /** Attributes that are called otherwise than their key. */
 const RENAMED: Readonly<Record<string, string>> = { show: 'embed', lock: 'lock' };
 
@@ -49,7 +53,7 @@ export function withAttributes(
   for (const [attribute, value] of given) {
     const key = keyOf(attribute, kind);
     if (value === null) pairs.delete(key);
-    else pairs.set(key, encodeURIComponent(value === '' && key === 'hide' ? '1' : value));
+    else pairs.set(key, encodeURIComponent(value === '' && FLAGS.includes(key) ? '1' : value));
   }
   return decode(
     `#/explore?${[...pairs].map(([key, value]) => `${key}=${value}`).join('&')}`,

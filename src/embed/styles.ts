@@ -3,6 +3,7 @@ import graph from '../charts/graph.css?inline';
 import embed from '../pages/embed/embed.css?inline';
 import algebra from '../panels/algebra.css?inline';
 import controls from '../panels/controls.css?inline';
+import ends from '../panels/ends.css?inline';
 import normalLine from '../panels/normal-line.css?inline';
 import paramRows from '../panels/param-rows.css?inline';
 import base from '../ui/base.css?inline';
@@ -13,7 +14,7 @@ import element from './element.css?inline';
 /** What src/main.ts and the modules behind src/pages/embed import for the whole page. */
 const TEXTS = [
   ...[element, tokens, base, fields, controls, paramRows],
-  ...[algebra, normalLine, graph, scene, embed],
+  ...[algebra, ends, normalLine, graph, scene, embed],
 ];
 
 let made: CSSStyleSheet[] | null = null;

@@ -8,6 +8,7 @@ import {
   withComponent,
 } from '../math/shapes.ts';
 import type { Action, ParamValue } from '../state/actions.ts';
+import { END_PARAMS, endAction, endsRefusal } from '../state/ends.ts';
 import { type AppState, paramValue, RAY_PARAMS, shapeOf } from '../state/state.ts';
 
 /** A number that a step lets be moved, with what its slider needs. */
@@ -25,10 +26,15 @@ export interface Freedom {
   allows(value: number, state: AppState): boolean;
 }
 
-/** The numbers of `free: r`, `free: E.x` or `free: E`; null if there is no such parameter. */
+/**
+ * The numbers of `free: r`, `free: E.x` or `free: E`, or an end's, `free: high`; null if there is
+ * no such parameter.
+ */
 export function freedomOf(text: string, state: AppState): readonly Freedom[] | null {
   const [letter = '', axis] = text.split('.');
   const own = findShape(state.kind)?.params.find(({ symbol }) => symbol === letter);
+  const end = END_PARAMS.findIndex(({ symbol }) => symbol === text);
+  if (end >= 0) return state.between ? [endOf(end as 0 | 1)] : null;
   if (own?.type === 'number') return axis === undefined ? [numberOf(own)] : null;
   const ray = letter === 'E' || letter === 'd' ? RAY_PARAMS[letter] : null;
   const vector = own?.type === 'vector' ? own : ray;
@@ -56,6 +62,19 @@ function numberOf(param: NumberParam): Freedom {
     valueIn: (state) => paramValue(shapeOf(state), key) as number,
     action: (value) => ({ type: 'param', key, value }),
     allows: (value) => isAllowed(param, value),
+  };
+}
+
+/** A height that the state keeps its shape below or above. */
+function endOf(i: 0 | 1): Freedom {
+  const { symbol, title, range, step } = END_PARAMS[i];
+  return {
+    name: symbol,
+    ...{ symbol, title, range, step },
+    valueIn: (state) => state.between?.[i] ?? 0,
+    action: (value) => endAction(i, value),
+    allows: (value, { between }) =>
+      between !== null && !endsRefusal(i === 0 ? [value, between[1]] : [between[0], value]),
   };
 }
 

@@ -84,7 +84,9 @@ function judgedByCheck(field: Field, given: string, model: ExploreModel): Judged
 function ofPrediction(ask: Ask, given: string, { model }: Seen): string {
   if (!model) return `Your guess: ${given}`;
   const question = questionOf(ask, model.found.details.family === 'curved');
-  const said = question.options.find(({ id }) => id === given)?.title ?? given;
+  const said =
+    [...question.options, ...(question.capOptions ?? [])].find(({ id }) => id === given)?.title ??
+    given;
   const { right, gap, mistake } = judgementOf(question, given, model);
   const words = `Your guess, ${said}: ${right ? 'right' : 'not so'}. ${gap}`;
   return mistake ? `${words} ${mistake}` : words;

@@ -23,7 +23,12 @@ export function quantityOf(model: ExploreModel, name: string): number | string |
   if (name === 'name') return title;
   const step = derivation.steps.find(({ id }) => id === name);
   if (step) return step.value;
-  return hitNumber(model, name) ?? rayNumber(model, name) ?? shapeNumber(model, name);
+  return (
+    hitNumber(model, name) ??
+    rayNumber(model, name) ??
+    heightNumber(model, name) ??
+    shapeNumber(model, name)
+  );
 }
 
 /** Whether Explore has such a quantity for this shape, though perhaps not for this ray. */
@@ -53,6 +58,11 @@ function rayNumber({ state, ray }: ExploreModel, name: string): number | null {
   const [letter = '', axis = ''] = name.split('.');
   const v = letter === 'E' ? state.E : letter === 'd' ? ray.direction : null;
   return v?.[axisAt(axis)] ?? null;
+}
+
+function heightNumber({ state: { between } }: ExploreModel, name: string): number | null {
+  const at = ['low', 'high'].indexOf(name);
+  return between?.[at] ?? null;
 }
 
 function shapeNumber({ shape }: ExploreModel, name: string): number | string | null {

@@ -13,7 +13,6 @@ import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { AsTyped } from '../state/as-typed.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { heightsLine } from '../state/heights.ts';
 import type { NumberSpace } from '../state/number-space.ts';
 import type { PutIn } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
@@ -41,12 +40,14 @@ const ROOM = html`<div class="step normal-line"></div>`;
 
 /**
  * The surface's equation, each step in symbols and numbers with its value, the verdict, the hits.
- * `normalLine` writes the line of N; null for room for it, left out for none.
+ * `normalLine` writes the line of N; null for room for it, left out for none. `ends` writes what
+ * the shape's ends do.
  */
 export function algebra(
   model: ExploreModel,
   dispatch: Dispatch,
   normalLine?: ((model: ExploreModel, dispatch: Dispatch) => TemplateResult) | null,
+  ends?: ((model: ExploreModel) => unknown) | null,
 ): TemplateResult {
   const { derivation, title, shown, found, exactly, digits } = model;
   const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
@@ -70,9 +71,9 @@ export function algebra(
       ${shown.conditions ? conditions(derivation, digits, whyCondition) : nothing}
       ${note ? html`<p class="beside">${note}</p>` : nothing}
     </div>
-    ${shown.verdict ? verdict(model, dispatch) : concealed()}
-    ${shown.hits ? heights(model) : nothing}
+    ${shown.verdict ? verdict(model, dispatch) : concealed(model)}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
+    ${shown.hits ? ends?.(model) : nothing}
   </section>`;
 }
 
@@ -305,19 +306,12 @@ function typedWords({ differs, notes }: AsTyped): TemplateResult | typeof nothin
   </p>`;
 }
 
-/** Words on the heights between which the scene keeps the shape; nothing without them. */
-function heights({ state, title, ray, found }: ExploreModel): TemplateResult | typeof nothing {
-  const { between } = state;
-  if (!between) return nothing;
-  return html`<p class="kept-between"
-    role="note">${heightsLine(title, between, ray, found.hits)}</p>`;
-}
-
 const said = (piece: Piece): TemplateResult | string =>
   typeof piece === 'string' ? piece : value(piece.quantity, piece.value);
 
-function concealed(): TemplateResult {
-  return html`<p class="verdict">Hidden. Predict first, then reveal line by line.</p>`;
+function concealed({ waiting }: ExploreModel): TemplateResult {
+  const words = waiting ? '' : 'Hidden. Predict first, then reveal line by line.';
+  return html`<p class="verdict">${words}</p>`;
 }
 
 /** A relation of the verdict; a step's name is shown as its tree, N·(E − C) for a circle. */

@@ -4,7 +4,7 @@ import { AXES } from '../math/shapes.ts';
 import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { display, shortest } from '../text/format.ts';
-import { rayHeader } from './controls.ts';
+import { type EndsControls, rayHeader } from './controls.ts';
 import { formula, symbol } from './formula.ts';
 import { paramRow } from './param-rows.ts';
 import { type Handle, rayHandles, shapeHandles } from './params-of.ts';
@@ -12,8 +12,9 @@ import { classOf } from './symbols.ts';
 import { typesetRelation } from './typeset.ts';
 import './compact-controls.css';
 
-/** Symbol of the parameter whose sliders are shown. */
+/** Symbol of the parameter whose sliders are shown, or `ENDS`. */
 let open = '';
+const ENDS = 'ends';
 
 /**
  * Parameters with their values in one line, and the sliders of one of them: for phones. `changed`
@@ -23,9 +24,12 @@ export function compactControls(
   model: ExploreModel,
   dispatch: Dispatch,
   changed: () => void,
+  ends: EndsControls | null,
 ): TemplateResult {
   const handles = [...rayHandles(model, dispatch), ...shapeHandles(model, dispatch)];
-  const current = handles.find(({ param }) => param.symbol === open) ?? handles.at(-1);
+  const found = handles.find(({ param }) => param.symbol === open);
+  const isEnds = open === ENDS && ends !== null && model.found.details.family === 'curved';
+  const current = isEnds ? null : (found ?? handles.at(-1));
   return html`<section class="compact-controls" aria-label="Parameters">
     <div class="tabs" role="group" aria-label="Parameter">
       ${handles.map((handle) =>
@@ -34,8 +38,23 @@ export function compactControls(
           changed();
         }),
       )}
+      ${
+        ends && model.found.details.family === 'curved'
+          ? html`<button type="button" class="tab-param" aria-pressed=${isEnds}
+              @click=${() => {
+                open = ENDS;
+                changed();
+              }}>ends</button>`
+          : nothing
+      }
     </div>
-    ${current ? paramRow({ ...current, quantities: false }) : nothing}
+    ${
+      current
+        ? paramRow({ ...current, quantities: false })
+        : isEnds
+          ? html`${ends.endsSwitch(model, dispatch)}${ends.endsRow(model, dispatch)}`
+          : nothing
+    }
   </section>`;
 }
 

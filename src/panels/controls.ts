@@ -11,8 +11,20 @@ import { typesetRelation } from './typeset.ts';
 import { value } from './value.ts';
 import './controls.css';
 
+type Control = (model: ExploreModel, dispatch: Dispatch) => unknown;
+
+/** Controls for the ends of a shape, whose code is loaded late. */
+export interface EndsControls {
+  readonly endsSwitch: Control;
+  readonly endsRow: Control;
+}
+
 /** Sliders, boxes and resets for the ray and the shape's parameters. */
-export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResult {
+export function controls(
+  model: ExploreModel,
+  dispatch: Dispatch,
+  ends: EndsControls | null,
+): TemplateResult {
   const { title, meaning, derivation } = model;
   const own = shapeHandles(model, dispatch);
   const vectors = own.filter(({ param }) => param.type === 'vector');
@@ -23,9 +35,11 @@ export function controls(model: ExploreModel, dispatch: Dispatch): TemplateResul
       <h2>${title}</h2>
       ${guard([derivation.surface], () => formula(typesetRelation(derivation.surface)))}
       <span class="meaning">${meaning}</span>
+      ${ends?.endsSwitch(model, dispatch)}
     </div>
     ${vectors.map(paramRow)}
     <div class="short-params" data-count=${short.length}>${short.map(paramRow)}</div>
+    ${ends?.endsRow(model, dispatch)}
   </section>`;
 }
 

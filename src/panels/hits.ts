@@ -2,7 +2,6 @@ import { html, nothing, svg, type TemplateResult } from 'lit';
 import type { Hit, Intersection, Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
-import { whyCut } from '../state/heights.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/words.ts';
 import { rootTexts } from '../text/apart.ts';
@@ -18,19 +17,10 @@ export function was(before: number | null | undefined, now: number): unknown {
 }
 
 /** A column group for each root, with rows t, P and N whose components are aligned. */
-export function hitTable({
-  hits,
-  found,
-  exactly,
-  ray,
-  state,
-  digits,
-  before,
-}: ExploreModel): TemplateResult {
+export function hitTable({ hits, found, exactly, digits, before }: ExploreModel): TemplateResult {
   const texts = rootTexts(hits.map(({ t }) => t));
   const gap = digits?.rootGap(found, exactly) ?? null;
   const beside: Beside = digits?.exactBeside ?? (() => null);
-  const { between } = state;
   return html`<div class="hits" data-count=${hits.length}>
     ${hits.map((words, i) =>
       column(words, hitOf(words, i, found), {
@@ -38,7 +28,6 @@ export function hitTable({
         exact: exactHit(words, i, found, exactly.found),
         beside,
         was: was(before[`t${words.index}`], words.t),
-        cut: between !== null && whyCut(ray, words.t, between) !== null,
       }),
     )}
     ${gap === null ? nothing : html`<p class="gap beside">${gap}</p>`}
@@ -64,21 +53,15 @@ interface Shown {
   readonly beside: Beside;
   /** The ghost's root with an arrow. */
   readonly was: unknown;
-  /** Whether the Picture scene cuts this point off. */
-  readonly cut: boolean;
 }
 
-function column(
-  { index, role, text: own, t }: HitWords,
-  hit: Hit | null,
-  shown: Shown,
-): TemplateResult {
-  const { exact, beside, cut } = shown;
+function column({ index, role, text, t }: HitWords, hit: Hit | null, shown: Shown): TemplateResult {
+  const { exact, beside } = shown;
   const n = String(index);
-  const text = cut ? `${own}; cut off in the scene` : own;
   const rejected = role === 'outside';
   const exactT = exact && beside(t, exact.t);
-  return html`<section class="hit hit-${role}" role="group" data-fate=${cut ? 'cut' : nothing}
+  return html`<section class="hit hit-${role}" role="group"
+    data-fate=${role === 'cut' ? 'cut' : nothing}
     aria-label=${`Root ${index}: ${text}`}>
     <p class="chip"
       data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import type { Ask } from './ask.ts';
+import type { Between } from './heights.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';
@@ -16,6 +17,11 @@ export const applied = <T>(edit: Edit<T>, now: T): T =>
   typeof edit === 'function' ? (edit as (now: T) => T)(now) : edit;
 
 export type ParamValue = Vec3 | number | string;
+/** Heights that a shape is kept between, and whether discs close it there. */
+export interface EndsValue {
+  readonly between: Between;
+  readonly caps: boolean;
+}
 /** Texts of a page's settings; null takes a key back to its default. */
 export type Changes = Readonly<Record<string, string | null>>;
 
@@ -36,6 +42,8 @@ export type Action =
       readonly value: Edit<ParamValue>;
       readonly texts?: TypedTexts | undefined;
     }
+  /** Null for a shape without ends. */
+  | { readonly type: 'ends'; readonly value: Edit<EndsValue | null> }
   | { readonly type: 'method'; readonly id: string }
   | { readonly type: 'view'; readonly view: View }
   | { readonly type: 'bead'; readonly t: Edit<number | null> }

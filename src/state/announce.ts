@@ -5,6 +5,7 @@ import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { spokenName } from '../text/spoken.ts';
 import type { ExploreModel } from './derive.ts';
+import { CAP_NAMES } from './ends.ts';
 import { paramValue } from './state.ts';
 import { NAMED_VIEWS } from './view.ts';
 
@@ -54,9 +55,22 @@ function changedValues(before: ExploreModel, after: ExploreModel): string {
       const isLast = i === params.length - 1;
       return `${symbol} ${spoken(paramValue(shape, key))}${isLast ? becomes : ''}.`;
     }),
+    endsSpoken(before, after),
   ]
     .filter(Boolean)
     .join(' ');
+}
+
+/** The shape's ends, where they are others now. */
+function endsSpoken({ state: a }: ExploreModel, { state: b, found, title }: ExploreModel): string {
+  const isSame = a.between === b.between && a.caps === b.caps;
+  if (isSame || found.details.family !== 'curved') return '';
+  if (!b.between) return `The ${title} is whole.`;
+  const [low, high] = b.between;
+  const lows = low === a.between?.[0] ? [] : [`low ${display(low)}.`];
+  const highs = high === a.between?.[1] ? [] : [`high ${display(high)}.`];
+  const caps = a.caps === b.caps && a.between ? [] : [b.caps ? 'Closed by caps.' : 'Open ends.'];
+  return [...lows, ...highs, ...caps].join(' ');
 }
 
 /** Where the scene is looked at from, when that is all that has changed. */
@@ -122,10 +136,16 @@ function typedSpoken({ asTyped: { differs, notes } }: ExploreModel): string {
   return [...typed, ...notes].join(' ');
 }
 
-function hitsSpoken({ hits }: ExploreModel): string {
+function hitsSpoken({ hits, ended }: ExploreModel): string {
   const texts = rootTexts(
     hits.map(({ t }) => t),
     3,
   );
-  return hits.map(({ index }, i) => `t${subscript(index)} ${texts[i]}`).join(', ');
+  const roots = hits.map(
+    ({ index, role }, i) => `t${subscript(index)} ${texts[i]}${role === 'cut' ? ' cut off' : ''}`,
+  );
+  const caps = (ended?.capHits ?? []).map(
+    ({ end, hit }) => `${CAP_NAMES[end]} ${display(hit.t, 3)}`,
+  );
+  return [...roots, ...caps].join(', ');
 }

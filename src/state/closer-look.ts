@@ -1,4 +1,5 @@
 import { asTyped } from './as-typed.ts';
+import { endedOf } from './ended.ts';
 import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
 import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
 import { createPictures } from './pictures.ts';
@@ -8,6 +9,8 @@ import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 export const closerLook = {
   asTyped,
   createPictures,
+  /** What a shape's ends leave of the roots. */
+  endedOf,
   /** How many digits the page shows, and the exact ones beside them. */
   digits: {
     exactBeside,

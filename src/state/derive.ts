@@ -3,6 +3,7 @@ import type { Intersection, Ray, Shape, Verdict } from '../math/index.ts';
 import { definitionOf, intersectWhole } from '../math/shapes.ts';
 import type { AsTyped } from './as-typed.ts';
 import type { CloserLook } from './closer-look.ts';
+import type { Ended } from './ended.ts';
 import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
 import type { GraphModel } from './graph-model.ts';
@@ -22,7 +23,12 @@ export interface ExploreModel {
   readonly title: string;
   readonly meaning: string;
   readonly ray: Ray;
+  /** About the whole surface, without regard to its ends. */
   readonly found: Intersection;
+  /** What the ends leave of it; null for a shape without ends. */
+  readonly ended: Ended | null;
+  /** What the ends do is not known before its code is loaded: nothing is said of the result. */
+  readonly waiting: boolean;
   /** The exact class, where the chosen method gives another one. */
   readonly contradicted: Verdict | null;
   /** What exact arithmetic says, for what stands beside the method's digits. */
@@ -84,6 +90,17 @@ export function createDerive(
       found: Intersection,
     ) => closer?.asTyped({ texts, shape, E, d, unit }, ray, found) ?? NOT_COMPARED,
   );
+  const ends = remember(
+    (
+      closer: CloserLook | null,
+      shape: Shape,
+      ray: Ray,
+      found: Intersection,
+      { found: exactly }: Exactly,
+      between: AppState['between'],
+      caps: boolean,
+    ) => closer?.endedOf(shape, ray, found, exactly, between, caps) ?? null,
+  );
   const steps = remember(derivation);
   let pictures: ReturnType<CloserLook['createPictures']> | undefined;
   const ghostly = remember((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
@@ -99,8 +116,11 @@ export function createDerive(
     const exactClass = exactly.found.class;
     const ghost = ghostly(state.ghost);
     const derived = steps(shape, r, found);
-    const shown = shownLines({ derivation: derived }, state.revealed);
-    const verdict = verdictWords(found, shape, r);
+    const ended = ends(closer, shape, r, found, exactly, state.between, state.caps);
+    const waiting = closer === null && state.between !== null && found.details.family === 'curved';
+    const lines = shownLines({ derivation: derived }, state.revealed);
+    const shown = waiting ? { ...lines, verdict: false, hits: false } : lines;
+    const whole = verdictWords(found, shape, r);
     pictures ??= closer?.createPictures();
     const seen = pictures?.({
       state,
@@ -109,10 +129,12 @@ export function createDerive(
       ray: r,
       found,
       exactly,
+      ended,
       shown: shown.hits,
       ghost,
-      verdict,
+      verdict: whole,
     });
+    const { verdict, ...others } = seen ?? { verdict: whole, near: null, graph: null, scene: null };
     return {
       state,
       shape,
@@ -120,16 +142,19 @@ export function createDerive(
       meaning: meaning(shape),
       ray: r,
       found,
+      ended,
+      waiting,
       contradicted: exactClass === found.class ? null : exactClass,
       exactly,
       digits: closer?.digits ?? null,
       asTyped: typed(closer, state.typed, shape, state.E, state.d, state.unit, r, exactly.found),
       derivation: knownLines(derived, shown.steps),
       example: exampleOf(state),
-      hits: hitWords(found),
+      hits: hitWords(found, ended),
       before: ghost?.before ?? NOTHING_BEFORE,
       shown,
-      ...(seen ?? { verdict, near: null, graph: null, scene: null }),
+      verdict,
+      ...others,
     };
   };
 }

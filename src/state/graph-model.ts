@@ -19,6 +19,13 @@ export interface GraphModel {
     readonly role: HitRole;
     readonly double: boolean;
   }[];
+  /** Where the ray goes through a cap, and f there. */
+  readonly caps: readonly {
+    readonly end: 'low' | 'high';
+    readonly t: number;
+    readonly f: number;
+    readonly role: HitRole;
+  }[];
   readonly stretches: readonly PlacedStretch[];
   /** t, f(t) and R(t) of the bead. */
   readonly bead: {

@@ -1,8 +1,10 @@
 import type { Intersection, Ray, Shape } from '../math/index.ts';
 import { alongRay, spanInFigure } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
+import type { Ended } from './ended.ts';
+import { CAP_NAMES } from './ends.ts';
 import type { GraphModel } from './graph-model.ts';
-import { stretchesOf } from './stretches.ts';
+import { hitsLeft, stretchesOf } from './stretches.ts';
 import { graphWindowOf, restingBead } from './window.ts';
 import { type HitWords, hitSentences, hitWords } from './words.ts';
 
@@ -13,13 +15,15 @@ export function graphOf(
   ray: Ray,
   bead: number | null,
   ghost: Intersection | null = null,
+  ended: Ended | null = null,
 ): GraphModel {
   const span = found.class === 'contained' ? spanInFigure(shape, ray) : null;
-  const window = graphWindowOf(found, span ? [span.from, span.to] : []);
+  const caps = (ended?.capHits ?? []).map(({ hit: { t } }) => t);
+  const window = graphWindowOf(found, span ? [span.from, span.to] : caps);
   const { A, B, C } = quadratic(found);
   const f = (t: number): number => (A * t + B) * t + C;
-  const roots = hitWords(found);
-  const t = bead ?? restingBead(found, window);
+  const roots = hitWords(found, ended);
+  const t = bead ?? restingBead(hitsLeft(found, ended), window);
   return {
     A,
     B,
@@ -32,12 +36,19 @@ export function graphOf(
       role,
       double: found.class === 'tangent',
     })),
-    stretches: stretchesOf(found, window, span),
+    caps: (ended?.capHits ?? []).map(({ end, hit, role }) => ({
+      end,
+      t: hit.t,
+      // Where a number of f overflows, on the axis.
+      f: f(hit.t) || 0,
+      role,
+    })),
+    stretches: stretchesOf(found, window, span, ended),
     bead: { t, ...alongRay(shape, ray, t) },
     ghost: ghost && { ...quadratic(ghost), roots: ghost.hits.map((hit) => hit.t) },
     contained: found.class === 'contained',
     concealed: false,
-    description: describe(found, roots),
+    description: [describe(found, roots), ...capWords(ended)].join(' '),
   };
 }
 
@@ -71,6 +82,11 @@ function heights(
   const high = Math.max(1.24 * most, -0.3 * least);
   return { low: Math.min(1.24 * least, -0.3 * high), high };
 }
+
+const capWords = (ended: Ended | null): string[] =>
+  (ended?.capHits ?? []).map(
+    ({ end, hit, text }) => `The ${CAP_NAMES[end]} at t = ${display(hit.t)}, ${text}.`,
+  );
 
 function describe(found: Intersection, roots: readonly HitWords[]): string {
   const { A, B, C } = quadratic(found);

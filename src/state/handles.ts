@@ -1,4 +1,4 @@
-import type { Drawing, Grip } from '../math/drawing.ts';
+import type { Drawing, Grip, Stage } from '../math/drawing.ts';
 import {
   coefficients,
   InvalidInput,
@@ -16,6 +16,8 @@ import {
 } from '../math/shapes.ts';
 import { display, displayTriple } from '../text/format.ts';
 import type { Action, Edit, ParamValue } from './actions.ts';
+import { END_PARAMS, endAction, endsRefusal } from './ends.ts';
+import type { Between } from './heights.ts';
 import type { Probe, Tangency, Value } from './snap.ts';
 import { paramValue, RAY_PARAMS } from './state.ts';
 
@@ -85,6 +87,35 @@ export function handlesOf({ shape, E, d, unit, ray, drawing }: Given): Handle[] 
     tangency: tangencyOf((value) => [shape, pointed(value as Vec3)]),
   };
   return [eye, tip, ...drawing.grips.flatMap((grip) => gripHandle(grip, shape, ray))];
+}
+
+/** Handles for the ends of a shape, where its axis is at their heights. */
+export function heightHandles(shape: Shape, between: Between, stage: Stage): ReachHandle[] {
+  const [x, , z] = definitionOf(shape).anchor(shape).at;
+  // A reach is not negative: it is counted from far below all that can be dragged to.
+  const base = Math.min(between[0], stage.low) - 16 * stage.radius;
+  if (!between.every((y) => Number.isFinite(y - base))) return [];
+  return END_PARAMS.map(({ symbol, title, step }, i) => {
+    const value = between[i as 0 | 1];
+    const put = (y: number): Between => (i === 0 ? [y, between[1]] : [between[0], y]);
+    return {
+      type: 'reach',
+      grip: {
+        type: 'reach',
+        param: symbol,
+        from: [x, base, z],
+        direction: { along: [0, 1, 0] },
+        reach: value - base,
+        isLength: true,
+        value: (reach) => base + reach,
+      },
+      value,
+      ...{ symbol, label: `${symbol}, ${title}`, text: display(value), step, isLength: true },
+      refusal: (y) => endsRefusal(put(y as number)),
+      action: (edit) => endAction(i as 0 | 1, edit as Edit<number>),
+      tangency: null,
+    };
+  });
 }
 
 function gripHandle(grip: Grip, shape: Shape, ray: Ray): Handle[] {

@@ -41,12 +41,12 @@ export function pitchOf(f: number, half: number): number {
 }
 
 /**
- * What is heard: a click at each root, silence where the ray is inside. A flat shape has no inside;
+ * What is heard: a click at each hit, silence where the ray is inside. A flat shape has no inside;
  * its f is the signed distance to the plane times |N|, below the reference on the side that N
  * points away from.
  */
 export function scoreOf(graph: GraphModel): Score {
-  const { A, B, C, from, to, low, high, stretches, roots } = graph;
+  const { A, B, C, from, to, low, high, stretches, roots, caps } = graph;
   const start = from < 0 && to > 0 ? 0 : from;
   const seconds = SECONDS;
   const at = (t: number): number => (seconds * (t - start)) / (to - start);
@@ -64,8 +64,9 @@ export function scoreOf(graph: GraphModel): Score {
     });
     return { begin, end, pitch };
   });
-  const clicks = roots
-    .filter(({ role, t }) => role !== 'outside' && t >= start && t <= to)
+  const clicks = [...roots, ...caps]
+    .filter(({ role, t }) => role !== 'outside' && role !== 'cut' && t >= start && t <= to)
+    .sort((a, b) => a.t - b.t)
     .map(({ t }) => at(t));
   return { seconds, from: start, to, tones, clicks };
 }

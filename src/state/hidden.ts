@@ -124,6 +124,7 @@ export function withoutRoots(
   return {
     ...graph,
     ...{ A: Number.NaN, B: Number.NaN, C: Number.NaN, ...reach, low: -1, high: 1, roots: [] },
+    caps: [],
     stretches: stretchesOf(reach),
     bead: { t: at, f: Number.NaN, point: pointAt(ray, at) },
     ...{ ghost: null, contained: false, concealed: true, note: null },

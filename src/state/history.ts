@@ -27,6 +27,7 @@ const UNDOABLE = [
   'd',
   'unit',
   'between',
+  'caps',
   'typed',
   'method',
   'settings',
@@ -93,6 +94,7 @@ function forth({ past, present, future }: History): History {
 }
 
 function restored(present: AppState, from: AppState): AppState {
-  const { page, kind, shapes, E, d, unit, typed, method, settings, example } = from;
-  return { ...present, page, kind, shapes, E, d, unit, typed, method, settings, example };
+  const { page, example } = from;
+  const values = Object.fromEntries(UNDOABLE.map((key) => [key, from[key]]));
+  return { ...present, ...values, page, example };
 }

@@ -1,3 +1,4 @@
+import type { Fate } from '../math/index.ts';
 import { quote } from '../math/shapes.ts';
 import type { ExploreModel } from './derive.ts';
 import type { AppState } from './state.ts';
@@ -28,6 +29,8 @@ export interface Answer {
   readonly state: string;
   readonly class: string | null;
   readonly t: readonly number[];
+  /** Of a shape with ends: what is met at which t, ascending, and whether it is hit, cut or cap. */
+  readonly fates?: readonly { readonly t: number; readonly fate: Fate }[];
 }
 
 /** Characters of a link that a message may carry; a longer one is refused. */
@@ -73,9 +76,11 @@ export function opened(link: string, now: AppState): AppState {
 export function answerOf(state: AppState, model: ExploreModel | null): Answer {
   const query = encode(state).replace(/^[^?]*\??/, '');
   const found = model?.shown.hits ? model.found : null;
+  const ended = model?.shown.hits ? model.ended : null;
   return {
     state: query,
     class: found?.class ?? null,
     t: found?.hits.map(({ t }) => t) ?? [],
+    ...(ended ? { fates: ended.fates } : {}),
   };
 }

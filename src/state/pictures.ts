@@ -1,10 +1,13 @@
 import type { Drawing, Stage } from '../math/drawing.ts';
 import type { Intersection, Ray, Shape } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
+import { cutDrawing, endPoints } from './cut-drawing.ts';
+import type { Ended } from './ended.ts';
 import type { Exactly } from './exactly.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
-import { handlesOf } from './handles.ts';
+import { handlesOf, heightHandles } from './handles.ts';
+import { heightsText } from './heights.ts';
 import { withoutResults, withoutRoots } from './hidden.ts';
 import { type NearTangent, nearTangent } from './near-tangent.ts';
 import { nearestTangent, type Tangent } from './nearest-tangent.ts';
@@ -13,6 +16,7 @@ import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageAround, stageOf } from './stage.ts';
 import type { AppState } from './state.ts';
+import type { Piece } from './verdict-parts.ts';
 import type { VerdictWords } from './words.ts';
 
 /** How near the ray is to tangency, and a search for a ray that touches; null if there is none. */
@@ -27,6 +31,7 @@ interface Found {
   readonly ray: Ray;
   readonly found: Intersection;
   readonly exactly: Exactly;
+  readonly ended: Ended | null;
   /** Whether the hits are shown. */
   readonly shown: boolean;
   readonly ghost: { readonly ray: Ray; readonly found: Intersection } | null;
@@ -49,10 +54,19 @@ export interface Pictures {
 export function createPictures(fixed: () => Stage | null = () => null): (given: Found) => Pictures {
   const graphFor = remember(graphOf);
   // While the hits are hidden the stage must not depend on them: it would give their places away.
-  const stage = keepWhile(sameStage, (shape: Shape, r: Ray, found: Intersection | null) =>
-    found ? stageOf(shape, r, found) : stageAround(shape, [r.origin]),
+  const stage = keepWhile(
+    sameStage,
+    (shape: Shape, r: Ray, found: Intersection | null, between: AppState['between']) =>
+      found
+        ? stageOf(shape, r, found, between ? endPoints(shape, between) : [])
+        : stageAround(shape, [r.origin, ...(between ? endPoints(shape, between) : [])]),
   );
-  const drawing = remember((shape: Shape, s: Stage): Drawing => definitionOf(shape).draw(shape, s));
+  const drawing = remember(
+    (shape: Shape, s: Stage, between: AppState['between'], caps: boolean): Drawing => {
+      const whole = definitionOf(shape).draw(shape, s);
+      return between ? cutDrawing(whole, shape, s, between, caps) : whole;
+    },
+  );
   const handles = remember(
     (
       shape: Shape,
@@ -62,8 +76,14 @@ export function createPictures(fixed: () => Stage | null = () => null): (given: 
       ray: Ray,
       drawing: Drawing,
       lock: AppState['lock'],
-    ) =>
-      handlesOf({ shape, E, d, unit, ray, drawing }).filter(({ symbol }) => !lock.includes(symbol)),
+      between: AppState['between'],
+      s: Stage,
+    ) => [
+      ...handlesOf({ shape, E, d, unit, ray, drawing }).filter(
+        ({ symbol }) => !lock.includes(symbol),
+      ),
+      ...(between && !lock.includes('between') ? heightHandles(shape, between, s) : []),
+    ],
   );
   const nearly = remember(
     (
@@ -77,21 +97,26 @@ export function createPictures(fixed: () => Stage | null = () => null): (given: 
       return near && { ...near, find: nearestTangent(state) && nearestTangent };
     },
   );
-  return ({ state, shape, title, ray, found, exactly, shown, ghost, verdict: words }) => {
-    const graph = graphFor(found, shape, ray, state.bead, ghost?.found ?? null);
-    const s = fixed() ?? stage(shape, ray, shown ? found : null);
-    const picture = drawing(shape, s);
-    const held = handles(shape, state.E, state.d, state.unit, ray, picture, state.lock);
+  return ({ state, shape, title, ray, found, exactly, ended, shown, ghost, verdict: words }) => {
+    const graph = graphFor(found, shape, ray, state.bead, ghost?.found ?? null, ended);
+    const between = ended ? state.between : null;
+    const s = fixed() ?? stage(shape, ray, shown ? found : null, between);
+    const picture = drawing(shape, s, between, state.caps);
+    const { E, d, unit, lock } = state;
+    const held = handles(shape, E, d, unit, ray, picture, lock, between, s);
     const near = nearly(shape, ray, exactly, held, state);
-    const verdict =
+    const whole =
       near && exactly.found.class === found.class
         ? { ...words, pieces: [near.text], text: near.text }
         : words;
+    const isKnown = ended && found.class !== 'undecided';
+    const verdict = isKnown ? endedVerdict(whole, ended) : whole;
     const scene = sceneOf({
       title,
       verdict: verdict.text,
       ray,
       found,
+      ended,
       stage: s,
       drawing: picture,
       handles: held,
@@ -106,6 +131,14 @@ export function createPictures(fixed: () => Stage | null = () => null): (given: 
       scene: shown ? scene : withoutResults(scene, state),
     };
   };
+}
+
+/** The words on the whole surface, and what its ends leave of them. */
+function endedVerdict(words: VerdictWords, ended: Ended): VerdictWords {
+  const how = ended.caps ? 'capped' : 'open';
+  const tail = `; cut at ${heightsText(ended.between)}, ${how}: ${ended.text}`;
+  const pieces: Piece[] = ['uncut, ', ...words.pieces, tail];
+  return { ...words, pieces, text: `uncut, ${words.text}${tail}` };
 }
 
 /** Gives the previous result again while the new one equals it. */

@@ -6,6 +6,8 @@ import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import type { Ask } from './ask.ts';
 import type { ExploreModel } from './derive.ts';
+import { endedOf } from './ended.ts';
+import { CAP_NAMES } from './ends.ts';
 import { hiddenReach } from './hidden.ts';
 
 /** An answer: the id of an option, or t of the mark on the ray. */
@@ -25,6 +27,8 @@ interface Question {
   /** Whether the answer is a mark on the ray; the only options are then for "nowhere". */
   readonly marked: boolean;
   readonly options: readonly Option[];
+  /** Answers beside these where a shape is closed by caps. */
+  readonly capOptions?: readonly Option[];
   /** Whether it can be asked of a curved or a flat shape: only a curved one has D. */
   fits(curved: boolean): boolean;
   /** The answer that follows from the values of right or edited formulas. */
@@ -95,15 +99,20 @@ const first: Question = {
   asks: 'Which root is the first visible hit?',
   marked: false,
   options: [option('t1', 't₁'), option('t2', 't₂'), option('none', 'none')],
+  capOptions: [option('low', CAP_NAMES.low), option('high', CAP_NAMES.high)],
   fits: always,
   answer: (found) => (typeof found.first === 'string' ? found.first : null),
   gap(guess, truth, found) {
-    const name = (id: Guess): string => `t${subscript(Number(String(id).charAt(1)))}`;
+    const name = (id: Guess): string =>
+      id === 'low' || id === 'high'
+        ? `the ${CAP_NAMES[id]}`
+        : `t${subscript(+String(id).charAt(1))}`;
     const roots = ['t1', 't2'].flatMap((id) => {
       const t = numberIn(found, id);
       return t === null ? [] : [`${name(id)} = ${display(t)}`];
     });
     const told = roots.length > 0 ? `${roots.join(', ')}: ` : 'There is no root: ';
+    if (typeof found.left === 'string') return `${told}${found.left}.`;
     const right = truth === 'none' ? 'no hit is visible' : `${name(truth)} is the first with t ≥ 0`;
     const own = guess !== 'none' && numberIn(found, String(guess)) === null;
     return `${told}${right}${own ? `; there is no ${name(guess)}` : ''}.`;
@@ -125,6 +134,12 @@ const sign: Question = {
   },
   gap: (_guess, _truth, found) => `D = ${display(numberIn(found, 'D') ?? Number.NaN)}.`,
 };
+
+/** The answers that can be given about this shape. */
+export const optionsOf = (
+  { options, capOptions = [] }: Question,
+  { ended }: ExploreModel,
+): Option[] => [...options, ...(ended?.caps ? capOptions : [])];
 
 export const QUESTIONS: readonly Question[] = [points, where, first, sign];
 
@@ -161,7 +176,7 @@ interface Judgement {
 export function judgementOf(question: Question, guess: Guess, model: ExploreModel): Judgement {
   const input: Input = { shape: model.shape, ray: model.ray };
   const course = courseOf(input.shape);
-  const found = work(course, input);
+  const found = leftOf(work(course, input), model);
   const truth = question.answer(found);
   if (truth === null)
     return { right: false, truth, gap: 'A number overflowed on the way.', mistake: null };
@@ -171,12 +186,25 @@ export function judgementOf(question: Question, guess: Guess, model: ExploreMode
     right,
     truth,
     gap: question.gap(guess, truth, found, length),
-    mistake: right
-      ? null
-      : typeof guess === 'number'
-        ? mistakeAtMark(guess, input)
-        : mistakeBehind(question, guess, input),
+    // Formulas with a mistake know of no ends.
+    mistake:
+      right || model.ended
+        ? null
+        : typeof guess === 'number'
+          ? mistakeAtMark(guess, input)
+          : mistakeBehind(question, guess, input),
   };
+}
+
+/** What is seen first where a shape has ends, by exact arithmetic: the answers of the rest stay. */
+function leftOf(found: Answers, { ended, ray, shape, exactly, state }: ExploreModel): Answers {
+  if (!ended) return found;
+  const truly = endedOf(shape, ray, exactly.found, exactly.found, state.between, state.caps);
+  if (!truly) return found;
+  const cap = truly.capHits.find(({ role }) => role === 'first');
+  const root = truly.firstRoot === null ? null : exactly.found.hits[truly.firstRoot];
+  const first = cap ? cap.end : truly.firstRoot === null ? 'none' : `t${truly.firstRoot + 1}`;
+  return { ...found, first, t: cap?.hit.t ?? root?.t ?? 'none', left: truly.text };
 }
 
 /** The lines of mistakes that are considered for a question, since many could give an answer. */

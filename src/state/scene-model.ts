@@ -16,13 +16,15 @@ export interface RaySegment {
 
 /**
  * 'first' is the first visible hit (filled disc), 'other' a later one (ring), 'behind' has t < 0,
- * 'outside' misses a figure in its plane (both ×).
+ * 'outside' misses a figure in its plane, 'cut' is beyond an end of the shape (these three ×).
  */
-export type HitRole = 'first' | 'other' | 'behind' | 'outside';
+export type HitRole = 'first' | 'other' | 'behind' | 'outside' | 'cut';
 
 export interface HitMark {
   /** Subscript of t, P and N: 1 or 2. */
   readonly index: number;
+  /** What stands beside it in place of its t: of a cap, or of a root that is cut off. */
+  readonly words?: string;
   readonly role: HitRole;
   readonly t: number;
   readonly point: Vec3;

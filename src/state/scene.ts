@@ -1,8 +1,10 @@
 import { type Drawing, multiplesWithin, roundStep, type Stage } from '../math/drawing.ts';
 import type { Intersection, Ray, Vec3 } from '../math/index.ts';
 import { withArticle } from '../text/article.ts';
-import { displayTriple } from '../text/format.ts';
+import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
+import type { Ended } from './ended.ts';
+import { CAP_NAMES } from './ends.ts';
 import { pointAt } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
 import type { Handle } from './handles.ts';
@@ -18,6 +20,7 @@ interface Parts {
   readonly verdict: string;
   readonly ray: Ray;
   readonly found: Intersection;
+  readonly ended: Ended | null;
   readonly stage: Stage;
   readonly drawing: Drawing;
   readonly graph: GraphModel;
@@ -27,8 +30,8 @@ interface Parts {
 }
 
 export function sceneOf(parts: Parts): SceneModel {
-  const { title, verdict, ray, found, stage, drawing, graph, view, handles, ghost } = parts;
-  const all = hitMarks(found, stage);
+  const { title, verdict, ray, found, ended, stage, drawing, graph, view, handles, ghost } = parts;
+  const all = [...hitMarks(found, ended, stage), ...capMarks(ended, stage)];
   // In a float method t may be finite and the point overflow.
   const hits = all.filter(({ point }) => !point.some(Number.isNaN));
   const reach = clipToStage(ray, stage, drawnOver(found, graph));
@@ -53,7 +56,7 @@ export function sceneOf(parts: Parts): SceneModel {
     handles,
     view,
     notes: notesOf(ray, all, originDrawn),
-    description: describe(title, verdict, ray, found),
+    description: describe(title, verdict, ray, found, ended),
   };
 }
 
@@ -61,18 +64,30 @@ export function sceneOf(parts: Parts): SceneModel {
  * The marks of the hits. A point that a float method knows to be outside the figure, but whose
  * coordinates overflow, has none.
  */
-function hitMarks(found: Intersection, stage: Stage): HitMark[] {
+function hitMarks(found: Intersection, ended: Ended | null, stage: Stage): HitMark[] {
   const { details, hits } = found;
-  return hitWords(found)
+  return hitWords(found, ended)
     .map(({ index, role, t }, i) => {
       const hit = role === 'outside' && details.family === 'flat' ? details.plane : hits[i];
       const point = hit?.point ?? [0, 0, 0];
       const drawn = point.every(Number.isFinite) && isDrawn(point, stage);
-      const normal = hit && !hit.singular && role !== 'outside' ? hit.normal : null;
-      return { index, role, t, point, normal, drawn };
+      const isHit = role !== 'outside' && role !== 'cut';
+      const normal = hit && !hit.singular && isHit ? hit.normal : null;
+      const words = role === 'cut' ? { words: `t${subscript(index)} cut off` } : {};
+      return { index, role, t, point, normal, drawn, ...words };
     })
     .filter(({ point }) => !point.some(Number.isNaN));
 }
+
+/** Subscripts of what lights up with a cap's line. */
+const CAP_INDEX = { low: 3, high: 4 } as const;
+
+const capMarks = (ended: Ended | null, stage: Stage): HitMark[] =>
+  (ended?.capHits ?? []).map(({ end, hit: { t, point, normal }, role }) => ({
+    index: CAP_INDEX[end],
+    words: CAP_NAMES[end],
+    ...{ role, t, point, normal, drawn: point.every(Number.isFinite) && isDrawn(point, stage) },
+  }));
 
 /**
  * The interval of t, within the window and a margin, where the ray is inside the stage, or null.
@@ -139,8 +154,8 @@ export function ticksOf({ from, to }: { from: number; to: number }): number[] {
 function notesOf(ray: Ray, hits: readonly HitMark[], originDrawn: boolean): string[] {
   const outside = hits
     .filter(({ drawn }) => !drawn)
-    .map(({ index, point }) => {
-      const name = `P${subscript(index)}`;
+    .map(({ index, role, words, point }) => {
+      const name = words && role !== 'cut' ? `The hit on the ${words}` : `P${subscript(index)}`;
       if (point.some(Number.isNaN)) return `${name} overflowed on the way: its place is not known`;
       return point.every(Number.isFinite)
         ? `${name} ${displayTriple(point, 3)} lies outside the drawn part`
@@ -155,11 +170,17 @@ function describe(
   verdict: string,
   { origin, direction }: Ray,
   found: Intersection,
+  ended: Ended | null,
 ): string {
-  const hits = hitSentences(hitWords(found)).map((sentence, i) => {
+  const roots = hitSentences(hitWords(found, ended)).map((sentence, i) => {
     const hit = found.hits[i];
     return `${sentence}${hit ? `, at ${displayTriple(hit.point, 3)}` : ''}.`;
   });
+  const caps = (ended?.capHits ?? []).map(
+    ({ end, hit: { t, point }, text }) =>
+      `On the ${CAP_NAMES[end]} at t = ${display(t)}, ${text}, at ${displayTriple(point, 3)}.`,
+  );
+  const hits = [...roots, ...caps];
   const from = `A ray from E ${displayTriple(origin)} in direction d ${displayTriple(direction)}`;
   return [`${from} and ${withArticle(title)}: ${verdict}.`, ...hits].join(' ');
 }

@@ -13,9 +13,13 @@ const FAR = 8;
 const LOW = -0.44;
 const HIGH = 0.56;
 
-/** The stage for a shape, E and the points where the ray meets the shape. */
-export const stageOf = (shape: Shape, ray: Ray, found: Intersection): Stage =>
-  stageAround(shape, [ray.origin, ...pointsToShow(ray, found)]);
+/** The stage for a shape, E, the points where the ray meets the shape, and `more` points. */
+export const stageOf = (
+  shape: Shape,
+  ray: Ray,
+  found: Intersection,
+  more: readonly Vec3[] = [],
+): Stage => stageAround(shape, [ray.origin, ...pointsToShow(ray, found), ...more]);
 
 /**
  * The stage for a shape and these points. Its size is a continuous function of them, so that a

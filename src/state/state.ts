@@ -50,11 +50,10 @@ export interface AppState {
   readonly view: View;
   /** t of the bead; null for its resting place, `restingBead`. */
   readonly bead: number | null;
-  /**
-   * Heights between which a Picture scene keeps the shape, if ray and shape were opened from there;
-   * null once either is changed.
-   */
+  /** Heights between which a curved shape is kept; null for all of it. A flat one is whole. */
   readonly between: Between | null;
+  /** Whether discs close it there; false without heights. */
+  readonly caps: boolean;
   /** The settings of each page as it was left. */
   readonly settings: Readonly<Record<PageId, Settings>>;
   /** Messages on what was wrong with the link or file that was opened. */
@@ -133,6 +132,7 @@ export const INITIAL: AppState = {
   view: 'iso',
   bead: null,
   between: null,
+  caps: false,
   settings: Object.fromEntries(PAGES.map(({ id }) => [id, {}])) as unknown as AppState['settings'],
   problems: [],
   example: null,

@@ -1,5 +1,6 @@
 import type { Intersection } from '../math/index.ts';
 import type { Sign, Span } from '../math/shapes.ts';
+import type { Ended } from './ended.ts';
 import type { Stretch } from './scene-model.ts';
 
 /**
@@ -25,23 +26,27 @@ interface Interval {
 
 /**
  * The window cut at E and at the roots, in the order of t. `span`: the part of a line in a figure's
- * plane that is in the figure.
+ * plane that is in the figure. `ended`: what is left of a shape with ends.
  */
 export function stretchesOf(
   found: Intersection,
   { from, to }: Interval,
   span: Span | null,
+  ended: Ended | null = null,
 ): PlacedStretch[] {
-  const ends = span ? [span.from, span.to] : [];
+  const ends = span ? [span.from, span.to] : (ended?.crossed ?? []);
   const cuts = [0, ...found.hits.map(({ t }) => t), ...ends, ...planeCut(found)];
+  const visible = hitsLeft(found, ended).filter((t) => t >= 0);
   const inside = cuts.filter((t) => t > from && t < to).sort((a, b) => a - b);
   const bounds = [from, ...new Set(inside), to];
   const pieces = bounds.slice(1).map((end, i) => {
     const interval = { from: bounds[i] ?? from, to: end };
-    const place = placeAt(found, interval, span);
-    return { ...interval, place, stretch: stretchAt(found, interval, place) };
+    const whole = placeAt(found, interval, span);
+    const isGone = ended !== null && isSomewhere(whole) && !isBetween(interval, ended);
+    const place = isGone ? 'outside' : whole;
+    return { ...interval, place, stretch: stretchAt(visible, interval, place) };
   });
-  return pieces.reduce(joined, []);
+  return pieces.reduce<PlacedStretch[]>((before, next) => joined(before, next, ended !== null), []);
 }
 
 /** The t at which the plane is crossed: f changes its sign there also if the figure is missed. */
@@ -49,19 +54,35 @@ function planeCut({ details }: Intersection): number[] {
   return details.family === 'flat' && details.plane ? [details.plane.t] : [];
 }
 
-/** Joins the stretches behind E into one. */
-function joined(before: PlacedStretch[], next: PlacedStretch): PlacedStretch[] {
+/** What is met, ascending: all roots, or those that are not cut off and the caps. */
+export const hitsLeft = ({ hits }: Intersection, ended: Ended | null): number[] =>
+  ended
+    ? ended.fates.flatMap(({ t, fate }) => (fate === 'cut' ? [] : [t]))
+    : hits.map(({ t }) => t);
+
+const isSomewhere = (place: Place): boolean => place === 'inside' || place === 'on it';
+
+/** Whether the stretch is between the heights, of which it crosses none. */
+function isBetween({ from, to }: Interval, { crossed, isWithin }: Ended): boolean {
+  if (!crossed) return isWithin;
+  return from >= Math.min(...crossed) && to <= Math.max(...crossed);
+}
+
+/** Joins stretches behind E into one, and those outside that a cut surface would part. */
+function joined(before: PlacedStretch[], next: PlacedStretch, isCut: boolean): PlacedStretch[] {
   const last = before.at(-1);
-  if (last?.place !== 'behind' || next.place !== 'behind') return [...before, next];
+  const isSame = last?.place === next.place && last.stretch === next.stretch;
+  if (!last || !isSame || !(next.place === 'behind' || (isCut && next.place === 'outside'))) {
+    return [...before, next];
+  }
   return [...before.slice(0, -1), { ...last, to: next.to }];
 }
 
 /** The line style. Outside between two hits the ray is 'before' the second one. */
-function stretchAt({ hits }: Intersection, { to }: Interval, place: Place): Stretch {
+function stretchAt(visible: readonly number[], { to }: Interval, place: Place): Stretch {
   if (place === 'behind') return 'behind';
   if (place === 'inside') return 'inside';
-  const visible = hits.filter(({ t }) => t >= 0);
-  return visible.some(({ t }) => t >= to) || visible.length === 0 ? 'before' : 'after';
+  return visible.some((t) => t >= to) || visible.length === 0 ? 'before' : 'after';
 }
 
 function placeAt(found: Intersection, interval: Interval, span: Span | null): Place {

@@ -1,7 +1,14 @@
 import { walkLength } from '../math/formula.ts';
 import type { Shape, Vec3 } from '../math/index.ts';
 import { checkParam, findMethod, findShape, type Param, type ShapeKind } from '../math/shapes.ts';
-import { type Action, applied, type Changes, type Edit, type ParamValue } from './actions.ts';
+import {
+  type Action,
+  applied,
+  type Changes,
+  type Edit,
+  type EndsValue,
+  type ParamValue,
+} from './actions.ts';
 import { allExamples, exampleOf } from './example.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import {
@@ -23,7 +30,7 @@ import { isView } from './view.ts';
  * shows why.
  */
 export function update(state: AppState, action: Action): AppState {
-  const next = step(state, action);
+  const next = updated(state, action);
   if (next === state || action.type === 'link' || action.type === 'open') return next;
   return isLocked(state, next) ? state : kept(state, next);
 }
@@ -35,14 +42,15 @@ export function update(state: AppState, action: Action): AppState {
 function isLocked(state: AppState, next: AppState): boolean {
   if (next.lock !== state.lock) return false;
   const value = (now: AppState, symbol: string): unknown => {
-    if (symbol === 'E' || symbol === 'd') return now[symbol];
+    if (symbol === 'E' || symbol === 'd' || symbol === 'between') return now[symbol];
     const param = findShape(state.kind)?.params.find((one) => one.symbol === symbol);
     return param && paramValue(now.shapes[state.kind], param.key);
   };
   return state.lock.some(
     (symbol) =>
       !Object.is(value(state, symbol), value(next, symbol)) ||
-      (symbol === 'd' && next.unit !== state.unit),
+      (symbol === 'd' && next.unit !== state.unit) ||
+      (symbol === 'between' && next.caps !== state.caps),
   );
 }
 
@@ -51,16 +59,6 @@ function kept(state: AppState, next: AppState): AppState {
   if (state.example !== null || next.example !== null) return next;
   const example = exampleOf(state);
   return example ? { ...next, example: example.entry.id } : next;
-}
-
-function step(state: AppState, action: Action): AppState {
-  const next = updated(state, action);
-  const other = next.kind !== state.kind || shapeOf(next) !== shapeOf(state);
-  const moved = next.E !== state.E || next.d !== state.d || next.unit !== state.unit;
-  // The heights of a scene apply to its own thing and ray only.
-  return (other || moved) && next.between && next.between === state.between
-    ? { ...next, between: null }
-    : next;
 }
 
 function updated(state: AppState, action: Action): AppState {
@@ -75,6 +73,8 @@ function updated(state: AppState, action: Action): AppState {
       return { ...state, unit: action.on };
     case 'param':
       return withParam(state, action.key, action.value, action.texts);
+    case 'ends':
+      return withEnds(state, applied(action.value, endsIn(state)));
     case 'method':
       return findMethod(action.id) ? { ...state, method: action.id } : state;
     case 'view':
@@ -181,6 +181,17 @@ function withParam(
   return retyped(state, next, texts);
 }
 
+const endsIn = ({ between, caps }: AppState): EndsValue | null => between && { between, caps };
+
+function withEnds(state: AppState, ends: EndsValue | null): AppState {
+  const [low = Number.NaN, high = Number.NaN] = ends?.between ?? [0, 1];
+  if (!(low < high) || !Number.isFinite(low) || !Number.isFinite(high)) return state;
+  const [between, caps] = [ends?.between ?? null, ends?.caps ?? false];
+  const isSame = between && state.between?.every((y, i) => Object.is(y, between[i]));
+  if ((isSame || between === state.between) && caps === state.caps) return state;
+  return { ...state, between: isSame ? state.between : between, caps };
+}
+
 function withSettings(state: AppState, values: Changes): AppState {
   const before = state.settings[state.page];
   if (Object.entries(values).every(([key, value]) => (before[key] ?? null) === value)) return state;
@@ -204,8 +215,9 @@ function reset(state: AppState, what: What): AppState {
   if (what === 'E') return { ...without('E'), E: INITIAL.E };
   if (what === 'd') return { ...without('d'), d: INITIAL.d };
   if (what === 'all') {
-    const { E, d, unit, bead, view } = INITIAL;
-    return withShape({ ...without('E', 'd', kind), E, d, unit, bead, view }, initialShape(kind));
+    const { E, d, unit, bead, view, between, caps } = INITIAL;
+    const rest = { E, d, unit, bead, view, between, caps };
+    return withShape({ ...without('E', 'd', kind), ...rest }, initialShape(kind));
   }
   const param = findShape(kind)?.params.find(({ key }) => key === what.param);
   if (!param) return state;

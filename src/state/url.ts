@@ -121,17 +121,18 @@ export function encode(state: AppState): string {
 }
 
 /**
- * The link to Explore with a shape and a ray of another page, and the heights it is kept between.
+ * The link to Explore with a shape and a ray of another page, and the ends of the shape.
  */
 export function exploreLink(
   shape: Shape,
   ray: Ray,
   method: string,
   between: Between | null = null,
+  caps = false,
 ): string {
   const shapes = { ...INITIAL.shapes, [shape.kind]: shape };
   const { origin: E, direction: d } = ray;
-  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method, between });
+  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method, between, caps });
 }
 
 const entryOf = (page: PageId): PageEntry | undefined => PAGES.find(({ id }) => id === page);
@@ -175,6 +176,7 @@ function lookPairs(state: AppState): [string, string][] {
   if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
   if (state.between) pairs.push(['between', heights.write(state.between)]);
+  if (state.between && state.caps) pairs.push(['caps', '1']);
   pairs.push(...hidePairs(state));
   if (state.ask) pairs.push(['ask', state.ask]);
   if (state.derive) pairs.push(['derive', String(stepShown(state))]);
@@ -249,6 +251,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     view: look.view,
     bead: look.bead,
     between: page === 'explore' || !aboutRay(page) ? look.between : null,
+    caps: page === 'explore' || !aboutRay(page) ? look.caps : false,
     settings: { ...before.settings, [page]: own },
     problems,
     example: null,
@@ -280,7 +283,7 @@ function readRay(
   };
 }
 
-interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'ask' | 'derive'> {
+interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'caps' | 'ask' | 'derive'> {
   readonly hidden: boolean;
 }
 
@@ -291,12 +294,19 @@ const readHidden = (read: Read, { revealed }: AppState): boolean =>
   read('hide', word, revealed === null ? '0' : '1', flag) === '1';
 
 function readLook(read: Read, before: AppState, steps: number): Look {
+  const between = read<Between | null>('between', heights, null);
   return {
     hidden: readHidden(read, before),
     ask: read<string | null>('ask', word as Codec<string | null>, null, knownAsk) as Ask | null,
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
-    between: read<Between | null>('between', heights, null),
+    between,
+    caps:
+      read('caps', word, '0', (text) => {
+        flag(text);
+        if (text === '1' && !between)
+          throw new InvalidInput("'caps' needs 'between', which is missing");
+      }) === '1',
     derive: read<number | null>('derive', number, null, (given) => {
       const step = Number(given);
       if (step % 1 !== 0 || step < 1 || step > steps) {
@@ -314,7 +324,7 @@ function readHost(read: Read, kind: ShapeKind): Pick<AppState, 'embed' | 'lock' 
   });
   return {
     embed: read<Part[] | null>('embed', list(PARTS, 'a part') as Codec<Part[] | null>, null),
-    lock: read('lock', list(['E', 'd', ...symbols], `a symbol of a ${kind}`), []),
+    lock: read('lock', list(['E', 'd', 'between', ...symbols], `a symbol of a ${kind}`), []),
     theme: read<LinkTheme | null>(
       'theme',
       { write: String, read: (text) => listOf(text, LINK_THEMES, 'a theme')[0] ?? null },

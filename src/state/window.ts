@@ -94,11 +94,12 @@ function around(points: readonly number[], roots: readonly number[]): Window {
 }
 
 /**
- * t of a bead that was not moved: midway between two roots, else 1.5; rounded to a short decimal.
+ * t of a bead that was not moved: midway between the first two hits, else 1.5; rounded to a short
+ * decimal.
  */
-export function restingBead(found: Intersection, { from, to }: Window): number {
-  const [first, second] = found.hits;
-  const t = first && second ? (first.t + second.t) / 2 : 1.5;
+export function restingBead(hits: readonly number[], { from, to }: Window): number {
+  const [first, second] = hits;
+  const t = first !== undefined && second !== undefined ? (first + second) / 2 : 1.5;
   const step = roundStep((to - from) / 50);
   const rounded = Math.round(t / step) * step;
   const clean = Number(rounded.toPrecision(12));

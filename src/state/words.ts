@@ -5,6 +5,7 @@ import { rootTexts } from '../text/apart.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { curvedVerdict } from './curved-verdict.ts';
+import type { Ended } from './ended.ts';
 import { distanceKnown, flatVerdict } from './flat-verdict.ts';
 import type { HitRole } from './scene-model.ts';
 import { sideOfPlane, sidesOf } from './sides.ts';
@@ -51,8 +52,10 @@ export function verdictWords(
 export const textOf = (pieces: readonly Piece[]): string =>
   pieces.map((piece) => (typeof piece === 'string' ? piece : display(piece.value))).join('');
 
-/** Every root with its role; also a point of the plane outside of the figure. */
-export function hitWords(found: Intersection): HitWords[] {
+/**
+ * Every root of the whole surface with its role; also a point of the plane outside of the figure.
+ */
+export function hitWords(found: Intersection, ended: Ended | null = null): HitWords[] {
   const { details } = found;
   if (details.family === 'flat' && details.plane && details.plane.inside === false) {
     const far = distanceKnown(details.plane);
@@ -60,8 +63,10 @@ export function hitWords(found: Intersection): HitWords[] {
     return [{ index: 1, t: details.plane.t, role: 'outside', text }];
   }
   const sides = sidesOf(found);
-  const first = sides.findIndex((side) => side >= 0);
+  const first = ended ? ended.firstRoot : sides.findIndex((side) => side >= 0);
   return found.hits.map(({ t }, i) => {
+    const cut = ended?.cut[i];
+    if (cut) return { index: i + 1, t, role: 'cut', text: `cut off: ${cut}` };
     const role: HitRole = sides[i] === -1 ? 'behind' : i === first ? 'first' : 'other';
     return { index: i + 1, t, role, text: hitText(found, i, role, sides[i] === 0) };
   });

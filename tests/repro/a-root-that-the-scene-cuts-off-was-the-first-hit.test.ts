@@ -3,10 +3,9 @@ import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
-import { heightsLine } from '../../src/state/heights.ts';
 import { surfaceSteps } from '../../src/state/picture/hit-steps.ts';
 import { treeRows } from '../../src/state/picture/tree-rows.ts';
-import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
+import { INITIAL } from '../../src/state/state.ts';
 import { update } from '../../src/state/update.ts';
 import { decode, encode, exploreLink } from '../../src/state/url.ts';
 import { DEFAULT_SETTINGS } from '../../src/tracer/types.ts';
@@ -15,7 +14,7 @@ import { tracerFor } from '../unit/tracer/tracing.ts';
 /*
  * Where a thing is kept between heights the list of a pixel's rays named the right hit, the algebra
  * below it called the root before it, which is cut off, the first hit, and Explore showed the whole
- * shape without a word.
+ * shape.
  */
 
 /** A hyperboloid with a = 0.5, r = 0.8 between y = −0.5 and 1. */
@@ -54,29 +53,28 @@ describe.each([
     expect(roots?.[1]?.words).toContain('first hit, leaves');
   });
 
-  test('Explore says what the scene cuts off, until ray or shape are other ones', () => {
+  test('Explore has the same ends, and keeps them', () => {
     const { shape, ray, meeting } = row;
     if (!shape) throw new Error('a shape was expected');
     const state = decode(exploreLink(shape, ray, 'certified', meeting.between));
     expect(state.problems).toEqual([]);
     expect(state.between).toEqual(meeting.between);
     expect(decode(encode(state)).between).toEqual(meeting.between);
-    const { found } = createDerive(() => closerLook)(state);
-    expect(heightsLine(name, state.between ?? [0, 0], rayOf(state), found.hits)).toMatch(
-      /is kept between y = .+ and .+; here it is whole\. t₁ is cut off there: y = \S+ > \S+\.$/,
-    );
-    const looked = update(update(state, { type: 'method', id: 'exact' }), { type: 'bead', t: 1 });
-    expect(looked.between).toEqual(meeting.between);
-    const [param] = Object.keys(shapeOf(state)).filter((key) => key === 'radius');
+    const { hits, verdict } = createDerive(() => closerLook)(state);
+    expect(hits.map(({ role }) => role)).toEqual(['cut', 'first']);
+    expect(hits[0]?.text).toMatch(/^cut off: y = \S+ > \S+$/);
+    expect(verdict.text).toMatch(/^uncut, two points.*; cut at .*: t₁ is cut off, first hit t₂$/);
     for (const action of [
+      { type: 'method', id: 'exact' },
+      { type: 'bead', t: 1 },
       { type: 'origin', value: [9, 9, 9] },
       { type: 'direction', value: [0, 1, 0] },
       { type: 'unit', on: true },
-      { type: 'param', key: param ?? '', value: 3 },
+      { type: 'param', key: 'radius', value: 3 },
       { type: 'shape', kind: 'plane' },
       { type: 'reset', what: 'E' },
     ] as const) {
-      expect(update(state, action).between).toBeNull();
+      expect(update(state, action).between).toEqual(meeting.between);
     }
   });
 });

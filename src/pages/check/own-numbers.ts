@@ -38,7 +38,7 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
       const model = derive(state);
       const now = inputOf(state);
       render(
-        html`<h2>Own numbers</h2>${shapePicker(model, dispatch)}${controls(model, dispatch)}`,
+        html`<h2>Own numbers</h2>${shapePicker(model, dispatch)}${controls(model, dispatch, null)}`,
         head,
       );
       const tools = {

@@ -1,6 +1,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { algebra } from '../../panels/algebra.ts';
 import { controls } from '../../panels/controls.ts';
+import { endsControls, endsLines } from '../../panels/ends.ts';
 import { hitTable } from '../../panels/hits.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { type ExploreModel, isFull } from '../../state/derive.ts';
@@ -75,9 +76,10 @@ function panelOf(
   has: (part: Part) => boolean,
   dispatch: Dispatch,
 ): TemplateResult {
-  const hits = model.shown.hits ? hitTable(model) : nothing;
-  return html`${has('parameters') ? controls(model, dispatch) : nothing}
-    ${has('algebra') ? algebra(model, dispatch) : has('hits') ? hits : nothing}`;
+  const hits = model.shown.hits ? html`${hitTable(model)}${endsLines(model)}` : nothing;
+  const lines = has('algebra') ? algebra(model, dispatch, undefined, endsLines) : null;
+  return html`${has('parameters') ? controls(model, dispatch, endsControls) : nothing}
+    ${lines ?? (has('hits') ? hits : nothing)}`;
 }
 
 /** The example's title, or what the shape is, and the verdict; what was wrong with the link. */

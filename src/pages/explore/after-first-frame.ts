@@ -3,6 +3,7 @@
 import type { ExploreModel } from '../../state/derive.ts';
 import { late } from '../../ui/late.ts';
 
+export * as ends from '../../panels/ends.ts';
 export { normalLine } from '../../panels/normal-line.ts';
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';

@@ -13,7 +13,7 @@ interface Challenge {
   readonly kind: ShapeKind | null;
   readonly asks: string;
   /** Words on what is achieved; null if it is not. */
-  met(model: Pick<ExploreModel, 'found' | 'shape' | 'near'>): string | null;
+  met(model: Pick<ExploreModel, 'found' | 'ended' | 'shape' | 'near'>): string | null;
 }
 
 export const CHALLENGES: readonly Challenge[] = [
@@ -31,7 +31,8 @@ export const CHALLENGES: readonly Challenge[] = [
     id: 'upper',
     kind: 'cone',
     asks: 'hit only the upper nappe',
-    met({ found: { hits }, shape }) {
+    met({ found, ended, shape }) {
+      const hits = found.hits.filter((_, i) => !ended?.cut[i]);
       const [, height] = (shape as { vertex?: readonly number[] }).vertex ?? [];
       const upper = height !== undefined && hits.every(({ point }) => point[1] > height);
       return upper && hits.some(({ t }) => t >= 0) ? 'all points are above V' : null;

@@ -2,6 +2,7 @@ import { html, render, type TemplateResult } from 'lit';
 import { algebra } from '../../panels/algebra.ts';
 import { compactControls, equations } from '../../panels/compact-controls.ts';
 import { controls } from '../../panels/controls.ts';
+import type * as Ends from '../../panels/ends.ts';
 import type { normalLine as NormalLine } from '../../panels/normal-line.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import type { Dispatch } from '../../state/actions.ts';
@@ -28,6 +29,8 @@ export interface ExploreTools extends SceneBarTools {
   readonly story: typeof Story | null;
   /** The line of N; null until it is loaded. */
   readonly normalLine: typeof NormalLine | null;
+  /** What is shown of a shape's ends; null until it is loaded. */
+  readonly ends: typeof Ends | null;
   readonly secondView: SecondView | null;
   /** The projector shows one parameter at a time, as a phone does. */
   readonly large: boolean;
@@ -85,9 +88,11 @@ export function mountExplore(
   narrow.addEventListener('change', changed);
   wide.addEventListener('change', changed);
   // Parameters come before the algebra, in reading and focus order.
-  const panelContent = (model: ExploreModel, card: TemplateResult, large: boolean) => {
-    const compact = narrow.matches || (large && wide.matches);
-    const params = compact ? compactControls(model, dispatch, changed) : controls(model, dispatch);
+  const panelContent = (model: ExploreModel, card: TemplateResult, tools: ExploreTools) => {
+    const compact = narrow.matches || (tools.large && wide.matches);
+    const params = compact
+      ? compactControls(model, dispatch, changed, tools.ends?.endsControls ?? null)
+      : controls(model, dispatch, tools.ends?.endsControls ?? null);
     const body = compact ? html`${equations(model, dispatch)}${card}` : card;
     return wide.matches
       ? html`${params}${predict.host}${body}`
@@ -104,8 +109,8 @@ export function mountExplore(
       if (walking) walk ??= lateWalk(walkArea, dispatch, changed, announce);
       host.classList.toggle('walking', walking);
       walk?.render(model);
-      const card = algebra(model, dispatch, tools.normalLine);
-      render(panelContent(model, card, tools.large), panel);
+      const card = algebra(model, dispatch, tools.normalLine, tools.ends?.endsLines);
+      render(panelContent(model, card, tools), panel);
       const isFirst = model.state.E.every((x, i) => x === INITIAL.E[i]);
       visit ??= isFirst;
       untouched &&= isFirst && model.example === null;

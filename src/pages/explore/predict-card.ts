@@ -4,7 +4,13 @@ import type { Dispatch } from '../../state/actions.ts';
 import { isAsk } from '../../state/ask.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { hiddenReach, markOf, markStep } from '../../state/hidden.ts';
-import { type Guess, judgementOf, QUESTIONS, questionOf } from '../../state/predictions.ts';
+import {
+  type Guess,
+  judgementOf,
+  optionsOf,
+  QUESTIONS,
+  questionOf,
+} from '../../state/predictions.ts';
 import { display } from '../../text/format.ts';
 import './predict-card.css';
 
@@ -15,7 +21,8 @@ interface Committed {
   readonly about: string;
 }
 
-const aboutOf = ({ shape, ray }: ExploreModel): string => JSON.stringify([shape, ray]);
+const aboutOf = ({ shape, ray, state: { between, caps } }: ExploreModel): string =>
+  JSON.stringify([shape, ray, between, caps]);
 
 /** Scene and graph with the mark and its distance from the hit; null for those of the model. */
 export type Marked = Pick<ExploreModel, 'scene' | 'graph'> | null;
@@ -71,10 +78,14 @@ function asked(
         )}
       </select></label>
     </p>
-    <p class="predict-asks">${question.asks}</p>
+    <p class="predict-asks">${question.asks}${
+      model.ended && question.id === 'points'
+        ? ' All of the shape is meant, beyond its ends too.'
+        : ''
+    }</p>
     <p class="predict-answers">
       ${t === null ? nothing : mark(t, model, dispatch, commit)}
-      ${question.options.map(
+      ${optionsOf(question, model).map(
         ({ id, title }) =>
           html`<button type="button" class="guess" data-guess=${id}
             @click=${() => commit(id)}>${title}</button>`,
@@ -121,7 +132,9 @@ function judged(
   { question, guess }: Committed,
   { right, gap, mistake }: ReturnType<typeof judgementOf>,
 ): TemplateResult {
-  const said = question.options.find(({ id }) => id === guess)?.title;
+  const said = [...question.options, ...(question.capOptions ?? [])].find(
+    ({ id }) => id === guess,
+  )?.title;
   return html`<section class="predict" aria-label="Prediction">
     <p role="status"><strong>${right ? 'Right.' : 'Not so.'}</strong>
       ${said ? `You said: ${said}. ` : ''}${gap}${mistake ? ` ${mistake}` : ''}</p>

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { algebra } from '../../panels/algebra.ts';
+import { endsLines } from '../../panels/ends.ts';
 import { formula, symbol } from '../../panels/formula.ts';
 import { normalLine } from '../../panels/normal-line.ts';
 import { rayHandles, shapeHandles } from '../../panels/params-of.ts';
@@ -30,7 +31,7 @@ function exploreHandout(model: FullModel): Handout {
     content: html`<article class="handout-explore">
       ${linkHead(heading(model), encode(model.state))}
       ${sceneFrame('explore')}${graphOf(model, 'explore', GRAPH)}
-      ${given(model)}${algebra(model, untouched, normalLine)}
+      ${given(model)}${algebra(model, untouched, normalLine, endsLines)}
     </article>`,
     drawn: (root) => drawSeen(root, 'explore', model.scene, SCENE),
   };

@@ -52,7 +52,7 @@ export function rootFates(found: Intersection, meeting: Meeting): RootFate[] {
     });
     if (i === start) return own('start', 'where the ray starts: dropped');
     if (!(t >= least)) return own('before', t < 0 ? 'behind the start' : 'before the ray begins');
-    const cut = between && whyCut(ray, t, between);
+    const cut = between && cutBy(ray, t, between);
     if (cut) return own('cut', `cut off: ${cut}`);
     if (t >= most) return own('beyond', 'beyond the light');
     if (passes) return own('glass', 'goes through: glass casts no shadow here');
@@ -61,6 +61,13 @@ export function rootFates(found: Intersection, meeting: Meeting): RootFate[] {
     hit = true;
     return own('hit', ['first hit', words].filter(Boolean).join(', '));
   });
+}
+
+/** The height as the tracer computes it. */
+function cutBy({ origin, direction }: Ray, t: number, between: Between): string | null {
+  const y = origin[1] + t * direction[1];
+  const [low, high] = between;
+  return y >= low && y <= high ? null : whyCut([0, y, 0], between);
 }
 
 /** Index of the root nearest to 0 (scene/start.ts); of two equally near ones the later. */

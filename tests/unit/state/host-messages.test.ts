@@ -1,5 +1,6 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { PARTS } from '../../../src/state/embed.ts';
 import { answerOf, opened, readMessage } from '../../../src/state/host-messages.ts';
@@ -84,7 +85,7 @@ describe('a link of the host', () => {
 });
 
 describe('what is answered', () => {
-  const derive = createDerive();
+  const derive = createDerive(() => closerLook);
 
   test(`is the state, and brings it back, seed ${SEED}`, () => {
     fc.assert(

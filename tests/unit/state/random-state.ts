@@ -97,6 +97,7 @@ export const anyState: fc.Arbitrary<AppState> = fc
     bead: fc.option(double, { nil: null }),
     texts: fc.array(fc.option(text), { minLength: 3, maxLength: 3 }),
     between: fc.option(heights, { nil: null }),
+    caps: fc.boolean(),
     revealed: fc.constantFrom(null, 0),
     ask: fc.option(fc.constantFrom(...ASKS), { nil: null }),
     step: fc.option(fc.integer({ min: 1, max: 9 }), { nil: null }),
@@ -110,12 +111,14 @@ export const anyState: fc.Arbitrary<AppState> = fc
     const state: AppState = {
       ...INITIAL,
       ...rest,
+      caps: rest.caps && rest.between !== null,
       derive: step && Math.min(step, walkLength(shape)),
       // The look is Explore's own.
       ...(rest.page !== 'explore' && {
         view: INITIAL.view,
         bead: null,
         between: null,
+        caps: false,
         revealed: null,
         ask: null,
         derive: null,

@@ -101,6 +101,7 @@ describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
           const graph = graphOf(found, shape, ray, null, found);
           const scene = sceneOf({
             ...{ title: 'it', verdict: found.class, ray, found, stage, drawing, graph },
+            ended: null,
             ...{ handles: [], view: 'iso', ghost: { ray, found } },
           });
           const hidden = [withoutResults(scene, state), withoutRoots(graph, { shape, ray, state })];
