@@ -16,7 +16,7 @@ import type { HitRole } from './scene-model.ts';
 import { sidesOf } from './sides.ts';
 
 /** A way of the line through a cap, as seen from E along the ray. */
-interface CapHit {
+export interface CapHit {
   readonly end: End;
   readonly hit: Hit;
   readonly role: HitRole;
@@ -48,6 +48,7 @@ export interface Ended {
   readonly between: Between;
   readonly caps: boolean;
   /** All that is met, ascending. */
+  readonly hits: readonly Hit[];
   readonly fates: readonly { readonly t: number; readonly fate: Fate }[];
   /** By root: why it is cut off; null where it is not. */
   readonly cut: readonly (string | null)[];
@@ -127,6 +128,7 @@ export function endedOf(
   return {
     between,
     caps,
+    hits: met.map(({ hit }) => hit),
     fates: met.map(({ hit: { t, fate = 'hit' } }) => ({ t, fate })),
     cut: met
       .filter(({ root }) => root !== null)

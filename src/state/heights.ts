@@ -24,6 +24,6 @@ export function told(y: number, limit: number): readonly [string, string] {
   return [display(y, 17), display(limit, 17)];
 }
 
-/** "y = −1 and 2" */
+/** "heights −1 and 2" */
 export const heightsText = ([low, high]: Between): string =>
-  `y\u00a0=\u00a0${display(low)} and ${display(high)}`;
+  `heights ${display(low)} and ${display(high)}`;

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
@@ -46,9 +47,10 @@ test('what is copied is what the page shows, for every text', async ({ page }) =
 test('GLSL compiles in WebGL2, for every example', async ({ page }) => {
   await open(page, LINK);
   const glsl = EXPORTS.find(({ id }) => id === 'glsl');
-  const programs = GALLERY.map(({ id, link }) => [
+  const curved = '#/explore?shape=cone&between=-1,2&caps=1';
+  const programs = [...GALLERY, { id: 'ends', link: curved }].map(({ id, link }) => [
     id,
-    glsl?.text(createDerive()(decode(link))) ?? '',
+    glsl?.text(createDerive(() => closerLook)(decode(link))) ?? '',
   ]);
   const faults = await page.evaluate((list) => {
     const gl = document.createElement('canvas').getContext('webgl2');

@@ -33,7 +33,7 @@ const LANGUAGE: Language = {
 };
 
 export function rayGlsl(model: ExploreModel): string {
-  const { program, shape, E, d, about, names } = partsOf(model);
+  const { program, shape, E, d, ends, about, names } = partsOf(model);
   const own = names(SYNTAX.component);
   const signature = 'vec3 E, vec3 d';
   return `${[
@@ -41,6 +41,7 @@ export function rayGlsl(model: ExploreModel): string {
     ...about.map(LANGUAGE.comment),
     ...HEAD,
     ...shape.map(constant),
+    ...(ends?.heights ?? []).map(constant),
     '',
     '// The case, and t of every point of the whole line, ascending.',
     `Answer intersect(${signature}) {`,
@@ -60,7 +61,8 @@ export function rayGlsl(model: ExploreModel): string {
       { name: 'E', value: E, title: 'eye' },
       { name: 'd', value: d, title: 'direction' },
     ].map(constant),
-    ...MAIN,
+    ...(ends ? endsCode(ends.caps, ends.f(SYNTAX)) : []),
+    ...(ends ? MAIN.map((line) => line.replace('= intersect(E, d)', '= left()')) : MAIN),
   ].join('\n')}\n`;
 }
 
@@ -76,6 +78,48 @@ struct Answer { int kind; int count; float t1; float t2; };
 
 bool lost(float x) { return isnan(x) || isinf(x); }
 `.split('\n');
+
+/** With ends the shader returns what is left: how many hits, the first and the last. */
+const endsCode = (caps: boolean, f: string): string[] =>
+  `
+void keep(float t, inout Answer kept) {
+  kept.t1 = kept.count == 0 ? t : min(kept.t1, t);
+  kept.t2 = kept.count == 0 ? t : max(kept.t2, t);
+  kept.count++;
+}
+
+bool isThere(float t) {
+  float y = pointAt(E, d, t).y;
+  return !(y < low) && !(y > high);
+}
+${
+  caps
+    ? `
+void through(float y, Answer found, inout Answer kept) {
+  if (d.y == 0.0) return;
+  float t = (y - E.y) / d.y;
+  vec3 X = vec3(E.x + t * d.x, y, E.z + t * d.z);
+  float f = ${f};
+  // On the rim the root there counts.
+  if (found.kind == CONTAINED ? !(f > 0.0) : f < 0.0) keep(t, kept);
+}
+`
+    : ''
+}
+// The case of the whole line; how many hits are left between the ends, the first and the last.
+Answer left() {
+  Answer found = intersect(E, d);
+  Answer kept = Answer(found.kind, 0, 0.0, 0.0);
+  if (found.count > 0 && isThere(found.t1)) keep(found.t1, kept);
+  if (found.count > 1 && isThere(found.t2)) keep(found.t2, kept);
+${
+  caps
+    ? `  through(low, found, kept);
+  through(high, found, kept);
+`
+    : ''
+}  return kept;
+}`.split('\n');
 
 const MAIN = `
 out vec4 result;

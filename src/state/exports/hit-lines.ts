@@ -2,18 +2,34 @@ import { type Marks, numberTriple } from '../../math/formula.ts';
 import type { Hit } from '../../math/index.ts';
 import type { PlaneHit } from '../../math/shapes.ts';
 import type { ExploreModel } from '../derive.ts';
+import type { CapHit } from '../ended.ts';
+import { CAP_NAMES } from '../ends.ts';
 import type { HitWords } from '../words.ts';
 import { DIGITS, equation, type Line, number } from './line.ts';
 
 /** Lines for every root on the page, with its point and normal; also for a rejected one. */
-export function hitLines<M>({ hits, found }: ExploreModel, marks: Marks<M>): Line<M>[] {
+export function hitLines<M>({ hits, found, ended }: ExploreModel, marks: Marks<M>): Line<M>[] {
   const { details } = found;
   const plane = details.family === 'flat' ? details.plane : null;
-  return hits.flatMap((words, i) =>
+  const roots = hits.flatMap((words, i) =>
     words.role === 'outside'
       ? rejectedLines(words, plane, marks)
       : rootLines(words, found.hits[i], marks),
   );
+  return [...roots, ...(ended?.capHits ?? []).flatMap((cap) => capLines(cap, marks))];
+}
+
+/** Lines for a way through a cap. */
+function capLines<M>({ end, hit, text }: CapHit, marks: Marks<M>): Line<M>[] {
+  return [
+    equation(
+      marks.symbol('t', 'scalar'),
+      number(hit.t, marks),
+      `on the ${CAP_NAMES[end]}: ${text}`,
+    ),
+    equation(marks.symbol('P', 'vector'), numberTriple(hit.point, marks, DIGITS)),
+    equation(marks.symbol('N', 'vector'), numberTriple(hit.normal, marks, DIGITS)),
+  ];
 }
 
 function rootLines<M>(

@@ -17,7 +17,7 @@ import { DIGITS, equation, type Line, number } from './line.ts';
 
 /** The page's algebra from the ray to the hits: symbols, numbers, value, in the page's digits. */
 export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
-  const { derivation, contradicted, found, exactly } = model;
+  const { derivation, contradicted, ended, found, exactly } = model;
   const range = rangeNote(derivation, found, exactly);
   return [
     ...given(model, marks),
@@ -32,7 +32,9 @@ export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M
     ...derivation.conditions.flatMap((condition) => conditionLines(condition, model, marks)),
     ...(range ? [wordsLine<M>(range)] : []),
     verdictLine(model, marks),
-    ...(contradicted ? [wordsLine<M>(`exact arithmetic says: ${contradicted}`)] : []),
+    ...[contradicted, ended?.contradicted].flatMap((other) =>
+      other ? [wordsLine<M>(`exact arithmetic says: ${other}`)] : [],
+    ),
     ...hitLines(model, marks),
   ];
 }

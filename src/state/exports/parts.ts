@@ -1,8 +1,16 @@
-import { float64, type Names, type Triple, valuesOf } from '../../math/formula.ts';
+import {
+  type CodeSyntax,
+  float64,
+  type Names,
+  printCode,
+  type Triple,
+  valuesOf,
+} from '../../math/formula.ts';
 import { intersect } from '../../math/index.ts';
 import { AXES, type Axis, definitionOf } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import type { ExploreModel } from '../derive.ts';
+import { END_PARAMS } from '../ends.ts';
 import { type Program, programOf } from './program.ts';
 
 /** A number or vector of the shape or the ray, by its name in the program. */
@@ -19,9 +27,36 @@ interface Parts {
   readonly shape: readonly Constant[];
   readonly E: Triple<number>;
   readonly d: Triple<number>;
+  /** Null for a shape without ends. */
+  readonly ends: Ends | null;
   /** Lines for a comment: what the program is, and what it should answer. */
   readonly about: readonly string[];
   names(component: (vector: string, axis: Axis) => string): Names;
+}
+
+/** The ends of a curved shape in a program. */
+interface Ends {
+  /** low and high. */
+  readonly heights: readonly Constant[];
+  readonly caps: boolean;
+  /** f at a point X, which is C of a ray from there. */
+  f(syntax: CodeSyntax): string;
+}
+
+function endsOf({ ended, shape }: ExploreModel, own: (id: string) => string): Ends | null {
+  const formula = definitionOf(shape).formula(shape);
+  if (!ended || formula.family !== 'curved') return null;
+  return {
+    heights: END_PARAMS.map(({ symbol, title }, i) =>
+      constant(symbol, ended.between[i as 0 | 1], title),
+    ),
+    caps: ended.caps,
+    f: (syntax) =>
+      printCode(formula.C, syntax, {
+        scalar: (id) => id,
+        vector: (id) => (id === 'E' ? 'X' : own(id)),
+      }),
+  };
 }
 
 export function partsOf(model: ExploreModel): Parts {
@@ -43,9 +78,13 @@ export function partsOf(model: ExploreModel): Parts {
     ],
     E,
     d,
+    ends: endsOf(model, vectorName),
     about: [
       `Where does the ray R(t) = E + t d meet the ${model.title}? By the course's formula, as it ` +
         `is written.`,
+      ...(model.ended
+        ? [`It is kept between low and high, ${model.ended.caps ? 'closed by discs' : 'open'}.`]
+        : []),
       ...expected(model),
     ],
     names: (component) => ({
@@ -67,9 +106,12 @@ function isAxis(id: string): id is Axis {
 }
 
 /** Comment lines: what the program answers, and what the page says if that differs. */
-function expected({ shape, ray, found }: ExploreModel): string[] {
-  const textbook = intersect(shape, ray, 'textbook');
-  const ts = textbook.hits.map(({ t }) => shortest(t)).join(' and ');
+function expected({ shape, ray, found, ended }: ExploreModel): string[] {
+  const solid = ended ? { ...shape, between: ended.between, caps: ended.caps } : shape;
+  const textbook = intersect(solid, ray, 'textbook');
+  const ts = textbook.hits
+    .map(({ t, fate }) => shortest(t) + (fate && fate !== 'hit' ? ` (${fate})` : ''))
+    .join(' and ');
   return [
     `Expected in doubles: ${textbook.class}${ts && `, t = ${ts}`}.`,
     ...(found.class === textbook.class

@@ -27,7 +27,7 @@ const LANGUAGE: Language = {
 };
 
 export function rayPython(model: ExploreModel): string {
-  const { program, shape, E, d, about, names } = partsOf(model);
+  const { program, shape, E, d, ends, about, names } = partsOf(model);
   const own = names(SYNTAX.component);
   return `${[
     ...about.map(LANGUAGE.comment),
@@ -35,6 +35,7 @@ export function rayPython(model: ExploreModel): string {
     'import math',
     '',
     ...shape.map(constant),
+    ...(ends?.heights ?? []).map(constant),
     '',
     '',
     'def intersect(E, d):',
@@ -56,9 +57,43 @@ export function rayPython(model: ExploreModel): string {
       { name: 'E', value: E, title: 'eye' },
       { name: 'd', value: d, title: 'direction' },
     ].map(constant),
-    ...MAIN,
+    ...(ends ? endsCode(ends.caps, ends.f(SYNTAX)) : []),
+    ...(ends ? MAIN.map((line) => (line.startsWith('print') ? WITH_ENDS : line)) : MAIN),
   ].join('\n')}\n`;
 }
+
+const WITH_ENDS = 'print(json.dumps({"class": verdict, "hits": with_ends(verdict, hits)}))';
+
+const endsCode = (caps: boolean, f: string): string[] =>
+  `
+
+def with_ends(verdict, hits):
+    """Each root is a hit or cut off${caps ? ', and through a disc it meets a cap' : ''}."""
+    roots = [
+        {**hit, "fate": "cut" if hit["point"][1] < low or hit["point"][1] > high else "hit"}
+        for hit in hits
+    ]
+${
+  caps
+    ? `    if d[1] == 0:
+        return roots
+    found = []
+    for y in (low, high) if d[1] > 0 else (high, low):
+        t = (y - E[1]) / d[1]
+        X = (E[0] + t * d[0], y, E[2] + t * d[2])
+        f = ${f}
+        # On the rim the root there counts.
+        if f > 0 if verdict == "contained" else not f < 0:
+            continue
+        while roots and not roots[0]["t"] > t:
+            found.append(roots.pop(0))
+        normal = (0.0, -1.0 if y == low else 1.0, 0.0)
+        found.append({"t": t, "point": X, "normal": normal, "singular": False, "fate": "cap"})
+    return found + roots`
+    : '    return roots'
+}
+
+`.split('\n');
 
 const MAIN = `
 verdict, ts = intersect(E, d)

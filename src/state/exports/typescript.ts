@@ -28,7 +28,7 @@ const LANGUAGE: Language = {
 };
 
 export function rayTypeScript(model: ExploreModel): string {
-  const { program, shape, E, d, about, names } = partsOf(model);
+  const { program, shape, E, d, ends, about, names } = partsOf(model);
   const own = names(SYNTAX.component);
   return `${[
     ...about.map(LANGUAGE.comment),
@@ -36,6 +36,7 @@ export function rayTypeScript(model: ExploreModel): string {
     'type Vec3 = readonly [number, number, number];',
     '',
     ...shape.map(constant),
+    ...(ends?.heights ?? []).map(constant),
     '',
     '/** The case, and t of every point of the whole line, ascending. */',
     'function intersect(E: Vec3, d: Vec3): { class: string; ts: readonly number[] } {',
@@ -55,9 +56,41 @@ export function rayTypeScript(model: ExploreModel): string {
       { name: 'E', value: E, title: 'eye' },
       { name: 'd', value: d, title: 'direction' },
     ].map(constant),
-    ...MAIN,
+    ...main(ends !== null),
+    ...(ends ? endsCode(ends.caps, ends.f(SYNTAX)) : []),
   ].join('\n')}\n`;
 }
+
+const main = (hasEnds: boolean): string[] =>
+  hasEnds ? MAIN.map((line) => line.replace('(answer, ', '(withEnds(answer), ')) : MAIN;
+
+const endsCode = (caps: boolean, f: string): string[] =>
+  `
+type Hit = ReturnType<typeof hitAt>;
+
+/** Each root is a hit or cut off${caps ? ', and through a disc it meets a cap' : ''}. */
+function withEnds({ class: kind, hits }: { class: string; hits: Hit[] }) {
+  const roots = hits.map((hit) => {
+    const [, y] = hit.point;
+    return { ...hit, fate: y < low || y > high ? 'cut' : 'hit' };
+  });
+${
+  caps
+    ? `  if (d[1] === 0) return { class: kind, hits: roots };
+  const all: typeof roots = [];
+  for (const y of d[1] > 0 ? [low, high] : [high, low]) {
+    const t = (y - E[1]) / d[1];
+    const X: Vec3 = [E[0] + t * d[0], y, E[2] + t * d[2]];
+    const f = ${f};
+    // On the rim the root there counts.
+    if (kind === 'contained' ? f > 0 : !(f < 0)) continue;
+    while (roots[0] && !(roots[0].t > t)) all.push(roots.shift() as (typeof roots)[0]);
+    all.push({ t, point: X, normal: [0, y === low ? -1 : 1, 0], singular: false, fate: 'cap' });
+  }
+  return { class: kind, hits: [...all, ...roots] };`
+    : '  return { class: kind, hits: roots };'
+}
+}`.split('\n');
 
 const MAIN = `
 const found = intersect(E, d);

@@ -14,33 +14,49 @@ export const vitest: Export = {
 
 /** @param mathModule import path of the math module, relative to the test's file. */
 export function vitestCase(model: ExploreModel, mathModule = './src/math/index.ts'): string {
-  const { shape, ray, found, title, verdict } = model;
+  const { shape, ray, found, title, verdict, ended } = model;
+  const fate = ended ? ', fate' : '';
+  const kind: [key: string, value: string] = ['kind', quoted(shape.kind)];
+  const fields = [kind, ...paramsOf(model), ...endsOf(model)];
   return `import { expect, test } from 'vitest';
 import { intersect } from ${quoted(mathModule)};
 
 test(${quoted(`${title}: ${verdict.text}`)}, () => {
-  const shape = ${object([['kind', quoted(shape.kind)], ...paramsOf(model)])} as const;
+  const shape = ${object(fields)} as const;
   const ray = ${object([
     ['origin', literal(ray.origin)],
     ['direction', literal(ray.direction)],
   ])} as const;
   const found = intersect(shape, ray, ${quoted(found.method)});
   expect(found.class).toBe(${quoted(found.class)});
-  const hits = found.hits.map(({ t, point, normal, singular }) => ({ t, point, normal, singular }));
+  const hits = found.hits.map(({ ${FIELDS}${fate} }) => ({ ${FIELDS}${fate} }));
   // toEqual compares numbers by Object.is: every bit counts, and −0 is not 0.
   expect(hits).toEqual(${hitList(model)});
 });
 `;
 }
 
-function hitList({ found }: ExploreModel): string {
-  if (found.hits.length === 0) return '[]';
-  const lines = found.hits.map(({ t, point, normal, singular }) =>
+const FIELDS = 't, point, normal, singular';
+
+function endsOf({ ended }: ExploreModel): [key: string, value: string][] {
+  if (!ended) return [];
+  const { between, caps } = ended;
+  return [
+    ['between', `[${between.map(shortest).join(', ')}]`],
+    ['caps', String(caps)],
+  ];
+}
+
+function hitList({ found, ended }: ExploreModel): string {
+  const hits = ended?.hits ?? found.hits;
+  if (hits.length === 0) return '[]';
+  const lines = hits.map(({ t, point, normal, singular, fate }) =>
     object([
       ['t', literal(t)],
       ['point', literal(point)],
       ['normal', literal(normal)],
       ['singular', String(singular)],
+      ...(fate ? [['fate', quoted(fate)] as const] : []),
     ]),
   );
   return `[\n${lines.map((line) => `    ${line},\n`).join('')}  ]`;

@@ -114,7 +114,7 @@ describe.each(curved.map(({ kind }) => kind))('%s', (kind) => {
 test('the first hit of a can from above is on its upper cap; its walls are cut off there', () => {
   const { verdict, scene, graph, hits } = derive(open(`${CAN}&caps=1`));
   expect(verdict.text).toBe(
-    'uncut, two points: the ray enters, then leaves; cut at y\u00a0=\u00a00 and 2, capped: ' +
+    'uncut, two points: the ray enters, then leaves; cut at heights 0 and 2, capped: ' +
       't₁ and t₂ are cut off, first hit at t = 2 on the upper cap',
   );
   expect(hits.map(({ text }) => text)).toEqual([

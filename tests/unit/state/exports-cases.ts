@@ -1,6 +1,7 @@
-import { intersect } from '../../../src/math/index.ts';
+import { intersect, type Solid } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
+import type { EndsValue } from '../../../src/state/actions.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { INITIAL } from '../../../src/state/state.ts';
@@ -12,9 +13,18 @@ export interface ExportCase {
   readonly name: string;
   readonly shape: Shape;
   readonly ray: Ray;
+  readonly ends?: EndsValue;
 }
 
 const at = (name: string, shape: Shape, r: Ray): ExportCase => ({ name, shape, ray: r });
+const ended = (
+  name: string,
+  shape: Shape,
+  r: Ray,
+  low: number,
+  high: number,
+  caps: boolean,
+): ExportCase => ({ name, shape, ray: r, ends: { between: [low, high], caps } });
 const axis = cylinder([0, 0, 0], 2);
 const disc = circle([0, 0, 2], [1, 1, 5], 5);
 const tile = square([1, 2, 3], 2, 'y');
@@ -95,6 +105,35 @@ export const EXPORT_CASES: readonly ExportCase[] = [
   at('square, axis z', square([1, 2, 3], 2, 'z'), ray([2, 3, 7], [0.25, 0, -2])),
   at('square, parallel', tile, ray([0, 6, 0], [1, 0, 1])),
   at('square, in its plane', tile, ray([0, 2, 3.5], [1, 0, 0.1])),
+  ended('can, walls', axis, ray([5, 1, 0], [-1, 0.1, 0]), 0, 3, true),
+  ended('can, caps', axis, ray([1, 5, 0.5], [-0.1, -1, 0]), -1, 2, true),
+  ended('can, upwards', axis, ray([1, -5, 0.5], [-0.1, 1, 0]), -1, 2, true),
+  ended('can, a cap and a wall', axis, ray([0, 4, 0], [1, -1, 0]), 0, 3, true),
+  ended('can, along a rim', axis, ray([5, 3, 0], [-1, 0, 0]), 0, 3, true),
+  ended('can, through a rim', axis, ray([4, 5, 0], [-1, -1, 0]), 0, 3, true),
+  ended('can, in its wall', axis, ray([2, 9, 0], [0, -2, 0]), 0, 3, true),
+  ended('can, along the axis', axis, ray([1, 9, 0], [0, -2, 0]), 0, 3, true),
+  ended('can, beside', axis, ray([9, 9, 0], [0, -2, 0]), 0, 3, true),
+  ended('pipe, through its open ends', axis, ray([1, 5, 0.5], [-0.1, -1, 0]), -1, 2, false),
+  ended('cup of a cone', cone([0, 1, 0], 0.5), ray([3, 1, 0.1], [-1, 0.3, 0]), 1, 4, true),
+  ended('cone, A < 0', cone([0, 0, 0], 2), ray([5, -1, 0.2], [1, 1, 0]), -2, 5, true),
+  ended(
+    'hyperboloid',
+    hyperboloid([0, 1, -1], 0.3, 2.25),
+    ray([1, -9, 0.25], [0.1, 2, 0]),
+    0,
+    2,
+    true,
+  ),
+  ended(
+    'ellipsoid',
+    hyperboloid([0, 0, 0], -4, 1),
+    ray([3, 0.3, 0], [-1, 0.01, 0.1]),
+    -0.2,
+    0.25,
+    true,
+  ),
+  ended('can, D overflows', axis, ray([1e200, 0, 0], [-1e100, 1, 0]), 0, 3, true),
 ];
 
 /** Rays of the hard families: every third of each, or of a quarter of them. */
@@ -103,7 +142,7 @@ export const HARD_CASES: readonly ExportCase[] = share(rayCases)
   .map(({ id, shape, ray: r }) => at(id, shape, r));
 
 /** The page's model of a case. */
-export function modelOf({ shape, ray: r }: ExportCase, method = 'exact'): ExploreModel {
+export function modelOf({ shape, ray: r, ends }: ExportCase, method = 'exact'): ExploreModel {
   return createDerive(() => closerLook)({
     ...INITIAL,
     kind: shape.kind,
@@ -111,14 +150,18 @@ export function modelOf({ shape, ray: r }: ExportCase, method = 'exact'): Explor
     E: r.origin,
     d: r.direction,
     method,
+    ...ends,
   });
 }
 
 /** What the exported programs have to print: the textbook method's answer, every bit of it. */
-export function textbookAnswer({ shape, ray: r }: ExportCase) {
-  const { class: verdict, hits } = intersect(shape, r, 'textbook');
+export function textbookAnswer({ shape, ray: r, ends }: ExportCase) {
+  const { class: verdict, hits } = intersect({ ...shape, ...ends } as Solid, r, 'textbook');
   return {
     class: verdict,
-    hits: hits.map(({ t, point, normal, singular }) => ({ t, point, normal, singular })),
+    hits: hits.map(({ t, point, normal, singular, fate }) => ({
+      ...{ t, point, normal, singular },
+      ...(fate && { fate }),
+    })),
   };
 }

@@ -26,7 +26,7 @@ const PRELUDE = `
 const vec3 = (x, y, z) => ({ x, y, z });
 const vec4 = (...parts) => parts;
 const float = (x) => x;
-const { sqrt } = Math;
+const { min, max, sqrt } = Math;
 const isnan = Number.isNaN;
 const isinf = (x) => Math.abs(x) === Infinity;
 const minus = (a, b) => vec3(a.x - b.x, a.y - b.y, a.z - b.z);
@@ -45,7 +45,7 @@ function run(glsl: string): Shader {
     )
     .replace(/\bout vec4 /, 'let ')
     .replace(/^(?:bool|vec3|void|[A-Z]\w+) (\w+)\(([^)]*)\) \{/gm, (_, name, params: string) => {
-      return `function ${name}(${params.replace(/\b(vec3|float) /g, '')}) {`;
+      return `function ${name}(${params.replace(/\b(inout|vec3|float|Answer) /g, '')}) {`;
     })
     .replace(/\b(?:const )?(?:int|float|vec3|Answer) (\w+) =/g, 'const $1 =')
     .replace(/\b(\w+) - (\w+)\b/g, (text, a, b) =>
@@ -58,7 +58,20 @@ function run(glsl: string): Shader {
 const withoutComments = (glsl: string): string => glsl.replace(/\/\/.*$/gm, '');
 const asArray = ({ x, y, z }: Vec): number[] => [x, y, z];
 
+/** With ends it tells how many hits are left, the first and the last. */
+function checkEnds(c: ExportCase): void {
+  const [kind, count, ...ts] = run(rayGlsl(modelOf(c))).result;
+  const { class: verdict, hits } = textbookAnswer(c);
+  const left = hits.filter(({ fate }) => fate !== 'cut').map(({ t }) => t);
+  expect([GLSL_CASES[kind], count], c.name).toEqual([verdict, left.length]);
+  expect(ts.slice(0, count), c.name).toEqual([left[0], left.at(-1)].slice(0, count));
+}
+
 function checkRun(c: ExportCase): void {
+  if (c.ends) {
+    checkEnds(c);
+    return;
+  }
   const { result, point, normal } = run(rayGlsl(modelOf(c)));
   const [kind, count, ...ts] = result;
   const hits = ts.slice(0, count).map((t) => {
@@ -82,10 +95,9 @@ describe('read as JavaScript, in doubles, it finds what the textbook method find
   });
 });
 
-const KEYWORDS = 'const out struct return if void bool int float vec3 vec4 precision highp'.split(
-  ' ',
-);
-const BUILT_IN = 'sqrt dot length isnan isinf x y z'.split(' ');
+const KEYWORDS =
+  'const inout out struct return if void bool int float vec3 vec4 precision highp'.split(' ');
+const BUILT_IN = 'min max sqrt dot length isnan isinf x y z'.split(' ');
 /**
  * Of GLSL ES 3.00, section 3.8, those that a formula's symbol or a parameter's name could come
  * near.
@@ -118,7 +130,10 @@ describe('as text', () => {
     const known = new Set([...declared, ...KEYWORDS, ...BUILT_IN]);
     expect([...new Set(words)].filter((word) => !known.has(word))).toEqual([]);
     // No whole number where a float is needed: only the cases and the count are of type int.
-    const floats = code.replace(/const int .*$/gm, '').replace(/(Answer\([A-Z]+), \d/g, '$1');
+    const floats = code
+      .replace(/const int .*$/gm, '')
+      .replace(/count (?:>|==) \d/g, '')
+      .replace(/(Answer\((?:[A-Z]+|found\.kind)), \d/g, '$1');
     expect(floats).not.toMatch(/(?<![\w.+-])\d+(?![\w.])/);
   });
 });
