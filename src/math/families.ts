@@ -40,8 +40,8 @@ export const madeFamilies = (kind: string, hardness: Hardness | 'invalid'): read
   (OF_SHAPE.get(kind) ?? []).filter((family) => family.hardness === hardness);
 
 /**
- * The families that are not made from a shape's parameters: curved shapes easy ones first, then flat
- * ones. A new one is one word.
+ * The families that are not made from a shape's parameters: curved shapes easy ones first, then
+ * flat ones. A new one is one word.
  *
  * @example
  * WRITTEN_FAMILIES.includes(findFamily('vertex')!); // → true
