@@ -15,7 +15,9 @@ test('axe finds nothing in the dialogs and the states of the page', async ({ pag
     await page.keyboard.press(key);
     const dialog = page.getByRole('dialog', { name });
     await expect(dialog.getByRole('button').nth(1).or(dialog.locator('kbd').first())).toBeVisible();
-    expect.soft(await violationsInThemes(page, 'dialog[open]'), name).toEqual([]);
+    // Each shape's examples are a section of cards.
+    const sample = name === 'Examples' ? 'dialog[open] section' : 'dialog[open]';
+    expect.soft(await violationsInThemes(page, 'dialog[open]', sample), name).toEqual([]);
     await page.keyboard.press('Escape');
     await expect(dialog).toBeHidden();
   }

@@ -141,8 +141,14 @@ test('all edits in one task: the forms of a scene', async ({ page }) => {
   await openUnwritten(page, '#/picture?scene=everything&size=16x9');
   await page.getByRole('tab', { name: 'Scene' }).click();
   const parts = page.locator('.part-name');
+  const form = page.locator('.part-form');
+  const known = new Set<string>();
   for (let i = 0; i < (await parts.count()); i++) {
     await parts.nth(i).click();
+    // A form with the same fields as one before is made by the same code.
+    const fields = (await form.innerText()).replace(/[−\d.]+/g, '');
+    if (known.has(fields)) continue;
+    known.add(fields);
     const { moved, lost } = await movedAtOnce(page, '.part-form');
     expect(lost).toEqual([]);
     expect(moved).toBeGreaterThan(0);

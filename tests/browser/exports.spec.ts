@@ -5,7 +5,7 @@ import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
-import { hashOf, linkWritten, open, settle } from './support/page.ts';
+import { expectSaid, hashOf, linkWritten, open, settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
@@ -39,7 +39,7 @@ test('what is copied is what the page shows, for every text', async ({ page }) =
   for (const { id, title, text } of EXPORTS) {
     const dialog = await openShare(page);
     await dialog.locator(`[data-export="${id}"]`).getByRole('button', { name: /^Copy/ }).click();
-    await expect(page.locator('.said')).toHaveText(`copied: ${title}`);
+    await expectSaid(page, `copied: ${title}`);
     expect(await page.evaluate(() => navigator.clipboard.readText()), id).toBe(text(model));
   }
 });

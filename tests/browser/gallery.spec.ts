@@ -77,12 +77,11 @@ test.describe('without the picture', () => {
   test.use({ provoked: NO_SCENE });
   test.beforeEach(({ page }) => withoutScene(page));
 
-  test('a clicker asks, tells and goes on, through all of them and round again', async ({
-    page,
-  }) => {
+  test('a clicker asks, tells and goes on, and round again', async ({ page }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await open(page, '#/explore');
-    for (const example of GALLERY) {
+    // What all of them say and show is held by unit tests: tests/unit/state/gallery.test.ts.
+    for (const example of GALLERY.slice(0, 6)) {
       await page.keyboard.press('PageDown');
       await settle(page);
       const state = decode(example.link);
@@ -94,6 +93,8 @@ test.describe('without the picture', () => {
       await expect(page.locator('#example-answer')).toHaveText(example.answer);
       expect((await quantities(page)).class, example.id).toBe(found.class);
     }
+    await open(page, GALLERY.at(-1)?.link ?? '');
+    await page.keyboard.press('PageDown');
     await page.keyboard.press('PageDown');
     await expect(page.locator('.example-name strong')).toHaveText(GALLERY[0]?.title ?? '');
     await page.keyboard.press('PageDown');

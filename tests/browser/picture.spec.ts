@@ -374,7 +374,9 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
   await page.locator('[data-part="square"] input.number[data-symbol="L"]').press('Enter');
   await page.getByLabel('mirror', { exact: true }).fill('2');
   await page.getByLabel('mirror', { exact: true }).press('Enter');
-  await expect(page.getByText('mirror must be a number from 0 to 1, got 2')).toBeVisible();
+  await expect(
+    page.locator('main').getByText('mirror must be a number from 0 to 1, got 2'),
+  ).toBeVisible();
   await page.getByLabel('mirror', { exact: true }).fill('0.5');
   await page.getByLabel('mirror', { exact: true }).press('Enter');
   await traced(page);

@@ -1,4 +1,4 @@
-import { open, quantities, settle } from './support/page.ts';
+import { expectSaid, open, quantities, settle } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
@@ -34,6 +34,6 @@ test('on a phone there is none, and that is said', async ({ page }) => {
   await open(page, TANGENT);
   await expect(page.getByRole('button', { name: 'two views' })).toBeHidden();
   await page.keyboard.press('v');
-  await expect(page.getByText('a second view needs a window of 900 pixels or more')).toBeVisible();
+  await expectSaid(page, /^a second view needs a window of 900 pixels or more/);
   await expect(page.locator('.second-view')).toHaveCount(0);
 });

@@ -17,6 +17,8 @@ const TESTS = filesOf('tests').filter((path) => /\.(ts|mjs)$/.test(path));
 test.each([
   ['waits for a time', /waitForTimeout/],
   ['is repeated until it passes', /\bretr(?:y|ies)\b\s*[:=(](?! 0\b)/],
+  ['looks for words in the whole page, where the voice may say them too', /page\.getByText\(/],
+  ['looks for words that go away by themselves: expectSaid', /'\.said'\)\)\.to/],
   ['judges how long something took', /expect\([^;]*(?:performance|Date)\.now\(\)/],
 ])('none %s', (_, text) => {
   expect(withText(TESTS, text)).toEqual([]);

@@ -50,29 +50,23 @@ export async function violations(
   );
 }
 
-/** All rules in the theme that is shown, and in the other ones those that a theme can break. */
-export async function violationsInThemes(page: Page, within = 'html'): Promise<string[]> {
+/**
+ * All rules in the theme that is shown, and in the other ones those that a theme can break; there
+ * within `sample`, where what follows it repeats its colours.
+ */
+export async function violationsInThemes(
+  page: Page,
+  within = 'html',
+  sample = within,
+): Promise<string[]> {
   const root = page.locator('html');
   const shown = await root.getAttribute('data-theme');
   const found = await violations(page, within);
   for (const theme of APPLIED) {
     if (theme === shown) continue;
     await showTheme(page, theme);
-    found.push(...(await violations(page, within, OF_A_THEME)).map((line) => `${theme}: ${line}`));
+    found.push(...(await violations(page, sample, OF_A_THEME)).map((line) => `${theme}: ${line}`));
   }
   await showTheme(page, shown ?? '');
   return found;
-}
-
-/**
- * All rules in one theme, the nth of them and round again: for many states at many sizes, where
- * every theme comes to every size.
- */
-export async function violationsInNthTheme(page: Page, n: number): Promise<string[]> {
-  const shown = await page.locator('html').getAttribute('data-theme');
-  const theme = APPLIED[n % APPLIED.length] ?? '';
-  await showTheme(page, theme);
-  const found = await violations(page);
-  await showTheme(page, shown ?? '');
-  return found.map((line) => `${theme}: ${line}`);
 }

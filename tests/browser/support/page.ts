@@ -83,3 +83,12 @@ export async function readable(page: Page): Promise<string> {
 export async function hashOf(page: Page): Promise<string> {
   return page.evaluate(() => location.hash);
 }
+
+/** Until the page has said this beside its header's buttons, also if it is gone again by now. */
+export async function expectSaid(page: Page, wanted: string | RegExp): Promise<void> {
+  const said = () =>
+    page.evaluate(() => (window as unknown as { readonly said: readonly string[] }).said.at(-1));
+  await expect
+    .poll(said)
+    .toEqual(typeof wanted === 'string' ? wanted : expect.stringMatching(wanted));
+}

@@ -50,6 +50,18 @@ export function countPending(): void {
   });
 }
 
+/** Keeps in `window.said` what has stood beside the header's buttons: it goes away by itself. */
+export function keepSaid(): void {
+  const said: string[] = [];
+  Object.assign(window, { said });
+  let before = '';
+  new MutationObserver(() => {
+    const now = document.querySelector('.said')?.textContent ?? '';
+    if (now !== before && now) said.push(now);
+    before = now;
+  }).observe(document, { subtree: true, childList: true, characterData: true });
+}
+
 interface Counted {
   readonly pending: Pending;
 }

@@ -1,5 +1,5 @@
 import { type BrowserContext, test as base, expect, type Page } from '@playwright/test';
-import { countPending } from './pending.ts';
+import { countPending, keepSaid } from './pending.ts';
 
 export { expect };
 
@@ -34,6 +34,7 @@ interface Kept {
 
 async function prepare(context: BrowserContext, ink: boolean): Promise<void> {
   await context.addInitScript(countPending);
+  await context.addInitScript(keepSaid);
   if (!ink) await context.addInitScript(withoutInk);
 }
 
@@ -120,6 +121,7 @@ export const visit = test.extend({
       (document.activeElement as HTMLElement | null)?.blur();
       scrollTo(0, 0);
       localStorage.clear();
+      (window as unknown as { readonly said: string[] }).said.length = 0;
     });
   },
 });

@@ -8,6 +8,7 @@ import { createDerive } from '../../../src/state/derive.ts';
 import type { AppState } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
 import { coordinate, FARTHEST } from '../../../src/text/coordinate.ts';
+import { many } from '../many.ts';
 import { anyPicture } from '../state/random-state.ts';
 
 /* Every number that the graph hands to SVG can be drawn. */
@@ -53,12 +54,12 @@ test.each([
   expect(undrawable(decode(`#/explore?${query}`))).toEqual([]);
 });
 
-test('of 200 states of any numbers', () => {
+test('of many states of any numbers', () => {
   fc.assert(
     fc.property(anyPicture, (state) => {
       expect(undrawable(state)).toEqual([]);
     }),
-    { numRuns: 200 },
+    { numRuns: many(400) },
   );
 });
 

@@ -4,6 +4,7 @@ import { scale } from '../../../src/math/float/bits.ts';
 import { integer, pick, type Random, randomSign, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { many } from '../many.ts';
 import { disagreement, misplaced } from './against-exact.ts';
 
 /*
@@ -113,7 +114,7 @@ describe(`hits and misses by a few ulps, of every exponent (seed ${SEED})`, () =
     ['curved', along],
   ] as const)('%s', (_, make) => {
     const random = seeded(SEED);
-    for (let k = 0; k < 8000; k++) {
+    for (let k = 0; k < many(16_000); k++) {
       const question = make(random);
       if (!finite(question)) continue;
       expect(disagreement(question.shape, question.ray)).toBeNull();

@@ -5,6 +5,7 @@ import { createDerive } from '../../../src/state/derive.ts';
 import { pitchOf, REFERENCE_HZ, type Score, scoreOf } from '../../../src/state/hearing.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
+import { many } from '../many.ts';
 import { anyPicture } from './random-state.ts';
 
 const scoreAt = (link: string): Score =>
@@ -91,7 +92,7 @@ describe('what is heard', () => {
         const sounds = tones.reduce((sum, { begin, end }) => sum + end - begin, 0);
         if (!inside) expect(sounds).toBeCloseTo(seconds, 6);
       }),
-      { numRuns: 150 },
+      { numRuns: many(300) },
     );
   });
 });

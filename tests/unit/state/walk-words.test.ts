@@ -7,12 +7,13 @@ import { sideOf } from '../../../src/math/shapes.ts';
 import * as table from '../../../src/state/verdict-table.ts';
 import { closestWords, facingWords, signWords } from '../../../src/state/walk-words.ts';
 import { verdictWords } from '../../../src/state/words.ts';
+import { many } from '../many.ts';
 import { at, courseOf, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
 
 /* Every sentence on a sign, on rays of small numbers, against facts found without src/math. */
 
 const FAR = 2 ** 20;
-const ROUNDS = 1500;
+const ROUNDS = many(2400);
 
 /** f along the line, from the surface's equation or the distance from the plane. */
 function alongOf(shape: Shape, ray: Ray): (t: number) => number {

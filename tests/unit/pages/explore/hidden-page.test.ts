@@ -21,6 +21,7 @@ import { sceneOf } from '../../../../src/state/scene.ts';
 import { stageAround } from '../../../../src/state/stage.ts';
 import { type AppState, INITIAL } from '../../../../src/state/state.ts';
 import { decode } from '../../../../src/state/url.ts';
+import { many } from '../../many.ts';
 import { DRAWS, drawRay } from '../../state/ray-oracle.ts';
 
 /*
@@ -70,7 +71,7 @@ function pageOf(model: ExploreModel): string {
 
 describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
   const random = seeded(77);
-  const shapes = Array.from({ length: 4 }, () => draw(random));
+  const shapes = Array.from({ length: many(12) }, () => draw(random));
 
   test('the words and formulas are the same for every ray', () => {
     const classes = new Set<string>();

@@ -7,11 +7,15 @@ import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.
 import { treeScene } from '../../../../src/state/picture/tree-scene.ts';
 import { decode, exploreLink } from '../../../../src/state/url.ts';
 import type { RayNode, TraceSettings } from '../../../../src/tracer/types.ts';
+import { many } from '../../many.ts';
 import { flatten, TINY, tracerFor } from '../../tracer/tracing.ts';
+
+/** Pixels from one that is asked to the next. */
+const STRIDE = many(4) === 4 ? 37 : 61;
 
 const NONE: ReadonlySet<string> = new Set();
 
-/** Every 37th pixel's tree of every preset, with the rows that the list shows. */
+/** Every `STRIDE`th pixel's tree of every preset, with the rows that the list shows. */
 async function trees(
   how: Partial<TraceSettings> = {},
 ): Promise<{ id: string; root: RayNode; rows: TreeRow[]; all: TreeRow[] }[]> {
@@ -19,7 +23,7 @@ async function trees(
   const settings = { ...TINY, ...how };
   for (const { id, scene } of PRESETS) {
     const tracer = await tracerFor(scene, settings);
-    for (let pixel = 0; pixel < TINY.width * TINY.height; pixel += 37) {
+    for (let pixel = 0; pixel < TINY.width * TINY.height; pixel += STRIDE) {
       const x = pixel % TINY.width;
       const [root] = tracer.record(x, (pixel - x) / TINY.width).rays;
       if (!root) throw new Error('no ray');
@@ -94,7 +98,7 @@ describe('the rays of a pixel as a list', () => {
         hits++;
       }
     }
-    expect(hits).toBeGreaterThan(300);
+    expect(hits).toBeGreaterThan(200);
   });
 
   test('its algebra has the numbers of the method', () => {
@@ -138,8 +142,8 @@ describe('the rays of a pixel as a list', () => {
           }
         }
       }
-      expect(hits).toBeGreaterThan(300);
-      expect((fates.cut ?? 0) > 20).toBe(!('forced' in how));
+      expect(hits).toBeGreaterThan(200);
+      expect((fates.cut ?? 0) > 10).toBe(!('forced' in how));
     },
   );
 });
@@ -196,6 +200,6 @@ describe('the rays in space', () => {
         expect(off, id).toBeLessThan(1e-9 * stage.radius);
       });
     }
-    expect(hits).toBeGreaterThan(300);
+    expect(hits).toBeGreaterThan(200);
   });
 });
