@@ -32,6 +32,7 @@ const OF_SHAPE: ReadonlyMap<string, readonly Family[]> = new Map(
  * Families made for one shape: those of that hardness; none for the shapes that have their own.
  *
  * @param kind a shape's `kind`.
+ * @param hardness the group of Check's cases.
  * @example
  * madeFamilies('sphere', 'hard').length > 0; // → true
  * madeFamilies('cone', 'hard'); // → []
@@ -90,6 +91,7 @@ export const FAMILIES: readonly Family[] = [...WRITTEN_FAMILIES, ...[...OF_SHAPE
 /**
  * The family with this `id`, or undefined.
  *
+ * @param id any text.
  * @example
  * const { shape, ray } = findFamily('exact-tangent')!.make(seeded(7));
  * intersect(shape, ray).class; // → 'tangent'

@@ -41,6 +41,7 @@ export const uniform = (random: Random, low: number, high: number): number =>
 /**
  * A whole number from low to high, both included.
  *
+ * @param random where chance comes from.
  * @param low and `high` are whole numbers.
  * @example
  * const faces = Array.from({ length: 50 }, ((random) => () => integer(random, 1, 6))(seeded(7)));
@@ -74,6 +75,7 @@ export function pick<T>(random: Random, from: readonly [T, ...T[]]): T {
  * Either sign, exponent uniform over [low, high], all fraction bits random; the default spans every
  * finite double, subnormals included (those then carry fewer bits).
  *
+ * @param random where chance comes from.
  * @param low and `high` are exponents of two.
  * @example
  * const x = Math.abs(wide(seeded(7), 3, 3));

@@ -8,6 +8,7 @@ import type { Vec3 } from './vec3.ts';
  * On which side of a curved surface a point lies, exactly: the sign of C for a ray from there, −1
  * inside, 0 on the surface, 1 outside. Null for a flat shape, which has no inside.
  *
+ * @param shape as for `intersect`.
  * @param at a point, in units of length.
  * @example
  * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;

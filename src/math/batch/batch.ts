@@ -99,6 +99,7 @@ export const UNDECIDED = 5;
 /**
  * Room for `capacity` rays, all zeros, `count` 0.
  *
+ * @param capacity a whole number ≥ 0.
  * @param make makes each array: `kernelArray` (memory.ts) saves copying where the arrays stay here.
  * @example
  * const rays = createRays(2);
@@ -132,6 +133,7 @@ export function packRays(list: readonly Ray[], make: MakeArray = ownArray): Rays
 /**
  * Room for the answers to `capacity` rays.
  *
+ * @param capacity a whole number ≥ 0: most rays that a kernel is asked about at once.
  * @param make as for `createRays`; not for the list.
  * @example
  * const rays = packRays([{ origin: [-10, 0, 3], direction: [1, 0, 0] }]);

@@ -16,6 +16,7 @@ interface Decimal {
  * The first n significant decimal digits of a, rounded to nearest, a half away from zero: all of
  * them are right, however many.
  *
+ * @param a any.
  * @param n how many, from 1.
  * @example
  * decimalDigits(fromNumber(0.1), 20);

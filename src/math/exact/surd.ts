@@ -30,7 +30,7 @@ export const fromNumber = (x: number): Surd => fromDyadic(dy.fromNumber(x));
 /**
  * a + b, exactly.
  *
- * @param a any; both may hold a root, if it is the same one, as in one quadratic.
+ * @param a any, as b; both may hold a root, if it is the same one, as in one quadratic.
  * @throws RangeError where two different roots meet.
  * @example
  * toNumber(add(fromNumber(0.5), fromNumber(0.25))); // → 0.75
@@ -85,7 +85,8 @@ export const sqr = (a: Surd): Surd => mul(a, a);
 /**
  * a / b, exactly.
  *
- * @param b not 0.
+ * @param a as for `add`.
+ * @param b likewise, and not 0.
  * @throws RangeError for b = 0, and where two different roots meet.
  * @example
  * const third = div(fromNumber(1), fromNumber(3));

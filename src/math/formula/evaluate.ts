@@ -45,6 +45,7 @@ export function mapped<S, T>(values: Values<S>, of: (x: S) => T): Values<T> {
 /**
  * The values and these numbers besides, in new objects.
  *
+ * @param values by symbol, in any arithmetic.
  * @param scalars by symbol; one that is there already is replaced.
  * @example
  * withScalars({ scalars: { r: 2 }, vectors: {} }, { t: 5 });
@@ -57,6 +58,7 @@ export function withScalars<T>(values: Values<T>, scalars: Readonly<Record<strin
 /**
  * The values and this vector besides, in new objects.
  *
+ * @param values by symbol, in any arithmetic.
  * @param id its symbol; one that is there already is replaced.
  * @param v its components, in the unit of the formula.
  * @example

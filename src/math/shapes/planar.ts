@@ -74,6 +74,7 @@ export interface Bound {
 /**
  * The values of a formula with X = (x, y, z) put in, as a vector and by components.
  *
+ * @param values by symbol, in any arithmetic.
  * @param x a point, in units of length.
  * @example
  * withPoint({ scalars: {}, vectors: {} }, [1, 2, 3]).scalars; // → { x: 1, y: 2, z: 3 }

@@ -48,7 +48,39 @@ function docstringsOf(path: string): readonly Docstring[] {
 /** The parameters' names, of those that have one. */
 function parametersOf(work: unknown): readonly string[] {
   const [, list = ''] = /^(?:async )?(?:function )?\w*\(([^)]*)\)/.exec(String(work)) ?? [];
-  return list.split(',').flatMap((one) => /^\s*(?:\.\.\.)?(\w+)/.exec(one)?.[1] ?? []);
+  return list
+    .replace(/\{[^}]*\}|\[[^\]]*\]/g, '')
+    .split(',')
+    .flatMap((one) => /^\s*(?:\.\.\.)?(\w+)/.exec(one)?.[1] ?? []);
+}
+
+/** What is said of the parameters, one by one or together. */
+const parametersIn = (text: string): string =>
+  /@param[\s\S]*?(?=@throws|@example|$)/.exec(text)?.[0] ?? '';
+
+/**
+ * Names of the functions of the math module that refuse something, by a throw of their own or of
+ * what they call.
+ */
+function refusing(): ReadonlySet<string> {
+  const works = filesIn('src/math/')
+    .filter((path) => path.endsWith('.ts') && !path.includes('/generated/'))
+    .flatMap((path) => [
+      ...read(path).matchAll(
+        /^(?:export )?(?:(?:async )?function (\w+)[\s\S]*?^\}|const (\w+)[^=\n]*=[\s\S]*?;$)/gm,
+      ),
+    ])
+    .map(([work, declared, assigned]) => ({ name: declared ?? assigned ?? '', work }));
+  const found = new Set<string>();
+  for (let before = -1; before < found.size; ) {
+    before = found.size;
+    const calls = [...found].map((name) => `\\b${name}\\(`);
+    const throws = new RegExp(['throw new (?:InvalidInput|RangeError)', ...calls].join('|'));
+    for (const { name, work } of works) {
+      if (throws.test(work.slice(work.indexOf('(') + 1))) found.add(name);
+    }
+  }
+  return found;
 }
 
 /** The code of an `@example`, which is a docstring's last part. */
@@ -59,6 +91,7 @@ const modules: Readonly<Record<string, Readonly<Record<string, unknown>>>> = Obj
     DOORS.map(async (door) => [door, await import(new URL(door, ROOT).pathname)] as const),
   ),
 );
+const REFUSING = refusing();
 const names = Object.assign({}, ...Object.values(modules));
 
 describe.each(DOORS)('%s', (door) => {
@@ -74,20 +107,31 @@ describe.each(DOORS)('%s', (door) => {
     expect(docstrings.filter(({ text }) => text.trim() === '')).toEqual([]);
   });
 
-  test('the docstring of every function names its parameters', () => {
-    const unnamed = docstrings.flatMap(({ text, name }) =>
+  test('the docstring of every function says what its parameters are', () => {
+    const untold = docstrings.flatMap(({ text, name }) =>
       isFunction(name)
         ? parametersOf(modules[door]?.[name])
-            .filter((parameter) => !new RegExp(`\\b${parameter}\\b`).test(text))
+            .filter((parameter) => !new RegExp(`\\b${parameter}\\b`).test(parametersIn(text)))
             .map((parameter) => `${name}: ${parameter}`)
         : [],
     );
-    expect(unnamed).toEqual([]);
+    expect(untold).toEqual([]);
+  });
+
+  test('and what it throws, if it refuses anything', () => {
+    const untold = docstrings.filter(
+      ({ text, name }) => isFunction(name) && REFUSING.has(name) && !/@throws/.test(text),
+    );
+    expect(untold.map(({ name }) => name)).toEqual([]);
   });
 
   test.each(works.map(({ name }) => name))('the example of %s', async (name) => {
     await runExample(exampleOf(name), names);
   });
+});
+
+test('functions that refuse something are found', () => {
+  expect([...REFUSING]).toEqual(expect.arrayContaining(['intersect', 'prepare', 'coefficients']));
 });
 
 describe('the stages of certified', () => {
