@@ -133,6 +133,7 @@ test('cancelling ends it at once and keeps what was found; the page moves meanwh
     for (const { id } of METHODS)
       await expect(row(page, id).locator('.price.simd')).toHaveText('–');
   }
+  await page.getByRole('button', { name: 'TypeScript', exact: true }).click();
   await page.getByRole('button', { name: 'Measure longer' }).click();
   await expect(page.locator('.measure-left')).toContainText(/round [2-9]/, { timeout: 100_000 });
   const slider = page.locator('.acc-dial input');
