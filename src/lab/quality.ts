@@ -25,6 +25,8 @@ export interface Quality {
   /** Every verdict but the right ones and the undecided. */
   readonly wrong: number;
   readonly undecided: number;
+  /** Rays that are neither a plain hit nor a miss to the method: a kernel lists them one by one. */
+  readonly listed: number;
   /** Errors in ulps of the roots of rays whose class is right, ascending. */
   readonly ulps: readonly number[];
   /**
@@ -52,11 +54,13 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
   const digits: number[] = [];
   let least = Number.POSITIVE_INFINITY;
   let worst: Place | null = null;
+  let listed = 0;
   batches.forEach((batch, b) => {
     const { shape, rays, verdicts } = batch;
     const kernel = kernelOf(method, shape);
     const out = createAnswers(rays.count);
     kernel.classes(rays, out);
+    listed += out.rareCount;
     const byClasses = verdictsOfClasses(out, rays.count, kernel.met);
     kernel.both(rays, out);
     verdictsOfRoots(out, rays.count).forEach((verdict, i) => {
@@ -82,6 +86,7 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
     judged,
     wrong: judged.misses + judged.invents + judged.misnames,
     undecided: judged.undecided,
+    listed,
     ulps: sorted(ulps),
     digits: quantile(ascending, ONE_IN_TEN),
     leastDigits: ascending[0] ?? Number.NaN,

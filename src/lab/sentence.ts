@@ -131,9 +131,27 @@ function cheapestWords(rows: readonly MeasuredRow[], question: Question, titleOf
   const words = failuresOf(found.quality);
   const does = words || 'has every verdict right';
   const asked = question === 'roots' ? 'both roots' : 'a verdict alone';
-  return (
+  const cheapestIs =
     `The cheapest for ${asked} is ${titleOf(found.id)}, ${priceText(times)} of textbook’s ` +
-    `price: it ${does}.`
+    `price: it ${does}.`;
+  return [cheapestIs, listedWords(rows, found, titleOf)].filter(Boolean).join(' ');
+}
+
+/** Share of the rays from which on listing them is told as a part of the price. */
+const TOLD = 0.01;
+
+/**
+ * Why the cheaper method may be so: false tangents are listed like true ones. '' where the textbook
+ * lists hardly more rays.
+ */
+function listedWords(rows: readonly MeasuredRow[], found: MeasuredRow, titleOf: TitleOf): string {
+  const base = rows.find(({ id }) => id === BASE_METHOD);
+  if (!base || !(base.quality.listed - found.quality.listed > TOLD * base.quality.rays)) return '';
+  const own = found.quality.listed === 0 ? 'none' : grouped(found.quality.listed);
+  return (
+    'What is neither a plain hit nor a miss to a method, a tangent above all, is listed ray by ' +
+    `ray, right or not, and that is in its price: the textbook formula lists ` +
+    `${grouped(base.quality.listed)}, ${titleOf(found.id)} ${own}.`
   );
 }
 

@@ -64,7 +64,15 @@ describe('the sentence about prices', () => {
   const quality = {
     rays: 100,
     judged: { right: 100, misses: 0, invents: 0, misnames: 0, undecided: 0 },
-    ...{ wrong: 0, undecided: 0, digits: 15.95, leastDigits: 15.95, ulps: 0, mostUlps: 0 },
+    ...{
+      wrong: 0,
+      listed: 0,
+      undecided: 0,
+      digits: 15.95,
+      leastDigits: 15.95,
+      ulps: 0,
+      mostUlps: 0,
+    },
   };
   const rowsOf = (
     all: Readonly<Record<string, readonly number[]>>,

@@ -123,6 +123,7 @@ describe('quality', () => {
     for (const method of METHODS) {
       let wrong = 0;
       let undecided = 0;
+      let listed = 0;
       for (const { shape, rays } of batches) {
         for (let i = 0; i < rays.count; i++) {
           const ray = {
@@ -130,12 +131,14 @@ describe('quality', () => {
             direction: [rays.dx[i] as number, rays.dy[i] as number, rays.dz[i] as number],
           } as const;
           const found = method.intersect(shape, ray).class;
+          if (found !== 'two' && found !== 'none') listed += 1;
           if (found === 'undecided') undecided += 1;
           else if (found !== intersect(shape, ray, 'exact').class) wrong += 1;
         }
       }
       const quality = qualityOf(method, batches);
-      expect([method.id, quality.wrong, quality.undecided]).toEqual([method.id, wrong, undecided]);
+      const { id } = method;
+      expect({ id, ...quality }).toMatchObject({ id, wrong, undecided, listed });
     }
   });
 });
@@ -159,6 +162,7 @@ describe('the sentence', () => {
       rays: 3072,
       wrong: 0,
       undecided: 0,
+      listed: 0,
       mostUlps: 0,
       ...parts,
     },
@@ -219,6 +223,16 @@ describe('the sentence', () => {
         'formula (moment); both roots, faithful to the last digit, cost 220 times the ' +
         'textbook formula (exact).',
     );
+  });
+
+  test('what a dearer textbook lists ray by ray is told', () => {
+    const lists = row('textbook', { wrong: 377, listed: 380 }, 1, 1);
+    const rows = [lists, row('moment', { listed: 3 }, 1.1, 0.5)];
+    expect(detailsOf(rows, 'classes', titleOf)).toMatch(
+      / the textbook formula lists 380, moment 3\.$/,
+    );
+    const few = [row('textbook', { wrong: 377, listed: 30 }, 1, 1), row('moment', {}, 1.1, 0.5)];
+    expect(detailsOf(few, 'classes', titleOf)).not.toContain('lists');
   });
 
   test('the cheapest is told with what it gets wrong', () => {
@@ -360,6 +374,7 @@ describe('a sweep', () => {
       rays: 100,
       judged: { right: 100 - misses - undecided, misses, invents: 0, misnames: 0, undecided },
       wrong: misses,
+      listed: 0,
       undecided,
       digits,
       leastDigits: 0,
