@@ -1,3 +1,6 @@
+import type { Expr } from '../../scripts/kernels/certified/expression.ts';
+import { stageSources } from '../../scripts/kernels/certified/module.ts';
+import { loopOf } from '../../scripts/kernels/certified/source.ts';
 import type { Node } from '../../scripts/kernels/trees/graph.ts';
 import { asksOf, programOf } from '../../scripts/kernels/trees/program.ts';
 import { SYSTEMS } from '../../scripts/kernels/trees/recorders.ts';
@@ -49,11 +52,41 @@ function countsOf(method: Method): readonly number[] | null {
   return counts;
 }
 
+/** Of the three passes that a ray goes through which certified's first stage settles. */
+function certifiedCounts(): readonly number[] {
+  const { units } = stageSources();
+  const passes = ['coarseInSpace', 'residualsInSpace', 'solvePass'];
+  const formulas = passes.flatMap((pass) =>
+    loopOf(units, pass, true)
+      // To which list a ray goes that is left open.
+      .statements.filter(({ target }) => target !== 'beside' && target !== 'remote')
+      .map(({ formula }) => formula),
+  );
+  const counts = KINDS.map(() => 0);
+  const walk = (formula: Expr): void => {
+    const k = SIGNS.findIndex((ops) => ops.includes(formula.op));
+    if (k >= 0) counts[k] = (counts[k] as number) + 1;
+    if ('of' in formula) walk(formula.of);
+    if ('a' in formula) [formula.a, formula.b].forEach(walk);
+  };
+  formulas.forEach(walk);
+  return counts;
+}
+
+/** In the order of KINDS. */
+const SIGNS: readonly (readonly Expr['op'][])[] = [
+  ['+', '-'],
+  ['*'],
+  ['/', 'sqrt'],
+  ['min', 'max'],
+  ['<', '>', '<=', '>='],
+];
+
 /** A line for each method; the last cell is the sum's ratio to textbook's. */
 export function operationLines(methods: readonly Method[]): string[] {
   const sum = (counts: readonly number[]): number => counts.reduce((a, b) => a + b, 0);
   const found = methods.flatMap((method) => {
-    const counts = countsOf(method);
+    const counts = method.id === 'certified' ? certifiedCounts() : countsOf(method);
     return counts ? [{ id: method.id, counts }] : [];
   });
   const base = sum(found.find(({ id }) => id === 'textbook')?.counts ?? []);

@@ -18,6 +18,9 @@ const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 const OUTPUTS = ['t0', 't1', 'margin'] as const;
 const WRITTEN = { both: ['t0', 't1'], classes: ['margin'] } as const;
 
+/** Rays of a call where none is copied: each has room for its mark in the scratch. */
+const LONG = 2 ** 14;
+
 /**
  * The loops of the straight methods in WebAssembly: two rays at a time, or four in float32. Arrays
  * that are not in the memory of the kernels, and the last rays, are copied part by part.
@@ -25,7 +28,7 @@ const WRITTEN = { both: ['t0', 't1'], classes: ['margin'] } as const;
 export function simdSource(memory: SimdMemory): Source {
   const { buffer, block } = memory;
   const modules = new Map<string, Readonly<Record<string, Run>>>();
-  const listed = new Int32Array(buffer, SCRATCH, CAPACITY);
+  const listed = new Int32Array(buffer, SCRATCH, LONG);
   const doubles = new Float64Array(buffer, NUMBERS, BLOCK[BLOCK_ARRAYS[0]] / 8);
   const singles = new Float32Array(buffer, NUMBERS, BLOCK[BLOCK_ARRAYS[0]] / 8);
   const at: number[] = [];
@@ -48,9 +51,11 @@ export function simdSource(memory: SimdMemory): Source {
     return (numbers, rays, out, marked) => {
       (isSingle ? singles : doubles).set(numbers);
       const inPlace = written.every((name) => out[name].buffer === buffer);
+      const isCopied = !inPlace || INPUTS.some((name) => rays[name].buffer !== buffer);
+      const most = isCopied ? CAPACITY : LONG;
       let left = 0;
       for (let from = 0, count = 0; from < rays.count; from += count) {
-        const rest = Math.min(CAPACITY, rays.count - from);
+        const rest = Math.min(most, rays.count - from);
         // Vectors are written whole: what comes after the last rays is not theirs.
         const here = inPlace && rest >= lanes;
         count = here ? rest - (rest % lanes) : rest;

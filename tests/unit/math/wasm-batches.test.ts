@@ -106,6 +106,12 @@ describe('sizes and places (seed 142)', () => {
     }
   });
 
+  test.each([4095, 4096, 4097, 8195])('%i rays, more than one call takes', (n) => {
+    for (const { shape, rays } of batches) {
+      expect(differs(shape, [...rays, ...rays, ...rays].slice(0, n))).toBeNull();
+    }
+  });
+
   const places: [Where, Where][] = [
     ['memory', 'ordinary'],
     ['ordinary', 'memory'],

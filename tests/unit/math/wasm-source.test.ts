@@ -29,6 +29,7 @@ import { AT_LATTICE as AT, AT_SCALED } from '../../../src/math/methods/certified
 import {
   handed,
   LATTICE_NUMBERS,
+  LONG,
   PARAMS,
   PLACE,
   SCALED_NUMBERS,
@@ -317,8 +318,8 @@ describe("the kernels' memory", () => {
       [SCALED_NUMBERS, 8 * Object.keys(AT_SCALED).length],
     ] as const;
     const arrays = Object.values(BLOCK).map((at) => [at, 8 * CAPACITY] as const);
-    const lists = (['doubtful', 'unsettled'] as const).map(
-      (name) => [PLACE[name], 4 * (CAPACITY + 1)] as const,
+    const lists = (['doubtful', 'unsettled', 'starting'] as const).map(
+      (name) => [PLACE[name], 4 * (LONG + 1)] as const,
     );
     const all = [
       ...numbers,

@@ -1,4 +1,4 @@
-import { chooseFirst } from '../../batch/batch.ts';
+import { chooseFirst, type Rays } from '../../batch/batch.ts';
 import {
   addressOf,
   BLOCK,
@@ -40,7 +40,9 @@ export type Input = (typeof INPUTS)[number];
 export const PARAMS = [...INPUTS, 't0', 't1'] as const;
 export type Param = (typeof PARAMS)[number];
 
-const LIST_BYTES = 4 * CAPACITY + GAP;
+/** Rays of a call where none is copied: each has its place in the lists. */
+export const LONG = 4 * CAPACITY;
+const LIST_BYTES = 4 * LONG + GAP;
 
 /** Where each array begins. The lists hold the rays' indices, and have room for one more. */
 export const PLACE = {
@@ -81,7 +83,7 @@ export function handed(n: number): number {
 export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastStages {
   const { buffer, block } = memory;
   const exports = memory.load(bytes);
-  const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, CAPACITY + 1);
+  const indices = (offset: number): Int32Array => new Int32Array(buffer, offset, LONG + 1);
   const latticeNumbers = new Float64Array(
     buffer,
     LATTICE_NUMBERS,
@@ -102,6 +104,12 @@ export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastSta
     refined: exports[`refined${hasY}`] as Run,
   }));
 
+  /** Most rays of a call: those that are copied go through the block. */
+  const mostOf = (rays: Rays, ...answers: readonly Float64Array[]): number =>
+    [...INPUTS.map((name) => rays[name]), ...answers].every((array) => array.buffer === buffer)
+      ? LONG
+      : CAPACITY;
+
   const place = (name: Input, array: Float64Array, from: number, count: number): number =>
     addressOf(memory, name, array, from, count);
 
@@ -110,11 +118,12 @@ export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastSta
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     const { t0, t1 } = out;
     const inPlace = t0.buffer === buffer && t1.buffer === buffer;
+    const most = mostOf(rays, t0, t1);
     left.count = 0;
     scaledNumbers.set(c.numbers);
     if (c.lattice) latticeNumbers.set(c.lattice);
     for (let from = 0, count = 0; from < rays.count; from += count) {
-      const rest = Math.min(CAPACITY, rays.count - from);
+      const rest = Math.min(most, rays.count - from);
       // The kernels write two answers at a time: the last of an odd number goes alone, through the
       // block, since what comes after it is not theirs.
       const here = inPlace && rest > 1;
@@ -165,10 +174,11 @@ export function createFastStages(memory: SimdMemory, bytes: Uint8Array): FastSta
     const kernel = kernels[q.hasY ? 1 : 0] as (typeof kernels)[number];
     const { Ex, Ey, Ez, dx, dy, dz } = rays;
     const inPlace = margin.buffer === buffer;
+    const most = mostOf(rays, margin);
     left.count = 0;
     scaledNumbers.set(c.numbers);
     for (let from = 0, count = 0; from < rays.count; from += count) {
-      const rest = Math.min(CAPACITY, rays.count - from);
+      const rest = Math.min(most, rays.count - from);
       // As in `roots`: the last of an odd number goes alone.
       const here = inPlace && rest > 1;
       count = here ? rest & ~1 : rest;

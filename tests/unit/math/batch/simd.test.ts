@@ -7,6 +7,7 @@ import type { Target } from '../../../../src/math/batch/target.ts';
 import { FAMILIES } from '../../../../src/math/families.ts';
 import type { Method } from '../../../../src/math/methods/define.ts';
 import { METHODS } from '../../../../src/math/methods/index.ts';
+import type { Ray } from '../../../../src/math/ray.ts';
 import { integer, pick, seeded } from '../../../../src/math/rng.ts';
 import type { Shape } from '../../../../src/math/shapes/index.ts';
 import { arraysIn, BESIDE, blank, difference, found, packed, type Where } from '../both-ways.ts';
@@ -72,6 +73,22 @@ describe.each(STRAIGHT.map((method) => [method.id, method] as const))('%s', (_, 
         if (form !== 'classes') expect([told, difference(want.t1, got.t1)]).toEqual([told, null]);
       }
     }
+  });
+
+  test.each(FORMS)('%s, more rays than one call takes (seed 252)', (form) => {
+    const family = FAMILIES.find(({ id }) => id === 'exact-tangent') as (typeof FAMILIES)[number];
+    const { shape, rays: some } = family.batch(seeded(252), 350);
+    const list = Array.from({ length: 2 ** 14 + 5 }, (_, i) => some[i % some.length] as Ray);
+    const [want, got] = (['typescript', 'simd'] as const).map((target) => {
+      const out = arraysIn('memory', () => blank(list.length));
+      const rays = arraysIn('memory', () => packed(list, list.length));
+      accelerate();
+      ask(method, shape, target, form, rays, out);
+      return found(out);
+    });
+    expect(got?.rare).toEqual(want?.rare);
+    if (form === 'classes' || !want || !got) return;
+    expect([difference(want.t0, got.t0), difference(want.t1, got.t1)]).toEqual([null, null]);
   });
 
   test('there is SIMD for every shape that its numbers fit', () => {
