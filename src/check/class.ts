@@ -171,7 +171,7 @@ export function csvCell(value: string | number): string {
 }
 
 /** Rows as CSV. */
-const csv = (rows: readonly (readonly (string | number)[])[]): string =>
+export const csv = (rows: readonly (readonly (string | number)[])[]): string =>
   `${rows.map((row) => row.map(csvCell).join(',')).join('\n')}\n`;
 
 /** A line for each student; a column for each question, by number: 1 if it is right. */

@@ -34,6 +34,8 @@ export interface ProgramTools {
   /** Whether the text may be put into the box; if not, the page says why. */
   takes(source: string): boolean;
   pick(kind: string): void;
+  /** Chooses the seed of the cases. */
+  seed(seed: number): void;
   run(): void;
   cancel(): void;
   openFile(): void;

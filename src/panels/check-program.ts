@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
+import { CASES_SEED } from '../check/program/cases.ts';
 import { FORMAT_WORDS } from '../check/program/exchange.ts';
 import { SHAPES } from '../math/index.ts';
 import type { ProgramTools, ProgramView } from './check-program-view.ts';
@@ -76,7 +77,7 @@ function follow(event: Event): void {
 }
 
 /** Controls to save the cases for a program in another language and to open its results. */
-export function exchange(tools: ProgramTools): TemplateResult {
+export function exchange(tools: ProgramTools, seed: number): TemplateResult {
   return html`<details class="exchange">
     <summary>A program in C++, Python, Java, …</summary>
     <p>Save the cases, let your program answer them, and open its results here (or drop the file on
@@ -88,6 +89,11 @@ export function exchange(tools: ProgramTools): TemplateResult {
         @click=${() => tools.saveCases('csv')}>Cases as CSV</button>
       <button type="button" class="button small" @click=${tools.openResults}>Open results</button>
     </div>
+    <label class="cases-seed">seed of the cases <input inputmode="numeric" .value=${String(seed)}
+      @change=${(event: Event) => tools.seed(Number((event.target as HTMLInputElement).value))}
+      /></label>
+    <p class="tolerance">With another seed than ${CASES_SEED} the cases are others, in no order, under
+    ids that tell nothing: for whoever marks programs.</p>
     ${FORMAT_WORDS.map((words) => html`<p class="tolerance">${words}</p>`)}
   </details>`;
 }

@@ -275,7 +275,8 @@ test('errors come with the line in the student’s code', async ({ page }) => {
 test('results of a wrong form are named', async ({ page }) => {
   await openCheck(page, 'cases=plane');
   for (const [line, words] of [
-    ['return [1, 2];', 'returned an array'],
+    ['return ["a", 2];', 'returned an array'],
+    ['return [1, 2];', 'it returned a plain array'],
     ['return { t: ["a"] };', 't holds text'],
     ['return { t: new Array(1e6).fill(1) };', 't has 20 entries'],
     ['return { t: [1], normal: [[1, 2]] };', 'normal is not an array of triples'],

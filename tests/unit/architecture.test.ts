@@ -50,6 +50,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   'd3-scale': ['charts'],
   fflate: ['state'],
   marked: ['lesson'],
+  sucrase: ['check'],
   uqr: ['pages'],
 };
 

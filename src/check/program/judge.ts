@@ -7,6 +7,8 @@ export type Output =
       readonly type: 'value';
       readonly t: readonly number[];
       readonly normal: readonly (readonly number[])[] | null;
+      /** What was returned in place of { t }, and taken for it. */
+      readonly loose?: 'an array' | 'nothing';
     }
   | { readonly type: 'threw'; readonly message: string; readonly line: number | null }
   /** A result that is not of the form `{ t, normal? }`. */

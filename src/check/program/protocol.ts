@@ -128,14 +128,24 @@ function readOutput(data: unknown): Output | null {
   }
 }
 
-/** Reads a result `{ t: number[], normal?: number[][] }`, or says what is wrong with it. */
+/**
+ * Reads a result `{ t: number[], normal?: number[][] }`, or says what is wrong with it. A plain
+ * array of numbers is taken for t, null or nothing for no t.
+ */
 export function readValue(value: unknown): Output {
   const wrong = (message: string, t: unknown = null): Output => ({
     type: 'shape',
     message,
     meant: meantBy(t),
   });
-  if (Array.isArray(value)) return wrong('returned an array: return { t: [ … ] }', value);
+  if (value === null || value === undefined) {
+    return { type: 'value', t: [], normal: null, loose: 'nothing' };
+  }
+  if (Array.isArray(value)) {
+    const isList = value.length <= MOST_ROOTS && value.every((x) => typeof x === 'number');
+    if (isList) return { type: 'value', t: value, normal: null, loose: 'an array' };
+    return wrong('returned an array: return { t: [ … ] }', value);
+  }
   if (!isRecord(value)) {
     return wrong(`returned ${named(value)}: return { t: [ … ] }`, value ?? []);
   }

@@ -10,7 +10,8 @@ interface Pair {
 /** Sentences on all results together that do not depend on the formulas. */
 export function remarks(cases: readonly Case[], outputs: readonly Output[]): string[] {
   return [
-    nullForMiss(cases, outputs),
+    ...looseResults(outputs),
+    unsorted(cases, outputs),
     nothingForTwo(cases, outputs),
     roundedRoots(cases, outputs) || fewDigits(cases, outputs),
   ].filter((words) => words !== '');
@@ -19,18 +20,35 @@ export function remarks(cases: readonly Case[], outputs: readonly Output[]): str
 /** Least number of cases that count as evidence. */
 const LEAST = 3;
 
-function nullForMiss(cases: readonly Case[], outputs: readonly Output[]): string {
-  const nothing = (one: Case, i: number): boolean => {
+/** What is not as agreed, but was understood. */
+function looseResults(outputs: readonly Output[]): string[] {
+  const count = (loose: string): number =>
+    outputs.filter((output) => output.type === 'value' && output.loose === loose).length;
+  const [nothing, arrays] = [count('nothing'), count('an array')];
+  return [
+    nothing > 0
+      ? `Where it found no hit it returned no { t: [] }, in ${nothing} cases. That was understood; ` +
+        `a miss is an empty array, not null or nothing.`
+      : '',
+    arrays > 0
+      ? `In ${arrays} cases it returned a plain array. That was taken for t: return { t: [ … ] }.`
+      : '',
+  ];
+}
+
+/** Roots that would be right in ascending order. */
+function unsorted(cases: readonly Case[], outputs: readonly Output[]): string {
+  const count = cases.filter((one, i) => {
     const output = outputs[i];
-    const empty = output?.type === 'shape' && output.meant?.length === 0;
-    return empty && one.expected?.t.length === 0;
-  };
-  const misses = cases.filter(nothing);
-  if (misses.length < LEAST) return '';
-  return (
-    `On ${misses.length} misses it returns no { t: [] }: a miss is an empty array, not null ` +
-    `or nothing.`
-  );
+    if (output?.type !== 'value' || output.t.length < 2 || !one.expected) return false;
+    const [a = 0, b = 0] = output.t;
+    const turned: Output = { type: 'value', t: [b, a], normal: null };
+    return a > b && judgeCase(one, turned).passed;
+  }).length;
+  return count < LEAST
+    ? ''
+    : `In ${count} cases both roots are right, only not in ascending order: sort them before you ` +
+        `return them.`;
 }
 
 /** Roots in other cases but none where there are two: probably a mistake in D. */

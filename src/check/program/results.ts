@@ -201,7 +201,8 @@ function tableRows(text: string, known: ReadonlySet<string>): Row[] {
       const ids = all.filter(({ cells }) => cells.some((one) => known.has(one)));
       return { separator, all, ids: ids.length };
     })
-    .sort((a, b) => b.ids - a.ids);
+    // Where no line has a root, the head tells how cells are separated.
+    .sort((a, b) => b.ids - a.ids || cellsOfHead(b.all) - cellsOfHead(a.all));
   if (!lines || lines.ids === 0) {
     const [first] = known;
     throw new Unreadable(
@@ -212,6 +213,8 @@ function tableRows(text: string, known: ReadonlySet<string>): Row[] {
   const head = headOf(lines.all[0]);
   return (head ? lines.all.slice(1) : lines.all).map((line) => tableRow(line, head ?? COLUMNS));
 }
+
+const cellsOfHead = ([head]: readonly Line[]): number => head?.cells.length ?? 0;
 
 /**
  * Refuses a table without a decimal point in any number: decimal commas have been taken for

@@ -1,4 +1,5 @@
 import { html, render } from 'lit';
+import { CASES_SEED } from '../../check/program/cases.ts';
 import { tooLong } from '../../check/program/script.ts';
 import { example, template } from '../../check/program/template.ts';
 import { FIRST_SET, setOf } from '../../check/sets.ts';
@@ -39,7 +40,8 @@ export function mountProgram(
   const failing = element('check-stage check-failing', host);
   const more = element('check-more', host);
   const picture = turnablePicture(failing, changed);
-  const runs = createRuns(host, changed);
+  let casesSeed = CASES_SEED;
+  const runs = createRuns(host, changed, () => casesSeed);
   let cases = '';
   let set = FIRST_SET;
   const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);
@@ -86,6 +88,10 @@ export function mountProgram(
   const tools: ProgramTools = {
     edit: (text) => write(text),
     takes: (text) => takes(text),
+    seed(wanted) {
+      if (Number.isInteger(wanted) && wanted >= 0 && wanted < 1e9) part.set({ casesSeed: wanted });
+      else refuse('The seed of the cases is a whole number of up to nine digits.');
+    },
     pick(kind) {
       if (source() === templateNow()) write(template(kindsFor(kind, set)));
       cases = kind;
@@ -94,7 +100,7 @@ export function mountProgram(
     run: () => runs.run(source(), kinds()),
     cancel: () => runs.cancel(),
     async openFile() {
-      const text = await pickFile('.js,.mjs,text/javascript');
+      const text = await pickFile('.js,.mjs,.cjs,.ts,.mts,text/javascript');
       if (text === '') refuse('The file is empty, or larger than 2 MB.');
       else if (text !== null) write(text, 'The file');
     },
@@ -120,7 +126,7 @@ export function mountProgram(
   };
   return {
     render(settings) {
-      ({ cases, set } = settings);
+      ({ cases, set, casesSeed } = settings);
       const run = runs.get();
       const link = run.selected && exploreLink(run.selected.case);
       const view = {
@@ -138,7 +144,7 @@ export function mountProgram(
         html`${programHead(view, tools)}${editor(view, tools)}${programReport(view, tools)}`,
         main,
       );
-      render(exchange(tools), more);
+      render(exchange(tools, casesSeed), more);
       drawFailing(link !== null);
     },
     source,

@@ -1,19 +1,18 @@
 import type { Case } from '../../check/program/cases.ts';
-import { casesFor } from '../../check/program/cases.ts';
+import { gradedCases } from '../../check/program/cases.ts';
 import { casesCsv, casesJson } from '../../check/program/exchange.ts';
 import type { Output } from '../../check/program/judge.ts';
 import { type Failure, type Report, reportOf } from '../../check/program/report.ts';
 import { readResults } from '../../check/program/results.ts';
-import { adviceFor, asScript, tooLong } from '../../check/program/script.ts';
+import { adviceFor, asScript, looksTyped, tooLong } from '../../check/program/script.ts';
 import { textbookFor } from '../../check/program/template.ts';
 import { setOf } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import type { ProgramView } from '../../panels/check-program-view.ts';
+import { late } from '../../ui/late.ts';
 import { runInSandbox } from './sandbox.ts';
 
-/** Seed of the cases; always the same, so that reports can be compared. */
-const CASES_SEED = 41;
 /**
  * Number of ordinary cases that are timed: enough to have every kind, few enough for short rounds.
  */
@@ -66,10 +65,12 @@ interface Runs {
 }
 
 /** Runs programs, one at a time; a new run ends the one before. */
-export function createRuns(host: Element, changed: () => void): Runs {
+export function createRuns(host: Element, changed: () => void, seed: () => number): Runs {
   let state = NOTHING;
   let close: (() => void) | null = null;
   let stop = (): void => {};
+  /** Grows with every run, so that one that waits for code knows that it is not the last. */
+  let calls = 0;
   const fresh = (): RunState => ({ ...NOTHING, finished: state.finished });
   const put = (next: Partial<RunState>): void => {
     state = { ...state, ...next };
@@ -86,68 +87,109 @@ export function createRuns(host: Element, changed: () => void): Runs {
     const selected = report && firstFailure(report);
     put({ running: null, trouble, report, selected, finished: state.finished + 1 });
   };
+  /** Runs a program; one in TypeScript without its types. `text` is what runs of `source`. */
+  const start = (source: string, kinds: readonly ShapeKind[], text: string | null = null): void => {
+    close?.();
+    close = null;
+    calls++;
+    const refusal = tooLong(source);
+    if (refusal) {
+      finish([], [], `This program is not run: ${refusal}.`);
+      return;
+    }
+    const cases = gradedCases(kinds, seed());
+    const outputs: Output[] = [];
+    state = { ...fresh(), running: { done: 0, total: cases.length } };
+    changed();
+    if (text === null && looksTyped(source)) {
+      void withoutTypes(source, kinds);
+      return;
+    }
+    stop = () => {
+      close?.();
+      finish(cases, outputs, 'Cancelled.');
+    };
+    const job = {
+      source: asScript(text ?? source),
+      textbook: textbookFor(kinds, 'textbook'),
+      cases: cases.map(({ shape, ray }) => ({ shape, ray })),
+      timed: timedOf(cases),
+    };
+    close = runInSandbox(host, job, {
+      output(index, output) {
+        if (index !== outputs.length || index >= cases.length) return;
+        outputs.push(output);
+        put({ running: { done: outputs.length, total: cases.length } });
+      },
+      note: (message) => put({ notes: [...state.notes, message].slice(-MOST_NOTES) }),
+      console: (line) => put({ lines: [...state.lines, line].slice(0, MOST_LINES) }),
+      unsteady(index) {
+        const words =
+          `${cases[index]?.id}, run twice, gave two results: nothing here may ` +
+          `depend on chance or on earlier calls`;
+        put({ notes: [...state.notes, words] });
+      },
+      timing: (timing) => put({ timing }),
+      untimed: (untimed) => put({ untimed }),
+      end(ending) {
+        if (ending.how === 'unopened') {
+          const why = `The sandbox could not be opened: ${ending.message}.`;
+          const words = `${why} Your program was not run.`;
+          finish(cases, [], words);
+        } else if (ending.how === 'refused') {
+          const { line, message } = ending;
+          // What a quick look does not take for TypeScript may be some.
+          if (text === null && message.startsWith('syntax error')) {
+            void withoutTypes(source, kinds, ending);
+            return;
+          }
+          const last = source.split('\n').length;
+          const where = line === null ? '' : `Line ${Math.min(line, last)}: `;
+          const advice = adviceFor(source, message);
+          finish(cases, outputs, `${where}${message}${advice && `. ${advice}`}`);
+        } else if (ending.how === 'stopped' && outputs.length < cases.length) {
+          const at =
+            `Stopped at case ${outputs.length + 1} of ${cases.length}: ` + `${ending.message}.`;
+          finish(cases, [...outputs, { type: 'stopped' }], at);
+        } else finish(cases, outputs, '');
+      },
+    });
+  };
+  const withoutTypes = async (
+    source: string,
+    kinds: readonly ShapeKind[],
+    before: { readonly message: string; readonly line: number | null } | null = null,
+  ): Promise<void> => {
+    const call = calls;
+    stop = () => {
+      calls++;
+      finish([], [], 'Cancelled.');
+    };
+    const loaded = await late(() => import('../../check/program/strip.ts')).catch(() => null);
+    if (call !== calls) return;
+    if (!loaded) {
+      const words = 'The code that takes types away could not be loaded: try again.';
+      finish([], [], words);
+      return;
+    }
+    const { stripTypes } = loaded;
+    const stripped = stripTypes(source);
+    if (stripped.ok && (!before || stripped.text !== source)) {
+      start(source, kinds, stripped.text);
+      return;
+    }
+    const { message, line } = before ?? (stripped.ok ? { message: '', line: null } : stripped);
+    const where = line === null ? '' : `Line ${Math.min(line, source.split('\n').length)}: `;
+    const advice = adviceFor(source, message);
+    finish([], [], `${where}${message}${advice && `. ${advice}`}`);
+  };
   return {
     get: () => state,
-    run(source, kinds) {
-      close?.();
-      const refusal = tooLong(source);
-      if (refusal) {
-        finish([], [], `This program is not run: ${refusal}.`);
-        return;
-      }
-      const cases = casesFor(kinds, CASES_SEED);
-      const outputs: Output[] = [];
-      state = { ...fresh(), running: { done: 0, total: cases.length } };
-      changed();
-      stop = () => {
-        close?.();
-        finish(cases, outputs, 'Cancelled.');
-      };
-      const job = {
-        source: asScript(source),
-        textbook: textbookFor(kinds, 'textbook'),
-        cases: cases.map(({ shape, ray }) => ({ shape, ray })),
-        timed: timedOf(cases),
-      };
-      close = runInSandbox(host, job, {
-        output(index, output) {
-          if (index !== outputs.length || index >= cases.length) return;
-          outputs.push(output);
-          put({ running: { done: outputs.length, total: cases.length } });
-        },
-        note: (message) => put({ notes: [...state.notes, message].slice(-MOST_NOTES) }),
-        console: (line) => put({ lines: [...state.lines, line].slice(0, MOST_LINES) }),
-        unsteady(index) {
-          const words =
-            `${cases[index]?.id}, run twice, gave two results: nothing here may ` +
-            `depend on chance or on earlier calls`;
-          put({ notes: [...state.notes, words] });
-        },
-        timing: (timing) => put({ timing }),
-        untimed: (untimed) => put({ untimed }),
-        end(ending) {
-          if (ending.how === 'unopened') {
-            const why = `The sandbox could not be opened: ${ending.message}.`;
-            const words = `${why} Your program was not run.`;
-            finish(cases, [], words);
-          } else if (ending.how === 'refused') {
-            const { line, message } = ending;
-            const last = source.split('\n').length;
-            const where = line === null ? '' : `Line ${Math.min(line, last)}: `;
-            const advice = adviceFor(source, message);
-            finish(cases, outputs, `${where}${message}${advice && `. ${advice}`}`);
-          } else if (ending.how === 'stopped' && outputs.length < cases.length) {
-            const at =
-              `Stopped at case ${outputs.length + 1} of ${cases.length}: ` + `${ending.message}.`;
-            finish(cases, [...outputs, { type: 'stopped' }], at);
-          } else finish(cases, outputs, '');
-        },
-      });
-    },
+    run: (source, kinds) => start(source, kinds),
     cancel: () => stop(),
     select: (selected) => put({ selected }),
     grade(text, kinds) {
-      const cases = casesFor(kinds, CASES_SEED);
+      const cases = gradedCases(kinds, seed());
       const read = readResults(text, cases);
       close?.();
       close = null;
@@ -161,8 +203,8 @@ export function createRuns(host: Element, changed: () => void): Runs {
       return true;
     },
     file: (format, kinds) => {
-      const cases = casesFor(kinds, CASES_SEED);
-      return format === 'json' ? casesJson(cases, CASES_SEED) : casesCsv(cases);
+      const cases = gradedCases(kinds, seed());
+      return format === 'json' ? casesJson(cases, seed()) : casesCsv(cases);
     },
   };
 }

@@ -1,3 +1,4 @@
+import { CASES_SEED } from '../../check/program/cases.ts';
 import { plan } from '../../check/session.ts';
 import {
   CHOSEN,
@@ -35,6 +36,8 @@ export interface CheckSettings {
   readonly question: number;
   /** Which shape's cases a program gets: a kind, or 'all' for the set's shapes. */
   readonly cases: string;
+  /** The seed of those cases. */
+  readonly casesSeed: number;
 }
 
 const DEFAULTS: CheckSettings = {
@@ -44,10 +47,20 @@ const DEFAULTS: CheckSettings = {
   who: '',
   question: 0,
   cases: 'cylinder',
+  casesSeed: CASES_SEED,
 };
 
 /** Keys are left out where they have their default. */
-export const KEYS = ['part', 'set', ...CHOSEN, 'seed', 'who', 'question', 'cases'] as const;
+export const KEYS = [
+  'part',
+  'set',
+  ...CHOSEN,
+  'seed',
+  'who',
+  'question',
+  'cases',
+  'cases-seed',
+] as const;
 
 /** Most characters of a name in a link. */
 const LONGEST_NAME = 60;
@@ -114,6 +127,7 @@ const CHECKS: Readonly<Record<string, Rule>> = {
   ],
   question: [isQuestion, (set) => `a question from 1 to ${questionsIn(set)}`],
   cases: [isCases, () => 'a shape, or all'],
+  'cases-seed': [(text) => /^\d{1,9}$/.test(text), () => 'a whole number of up to nine digits'],
 };
 
 const UNKNOWN: Rule = [() => false, () => ''];
@@ -143,13 +157,14 @@ export function settingsOf(settings: Settings): CheckSettings {
     who: own.who ?? DEFAULTS.who,
     question: own.question === undefined ? DEFAULTS.question : Number(own.question) - 1,
     cases: own.cases ?? DEFAULTS.cases,
+    casesSeed: Number(own['cases-seed'] ?? DEFAULTS.casesSeed),
   };
 }
 
 /** The texts of these settings; null for a default. */
 export function settingsFor(wanted: Partial<CheckSettings>): Record<string, string | null> {
   const texts: Record<string, string | null> = {};
-  const put = (key: keyof CheckSettings, text: string, initial: string): void => {
+  const put = (key: (typeof KEYS)[number], text: string, initial: string): void => {
     texts[key] = text === initial ? null : text;
   };
   if (wanted.part !== undefined) put('part', wanted.part, DEFAULTS.part);
@@ -164,5 +179,8 @@ export function settingsFor(wanted: Partial<CheckSettings>): Record<string, stri
     put('question', String(wanted.question + 1), String(DEFAULTS.question + 1));
   }
   if (wanted.cases !== undefined) put('cases', wanted.cases, DEFAULTS.cases);
+  if (wanted.casesSeed !== undefined) {
+    put('cases-seed', String(wanted.casesSeed), String(DEFAULTS.casesSeed));
+  }
   return texts;
 }

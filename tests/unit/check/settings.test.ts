@@ -23,6 +23,7 @@ describe('the settings of the page Check', () => {
         who: fc.constantFrom('', '4711', 'Ada Lovelace', 'Åsa & Bo = 2'),
         question: fc.integer({ min: 0, max: plan(1, set).length - 1 }),
         cases: fc.constantFrom('all', ...SHAPES.map(({ kind }) => kind)),
+        casesSeed: fc.integer({ min: 0, max: 999_999_999 }),
       }),
     );
     fc.assert(
@@ -46,6 +47,7 @@ describe('the settings of the page Check', () => {
       who: null,
       question: null,
       cases: null,
+      'cases-seed': null,
     });
   });
 
@@ -106,6 +108,7 @@ describe('the settings of the page Check', () => {
     [{ question: '999' }, "'999'"],
     [{ set: '__proto__' }, "'__proto__' is not a set"],
     [{ part: '<img>' }, "'<img>' is not questions"],
+    [{ 'cases-seed': '-1' }, "'-1' is not a whole number"],
     [{ cases: 'torus' }, "'torus' is not a shape"],
     [{ constructor: '1' }, "'constructor' means nothing"],
     [{ toString: 'x' }, "'toString' means nothing"],

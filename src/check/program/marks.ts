@@ -1,0 +1,173 @@
+import { csv } from '../class.ts';
+import { GROUPS, type GroupId } from './cases.ts';
+import type { GroupScore, Report } from './report.ts';
+import { BRANCHES } from './suspects.ts';
+
+/** How much each group counts, against the others. */
+export type Weights = Readonly<Record<GroupId, number>>;
+
+export const WEIGHTS: Weights = { ordinary: 4, special: 3, hard: 2, invalid: 1 };
+
+/**
+ * Weights from a text such as 'ordinary=4,hard=1'; a group that is not named counts nothing.
+ *
+ * @throws RangeError for what is no group or no number from 0 on, and if nothing counts.
+ */
+export function readWeights(text: string): Weights {
+  const known = GROUPS.map(({ id }) => id);
+  const weights: Record<string, number> = Object.fromEntries(known.map((id) => [id, 0]));
+  for (const part of text.split(',')) {
+    const [, id = '', given = ''] = /^(\w*)=(.*)$/.exec(part.trim()) ?? [];
+    const weight = Number(given);
+    if (!known.some((one) => one === id) || given.trim() === '' || !(weight >= 0)) {
+      throw new RangeError(`'${part}' is no weight: groups are ${known.join(', ')}`);
+    }
+    if (weight === Number.POSITIVE_INFINITY) throw new RangeError(`'${part}' is no weight`);
+    weights[id] = weight;
+  }
+  if (Object.values(weights).every((weight) => weight === 0)) {
+    throw new RangeError('some group has to count');
+  }
+  return weights as Weights;
+}
+
+/** A submission that was run or read: its report, or why there is none. */
+export interface Graded {
+  readonly who: string;
+  /** Null where nothing could be run or read; that scores 0. */
+  readonly report: Report | null;
+  /** Sentences on the run or the file. */
+  readonly problems: readonly string[];
+}
+
+const share = ({ passed, total }: GroupScore): number => (total === 0 ? 0 : passed / total);
+
+/** Points out of 100: the share of right cases of each group, weighted; missing ones are wrong. */
+export function scoreOf({ report }: Graded, weights: Weights): number {
+  const groups = report?.groups.filter(({ total }) => total > 0) ?? [];
+  const all = groups.reduce((sum, { id }) => sum + weights[id], 0);
+  if (all === 0) return 0;
+  const sum = groups.reduce((points, group) => points + weights[group.id] * share(group), 0);
+  return Math.round((1e4 * sum) / all) / 100;
+}
+
+const findingsOf = ({ report }: Graded): string[] =>
+  (report?.findings ?? []).map(({ flaw, branch }) => `${flaw.says} (cases ${BRANCHES[branch]})`);
+
+const remarksOf = (graded: Graded): string[] => [
+  ...graded.problems,
+  ...(graded.report?.remarks ?? []),
+];
+
+/** One line for each submission. */
+export function gradesCsv(all: readonly Graded[], weights: Weights): string {
+  return csv([
+    ['who', 'score', ...GROUPS.flatMap(({ id }) => [id, `${id} of`]), 'findings', 'problems'],
+    ...all.map((one) => [
+      ...[one.who, scoreOf(one, weights)],
+      ...GROUPS.flatMap(({ id }) => {
+        const group = one.report?.groups.find((score) => score.id === id);
+        return [group?.passed ?? 0, group?.total ?? 0];
+      }),
+      findingsOf(one).join('; '),
+      remarksOf(one).join('; '),
+    ]),
+  ]);
+}
+
+/** What Gradescope's autograder reads as results.json, for one submission. */
+export function gradescope(graded: Graded, weights: Weights): string {
+  const { report } = graded;
+  const groups = report?.groups.filter(({ total }) => total > 0) ?? [];
+  const all = groups.reduce((sum, { id }) => sum + weights[id], 0) || 1;
+  const tests = groups.map((group) => ({
+    name: `${group.title} cases`,
+    score: Math.round((1e4 * weights[group.id] * share(group)) / all) / 100,
+    max_score: Math.round((1e4 * weights[group.id]) / all) / 100,
+    status: group.passed === group.total ? 'passed' : 'failed',
+    output: [
+      `${group.passed} of ${group.total} right`,
+      ...(report?.families ?? [])
+        .filter(({ group: id, passed, total }) => id === group.id && passed < total)
+        .map(({ family, passed, total, says }) => `${family}: ${passed} of ${total}, ${says}`),
+    ].join('\n'),
+  }));
+  const output = [...remarksOf(graded), ...findingsOf(graded)].join('\n');
+  const result = { score: scoreOf(graded, weights), output, output_format: 'text', tests };
+  return `${JSON.stringify(result, null, 2)}\n`;
+}
+
+/** Text within XML; what XML 1.0 cannot hold is left out. */
+export const xmlText = (text: string): string =>
+  text
+    // biome-ignore lint/suspicious/noControlCharactersInRegex: XML 1.0 has no such characters.
+    .replace(/[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|\p{Surrogate}/gu, '')
+    .replaceAll('&', '&amp;')
+    .replaceAll('<', '&lt;')
+    .replaceAll('>', '&gt;')
+    .replaceAll('"', '&quot;');
+
+/** A suite for each submission, a test for each family of cases. */
+export function junit(all: readonly Graded[]): string {
+  const suites = all.map(({ who, report, problems }) => {
+    const families = report?.families ?? [];
+    const failed = families.filter(({ passed, total }) => passed < total).length;
+    const tests = families.map(({ group, family, passed, total, says }) => {
+      const name = `<testcase classname="${group}" name="${xmlText(family)}"`;
+      return passed === total
+        ? `    ${name}/>`
+        : `    ${name}><failure message="${xmlText(`${passed} of ${total}: ${says}`)}"/></testcase>`;
+    });
+    const error = report
+      ? []
+      : [
+          `    <testcase classname="submission" name="it can be run"><error message="${xmlText(
+            problems.join('; '),
+          )}"/></testcase>`,
+        ];
+    return [
+      `  <testsuite name="${xmlText(who)}" tests="${families.length + error.length}" ` +
+        `failures="${failed}" errors="${error.length}">`,
+      ...tests,
+      ...error,
+      '  </testsuite>',
+    ].join('\n');
+  });
+  return ['<?xml version="1.0" encoding="UTF-8"?>', '<testsuites>', ...suites, '</testsuites>', '']
+    .join('\n')
+    .replace(/\n\n/g, '\n');
+}
+
+const cellMd = (text: string): string => text.replace(/[\r\n]+/g, ' ').replaceAll('|', '\\|');
+
+/** The class and what was found, for people. */
+export function gradesMarkdown(all: readonly Graded[], weights: Weights, about: string): string {
+  const counts = new Map<string, number>();
+  for (const one of all) {
+    for (const words of new Set((one.report?.findings ?? []).map(({ flaw }) => flaw.says))) {
+      counts.set(words, (counts.get(words) ?? 0) + 1);
+    }
+  }
+  const tally = [...counts].sort((a, b) => b[1] - a[1]);
+  return [
+    `# ${about}`,
+    '',
+    `Weights: ${GROUPS.map(({ id }) => `${id} ${weights[id]}`).join(', ')}. A case without a ` +
+      'result counts as not right.',
+    '',
+    `| who | points | ${GROUPS.map(({ title }) => title).join(' | ')} | found |`,
+    `| --- | ---: | ${GROUPS.map(() => '---:').join(' | ')} | --- |`,
+    ...all.map((one) => {
+      const groups = GROUPS.map(({ id }) => {
+        const group = one.report?.groups.find((score) => score.id === id);
+        return group ? `${group.passed} of ${group.total}` : '–';
+      });
+      const found = cellMd([...remarksOf(one), ...findingsOf(one)].join('; '));
+      return `| ${cellMd(one.who)} | ${scoreOf(one, weights)} | ${groups.join(' | ')} | ${found} |`;
+    }),
+    '',
+    ...(tally.length === 0 ? [] : ['| mistake | programs |', '| --- | ---: |']),
+    ...tally.map(([words, count]) => `| ${cellMd(words)} | ${count} |`),
+    '',
+  ].join('\n');
+}
