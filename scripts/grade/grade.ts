@@ -1,12 +1,12 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, extname, join } from 'node:path';
 import type { Case } from '../../src/check/program/cases.ts';
-import type { Graded } from '../../src/check/program/marks.ts';
 import { reportOf } from '../../src/check/program/report.ts';
 import { readResults } from '../../src/check/program/results.ts';
 import { isSet, setOf, setProblem } from '../../src/check/sets.ts';
 import { SHAPES } from '../../src/math/index.ts';
 import type { ShapeKind } from '../../src/math/shapes.ts';
+import type { Graded } from './marks.ts';
 import { LIMITS, type Limits, runProgram } from './program.ts';
 
 const PROGRAMS = ['.js', '.mjs', '.cjs', '.ts', '.mts'];

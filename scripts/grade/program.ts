@@ -61,7 +61,8 @@ const INNER = `(() => {
     if (typeof x === 'string') return cut(x, 0, 60);
     if (typeof x !== 'object') return x === undefined ? undefined : 'a ' + typeof x;
     if (isArray(x) || isView(x)) {
-      return depth > 2 ? 'an array' : from({ length: min(x.length, 20) }, (_, i) => simple(x[i], depth + 1));
+      if (depth > 2) return 'an array';
+      return from({ length: min(x.length, 20) }, (_, i) => simple(x[i], depth + 1));
     }
     if (typeof x.then === 'function') return 'a promise';
     return depth === 0 ? { t: simple(x.t, 1), normal: simple(x.normal, 1) } : 'an object';
@@ -115,7 +116,8 @@ try {
   } else {
     for (const text of cases) {
       try {
-        post({ text: String(at(name + '(' + name + 'run, ' + JSON.stringify(text) + ')', 'harness.js')) });
+        const one = name + '(' + name + 'run, ' + JSON.stringify(text) + ')';
+        post({ text: String(at(one, 'harness.js')) });
       } catch (error) {
         post({ stopped: error.code === 'ERR_SCRIPT_EXECUTION_TIMEOUT' });
         break;
@@ -128,7 +130,9 @@ try {
   const found = /program\\.js:(\\d+)/.exec(String(error && error.stack));
   const kind = error && error.name === 'SyntaxError' ? 'syntax error: ' : '';
   post({
-    refused: timeout ? 'it does not get to its end' : kind + String(error && error.message).slice(0, 300),
+    refused: timeout
+      ? 'it does not get to its end'
+      : kind + String(error && error.message).slice(0, 300),
     line: found ? Number(found[1]) : null,
   });
 }

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { gradedCases } from '../../src/check/program/cases.ts';
 import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
+import { gradeOne, kindsIn, submissionsIn } from './grade.ts';
 import {
   type Graded,
   gradesCsv,
@@ -12,8 +13,7 @@ import {
   readWeights,
   scoreOf,
   WEIGHTS,
-} from '../../src/check/program/marks.ts';
-import { gradeOne, kindsIn, submissionsIn } from './grade.ts';
+} from './marks.ts';
 import { LIMITS } from './program.ts';
 
 /*

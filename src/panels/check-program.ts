@@ -92,8 +92,8 @@ export function exchange(tools: ProgramTools, seed: number): TemplateResult {
     <label class="cases-seed">seed of the cases <input inputmode="numeric" .value=${String(seed)}
       @change=${(event: Event) => tools.seed(Number((event.target as HTMLInputElement).value))}
       /></label>
-    <p class="tolerance">With another seed than ${CASES_SEED} the cases are others, in no order, under
-    ids that tell nothing: for whoever marks programs.</p>
+    <p class="tolerance">With another seed than ${CASES_SEED} the cases are others, in no order,
+    under ids that tell nothing: for whoever marks programs.</p>
     ${FORMAT_WORDS.map((words) => html`<p class="tolerance">${words}</p>`)}
   </details>`;
 }

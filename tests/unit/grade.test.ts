@@ -4,9 +4,6 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
 import { gradeOne, kindsIn, submissionsIn } from '../../scripts/grade/grade.ts';
-import { LIMITS, runProgram } from '../../scripts/grade/program.ts';
-import { CASES_SEED, casesFor, gradedCases } from '../../src/check/program/cases.ts';
-import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
 import {
   type Graded,
   gradesCsv,
@@ -16,7 +13,10 @@ import {
   readWeights,
   scoreOf,
   WEIGHTS,
-} from '../../src/check/program/marks.ts';
+} from '../../scripts/grade/marks.ts';
+import { LIMITS, runProgram } from '../../scripts/grade/program.ts';
+import { CASES_SEED, casesFor, gradedCases } from '../../src/check/program/cases.ts';
+import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
 import { reportOf } from '../../src/check/program/report.ts';
 import { readResults } from '../../src/check/program/results.ts';
 import { example } from '../../src/check/program/template.ts';
@@ -205,10 +205,12 @@ const STARTERS = [
     file: 'graze_results.py',
     empty: '    return []\n',
     full:
-      '    if shape["radius"] <= 0 or not all(map(math.isfinite, [*origin, *direction, shape["radius"]])) \\\n' +
+      '    all_numbers = [*origin, *direction, shape["radius"]]\n' +
+      '    if shape["radius"] <= 0 or not all(map(math.isfinite, all_numbers)) \\\n' +
       '            or not any(direction):\n        raise ValueError("invalid, input")\n' +
       '    o = [e - c for e, c in zip(origin, shape["center"])]\n' +
-      '    a = sum(x * x for x in direction)\n    b = 2 * sum(x * y for x, y in zip(o, direction))\n' +
+      '    a = sum(x * x for x in direction)\n' +
+      '    b = 2 * sum(x * y for x, y in zip(o, direction))\n' +
       '    c = sum(x * x for x in o) - shape["radius"] ** 2\n    d = b * b - 4 * a * c\n' +
       '    if d < 0:\n        return []\n    q = math.sqrt(d)\n' +
       '    return sorted({(-b - q) / (2 * a), (-b + q) / (2 * a)})\n',
@@ -223,8 +225,10 @@ const STARTERS = [
       '    const double r = shape.numbers.at("r"), x = E.x - shape.numbers.at("Cx"),\n' +
       '        y = E.y - shape.numbers.at("Cy"), z = E.z - shape.numbers.at("Cz");\n' +
       '    const double a = d.x * d.x + d.y * d.y + d.z * d.z;\n' +
-      '    if (!(r > 0) || !(a > 0) || !(x * x + y * y + z * z < 1e300)) throw std::runtime_error("no");\n' +
-      '    const double b = 2 * (x * d.x + y * d.y + z * d.z), c = x * x + y * y + z * z - r * r;\n' +
+      '    if (!(r > 0) || !(a > 0) || !(x * x + y * y + z * z < 1e300))\n' +
+      '        throw std::runtime_error("no");\n' +
+      '    const double b = 2 * (x * d.x + y * d.y + z * d.z),\n' +
+      '        c = x * x + y * y + z * z - r * r;\n' +
       '    const double D = b * b - 4 * a * c;\n    if (D < 0) return {};\n' +
       '    if (D == 0) return {-b / (2 * a)};\n' +
       '    return {(-b - __builtin_sqrt(D)) / (2 * a), (-b + __builtin_sqrt(D)) / (2 * a)};\n',
@@ -241,9 +245,11 @@ const STARTERS = [
       'z = E[2] - numbers.get("Cz");\n' +
       '        if (!(r > 0) || !(a > 0) || !(x * x + y * y + z * z < 1e300))\n' +
       '            throw new IllegalArgumentException("no, not this");\n' +
-      '        double b = 2 * (x * d[0] + y * d[1] + z * d[2]), c = x * x + y * y + z * z - r * r;\n' +
+      '        double b = 2 * (x * d[0] + y * d[1] + z * d[2]),\n' +
+      '            c = x * x + y * y + z * z - r * r;\n' +
       '        double D = b * b - 4 * a * c, q = Math.sqrt(D);\n' +
-      '        if (D < 0) return new double[] {};\n        if (D == 0) return new double[] {-b / (2 * a)};\n' +
+      '        if (D < 0) return new double[] {};\n' +
+      '        if (D == 0) return new double[] {-b / (2 * a)};\n' +
       '        return new double[] {(-b - q) / (2 * a), (-b + q) / (2 * a)};\n',
     build: null,
     run: ['java', 'GrazeResults.java'],
@@ -257,8 +263,10 @@ const STARTERS = [
       '    let o = [origin[0] - n("Cx"), origin[1] - n("Cy"), origin[2] - n("Cz")];\n' +
       '    let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];\n' +
       '    let (r, a, b) = (n("r"), dot(direction, direction), 2.0 * dot(o, direction));\n' +
-      '    if !(r > 0.0) || !(a > 0.0) || !(dot(o, o) < 1e300) { return Err("no, not".into()); }\n' +
-      '    let disc = b * b - 4.0 * a * (dot(o, o) - r * r);\n    if disc < 0.0 { return Ok(vec![]); }\n' +
+      '    if !(r > 0.0) || !(a > 0.0) || !(dot(o, o) < 1e300) {\n' +
+      '        return Err("no, not".into()); }\n' +
+      '    let disc = b * b - 4.0 * a * (dot(o, o) - r * r);\n' +
+      '    if disc < 0.0 { return Ok(vec![]); }\n' +
       '    if disc == 0.0 { return Ok(vec![-b / (2.0 * a)]); }\n    let q = disc.sqrt();\n' +
       '    Ok(vec![(-b - q) / (2.0 * a), (-b + q) / (2.0 * a)])\n',
     build: ['rustc', '-O', 'graze_results.rs', '-o', 'rs_results'],

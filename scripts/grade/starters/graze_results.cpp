@@ -1,6 +1,7 @@
 // Reads cases of Graze as CSV, lets your intersect answer them, and writes a file of results.
 //
-//     g++ -std=c++17 -O2 graze_results.cpp -o graze_results && ./graze_results cases.csv results.csv
+//     g++ -std=c++17 -O2 graze_results.cpp -o graze_results
+//     ./graze_results cases.csv results.csv
 //
 // `npm run grade -- --cases cases.csv` writes the cases, as does the page Check. Fill in intersect.
 #include <cstdlib>

@@ -2,7 +2,8 @@
 //!
 //!     rustc -O graze_results.rs && ./graze_results cases.csv results.csv
 //!
-//! `npm run grade -- --cases cases.csv` writes the cases, as does the page Check. Fill in intersect.
+//! `npm run grade -- --cases cases.csv` writes the cases, as does the page Check. Fill in
+//! intersect.
 
 use std::collections::HashMap;
 

@@ -27,8 +27,8 @@ function looseResults(outputs: readonly Output[]): string[] {
   const [nothing, arrays] = [count('nothing'), count('an array')];
   return [
     nothing > 0
-      ? `Where it found no hit it returned no { t: [] }, in ${nothing} cases. That was understood; ` +
-        `a miss is an empty array, not null or nothing.`
+      ? `Where it found no hit it returned no { t: [] }, in ${nothing} cases. That was ` +
+        `understood; a miss is an empty array, not null or nothing.`
       : '',
     arrays > 0
       ? `In ${arrays} cases it returned a plain array. That was taken for t: return { t: [ … ] }.`

@@ -254,7 +254,8 @@ describe('the text of a program', () => {
     'const module = 1; const exports = 2; function intersect() { return { t: [7, 8] }; }',
     'class P {} const solver = { intersect() { return { t: [7, 8] }; } }; ' +
       'module.exports = solver;',
-    'interface A { t: number[] } export function intersect(a: unknown): A { return { t: [7, 8] }; }',
+    'interface A { t: number[] } ' +
+      'export function intersect(a: unknown): A { return { t: [7, 8] }; }',
     'enum Side { In, Out = 7 } const intersect = (): { t: number[] } => ({ t: [Side.Out, 8] });',
     'class C { constructor(private a = 7) {} intersect(): any { return { t: [this.a, 8]! }; } }',
   ])('%j is called', (source) => {

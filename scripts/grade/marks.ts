@@ -1,10 +1,10 @@
-import { csv } from '../class.ts';
-import { GROUPS, type GroupId } from './cases.ts';
-import type { GroupScore, Report } from './report.ts';
-import { BRANCHES } from './suspects.ts';
+import { csv } from '../../src/check/class.ts';
+import { GROUPS, type GroupId } from '../../src/check/program/cases.ts';
+import type { GroupScore, Report } from '../../src/check/program/report.ts';
+import { BRANCHES } from '../../src/check/program/suspects.ts';
 
 /** How much each group counts, against the others. */
-export type Weights = Readonly<Record<GroupId, number>>;
+type Weights = Readonly<Record<GroupId, number>>;
 
 export const WEIGHTS: Weights = { ordinary: 4, special: 3, hard: 2, invalid: 1 };
 
@@ -98,7 +98,7 @@ export function gradescope(graded: Graded, weights: Weights): string {
 }
 
 /** Text within XML; what XML 1.0 cannot hold is left out. */
-export const xmlText = (text: string): string =>
+const xmlText = (text: string): string =>
   text
     // biome-ignore lint/suspicious/noControlCharactersInRegex: XML 1.0 has no such characters.
     .replace(/[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|\p{Surrogate}/gu, '')
@@ -116,7 +116,8 @@ export function junit(all: readonly Graded[]): string {
       const name = `<testcase classname="${group}" name="${xmlText(family)}"`;
       return passed === total
         ? `    ${name}/>`
-        : `    ${name}><failure message="${xmlText(`${passed} of ${total}: ${says}`)}"/></testcase>`;
+        : `    ${name}><failure message="${xmlText(`${passed} of ${total}: ${says}`)}"/>` +
+            '</testcase>';
     });
     const error = report
       ? []
