@@ -11,7 +11,7 @@ import { createPageSwitcher } from './pages/page-switcher.ts';
 import { shell } from './pages/shell.ts';
 import type { CloserLook } from './state/closer-look.ts';
 import { createDerive, type ExploreModel, type FullModel, isFull } from './state/derive.ts';
-import { exampleOf, provideExamples } from './state/example.ts';
+import { answerShown, exampleOf, provideExamples } from './state/example.ts';
 import { lineCount } from './state/reveal.ts';
 import { type AppState, INITIAL, PAGES } from './state/state.ts';
 import { createStore } from './state/store.ts';
@@ -48,6 +48,7 @@ let story: ExploreTools['story'] = null;
 let normalLine: ExploreTools['normalLine'] = null;
 let ends: ExploreTools['ends'] = null;
 let secondView: ExploreTools['secondView'] = null;
+let followExplore: ((state: AppState) => void) | null = null;
 let hearing: Hearing | null = null;
 const derive = createDerive(() => closerLook);
 const voice = late(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
@@ -140,7 +141,13 @@ const tools: PageActions = {
   },
   second: () => withCode(theRest(), () => secondView?.toggle()),
   turn: (by) => withCode(shownView(), (view) => view?.turn?.(by)),
-  present: () => withCode(shownView(), (view) => view?.present?.()),
+  present: () =>
+    withCode(shownView(), (view) => {
+      if (view) view.present?.();
+      else {
+        withCode(theRest(), ({ presentExplore }) => tellProblem(presentExplore(announce)));
+      }
+    }),
   collect: () =>
     withLessons(({ withCollected }) => {
       const { state, step } = withCollected(store.get(), encode(store.get()));
@@ -151,10 +158,7 @@ const tools: PageActions = {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };
   },
-  answer() {
-    const { told, revealed } = store.get();
-    return revealed === null && exampleOf(store.get())?.changed === false ? told : null;
-  },
+  answer: () => answerShown(store.get()),
 };
 function runNow({ id, run }: Command): void {
   const before = store.get();
@@ -208,7 +212,7 @@ function theRest(): NonNullable<typeof rest> {
   rest = late(() => import('./pages/explore/after-first-frame.ts'));
   rest.then(
     (code) => {
-      ({ closerLook, announcement, story, normalLine, ends } = code);
+      ({ closerLook, announcement, followExplore, story, normalLine, ends } = code);
       provideExamples(code.GALLERY);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
@@ -326,6 +330,7 @@ function renderAll(): void {
   document.title = state.page === INITIAL.page ? TITLE : `${title} · Graze`;
   if (!isPart) drawHeader(state);
   pages.show(state);
+  followExplore?.(state);
   host?.drawn();
 }
 
@@ -478,12 +483,14 @@ document.addEventListener('keydown', (event) => {
   event.preventDefault();
   wanted.run();
 });
+/** Adds a message to those below the header, once. */
+function tellProblem(words: string | null): void {
+  const { problems } = store.get();
+  if (!words || problems.includes(words)) return;
+  store.dispatch({ type: 'say', problems: [...problems, words] });
+}
 onNotKept(() => {
-  theRest().then(({ NOT_KEPT }) => {
-    const { problems } = store.get();
-    if (problems.includes(NOT_KEPT)) return;
-    store.dispatch({ type: 'say', problems: [...problems, NOT_KEPT] });
-  }, sayNotLoaded);
+  theRest().then(({ NOT_KEPT }) => tellProblem(NOT_KEPT), sayNotLoaded);
 });
 // If this cannot be loaded, symbols are not highlighted; nothing else is missing.
 late(() => import('./ui/highlight.ts')).then(

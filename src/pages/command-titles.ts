@@ -21,6 +21,7 @@ const TITLES: Readonly<Record<string, string>> = {
   'lesson-next': 'next: show what is hidden or asked, or the next step',
   'lesson-back': 'back: hide what was shown, or the step before',
   present: 'open the presenter’s window: notes, what comes next, a clock',
+  'present-explore': 'open the presenter’s window: all values, what comes next, a clock',
   collect: 'add what is shown to your own lesson, as its next step',
   undo: 'undo',
   redo: 'redo',

@@ -20,7 +20,7 @@ export interface PageActions {
   second(): void;
   /** Goes one step of a lesson forward or back. */
   turn(by: 1 | -1): void;
-  /** Opens the presenter's window of a lesson. */
+  /** Opens the presenter's window. */
   present(): void;
   /** Adds what is shown to the own lesson, as its next step. */
   collect(): void;
@@ -132,6 +132,7 @@ function lessonCommands(tools: PageActions): Command[] {
       run: () => tools.turn(-1),
     },
     { id: 'present', keys: ['p'], pages: ['lesson'], run: tools.present },
+    { id: 'present-explore', keys: ['Shift+p'], pages: ['explore'], run: tools.present },
     {
       id: 'collect',
       keys: ['c'],
@@ -168,7 +169,9 @@ function commonCommands({ dispatch }: Store, tools: PageActions): Command[] {
   ];
 }
 
-function reveal({ get, dispatch }: Store, tools: PageActions): void {
+type Stepped = Pick<Store, 'get' | 'dispatch'>;
+
+function reveal({ get, dispatch }: Stepped, tools: Pick<PageActions, 'lines'>): void {
   const { revealed } = get();
   if (revealed === null) return;
   const { total } = tools.lines();
@@ -176,14 +179,14 @@ function reveal({ get, dispatch }: Store, tools: PageActions): void {
 }
 
 /** Goes one step of the derivation forward or back; false if it is closed. */
-function stepped({ get, dispatch }: Store, by: 1 | -1): boolean {
+function stepped({ get, dispatch }: Stepped, by: 1 | -1): boolean {
   if (!get().derive) return false;
   dispatch({ type: 'derive', step: (now) => now && now + by });
   return true;
 }
 
 /** A clicker's key for "next": reveals a line, then the answer, then opens the next example. */
-function next(store: Store, tools: PageActions): void {
+export function next(store: Stepped, tools: Pick<PageActions, 'lines' | 'answer'>): void {
   if (stepped(store, 1)) return;
   const state = store.get();
   const { total, shown } = tools.lines();

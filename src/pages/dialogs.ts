@@ -34,7 +34,17 @@ export type Dialogs = Readonly<Record<'gallery' | 'help' | 'export', () => void>
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
   const gallery = createDialog('Examples', () =>
-    galleryContent(parts.example(), pick, parts.thumbnail(), parts.hidden(), () => gallery.close()),
+    galleryContent(
+      parts.example(),
+      pick,
+      parts.thumbnail(),
+      parts.hidden(),
+      () => gallery.close(),
+      () => {
+        gallery.close();
+        parts.tools.present();
+      },
+    ),
   );
   const pick = (id: string): void => {
     parts.dispatch({ type: 'example', id });

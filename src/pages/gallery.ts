@@ -20,9 +20,13 @@ export function galleryContent(
   thumbnail: Thumbnail | null,
   hidden: boolean,
   leave: () => void,
+  present: () => void,
 ): TemplateResult {
   return html`<div class="gallery">
-    <p>New to this? <a href="#/lesson/ray" @click=${leave}>Begin with the first lesson.</a></p>
+    <p>New to this? <a href="#/lesson/ray" @click=${leave}>Begin with the first lesson.</a>
+      To show them to others:
+      <button type="button" class="gallery-present" title="All values, what comes next (Shift+P)"
+        @click=${present}>presenter’s window</button></p>
     <div role="group" aria-label="Examples">${SHAPES.map(({ kind, title }) => {
       const own = GALLERY.filter(({ link }) => decode(link).kind === kind);
       return html`<section aria-label=${title}>

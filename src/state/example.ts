@@ -57,3 +57,9 @@ export const titleOf = ({ entry, changed, number, of }: ShownExample, hidden = f
   const title = hidden ? `${number} of ${of}` : entry.title;
   return changed ? `${title}, changed` : title;
 };
+
+/** Whether the answer to the example's question is shown; null where none is asked. */
+export function answerShown(state: AppState): boolean | null {
+  const { told, revealed } = state;
+  return revealed === null && exampleOf(state)?.changed === false ? told : null;
+}

@@ -469,8 +469,67 @@ test('a presenter’s window follows the lesson, and a clicker works in either',
   await stepShown(page, 4);
   await presenter.keyboard.press('PageDown');
   await expect(head).toHaveText(`5 of ${steps.length}: ${steps[4]?.title}`);
-  await page.goto('./#/explore');
-  await expect(presenter.locator('.presenter-notice')).toContainText('does not show a lesson now');
+  // Of another page it has the numbers that stand there, also while they are asked for.
+  await openStep(page, '#/lesson/effects?step=2', 2);
+  await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+  await expect(column(page)).not.toContainText('48 772');
+  await expect(presenter.locator('.presenter-text')).toContainText(/48\s772/);
+  await page.keyboard.press('PageDown');
+  const shown = column(page).locator('.lesson-answer [data-quantity]').first();
+  const value = await shown.getAttribute('data-value');
+  const name = await shown.getAttribute('data-quantity');
+  await expect(presenter.locator(`[data-quantity="${name}"]`)).toHaveAttribute(
+    'data-value',
+    `${value}`,
+  );
+  await openStep(page, '#/lesson/digits?step=3', 3);
+  await expect(presenter.locator('.presenter-text')).toContainText('3.75003');
+  await page.goto('./#/check');
+  await expect(presenter.locator('.presenter-notice')).toContainText(
+    'neither a lesson nor Explore',
+  );
+  await presenter.close();
+});
+
+test('a presenter’s window follows Explore: what is not shown yet, and what comes next', async ({
+  page,
+}) => {
+  await page.goto('./#/explore?hide=1');
+  const [one, two] = GALLERY;
+  await page.locator('.example-name').click();
+  const [presenter] = await Promise.all([
+    page.context().waitForEvent('page'),
+    page.getByRole('button', { name: 'presenter’s window' }).click(),
+  ]);
+  const head = presenter.getByRole('heading', { level: 2 });
+  const next = presenter.getByRole('region', { name: 'Next' }).getByRole('heading');
+  const values = presenter.getByRole('region', { name: 'Values' }).getByRole('listitem');
+  await expect(head).toHaveText(/^A ray and a shape of your own/);
+  await page.keyboard.press('h');
+  await presenter.keyboard.press('PageDown');
+  await expect(head).toHaveText(`Example 1 of ${GALLERY.length}: ${one?.title}`);
+  await expect(presenter.locator('.presenter-text')).toContainText(one?.answer ?? '-');
+  await expect(next).toHaveText('Next: the answer');
+  await presenter.keyboard.press('PageDown');
+  await expect(page.locator('#example-answer')).toHaveText(one?.answer ?? '-');
+  await expect(next).toHaveText(`Next: example 2 of ${GALLERY.length}: ${two?.title}`);
+  await expect(presenter.locator('.presenter-drawing svg')).toBeVisible();
+  // What a press shows is what was said to come, line by line; until then it is marked.
+  await page.keyboard.press('h');
+  await expect(values.filter({ hasNotText: 'not shown yet' })).toHaveCount(0);
+  const all = await values.count();
+  for (let hidden = all; hidden > 0; ) {
+    const words = await next.innerText();
+    await presenter.keyboard.press('PageDown');
+    await expect(values.filter({ hasText: 'not shown yet' })).not.toHaveCount(hidden);
+    hidden = await values.filter({ hasText: 'not shown yet' }).count();
+    await expect(page.locator('.announcer')).toContainText(words.replace('Next: ', ''));
+  }
+  await expect(page.locator('[data-quantity="t1"]').first()).toBeVisible();
+  await page.keyboard.press('h');
+  await page.keyboard.press('h');
+  await page.keyboard.press('d');
+  await expect(next).toHaveText('Next: step 2 of the derivation');
   await presenter.close();
 });
 

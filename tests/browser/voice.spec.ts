@@ -54,7 +54,9 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
       document.querySelector('.announcer')?.replaceChildren();
     });
     const chooser = id === 'open' ? page.waitForEvent('filechooser') : null;
+    const popup = id === 'present-explore' ? page.waitForEvent('popup') : null;
     await page.keyboard.press(key);
+    await (await popup)?.close();
     if (chooser) await chooser;
     else {
       const words = await page.waitForFunction(() => {
@@ -72,6 +74,7 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
   expect(heard.get('theme')).toBe('theme: light.');
   expect(heard.get('ghost')).toContain('kept as a ghost');
   expect(heard.get('play')).toContain('not while results are hidden');
+  expect(heard.get('present-explore')).toBe('The presenter’s window is open.');
   expect(heard.get('next')).toMatch(/^Example \d+ of \d+: /);
 
   // A full screen withdraws the controls.

@@ -8,6 +8,7 @@ export { normalLine } from '../../panels/normal-line.ts';
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
+export { followExplore, presentExplore } from '../lesson/projected.ts';
 export { createMotion } from './motion.ts';
 export { createPlayer } from './player.ts';
 export { createSecondView } from './second-view.ts';

@@ -1,7 +1,7 @@
 import { nothing, render } from 'lit';
 import type { Step } from '../../lesson/lesson.ts';
 import { partShown } from '../../lesson/parts.ts';
-import { lettersIn } from '../../lesson/prose.ts';
+import { lettersIn, quantitiesIn } from '../../lesson/prose.ts';
 import { isLesson } from '../../lesson/read.ts';
 import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/step-state.ts';
 import { writeLesson } from '../../lesson/write.ts';
@@ -25,12 +25,12 @@ import { createOtherPages } from './other-pages.ts';
 import { openedLesson, withCollected } from './own-lesson.ts';
 import { createPaper } from './paper.ts';
 import { mountPresenter } from './presenter.ts';
-import { createProjected } from './projected.ts';
-import { proseTools } from './prose-tools.ts';
+import { OPENED, projectedWindow } from './projected.ts';
+import { proseTools, valueOnPage } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
 import { type Place, placeOf, readSettings } from './source.ts';
 import { type StepParts, stepView } from './step-view.ts';
-import { presenterIn } from './two-windows.ts';
+import { type Projected, presenterIn } from './two-windows.ts';
 import './lesson-page.css';
 import './lesson-text.css';
 
@@ -70,7 +70,14 @@ export const mountLesson: MountPage = (host, context) => {
   const editing = createEditing(dispatch, changed);
   const derive = createDerive(() => closerLook);
   const travel = createTransition(TRAVEL_MS, changed);
-  const projected = createProjected(changed);
+  const projected = projectedWindow();
+  let problem: ReturnType<typeof projected.open> = null;
+  const present = (): void => {
+    problem = projected.open();
+    // The problem is a status of its own.
+    if (!problem) announce(OPENED, 'deed');
+    changed();
+  };
   const others = createOtherPages(other, context, handIn.inner);
   let explore: ReturnType<typeof mountExploreStage> | null = null;
   let shown: Shown | null = null;
@@ -222,12 +229,18 @@ export const mountLesson: MountPage = (host, context) => {
     const print = () => void printPage();
     const tools = {
       ...{ go, reveal: handIn.reveal, edit: () => editing.begin(place), save, print },
-      present: projected.open,
-      problem: projected.problem,
+      ...{ present, problem },
     };
     render(stepView(parts, { ...tools, add: () => collect(encode(target)) }), text);
     if (!onExplore && covered === null) paper.drawn(step);
     if (!forPaper) tell(before, shown);
+  };
+
+  /** The live numbers of all of a step's text, as another page has them. */
+  const numbersOf = ({ text, question, answer, notes }: Step): Projected['numbers'] => {
+    const names = quantitiesIn([...text, ...question, ...answer, ...notes]);
+    const found = names.map((name) => [name, valueOnPage(other, name)] as const);
+    return Object.fromEntries(found.flatMap(([name, value]) => (value ? [[name, value]] : [])));
   };
 
   const turn = (by: 1 | -1): void => {
@@ -272,9 +285,11 @@ export const mountLesson: MountPage = (host, context) => {
       outer = state;
       const settings = forPaper ?? state.settings.lesson;
       const place = placeOf(settings);
-      if (!forPaper) projected.show(place ? encode(state) : null);
       if (place) showStep(settings, place);
       else showList(state);
+      if (forPaper) return;
+      const numbers = place && shown && !shown.model ? numbersOf(place.step) : {};
+      projected.show(() => place && { hash: encode(state), numbers, look: null });
     },
     read: readSettings,
     open: openText,
@@ -286,9 +301,9 @@ export const mountLesson: MountPage = (host, context) => {
       const text = () => writeLesson(lesson);
       return [{ ...item, type: 'text/markdown', text, blob: null }, ...others.exports()];
     },
-    present: projected.open,
+    present,
     rest() {
-      projected.show(null);
+      projected.show(() => null);
       others.leave();
     },
   };

@@ -1,15 +1,21 @@
 import { html, nothing, render } from 'lit';
 import { drawStill } from '../../canvas/thumbnail.ts';
-import type { Step } from '../../lesson/lesson.ts';
-import { innerState, isAsked, isHidden } from '../../lesson/step-state.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
-import type { Settings } from '../../state/state.ts';
+import { provideExamples } from '../../state/example.ts';
+import { GALLERY } from '../../state/gallery/index.ts';
+import type { AppState } from '../../state/state.ts';
+import { encode } from '../../state/url.ts';
 import type { PageContext, PageView } from '../page.ts';
-import { exploreValue } from './prose-tools.ts';
-import { type ProseTools, proseView } from './prose-view.ts';
-import { type Place, placeOf, readSettings } from './source.ts';
-import { type Channel, CLICKER_KEYS, type ClickerKey, openChannel } from './two-windows.ts';
+import { exploreParts, type PresenterParts, stepParts } from './presenter-parts.ts';
+import { placeOf, readSettings } from './source.ts';
+import {
+  type Channel,
+  CLICKER_KEYS,
+  type ClickerKey,
+  openChannel,
+  type Projected,
+} from './two-windows.ts';
 import './presenter.css';
 
 /** So long an answer takes at most, from a window of the same browser. */
@@ -19,20 +25,21 @@ const LABEL = 15;
 const DRAWING = { width: 300, height: 170, scale: 0.7, label: LABEL };
 
 const NO_ANSWER =
-  'No window answers. This one follows the window in which it was opened, as long as a lesson is ' +
-  'shown there.';
-const LEFT = 'The other window does not show a lesson now.';
+  'No window answers. This one follows the window in which it was opened, as long as a lesson or ' +
+  'Explore is shown there.';
+const LEFT = 'The other window shows neither a lesson nor Explore now.';
 const NO_CHANNEL =
   'This browser opens no channel between two windows here (BroadcastChannel): this one follows ' +
   'no other.';
 
-/** The page of a lesson in the presenter's window: text, notes, what comes next, and the time. */
+/** The presenter's window, beside a lesson or Explore: text, notes, what comes next, the time. */
 export function mountPresenter(host: HTMLElement, context: PageContext, id: string): PageView {
   const { dispatch, changed } = context;
   host.classList.add('presenter');
   document.documentElement.classList.add('presenter-window');
-  const derive = createDerive(() => closerLook);
+  provideExamples(GALLERY);
   const deriveNext = createDerive(() => closerLook);
+  let stage: Projected | null = null;
   let begun = Date.now();
   let notice = '';
   let channel: Channel | null = null;
@@ -45,8 +52,10 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
     channel = openChannel(id, (message) => {
       if (message.type !== 'shown') return;
       clearTimeout(silence);
-      if (message.hash !== null) dispatch({ type: 'link', hash: message.hash });
-      say(message.hash === null ? LEFT : '');
+      ({ stage } = message);
+      // With Explore's link this window would show Explore itself.
+      if (stage && !stage.look) dispatch({ type: 'link', hash: stage.hash });
+      say(stage ? '' : LEFT);
     });
     channel.send({ type: 'hello' });
   } catch {
@@ -97,39 +106,17 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
   const drawing = document.createElement('div');
   drawing.className = 'presenter-drawing';
 
-  const show = (settings: Settings, place: Place): void => {
-    const { lesson, number, step } = place;
-    const next = lesson.steps[number];
-    const inner = innerState(step, { ...settings, shown: '1' });
-    const model = inner.page === 'explore' ? derive(inner) : null;
-    const tools: ProseTools = {
-      model,
-      slider: () => nothing,
-      isHidden: () => false,
-      room: (_, digits) => digits,
-      value: (name) => (model ? exploreValue(model, name) : null),
-    };
-    drawNext(next);
+  const show = ({ of, title, text, aside, next, drawn }: PresenterParts): void => {
+    draw(drawn);
     render(
-      html`<header class="presenter-head">
-          <p>${lesson.title}</p>
-          <h2>${number} of ${lesson.steps.length}: ${step.title}</h2>
-        </header>
-        <section class="presenter-text" aria-label="Text">
-          ${proseView(step.text, tools)}
-          ${
-            step.guess
-              ? html`<h3>Question</h3>${proseView(step.question, tools)}
-                <h3>Answer</h3>${proseView(step.answer, tools)}`
-              : nothing
-          }
-        </section>
-        <section class="presenter-notes" aria-label="Notes"><h3>Notes</h3>
-          ${step.notes.length > 0 ? proseView(step.notes, tools) : html`<p>None for this step.</p>`}
+      html`<header class="presenter-head"><p>${of}</p><h2>${title}</h2></header>
+        <section class="presenter-text" aria-label="Text">${text}</section>
+        <section class="presenter-notes" aria-label=${aside.name}>
+          <h3>${aside.name}</h3>${aside.content}
         </section>
         <section class="presenter-next" aria-label="Next">
-          <h3>Next: ${nextWords(settings, step, next)}</h3>
-          ${next ? drawing : nothing}
+          <h3>Next: ${next}</h3>
+          ${drawn ? drawing : nothing}
         </section>
         <p class="presenter-notice" role="status">${notice}</p>
         <footer class="presenter-foot">
@@ -142,20 +129,21 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
     );
   };
 
-  let drawn: Step | undefined;
-  const drawNext = (next: Step | undefined): void => {
-    if (next === drawn) return;
-    drawn = next;
+  let drawn = '';
+  const draw = (state: AppState | null): void => {
+    const link = state ? encode(state) : '';
+    if (link === drawn) return;
+    drawn = link;
     drawing.replaceChildren();
-    const state = next && innerState(next, {});
-    if (state?.page === 'explore') drawStill(drawing, deriveNext(state).scene, DRAWING);
+    if (state) drawStill(drawing, deriveNext(state).scene, DRAWING);
   };
 
   return {
     render(state) {
       const settings = state.settings.lesson;
       const place = placeOf(settings);
-      if (place) show(settings, place);
+      if (stage?.look) show(exploreParts(stage));
+      else if (place) show(stepParts(settings, place, stage?.numbers ?? {}));
       else render(html`<p class="presenter-notice" role="status">${notice || LEFT}</p>`, frame);
     },
     read: readSettings,
@@ -165,10 +153,3 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
 }
 
 const two = (x: number): string => String(x).padStart(2, '0');
-
-/** What the next press of the clicker shows. */
-function nextWords(settings: Settings, step: Step, next: Step | undefined): string {
-  const after = next ? next.title : 'nothing, this is the last step';
-  if (isAsked(step, settings)) return `the answer, then ${after}`;
-  return isHidden(step, settings) ? `the results, then ${after}` : after;
-}

@@ -1,7 +1,14 @@
-import { html, nothing, type TemplateResult } from 'lit';
-import { type Channel, openChannel } from './two-windows.ts';
+import type { AppState } from '../../state/state.ts';
+import { encode } from '../../state/url.ts';
+import type { Announce } from '../../ui/announcer.ts';
+import { type Channel, openChannel, type Projected } from './two-windows.ts';
 
-type Words = TemplateResult | typeof nothing;
+/** Why there is no second window, with the address that opens it where a click would. */
+export interface Problem {
+  readonly words: string;
+  readonly address: string;
+  readonly target: string;
+}
 
 const KEPT = 'graze.presenter';
 
@@ -22,14 +29,20 @@ function keep(id: string): void {
   }
 }
 
-/** The projected window's side: it shows, and the presenter's window is told what. */
-export function createProjected(changed: () => void) {
+let only: ReturnType<typeof createProjected> | null = null;
+
+/** This window as the projected one of two: it shows, and the presenter's window is told what. */
+export const projectedWindow = (): ReturnType<typeof createProjected> =>
+  (only ??= createProjected());
+
+function createProjected() {
   let id = kept();
   let channel: Channel | null = null;
-  let hash: string | null = null;
-  let problem: Words = nothing;
+  let shown: () => Projected | null = () => null;
+  /** What was told last, to tell nothing twice. */
+  let told = '';
 
-  const tell = (): void => channel?.send({ type: 'shown', hash });
+  const tell = (stage = shown()): void => channel?.send({ type: 'shown', stage });
   const connect = (as: string): void => {
     channel ??= openChannel(as, (message) => {
       if (message.type === 'hello') tell();
@@ -39,10 +52,6 @@ export function createProjected(changed: () => void) {
       document.body.dispatchEvent(new KeyboardEvent('keyup', init));
     });
   };
-  const say = (words: Words): void => {
-    problem = words;
-    changed();
-  };
   const connected = (): boolean => {
     try {
       id ??= Math.random().toString(36).slice(2);
@@ -50,31 +59,63 @@ export function createProjected(changed: () => void) {
       keep(id);
       return true;
     } catch {
-      say(html`This browser opens no channel between two windows here (BroadcastChannel), so there
-        is no presenter's window.`);
       return false;
     }
   };
   if (id !== null) connected();
-  window.addEventListener('pagehide', () => channel?.send({ type: 'shown', hash: null }));
+  window.addEventListener('pagehide', () => channel?.send({ type: 'shown', stage: null }));
 
   return {
-    /** Why there is no second window, with what helps. */
-    problem: (): Words => problem,
-    /** What this window shows now; null where that is no step of a lesson. */
-    show(next: string | null): void {
-      if (next === hash) return;
-      hash = next;
-      tell();
+    /** What this window shows now, asked where somebody listens; null for another page. */
+    show(next: () => Projected | null): void {
+      shown = next;
+      if (!channel) return;
+      const stage = shown();
+      const words = JSON.stringify(stage);
+      if (words === told) return;
+      told = words;
+      tell(stage);
     },
-    /** Opens the presenter's window, or brings it to the front. */
-    open(): void {
-      if (!connected()) return;
-      const address = `${location.href.split(/[?#]/)[0]}?presenter=${id}${hash ?? ''}`;
-      const opened = window.open(address, `graze-presenter-${id}`, 'popup,width=1000,height=700');
+    /** Opens the presenter's window, or brings it to the front; says why that could not be done. */
+    open(): Problem | null {
+      if (!connected()) {
+        const words =
+          'This browser opens no channel between two windows here (BroadcastChannel), so there is ' +
+          'no presenter’s window.';
+        return { words, address: '', target: '' };
+      }
+      const hash = shown()?.hash ?? '';
+      const link = hash.startsWith('#/lesson/') ? hash : '#/lesson';
+      const address = `${location.href.split(/[?#]/)[0]}?presenter=${id}${link}`;
+      const target = `graze-presenter-${id}`;
+      const opened = window.open(address, target, 'popup,width=1000,height=700');
       opened?.focus();
-      const link = html`<a href=${address} target=${`graze-presenter-${id}`}>open it here</a>`;
-      say(opened ? nothing : html`The browser kept the presenter’s window from opening: ${link}.`);
+      const words = 'The browser kept the presenter’s window from opening';
+      return opened ? null : { words, address, target };
     },
   };
+}
+
+/** Tells the presenter's window what Explore shows; a lesson tells it itself. */
+export function followExplore(state: AppState): void {
+  if (state.page === 'lesson') return;
+  const { revealed, told, example } = state;
+  projectedWindow().show(() =>
+    state.page === 'explore'
+      ? { hash: encode(state), numbers: {}, look: { revealed, told, example } }
+      : null,
+  );
+}
+
+export const OPENED = 'The presenter’s window is open.';
+
+/** Opens the presenter's window beside Explore; returns why that could not be done. */
+export function presentExplore(announce: Announce): string | null {
+  const problem = projectedWindow().open();
+  if (!problem) {
+    announce(OPENED, 'deed');
+    return null;
+  }
+  const advice = ': allow windows of this site to open, and press the key again';
+  return problem.address ? problem.words + advice : problem.words;
 }

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Lesson, Step } from '../../lesson/lesson.ts';
+import type { Problem } from './projected.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
 
 export interface StepParts {
@@ -25,8 +26,8 @@ interface StepTools {
   readonly print: () => void;
   /** Opens the presenter's window. */
   readonly present: () => void;
-  /** Why that did not open; nothing where it did. */
-  readonly problem: () => TemplateResult | typeof nothing;
+  /** Why that did not open; null where it did. */
+  readonly problem: Problem | null;
 }
 
 /** The text column of a step. */
@@ -57,11 +58,19 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
             <button type="button" class="quiet" @click=${tools.print}>Print the lesson</button>
             <button type="button" class="quiet" title="Notes, what comes next and a clock (p)"
               @click=${tools.present}>Presenter’s window</button>
-            <span class="present-problem" role="status">${tools.problem()}</span>
+            <span class="present-problem" role="status">${problemWords(tools.problem)}</span>
           </p>`
       }
     </div>
     ${foot(lesson, number, tools.go)}`;
+}
+
+function problemWords(problem: Problem | null): TemplateResult | typeof nothing {
+  if (!problem) return nothing;
+  const { words, address, target } = problem;
+  return address
+    ? html`${words}: <a href=${address} target=${target}>open it here</a>.`
+    : html`${words}`;
 }
 
 function dots({ steps }: Lesson, number: number, go: (number: number) => void): TemplateResult {

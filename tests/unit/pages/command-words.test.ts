@@ -5,7 +5,7 @@ import { type Command, commandsOf, type PageActions } from '../../../src/pages/c
 import { announcement } from '../../../src/state/announce.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
-import { exampleOf } from '../../../src/state/example.ts';
+import { answerShown } from '../../../src/state/example.ts';
 import { lineCount } from '../../../src/state/reveal.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
 import { createStore, type Store } from '../../../src/state/store.ts';
@@ -21,10 +21,7 @@ function commandsOn(store: Store): { commands: readonly Command[]; called: strin
       const total = lineCount(derive(store.get()));
       return { total, shown: store.get().revealed ?? total };
     },
-    answer: () => {
-      const { told, revealed } = store.get();
-      return revealed === null && exampleOf(store.get())?.changed === false ? told : null;
-    },
+    answer: () => answerShown(store.get()),
   };
   const tools = new Proxy(own, {
     get: (target, name: string) => target[name as keyof typeof own] ?? (() => called.push(name)),

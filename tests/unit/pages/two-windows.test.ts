@@ -4,14 +4,20 @@ import {
   CLICKER_KEYS,
   type Message,
   openChannel,
+  type Projected,
   presenterIn,
   readMessage,
 } from '../../../src/pages/lesson/two-windows.ts';
 
+const LOOK = { revealed: 2, told: false, example: 'cone-tangent' };
+const NUMBERS = { 'textbook.t1': { value: 3.75, text: '3.75000' } };
+const STEP: Projected = { hash: '#/lesson/digits?step=3', numbers: NUMBERS, look: null };
+
 const MESSAGES: readonly Message[] = [
   { type: 'hello' },
-  { type: 'shown', hash: null },
-  { type: 'shown', hash: '#/lesson/ray?step=3' },
+  { type: 'shown', stage: null },
+  { type: 'shown', stage: STEP },
+  { type: 'shown', stage: { hash: '#/explore?shape=cone', numbers: {}, look: LOOK } },
   ...CLICKER_KEYS.map((key): Message => ({ type: 'key', key })),
 ];
 
@@ -23,10 +29,21 @@ test('what is no message is ignored, whatever it is', () => {
   for (const data of [
     { type: 'key', key: 'F5' },
     { type: 'key', key: 'toString' },
-    { type: 'shown', hash: 'javascript:alert(1)' },
-    { type: 'shown', hash: '#/check' },
-    { type: 'shown', hash: `#/lesson/${'x'.repeat(1_000_000)}` },
     { type: 'shown' },
+    { type: 'shown', stage: '#/lesson/ray' },
+    ...[
+      { hash: 'javascript:alert(1)' },
+      { hash: '#/check', look: LOOK },
+      { hash: '#/explore' },
+      { hash: `#/lesson/${'x'.repeat(1_000_000)}` },
+      { look: LOOK },
+      { numbers: [1] },
+      { numbers: { t1: { value: null, text: '3' } } },
+      { numbers: { t1: { value: 3, text: 'x'.repeat(201) } } },
+      { numbers: Object.fromEntries(Array.from({ length: 501 }, (_, i) => [i, NUMBERS])) },
+      { hash: '#/explore', look: { ...LOOK, revealed: -1 } },
+      { hash: '#/explore', look: { ...LOOK, told: 'yes' } },
+    ].map((fault) => ({ type: 'shown', stage: { ...STEP, ...fault } })),
   ]) {
     expect(readMessage(data)).toBeNull();
   }

@@ -131,7 +131,7 @@ test.each(ASKS)('asked for %s, no example has a word of its story on the page', 
 });
 
 test('the gallery has numbers alone', () => {
-  const text = written(galleryContent(null, nothing, null, true, nothing));
+  const text = written(galleryContent(null, nothing, null, true, nothing, nothing));
   for (const { id, title, asks } of GALLERY) {
     expect(text).not.toContain(asks);
     expect(text, id).not.toMatch(new RegExp(`>${title}<|"${id}"|=${id}\\b`));
