@@ -38,7 +38,9 @@ export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart 
       const model = derive(state);
       const now = inputOf(state);
       render(
-        html`<h2>Own numbers</h2>${shapePicker(model, dispatch)}${controls(model, dispatch, null)}`,
+        html`<h2>Own numbers</h2>
+          <div class="own-picker">${shapePicker(model, dispatch)}</div>
+          ${controls(model, dispatch, null)}`,
         head,
       );
       const tools = {

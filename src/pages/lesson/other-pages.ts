@@ -4,6 +4,7 @@ import type { AppState, PageId } from '../../state/state.ts';
 import { notLoaded } from '../../ui/late.ts';
 import { SINGLE_PAGES } from '../late-pages.ts';
 import type { PageContext, PageView } from '../page.ts';
+import './other-pages.css';
 
 /**
  * The other pages as steps of a lesson: each is mounted once, with the lesson's own dispatch, and

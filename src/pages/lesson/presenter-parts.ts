@@ -12,6 +12,7 @@ import { decode } from '../../state/url.ts';
 import { hitSentences } from '../../state/words.ts';
 import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
+import { spokenName } from '../../text/spoken.ts';
 import { next } from '../commands.ts';
 import { exploreValue } from './prose-tools.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
@@ -112,7 +113,10 @@ function values(model: FullModel, revealed: number | null): TemplateResult {
     html`<li class=${isShown ? 'shown' : 'to-come'}>${words}${isShown ? '' : notYet}</li>`;
   return html`<ul class="presenter-lines">
     ${derivation.steps.map(({ id, value }, i) =>
-      line(value === null ? `the line of ${id}` : `${id} = ${display(value)}`, i < shown.steps),
+      line(
+        value === null ? `the line of ${spokenName(id)}` : `${spokenName(id)} = ${display(value)}`,
+        i < shown.steps,
+      ),
     )}
     ${derivation.conditions.map(({ holds }, i) => {
       const how = holds === null ? 'cannot be told' : holds ? 'holds' : 'fails';
