@@ -80,7 +80,7 @@ function createProjected() {
     open(): Problem | null {
       if (!connected()) {
         const words =
-          'This browser opens no channel between two windows here (BroadcastChannel), so there is ' +
+    /** What is shown now, asked where somebody listens; null for other pages. */
           'no presenter’s window.';
         return { words, address: '', target: '' };
       }
