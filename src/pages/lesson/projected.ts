@@ -80,8 +80,8 @@ function createProjected() {
     open(): Problem | null {
       if (!connected()) {
         const words =
-    /** What is shown now, asked where somebody listens; null for other pages. */
-          'no presenter’s window.';
+          'This browser opens no channel between two windows here (BroadcastChannel), so there ' +
+          'is no presenter’s window.';
         return { words, address: '', target: '' };
       }
       const hash = shown()?.hash ?? '';
