@@ -435,6 +435,73 @@ for (const viewport of [
   });
 }
 
+/** On a wall, in a window, on a phone that lies on its side, and at 200 %. */
+const BESIDE = [
+  { width: 1024, height: 768, theme: 'projector' },
+  { width: 1280, height: 720, theme: 'projector' },
+  { width: 1280, height: 720, theme: 'light' },
+  { width: 844, height: 390, theme: 'light' },
+  { width: 640, height: 360, theme: 'light' },
+] as const;
+
+test('every step that shows another page has it beside its text, whole and in view', async ({
+  page,
+}) => {
+  test.slow();
+  await page.goto('./#/lesson');
+  await page.getByRole('heading', { name: 'Lessons', exact: true }).waitFor();
+  for (const { id, steps } of LESSONS) {
+    for (const [i, { link, guess, text, answer }] of steps.entries()) {
+      const shown = decode(link).page;
+      if (shown === 'explore') continue;
+      await page.setViewportSize({ width: 1280, height: 720 });
+      await openStep(page, `#/lesson/${id}?step=${i + 1}${guess ? '&shown=1' : ''}`, i + 1);
+      await page.locator('.lesson-other :is(.picture, .check, .accuracy)').waitFor();
+      // What is measured and traced may come later; its place is there.
+      const spoken = quantitiesIn([...text, ...answer]).filter((name) => name.includes('.'));
+      for (const { theme, ...size } of BESIDE) {
+        await page.setViewportSize(size);
+        await showTheme(page, theme);
+        await settle(page);
+        const found = await page.evaluate((spoken) => {
+          const other = document.querySelector('.lesson-other') as HTMLElement;
+          const main = '.compare-view, .check-stage, .ladder, .acc-plot-body, .plot';
+          // On a low window the question comes first, and the scene after it.
+          const isLow = innerHeight < 500;
+          const all = isLow ? '.compare-view' : main;
+          const view = [...other.querySelectorAll(all)].find((one) => one.checkVisibility());
+          const text = document.querySelector('.lesson-column') as HTMLElement;
+          const [beside, column] = [view ?? other, text].map((one) => one.getBoundingClientRect());
+          const faults: string[] = [];
+          if (!beside || !column) return ['nothing is there'];
+          if (beside.right > column.left + 1) faults.push('not beside');
+          if (beside.top < -1 || beside.top > innerHeight - 60) faults.push('out of view');
+          if (document.documentElement.scrollWidth > innerWidth) faults.push('a wide page');
+          if (other.clientWidth > 0 && other.scrollWidth > other.clientWidth + 1) {
+            faults.push(`a row is cut: ${other.scrollWidth} of ${other.clientWidth}`);
+          }
+          if (isLow) return faults;
+          if (document.documentElement.scrollHeight > innerHeight) faults.push('the page scrolls');
+          const body = document.querySelector('.lesson-body') as HTMLElement;
+          if (body.scrollHeight > body.clientHeight + 1) faults.push('the text scrolls');
+          for (const name of spoken) {
+            const [row = '', cell = ''] = name.split('.');
+            const place = other.querySelector(
+              `:is([data-method="${row}"], [data-effect="${row}"]) [data-quantity="${cell}"]`,
+            );
+            const { bottom = 0 } = place?.getBoundingClientRect() ?? {};
+            if (bottom > innerHeight) faults.push(`${name} is below`);
+          }
+          return faults;
+        }, spoken);
+        const at = `${id} ${i + 1}, ${theme} ${size.width} × ${size.height}`;
+        expect.soft(found, at).toEqual([]);
+      }
+      await showTheme(page, 'light');
+    }
+  }
+});
+
 test('a presenter’s window follows the lesson, and a clicker works in either', async ({ page }) => {
   const { steps } = lessonOf('ray');
   await page.goto('./#/lesson/ray?step=3');
