@@ -1,7 +1,9 @@
-import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
-/** The text of `program.ts` with all that it needs in one module, made small as for a site. */
+/**
+ * The text of `program.ts` with all that it needs in one module, made small as for a site; asked for
+ * from the project's root.
+ */
 export async function bundle(): Promise<string> {
   const made = await build({
     configFile: false,
@@ -11,7 +13,7 @@ export async function bundle(): Promise<string> {
       minify: true,
       target: 'es2022',
       lib: {
-        entry: fileURLToPath(new URL('program.ts', import.meta.url)),
+        entry: 'tests/accelerated/program.ts',
         formats: ['es'],
         fileName: 'program',
       },

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { bundle } from '../accelerated/bundle.ts';
+import { ALLOWED, filesOf, typeOf } from '../accelerated/page.ts';
 import type { Told } from '../accelerated/program.ts';
 import { expect, test } from './support/test.ts';
 
@@ -12,27 +13,13 @@ import { expect, test } from './support/test.ts';
 test.use({ provoked: /WebAssembly/ });
 
 const FOLDER = 'accelerated/';
-const WORKER = "import { told } from './program.mjs'; postMessage(told());";
-const PAGE = `<!doctype html><title>accelerated</title><script type="module" src="page.mjs">
-</script>`;
-const SCRIPT = `import { told } from './program.mjs';
-const inWorker = new Promise((resolve) => {
-  new Worker('worker.mjs', { type: 'module' }).onmessage = ({ data }) => resolve(data);
-});
-window.told = inWorker.then((data) => [told(), data]);`;
-
 async function askPage(page: Page, program: string, policy: string): Promise<Told[]> {
-  const files: Record<string, string> = {
-    'index.html': PAGE,
-    'page.mjs': SCRIPT,
-    'worker.mjs': WORKER,
-    'program.mjs': program,
-  };
+  const files = filesOf(program);
   await page.route(`**/${FOLDER}*`, (route) => {
     const name = new URL(route.request().url()).pathname.split('/').pop() as string;
     return route.fulfill({
       body: files[name] ?? '',
-      contentType: name.endsWith('html') ? 'text/html' : 'text/javascript',
+      contentType: typeOf(name),
       headers: { 'content-security-policy': policy },
     });
   });
@@ -44,8 +31,7 @@ async function askPage(page: Page, program: string, policy: string): Promise<Tol
 test('a page and its worker are accelerated, and under a policy say why not', async ({ page }) => {
   const program = await bundle();
   const fast = { isFast: true, why: null, isSame: true, isFound: true, isInMemory: true };
-  const allowed = "script-src 'self' 'wasm-unsafe-eval'";
-  expect(await askPage(page, program, allowed)).toEqual([fast, fast]);
+  expect(await askPage(page, program, ALLOWED)).toEqual([fast, fast]);
   await page.unrouteAll();
   for (const told of await askPage(page, program, "script-src 'self'")) {
     expect(told).toEqual({ ...fast, isFast: false, isInMemory: false, why: told.why });

@@ -3,8 +3,10 @@
 import { spawnSync } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { serveSite } from '../serve-site.ts';
+import { accelerated } from './accelerated.ts';
 import { BROWSERS, type BrowserName, found, reference } from './browsers.ts';
 import { type Seen, tour } from './tour.ts';
+import type { Tourist } from './webdriver.ts';
 
 /** Commands of package.json, each with what makes it long. */
 const COMMANDS: Readonly<Record<string, readonly string[]>> = {
@@ -56,7 +58,11 @@ async function tours(names: readonly BrowserName[]): Promise<void> {
   const site = await serveSite({ folder: '/x/y/', isolated: false });
   try {
     const own = await reference();
-    const wanted = await tour(own, site.url).finally(own.close);
+    const all = async (browser: Tourist): Promise<Seen> => ({
+      ...(await tour(browser, site.url)),
+      ...(await accelerated(browser)),
+    });
+    const wanted = await all(own).finally(own.close);
     for (const name of names) {
       console.log(`${name}:`);
       const browser = await found(name);
@@ -65,7 +71,7 @@ async function tours(names: readonly BrowserName[]): Promise<void> {
         continue;
       }
       try {
-        compare(name, wanted, await tour(browser, site.url));
+        compare(name, wanted, await all(browser));
       } catch (error) {
         judge(`${name}: ${(error as Error).message}`, false);
       } finally {
