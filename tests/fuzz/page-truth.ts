@@ -14,6 +14,9 @@ import { frames, timersDone } from '../browser/support/pending.ts';
 export async function pageTruth(page: Page, errors: readonly string[]): Promise<string | null> {
   if (errors.length > 0) return `errors at ${page.url()}: ${errors.join('\n')}`;
   await frames(page, 2);
+  // On the way to an example what is drawn is not yet what the state says.
+  await page.locator('main:is([data-moving], [data-waiting])').waitFor({ state: 'detached' });
+  await frames(page, 2);
   await timersDone(page);
   const { hash, shown, words, boxes, playing, sweeping } = await page.evaluate(() => ({
     sweeping: document.querySelector('[data-playing]') !== null,
