@@ -45,7 +45,7 @@ export function mountFailureMap(host: HTMLElement, gestures: Gestures): Mounted<
   const canvas = host.querySelector('canvas') as HTMLCanvasElement;
   const over = host.querySelector('svg') as SVGSVGElement;
   const words = host.querySelector('p') as HTMLElement;
-  const unwatch = watchMap(field, gestures, () => model?.cursor ?? null);
+  const unwatch = watchMap(field, gestures);
   const observer = new ResizeObserver(() => draw());
   observer.observe(field);
   const onPaper = (): void => draw({ paper: [255, 255, 255], ink: [0, 0, 0] });

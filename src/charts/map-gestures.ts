@@ -19,6 +19,8 @@ export interface Gestures {
   mark(corners: Corners | null): void;
   /** Back to the present ray. */
   home(): void;
+  /** The pixel that is pointed at now. */
+  cursor(): Cell | null;
   /** Whether a drag marks a rectangle in place of moving the window. */
   marks(): boolean;
 }
@@ -39,11 +41,7 @@ const CENTRE: Cell = [SIDE / 2, SIDE / 2];
  * Watches a map's element: mouse, wheel, fingers and keys. One finger scrolls the page; two move
  * and zoom the map.
  */
-export function watchMap(
-  element: HTMLElement,
-  gestures: Gestures,
-  cursor: () => Cell | null,
-): () => void {
+export function watchMap(element: HTMLElement, gestures: Gestures): () => void {
   const pointers = new Map<number, { x: number; y: number }>();
   let start: { readonly cell: Cell; readonly x: number; readonly y: number } | null = null;
   let isDragging = false;
@@ -122,7 +120,7 @@ export function watchMap(
   };
   const key = (event: KeyboardEvent): void => {
     if (event.altKey || event.metaKey) return;
-    const at = cursor() ?? CENTRE;
+    const at = gestures.cursor() ?? CENTRE;
     const go = (columns: number, rows: number): void => {
       if (event.shiftKey) {
         gestures.pan(columns * PAN_KEY, rows * PAN_KEY);
@@ -179,7 +177,7 @@ export function watchMap(
   element.addEventListener('pointerleave', leave, { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('keydown', key, { signal });
-  element.addEventListener('focus', () => gestures.point(cursor() ?? CENTRE), { signal });
+  element.addEventListener('focus', () => gestures.point(gestures.cursor() ?? CENTRE), { signal });
   return () => controller.abort();
 }
 

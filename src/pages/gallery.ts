@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { SHAPES } from '../math/index.ts';
+import { READY_MAPS } from '../state/accuracy/ready-maps.ts';
 import { closerLook } from '../state/closer-look.ts';
 import { createDerive } from '../state/derive.ts';
 import type { ShownExample } from '../state/example.ts';
@@ -36,6 +37,14 @@ export function galleryContent(
         )}</div>
       </section>`;
     })}</div>
+    <section aria-label="Maps">
+      <h3>Maps of where formulas fail</h3>
+      <ul class="gallery-maps">${READY_MAPS.map(
+        ({ id, title, sentence, link }) =>
+          html`<li><a href=${link} data-map=${id} @click=${leave}>${title}</a>
+            <span class="gallery-look">${sentence}</span></li>`,
+      )}</ul>
+    </section>
   </div>`;
 }
 

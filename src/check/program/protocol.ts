@@ -11,8 +11,18 @@ export interface Run {
   readonly cases: readonly { readonly shape: unknown; readonly ray: unknown }[];
   /** Indices of the cases that are timed. */
   readonly timed: readonly number[];
-  /** Whether outputs come many in one message: for more cases than messages are allowed. */
-  readonly together?: boolean;
+  /** More cases than messages are allowed: outputs come many in one. `cases` is empty then. */
+  readonly packed?: PackedCases;
+}
+
+/** Cases that differ from each other in numbers only. */
+export interface PackedCases {
+  /** The shape of each, but for the numbers at `paths`. */
+  readonly shape: unknown;
+  /** Properties of the shape, with the component of a vector. */
+  readonly paths: readonly (readonly [key: string, index: number | null])[];
+  /** Case by case: E, d, and a number for each path. */
+  readonly numbers: Float64Array;
 }
 
 /** The program's time divided by the textbook's: quartiles of several rounds. */

@@ -5,6 +5,7 @@ import effects from './effects.md?raw';
 import noSquare from './no-square.md?raw';
 import normal from './normal.md?raw';
 import ray from './ray.md?raw';
+import tornEdge from './torn-edge.md?raw';
 
 /** Texts of the lessons that come with Graze, by id, in the order of the list. */
 const TEXTS: Readonly<Record<string, string>> = {
@@ -13,6 +14,7 @@ const TEXTS: Readonly<Record<string, string>> = {
   normal,
   'no-square': noSquare,
   digits,
+  'torn-edge': tornEdge,
   effects,
 };
 

@@ -103,18 +103,21 @@ const TEARS: Readonly<Record<Torn['how'], (torn: Torn, where: string) => string>
     `They go in ${line}, in ${where} pixels looked at that lose the most.`,
 };
 
+/** A border in a sentence. */
+const named = (title: string): string => (title === RIM ? 'the rim' : title);
+
 /** Where the failing pixels lie, and along which border; '' if there are none. */
 export function placeWords({ along, where, borders }: MapSummary, isLeaving: boolean): string {
   if (isLeaving) return where && `The failing pixels lie ${where}.`;
   if (where === '') {
-    return borders.length > 0 ? `The window is crossed by ${listed(borders)}.` : '';
+    return borders.length > 0 ? `The window is crossed by ${listed(borders.map(named))}.` : '';
   }
   const near =
     along === null
       ? 'No border between classes crosses the window.'
       : along.within <= 1
-        ? `9 of 10 of them lie right at ${along.title}.`
-        : `9 of 10 of them lie within ${along.within} pixels of ${along.title}.`;
+        ? `9 of 10 of them lie right at ${named(along.title)}.`
+        : `9 of 10 of them lie within ${along.within} pixels of ${named(along.title)}.`;
   return `The failing pixels lie ${where}. ${near}`;
 }
 

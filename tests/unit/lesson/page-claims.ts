@@ -14,6 +14,7 @@ import { type AppState, rayOf, shapeOf } from '../../../src/state/state.ts';
 import type { RayKind, TileResult } from '../../../src/tracer/types.ts';
 import { curvedDetails } from '../math/shorthand.ts';
 import { picture } from '../tracer/tracing.ts';
+import { holdsOnMaps } from './map-claims.ts';
 
 /** What a step shows on a page, in its lesson. */
 interface Shown {
@@ -244,5 +245,5 @@ export async function holdsOnPage(claim: string, shown: Shown): Promise<boolean 
     const match = claim.match(pattern);
     if (match) return check(shown, ...match.slice(1));
   }
-  return null;
+  return shown.state.page === 'accuracy' ? holdsOnMaps(claim, shown.state) : null;
 }

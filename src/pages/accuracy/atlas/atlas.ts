@@ -163,6 +163,7 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
         changed();
       },
       home: () => set({ at: '' }),
+      cursor: () => cursor,
       marks: () => isMarking,
     };
   }
@@ -360,10 +361,11 @@ function presentOf({ maps, axes }: Atlas, which: 0 | 1): number {
   return numberOn(axes[which], { shape, ray });
 }
 
-function mapHead(title: string, { summary, probe, request }: MapState): TemplateResult {
-  if (!summary) return html`<h3 class="atlas-sentence">${title}: being drawn …</h3>`;
-  const words = mapSentence(title, summary, probe, request?.start !== undefined);
-  return html`<h3 class="atlas-sentence" role="status">${words}</h3>`;
+function mapHead(title: string, { summary, probe, request, running }: MapState): TemplateResult {
+  const words = summary
+    ? mapSentence(title, summary, probe, request?.start !== undefined)
+    : `${title}: ${running ? 'being drawn …' : 'not drawn'}`;
+  return html`<h2 class="atlas-sentence"><span role="status">${words}</span></h2>`;
 }
 
 function mapFoot(

@@ -1,6 +1,8 @@
 import type { Output } from '../../../check/program/judge.ts';
+import type { PackedCases } from '../../../check/program/protocol.ts';
 import { asScript, tooLong } from '../../../check/program/script.ts';
 import { textbookFor } from '../../../check/program/template.ts';
+import { numberOn } from '../../../lab/atlas/axes.ts';
 import { isWhole, type MapFrame, newMapFrame, paint, piecesOf } from '../../../lab/atlas/frame.ts';
 import type { MapPart } from '../../../lab/atlas/map.ts';
 import { lostDigits, markByte, markOf, VERDICTS } from '../../../lab/atlas/marks.ts';
@@ -94,9 +96,9 @@ export function ownMapJobs(
       }
     }
     const share = (): number => frame.done / frame.marks.length;
-    const cases = asked.map(({ question }) => question);
     const textbook = textbookFor([request.shape.kind], 'textbook');
-    const job = { source: asScript(source), textbook, cases, timed: [], together: true };
+    const packed = packedCases(request, asked);
+    const job = { source: asScript(source), textbook, cases: [], timed: [], packed };
     close = runInSandbox(host, job, {
       ...SILENT,
       output(index, output) {
@@ -170,6 +172,21 @@ function questionsOf(request: MapRequest, known: MapFrame): Asked[] {
     }
   }
   return asked;
+}
+
+/** The cases as numbers: of objects a message would be too large. */
+function packedCases(request: MapRequest, asked: readonly Asked[]): PackedCases {
+  const own = raysOf(request).axes.filter((axis) => axis.of === 'shape');
+  const stride = 6 + own.length;
+  const numbers = new Float64Array(asked.length * stride);
+  asked.forEach(({ question }, i) => {
+    const { origin, direction } = question.ray;
+    numbers.set(
+      [...origin, ...direction, ...own.map((axis) => numberOn(axis, question))],
+      i * stride,
+    );
+  });
+  return { shape: request.shape, paths: own.map(({ key, index }) => [key, index]), numbers };
 }
 
 /** One pixel of a whole frame. */
