@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { EffectId } from '../scene/effects/index.ts';
-import { SIMPLIFICATIONS } from '../scene/simplifications.ts';
+import { type Shows, SIMPLIFICATIONS } from '../scene/simplifications.ts';
+import type { Scene } from '../scene/types.ts';
 import {
   grouped,
   type KindRow,
@@ -113,14 +114,22 @@ function picker(by: Measure, timed: boolean, tools: LedgerTools): TemplateResult
   </select></label>`;
 }
 
-/** The list of simplifications in every picture. */
-export function simplifications(): TemplateResult {
+const SHOWS_WORDS: Readonly<Record<Shows, string>> = {
+  yes: 'would show here',
+  perhaps: 'may show here',
+  no: 'not here',
+};
+
+/** The list of simplifications in every picture, and whether they would show in this one. */
+export function simplifications(scene: Scene): TemplateResult {
   return html`<h3 class="ledger-title">Left out or simplified, in every picture</h3>
     <ul class="idle">
       ${SIMPLIFICATIONS.map(
-        ({ title, how, reason }) => html`<li class="idle-row" data-simplification=${title}>
+        ({ title, how, reason, shows }) => html`<li class="idle-row" data-simplification=${title}>
           ${DASH}<span class="idle-name">${title}</span>
           <span class="idle-reason">${how}: ${reason}</span>
+          <span class="idle-shows" data-quantity="shows.${title}"
+            data-value=${shows(scene)}>${SHOWS_WORDS[shows(scene)]}</span>
         </li>`,
       )}
     </ul>`;

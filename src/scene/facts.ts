@@ -6,11 +6,14 @@ import type { Placed, Scene } from './types.ts';
 
 export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
 
+export const isColouredGlass = ({ material }: Placed): boolean =>
+  material.glass?.absorption.some((x) => x > 0) ?? false;
+
 /** Whether a thing blocks light. Glass does not: shadow rays pass it straight (docs/FAKED.md). */
 export const blocks = (thing: Placed): boolean => !isGlass(thing);
 
 /** Whether a thing shows light on its paint or as a highlight. */
-const isLit = ({ material }: Placed): boolean =>
+export const isLit = ({ material }: Placed): boolean =>
   material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
 
 /**

@@ -1,3 +1,10 @@
+import { definitionOf } from '../math/shapes.ts';
+import { isGlass, isLit } from './facts.ts';
+import type { Placed, Scene } from './types.ts';
+
+/** Whether what is left out would be seen in a scene. */
+export type Shows = 'yes' | 'perhaps' | 'no';
+
 /** Something in nature that pictures leave out or simplify; the page and docs/FAKED.md list it. */
 interface Simplification {
   readonly title: string;
@@ -7,7 +14,20 @@ interface Simplification {
   readonly reason: string;
   /** The file that does it. */
   readonly file: string;
+  shows(scene: Scene): Shows;
 }
+
+const yesIf = (shows: boolean): Shows => (shows ? 'yes' : 'no');
+const perhapsIf = (may: boolean): Shows => (may ? 'perhaps' : 'no');
+const isMatt = ({ material }: Placed): boolean => !material.glass && material.mirror < 1;
+const isMirror = ({ material }: Placed): boolean => material.mirror > 0;
+const hasGlass = ({ things }: Scene): boolean => things.some(isGlass);
+const bends = ({ things }: Scene): boolean =>
+  things.some(({ material }) => (material.glass?.index ?? 1) > 1);
+const hasLamp = ({ lights }: Scene): boolean => lights.some(({ light }) => light === 'sphere');
+/** A whole convex thing gets no light from itself. */
+const isHollow = ({ shape, between }: Placed): boolean =>
+  between !== undefined || !definitionOf(shape).body.convex(shape);
 
 export const SIMPLIFICATIONS: readonly Simplification[] = [
   {
@@ -15,54 +35,106 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
     how: 'left out',
     reason: 'a constant stands in for it',
     file: 'src/scene/types.ts',
+    shows: ({ things }) =>
+      yesIf(things.some(isMatt) && (things.length > 1 || things.some(isHollow))),
   },
   {
-    title: 'shadows of glass, caustics',
+    title: 'caustics, shadows of clear glass',
     how: 'left out',
-    reason: 'light goes through glass on its way to what it lights, straight and undimmed',
+    reason: 'light goes straight through glass on its way to what it lights, and off no mirror',
     file: 'src/scene/facts.ts',
-  },
-  {
-    title: 'fall-off with distance',
-    how: 'left out',
-    reason: 'a light is as strong far away as near',
-    file: 'src/scene/types.ts',
+    shows: (scene) =>
+      yesIf(
+        scene.lights.length > 0 &&
+          scene.things.some(isLit) &&
+          scene.things.some((thing) => isGlass(thing) || isMirror(thing)),
+      ),
   },
   {
     title: 'dispersion',
     how: 'left out',
     reason: 'glass has one index for all colours',
     file: 'src/scene/types.ts',
+    shows: (scene) => yesIf(bends(scene)),
   },
   {
     title: 'polarisation',
     how: 'left out',
     reason: 'what glass mirrors is the mean of both directions',
     file: 'src/scene/optics.ts',
+    shows: (scene) => yesIf(bends(scene)),
+  },
+  {
+    title: 'waves',
+    how: 'left out',
+    reason: 'light goes in rays: no diffraction, no colours of thin films',
+    file: 'src/tracer/wave.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
+  },
+  {
+    title: 'air',
+    how: 'left out',
+    reason: 'around things is nothing that dims, scatters or bends light',
+    file: 'src/tracer/medium.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
   },
   {
     title: 'spectra',
     how: 'simplified',
     reason: 'a colour is three numbers: red, green and blue',
     file: 'src/tracer/colour.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
+  },
+  {
+    title: 'more light than white',
+    how: 'simplified',
+    reason: 'a colour that is brighter than white is cut off at 1',
+    file: 'src/tracer/colour.ts',
+    shows: ({ ambient, lights, things }) =>
+      perhapsIf(
+        things.some(isLit) && ambient + lights.reduce((sum, { strength }) => sum + strength, 0) > 1,
+      ),
+  },
+  {
+    title: 'lamps themselves',
+    how: 'left out',
+    reason: 'a lamp lights, and is neither seen nor mirrored, but for its highlights',
+    file: 'src/tracer/nearest.ts',
+    shows: (scene) => perhapsIf(hasLamp(scene)),
+  },
+  {
+    title: 'lamps with a size',
+    how: 'simplified',
+    reason:
+      'their light comes from so many points of the disc that is seen of them; highlights, ' +
+      'fall-off and what coloured glass leaves are those of the middle',
+    file: 'src/scene/effects/soft-shadow-body.ts',
+    shows: (scene) => yesIf(hasLamp(scene)),
   },
   {
     title: 'rough surfaces',
     how: 'simplified',
     reason: 'matt ones are Lambert’s, highlights are Phong’s, mirrors and glass are smooth',
     file: 'src/scene/effects/highlights-body.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
   },
   {
     title: 'glass in glass',
     how: 'simplified',
     reason: 'around glass there is always air, also where two of them touch',
     file: 'src/scene/effects/refraction-body.ts',
+    shows: ({ things }) => perhapsIf(things.filter(isGlass).length > 1),
   },
   {
     title: 'highlights on glass',
     how: 'simplified',
     reason: 'the share that they take does not go through',
     file: 'src/scene/effects/refraction-body.ts',
+    shows: ({ things, lights }) =>
+      yesIf(
+        lights.length > 0 &&
+          things.some((thing) => isGlass(thing) && thing.material.shine.strength > 0),
+      ),
   },
   {
     title: 'weak rays',
@@ -71,17 +143,20 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
       'one that can bring no more than half a level of 255 is not fired: a bound for one ray, ' +
       'not for their sum',
     file: 'src/tracer/weight.ts',
+    shows: (scene) => perhapsIf(hasGlass(scene) || scene.things.some(isMirror)),
   },
   {
     title: 'endless reflections',
     how: 'left out',
     reason: 'rays go on for at most 64 bounces',
     file: 'src/tracer/weight.ts',
+    shows: (scene) => perhapsIf(hasGlass(scene) || scene.things.some(isMirror)),
   },
   {
     title: 'a lens',
     how: 'simplified',
     reason: 'the camera is a pinhole: all is sharp, and nothing moves',
     file: 'src/scene/types.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
   },
 ];

@@ -97,6 +97,9 @@ export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit:
     lit.distance[n] = distance;
     lit.cosine[n] = cosine;
     lit.reach[n] = 1;
+    lit.red[n] = 1;
+    lit.green[n] = 1;
+    lit.blue[n] = 1;
     n += 1;
   }
   lit.count = n;
@@ -108,9 +111,9 @@ export function light(wave: Wave, lit: Lit): void {
   for (let k = 0; k < lit.count; k++) {
     const i = lit.ray[k] as number;
     const amount = (lit.reach[k] as number) * (lit.cosine[k] as number);
-    wave.lightR[i] = (wave.lightR[i] as number) + amount * red;
-    wave.lightG[i] = (wave.lightG[i] as number) + amount * green;
-    wave.lightB[i] = (wave.lightB[i] as number) + amount * blue;
+    wave.lightR[i] = (wave.lightR[i] as number) + amount * red * (lit.red[k] as number);
+    wave.lightG[i] = (wave.lightG[i] as number) + amount * green * (lit.green[k] as number);
+    wave.lightB[i] = (wave.lightB[i] as number) + amount * blue * (lit.blue[k] as number);
   }
 }
 

@@ -4,7 +4,8 @@ import { type Counts, createCounts, type Part } from './counts.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
 import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
-import type { Ledger, PixelWork, RayKind, TraceSettings } from './types.ts';
+import { chordsOf } from './through.ts';
+import { type Ledger, NOTHING, type PixelWork, type RayKind, type TraceSettings } from './types.ts';
 import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
 import { worldOf } from './world.ts';
@@ -67,6 +68,8 @@ export function createEngine(
   const wayBodies = ways.map(({ body }) => body);
   const least = unseen / brightest(world, scene.ambient, wayBodies);
 
+  const coloured = world.targets.filter(({ absorbs }) => absorbs);
+
   let counts: Counts = createCounts(parts, clock);
   const finder = createFinder(
     world.targets,
@@ -118,6 +121,16 @@ export function createEngine(
         counts.spent(asked, shadowKind);
         watching?.feelers(asked, about);
       },
+      through(asked, about) {
+        const tally = counts.tallyOf(id);
+        counts.fire(id, 'shadow', asked.count);
+        const chords = chordsOf(asked, coloured, tally);
+        counts.spent(asked, shadowKind);
+        asked.blocker.fill(NOTHING, 0, asked.count);
+        asked.t.set(asked.limit.subarray(0, asked.count));
+        watching?.feelers(asked, about);
+        return chords;
+      },
       worth(weight) {
         if (generation >= MOST_BOUNCES) counts.cut();
         else if (weight > least) return true;
@@ -139,7 +152,7 @@ export function createEngine(
       face(wave, world, lit.light, lit);
       if (lit.count === 0) continue;
       for (const { part, tools } of lighting) {
-        others += counts.timed(part, () => part.body.run(wave, lit, tools, part.all));
+        others += counts.timed(part, () => part.body.run(wave, lit, tools, part.all, world));
       }
       light(wave, lit);
       for (const part of glosses) {

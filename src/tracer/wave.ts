@@ -108,5 +108,8 @@ export function createLit(light: WorldLight, capacity: number): Lit {
     distance: doubles(capacity),
     cosine: doubles(capacity),
     reach: doubles(capacity),
+    red: doubles(capacity),
+    green: doubles(capacity),
+    blue: doubles(capacity),
   };
 }

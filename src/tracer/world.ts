@@ -25,6 +25,8 @@ export interface Target {
   readonly box: Box | null;
   /** Whether it blocks light. */
   readonly blocks: boolean;
+  /** Whether it is of glass that absorbs light. */
+  readonly absorbs: boolean;
   readonly gradient: GradientOf;
   /** A curved shape's numbers for departs.ts, if the method gives the exact class; else null. */
   readonly proven: Quadric | null;
@@ -66,6 +68,7 @@ export function worldOf(
         high: between?.[1] ?? Number.POSITIVE_INFINITY,
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
+        absorbs: materials[k]?.glass?.absorption.some((x) => x > 0) ?? false,
         gradient: gradientOf(surface.shape),
         proven: asked.proven ? quadricOf(surface.shape) : null,
       };

@@ -2,13 +2,6 @@ import { type CameraEdit, onGrid } from '../../state/picture/camera-edits.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import type { TraceProgress } from '../../workers/trace-job.ts';
 
-/** A picture while its camera moves: smaller, so that it follows the hand. */
-interface MovingPicture {
-  readonly picture: PictureSettings;
-  readonly width: number;
-  readonly height: number;
-}
-
 interface CameraHand {
   /** Moves the camera; without `hold` it is at rest a moment after the last move. */
   move(edit: CameraEdit): void;

@@ -193,7 +193,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       frame: main?.state === 'finished' ? main.frame : null,
       comparing: picture.against !== null,
       comparison,
-      show: picture.show,
+      show: picture.show === 'both' ? 'questions' : picture.show,
       pixel: pointed ?? picture.pixel,
       theme: themeColours(host).join(),
     });

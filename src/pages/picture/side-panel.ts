@@ -89,7 +89,7 @@ export function createSidePanel(
     return html`<div role="tabpanel"
       aria-label="What this picture needed">${ledger(model.ledger, head, tool)}
       ${methodPanel(method, picture, dispatch)}
-      ${simplifications()}</div>`;
+      ${simplifications(picture.scene)}</div>`;
   };
 
   const form = (state: AppState, { picture }: PictureModel): TemplateResult =>

@@ -1,4 +1,4 @@
-import { isGlass } from '../facts.ts';
+import { isColouredGlass, isGlass } from '../facts.ts';
 import { counted, defineEffect, needed, notNeeded } from './define.ts';
 
 export const absorption = defineEffect({
@@ -9,7 +9,7 @@ export const absorption = defineEffect({
     'its own σ.',
   neededBy(scene) {
     const glass = scene.things.filter(isGlass);
-    const coloured = glass.filter(({ material }) => material.glass?.absorption.some((x) => x > 0));
+    const coloured = glass.filter(isColouredGlass);
     if (glass.length === 0) return notNeeded('no material is glass');
     if (coloured.length === 0) return notNeeded('the glass is clear');
     return needed(`${counted(coloured.length, 'thing')} of coloured glass`);

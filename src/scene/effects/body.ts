@@ -122,6 +122,10 @@ export interface Lit {
   readonly cosine: Float64Array;
   /** Share of the light that arrives; 1 unless an effect changes it. */
   readonly reach: Float64Array;
+  /** And of each of its colours. */
+  readonly red: Float64Array;
+  readonly green: Float64Array;
+  readonly blue: Float64Array;
 }
 
 /** Shadow rays: is anything hit before t = limit? */
@@ -143,11 +147,22 @@ export interface Feelers {
   readonly found: Int32Array;
 }
 
+/** By feeler, the length that ends where it leaves the surface's glass. */
+export interface Chords {
+  readonly surface: number;
+  readonly lengths: Float64Array;
+}
+
 export interface Tools {
   /** Empty arrays for so many feelers. */
   feelers(count: number): Feelers;
   /** Sets their blockers, and counts them as shadow rays of the effect (feelers.ts fills them). */
   feel(feelers: Feelers, light: WorldLight): void;
+  /**
+   * How far each feeler runs, before its limit, through the glass of each coloured surface. Counts
+   * them as shadow rays of the effect.
+   */
+  through(feelers: Feelers, light: WorldLight): readonly Chords[];
   /** The wave for the effect's rays of the next generation, with room for `count` more. */
   next(count: number): Wave;
   /**
@@ -199,7 +214,7 @@ export interface PaintBody {
 /** Decides which share of a light arrives. */
 export interface LightBody {
   readonly at: 'light';
-  run(wave: Wave, lit: Lit, tools: Tools, all: boolean): void;
+  run(wave: Wave, lit: Lit, tools: Tools, all: boolean, world: World): void;
 }
 
 /** Adds light that is not multiplied by the paint. */

@@ -18,9 +18,9 @@ export const body: GlossBody = {
       const back = -(x * (dx[i] as number) + y * (dy[i] as number) + z * (dz[i] as number));
       if (!(back > 0)) continue;
       const amount = shine * glossy * reach * Math.min(back, 1) ** exponent;
-      wave.glossR[i] = (wave.glossR[i] as number) + amount * red;
-      wave.glossG[i] = (wave.glossG[i] as number) + amount * green;
-      wave.glossB[i] = (wave.glossB[i] as number) + amount * blue;
+      wave.glossR[i] = (wave.glossR[i] as number) + amount * red * (lit.red[k] as number);
+      wave.glossG[i] = (wave.glossG[i] as number) + amount * green * (lit.green[k] as number);
+      wave.glossB[i] = (wave.glossB[i] as number) + amount * blue * (lit.blue[k] as number);
     }
   },
 };

@@ -1,4 +1,6 @@
 import { absorption } from './absorption.ts';
+import { colouredShadow } from './coloured-shadow.ts';
+import { fallOff } from './fall-off.ts';
 import { heights } from './heights.ts';
 import { highlights } from './highlights.ts';
 import { pattern } from './pattern.ts';
@@ -14,6 +16,8 @@ import { softShadow } from './soft-shadow.ts';
 export const EFFECTS = [
   shadow,
   softShadow,
+  colouredShadow,
+  fallOff,
   reflection,
   refraction,
   absorption,

@@ -21,6 +21,7 @@ export const everything: ScenePreset = {
     camera: { eye: [0.8, 3.6, 10.5], target: [0, 1, 0], angle: 36 },
     background: PAPER,
     ambient: 0.25,
+    effects: { 'coloured-shadow': { light: 'dimmed' } },
     things: [
       floor({ pattern: 'checker', colour: '#e3ddd1', other: '#b3ac9e', size: 1 }),
       {
@@ -68,7 +69,15 @@ export const everything: ScenePreset = {
       },
     ],
     lights: [
-      { light: 'sphere', id: 'globe', colour: '#fff6e6', strength: 0.6, at: [-4, 7, 5], radius: 1 },
+      {
+        light: 'sphere',
+        id: 'globe',
+        colour: '#fff6e6',
+        strength: 0.75,
+        at: [-4, 7, 5],
+        radius: 1,
+        effects: { 'fall-off': { full: 8 } },
+      },
       { light: 'sun', id: 'sun', colour: '#e8f0ff', strength: 0.25, towards: [2, 3, 2] },
     ],
   },

@@ -1,4 +1,5 @@
 import { colouredGlass } from './coloured-glass.ts';
+import { colouredLight } from './coloured-light.ts';
 import { coneOnMirror } from './cone-on-mirror.ts';
 import type { ScenePreset } from './define.ts';
 import { everything } from './everything.ts';
@@ -24,6 +25,7 @@ export const PRESETS: readonly ScenePreset[] = [
   facingMirrors,
   glass,
   colouredGlass,
+  colouredLight,
   softLight,
   sixShapes,
   far,

@@ -24,17 +24,11 @@ export interface PictureSettings {
   readonly against: Against | null;
   /** Position of the divider, in percent of the width. */
   readonly split: number;
-  /** What the map beside the picture shows: in links 'both' for questions. */
-  readonly show: 'questions' | 'roots' | 'rays' | 'errors';
+  /** What the map beside the picture shows; 'both', an old word, for questions. */
+  readonly show: 'both' | 'roots' | 'rays' | 'errors';
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
 }
-
-const SHOWS: Readonly<Record<string, PictureSettings['show']>> = {
-  errors: 'errors',
-  roots: 'roots',
-  rays: 'rays',
-};
 
 export const SIZES = ['160x90', '320x180', '640x360', '752x424', '960x540', '1280x720'] as const;
 export const SAMPLES = [1, 4, 9, 16] as const;
@@ -88,7 +82,7 @@ export function pictureSettings(settings: Settings): PictureSettings {
     forced: forcedOf(value('on'), value('off')),
     against: value('against'),
     split: value('split'),
-    show: SHOWS[value('show')] ?? 'questions',
+    show: value('show') as PictureSettings['show'],
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
   };
 }

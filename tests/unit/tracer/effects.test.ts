@@ -124,9 +124,8 @@ describe('the ledger', () => {
     const { kinds, effects } = ledger;
     expect(kinds.camera.rays).toBe(48 * 27);
     expect(ledger.camera.rays).toBe(kinds.camera.rays);
-    expect((effects.shadow?.rays ?? 0) + (effects['soft-shadow']?.rays ?? 0)).toBe(
-      kinds.shadow.rays,
-    );
+    const toLights = ['shadow', 'soft-shadow', 'coloured-shadow'] as const;
+    expect(toLights.reduce((sum, id) => sum + (effects[id]?.rays ?? 0), 0)).toBe(kinds.shadow.rays);
     expect((effects.reflection?.rays ?? 0) + (effects.refraction?.rays ?? 0)).toBe(
       kinds.reflected.rays + kinds.refracted.rays,
     );

@@ -218,6 +218,73 @@ test('each colour fades by its own σ', async () => {
   });
 });
 
+describe('light on its way', () => {
+  const floorSeen: Scene['camera'] = { eye: [0, 1, 1e-6], target: [0, 0, 0], angle: 1 };
+  const under = (
+    things: readonly Placed[],
+    light: Partial<Scene['lights'][number]> = {},
+  ): Scene => ({
+    ...furnace([plane('floor', 0, 1, white), ...things], floorSeen),
+    ambient: 0,
+    effects: { 'coloured-shadow': { light: 'dimmed' } },
+    lights: [
+      { light: 'point', id: 'lamp', colour: '#ffffff', strength: 0.8, at: [4, 3, 0], ...light },
+    ] as Scene['lights'],
+  });
+  const sigma: Vec3 = [0.1, 0.4, 1.2];
+  const coloured: Material = { ...white, glass: { index: 1.5, absorption: sigma } };
+  /** The floor's middle: cosine 3/5 with the lamp at (4, 3, 0), 5 away. */
+  const seen = async (scene: Scene): Promise<readonly number[]> =>
+    [...(await picture(scene, { width: 1, height: 1 })).rgba].slice(0, 3);
+  const levels = (...linear: readonly number[]): readonly number[] =>
+    linear.map((x) => level(0.8 * 0.6 * x));
+  const afterGlass = (chord: number): readonly number[] =>
+    levels(...sigma.map((s) => Math.exp(-s * chord)));
+
+  test('falls off as the square from a distance on, and not before', async () => {
+    const with_ = (full: number) => under([], { effects: { 'fall-off': { full } } });
+    expect(await seen(with_(0))).toEqual(levels(1, 1, 1));
+    expect(await seen(with_(7))).toEqual(levels(1, 1, 1));
+    expect(await seen(with_(2.5))).toEqual(levels(1 / 4, 1 / 4, 1 / 4));
+    expect(await seen(with_(1))).toEqual(levels(1 / 25, 1 / 25, 1 / 25));
+  });
+
+  test('fades in glass as e^(−σ · chord): a ball, a closed cylinder, planes', async () => {
+    const ball: Placed = {
+      id: 'ball',
+      shape: { kind: 'sphere', center: [2, 1.5, 0], radius: 0.5 },
+      material: coloured,
+    };
+    expect(await seen(under([ball]))).toEqual(afterGlass(1));
+    const drum: Placed = {
+      id: 'drum',
+      shape: { kind: 'cylinder', center: [2, 0, 0], radius: 1 },
+      between: [1.2, 1.8],
+      capped: true,
+      material: coloured,
+    };
+    // Along (4, 3, 0)/5, 0.6 of height is a chord of 1, from cap to cap.
+    expect(await seen(under([drum]))).toEqual(afterGlass(1));
+    const planes = [plane('top', 2, 1, coloured), plane('bottom', 1.4, -1, coloured)];
+    expect(await seen(under(planes))).toEqual(afterGlass(1));
+    const higher = planes.map((one, k): Placed => {
+      const point: Vec3 = [0, k ? 2.2 : 2.5, 0];
+      return { ...one, shape: { kind: 'plane', normal: [0, k ? -1 : 1, 0], point } };
+    });
+    expect(await seen(under([ball, ...higher]))).toEqual(afterGlass(1.5));
+  });
+
+  test('from within glass the rest of the way counts', async () => {
+    const around: Placed = {
+      id: 'around',
+      shape: { kind: 'sphere', center: [0, 0, 0], radius: 2 },
+      material: coloured,
+    };
+    // From the eye to the floor 1, and from there 2 to where light enters the ball.
+    expect(await seen(under([around]))).toEqual(afterGlass(3));
+  });
+});
+
 describe('energy', () => {
   test.each([coneOnMirror, everything, glassPreset, facingMirrors])(
     'no hit of $id sends on more than it got',
