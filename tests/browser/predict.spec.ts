@@ -7,6 +7,7 @@ import { GALLERY } from '../../src/state/gallery/index.ts';
 import { PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { display, shortest } from '../../src/text/format.ts';
+import { share } from '../unit/many.ts';
 import {
   linkWritten,
   NO_SCENE,
@@ -184,7 +185,7 @@ test.describe('asked', () => {
   test('no example tells its answer while it is hidden', async ({ page }) => {
     await page.goto(`./${LINK}&hide=1&ask=where`);
     await page.locator('.predict-asks').waitFor();
-    for (const [i, { id, link, title, asks, answer }] of GALLERY.entries()) {
+    for (const [i, { id, link, title, asks, answer }] of share(GALLERY).entries()) {
       await open(page, `${link}&hide=1&ask=${ASKS[i % ASKS.length]}`);
       expect(await leaksOf(page, link), id).toEqual([]);
       const words = await readable(page);
