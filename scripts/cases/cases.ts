@@ -1,6 +1,6 @@
 import { type HardCase, hardCases } from '../../src/lab/hard-cases.ts';
-import { FAMILIES, type Family, seeded } from '../../src/math/families.ts';
-import { InvalidInput } from '../../src/math/index.ts';
+import { FAMILIES, type Family, type Question, seeded } from '../../src/math/families.ts';
+import { InvalidInput, intersect } from '../../src/math/index.ts';
 
 export { DIGITS } from '../../src/lab/hard-cases.ts';
 
@@ -9,6 +9,8 @@ export interface Asked {
   readonly seed: number;
   /** Of each family. */
   readonly count: number;
+  /** All numbers are rounded to 32 bits before they are answered. */
+  readonly float32?: boolean;
 }
 
 /**
@@ -27,7 +29,7 @@ export function familiesFrom(ids: string): readonly Family[] {
 }
 
 /** The file's text. Each family draws from the seed anew: it is the same beside any other. */
-export function casesText({ families, seed, count }: Asked): string {
+export function casesText({ families, seed, count, float32 = false }: Asked): string {
   const cases = families.flatMap((family): HardCase[] => {
     const random = seeded(seed);
     return Array.from({ length: count }, (_, i) => ({
@@ -36,5 +38,20 @@ export function casesText({ families, seed, count }: Asked): string {
       ...family.make(random),
     }));
   });
-  return hardCases(cases, seed);
+  const asked = float32 ? cases.flatMap((one) => inFloat32(one) ?? []) : cases;
+  return hardCases(asked, seed, float32);
+}
+
+/** The same with 32-bit numbers, by which it may be another class; null where it is none then. */
+function inFloat32<Q extends Question>(one: Q): Q | null {
+  const rounded = JSON.parse(JSON.stringify(one), (_, x) =>
+    typeof x === 'number' ? Math.fround(x) : x,
+  );
+  try {
+    intersect(rounded.shape, rounded.ray);
+    return rounded;
+  } catch (error) {
+    if (error instanceof InvalidInput) return null;
+    throw error;
+  }
 }

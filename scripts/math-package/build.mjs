@@ -1,9 +1,18 @@
 // `npm run build:math`: the math module as a package in dist/math, or in the folder that is given.
 // One file a module, so that a bundler leaves out what is not imported.
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  copyFileSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const out = resolve(process.argv[2] ?? join(root, 'dist/math'));
@@ -40,6 +49,23 @@ for (const name of readdirSync(join(out, 'lib'), { recursive: true, encoding: 'u
   );
 }
 
+// The command `graze-cases`, with its runners, as one file.
+const COMMAND = 'bin/graze-cases.mjs';
+await build({
+  configFile: false,
+  logLevel: 'warn',
+  root,
+  build: {
+    ssr: 'scripts/cases/run.ts',
+    outDir: out,
+    emptyOutDir: false,
+    minify: false,
+    target: 'node20',
+    rolldownOptions: { output: { entryFileNames: COMMAND, banner: '#!/usr/bin/env node' } },
+  },
+});
+chmodSync(join(out, COMMAND), 0o755);
+
 const { version, license, engines } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
 const doors = Object.entries(DOORS).map(([door, file]) => [
   door,
@@ -52,6 +78,7 @@ const about = {
   ...{ name: 'graze-math', version, description, license, engines, type: 'module' },
   keywords: ['ray', 'intersection', 'quadric', 'robust', 'exact', 'ray tracing'],
   sideEffects: false,
+  bin: { 'graze-cases': COMMAND },
   exports: { ...Object.fromEntries(doors), './package.json': './package.json' },
   types: './lib/math/index.d.ts',
 };

@@ -24,14 +24,14 @@ export interface HardCase extends Question {
   readonly family: string;
 }
 
-/** The file's text. */
-export function hardCases(cases: readonly HardCase[], seed: number): string {
+/** The file's text; `float32` says that all numbers of shapes and rays are 32-bit ones. */
+export function hardCases(cases: readonly HardCase[], seed: number, float32 = false): string {
   const lines = cases.map(({ id, family, shape, ray }) =>
     JSON.stringify({ id, family, ...answer({ shape, ray }) }),
   );
   return (
     `{ "graze": "hard-cases", "version": 1, "seed": ${seed}, "digits": ${DIGITS}, ` +
-    `"cases": [\n${lines.join(',\n')}\n] }\n`
+    `${float32 ? '"float32": true, ' : ''}"cases": [\n${lines.join(',\n')}\n] }\n`
   );
 }
 

@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -15,6 +15,8 @@ import { ROOT } from './docs/documents.ts';
 
 /** Ten times what it takes alone. */
 const PATIENCE_MS = 100_000;
+/** Bytes of an array that is more than one answer's numbers. */
+const LARGE = 4096;
 
 const project = mkdtempSync(join(tmpdir(), 'graze-math-'));
 const root = new URL('.', ROOT).pathname;
@@ -85,7 +87,7 @@ interface Chunk {
 }
 
 /** A bundle of what `code` imports, minified, as a page would have it. */
-async function bundled(code: string): Promise<string> {
+async function bundled(code: string, minify = true): Promise<string> {
   const input = join(project, 'bundled.js');
   writeFileSync(input, code);
   const result = await build({
@@ -94,6 +96,7 @@ async function bundled(code: string): Promise<string> {
     logLevel: 'error',
     build: {
       write: false,
+      minify,
       target: 'es2022',
       modulePreload: false,
       rolldownOptions: { input, preserveEntrySignatures: 'strict', output: { format: 'es' } },
@@ -121,6 +124,102 @@ describe('a bundle holds what is imported, minified and packed in at most as man
     expect(gzipSync(code, { level: 9 }).length).toBeLessThanOrEqual(most);
   });
 });
+
+describe('its command', () => {
+  const command = (...argv: string[]): string => run('npx', ['--offline', 'graze-cases', ...argv]);
+
+  test('writes cases with exact answers', () => {
+    const { cases, seed } = JSON.parse(command('--family', 'vertex,typical', '--count', '3'));
+    expect(cases.map(({ id }: { id: string }) => id).at(-1)).toBe('typical/3');
+    expect(seed).toBe(1);
+    command('--family', 'far-origin', '--float32', '--out', 'far.json');
+    const far = JSON.parse(readFileSync(join(project, 'far.json'), 'utf8'));
+    expect(far.float32).toBe(true);
+    for (const { ray } of far.cases) {
+      expect(ray.origin.map(Math.fround)).toEqual(ray.origin);
+    }
+  });
+
+  test.each([
+    ['python', 'run_cases.py'],
+    ['cpp', 'graze_cases.hpp'],
+    ['rust', 'graze_cases.rs'],
+    ['glsl', 'graze_cases.html'],
+  ])('puts the runner for %s beside them', (name, file) => {
+    expect(command('--runner', name).trim()).toBe(file);
+    const own = readFileSync(join(root, 'scripts/cases', file), 'utf8');
+    expect(readFileSync(join(project, file), 'utf8')).toBe(own);
+  });
+
+  test('says what it takes, and what is wrong', () => {
+    expect(command('--help')).toContain('--runner');
+    expect(() => command('--runner', 'basic')).toThrow(/no runner 'basic'/);
+    expect(() => command('--count', 'x')).toThrow(/--count must be a whole number/);
+  });
+});
+
+/** How often each function of a module runs while it is imported, by name, as V8 counts it. */
+async function runAtImport(names: string): Promise<ReadonlyMap<string, number>> {
+  const folder = mkdtempSync(join(project, 'import-'));
+  writeFileSync(
+    join(folder, 'it.mjs'),
+    await bundled(`export { ${names} } from 'graze-math';`, false),
+  );
+  const env = { ...process.env, NODE_V8_COVERAGE: join(folder, 'counts') };
+  execFileSync(process.execPath, ['it.mjs'], { cwd: folder, env });
+  const [file = ''] = readdirSync(join(folder, 'counts'));
+  const { result } = JSON.parse(readFileSync(join(folder, 'counts', file), 'utf8'));
+  const { functions } = result.find(({ url }: { url: string }) => url.endsWith('/it.mjs'));
+  const counts = new Map<string, number>();
+  // The first is the module itself.
+  for (const { functionName, ranges } of functions.slice(1)) {
+    const [{ count }] = ranges;
+    if (count > 0) counts.set(functionName, (counts.get(functionName) ?? 0) + count);
+  }
+  return counts;
+}
+
+describe('what is done when it is imported', () => {
+  test('nothing at all for ulpDistance', async () => {
+    expect([...(await runAtImport('ulpDistance'))]).toEqual([]);
+  });
+
+  test.each(SHAPES.map(({ kind }) => kind))('%s: its own value is made, no other', async (kind) => {
+    const counts = await runAtImport(`prepareWith, ${kind}`);
+    const { params } = SHAPES.find((one) => one.kind === kind) ?? { params: [] };
+    const points = params.filter((one) => one.type === 'vector' && !('nonZero' in one));
+    expect(counts.get('pointParam')).toBe(points.length);
+    // Neither a method that nobody asked for, nor a family of rays.
+    for (const name of ['treeMethod', 'family']) expect(counts.get(name)).toBeUndefined();
+  });
+
+  test.each(['', '/batch', '/formula', '/accelerate'])(
+    'no array of more than a few numbers, and no WebAssembly: graze-math%s',
+    (door) => {
+      writeFileSync(join(project, 'watch.mjs'), watching(door));
+      expect(JSON.parse(node(['watch.mjs']))).toEqual([]);
+    },
+  );
+});
+
+/** A program that imports a door, and says what large things are made by that. */
+const watching = (door: string): string => `
+const made = [];
+for (const name of ['Float64Array', 'Float32Array', 'Int32Array', 'Uint8Array', 'ArrayBuffer']) {
+  globalThis[name] = new Proxy(globalThis[name], {
+    construct(target, argv, self) {
+      const it = Reflect.construct(target, argv, self);
+      if (it.byteLength > ${LARGE}) made.push(name + ' of ' + it.byteLength + ' bytes');
+      return it;
+    },
+  });
+}
+for (const name of ['Module', 'Instance', 'Memory']) {
+  WebAssembly[name] = class { constructor() { made.push(name); } };
+}
+await import('graze-math${door}');
+console.log(JSON.stringify(made));
+`;
 
 describe('what it says of itself', () => {
   const about = (): Record<string, unknown> => JSON.parse(installed('package.json'));
