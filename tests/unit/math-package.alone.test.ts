@@ -15,8 +15,8 @@ import { ROOT } from './docs/documents.ts';
 
 /** Ten times what it takes alone. */
 const PATIENCE_MS = 100_000;
-/** Bytes of an array that is more than one answer's numbers. */
-const LARGE = 4096;
+/** Bytes of an array that is more than the scratch of one kernel. */
+const LARGE = 8192;
 
 const project = mkdtempSync(join(tmpdir(), 'graze-math-'));
 const root = new URL('.', ROOT).pathname;
@@ -194,7 +194,7 @@ describe('what is done when it is imported', () => {
   });
 
   test.each(['', '/batch', '/formula', '/accelerate'])(
-    'no array of more than a few numbers, and no WebAssembly: graze-math%s',
+    'no array of more than the scratch of one kernel, and no WebAssembly: graze-math%s',
     (door) => {
       writeFileSync(join(project, 'watch.mjs'), watching(door));
       expect(JSON.parse(node(['watch.mjs']))).toEqual([]);

@@ -2,7 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
+import { AXIS, CONE, type ShapeDefinition } from './define.ts';
 import { pointGrip, slopeGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { pointParam } from './params.ts';
@@ -34,14 +34,6 @@ const NUMBERS: QuadricNumbers<Cone> = {
     hasR: false,
   }),
   holds: ({ vertex, slope }, q) => slope === q.flare && isAt(vertex, q),
-};
-
-/** A cone that has a width, wherever it comes from. */
-export const CONE: Naming = {
-  name: 'cone',
-  singular: 'the vertex',
-  straight: 'a generator',
-  border: [],
 };
 
 /**

@@ -2,7 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
+import { AXIS, CYLINDER, type ShapeDefinition } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
@@ -32,14 +32,6 @@ const NUMBERS: QuadricNumbers<Cylinder> = {
     hasR: true,
   }),
   holds: ({ center, radius }, q) => radius === q.r && isAt(center, q),
-};
-
-/** A cylinder that has a width, wherever it comes from. */
-export const CYLINDER: Naming = {
-  name: 'cylinder',
-  singular: null,
-  straight: 'the axis',
-  border: [],
 };
 
 /**

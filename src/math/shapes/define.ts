@@ -33,6 +33,22 @@ export const AXIS: Naming = {
   border: [],
 };
 
+/** A cone that has a width, wherever it comes from. */
+export const CONE: Naming = {
+  name: 'cone',
+  singular: 'the vertex',
+  straight: 'a generator',
+  border: [],
+};
+
+/** A cylinder that has a width, wherever it comes from. */
+export const CYLINDER: Naming = {
+  name: 'cylinder',
+  singular: null,
+  straight: 'the axis',
+  border: [],
+};
+
 /** A shape of the registry: name, parameters, formula and picture in one value. */
 export interface ShapeDefinition<S extends { readonly kind: string }> {
   readonly kind: S['kind'];
