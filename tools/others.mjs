@@ -1,12 +1,10 @@
 // `npm run others`: the rays of graze-cases on other libraries, and docs/others.md with what each
 // makes of them. The libraries are installed in this folder alone, by its own lockfile.
-import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
+import { built, here, installed, root } from './built.mjs';
 
-const here = (path) => fileURLToPath(new URL(path, import.meta.url));
-const root = here('../..');
 const { values } = parseArgs({
   options: {
     count: { type: 'string', default: '1000' },
@@ -16,15 +14,9 @@ const { values } = parseArgs({
 });
 const [COUNT, SEED] = [Number(values.count), Number(values.seed)];
 
-if (!existsSync(here('node_modules'))) {
-  execFileSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {
-    cwd: here('.'),
-    stdio: 'inherit',
-  });
-}
-const built = here('../../test-results/graze-math');
-execFileSync(process.execPath, [here('../math-package/build.mjs'), built], { cwd: root });
-const door = (name) => import(pathToFileURL(`${built}/lib/math/${name}.js`).href);
+installed();
+const folder = built();
+const door = (name) => import(pathToFileURL(`${folder}/lib/math/${name}.js`).href);
 const { intersect } = await door('index');
 const { findFamily, seeded } = await door('families');
 
@@ -265,16 +257,18 @@ writeFileSync(
   `${root}/${values.out}`,
   `# The hard cases on other libraries
 
-Written by \`npm run others\` on ${date}; each family ${COUNT} rays from seed ${SEED}. The command installs the libraries
-in \`scripts/others\`, apart from Graze's own installation, by a lockfile, and asks each one about the same rays.
+Written by \`npm run others\` on ${date}; each family ${COUNT} rays from seed ${SEED}. The command
+installs the libraries in \`tools\`, apart from Graze's own installation, by a lockfile, and asks each
+one about the same rays.
 
-What is asked: is the half line t ≥ 0 hit, and where first? Directions and normals have length 1, as they all want, as nearly
-as doubles can; exact arithmetic answers about just those doubles. A plane is given by N and a point, through each library's
-own constructor where it has one. A ray that exactly touches, or lies in the surface, is
-left out: no library promises anything about it. So are numbers beyond 1e150. A library that compares with a tolerance does as
-it says, and is counted all the same: the table says what a caller gets. "t off by" is relative, of those that are right.
-These functions are made for pictures and picking, are short, and cost a fraction of what exact answers do; the families are
-made of rays that are hard.
+What is asked: is the half line t ≥ 0 hit, and where first? Directions and normals have length 1, as
+they all want, as nearly as doubles can; exact arithmetic answers about just those doubles. A plane is
+given by N and a point, through each library's own constructor where it has one. A ray that exactly
+touches, or lies in the surface, is left out: no library promises anything about it. So are numbers
+beyond 1e150. A library that compares with a tolerance does as it says, and is counted all the same:
+the table says what a caller gets. "t off by" is relative, of those that are right. These functions
+are made for pictures and picking, are short, and cost a fraction of what exact answers do; the
+families are made of rays that are hard.
 
 | library | version | function | what it promises |
 | --- | --- | --- | --- |
