@@ -1,5 +1,11 @@
 import type { Page } from '@playwright/test';
+import { type Frame, framedPose } from '../../src/canvas/framing.ts';
+import { Projection } from '../../src/canvas/projection.ts';
+import { SceneLines } from '../../src/canvas/scene-lines.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
+import { createDerive } from '../../src/state/derive.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { decode } from '../../src/state/url.ts';
 import { open } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
@@ -39,6 +45,69 @@ async function met(page: Page): Promise<string[]> {
   });
 }
 
+interface Placed {
+  readonly name: string;
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/**
+ * The scene's frame, and the words over its upper edge, from its upper left corner. Other words have
+ * a ground, at which lines end.
+ */
+const framed = (page: Page): Promise<{ frame: Frame; words: Placed[] }> =>
+  page.evaluate(() => {
+    const host = document.querySelector('.scene-host') as HTMLElement;
+    const from = host.getBoundingClientRect();
+    const scale = Number(getComputedStyle(host).getPropertyValue('--mark-scale')) || 1;
+    const isNarrow = host.clientWidth < 480;
+    const views = isNarrow ? '' : ', .scene-views button';
+    const buttons = `.example-name, .step-through${views}`;
+    const words = [...document.querySelectorAll(buttons)]
+      .filter((button) => button.checkVisibility())
+      .map((button) => {
+        const range = document.createRange();
+        range.selectNodeContents(button.querySelector('strong, path') ?? button);
+        const box = (button.querySelector('path') ?? range).getBoundingClientRect();
+        return {
+          name: button.textContent?.trim() || (button.getAttribute('aria-label') ?? ''),
+          left: box.left - from.left,
+          right: box.right - from.left,
+          top: box.top - from.top,
+          bottom: box.bottom - from.top,
+        };
+      });
+    return { frame: { width: host.clientWidth, height: host.clientHeight, scale }, words };
+  });
+
+const derive = createDerive(() => closerLook);
+
+/** The words that the ray is drawn behind, from E on; the line behind E is faint. */
+function behindOf(link: string, frame: Frame, words: readonly Placed[]): string[] {
+  const { scene: whole } = derive(decode(link));
+  const ahead = whole.ray.segments.filter(({ stretch }) => stretch !== 'behind');
+  const scene = { ...whole, ray: { ...whole.ray, segments: ahead } };
+  const lines = new SceneLines();
+  const units = lines.take(scene);
+  const { width, height } = frame;
+  const projection = new Projection(framedPose(scene, units, frame), width, height);
+  const strokes = lines.strokes(scene, projection, null).ray;
+  const spots = strokes.flatMap(({ points }) => {
+    const end = (i: number) =>
+      [points[i], points[i + 1], points[i + 2]] as [number, number, number];
+    const [a, b] = [end(0), end(3)];
+    return Array.from({ length: 401 }, (_, i) => {
+      const at = (k: 0 | 1 | 2): number => a[k] + (i / 400) * (b[k] - a[k]);
+      return projection.project([at(0), at(1), at(2)]);
+    });
+  });
+  const isIn = ({ left, right, top, bottom }: Placed): boolean =>
+    spots.some((s) => s && s.x > left && s.x < right && s.y > top && s.y < bottom);
+  return words.filter(isIn).map(({ name }) => name);
+}
+
 // Dark is light in other colours: tests/unit/ui/themes.test.ts.
 for (const [turn, theme] of ['light', 'projector'].entries()) {
   test(`${theme}: no text of an example's pictures lies on another one`, async ({ page }) => {
@@ -52,7 +121,10 @@ for (const [turn, theme] of ['light', 'projector'].entries()) {
         await open(page, link);
         await page.locator('.scene-overlay .scene-mark').first().waitFor();
         await framesDone(page);
-        expect.soft(await met(page), `${id} at ${size.width} × ${size.height}`).toEqual([]);
+        const at = `${id} at ${size.width} × ${size.height}`;
+        expect.soft(await met(page), at).toEqual([]);
+        const { frame, words } = await framed(page);
+        expect.soft(behindOf(link, frame, words), `the ray behind words, ${at}`).toEqual([]);
       }
     }
   });

@@ -71,7 +71,7 @@ export const HYPERBOLOID: readonly Example[] = [
       ['This curved surface is full of straight lines,', 'ruled'],
       ['and the ray is one of them.', 'class contained'],
     ],
-    view: { azimuth: 52, elevation: 12, zoom: null },
+    view: { azimuth: 20, elevation: 22, zoom: null },
     outside: [],
     link: 'shape=hyperboloid&C=0,1,0&a=1&r=1&E=1,-1,-2&d=0,1,1',
   }),
