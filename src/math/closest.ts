@@ -1,7 +1,8 @@
-import { ratios } from './arithmetic/ratios.ts';
+import { type Ratio, ratios } from './arithmetic/ratios.ts';
 import { DISCRIMINANT } from './formula/common.ts';
 import { evaluate } from './formula/evaluate.ts';
-import { type Expr, minus, num, over, scalar, squared, times } from './formula/expr.ts';
+import { type Expr, minus, num, over, scalar, squared, type Term, times } from './formula/expr.ts';
+import { termsOf } from './formula/ray-put-in.ts';
 import type { Sign } from './intersection.ts';
 import { valuesOf } from './methods/tree-method.ts';
 import type { Ray } from './ray.ts';
@@ -25,23 +26,46 @@ interface Closest {
   readonly sign: Sign;
 }
 
+type Given = ReturnType<typeof valuesOf<Ratio>>;
+
+/** Of a term k·(…)² of an equation, its sign, k as a number, and what is squared. */
+function squareIn({ sign, expr }: Term, { scalars }: Given) {
+  if (expr.op === 'square') return { factor: ratios.of(sign), of: expr.of };
+  const [first, second, ...more] = expr.op === 'product' ? expr.factors : [];
+  const k = first?.op === 'scalar' ? scalars[first.id] : undefined;
+  if (!k || second?.op !== 'square' || more.length > 0) return null;
+  return { factor: ratios.mul(ratios.of(sign), k), of: second.of };
+}
+
+/** Of (x − Cx), x and C. */
+function coordinateIn(expr: Expr) {
+  const [at, from, ...more] = expr.op === 'sum' ? expr.terms : [];
+  const isPlain = at?.sign === 1 && from?.sign === -1 && more.length === 0;
+  if (!isPlain || at.expr.op !== 'scalar' || from.expr.op !== 'component') return null;
+  return at.expr.id === from.expr.axis ? from.expr : null;
+}
+
 /**
- * (x − Cx)² + (z − Cz)² = r², by its tree: in which coordinates it is round, about what, and r;
+ * (x − Cx)² + (z − Cz)² − r² = 0, by its tree and the values of its factors (a hyperboloid is a
+ * cylinder for a = 0, a sphere for a = −1): in which coordinates it is round, about what, and r;
  * null for any other surface.
  */
-function roundAbout({ left, right }: ShapeDefinition<Shape>['surface']) {
-  if (left.op !== 'sum' || right.op !== 'square' || right.of.op !== 'scalar') return null;
-  const found = left.terms.map(({ sign, expr }) => {
-    if (sign !== 1 || expr.op !== 'square' || expr.of.op !== 'sum') return null;
-    const [at, from, ...more] = expr.of.terms;
-    const isPlain = at?.sign === 1 && from?.sign === -1 && more.length === 0;
-    if (!isPlain || at.expr.op !== 'scalar' || from.expr.op !== 'component') return null;
-    return at.expr.id === from.expr.axis ? from.expr : null;
+function roundAbout({ left, right }: ShapeDefinition<Shape>['surface'], given: Given) {
+  const all = [...termsOf(left, 1), ...termsOf(right, -1)].map((term) => squareIn(term, given));
+  const used = all.filter((one) => one === null || ratios.sign(one.factor) !== 0);
+  const isFactor = (x: Ratio, y: 1 | -1): boolean => ratios.sign(ratios.sub(x, ratios.of(y))) === 0;
+  const radii = used.flatMap((one) => (one?.of.op === 'scalar' ? [one] : []));
+  const found = used.flatMap((one) => {
+    const at = one && isFactor(one.factor, 1) && coordinateIn(one.of);
+    return at ? [at] : [];
   });
+  const [radius] = radii;
   const [first] = found;
-  if (!first || !found.every((one) => one?.vector === first.vector)) return null;
-  const round = AXES.filter((axis) => found.some((one) => one?.axis === axis));
-  return round.length === found.length ? { center: first.vector, round, radius: right.of } : null;
+  if (!radius || !first || !isFactor(radius.factor, -1)) return null;
+  if (radii.length + found.length !== used.length || radii.length > 1) return null;
+  if (!found.every(({ vector }) => vector === first.vector)) return null;
+  const round = AXES.filter((axis) => found.some((one) => one.axis === axis));
+  return round.length === found.length ? { center: first.vector, round, radius: radius.of } : null;
 }
 
 const [A, B, D] = ['A', 'B', 'D'].map(scalar) as [Expr, Expr, Expr];
@@ -62,9 +86,9 @@ const TURN = over(B, times(num(-2), A));
 export function closestApproach(shape: Shape, ray: Ray): Closest | null {
   const definition = definitionOf(shape);
   const formula = definition.formula(shape);
-  const story = roundAbout(definition.surface);
-  if (!story || formula.family !== 'curved') return null;
   const given = valuesOf(shape, ray, ratios);
+  const story = roundAbout(definition.surface, given);
+  if (!story || formula.family !== 'curved') return null;
   const { toNumber, sign } = ratios;
   const own = (expr: Expr) => evaluate(expr, ratios, given);
   const [a, b, c] = [own(formula.A), own(formula.B), own(formula.C)];

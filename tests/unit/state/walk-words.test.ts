@@ -144,24 +144,29 @@ const AGAINST = /the (axis|centre) it is .* (less than|exactly|more than) .*: D 
 test('how near the line comes against the radius, by D, for what is round alone', () => {
   const random = seeded(16);
   const said = new Set<string>();
+  const rounds = new Set<string>();
   for (const draw of Object.values(DRAWS)) {
     for (let round = 0; round < ROUNDS; round++) {
       const shape = draw(random);
       const ray = drawRay(random, shape);
       const words = closestWords(shape, ray);
-      const isRound = shape.kind === 'cylinder' || shape.kind === 'sphere';
+      const flare = shape.kind === 'hyperboloid' ? shape.flare : null;
+      const isCylinder = shape.kind === 'cylinder' || flare === 0;
+      const isRound = isCylinder || shape.kind === 'sphere' || flare === -1;
+      if (isRound) rounds.add(`${shape.kind} ${flare}`);
       const value = isRound ? alongOf(shape, ray) : null;
       const { A, height } = value ? turnOf(value) : { A: 0, height: 0 };
       expect(words !== null, JSON.stringify({ shape, ray })).toBe(isRound && A !== 0);
       if (words === null) continue;
       const [, to, which, relation] = AGAINST.exec(words) ?? [];
-      expect(to).toBe(shape.kind === 'cylinder' ? 'axis' : 'centre');
+      expect(to).toBe(isCylinder ? 'axis' : 'centre');
       expect(which).toBe(height < 0 ? 'less than' : height > 0 ? 'more than' : 'exactly');
       expect(relation).toBe(height < 0 ? '>' : height > 0 ? '<' : '=');
       said.add(which ?? '');
     }
   }
   expect(said.size).toBe(3);
+  expect([...rounds]).toEqual(expect.arrayContaining(['hyperboloid 0', 'hyperboloid -1']));
 });
 
 test('front and back are where f falls and rises through 0; a touch is neither', () => {
