@@ -1,5 +1,12 @@
 import { closestApproach, levelOf } from '../math/formula.ts';
-import { type Hit, type Intersection, intersect, type Ray, type Shape } from '../math/index.ts';
+import {
+  type Hit,
+  type Intersection,
+  intersect,
+  type Ray,
+  type Shape,
+  type Vec3,
+} from '../math/index.ts';
 import { definitionOf, type Naming, type Sign } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Side, sideKey } from './verdict-table.ts';
@@ -130,10 +137,17 @@ export function facingSign({ class: verdict, details, hits }: Intersection, i: n
   return sign === null ? null : (Math.sign(sign) as Sign);
 }
 
-/** Which side of a curved surface the line meets at hit `i` (from 0). */
-export function facingWords(found: Intersection, i: number): string | null {
+/**
+ * Which side of a curved surface the line meets at hit `i` (from 0), with the value of N·d in
+ * doubles where that has the exact sign.
+ */
+export function facingWords(found: Intersection, i: number, d: Vec3): string | null {
   const sign = found.details.family === 'flat' ? null : facingSign(found, i);
-  return sign === null ? null : said('N·d', sign, FACING);
+  const normal = found.hits[i]?.normal;
+  if (sign === null || !normal) return null;
+  const product = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
+  const isIts = sign !== 0 && Math.sign(product) === sign && Number.isFinite(product);
+  return said(isIts ? `N·d = ${display(product)}` : 'N·d', sign, FACING);
 }
 
 const AXIS_NAMES = ['x', 'y', 'z'] as const;

@@ -409,13 +409,14 @@ function closest({ shape, ray }: ExploreModel): TemplateResult | typeof nothing 
 }
 
 /** The course's normal, the one of length 1, and which side the ray meets. */
-function normalOf({ normal, singular }: Hit, i: number, { found, exactly }: ExploreModel) {
+function normalOf({ normal, singular }: Hit, i: number, { found, exactly, ray }: ExploreModel) {
   const name = `N${subscript(i + 1)}`;
   if (singular) {
     return html`<p class="walk-results">${name} is zero: every derivative vanishes there.</p>`;
   }
   const length = Math.hypot(...normal);
-  const facing = found.class === exactly.found.class ? facingWords(exactly.found, i) : null;
+  const facing =
+    found.class === exactly.found.class ? facingWords(exactly.found, i, ray.direction) : null;
   const unit = normal.map((x) => x / length) as unknown as typeof normal;
   return html`<p class="walk-results">${name} = ${displayTriple(normal)},
       ${name}/|${name}| = ${displayTriple(unit)}</p>

@@ -4,9 +4,11 @@ import type { Ray } from '../../../src/math/ray.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import { sideOf } from '../../../src/math/shapes.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
 import * as table from '../../../src/state/verdict-table.ts';
 import { closestWords, facingWords, signWords } from '../../../src/state/walk-words.ts';
 import { verdictWords } from '../../../src/state/words.ts';
+import { display } from '../../../src/text/format.ts';
 import { many } from '../many.ts';
 import { at, courseOf, DRAWS, dot, drawRay, f, flatOf, less, quadricOf } from './ray-oracle.ts';
 
@@ -169,6 +171,13 @@ test('how near the line comes against the radius, by D, for what is round alone'
   expect([...rounds]).toEqual(expect.arrayContaining(['hyperboloid 0', 'hyperboloid -1']));
 });
 
+/** N·d, and the size of its terms. */
+function dotOf(n: Vec3 = [0, 0, 0], d: Vec3): [number, number] {
+  const terms = [n[0] * d[0], n[1] * d[1], n[2] * d[2]] as const;
+  const size = terms.reduce((sum, x) => sum + Math.abs(x), 0);
+  return [terms[0] + terms[1] + terms[2], size + Number.MIN_VALUE];
+}
+
 test('front and back are where f falls and rises through 0; a touch is neither', () => {
   const random = seeded(17);
   const said = new Set<string>();
@@ -178,7 +187,7 @@ test('front and back are where f falls and rises through 0; a touch is neither',
       const ray = drawRay(random, shape);
       const quadric = quadricOf(shape);
       const found = intersect(shape, ray, 'exact');
-      const words = found.hits.map((_, i) => facingWords(found, i));
+      const words = found.hits.map((_, i) => facingWords(found, i, ray.direction));
       if (!quadric || quadric.k) {
         if (!quadric) expect(words.filter(Boolean)).toEqual([]);
         continue;
@@ -188,6 +197,12 @@ test('front and back are where f falls and rises through 0; a touch is neither',
       for (const [i, text] of words.entries()) {
         if (text === null) continue;
         const [side] = /front|back|touches/.exec(text) ?? [];
+        const [, product, relation] = /^N·d(?: = (\S+(?: · \S+)?))? ([<=>]) 0: /.exec(text) ?? [];
+        expect(relation, text).toBe({ front: '<', back: '>', touches: '=' }[side ?? '']);
+        const [dot, scale] = dotOf(found.hits[i]?.normal, ray.direction);
+        // Left out only where rounding hides its sign.
+        if (product === undefined) expect(Math.abs(dot)).toBeLessThanOrEqual(1e-12 * scale);
+        else expect(product).toBe(display(dot));
         const how = found.class === 'tangent' ? 'touches' : crossings[i];
         const about = `${text} ${JSON.stringify({ shape, ray })}`;
         expect(
