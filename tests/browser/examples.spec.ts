@@ -54,8 +54,8 @@ interface Placed {
 }
 
 /**
- * The scene's frame, and the words over its upper edge, from its upper left corner. Other words have
- * a ground, at which lines end.
+ * The scene's frame, and the words over its upper edge, from its upper left corner. Others have a
+ * ground, at which lines end.
  */
 const framed = (page: Page): Promise<{ frame: Frame; words: Placed[] }> =>
   page.evaluate(() => {
