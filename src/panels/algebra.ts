@@ -61,8 +61,7 @@ export function algebra(
       <button type="button" class="derive"
         title="Where these lines come from (d)"
         @click=${() => dispatch({ type: 'derive', step: 1 })}>derive</button>
-      <label class="in-full">
-        <input type="checkbox" aria-label="in full: the numbers put in, and why" />in full</label>
+      <label class="in-full"><input type="checkbox" />in full</label>
       ${methodPicker(model, dispatch)}
     </div>
     <div class="steps" role="group" aria-label="Lines">
