@@ -1,8 +1,8 @@
 import { build } from 'vite';
 
 /**
- * The text of `program.ts` with all that it needs in one module, made small as for a site; asked for
- * from the project's root.
+ * The text of `program.ts` with all that it needs in one module, made small as for a site; asked
+ * for from the project's root.
  */
 export async function bundle(): Promise<string> {
   const made = await build({
