@@ -1,3 +1,4 @@
+import { violationsInThemes } from './support/axe.ts';
 import { hashOf, open } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 
@@ -55,4 +56,21 @@ test('an end is dragged in the scene', async ({ page }) => {
   await expect
     .poll(async () => Number((await hashOf(page)).match(/between=-0.5,([\d.]+)/)?.[1]))
     .toBeLessThan(2.5);
+});
+
+test('axe finds nothing, and nothing is wider than the window, with ends', async ({ page }) => {
+  await open(page, `${CAN}&between=-0.5,2&caps=1`);
+  await expect(page.locator('.cap-line')).toHaveCount(2);
+  expect(await violationsInThemes(page)).toEqual([]);
+  for (const [width, height] of [
+    [1024, 768],
+    [390, 844],
+    [844, 390],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    if (width < 560) await page.getByRole('button', { name: 'ends' }).click();
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(wide, String(width)).toBeLessThanOrEqual(0);
+    if (width < 560) await expect(page.getByLabel('caps')).toBeVisible();
+  }
 });
