@@ -57,6 +57,8 @@ test.describe('without the picture', () => {
   });
 
   test('hidden results are nowhere on the page; lines come back one by one', async ({ page }) => {
+    // The graph's code comes after the page's own.
+    await page.locator('[data-quantity="bead.t"]').waitFor();
     const all = await quantities(page);
     expect(Object.keys(all)).toEqual(expect.arrayContaining(RESULTS));
     await page.keyboard.press('h');
