@@ -22,6 +22,8 @@ const TITLES: Readonly<Record<string, string>> = {
   'lesson-back': 'back: hide what was shown, or the step before',
   present: 'open the presenter’s window: notes, what comes next, a clock',
   'present-explore': 'open the presenter’s window: all values, what comes next, a clock',
+  'picture-more': 'build the picture up: one effect more; from a whole one, camera rays alone',
+  'picture-less': 'take the last effect of the picture away',
   collect: 'add what is shown to your own lesson, as its next step',
   undo: 'undo',
   redo: 'redo',

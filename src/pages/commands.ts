@@ -133,6 +133,8 @@ function lessonCommands(tools: PageActions): Command[] {
     },
     { id: 'present', keys: ['p'], pages: ['lesson'], run: tools.present },
     { id: 'present-explore', keys: ['Shift+p'], pages: ['explore'], run: tools.present },
+    { id: 'picture-more', keys: ['n'], pages: ['picture'], run: () => tools.turn(1) },
+    { id: 'picture-less', keys: ['Shift+n'], pages: ['picture'], run: () => tools.turn(-1) },
     {
       id: 'collect',
       keys: ['c'],

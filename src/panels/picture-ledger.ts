@@ -1,12 +1,14 @@
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, svg, type TemplateResult } from 'lit';
 import type { EffectId } from '../scene/effects/index.ts';
 import { type Shows, SIMPLIFICATIONS } from '../scene/simplifications.ts';
 import type { Scene } from '../scene/types.ts';
+import type { BuildUp } from '../state/picture/build-up.ts';
 import {
   grouped,
   type KindRow,
   type LedgerModel,
   type LedgerRow,
+  MEASURE_WORDS,
   MEASURES,
   type Measure,
   msWords,
@@ -19,6 +21,8 @@ import './picture-ledger.css';
 
 interface LedgerTools {
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
+  /** Simulates one effect more, or one less. */
+  build(by: 1 | -1): void;
   /** Chooses what the bars show. */
   by(measure: Measure): void;
   /** Traces the picture once more without each effect, to count the pixels that it changes. */
@@ -55,14 +59,6 @@ const SAMPLE_WORDS: Readonly<Record<number, string>> = {
   16: 'sixteen through every pixel',
 };
 
-const MEASURE_WORDS: Readonly<Record<Measure, string>> = {
-  rays: 'rays',
-  questions: 'questions',
-  solves: 'roots worked out',
-  roots: 'roots found',
-  ms: 'time',
-};
-
 /** What was simulated, why, and what it cost; then what was not, and why. */
 export function ledger(
   model: LedgerModel,
@@ -72,7 +68,7 @@ export function ledger(
   const { camera, simulated, idle, total, pixels, by, times } = model;
   const choice = picker(by, times !== null, tools);
   const row = (r: LedgerRow): TemplateResult => simulatedRow(r, by, pixels, tools);
-  return html`<table class="ledger">
+  return html`${buildUp(model.built, tools)}<table class="ledger">
       <thead>
         <tr><th scope="col" data-quantity="resolution"
           data-value=${resolution}>${resolution}</th><th scope="col" class="bars">${choice}</th><th
@@ -102,6 +98,30 @@ export function ledger(
     <ul class="idle">
       ${idle.map((one) => idleRow(one, pixels, tools))}
     </ul>`;
+}
+
+/** Adds one effect after another, or takes them away; a dot for each. */
+function buildUp({ all, shown }: BuildUp, { build }: LedgerTools): TemplateResult | typeof nothing {
+  if (all === 0) return nothing;
+  const dots = Array.from(
+    { length: all },
+    (_, k) =>
+      svg`<circle class=${k < shown ? 'in' : 'out'} cx=${9 + 18 * k} cy="9" r=${
+        k === shown - 1 ? 6 : 3.6
+      } />`,
+  );
+  const words = shown === 0 ? 'camera rays alone' : `${shown} of ${all} effects`;
+  const step = (by: 1 | -1, label: string, sign: string): TemplateResult =>
+    html`<button type="button" class="build-step" aria-label=${label} title=${label}
+      @click=${() => build(by)}>${sign}</button>`;
+  return html`<div class="build-up" role="group" aria-label="build up">build up
+    ${step(-1, 'take the last effect away', '‹')}<svg viewBox="0 0 ${18 * all} 18"
+      width=${18 * all} height="18" role="img" aria-label=${words} data-quantity="built"
+      data-value=${shown}>${dots}</svg>${step(
+        1,
+        shown === all ? 'begin with camera rays alone' : 'add the next effect',
+        '›',
+      )} <span class="build-words">${words}</span></div>`;
 }
 
 function picker(by: Measure, timed: boolean, tools: LedgerTools): TemplateResult {

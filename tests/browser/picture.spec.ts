@@ -119,6 +119,40 @@ test('time is measured when asked for: repeats of warm workers, and their sum', 
   expect(await cell(page, 'shadow', 'share')).toBeGreaterThan(0);
 });
 
+test('built up by one key, taken away by another; both ledgers of a comparison', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
+  const built = page.locator('[data-quantity="built"]');
+  const whole = Number(await built.getAttribute('data-value'));
+  const total = await cell(page, 'total', 'questions');
+  await page.keyboard.press('n');
+  await expect(built).toHaveAttribute('data-value', '0');
+  await traced(page);
+  expect(await cell(page, 'total', 'rays')).toBe(96 * 54);
+  await page.keyboard.press('n');
+  await traced(page);
+  await expect(row(page, 'shadow')).toHaveCount(1);
+  await expect(row(page, 'reflection')).toHaveCount(0);
+  await page.keyboard.press('Shift+N');
+  await expect(built).toHaveAttribute('data-value', '0');
+  await page.keyboard.press('Shift+N');
+  await expect(built).toHaveAttribute('data-value', String(whole));
+  await traced(page);
+  expect(await cell(page, 'total', 'questions')).toBe(total);
+
+  await page.getByRole('button', { name: 'Compare' }).click();
+  await expectInLink(page, { against: 'off:reflection' });
+  await traced(page);
+  const both = page.locator('.two-ledgers [data-row="total"]');
+  await expect(both.locator('[data-quantity="right"]')).toHaveAttribute('data-value', `${total}`);
+  const value = async (name: string): Promise<number> =>
+    Number(await both.locator(`[data-quantity="${name}"]`).getAttribute('data-value'));
+  expect(await value('ratio')).toBe((await value('left')) / (await value('right')));
+  expect(await value('ratio')).toBeLessThan(1);
+  await expect(page.locator('.two-ledgers')).toContainText('only reflection is missing');
+});
+
 test('the camera is moved by drag, wheel and keys; one drag is one step of undo', async ({
   page,
 }) => {

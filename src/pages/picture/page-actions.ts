@@ -1,6 +1,7 @@
 import type { EffectId } from '../../scene/effects/index.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { Dispatch } from '../../state/actions.ts';
+import { builtUp } from '../../state/picture/build-up.ts';
 import { refusalOf } from '../../state/picture/edits.ts';
 import { textOfScene } from '../../state/picture/scene-link.ts';
 import {
@@ -9,6 +10,7 @@ import {
   type PictureKey,
   type PictureSettings,
   pictureSettings,
+  textsOf,
 } from '../../state/picture/settings.ts';
 
 type Values = Readonly<Partial<Record<PictureKey, string>>>;
@@ -21,6 +23,8 @@ export interface PictureActions {
   /** A scene that is refused changes nothing: the form that it comes from has said why. */
   scene(edit: (now: Scene) => Scene): void;
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
+  /** Simulates one effect more, or one less, of those that the scene calls for. */
+  buildUp(by: 1 | -1): void;
   /** Chooses the right side of the comparison: 'method:…' or 'start:…'. */
   right(value: string): void;
 }
@@ -39,6 +43,7 @@ export function pictureActions(dispatch: Dispatch): PictureActions {
         return refusalOf(next) === null ? { scene: textOfScene(next) } : {};
       }),
     force: (id, how) => edit(({ forced }) => forcedTexts(forced, id, how)),
+    buildUp: (by) => edit(({ scene, forced }) => textsOf(builtUp(scene, forced, by))),
     right(value) {
       const [what, ...rest] = value.split(':');
       if (what === 'method') dispatch({ type: 'method', id: rest.join(':') });

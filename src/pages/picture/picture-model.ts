@@ -25,6 +25,8 @@ export interface PictureModel {
   /** Whether the left side has the more accurate method. */
   readonly trustsLeft: boolean;
   readonly ledger: LedgerModel;
+  /** The ledger of the other side; null before that is finished. */
+  readonly otherLedger: LedgerModel | null;
   /** Pictures that the ledger's last column would still need. */
   readonly uncounted: readonly TraceRequest[];
 }
@@ -73,6 +75,19 @@ export function pictureModel(
         unforced: mapped(requests.toggled, (request) => request && visit.times(request)),
       },
     ),
+    otherLedger:
+      requests.other && other?.state === 'finished'
+        ? ledgerModel(
+            picture.scene,
+            requests.other.settings,
+            other.ledger,
+            {},
+            {
+              by: visit.by,
+              times: visit.times(requests.other),
+            },
+          )
+        : null,
     uncounted,
   };
 }

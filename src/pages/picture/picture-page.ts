@@ -143,8 +143,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     pictureBar(picture, {
       set: tools.set,
       compare: () =>
-        tools.edit(({ against, sceneText, start }) => ({
-          against: against ? '' : firstAgainst(sceneText, start, requests.main.settings.method),
+        tools.edit(({ against, sceneText, start, forced }) => ({
+          against: against
+            ? ''
+            : firstAgainst(sceneText, start, requests.main.settings.method, forced),
           show: against ? 'both' : 'errors',
         })),
       again: () => traceQueue.again([requests.main, ...(requests.other ? [requests.other] : [])]),
@@ -264,6 +266,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     read: readPicture,
     exports: () => pictureExports(() => model),
     open: (text) => openScene(text, dispatch),
+    turn: tools.buildUp,
     rest: traceQueue.rest,
   };
 }

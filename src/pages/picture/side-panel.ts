@@ -1,11 +1,14 @@
-import { html, render, type TemplateResult } from 'lit';
+import { html, nothing, render, type TemplateResult } from 'lit';
 import { type EditorTools, editor } from '../../panels/picture-editor.ts';
 import { ledger, simplifications } from '../../panels/picture-ledger.ts';
 import { methodPanel } from '../../panels/picture-method.ts';
+import { twoLedgers } from '../../panels/picture-two-ledgers.ts';
 import { remove } from '../../scene/edit.ts';
 import { sceneToJson } from '../../scene/json.ts';
 import { jsonFault } from '../../scene/json-fault.ts';
 import type { Dispatch } from '../../state/actions.ts';
+import { sideWords } from '../../state/picture/against.ts';
+import { causeWords } from '../../state/picture/compare-words.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import { download, pickFile } from '../../ui/files.ts';
@@ -79,6 +82,7 @@ export function createSidePanel(
     const tool = {
       ...asks,
       force: tools.force,
+      build: tools.buildUp,
       measure: asks.count,
       unmeasured: stands ? uncounted.length : 0,
       isMeasuring: asks.isCounting() && uncounted.length > 0,
@@ -87,7 +91,7 @@ export function createSidePanel(
     };
     const head = { took: stands ? main : null, resolution: resolutionOf(model) };
     return html`<div role="tabpanel"
-      aria-label="What this picture needed">${ledger(model.ledger, head, tool)}
+      aria-label="What this picture needed">${both(model)}${ledger(model.ledger, head, tool)}
       ${methodPanel(method, picture, dispatch)}
       ${simplifications(picture.scene)}</div>`;
   };
@@ -116,6 +120,17 @@ export function createSidePanel(
       render(html`${tabs(tab, turn)}${panel}`, host);
     },
   };
+}
+
+/** Both ledgers of a comparison; the one below is the right side's. */
+function both({ otherLedger, ledger: own, picture, requests }: PictureModel) {
+  const { main, other } = requests;
+  if (!otherLedger || !other || !picture.against) return nothing;
+  return twoLedgers(otherLedger, own, {
+    left: sideWords(other.settings, picture.against),
+    right: sideWords(main.settings, picture.against),
+    cause: causeWords(main.settings, picture.against),
+  });
 }
 
 /** Which picture the ledger is of. */

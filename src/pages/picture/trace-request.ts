@@ -24,6 +24,9 @@ export interface TraceRequests {
   readonly baselines: readonly TraceRequest[];
 }
 
+/** Most forced effects for which the picture without forcing is traced by itself. */
+const MOST_BASELINES = 2;
+
 export function traceRequests(picture: PictureSettings, method: string): TraceRequests {
   const { scene, sceneText, width, height, samples, lightSamples, start, forced } = picture;
   const settings = { width, height, samples, lightSamples, method, start, forced };
@@ -43,7 +46,11 @@ export function traceRequests(picture: PictureSettings, method: string): TraceRe
     main: request(settings),
     other: picture.against && request(otherSide(settings, picture.against)),
     toggled: own,
-    baselines: plan.flatMap(({ id, forced: how }) => (how === 'no' ? [] : (own[id] ?? []))),
+    // While a picture is built up most is forced off: then pixels are counted when asked for.
+    baselines:
+      plan.filter(({ forced: how }) => how !== 'no').length > MOST_BASELINES
+        ? []
+        : plan.flatMap(({ id, forced: how }) => (how === 'no' ? [] : (own[id] ?? []))),
   };
 }
 

@@ -6,6 +6,7 @@ const amber = { index: 1.45, absorption: [0.15, 0.7, 2.2] as const };
 export const colouredGlass: ScenePreset = {
   id: 'coloured-glass',
   reason: 'Coloured glass is darker where the chord through it is longer: e^(−σ · chord).',
+  compare: 'off:absorption',
   scene: {
     title: 'coloured glass',
     camera: { eye: [0.5, 3, 8], target: [0, 1, 0], angle: 34 },

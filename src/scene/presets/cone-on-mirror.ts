@@ -13,6 +13,7 @@ import {
 export const coneOnMirror: ScenePreset = {
   id: 'cone-on-mirror',
   reason: 'Take the mirror away, and the reflected rays and what they cost are gone.',
+  compare: 'off:reflection',
   scene: {
     title: 'glass cone on a mirror',
     camera: { eye: [1.2, 3.2, 8], target: [0, 0.8, 0], angle: 34 },

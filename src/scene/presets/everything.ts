@@ -16,6 +16,7 @@ import {
 export const everything: ScenePreset = {
   id: 'everything',
   reason: 'All effects at once: what the whole ledger looks like.',
+  compare: 'off:soft-shadow',
   scene: {
     title: 'everything',
     camera: { eye: [0.8, 3.6, 10.5], target: [0, 1, 0], angle: 36 },

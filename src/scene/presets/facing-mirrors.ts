@@ -3,6 +3,7 @@ import { ball, floor, material, PAPER, type ScenePreset, STONE, TEAL } from './d
 export const facingMirrors: ScenePreset = {
   id: 'facing-mirrors',
   reason: 'Two mirrors face each other: each ray goes on until it can no longer change its pixel.',
+  compare: 'off:reflection',
   scene: {
     title: 'mirrors that face each other',
     camera: { eye: [1.1, 1.7, 2.3], target: [0, 1.2, -3], angle: 62 },

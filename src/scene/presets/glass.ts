@@ -15,6 +15,7 @@ import {
 export const glass: ScenePreset = {
   id: 'glass',
   reason: 'A ray goes into the ball at one root and out at the other: both are needed.',
+  compare: 'off:refraction',
   scene: {
     title: 'glass',
     camera: CAMERA,

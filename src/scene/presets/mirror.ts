@@ -13,6 +13,7 @@ import {
 export const mirror: ScenePreset = {
   id: 'mirror',
   reason: 'A mirror behind two shapes: what it shows is what another ray sees.',
+  compare: 'off:reflection',
   scene: {
     title: 'a mirror',
     camera: CAMERA,

@@ -3,6 +3,7 @@ import { ball, CAMERA, material, PAPER, type ScenePreset, VIOLET } from './defin
 export const plain: ScenePreset = {
   id: 'plain',
   reason: 'One shape and one light: camera rays are all that it takes.',
+  compare: 'on:shadow',
   scene: {
     title: 'one plain shape',
     camera: CAMERA,

@@ -14,6 +14,7 @@ import {
 export const shadows: ScenePreset = {
   id: 'shadows',
   reason: 'Shadows and nothing else: one more ray for each point that faces the lamp.',
+  compare: 'off:shadow',
   scene: {
     title: 'shadows only',
     camera: CAMERA,

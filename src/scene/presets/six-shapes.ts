@@ -13,6 +13,7 @@ import {
 export const sixShapes: ScenePreset = {
   id: 'six-shapes',
   reason: 'The course’s six shapes, the round ones cut off at two heights.',
+  compare: 'off:heights',
   scene: {
     title: 'six shapes',
     camera: { eye: [0, 3.4, 11], target: [0, 1, 0], angle: 34 },

@@ -13,6 +13,7 @@ import {
 export const softLight: ScenePreset = {
   id: 'soft-light',
   reason: 'A lamp with a size: many rays to it, and the share that arrives is the light.',
+  compare: 'off:soft-shadow',
   scene: {
     title: 'a soft light',
     camera: CAMERA,

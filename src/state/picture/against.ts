@@ -1,6 +1,7 @@
 import { InvalidInput } from '../../math/index.ts';
 import { DEFAULT_METHOD, findMethod, quote } from '../../math/shapes.ts';
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
+import type { Forced } from '../../scene/effects/plan.ts';
 import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';
 import { readStart, startText, startWords } from './start.ts';
@@ -40,9 +41,17 @@ export const AGAINST = {
  * The comparison that the button Compare starts: the preset's own, else one without a start rule.
  * It always differs from the main picture.
  */
-export function firstAgainst(sceneText: string, start: StartRule, method: string): string {
+export function firstAgainst(
+  sceneText: string,
+  start: StartRule,
+  method: string,
+  forced: Forced = {},
+): string {
   const wanted = findPreset(sceneText)?.compare ?? 'start:none';
   if (wanted === `method:${method}`) return `method:${DEFAULT_METHOD}`;
+  const [how, id] = wanted.split(':');
+  // What is forced so already is compared with the other way round.
+  if (forced[id as EffectId] === how) return `${how === 'on' ? 'off' : 'on'}:${id}`;
   return wanted === `start:${startText(start)}` ? 'start:from' : wanted;
 }
 

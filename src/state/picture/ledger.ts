@@ -2,11 +2,19 @@ import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { type PlannedEffect, planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { Cost, Ledger, RayKind, TraceSettings, Work } from '../../tracer/types.ts';
+import { type BuildUp, buildUpOf } from './build-up.ts';
 import type { Spread, Times } from './times.ts';
 
 /** What the bars may show; all but the time are the same on every machine. */
 export const MEASURES = ['questions', 'rays', 'solves', 'roots', 'ms'] as const;
 export type Measure = (typeof MEASURES)[number];
+export const MEASURE_WORDS: Readonly<Record<Measure, string>> = {
+  rays: 'rays',
+  questions: 'questions',
+  solves: 'roots worked out',
+  roots: 'roots found',
+  ms: 'time',
+};
 
 /** One effect in the ledger. */
 export interface LedgerRow extends PlannedEffect {
@@ -32,6 +40,8 @@ export interface LedgerModel {
   readonly simulated: readonly LedgerRow[];
   readonly idle: readonly LedgerRow[];
   readonly total: Cost;
+  /** How many of the effects that the scene calls for run. */
+  readonly built: BuildUp;
   /** What the bars show. */
   readonly by: Measure;
   readonly times: Times | null;
@@ -113,6 +123,7 @@ export function ledgerModel(
     simulated: rows.filter(({ runs }) => runs),
     idle: rows.filter(({ runs }) => !runs),
     total,
+    built: buildUpOf(scene, settings.forced),
     by,
     times,
     kinds: kindRows(kinds, fired),

@@ -135,7 +135,13 @@ export function forcedTexts(
   id: EffectId,
   how: 'on' | 'off' | 'no',
 ): Readonly<Record<'on' | 'off', string>> {
-  const all = { ...forced, [id]: how };
+  return textsOf({ ...forced, [id]: how });
+}
+
+/** The texts of the keys `on` and `off`. */
+export function textsOf(
+  all: Readonly<Partial<Record<EffectId, string>>>,
+): Readonly<Record<'on' | 'off', string>> {
   const texts = (word: string): string =>
     EFFECTS.filter((effect) => all[effect.id] === word)
       .map((effect) => effect.id)
