@@ -77,7 +77,7 @@ test('a set is made in the form, answered under a name, handed in and marked', a
   await page.locator('.answers').getByRole('button', { name: 'Check', exact: true }).click();
   await expect(page.locator('.feedback').first()).toHaveAttribute('data-verdict', 'correct');
   await expect(page.getByRole('button', { name: /solution|Hint/ })).toHaveCount(0);
-  await page.getByText('Hand in', { exact: true }).click();
+  await page.locator('main').getByText('Hand in', { exact: true }).click();
   await expect(page.locator('.hand-in .link-code')).toBeVisible();
   expect(await violationsInThemes(page, '.hand-in')).toEqual([]);
   const code = await page.getByLabel('Code', { exact: true }).inputValue();
