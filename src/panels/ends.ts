@@ -18,10 +18,13 @@ import './ends.css';
 const checked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
 /** Whether a curved shape has ends. */
-function endsSwitch({ state, shape, found }: ExploreModel, dispatch: Dispatch): unknown {
+function endsSwitch({ state, found }: ExploreModel, dispatch: Dispatch): unknown {
   if (found.details.family !== 'curved') return nothing;
   const cut = (event: Event): void =>
-    dispatch({ type: 'ends', value: checked(event) ? (now) => now ?? someEnds(shape) : null });
+    dispatch({
+      type: 'ends',
+      value: checked(event) ? (now, shape) => now ?? someEnds(shape) : null,
+    });
   return html`<label class="finite" title="Keep it between two heights"><input type="checkbox"
     .checked=${state.between !== null} ?disabled=${state.lock.includes('between')}
     @change=${cut} />finite</label>`;

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/index.ts';
+import type { Shape, Vec3 } from '../math/index.ts';
 import type { Ask } from './ask.ts';
 import type { Between } from './heights.ts';
 import type { Tangent } from './nearest-tangent.ts';
@@ -42,8 +42,14 @@ export type Action =
       readonly value: Edit<ParamValue>;
       readonly texts?: TypedTexts | undefined;
     }
-  /** Null for a shape without ends. */
-  | { readonly type: 'ends'; readonly value: Edit<EndsValue | null> }
+  /** Null for a shape without ends; an edit is given the shape as well, for where to put them. */
+  | {
+      readonly type: 'ends';
+      readonly value:
+        | EndsValue
+        | null
+        | ((now: EndsValue | null, shape: Shape) => EndsValue | null);
+    }
   | { readonly type: 'method'; readonly id: string }
   | { readonly type: 'view'; readonly view: View }
   | { readonly type: 'bead'; readonly t: Edit<number | null> }

@@ -74,7 +74,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'param':
       return withParam(state, action.key, action.value, action.texts);
     case 'ends':
-      return withEnds(state, applied(action.value, endsIn(state)));
+      return withEnds(state, endsAfter(state, action.value));
     case 'method':
       return findMethod(action.id) ? { ...state, method: action.id } : state;
     case 'view':
@@ -182,6 +182,9 @@ function withParam(
 }
 
 const endsIn = ({ between, caps }: AppState): EndsValue | null => between && { between, caps };
+
+const endsAfter = (state: AppState, edit: Extract<Action, { type: 'ends' }>['value']) =>
+  typeof edit === 'function' ? edit(endsIn(state), shapeOf(state)) : edit;
 
 function withEnds(state: AppState, ends: EndsValue | null): AppState {
   const [low = Number.NaN, high = Number.NaN] = ends?.between ?? [0, 1];
