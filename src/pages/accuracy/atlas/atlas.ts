@@ -11,6 +11,7 @@ import { unitVector } from '../../../math/shapes.ts';
 import { type Atlas, type AtlasMap, atlasOf, withPixel } from '../../../state/accuracy/atlas.ts';
 import {
   axisWords,
+  confirmedWords,
   mapDescription,
   mapSentence,
   numbersAt,
@@ -33,7 +34,7 @@ import { saveButtons } from '../exports.ts';
 import { spawnLab } from '../lab-jobs.ts';
 import { atlasControls } from './atlas-controls.ts';
 import { atlasExports, type Shown } from './atlas-exports.ts';
-import { legend } from './legend.ts';
+import { legend, paintSamples } from './legend.ts';
 import { type MapState, mapJobs } from './map-jobs.ts';
 import { ownMapJobs, tryProgram } from './own-map.ts';
 import { type Picked, pickedCard } from './picked-card.ts';
@@ -77,10 +78,13 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
   let picked: { readonly map: number; readonly cell: Cell; readonly key: string } | null = null;
   let corners: { readonly cells: Corners; readonly key: string } | null = null;
   let isMarking = false;
+  let isLeaving = false;
   /** What the student's program said of a chosen ray. */
   let tried: { readonly key: string; readonly words: string } | null = null;
   let shown: readonly Shown[] = [];
   const slots = [createSlot(0), createSlot(1)];
+  window.addEventListener('beforeprint', () => paintSamples(side, isLeaving, '#000000'));
+  window.addEventListener('afterprint', changed);
 
   function createSlot(index: number): Slot {
     const host = area('atlas-map', mapsArea);
@@ -258,6 +262,8 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
       shown = slots.flatMap((slot, i) => drawMap(slot, atlas.maps[i], atlas, i) ?? []);
       mapsArea.classList.toggle('has-two', atlas.maps.length > 1);
       render(sideOf(atlas, settings), side);
+      isLeaving = atlas.maps[0]?.request.start !== undefined;
+      paintSamples(side, isLeaving, getComputedStyle(side).color);
     },
     exports,
     rest(): void {
@@ -272,6 +278,7 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
     const pointed = cursor && shown[0] ? numbersAt(shown[0].map.request, cursor[0], cursor[1]) : '';
     const [first] = atlas.maps;
     const card = pickedNow();
+    const confirmed = [...new Set(shown.map(({ probe }) => confirmedWords(probe)))].join(' ');
     return html`<div class="atlas-pointed">
         <h3>Pointed at</h3>
         ${
@@ -324,8 +331,9 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
         ${isMarking || corners ? html`<p class="acc-hint">${rectangleWords()}</p>` : nothing}
       </div>
       ${legend(shown, first?.request.start !== undefined)}
+      <p class="provenance">${confirmed}</p>
       <p class="acc-take">Take home: ${saveButtons(exports(), ({ title }) => title)}</p>
-      <button type="button" class="button" @click=${() =>
+      <button type="button" class="button atlas-close" @click=${() =>
         set({ atlas: '', zoom: 0, by: 'lengths', at: '', maps: '', start: '' })}
         ?hidden=${settings.atlas === ''}>Close the map</button>`;
   }

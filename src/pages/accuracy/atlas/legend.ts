@@ -1,5 +1,4 @@
 import { html, type TemplateResult } from 'lit';
-import { ref } from 'lit/directives/ref.js';
 import { inkOfLost, PATTERNS } from '../../../charts/map-ink.ts';
 import { MARKS, type Mark, TENTHS } from '../../../lab/atlas/marks.ts';
 import { LEAVING_WORDS, MARK_WORDS, shareWords } from '../../../state/accuracy/atlas-words.ts';
@@ -11,14 +10,11 @@ export function legend(shown: readonly Shown[], isLeaving: boolean): TemplateRes
   const marks = MARKS.filter((mark) => !isLeaving || (mark !== 'count' && mark !== 'undecided'));
   return html`<ul class="atlas-legend" aria-label="What the marks mean">
     ${marks.map((mark) =>
-      mark === 'right'
-        ? item(
-            mark,
-            isLeaving ? 'right' : 'right; darker: more digits lost',
-            isLeaving ? () => 0 : lost,
-            shown,
-          )
-        : item(mark, words[mark], PATTERNS[mark], shown),
+      item(
+        mark,
+        mark === 'right' && !isLeaving ? 'right; darker: more digits lost' : words[mark],
+        shown,
+      ),
     )}
   </ul>`;
 }
@@ -41,28 +37,41 @@ const DENSITY = 2;
 /** From no digit lost to all. */
 const lost = (x: number): number => inkOfLost((16 * TENTHS * x) / (WIDTH * DENSITY));
 
-function item(
-  mark: Mark,
-  words: string,
-  ink: (x: number, y: number, size: number) => number,
-  shown: readonly Shown[],
-): TemplateResult {
+function item(mark: Mark, words: string, shown: readonly Shown[]): TemplateResult {
   return html`<li><canvas class="atlas-sample" width=${WIDTH * DENSITY} height=${HEIGHT * DENSITY}
-    data-mark=${mark} aria-hidden="true" ${ref((element) => paint(element, ink))}></canvas>
+    data-mark=${mark} aria-hidden="true" ></canvas>
     <span>${words}</span> <b>${shares(mark, shown)}</b></li>`;
 }
 
-function paint(element: Element | undefined, ink: (x: number, y: number, size: number) => number) {
-  if (!(element instanceof HTMLCanvasElement)) return;
-  const context = element.getContext('2d');
+/**
+ * Paints the samples in this ink, on nothing: what is below shows through. They are painted once
+ * for each ink.
+ */
+export function paintSamples(root: HTMLElement, isLeaving: boolean, ink: string): void {
+  for (const canvas of root.querySelectorAll<HTMLCanvasElement>('.atlas-sample')) {
+    const mark = MARKS.find((one) => one === canvas.dataset.mark) ?? 'right';
+    const pattern = mark !== 'right' ? PATTERNS[mark] : isLeaving ? () => 0 : lost;
+    const look = `${ink} ${mark} ${isLeaving}`;
+    if (painted.get(canvas) === look) continue;
+    painted.set(canvas, look);
+    paint(canvas, pattern, ink);
+  }
+}
+
+const painted = new WeakMap<HTMLCanvasElement, string>();
+
+function paint(
+  canvas: HTMLCanvasElement,
+  pattern: (x: number, y: number, size: number) => number,
+  ink: string,
+): void {
+  const context = canvas.getContext('2d');
   if (!context) return;
-  // Ink on nothing: what is below shows through, in every theme.
-  const { color } = getComputedStyle(element.parentElement ?? element);
-  context.clearRect(0, 0, element.width, element.height);
-  context.fillStyle = color;
-  for (let y = 0; y < element.height; y++) {
-    for (let x = 0; x < element.width; x++) {
-      context.globalAlpha = ink(x, y, 5 * DENSITY);
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  context.fillStyle = ink;
+  for (let y = 0; y < canvas.height; y++) {
+    for (let x = 0; x < canvas.width; x++) {
+      context.globalAlpha = pattern(x, y, 5 * DENSITY);
       context.fillRect(x, y, 1, 1);
     }
   }
