@@ -222,7 +222,7 @@ test('a link restores the settings, and says what it cannot use', async ({ page 
     );
   }
   await expect(page.locator('.provenance')).toContainText('seed 9');
-  await page.getByRole('button', { name: 'far away' }).click();
+  await page.getByRole('button', { name: 'far away', exact: true }).click();
   await expect(page).not.toHaveURL(/family=/);
   await page.goto('about:blank');
   await page.goto('./#/accuracy?family=nowhere&split=3');

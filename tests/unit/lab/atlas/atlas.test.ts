@@ -222,7 +222,7 @@ describe('borders', () => {
       const mapper = createMapper(request);
       const frame = mapOf(request);
       const borders = new Map(bordersOf(request.shape, frame).map((one) => [one.title, one]));
-      for (const pixel of somePixels(60)) {
+      for (const pixel of somePixels(24)) {
         const column = pixel % SIDE;
         const row = Math.floor(pixel / SIDE);
         const here = mapper.at(column, row);
