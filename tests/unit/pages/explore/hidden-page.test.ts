@@ -131,7 +131,10 @@ test.each(ASKS)('asked for %s, no example has a word of its story on the page', 
 });
 
 test('the gallery has numbers alone', () => {
-  const text = written(galleryContent(null, nothing, null, true, nothing, nothing));
+  const whole = written(galleryContent(null, nothing, null, true, nothing, nothing));
+  // The maps below it are of rays of their own, whose names may be like an example's.
+  const [text = ''] = whole.split('<section aria-label="Maps">');
+  expect(text).not.toBe(whole);
   for (const { id, title, asks } of GALLERY) {
     expect(text).not.toContain(asks);
     expect(text, id).not.toMatch(new RegExp(`>${title}<|"${id}"|=${id}\\b`));
