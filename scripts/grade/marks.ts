@@ -1,4 +1,5 @@
 import { csv } from '../../src/check/class.ts';
+import { xmlText } from '../../src/check/exports/xml.ts';
 import { GROUPS, type GroupId } from '../../src/check/program/cases.ts';
 import type { GroupScore, Report } from '../../src/check/program/report.ts';
 import { BRANCHES } from '../../src/check/program/suspects.ts';
@@ -96,16 +97,6 @@ export function gradescope(graded: Graded, weights: Weights): string {
   const result = { score: scoreOf(graded, weights), output, output_format: 'text', tests };
   return `${JSON.stringify(result, null, 2)}\n`;
 }
-
-/** Text within XML; what XML 1.0 cannot hold is left out. */
-const xmlText = (text: string): string =>
-  text
-    // biome-ignore lint/suspicious/noControlCharactersInRegex: XML 1.0 has no such characters.
-    .replace(/[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|\p{Surrogate}/gu, '')
-    .replaceAll('&', '&amp;')
-    .replaceAll('<', '&lt;')
-    .replaceAll('>', '&gt;')
-    .replaceAll('"', '&quot;');
 
 /** A suite for each submission, a test for each family of cases. */
 export function junit(all: readonly Graded[]): string {

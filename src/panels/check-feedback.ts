@@ -185,7 +185,7 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
 }
 
 /** The lines of the solution, why they decide the question, and the answers. */
-function solution(posed: Posed): TemplateResult {
+export function solution(posed: Posed): TemplateResult {
   const { lines, decision } = solutionOf(posed);
   const answers = posed.fields.map(
     (field, i) =>

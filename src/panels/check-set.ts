@@ -18,6 +18,10 @@ export interface SetView {
   readonly count: number;
   /** Why the last change was not taken; '' if it was. */
   readonly refusal: string;
+  readonly files: readonly CourseFile[];
+  readonly sheets: Sheets;
+  /** Sheets that are made; null while none are. */
+  readonly making: { readonly done: number; readonly total: number } | null;
 }
 
 export interface SetTools {
@@ -28,6 +32,25 @@ export interface SetTools {
   seed(seed: number): void;
   copy(): void;
   open(): void;
+  /** Saves a file for a course system. */
+  save(id: string): void;
+  sheets(sheets: Sheets): void;
+  print(): void;
+}
+
+/** Which sheets are printed: those of the seeds from one to another, or of names. */
+export interface Sheets {
+  readonly from: number;
+  readonly to: number;
+  readonly paper: 'a4' | 'letter';
+  readonly key: boolean;
+}
+
+/** A file for a course system, and what is in it. */
+export interface CourseFile {
+  readonly id: string;
+  readonly title: string;
+  readonly says: string;
 }
 
 /** The form in which a lecturer makes a set, and its link. */
@@ -74,6 +97,15 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
     </div>
     <p class="tolerance">On that page students give a name or number: each gets numbers of their
       own by it, which you get back from the same name and seed.</p>
+    ${sheetFields(view, tools)}
+    <fieldset><legend>Files for course systems</legend>
+      <p class="set-about">For the questions of this seed. Nothing is sent anywhere: a file is saved
+        on this device.</p>
+      <ul class="set-files">${view.files.map(
+        ({ id, title, says }) => html`<li><button type="button" class="button"
+          @click=${() => tools.save(id)}>${title}</button> <span>${says}</span></li>`,
+      )}</ul>
+    </fieldset>
   </form>`;
 }
 
@@ -84,4 +116,35 @@ function exerciseRow(id: string, topic: string, view: SetView, tools: SetTools):
       .value=${String(now)}
       @change=${(event: Event) => tools.times(id, Number((event.target as HTMLInputElement).value))}
     /></li>`;
+}
+
+function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResult {
+  const number = (key: 'from' | 'to', label: string): TemplateResult => html`<label>${label}
+    <input class="set-seed" inputmode="numeric" .value=${String(sheets[key])}
+      @change=${(event: Event) =>
+        tools.sheets({ ...sheets, [key]: Number((event.target as HTMLInputElement).value) })}
+    /></label>`;
+  return html`<fieldset><legend>On paper</legend>
+    <p class="set-about">A sheet for each seed, with space for working; then, if wanted, the key
+      with worked solutions. The browser’s own command prints the same, also into a PDF.</p>
+    <div class="set-choices">
+      ${number('from', 'seeds from')} ${number('to', 'to')}
+      <label>paper <select @change=${(event: Event) =>
+        tools.sheets({
+          ...sheets,
+          paper: (event.target as HTMLSelectElement).value as Sheets['paper'],
+        })}>
+        <option value="a4" ?selected=${sheets.paper === 'a4'}>A4</option>
+        <option value="letter" ?selected=${sheets.paper === 'letter'}>Letter</option>
+      </select></label>
+      <label><input type="checkbox" .checked=${sheets.key}
+        @change=${(event: Event) =>
+          tools.sheets({ ...sheets, key: (event.target as HTMLInputElement).checked })}
+      /> with the key</label>
+    </div>
+    <div class="buttons"><button type="button" class="button" ?disabled=${making !== null}
+      @click=${tools.print}>Print the sheets</button>
+      <span role="status">${making ? `sheet ${making.done} of ${making.total}` : nothing}</span>
+    </div>
+  </fieldset>`;
 }

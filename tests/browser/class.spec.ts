@@ -131,3 +131,36 @@ test('two hundred codes are marked while the page answers', async ({ page }) => 
   await page.getByRole('button', { name: 'Mark these codes' }).click();
   await expect(page.getByRole('alert')).toContainText('the check value does not fit');
 });
+
+test('a set is saved for course systems, and printed on the paper that is chosen', async ({
+  page,
+}) => {
+  await openCheck(page, `part=set&${LINK}`);
+  for (const [button, name, begins] of [
+    ['Moodle XML', 'graze-moodle.xml', '<?xml'],
+    ['GIFT', 'graze.gift.txt', '::'],
+    ['QTI 2.1', 'graze-qti.zip', 'PK'],
+    ['STACK', 'graze-stack.xml', '<?xml'],
+  ] as const) {
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: button, exact: true }).click(),
+    ]);
+    expect(file.suggestedFilename()).toBe(name);
+    expect(readFileSync(await file.path(), 'latin1').startsWith(begins)).toBe(true);
+  }
+  await page.getByLabel('to', { exact: true }).fill('43');
+  await page.getByLabel('to', { exact: true }).press('Enter');
+  for (const [paper, width] of [
+    ['a4', 595],
+    ['letter', 612],
+  ] as const) {
+    await page.getByLabel('paper').selectOption(paper);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    const boxes = [...pdf.matchAll(/\/MediaBox \[0 0 ([\d.]+)/g)].map(([, w]) =>
+      Math.round(Number(w)),
+    );
+    // Three sheets, and three keys.
+    expect(boxes).toEqual(Array.from({ length: 6 }, () => width));
+  }
+});

@@ -1,10 +1,33 @@
 import { html, render } from 'lit';
 import { EXERCISES } from '../../check/exercises/index.ts';
-import { CHOSEN, type Chosen, partsOf, setId, setOf, setProblem } from '../../check/sets.ts';
+import { gift } from '../../check/exports/gift.ts';
+import { moodleXml } from '../../check/exports/moodle.ts';
+import { type Part, partsOfSet } from '../../check/exports/parts.ts';
+import { qtiFiles } from '../../check/exports/qti.ts';
+import { stackXml } from '../../check/exports/stack.ts';
+import {
+  CHOSEN,
+  type Chosen,
+  partsOf,
+  setId,
+  setName,
+  setOf,
+  setProblem,
+} from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
-import { type SetTools, type SetView, setForm } from '../../panels/check-set.ts';
+import {
+  type CourseFile,
+  type SetTools,
+  type SetView,
+  type Sheets,
+  setForm,
+} from '../../panels/check-set.ts';
+import { zipOf } from '../../state/zip.ts';
 import { copyText } from '../../ui/clipboard.ts';
+import { download } from '../../ui/files.ts';
+import { printPage, printsAs } from '../handout/print.ts';
+import { MOST_SHEETS, type Sheet, seedsOf, sheetOf, sheetsHandout } from '../handout/sheets.ts';
 import type { PartContext, WidePart } from './part.ts';
 import type { CheckSettings } from './settings.ts';
 
@@ -44,9 +67,86 @@ function idOf({ times, shapes, level, hints }: Made): string {
   return setId(base, chosen);
 }
 
+interface FileKind extends CourseFile {
+  readonly name: string;
+  readonly type: string;
+  readonly content: (parts: readonly Part[], about: string) => BlobPart;
+}
+
+const FILES: readonly FileKind[] = [
+  {
+    id: 'moodle',
+    title: 'Moodle XML',
+    says:
+      'Numerical and multiple choice questions for Moodle’s question bank: text, right answer, ' +
+      'worked reason, and for each known mistake its wrong answer with what to look at again.',
+    name: 'graze-moodle.xml',
+    type: 'application/xml',
+    content: moodleXml,
+  },
+  {
+    id: 'gift',
+    title: 'GIFT',
+    says: 'The same as plain text, which Moodle and others read.',
+    name: 'graze.gift.txt',
+    type: 'text/plain',
+    content: gift,
+  },
+  {
+    id: 'qti',
+    title: 'QTI 2.1',
+    says: 'The same as a package (zip) of the IMS standard, for other course systems.',
+    name: 'graze-qti.zip',
+    type: 'application/zip',
+    content: (parts) => zipOf(qtiFiles(parts)) as BlobPart,
+  },
+  {
+    id: 'stack',
+    title: 'STACK',
+    says:
+      'Of the questions on A, B, C, D and two roots: Moodle XML for STACK, in which Maxima ' +
+      'computes the answer and each mistake from its formula, a node each of the response tree.',
+    name: 'graze-stack.xml',
+    type: 'application/xml',
+    content: stackXml,
+  },
+];
+
 /** Where a set is made; all of it is in the link. */
 export function createSetPart({ set, changed, say }: PartContext): WidePart {
   let refusal = '';
+  let sheets: Sheets = { from: 1, to: 1, paper: 'a4', key: true };
+  let making: SetView['making'] = null;
+  let made: { readonly set: string; readonly sheets: readonly Sheet[] } = { set: '', sheets: [] };
+  let host: HTMLElement | null = null;
+  const isShown = (): boolean => host?.isConnected === true && host.closest('[hidden]') === null;
+  /** The sheet of a seed; what was made before is kept while the set is the same. */
+  const sheetFor = (set: string, seed: number): Sheet => {
+    const known = made.set === set ? made.sheets.find((one) => one.seed === seed) : undefined;
+    const sheet = known ?? sheetOf(set, seed);
+    if (!known) made = { set, sheets: [...(made.set === set ? made.sheets : []), sheet] };
+    return sheet;
+  };
+  const prepare = async (): Promise<boolean> => {
+    if (!now) return false;
+    const { set } = now;
+    const seeds = seedsOf(sheets);
+    for (const [i, seed] of seeds.entries()) {
+      making = { done: i + 1, total: seeds.length };
+      changed();
+      sheetFor(set, seed);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    making = null;
+    changed();
+    return now.set === set && isShown();
+  };
+  printsAs(() => {
+    if (!now || !isShown()) return null;
+    const { set } = now;
+    const all = seedsOf(sheets).map((seed) => sheetFor(set, seed));
+    return sheetsHandout(set, all, sheets);
+  }, prepare);
   let now: CheckSettings | null = null;
   let link = '';
   const put = (change: Partial<Made>): void => {
@@ -85,19 +185,46 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
       const copied = await copyText(link);
       say(copied ? 'copied: the link of the set' : 'it could not be copied: mark it and copy it');
     },
+    save(id) {
+      const file = FILES.find((one) => one.id === id);
+      if (!now || !file) return;
+      const parts = partsOfSet(now.seed, now.set);
+      const about = `Graze/${setName(now.set)}, seed ${now.seed}`;
+      download(file.name, new Blob([file.content(parts, about)], { type: file.type }));
+    },
+    sheets(wanted) {
+      const { from, to } = wanted;
+      const whole = [from, to].every((x) => Number.isSafeInteger(x) && Math.abs(x) < 1e9);
+      if (!whole) refusal = 'Seeds are whole numbers of up to nine digits.';
+      else if (to - from >= MOST_SHEETS) refusal = `Up to ${MOST_SHEETS} sheets at a time.`;
+      else {
+        refusal = '';
+        sheets =
+          to < from
+            ? { ...wanted, ...(from === sheets.from ? { from: to } : { to: from }) }
+            : wanted;
+      }
+      changed();
+    },
+    print: () => void printPage(),
     open: () => set({ part: 'questions', question: 0 }),
   };
   return {
-    render(host, settings) {
+    render(own, settings) {
+      host = own;
+      if (now && now.seed !== settings.seed && sheets.from === sheets.to) {
+        sheets = { ...sheets, from: settings.seed, to: settings.seed };
+      } else if (!now) sheets = { ...sheets, from: settings.seed, to: settings.seed };
       now = settings;
       link = `${location.href.split(/[?#]/)[0]}${setLink(settings.set, settings.seed)}`;
       const { times, shapes, level, hints } = madeOf(settings.set);
       const view: SetView = {
         times: Object.fromEntries(times),
         ...{ shapes, level, hints, seed: settings.seed, link, refusal },
+        ...{ files: FILES, sheets, making },
         count: [...times.values()].reduce((sum, count) => sum + count, 0),
       };
-      render(html`${setForm(view, tools)}`, host);
+      render(html`${setForm(view, tools)}`, own);
     },
   };
 }

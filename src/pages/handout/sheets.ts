@@ -1,0 +1,88 @@
+import { html, type TemplateResult } from 'lit';
+import type { Posed } from '../../check/compose.ts';
+import { plan, question } from '../../check/session.ts';
+import { setName } from '../../check/sets.ts';
+import type { Field } from '../../check/types.ts';
+import { definitionOf } from '../../math/shapes.ts';
+import { solution } from '../../panels/check-feedback.ts';
+import { inputRow, shownAnswer } from '../../panels/check-given.ts';
+import type { Sheets } from '../../panels/check-set.ts';
+import type { Handout } from './print.ts';
+import './sheets.css';
+
+/** Most sheets of one print: more are printed in portions. */
+export const MOST_SHEETS = 200;
+
+/** The questions of a seed. */
+export interface Sheet {
+  readonly seed: number;
+  readonly posed: readonly Posed[];
+}
+
+/** The seeds of these sheets, in order. */
+export const seedsOf = ({ from, to }: Sheets): number[] =>
+  Array.from({ length: to - from + 1 }, (_, i) => from + i);
+
+export const sheetOf = (set: string, seed: number): Sheet => ({
+  seed,
+  posed: plan(seed, set).map((_, i) => question(seed, i, set)),
+});
+
+/** The sheets one after the other, and behind them their keys. */
+export function sheetsHandout(
+  set: string,
+  sheets: readonly Sheet[],
+  { paper, key }: Sheets,
+): Handout {
+  const page = `sheet sheet-${paper}`;
+  return {
+    content: html`<div>${sheets.map(
+      (sheet) => html`<section class=${page}>${head(set, sheet.seed, false)}
+        ${sheet.posed.map((posed, i) => asked(posed, i))}</section>`,
+    )}${
+      key
+        ? sheets.map(
+            (sheet) => html`<section class="${page} sheet-key">${head(set, sheet.seed, true)}
+              ${sheet.posed.map((posed, i) => solved(posed, i))}</section>`,
+          )
+        : ''
+    }</div>`,
+    drawn: () => {},
+  };
+}
+
+const head = (set: string, seed: number, isKey: boolean): TemplateResult =>
+  html`<header class="sheet-head"><h1>${isKey ? 'Key' : 'Where does the ray meet it?'}</h1>
+    <span>${setName(set)}, seed ${seed}</span>${
+      isKey ? '' : html`<span class="sheet-name">Name <span></span></span>`
+    }</header>`;
+
+function about({ draft, exercise, given }: Posed, i: number): TemplateResult {
+  const unknown = exercise.asksForParam ? (draft.param?.key ?? null) : null;
+  const told = Object.entries(given);
+  return html`<h2>${i + 1}  ${definitionOf(draft.shape).title}: ${exercise.topic}</h2>
+    <p>${exercise.ask(draft)}</p>${inputRow(draft, unknown)}${
+      told.length === 0
+        ? ''
+        : html`<p>Given: ${told
+            .map(([id, answer]) => `${SHORT[id] ?? id} = ${shownAnswer(answer)}`)
+            .join(', ')}</p>`
+    }`;
+}
+
+const SHORT: Readonly<Record<string, string>> = { t1: 't₁', t2: 't₂' };
+
+const asked = (posed: Posed, i: number): TemplateResult =>
+  html`<div class="sheet-question" .style=${`--answers: ${posed.fields.length}`}>${about(posed, i)}
+    <div class="sheet-working"></div>
+    <div class="sheet-answers">${posed.fields.map(answerPlace)}</div></div>`;
+
+const answerPlace = ({ kind, label, options }: Field): TemplateResult =>
+  kind === 'choice'
+    ? html`<span class="sheet-answer">${label}: ${options.map(
+        ({ title }) => html`<span><span class="sheet-box"></span> ${title}</span>`,
+      )}</span>`
+    : html`<span class="sheet-answer">${label} = <span class="sheet-line"></span></span>`;
+
+const solved = (posed: Posed, i: number): TemplateResult =>
+  html`<div class="sheet-question">${about(posed, i)}${solution(posed)}</div>`;
