@@ -83,6 +83,7 @@ export const SETS: Readonly<Record<string, QuestionSet>> = {
     turns: [
       { exercise: 'flat', times: 2, kinds: FLAT },
       { exercise: 'coefficients', times: 2, kinds: CURVED },
+      { exercise: 'side', times: 1, kinds: CURVED },
       { exercise: 'discriminant', times: 2, kinds: CURVED },
       { exercise: 'roots', times: 1, kinds: CURVED },
       { exercise: 'first', times: 1, kinds: CURVED },

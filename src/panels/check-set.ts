@@ -34,7 +34,7 @@ export interface SetTools {
   open(): void;
   /** Saves a file for a course system. */
   save(id: string): void;
-  sheets(sheets: Sheets): void;
+  sheets(change: Partial<Sheets>): void;
   print(): void;
 }
 
@@ -122,7 +122,7 @@ function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResu
   const number = (key: 'from' | 'to', label: string): TemplateResult => html`<label>${label}
     <input class="set-seed" inputmode="numeric" .value=${String(sheets[key])}
       @change=${(event: Event) =>
-        tools.sheets({ ...sheets, [key]: Number((event.target as HTMLInputElement).value) })}
+        tools.sheets({ [key]: Number((event.target as HTMLInputElement).value) })}
     /></label>`;
   return html`<fieldset><legend>On paper</legend>
     <p class="set-about">A sheet for each seed, with space for working; then, if wanted, the key
@@ -130,16 +130,13 @@ function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResu
     <div class="set-choices">
       ${number('from', 'seeds from')} ${number('to', 'to')}
       <label>paper <select @change=${(event: Event) =>
-        tools.sheets({
-          ...sheets,
-          paper: (event.target as HTMLSelectElement).value as Sheets['paper'],
-        })}>
+        tools.sheets({ paper: (event.target as HTMLSelectElement).value as Sheets['paper'] })}>
         <option value="a4" ?selected=${sheets.paper === 'a4'}>A4</option>
         <option value="letter" ?selected=${sheets.paper === 'letter'}>Letter</option>
       </select></label>
       <label><input type="checkbox" .checked=${sheets.key}
         @change=${(event: Event) =>
-          tools.sheets({ ...sheets, key: (event.target as HTMLInputElement).checked })}
+          tools.sheets({ key: (event.target as HTMLInputElement).checked })}
       /> with the key</label>
     </div>
     <div class="buttons"><button type="button" class="button" ?disabled=${making !== null}

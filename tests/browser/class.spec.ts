@@ -62,8 +62,8 @@ test('a set is made in the form, answered under a name, handed in and marked', a
   }
   await page.getByLabel('numbers').selectOption('1');
   await page.getByRole('checkbox', { name: 'hints and solutions' }).press('Space');
-  await page.getByLabel('seed').fill('41');
-  await page.getByLabel('seed').press('Enter');
+  await page.getByLabel('seed', { exact: true }).fill('41');
+  await page.getByLabel('seed', { exact: true }).press('Enter');
   const link = page.getByRole('textbox', { name: 'Link' });
   await expect(link).toHaveValue(
     /#\/check\?set=coefficients,roots&shapes=cylinder&level=1&hints=off&seed=41$/,

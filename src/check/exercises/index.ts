@@ -10,6 +10,7 @@ import { normal } from './normal.ts';
 import { point } from './point.ts';
 import { roots } from './roots.ts';
 import { shadow } from './shadow.ts';
+import { side } from './side.ts';
 import { linear, parallel, position } from './special.ts';
 import { tangent } from './tangent.ts';
 
@@ -20,6 +21,7 @@ import { tangent } from './tangent.ts';
 export const EXERCISES: readonly Exercise[] = [
   flat,
   coefficients,
+  side,
   discriminant,
   roots,
   first,

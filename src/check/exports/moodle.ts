@@ -9,7 +9,7 @@ import { htmlInXml, xmlText } from './xml.ts';
 const text = (tag: string, words: string): string =>
   `    <${tag} format="html"><text>${htmlInXml(words)}</text></${tag}>`;
 
-export function moodleHead(part: Part): string[] {
+function moodleHead(part: Part): string[] {
   return [
     `    <name><text>${xmlText(part.title)}</text></name>`,
     text('questiontext', part.prompt),

@@ -50,7 +50,7 @@ const shown = (answer: Answer): string =>
 const NAMES: Readonly<Record<string, string>> = { t1: 't₁', t2: 't₂' };
 
 /** The question's text: what is asked, ray and shape, and what is given beside. */
-export function promptOf({ exercise, draft, given }: Posed): string {
+function promptOf({ exercise, draft, given }: Posed): string {
   const { params, title } = definitionOf(draft.shape);
   const numbers = draft.shape as unknown as Readonly<Record<string, Answer>>;
   const shape = params.map(({ symbol, key }) => {

@@ -33,7 +33,7 @@ const set = (identifier: string, type: string, x: string): string =>
 const identifier = (id: string): string => `m-${id.replace(/[^\w-]/g, '-')}`;
 
 /** One part as an assessmentItem. */
-export function qtiItem(part: Part): string {
+function qtiItem(part: Part): string {
   const { answer, options, wrong } = part;
   const isNumber = typeof answer === 'number';
   const type = isNumber ? 'float' : 'identifier';
@@ -66,7 +66,9 @@ export function qtiItem(part: Part): string {
     '    <defaultValue><value>0</value></defaultValue>',
     '  </outcomeDeclaration>',
     '  <outcomeDeclaration identifier="FEEDBACK" cardinality="single" baseType="identifier"/>',
-    `  <itemBody><div>${paragraphs(part.prompt)}</div>${isNumber ? `<div>${interaction}</div>` : interaction}</itemBody>`,
+    `  <itemBody><div>${paragraphs(part.prompt)}</div>`,
+    isNumber ? `<div>${interaction}</div>` : interaction,
+    '  </itemBody>',
     '  <responseProcessing>',
     '    <responseCondition>',
     `      <responseIf>${equals(answer)}${set('SCORE', 'float', '1')}` +

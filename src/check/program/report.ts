@@ -135,8 +135,17 @@ function familyReport(group: GroupId, family: string, members: readonly Failure[
     total: members.length,
     digits: digits.length === 0 ? null : Math.min(...digits),
     says: failures.length === 0 ? 'all right' : reasons(failures),
-    first: failures[0] ?? null,
+    first: simplest(failures),
   };
+}
+
+/** The failure whose input takes the fewest characters: the easiest to work out by hand. */
+function simplest(failures: readonly Failure[]): Failure | null {
+  const length = ({ case: { shape, ray } }: Failure): number => JSON.stringify([shape, ray]).length;
+  const [first, ...others] = failures;
+  return first
+    ? others.reduce((best, one) => (length(one) < length(best) ? one : best), first)
+    : null;
 }
 
 /** The reasons of failures without their numbers, counted. */

@@ -154,7 +154,11 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
     const id = idOf({ ...madeOf(now.set), ...change });
     const empty = partsOf(id).base === '';
     refusal = empty ? 'A set has at least one question.' : words(setProblem(id));
-    if (refusal === '') set({ set: id, question: 0 });
+    if (refusal === '') {
+      set({ set: id, question: 0 });
+      // Another change may come before the page is drawn with this one.
+      now = { ...now, set: id };
+    }
     changed();
   };
   const tools: SetTools = {
@@ -192,7 +196,8 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
       const about = `Graze/${setName(now.set)}, seed ${now.seed}`;
       download(file.name, new Blob([file.content(parts, about)], { type: file.type }));
     },
-    sheets(wanted) {
+    sheets(change) {
+      const wanted = { ...sheets, ...change };
       const { from, to } = wanted;
       const whole = [from, to].every((x) => Number.isSafeInteger(x) && Math.abs(x) < 1e9);
       if (!whole) refusal = 'Seeds are whole numbers of up to nine digits.';

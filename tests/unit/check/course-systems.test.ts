@@ -79,7 +79,8 @@ def words(node):
 def read(q):
     return {'title': q.find('name/text').text, 'prompt': words(q.find('questiontext')),
       'answers': [[a.find('text').text, float(a.get('fraction')),
-        float(a.findtext('tolerance') or 0), words(a.find('feedback'))] for a in q.findall('answer')]}
+        float(a.findtext('tolerance') or 0), words(a.find('feedback'))]
+        for a in q.findall('answer')]}
 print(json.dumps([read(q) for q in root if q.get('type') in ('numerical', 'multichoice')]))
 `;
 
@@ -170,7 +171,8 @@ for name, responses in zip(files, asked):
     item = E.parse(at + name).getroot()
     prompt = '\\n'.join(p.text or '' for p in item.find(Q + 'itemBody/' + Q + 'div'))
     right = item.find(Q + 'responseDeclaration/' + Q + 'correctResponse/' + Q + 'value').text
-    ids = [e.get('identifier') for e in item.iter() if e.tag in (Q + 'simpleChoice', Q + 'modalFeedback')]
+    told = (Q + 'simpleChoice', Q + 'modalFeedback')
+    ids = [e.get('identifier') for e in item.iter() if e.tag in told]
     result.append({'title': item.get('title'), 'prompt': prompt, 'right': right,
       'unique': len(ids) == len(set(ids)), 'marked': [process(item, r) for r in responses]})
 print(json.dumps(result))

@@ -8,7 +8,7 @@ import { judge } from '../../../src/check/judge.ts';
 import { plan, question } from '../../../src/check/session.ts';
 import { FIRST_SET, setOf } from '../../../src/check/sets.ts';
 import type { Answer, Answers, Field } from '../../../src/check/types.ts';
-import { intersect } from '../../../src/math/index.ts';
+import { type Intersection, intersect } from '../../../src/math/index.ts';
 import { shortest } from '../../../src/text/format.ts';
 import { many } from '../many.ts';
 
@@ -24,6 +24,11 @@ const texts = (fields: readonly Field[], answers: Answers): Texts =>
 
 const answered = (posed: Posed, answers: Answers) =>
   judge(derivationFor(posed), texts(posed.fields, answers));
+
+const sideAt = (details: Intersection['details']): string => {
+  const C = details.family === 'curved' ? details.C : Number.NaN;
+  return C < 0 ? 'inside' : C > 0 ? 'outside' : 'on';
+};
 
 /** The truth again, by the exact method and nothing of src/check. */
 function byExactMethod({ draft, fields }: Posed): Answers {
@@ -47,6 +52,7 @@ function byExactMethod({ draft, fields }: Posed): Answers {
     why: first && hits.indexOf(first) === 0 ? 'farther' : 'behind',
     shadow: first && first.t > 0 && first.t < 1 ? 'dark' : 'lit',
     value: draft.param?.value,
+    side: sideAt(details),
   };
   const at = (by: number): string => {
     if (!draft.param) return '';
