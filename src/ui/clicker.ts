@@ -61,6 +61,12 @@ export function watchClicker(turns: () => boolean, announce: (words: string) => 
   const screen = blackScreen(announce);
   const keys = createClickerKeys();
   const down = (event: KeyboardEvent): void => {
+    // Some clickers begin a show with F5: on a stage that would take back what is revealed.
+    if (event.key === 'F5' && document.fullscreenElement) {
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      return;
+    }
     const at = event.target instanceof HTMLElement ? event.target : null;
     const focused = at?.matches('select') ? 'select' : at?.matches(TEXT) ? 'text' : 'other';
     const whose = keys.press(event, focused, screen.open);

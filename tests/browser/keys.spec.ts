@@ -224,3 +224,38 @@ test('the screen is black on every page, until a key or a click that does nothin
   expect(await violations(page)).toEqual([]);
   await page.keyboard.press('.');
 });
+
+alone(
+  'on a stage F5 reloads nothing, and by its link all comes back that a link has',
+  async ({ page }) => {
+    const prevented = (): Promise<boolean[]> =>
+      page.evaluate(() =>
+        [false, true].map((shiftKey) => {
+          const init = { key: 'F5', shiftKey, bubbles: true, cancelable: true };
+          return !document.body.dispatchEvent(new KeyboardEvent('keydown', init));
+        }),
+      );
+    // A reload is the browser's own elsewhere.
+    expect(await prevented()).toEqual([false, false]);
+    await page.keyboard.press('h');
+    await page.keyboard.press('PageDown');
+    await page.keyboard.press('PageDown');
+    await page.keyboard.press('f');
+    await page.waitForFunction(() => document.fullscreenElement !== null);
+    const lines = Object.keys(await quantities(page));
+    expect(await prevented()).toEqual([true, true]);
+    expect(Object.keys(await quantities(page))).toEqual(lines);
+    await page.keyboard.press('f');
+    await page.waitForFunction(() => document.fullscreenElement === null);
+    // Without a stage: the lines are hidden again and none is told; a lesson stands where it was.
+    await linkWritten(page);
+    await page.reload();
+    await page.locator('[data-quantity="E.x"]').first().waitFor();
+    await expect(page.locator('[data-quantity="class"]')).toHaveCount(0);
+    await page.goto('./#/lesson/ray?step=4&guess=1.8');
+    await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '4');
+    await page.reload();
+    await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '4');
+    await expect(page.getByText('Your guess 1.8: right')).toBeVisible();
+  },
+);

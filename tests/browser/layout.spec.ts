@@ -126,13 +126,15 @@ const TIGHT = new Set([320, 512, 900]);
 /** Those that a page may be laid out otherwise in. */
 const DISTINCT = new Set([320, 390, 601, 512, 844, 900]);
 
-/** A link of each page that does not look after its width in a test of its own. */
+/** A link of each page, and of steps with each other page. */
 const EVERY_PAGE = [
   '#/explore?shape=hyperboloid',
   '#/lesson',
   '#/lesson/ray?step=5',
   '#/picture?size=64x36',
   '#/check?seed=41',
+  '#/lesson/ray?step=6',
+  '#/accuracy?shape=cone',
 ];
 
 test('no page and no header is wider than a window, in any theme', async ({ page }) => {
@@ -140,7 +142,7 @@ test('no page and no header is wider than a window, in any theme', async ({ page
   for (const link of EVERY_PAGE) {
     await open(page, link);
     // By now its code is there: a heading, a table or the scene.
-    await page.locator('main :is(canvas, table, h2)').first().waitFor();
+    await page.locator('main :is(canvas, table, h2)').filter({ visible: true }).first().waitFor();
     for (const theme of ['light', 'projector']) {
       const widths = theme === 'light' ? DISTINCT : TIGHT;
       const all = WINDOWS.filter(({ width }) => widths.has(width));
