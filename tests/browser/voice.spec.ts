@@ -1,4 +1,9 @@
 import { commandsOf } from '../../src/pages/commands.ts';
+import { closerLook } from '../../src/state/closer-look.ts';
+import { createDerive } from '../../src/state/derive.ts';
+import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/hearing.ts';
+import { INITIAL } from '../../src/state/state.ts';
+import { decode } from '../../src/state/url.ts';
 import { box, expectInLink, typeInto } from './support/controls.ts';
 import { NO_SCENE, open, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -80,7 +85,7 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
   // A full screen withdraws the controls.
   await page.evaluate(() => document.exitFullscreen().catch(() => {}));
   // Heard: t from 0 to the end in six seconds; the roots are 2 and 6, inside between them.
-  await open(page, '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0');
+  await open(page, HEARD);
   if (await page.getByRole('button', { name: 'show results' }).isVisible()) {
     await page.keyboard.press('h');
   }
@@ -94,27 +99,59 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
   await expectInLink(page, { shape: 'cylinder' });
   const to = Number(await page.locator('[data-quantity="bead.t"]').getAttribute('data-value'));
   expect(to).toBeGreaterThanOrEqual(0);
-  const heardAt = await page.evaluate(async () => {
+  const samples = await page.evaluate(async () => {
     const { sound } = window as unknown as { sound: OfflineAudioContext };
-    const samples = (await sound.startRendering()).getChannelData(0);
-    const rate = sound.sampleRate;
-    /** Loudness and pitch, by crossings of zero, in twentieths of a second. */
-    return Array.from({ length: 6 * 20 }, (_, i) => {
-      const part = samples.slice(((0.15 + i / 20) * rate) | 0, ((0.15 + (i + 1) / 20) * rate) | 0);
-      const loud = Math.hypot(...part) / Math.sqrt(part.length);
-      const crossings = part.filter((x, k) => x > 0 && (part[k - 1] ?? 0) <= 0).length;
-      return { loud, hertz: crossings * 20 };
-    });
+    return [...(await sound.startRendering()).getChannelData(0)];
   });
-  const isLoud = heardAt.map(({ loud }) => loud > 0.01);
-  const first = isLoud.indexOf(false);
-  const last = isLoud.lastIndexOf(false, 110);
-  expect(first).toBeGreaterThan(5);
-  expect(isLoud.slice(first, last).filter(Boolean).length, 'silence inside').toBeLessThan(3);
-  expect(last - first).toBeGreaterThan(20);
-  // It comes down to the steady tone, and goes up from it again.
-  const mean = (from: number, to: number): number =>
-    heardAt.slice(from, to).reduce((sum, { hertz }) => sum + hertz, 0) / (to - from);
-  expect(mean(0, 4)).toBeGreaterThan(1.2 * mean(first - 5, first - 1));
-  expect(heardAt.length).toBe(120);
+  heardAsWritten(samples, scoreOf(createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph));
 });
+
+const HEARD = '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0';
+const RATE = 16_000;
+/** Seconds before it begins, and of a part that is listened to. */
+const LEAD = 0.15;
+const PART = 0.05;
+
+/** How much of a tone is in these samples, as an amplitude (Goertzel). */
+function amplitude(samples: readonly number[], hertz: number): number {
+  const turn = (2 * Math.PI * hertz) / RATE;
+  const [x, y] = [Math.cos, Math.sin].map((wave) =>
+    samples.reduce((sum, sample, i) => sum + sample * wave(turn * i), 0),
+  );
+  return (2 * Math.hypot(x ?? 0, y ?? 0)) / samples.length;
+}
+
+/** Every twentieth of a second sounds as the score has it: pitch, steady tone, click, silence. */
+function heardAsWritten(samples: readonly number[], { seconds, tones, clicks }: Score): void {
+  expect(clicks).toHaveLength(2);
+  let [told, silent] = [0, 0];
+  for (let at = 0; at + PART <= seconds; at += PART) {
+    const from = Math.round((LEAD + at) * RATE);
+    const part = samples.slice(from, from + PART * RATE);
+    const clicked = clicks.some((click) => click > at - PART && click < at + PART);
+    // A click dies away within one part.
+    if (!clicked) expect(amplitude(part, 1800), `no click at ${at}`).toBeLessThan(0.02);
+    else if (clicks.some((click) => click >= at && click < at + PART / 2)) {
+      expect(amplitude(part, 1800), `a click at ${at}`).toBeGreaterThan(0.02);
+    }
+    const tone = tones.find(({ begin, end }) => begin + PART <= at && end - PART >= at + PART);
+    if (tone) {
+      expect(amplitude(part, REFERENCE_HZ), `the steady tone at ${at}`).toBeGreaterThan(0.05);
+      const middle = at + PART / 2;
+      const pitch = tone.pitch.find((one) => one.at >= middle)?.hertz ?? 0;
+      // Two tones that are closer than a part tells apart beat with each other.
+      if (Math.abs(pitch - REFERENCE_HZ) < 2 / PART) continue;
+      told += 1;
+      // The pitch glides: its middle is the shorter, the better it is one tone.
+      const middling = part.slice(part.length / 4, (3 * part.length) / 4);
+      const loud = amplitude(middling, pitch);
+      expect(loud, `${pitch} Hz at ${at}`).toBeGreaterThan(0.05);
+      expect(amplitude(middling, 1.5 * pitch), `nothing above, at ${at}`).toBeLessThan(loud / 2);
+    } else if (!clicked && tones.every(({ begin, end }) => end < at || begin > at + PART)) {
+      silent += 1;
+      expect(Math.max(...part.map(Math.abs)), `silence at ${at}`).toBeLessThan(1e-3);
+    }
+  }
+  expect(told).toBeGreaterThan(20);
+  expect(silent).toBeGreaterThan(20);
+}
