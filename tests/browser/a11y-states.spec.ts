@@ -4,6 +4,13 @@ import { expect, test } from './support/test.ts';
 
 test.use({ viewport: { width: 1280, height: 720 } });
 
+const SIZES = [
+  { width: 1280, height: 720 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+  { width: 844, height: 390 },
+] as const;
+
 test('axe finds nothing in the dialogs and the states of the page', async ({ page }) => {
   await open(page, '#/explore?shape=square');
   await page.locator('canvas').waitFor();
@@ -35,5 +42,19 @@ test('axe finds nothing in the dialogs and the states of the page', async ({ pag
     await page.keyboard.press(key);
     await settle(page);
     expect.soft(await violationsInThemes(page), `after ${key}`).toEqual([]);
+  }
+});
+
+test('axe finds nothing in full screen, on Explore and in a lesson', async ({ page }) => {
+  await open(page, '#/explore?shape=cone&E=4,1,0.5&d=-1,0,0');
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.fullscreenElement !== null);
+  for (const size of SIZES) {
+    await page.setViewportSize(size);
+    for (const link of ['#/explore?shape=cone', '#/lesson/ray?step=5']) {
+      await open(page, link);
+      await page.locator('main :is(.lesson-text, .algebra)').filter({ visible: true }).waitFor();
+      expect.soft(await violationsInThemes(page), `${link} ${size.width} px`).toEqual([]);
+    }
   }
 });

@@ -530,7 +530,7 @@ test('a presenter’s window follows the lesson, and a clicker works in either',
   await presenter.getByRole('button', { name: 'Next' }).click();
   await expect(black).toHaveCount(0);
   await stepShown(page, 4);
-  expect(await violations(presenter)).toEqual([]);
+  expect(await violationsInThemes(presenter)).toEqual([]);
   // A reloaded window is found again; one that leaves the lesson says so.
   await page.reload();
   await stepShown(page, 4);
@@ -597,6 +597,9 @@ test('a presenter’s window follows Explore: what is not shown yet, and what co
   await page.keyboard.press('h');
   await page.keyboard.press('d');
   await expect(next).toHaveText('Next: step 2 of the derivation');
+  expect(await violationsInThemes(presenter)).toEqual([]);
+  await presenter.setViewportSize({ width: 390, height: 844 });
+  expect(await violationsInThemes(presenter)).toEqual([]);
   await presenter.close();
 });
 

@@ -2,7 +2,7 @@ import { commandsOf } from '../../src/pages/commands.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/hearing.ts';
-import { INITIAL } from '../../src/state/state.ts';
+import { INITIAL, PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { box, expectInLink, typeInto } from './support/controls.ts';
 import { NO_SCENE, open, withoutScene } from './support/page.ts';
@@ -104,6 +104,47 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
     return [...(await sound.startRendering()).getChannelData(0)];
   });
   heardAsWritten(samples, scoreOf(createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph));
+});
+
+test('so it does on every other page', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { setTimeout } = window;
+    const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
+      setTimeout(run, ms === 500 ? 0 : ms, ...given);
+    Object.assign(window, { setTimeout: soon });
+  });
+  await open(page, '#/explore');
+  const commands = commandsOf({ dispatch() {}, get() {} } as never, {} as never);
+  for (const { id, title } of PAGES) {
+    if (id === 'explore') continue;
+    await page.locator('header').getByRole('link', { name: title, exact: true }).click();
+    await page.locator('main h2').filter({ visible: true }).first().waitFor();
+    for (const { id: command, keys, pages } of commands) {
+      if (pages && !pages.includes(id)) continue;
+      // A step of one's own is shown at once; the list of lessons has nothing to go to.
+      if (command === 'collect' || (id === 'lesson' && pages)) continue;
+      const key = (keys[0] ?? '').replace('Ctrl', 'Control').replace(/^\?$/, 'Shift+?');
+      await page.evaluate(() => {
+        (document.activeElement as HTMLElement | null)?.blur();
+        document.querySelector('.announcer')?.replaceChildren();
+      });
+      const chooser = command === 'open' ? page.waitForEvent('filechooser') : null;
+      await page.keyboard.press(key);
+      if (chooser) await chooser;
+      else {
+        await page.waitForFunction(() => {
+          const at = document.activeElement;
+          const said = document.querySelector('.announcer')?.textContent;
+          return said || (at && at !== document.body);
+        });
+      }
+      await page.keyboard.press('Escape');
+      await expect(page.locator('dialog[open]')).toHaveCount(0);
+      // Undo may have left the page, and a full screen withdraws the controls.
+      await page.evaluate(() => document.exitFullscreen().catch(() => {}));
+      await page.locator('header').getByRole('link', { name: title, exact: true }).click();
+    }
+  }
 });
 
 const HEARD = '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0';
