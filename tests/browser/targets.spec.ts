@@ -56,7 +56,7 @@ async function tooSmall(page: Page, within: string): Promise<string[]> {
         const name = (one.getAttribute('aria-label') ?? one.textContent ?? '').trim().slice(0, 30);
         const beside = other ? ` beside ${other.getAttribute('class') ?? other.tagName}` : '';
         found.push(
-          `${one.tagName}.${one.className} “${name}” ${Math.round(width)} × ${Math.round(height)}${beside}`,
+          `${one.className} “${name}” ${Math.round(width)} × ${Math.round(height)}${beside}`,
         );
       }
       return [...new Set(found)];
