@@ -126,7 +126,7 @@ test('two maps of one window; a rectangle is test cases; picture and numbers', a
   expect((await saved(page, 'map as PNG')).subarray(1, 4).toString()).toBe('PNG');
 });
 
-const PROGRAM = `function intersect(shape, ray) {
+const PROGRAM = `function intersect(shape: Shape, ray: Ray) {
   const [px, , pz] = ray.origin, [dx, , dz] = ray.direction, r = shape.radius;
   const A = dx * dx + dz * dz, B = 2 * (px * dx + pz * dz), C = px * px + pz * pz - r * r;
   const D = B * B - 4 * A * C;

@@ -314,7 +314,7 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
         tryProgram: (card) => {
           if (!card.at) return;
           const key = card.words;
-          tryProgram(sandbox, inUnits(card), (words) => {
+          void tryProgram(sandbox, inUnits(card), (words) => {
             tried = { key, words };
             changed();
           });

@@ -1,6 +1,6 @@
 import type { Output } from '../../../check/program/judge.ts';
 import type { PackedCases } from '../../../check/program/protocol.ts';
-import { asScript, tooLong } from '../../../check/program/script.ts';
+import { asScript, looksTyped, tooLong } from '../../../check/program/script.ts';
 import { textbookFor } from '../../../check/program/template.ts';
 import { numberOn } from '../../../lab/atlas/axes.ts';
 import { isWhole, type MapFrame, newMapFrame, paint, piecesOf } from '../../../lab/atlas/frame.ts';
@@ -12,6 +12,7 @@ import { SIDE } from '../../../lab/atlas/window.ts';
 import type { Question } from '../../../math/families.ts';
 import { intersect, type Verdict } from '../../../math/index.ts';
 import { displayAll } from '../../../text/format.ts';
+import { late } from '../../../ui/late.ts';
 import { openMemory } from '../../check/memory.ts';
 import { runInSandbox } from '../../check/sandbox.ts';
 import { EMPTY_MAP, type MapState, type mapJobs, sameMap } from './map-jobs.ts';
@@ -27,6 +28,15 @@ function program(): { readonly source: string | null; readonly why: string } {
   return refusal
     ? { source: null, why: `Your program is not run: ${refusal}.` }
     : { source, why: '' };
+}
+
+/** What of a program runs: one in TypeScript without its types, as on Check. */
+async function scriptOf(source: string): Promise<string> {
+  if (!looksTyped(source)) return asScript(source);
+  const loaded = await late(() => import('../../../check/program/strip.ts')).catch(() => null);
+  const stripped = loaded?.stripTypes(source);
+  // As it stands, the sandbox says what is wrong with it.
+  return asScript(stripped?.ok ? stripped.text : source);
 }
 
 /** The class that so many roots stand for, where the truth has as many; else the plain one. */
@@ -52,6 +62,8 @@ export function ownMapJobs(
   let state: MapState = EMPTY_MAP;
   let close: (() => void) | null = null;
   let waits = false;
+  /** A map may be cancelled while code for it is loaded: only the latest start counts. */
+  let turn = 0;
   const put = (change: Partial<MapState>): void => {
     state = { ...state, ...change };
     changed();
@@ -64,11 +76,12 @@ export function ownMapJobs(
       put({ running: false, failed });
     } else if (summary && frame && request) {
       waits = false;
-      run(request, frame);
+      void run(request, frame);
     }
   });
 
   function stop(): void {
+    turn += 1;
     close?.();
     close = null;
     waits = false;
@@ -84,9 +97,12 @@ export function ownMapJobs(
     truth.show(request);
   }
 
-  function run(request: MapRequest, known: MapFrame): void {
+  async function run(request: MapRequest, known: MapFrame): Promise<void> {
     const { source } = program();
     if (source === null) return;
+    const own = turn;
+    const script = await scriptOf(source);
+    if (own !== turn) return;
     const frame = newMapFrame();
     const asked = questionsOf(request, known);
     // Where there is no ray the program is not asked.
@@ -98,7 +114,7 @@ export function ownMapJobs(
     const share = (): number => frame.done / frame.marks.length;
     const textbook = textbookFor([request.shape.kind], 'textbook');
     const packed = packedCases(request, asked);
-    const job = { source: asScript(source), textbook, cases: [], timed: [], packed };
+    const job = { source: script, textbook, cases: [], timed: [], packed };
     close = runInSandbox(host, job, {
       ...SILENT,
       output(index, output) {
@@ -219,17 +235,25 @@ function judged(known: MapFrame, { pixel, question }: Asked, output: Output): Ma
 }
 
 /** Runs the student's program on one ray and says what it answers. */
-export function tryProgram(host: HTMLElement, question: Question, tell: (words: string) => void) {
+export async function tryProgram(
+  host: HTMLElement,
+  question: Question,
+  tell: (words: string) => void,
+): Promise<void> {
   const { source, why } = program();
-  if (source === null) return tell(why);
+  if (source === null) {
+    tell(why);
+    return;
+  }
   tell('Your program is running …');
   const { shape, ray } = question;
   const truth = intersect(shape, ray);
+  const script = await scriptOf(source);
   let said = 'Your program gave no answer.';
   runInSandbox(
     host,
     {
-      source: asScript(source),
+      source: script,
       textbook: textbookFor([shape.kind], 'textbook'),
       cases: [question],
       timed: [],
