@@ -159,7 +159,7 @@ test.describe('questions', () => {
   test('another seed, other numbers; the seed is in the link', async ({ page }) => {
     await openCheck(page, `seed=${SEED}`);
     const before = await page.locator('.given').first().innerText();
-    await page.getByLabel('seed').fill('42');
+    await page.locator('input[name="seed"]').fill('42');
     await page.keyboard.press('Enter');
     await expect(page.locator('.given').first()).not.toHaveText(before);
     await expect.poll(() => hashOf(page)).toContain(`seed=42&set=${LATEST_SET}`);

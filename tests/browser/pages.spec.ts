@@ -34,8 +34,8 @@ test.describe('from page to page', () => {
     await page.getByRole('link', { name: 'Check', exact: true }).click();
     await expect(page.getByRole('heading', { name: /Question 1/ })).toBeVisible();
     await linkWritten(page);
-    await page.getByLabel('seed').fill('7');
-    await page.getByLabel('seed').press('Enter');
+    await page.locator('input[name="seed"]').fill('7');
+    await page.locator('input[name="seed"]').press('Enter');
     await expect(page).toHaveURL(/#\/check\?.*seed=7/);
     await page.goBack();
     await expect(page).toHaveURL(/#\/explore/);
@@ -59,8 +59,8 @@ test.describe('from page to page', () => {
   test('undo goes to the page where the step was taken', async ({ page }) => {
     await open(page, '#/explore');
     await page.getByRole('link', { name: 'Check', exact: true }).click();
-    await page.getByLabel('seed').fill('9');
-    await page.getByLabel('seed').press('Enter');
+    await page.locator('input[name="seed"]').fill('9');
+    await page.locator('input[name="seed"]').press('Enter');
     await expect(page).toHaveURL(/seed=9/);
     await page.getByRole('link', { name: 'Explore', exact: true }).click();
     await expect(page.locator('[data-quantity="class"]')).toBeVisible();
