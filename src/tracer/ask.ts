@@ -116,7 +116,7 @@ export function createAsker(
     tally.solves += rays.count + (leaves ? second : 0);
     if (!heights) return;
     const before = heights.clock();
-    heights.body.choose(rays, out, target.low, target.high, tMin, leaves);
+    heights.body.choose(rays, out, target, tMin, leaves);
     heights.spend(leaves ? 0 : second, heights.clock() - before);
   }
 

@@ -1,8 +1,15 @@
 import { batchOf, type Kernel, type Quadric, quadricOf } from '../math/batch.ts';
-import type { Box } from '../math/drawing.ts';
-import { InvalidInput, type Shape, type Vec3 } from '../math/index.ts';
+import type { Box, Heights } from '../math/drawing.ts';
+import {
+  InvalidInput,
+  intersect,
+  type Ray,
+  type Shape,
+  type Solid,
+  type Vec3,
+} from '../math/index.ts';
 import { definitionOf, findMethod, quote } from '../math/shapes.ts';
-import type { Look, World, WorldLight } from '../scene/effects/body.ts';
+import type { CutOff, Look, World, WorldLight } from '../scene/effects/body.ts';
 import { declaredAt } from '../scene/effects/declared.ts';
 import { type BodyValues, type Owner, type Place, valuesOf } from '../scene/effects/fields.ts';
 import { type Surface, surfacesOf } from '../scene/surfaces.ts';
@@ -12,7 +19,7 @@ import { linear } from './colour.ts';
 import { type GradientOf, gradientOf, unit } from './gradient.ts';
 
 /** A surface with everything that the tracer needs of it. */
-export interface Target {
+export interface Target extends CutOff {
   readonly surface: number;
   readonly kernel: Kernel;
   readonly flat: boolean;
@@ -20,8 +27,6 @@ export interface Target {
   readonly endless: boolean;
   /** Whether both roots are computed to check their heights; bounds are ±∞ if it is not cut off. */
   readonly cut: boolean;
-  readonly low: number;
-  readonly high: number;
   readonly box: Box | null;
   /** Whether it blocks light. */
   readonly blocks: boolean;
@@ -66,6 +71,8 @@ export function worldOf(
         cut: between !== undefined || heights === 'all',
         low: between?.[0] ?? Number.NEGATIVE_INFINITY,
         high: between?.[1] ?? Number.POSITIVE_INFINITY,
+        isKept:
+          between && formula.family === 'curved' ? keptBy(surface.shape, between, method) : null,
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
         absorbs: materials[k]?.glass?.absorption.some((x) => x > 0) ?? false,
@@ -73,6 +80,18 @@ export function worldOf(
         proven: asked.proven ? quadricOf(surface.shape) : null,
       };
     }),
+  };
+}
+
+/** As `intersect` decides it for one ray: exactly where the method is exact, else as it rounds. */
+function keptBy(shape: Shape, between: Heights, method: string): CutOff['isKept'] {
+  const solid = { ...shape, between } as Solid;
+  return ({ Ex, Ey, Ez, dx, dy, dz }, i, root) => {
+    const at = (all: Float64Array): number => all[i] as number;
+    const ray: Ray = { origin: [at(Ex), at(Ey), at(Ez)], direction: [at(dx), at(dy), at(dz)] };
+    // A ray whose numbers overflowed on the way is refused there.
+    const isRay = [...ray.origin, ...ray.direction].every(Number.isFinite);
+    return isRay && intersect(solid, ray, method).hits[root]?.fate === 'hit';
   };
 }
 

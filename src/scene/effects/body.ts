@@ -184,7 +184,18 @@ export type EffectBody = RootsBody | WayBody | PaintBody | LightBody | GlossBody
 /** Chooses between both roots: puts the first that counts into t0, NaN if none does. */
 export interface RootsBody {
   readonly at: 'roots';
-  choose(rays: Rays, out: Answers, low: number, high: number, tMin: number, leaving: boolean): void;
+  choose(rays: Rays, out: Answers, ends: CutOff, tMin: number, leaving: boolean): void;
+}
+
+/** The heights that a surface is kept between. */
+export interface CutOff {
+  readonly low: number;
+  readonly high: number;
+  /**
+   * Whether a root of ray i is a hit between them by the rule of the math module, rims included;
+   * null for a flat shape, of which that has none.
+   */
+  readonly isKept: ((rays: Rays, i: number, root: 0 | 1) => boolean) | null;
 }
 
 /**
