@@ -116,6 +116,8 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
   const aBig = SPLITTER * a;
   const aHigh = aBig - (aBig - a);
   const aRest = a - aHigh;
+  // A sphere's: products with it are exact.
+  const isUnit = size === 1 && aLow === 0;
   const largest = inBox ? LARGEST : 0;
   const [direct, smallest, leastA] = [DIRECT_ERROR, SMALLEST_DIRECT, LEAST_A];
   const [once, lostPoint, smallestNormal] = [FAITHFUL_ONCE, LOST_POINT, SMALLEST_NORMAL];
@@ -204,10 +206,13 @@ export function sharpLine({ hasY }: Quadric, { inBox, numbers }: CertifiedQuadri
     h = big - (big - sz);
     r = sz - h;
     const zzl = r * r - (zz - h * h - 2 * (h * r)) + 2 * sz * lz;
-    big = splitter * yy;
-    h = big - (big - yy);
-    r = yy - h;
-    const ayyl = aRest * r - (ayy - aHigh * h - aRest * h - aHigh * r) + (a * yyl + aLow * yy);
+    let ayyl = a * yyl;
+    if (!isUnit) {
+      big = splitter * yy;
+      h = big - (big - yy);
+      r = yy - h;
+      ayyl = aRest * r - (ayy - aHigh * h - aRest * h - aHigh * r) + (ayyl + aLow * yy);
+    }
     const round = xx + zz;
     const curved = round - ayy;
     const lead = curved - rho;
