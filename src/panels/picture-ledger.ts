@@ -68,7 +68,8 @@ export function ledger(
   const { camera, simulated, idle, total, pixels, by, times } = model;
   const choice = picker(by, times !== null, tools);
   const row = (r: LedgerRow): TemplateResult => simulatedRow(r, by, pixels, tools);
-  return html`${buildUp(model.built, tools)}<table class="ledger">
+  return html`${buildUp(model.built, tools)}<table class="ledger"
+      ?data-timed=${times !== null}>
       <thead>
         <tr><th scope="col" data-quantity="resolution"
           data-value=${resolution}>${resolution}</th><th scope="col" class="bars">${choice}</th><th

@@ -177,7 +177,8 @@ export function watchTabStops(main: HTMLElement, hasHeader: boolean): void {
 interface Held {
   readonly control: Element;
   readonly group: Element | null;
-  readonly index: number;
+  /** What the group had, in order. */
+  readonly items: readonly HTMLElement[];
   readonly around: readonly Element[];
 }
 
@@ -186,11 +187,14 @@ function keepFocus(main: HTMLElement): void {
   let held: Held | null = null;
   const lost = new MutationObserver(() => {
     if (!held || held.control.isConnected) return;
-    const { group, index, around } = held;
+    const { control, group, items, around } = held;
     held = null;
     if (document.activeElement !== document.body) return;
-    const items = group?.isConnected ? itemsIn(group) : [];
-    const next = items[Math.min(index, items.length - 1)];
+    // Others may have come or gone in the same group: its place is told by those beside it.
+    const left = group?.isConnected ? itemsIn(group) : [];
+    const index = items.indexOf(control as never);
+    const after = items.slice(index + 1).find((item) => left.includes(item));
+    const next = after ?? items.slice(0, index).findLast((item) => left.includes(item)) ?? left[0];
     if (next) next.focus({ preventScroll: true });
     else focusOn(around.find((element) => element.isConnected && main.contains(element)) ?? main);
   });
@@ -200,7 +204,7 @@ function keepFocus(main: HTMLElement): void {
     if (group && !control.matches(SLIDER)) lastUsed.set(group, control);
     const around: Element[] = [];
     for (let at = control.parentElement; at; at = at.parentElement) around.push(at);
-    held = { control, group, around, index: group ? itemsIn(group).indexOf(control as never) : -1 };
+    held = { control, group, around, items: group ? itemsIn(group) : [] };
     lost.observe(document.body, { childList: true, subtree: true });
   });
   document.body.addEventListener('focusout', ({ target: control }) => {

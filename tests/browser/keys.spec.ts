@@ -256,6 +256,6 @@ alone(
     await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '4');
     await page.reload();
     await expect(page.locator('[data-lesson-step]')).toHaveAttribute('data-lesson-step', '4');
-    await expect(page.getByText('Your guess 1.8: right')).toBeVisible();
+    await expect(page.locator('main').getByText('Your guess 1.8: right')).toBeVisible();
   },
 );

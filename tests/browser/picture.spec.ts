@@ -343,7 +343,7 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
   expect(await list.count()).toBeGreaterThan(3);
   await expect(page.locator('.rays [data-kind="refracted"]').first()).toBeVisible();
   const t = await list.first().locator('[data-quantity="t"]').getAttribute('data-value');
-  await page.getByRole('button', { name: 'camera ray' }).click();
+  await page.getByRole('button', { name: 'camera ray', exact: true }).click();
   await settle(page);
   await expect(page.locator('.hit-step[data-step="D"]')).toBeVisible();
   await expect(page.locator('.pixel-space canvas')).toBeVisible();

@@ -67,11 +67,13 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
 
 /** Pause in ms before a measurement starts; steps of a dragged dial are closer together. */
 const PAUSE = 300;
+/** Longest wait in ms for a page that is never idle: a busy machine is told by the spread. */
+const LONGEST_WAIT = 2000;
 
 function idle(act: () => void): void {
   setTimeout(() => {
     // Safari has no requestIdleCallback.
-    if ('requestIdleCallback' in window) requestIdleCallback(act);
+    if ('requestIdleCallback' in window) requestIdleCallback(act, { timeout: LONGEST_WAIT });
     else act();
   }, PAUSE);
 }

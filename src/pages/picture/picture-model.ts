@@ -49,6 +49,9 @@ export function pictureModel(
   const main = traceQueue.seen(requests.main);
   const other = requests.other && traceQueue.seen(requests.other);
   const trustsLeft = trustOf(requests.other ?? requests.main) > trustOf(requests.main);
+  const times = visit.times(requests.main);
+  // Bars of the time of one picture stay no bars at all for the next, which has none yet.
+  const by = visit.by === 'ms' && !times ? 'questions' : visit.by;
   const counts: Partial<Record<EffectId, number>> = {};
   const uncounted: TraceRequest[] = [];
   for (const { id } of EFFECTS) {
@@ -70,8 +73,8 @@ export function pictureModel(
       main?.ledger ?? EMPTY_LEDGER,
       counts,
       {
-        by: visit.by,
-        times: visit.times(requests.main),
+        by,
+        times,
         unforced: mapped(requests.toggled, (request) => request && visit.times(request)),
       },
     ),
@@ -83,7 +86,7 @@ export function pictureModel(
             other.ledger,
             {},
             {
-              by: visit.by,
+              by,
               times: visit.times(requests.other),
             },
           )
