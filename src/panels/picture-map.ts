@@ -72,6 +72,7 @@ function heatScale(
 ): TemplateResult {
   const value = at === null ? null : (values[at] ?? 0);
   const x = (n: number): number => 1 + placeOf(heat, n) * (W - 2);
+  const written = apart(heat.ticks, x);
   const near = (n: number): boolean => value !== null && Math.abs(x(n) - x(value)) < 26;
   return html`<div class="map-line">
       <svg class="map-scale" viewBox="0 0 ${W} 34" width=${W} height="34" aria-hidden="true">
@@ -81,7 +82,7 @@ function heatScale(
         ${heat.ticks.map(
           (n) =>
             svg`<line class="map-tick" x1=${x(n)} x2=${x(n)} y1="10" y2="14" />${
-              near(n) ? nothing : tick(n, x(n))
+              near(n) || !written.has(n) ? nothing : tick(n, x(n))
             }`,
         )}
         ${
@@ -110,10 +111,36 @@ function heatScale(
 
 const clamped = (x: number): number => Math.min(Math.max(x, 16), W - 16);
 
+const anchorOf = (x: number): 'start' | 'middle' | 'end' =>
+  x < 8 ? 'start' : x > W - 8 ? 'end' : 'middle';
+
 const tick = (n: number, x: number) =>
-  svg`<text class="map-number" x=${x} y="25" text-anchor=${
-    x < 8 ? 'start' : x > W - 8 ? 'end' : 'middle'
-  }>${grouped(n)}</text>`;
+  svg`<text class="map-number" x=${x} y="25" text-anchor=${anchorOf(x)}>${grouped(n)}</text>`;
+
+/** Width in px of a digit of the scale's numbers, at most. */
+const DIGIT = 7;
+/** Part of a number's width that is left of where it is anchored. */
+const LEFT = { start: 0, middle: 0.5, end: 1 } as const;
+
+/** Those of these numbers, ascending, that touch no other at their place: both ends are kept. */
+export function apart(numbers: readonly number[], x: (n: number) => number): Set<number> {
+  const span = (n: number): readonly [number, number] => {
+    const width = grouped(n).length * DIGIT;
+    const from = x(n) - LEFT[anchorOf(x(n))] * width;
+    return [from, from + width];
+  };
+  const kept: number[] = [];
+  const ends = [numbers.at(-1), numbers[0]].filter((n) => n !== undefined);
+  for (const n of [...ends, ...numbers.slice(1, -1)]) {
+    const [from, to] = span(n);
+    const touches = kept.some((other) => {
+      const [otherFrom, otherTo] = span(other);
+      return from < otherTo + DIGIT / 2 && otherFrom < to + DIGIT / 2;
+    });
+    if (!touches || ends.includes(n)) kept.push(n);
+  }
+  return new Set(kept);
+}
 
 function timesMean(value: number, { mean }: Heat): string {
   const times = value / mean;
