@@ -1,5 +1,6 @@
 import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
 import { Ahead } from '../ui/ahead.ts';
+import { watchDrags } from '../ui/drags.ts';
 import { wantsWheel, wheelFactor } from '../ui/wheel.ts';
 import { wrapped } from './camera.ts';
 
@@ -10,8 +11,6 @@ const PER_PIXEL = 0.4;
 const PER_KEY = 5;
 const PER_FINE_KEY = 1;
 const PER_ZOOM_KEY = 1.2;
-/** px of movement from which a press is a drag and not a click; a finger is less steady. */
-const DRAG_FROM = { mouse: 3, pen: 3, touch: 9 } as const;
 
 interface Orbit {
   /** The present camera as angles. */
@@ -35,62 +34,7 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
     ahead.set(view);
     orbit.turn(view);
   };
-  const pointers = new Map<number, { x: number; y: number }>();
-  let start: { view: FreeView; back: () => void; x: number; y: number; spread: number } | null =
-    null;
-  let isDragging = false;
-
-  const grip = () => {
-    const [a, b] = [...pointers.values()];
-    if (!a) return null;
-    return b
-      ? { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, spread: Math.hypot(a.x - b.x, a.y - b.y) }
-      : { ...a, spread: 0 };
-  };
-  const begin = () => {
-    const now = grip();
-    start = now && { view: orbit.current(), back: orbit.keep(), ...now };
-  };
-  const down = (event: PointerEvent) => {
-    if (event.button !== 0 || pointers.size === 2 || isControl(event.target)) return;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    isDragging = pointers.size > 1;
-    begin();
-  };
-  const move = (event: PointerEvent) => {
-    const pointer = pointers.get(event.pointerId);
-    if (!pointer || !start) return;
-    [pointer.x, pointer.y] = [event.clientX, event.clientY];
-    const now = grip();
-    if (!now) return;
-    const [dx, dy] = [now.x - start.x, now.y - start.y];
-    if (!isDragging) {
-      const kind = event.pointerType as keyof typeof DRAG_FROM;
-      if (Math.hypot(dx, dy) < (DRAG_FROM[kind] ?? DRAG_FROM.mouse)) return;
-      if (kind === 'touch' && Math.abs(dy) > Math.abs(dx)) {
-        // One finger up or down scrolls the page, whatever it does then.
-        pointers.delete(event.pointerId);
-        begin();
-        return;
-      }
-      isDragging = true;
-      // Captured only now, so that a click reaches the element under the pointer.
-      element.setPointerCapture(event.pointerId);
-    }
-    const pinch = start.spread > 0 && now.spread > 0 ? now.spread / start.spread : 1;
-    orbit.turn(limited(start.view, -dx * PER_PIXEL, dy * PER_PIXEL, pinch));
-  };
-  const up = (event: PointerEvent) => {
-    if (!pointers.delete(event.pointerId)) return;
-    // After a pinch the remaining finger starts a new gesture.
-    begin();
-    if (pointers.size === 0) isDragging = false;
-  };
-  /** The browser has taken it for a scroll or a zoom of the page: then nothing has been turned. */
-  const cancel = (event: PointerEvent) => {
-    if (isDragging && start && pointers.has(event.pointerId)) start.back();
-    up(event);
-  };
+  let start: { readonly view: FreeView; readonly back: () => void } | null = null;
   const wheel = (event: WheelEvent) => {
     if (!wantsWheel(element, event)) return;
     event.preventDefault();
@@ -122,10 +66,24 @@ export function listenToOrbit(element: HTMLElement, orbit: Orbit): () => void {
 
   const controller = new AbortController();
   const { signal } = controller;
-  element.addEventListener('pointerdown', down, { signal });
-  element.addEventListener('pointermove', move, { signal });
-  element.addEventListener('pointerup', up, { signal });
-  element.addEventListener('pointercancel', cancel, { signal });
+  watchDrags(
+    element,
+    {
+      takes: (event) => event.button === 0 && !isControl(event.target),
+      begin() {
+        start = { view: orbit.current(), back: orbit.keep() };
+      },
+      move(now, from) {
+        if (!start) return;
+        const pinch = from.spread > 0 && now.spread > 0 ? now.spread / from.spread : 1;
+        const [dx, dy] = [now.x - from.x, now.y - from.y];
+        orbit.turn(limited(start.view, -dx * PER_PIXEL, dy * PER_PIXEL, pinch));
+      },
+      // A drag that the browser has taken for a scroll or a zoom of the page has turned nothing.
+      end: (isCancelled) => isCancelled && start?.back(),
+    },
+    signal,
+  );
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('keydown', key, { signal });
   return () => controller.abort();

@@ -1,4 +1,5 @@
 import { SIDE } from '../lab/atlas/window.ts';
+import { wantsWheel, wheelPixels } from '../ui/wheel.ts';
 import { placeIn, sizeOf } from '../ui/zoom.ts';
 
 /** Column and row of a pixel, rows from the bottom. */
@@ -27,11 +28,9 @@ export interface Gestures {
 
 /** px from which a press is a drag. */
 const DRAG_FROM = 4;
-/** Decades per wheel pixel, and per press of a key; ten presses of Page Up would be ten. */
+/** Decades per wheel pixel, and per press of + or −. */
 const PER_WHEEL_PIXEL = 0.0025;
-const PINCH_FASTER = 6;
 const PER_KEY = 0.25;
-const WHEEL_UNITS = { 0: 1, 1: 16, 2: 400 } as const;
 /** Pixels of the map that Shift and an arrow move the window; Ctrl and an arrow, the pointer. */
 const PAN_KEY = SIDE / 16;
 const JUMP = 16;
@@ -115,8 +114,7 @@ export function watchMap(element: HTMLElement, gestures: Gestures): () => void {
   const wheel = (event: WheelEvent): void => {
     if (!wantsWheel(element, event)) return;
     event.preventDefault();
-    const pixels = event.deltaY * WHEEL_UNITS[event.deltaMode as 0 | 1 | 2];
-    gestures.zoom(-pixels * PER_WHEEL_PIXEL * (event.ctrlKey ? PINCH_FASTER : 1), cellAt(event));
+    gestures.zoom(wheelPixels(event) * PER_WHEEL_PIXEL, cellAt(event));
   };
   const key = (event: KeyboardEvent): void => {
     if (event.altKey || event.metaKey) return;
@@ -191,14 +189,4 @@ function spreadOf(pointers: ReadonlyMap<number, { readonly x: number; readonly y
   const [a, b] = [...pointers.values()];
   if (!a || !b || pointers.size > 2) return null;
   return { spread: Math.hypot(a.x - b.x, a.y - b.y), x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
-}
-
-/**
- * As the scene does: a wheel zooms if the page cannot scroll, if the map has the focus, or with
- * ctrl, as in a touchpad's pinch. Else it scrolls the page.
- */
-function wantsWheel(element: HTMLElement, event: WheelEvent): boolean {
-  const page = document.scrollingElement;
-  const canScroll = page !== null && page.scrollHeight > page.clientHeight + 1;
-  return !canScroll || event.ctrlKey || event.metaKey || document.activeElement === element;
 }

@@ -1,4 +1,5 @@
 import { type CameraEdit, nearer, shifted, turned } from '../../state/picture/camera-edits.ts';
+import { type Grip, watchDrags } from '../../ui/drags.ts';
 import { wantsWheel, wheelFactor } from '../../ui/wheel.ts';
 
 /** Radians of a drag over the picture's width, and of a key. */
@@ -6,15 +7,14 @@ const PER_WIDTH = Math.PI;
 const PER_KEY = Math.PI / 36;
 const PER_SHIFT_KEY = 0.05;
 const PER_ZOOM_KEY = 1.2;
-/** px of movement from which a press is a drag and not a click; a finger is less steady. */
-const DRAG_FROM = { mouse: 3, pen: 3, touch: 9 } as const;
 
 interface CameraTools {
   /** Whether a press is left to the camera, and not to a thing under it. */
   free(event: PointerEvent): boolean;
   move(edit: CameraEdit): void;
   hold(): void;
-  release(): void;
+  /** A drag has ended; one that the browser took for a scroll of the page has moved nothing. */
+  release(isCancelled: boolean): void;
 }
 
 /**
@@ -22,68 +22,33 @@ interface CameraTools {
  * wheel and pinch, and all of that by keys. Returns whether the last press was a drag.
  */
 export function listenToCamera(element: HTMLElement, tools: CameraTools): () => boolean {
-  const pointers = new Map<number, { x: number; y: number }>();
-  let last: { x: number; y: number; spread: number } | null = null;
-  let dragging = false;
+  let last: Grip | null = null;
   let dragged = false;
-
-  const grip = () => {
-    const [a, b] = [...pointers.values()];
-    if (!a) return null;
-    return b
-      ? { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, spread: Math.hypot(a.x - b.x, a.y - b.y) }
-      : { ...a, spread: 0 };
-  };
-  const begin = (): void => {
-    dragging = true;
-    dragged = true;
-    tools.hold();
-  };
-
-  element.addEventListener('pointerdown', (event) => {
-    dragged = false;
-    if (event.button > 1 || pointers.size === 2 || !tools.free(event)) return;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    last = grip();
-    if (pointers.size === 2 && !dragging) begin();
+  watchDrags(element, {
+    takes(event) {
+      dragged = false;
+      return event.button <= 1 && tools.free(event);
+    },
+    begin() {
+      last = null;
+    },
+    drags() {
+      dragged = true;
+      tools.hold();
+    },
+    move(now, from, event) {
+      const before = last ?? from;
+      last = now;
+      const [dx, dy] = [now.x - before.x, now.y - before.y];
+      const { width, height } = element.getBoundingClientRect();
+      const pinch = before.spread > 0 && now.spread > 0;
+      if (pinch) tools.move(nearer(before.spread / now.spread));
+      if (pinch || event.shiftKey || event.buttons === 4) {
+        tools.move(shifted(-dx / height, dy / height));
+      } else tools.move(turned((-dx / width) * PER_WIDTH, (dy / width) * PER_WIDTH));
+    },
+    end: tools.release,
   });
-  element.addEventListener('pointermove', (event) => {
-    const pointer = pointers.get(event.pointerId);
-    if (!pointer || !last) return;
-    [pointer.x, pointer.y] = [event.clientX, event.clientY];
-    const now = grip();
-    if (!now) return;
-    const [dx, dy] = [now.x - last.x, now.y - last.y];
-    if (!dragging) {
-      const kind = event.pointerType as keyof typeof DRAG_FROM;
-      if (Math.hypot(dx, dy) < (DRAG_FROM[kind] ?? DRAG_FROM.mouse)) return;
-      if (kind === 'touch' && Math.abs(dy) > Math.abs(dx)) {
-        // One finger up or down scrolls the page, whatever it does then.
-        pointers.delete(event.pointerId);
-        last = grip();
-        return;
-      }
-      begin();
-      element.setPointerCapture(event.pointerId);
-    }
-    const { width, height } = element.getBoundingClientRect();
-    if (pointers.size === 2 && last.spread > 0 && now.spread > 0) {
-      tools.move(nearer(last.spread / now.spread));
-      tools.move(shifted(-dx / height, dy / height));
-    } else if (event.shiftKey || event.buttons === 4) {
-      tools.move(shifted(-dx / height, dy / height));
-    } else tools.move(turned((-dx / width) * PER_WIDTH, (dy / width) * PER_WIDTH));
-    last = now;
-  });
-  const up = (event: PointerEvent): void => {
-    if (!pointers.delete(event.pointerId)) return;
-    last = grip();
-    if (pointers.size > 0 || !dragging) return;
-    dragging = false;
-    tools.release();
-  };
-  element.addEventListener('pointerup', up);
-  element.addEventListener('pointercancel', up);
   element.addEventListener(
     'wheel',
     (event) => {

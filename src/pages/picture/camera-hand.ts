@@ -6,7 +6,8 @@ interface CameraHand {
   /** Moves the camera; without `hold` it is at rest a moment after the last move. */
   move(edit: CameraEdit): void;
   hold(): void;
-  release(): void;
+  /** Lets go of it; what a cancelled hold did is taken back. */
+  release(isCancelled: boolean): void;
   /** Whether the camera is moving. */
   moves(): boolean;
   /**
@@ -91,8 +92,13 @@ export function createCameraHand({ changed, rest }: HandTools): CameraHand {
       held = true;
       clearTimeout(timer);
     },
-    release() {
+    release(isCancelled) {
       held = false;
+      if (isCancelled) {
+        edits = [];
+        shown = null;
+        changed();
+      }
       end();
     },
     moves: () => edits.length > 0,
