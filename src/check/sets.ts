@@ -125,6 +125,9 @@ export const CHOSEN = ['shapes', 'level', 'hints'] as const;
 type ChosenKey = (typeof CHOSEN)[number];
 export type Chosen = Readonly<Partial<Record<ChosenKey, string>>>;
 
+/** Whether the id is that of a numbered set, and not of exercises that somebody chose. */
+export const isNumbered = (id: string): boolean => /^\d/.test(id);
+
 /** The id of a set from its parts. */
 export const setId = (base: string, chosen: Chosen = {}): string =>
   [base, ...CHOSEN.flatMap((key) => (chosen[key] ? [`${key}=${chosen[key]}`] : []))].join(';');
@@ -149,9 +152,9 @@ export function setOf(id: string): QuestionSet {
   for (const key of Object.keys(chosen)) {
     if (!CHOSEN.some((one) => one === key)) throw new RangeError(`a set has no ${quote(key)}`);
   }
-  const isNumbered = /^\d/.test(base);
-  const set = isNumbered ? numbered(base) : ofExercises(base, chosen.shapes);
-  if (isNumbered && (chosen.shapes !== undefined || chosen.level !== undefined)) {
+  const isFrozen = isNumbered(base);
+  const set = isFrozen ? numbered(base) : ofExercises(base, chosen.shapes);
+  if (isFrozen && (chosen.shapes !== undefined || chosen.level !== undefined)) {
     throw new RangeError(`set ${base} has its own shapes and levels`);
   }
   return { ...set, ...levelOf(chosen.level), ...hintsOf(chosen.hints) };
@@ -264,5 +267,5 @@ export const LATEST_SET = [
 /** What a set is called in sentences and tables: "set 2", "roots*3". */
 export const setName = (id: string): string => {
   const { base } = partsOf(id);
-  return /^\d/.test(base) ? `set ${base}` : base;
+  return isNumbered(base) ? `set ${base}` : base;
 };

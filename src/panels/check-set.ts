@@ -13,6 +13,8 @@ export interface SetView {
   readonly level: string;
   readonly hints: boolean;
   readonly seed: number;
+  /** A numbered set as it is, and whether its topics are shuffled; null for one that was made. */
+  readonly numbered: { readonly name: string; readonly isSpread: boolean } | null;
   /** The whole address of the set's questions. */
   readonly link: string;
   readonly count: number;
@@ -55,11 +57,16 @@ export interface CourseFile {
 
 /** The form in which a lecturer makes a set, and its link. */
 export function setForm(view: SetView, tools: SetTools): TemplateResult {
+  const { numbered } = view;
+  const keepsOrder = numbered?.isSpread === false;
   return html`<form class="set-form" @submit=${(event: Event) => event.preventDefault()}>
     <h2>Make a set</h2>
     <p class="set-about">Say how often each exercise comes, and about which shapes. The link holds
-      all of it, and poses the same questions for ever: topics in an order of the seed’s, right
-      answers spread evenly over what is possible.</p>
+      all of it, and poses the same questions for ever: ${
+        keepsOrder
+          ? `this is ${numbered?.name} as it always was. What is changed makes a set with `
+          : ''
+      }topics in an order of the seed’s, right answers spread evenly over what is possible.</p>
     <fieldset class="set-exercises"><legend>Exercises: ${view.count} of at most
       ${MOST_QUESTIONS} questions</legend>
       <ul>${EXERCISES.map(({ id, topic }) => exerciseRow(id, topic, view, tools))}</ul>
@@ -95,8 +102,12 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
       <button type="button" class="button primary" @click=${tools.copy}>Copy the link</button>
       <button type="button" class="button" @click=${tools.open}>Open its questions</button>
     </div>
-    <p class="tolerance">On that page students give a name or number: each gets numbers of their
-      own by it, which you get back from the same name and seed.</p>
+    ${
+      numbered
+        ? nothing
+        : html`<p class="tolerance">On that page students give a name or number: each gets numbers
+      of their own by it, which you get back from the same name and seed.</p>`
+    }
     ${sheetFields(view, tools)}
     <fieldset><legend>Files for course systems</legend>
       <p class="set-about">For the questions of this seed. Nothing is sent anywhere: a file is saved

@@ -47,7 +47,14 @@ const answerAll = async (page: Page, texts: Record<string, string>): Promise<voi
 };
 
 test('a set is made in the form, answered under a name, handed in and marked', async ({ page }) => {
+  // What the form says of sets is not true of the first ones.
+  const form = page.locator('.set-form');
+  await openCheck(page, 'part=set&set=1');
+  await expect(form).toContainText('this is set 1 as it always was');
+  await expect(form).not.toContainText('students give a name or number');
   await openCheck(page, 'part=set&set=flat');
+  await expect(form).toContainText('students give a name or number');
+  await expect(form).not.toContainText('as it always was');
   const row = (id: string) => page.locator(`[data-exercise="${id}"] input`);
   for (const id of ['coefficients', 'roots']) {
     await row(id).fill('1');

@@ -13,7 +13,7 @@ import {
   typed,
 } from '../../check/progress.ts';
 import { plan, question, studentSeed } from '../../check/session.ts';
-import { FIRST_SET, LATEST_SET, setOf } from '../../check/sets.ts';
+import { FIRST_SET, isNumbered, LATEST_SET, setOf } from '../../check/sets.ts';
 import { summary, summaryJson } from '../../check/summary.ts';
 import { handInBox, nameForm } from '../../panels/check-hand-in.ts';
 import { answerForm, questionHead, questionText, seedForm } from '../../panels/check-question.ts';
@@ -77,7 +77,6 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
     return picture ?? next;
   };
   /** Whether a set was made in the form, and is not a numbered one. */
-  const isMade = (id: string): boolean => !/^\d/.test(id);
   const code = (): string => handInCode(handInOf(progress, given.seed, given.who));
   const handIn = {
     toggle(open: boolean) {
@@ -119,16 +118,16 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
     },
     // A new session uses the newest set; one that was made for a class is kept.
     seed: (seed) =>
-      set({ seed, set: isMade(progress.set) ? progress.set : LATEST_SET, question: 0 }),
+      set({ seed, set: isNumbered(progress.set) ? LATEST_SET : progress.set, question: 0 }),
   };
   const save = (): void =>
     download(`graze-check-${progress.seed}.json`, summaryJson(progress), 'application/json');
   recallVerdict();
   return {
     forms: ({ seed, who, set: own }) =>
-      html`${
-        isMade(own) || who !== '' ? nameForm(who, handIn.name) : nothing
-      }${seedForm(seed, tools)}`,
+      html`<div class="seeds">${
+        !isNumbered(own) || who !== '' ? nameForm(who, handIn.name) : nothing
+      }${seedForm(seed, tools)}</div>`,
     json: () => summaryJson(progress),
     score() {
       const { right, total } = summary(progress);

@@ -8,6 +8,7 @@ import { stackXml } from '../../check/exports/stack.ts';
 import {
   CHOSEN,
   type Chosen,
+  isNumbered,
   partsOf,
   setId,
   setName,
@@ -46,7 +47,7 @@ function madeOf(id: string): Made {
   for (const { exercise, times: count } of turns) {
     // The form offers the newest versions; a set of its own keeps those that it names.
     const base = exercise.replace(/\.\d+$/, '');
-    const own = /^\d/.test(id)
+    const own = isNumbered(id)
       ? [...newest].find((one) => one.replace(/\.\d+$/, '') === base)
       : exercise;
     times.set(own ?? exercise, (times.get(own ?? exercise) ?? 0) + count);
@@ -226,6 +227,9 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
       const view: SetView = {
         times: Object.fromEntries(times),
         ...{ shapes, level, hints, seed: settings.seed, link, refusal },
+        numbered: isNumbered(settings.set)
+          ? { name: setName(settings.set), isSpread: setOf(settings.set).spread === true }
+          : null,
         ...{ files: FILES, sheets, making },
         count: [...times.values()].reduce((sum, count) => sum + count, 0),
       };
