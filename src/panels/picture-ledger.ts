@@ -250,8 +250,8 @@ function timeWords(
   }
   if (times) return html`<p class="ledger-time">${measured(times)} ${act('measure again')}</p>`;
   if (!took || !stands) return html`<p class="ledger-time"></p>`;
-  return html`<p class="ledger-time">${act('measure the time')}: seven times more, by then warm
-    workers. The first time, with code still to be compiled, it took <span data-quantity="took"
+  return html`<p class="ledger-time">${act('measure the time')}: again and again, by warm
+    workers. This once it took <span data-quantity="took"
       data-value=${shortest(took.msSpent)}>${msWords(took.msSpent)} ms</span>.</p>`;
 }
 

@@ -86,28 +86,59 @@ interface Read<T> {
   readonly problem: string | null;
 }
 
-/** Reads the text of each key of the link; null for an invalid one. */
-const READERS: {
-  readonly [K in keyof AccuracySettings]: (text: string) => AccuracySettings[K] | null;
-} = {
-  family: (text) => findFamily(text)?.id ?? null,
-  dial: (text) => finite(text),
-  worth: (text) => WORTHS.find(({ id }) => id === text)?.id ?? null,
-  cost: (text) => COSTS.find(({ id }) => id === text)?.id ?? null,
-  target: (text) => TARGETS.find(({ id }) => id === text)?.id ?? null,
-  order: (text) => ORDERS.find(({ id }) => id === text)?.id ?? null,
-  hard: (text) => (findFamily(text)?.dial ? text : null),
-  seed: (text) => (/^\d{1,9}$/.test(text) ? Number(text) : null),
-  atlas: (text) => (AXES_TEXT.test(text) ? text : null),
-  zoom: (text) => {
-    const zoom = finite(text);
-    const [least, most] = ZOOMS.lengths;
-    return zoom !== null && zoom >= least && zoom <= most ? zoom : null;
+/** How the text of a key in the link is read; null for an invalid one. */
+interface Reader<T> {
+  /** What a text should be, for messages. */
+  readonly what: string;
+  read(text: string): T | null;
+}
+
+const oneOf = <T extends string>(all: readonly { readonly id: T }[]): Reader<T> => ({
+  what: all.map(({ id }) => id).join(' or '),
+  read: (text) => all.find(({ id }) => id === text)?.id ?? null,
+});
+
+const [LEAST_ZOOM, MOST_ZOOM] = ZOOMS.lengths;
+
+const READERS: { readonly [K in keyof AccuracySettings]: Reader<AccuracySettings[K]> } = {
+  family: { what: 'a family of rays', read: (text) => findFamily(text)?.id ?? null },
+  dial: { what: 'a number', read: (text) => finite(text) },
+  worth: oneOf(WORTHS),
+  cost: oneOf(COSTS),
+  target: oneOf(TARGETS),
+  order: oneOf(ORDERS),
+  hard: {
+    what: 'a family of rays with a dial',
+    read: (text) => (findFamily(text)?.dial ? text : null),
   },
-  by: (text) => MEASURES.find(({ id }) => id === text)?.id ?? null,
-  at: (text) => (numbersIn(text).length === 2 ? text : null),
-  maps: (text) => listOf(text, (id) => id === OWN || findMethod(id) !== undefined),
-  start: (text) => listOf(text, isStart),
+  seed: {
+    what: 'a whole number of up to nine digits',
+    read: (text) => (/^\d{1,9}$/.test(text) ? Number(text) : null),
+  },
+  atlas: {
+    what: 'two different numbers of ray and shape, as E.z,r',
+    read: (text) => (AXES_TEXT.test(text) ? text : null),
+  },
+  zoom: {
+    what: `a number from ${LEAST_ZOOM} to ${MOST_ZOOM}`,
+    read(text) {
+      const zoom = finite(text);
+      return zoom !== null && zoom >= LEAST_ZOOM && zoom <= MOST_ZOOM ? zoom : null;
+    },
+  },
+  by: oneOf(MEASURES),
+  at: {
+    what: 'two numbers with a comma between',
+    read: (text) => (numbersIn(text).length === 2 ? text : null),
+  },
+  maps: {
+    what: `a method or ${OWN}, or two of them with a comma between`,
+    read: (text) => listOf(text, (id) => id === OWN || findMethod(id) !== undefined),
+  },
+  start: {
+    what: 'a start rule, or two of them with a comma between',
+    read: (text) => listOf(text, isStart),
+  },
 };
 
 /** Two different ids of numbers; which there are depends on the shape. */
@@ -147,10 +178,11 @@ function read<K extends keyof AccuracySettings>(
   text: string | undefined,
 ): Read<AccuracySettings[K]> {
   if (text === undefined) return { value: INITIAL_ACCURACY[key], problem: null };
-  const value = READERS[key](text);
-  return value === null
-    ? { value: INITIAL_ACCURACY[key], problem: `opened without ${key}: ${quote(text)} is not one` }
-    : { value, problem: null };
+  const { what, read: parse } = READERS[key];
+  const value = parse(text);
+  if (value !== null) return { value, problem: null };
+  const problem = `opened without ${key}: ${quote(text)} is not ${what}`;
+  return { value: INITIAL_ACCURACY[key], problem };
 }
 
 /**

@@ -10,6 +10,7 @@ import { frontierOf } from '../../../src/state/accuracy/frontier.ts';
 import { hardnessOf, tickOf } from '../../../src/state/accuracy/hardness.ts';
 import { createRayModel } from '../../../src/state/accuracy/ladder.ts';
 import {
+  ACCURACY_KEYS,
   type AccuracySettings,
   INITIAL_ACCURACY,
   readAccuracy,
@@ -216,6 +217,11 @@ describe('the settings of a link', () => {
     expect(values).toEqual(INITIAL_ACCURACY);
     expect(problems).toHaveLength(1);
     expect(problems[0]).toContain(`'${text}'`);
+  });
+
+  test.each(ACCURACY_KEYS)('what %s should be is said', (key) => {
+    const [problem] = readAccuracy({ [key]: '?' }).problems;
+    expect(problem).toMatch(/^opened without \w+: '\?' is not (an? |two |\w+ or )/);
   });
 
   test('a dial stops at its ends, and a family without one has none', () => {
