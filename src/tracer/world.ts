@@ -54,6 +54,7 @@ export function worldOf(
   const asked = findMethod(method);
   if (!asked) throw new InvalidInput(`there is no method ${quote(method)} to trace with`);
   const surfaces = surfacesOf(scene);
+  const rounding = ROUNDINGS * unitOf(asked);
   const materials = surfaces.map(({ thing }) => scene.things[thing]?.material as Material);
   return {
     surfaces,
@@ -72,7 +73,8 @@ export function worldOf(
         low: between?.[0] ?? Number.NEGATIVE_INFINITY,
         high: between?.[1] ?? Number.POSITIVE_INFINITY,
         isKept:
-          between && formula.family === 'curved' ? keptBy(surface.shape, between, method) : null,
+          between && formula.family === 'curved' ? keptBy(surface.shape, between, asked) : null,
+        rounding,
         box: boxOf(between ? surface : { ...surface, between: EVERYWHERE }),
         blocks: materials[k]?.glass === undefined,
         absorbs: materials[k]?.glass?.absorption.some((x) => x > 0) ?? false,
@@ -83,17 +85,50 @@ export function worldOf(
   };
 }
 
+/**
+ * Roundings between two ways to E.y + t d.y: t, the product, the sum, and the point's own; more
+ * than there are, since the math module is asked within them.
+ */
+const ROUNDINGS = 16;
+
+/** Distance of 1 from the next number that the method works with. */
+function unitOf({ parts }: Method): number {
+  const double = 2 ** -52;
+  if (!parts) return double;
+  return parts(({ of, toNumber }) => {
+    let unit = double;
+    while (toNumber(of(1 + unit)) === 1) unit *= 2;
+    return unit;
+  });
+}
+
 /** As `intersect` decides it for one ray: exactly where the method is exact, else as it rounds. */
-function keptBy(shape: Shape, between: Heights, method: string): CutOff['isKept'] {
+function keptBy(shape: Shape, between: Heights, method: Method): CutOff['isKept'] {
   const solid = { ...shape, between } as Solid;
-  return ({ Ex, Ey, Ez, dx, dy, dz }, i, root) => {
+  const [low, high] = between;
+  const height = roundedHeight(method);
+  return ({ Ex, Ey, Ez, dx, dy, dz }, i, root, t) => {
     const at = (all: Float64Array): number => all[i] as number;
+    if (height) {
+      const y = height(at(Ey), at(dy), t);
+      return y >= low && y <= high;
+    }
     const ray: Ray = { origin: [at(Ex), at(Ey), at(Ez)], direction: [at(dx), at(dy), at(dz)] };
     // A ray whose numbers overflowed on the way is refused there.
     const isRay = [...ray.origin, ...ray.direction].every(Number.isFinite);
-    return isRay && intersect(solid, ray, method).hits[root]?.fate === 'hit';
+    return isRay && intersect(solid, ray, method.id).hits[root]?.fate === 'hit';
   };
 }
+
+/** E.y + t d.y as the method rounds it; null if its t is more than the double that a root is. */
+function roundedHeight({ parts }: Method): ((e: number, d: number, t: number) => number) | null {
+  if (!parts) return null;
+  return parts(({ of, add, mul, toNumber }) =>
+    typeof of(1) === 'number' ? (e, d, t) => toNumber(add(of(e), mul(of(t), of(d)))) : null,
+  );
+}
+
+type Method = NonNullable<ReturnType<typeof findMethod>>;
 
 const EVERYWHERE = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY] as const;
 

@@ -192,10 +192,12 @@ export interface CutOff {
   readonly low: number;
   readonly high: number;
   /**
-   * Whether a root of ray i is a hit between them by the rule of the math module, rims included;
-   * null for a flat shape, of which that has none.
+   * Whether a root of ray i, at t, is a hit between them by the rule of the math module, rims
+   * included; null for a flat shape, of which that has none.
    */
-  readonly isKept: ((rays: Rays, i: number, root: 0 | 1) => boolean) | null;
+  readonly isKept: ((rays: Rays, i: number, root: 0 | 1, t: number) => boolean) | null;
+  /** By which part of its terms E.y and t d.y a height computed here may be off that of isKept. */
+  readonly rounding: number;
 }
 
 /**

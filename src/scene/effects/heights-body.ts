@@ -1,15 +1,9 @@
 import { dropStart } from '../start.ts';
 import type { RootsBody } from './body.ts';
 
-/**
- * A height computed here is off by a few roundings of its terms, and by those of a root that is
- * not exact. Nearer to an end than this part of the terms, the math module is asked.
- */
-const NEAR = 2 ** -20;
-
 export const body: RootsBody = {
   at: 'roots',
-  choose(rays, out, { low, high, isKept }, tMin, leaving) {
+  choose(rays, out, { low, high, isKept, rounding }, tMin, leaving) {
     const { t0, t1 } = out;
     if (leaving) dropStart(out, rays.count);
     const { Ey, dy } = rays;
@@ -18,10 +12,10 @@ export const body: RootsBody = {
       const e = Ey[i] as number;
       const step = t * (dy[i] as number);
       const y = e + step;
-      const near = NEAR * (Math.abs(e) + Math.abs(step));
-      // A missing root is NaN, for which each comparison is false.
+      const near = rounding * (Math.abs(e) + Math.abs(step));
+      // Asking the math module is dear. A missing root is NaN: each comparison is false for it.
       if (isKept && (Math.abs(y - low) <= near || Math.abs(y - high) <= near)) {
-        return isKept(rays, i, root);
+        return isKept(rays, i, root, t);
       }
       return y >= low && y <= high;
     }

@@ -9,8 +9,8 @@ import type { Scene } from '../../../src/scene/types.ts';
 import { worldOf } from '../../../src/tracer/world.ts';
 
 /*
- * Rays whose roots are at a rim to the last bit: the tracer keeps and cuts off what the math module
- * does.
+ * Rays whose roots are at a rim to the last bit, from near and far: the tracer keeps and cuts off
+ * what the math module does.
  */
 
 const SHAPES: readonly Shape[] = [
@@ -22,12 +22,17 @@ const SHAPES: readonly Shape[] = [
 ];
 
 /** A ray, and heights at the root's own height or a double beside it. */
-function* rims(seed: number, shape: Shape): Generator<{ ray: Ray; between: [number, number] }> {
+function* rims(
+  seed: number,
+  shape: Shape,
+  away: number,
+): Generator<{ ray: Ray; between: [number, number] }> {
   const random = seeded(seed);
   const part = (): number => integer(random, -9, 9) / 8;
   for (let k = 0; k < 300; k++) {
-    const origin = [5 * part(), 3 * part(), 5 * part()] as const;
-    const direction = [-origin[0] + part(), part(), -origin[2] + part()] as const;
+    const near = [5 * part(), 3 * part(), 5 * part()] as const;
+    const direction = [-near[0] + part(), part(), -near[2] + part()] as const;
+    const origin = near.map((x, i) => x - away * direction[i as 0]) as [number, number, number];
     if (direction.every((x) => x === 0)) continue;
     const { hits } = intersect(shape, { origin, direction });
     const y = hits[k % 2]?.point[1];
@@ -37,10 +42,12 @@ function* rims(seed: number, shape: Shape): Generator<{ ray: Ray; between: [numb
   }
 }
 
-describe.each(METHODS.map(({ id }) => id))('%s', (method) => {
+const CASES = METHODS.flatMap(({ id }) => [0, 2 ** 20].map((away) => [id, away] as const));
+
+describe.each(CASES)('%s, %d lengths of d away', (method, away) => {
   test.each(SHAPES.map((shape) => [shape.kind, shape] as const))('%s', (_, shape) => {
     let close = 0;
-    for (const { ray, between } of rims(7, shape)) {
+    for (const { ray, between } of rims(7, shape, away)) {
       const [thing] = sixShapes.scene.things;
       if (!thing) throw new Error('a thing was expected');
       const { capped: __, ...rest } = thing;
