@@ -52,6 +52,7 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   const frame = element('div', 'picture-frame', host);
   frame.tabIndex = 0;
   frame.setAttribute('role', 'application');
+  frame.setAttribute('aria-label', 'Picture');
   const right = canvas('traced', frame);
   const left = canvas('traced traced-left', frame);
   const mark = element('div', 'pixel-mark', frame);
@@ -62,6 +63,8 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   divider.setAttribute('aria-label', 'divider between left and right picture');
   divider.setAttribute('aria-valuemin', '0');
   divider.setAttribute('aria-valuemax', '100');
+  // Until the first picture is asked for.
+  divider.setAttribute('aria-valuenow', '50');
   element('span', 'split-grip', divider).setAttribute('aria-hidden', 'true');
   let model: CompareViewModel | null = null;
   let drawn = '';

@@ -44,6 +44,7 @@ export function createPixelMap(host: HTMLElement, actions: PixelMapActions): Pix
   const canvas = document.createElement('canvas');
   canvas.className = 'map-image';
   canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', NOT_TRACED);
   frame.append(canvas);
   const mark = part('pixel-mark', frame);
   const foot = part('map-foot');
@@ -107,7 +108,7 @@ export function createPixelMap(host: HTMLElement, actions: PixelMapActions): Pix
       }
       render(mapHead(show, comparing, actions.show), head);
       render(mapScale(shown?.show === show ? shown : null, at, size[0]), foot);
-      canvas.setAttribute('aria-label', shown?.show === show ? foot.innerText : 'not traced yet');
+      canvas.setAttribute('aria-label', shown?.show === show ? foot.innerText : NOT_TRACED);
     },
     words(x, y) {
       const at = y * size[0] + x;
@@ -116,6 +117,8 @@ export function createPixelMap(host: HTMLElement, actions: PixelMapActions): Pix
     },
   };
 }
+
+const NOT_TRACED = 'not traced yet';
 
 /** What a canvas was drawn from. */
 const sourceOf = new WeakMap<HTMLCanvasElement, object>();

@@ -44,8 +44,12 @@ export async function open(page: Page, hash: string): Promise<void> {
     // Beside an open derivation it is there, but hidden.
     await page.locator('[data-quantity="class"]').waitFor({ state: 'attached' });
     await page.evaluate(() => document.fonts.ready.then(() => null));
-    // The graph's code comes after the page's own.
-    await page.locator('.graph').waitFor({ state: 'attached' });
+    // The graph's code comes after the page's own, and it is drawn when its size is known.
+    await page.waitForFunction(() => {
+      const graph = document.querySelector('.graph');
+      const isSeen = graph?.checkVisibility() && graph.clientHeight > 0;
+      return graph && (!isSeen || graph.querySelector('svg, .graph-concealed'));
+    });
   } else {
     await page.evaluate((next) => {
       location.hash = next;
