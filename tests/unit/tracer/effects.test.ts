@@ -5,7 +5,7 @@ import { planEffects } from '../../../src/scene/effects/plan.ts';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
 import type { Scene } from '../../../src/scene/types.ts';
 import type { Ledger } from '../../../src/tracer/types.ts';
-import { picture } from './tracing.ts';
+import { picture, samePicture } from './tracing.ts';
 
 const presetOf = (id: string): Scene => {
   const found = findPreset(id);
@@ -56,7 +56,7 @@ describe.each(cases.filter(({ needed }) => !needed))('$preset needs no $id', ({ 
 
 describe.each(cases.filter(({ needed }) => needed))('$preset needs $id', ({ id, scene }) => {
   test('forced off, the picture is another one; forced on it stays', async () => {
-    const needed = await picture(scene);
+    const needed = await samePicture(scene);
     const off = await picture(scene, { forced: { [id]: 'off' } });
     expect(off.ledger.effects[id]).toBeUndefined();
     expect([...off.rgba]).not.toEqual([...needed.rgba]);

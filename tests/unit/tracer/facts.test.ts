@@ -6,14 +6,14 @@ import { twoScales } from '../../../src/scene/presets/two-scales.ts';
 import type { Scene } from '../../../src/scene/types.ts';
 import { type Comparison, comparePictures } from '../../../src/tracer/compare.ts';
 import type { StartRule } from '../../../src/tracer/types.ts';
-import { picture } from './tracing.ts';
+import { samePicture } from './tracing.ts';
 
 /* The two lessons of the page, as numbers, on small pictures. */
 
 const SIZE = { width: 72, height: 40 };
 
 const trace = (scene: Scene, method: string, start: StartRule = { rule: 'from' }) =>
-  picture(scene, { ...SIZE, method, start });
+  samePicture(scene, { ...SIZE, method, start });
 const share = ({ differing, pixels }: Comparison): number => differing / pixels;
 
 describe.each([far, grazing])(

@@ -4,7 +4,7 @@ import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/against.ts';
 import { comparePictures } from '../../../src/tracer/compare.ts';
 import { DEFAULT_SETTINGS, type TraceSettings } from '../../../src/tracer/types.ts';
-import { picture } from './tracing.ts';
+import { samePicture } from './tracing.ts';
 
 /* What Compare shows first is what the scene's reason promises. */
 
@@ -16,8 +16,8 @@ async function compared(id: string, text: string) {
   const against = AGAINST.read(text);
   if (!preset || !against) throw new Error(`${id}, ${text}`);
   const [left, right] = await Promise.all([
-    picture(preset.scene, otherSide(SETTINGS, against)),
-    picture(preset.scene, SETTINGS),
+    samePicture(preset.scene, otherSide(SETTINGS, against)),
+    samePicture(preset.scene, SETTINGS),
   ]);
   return { found: comparePictures(left, right), left, right, surfaces: surfacesOf(preset.scene) };
 }

@@ -1,8 +1,10 @@
-import type { Placed, Scene } from '../../../src/scene/types.ts';
+import { seeded } from '../../../src/math/rng.ts';
+import type { Light, Placed, Scene } from '../../../src/scene/types.ts';
 
 /*
  * A second tracer, plain and slow: one ray at a time, by recursion, with formulas of its own, in
- * doubles. It knows of the first one only what a scene is. Lights have no size; surfaces are near.
+ * doubles. It knows of the first one only what a scene is, and which points of a lamp with a size
+ * are asked from a hit: those are drawn by chance, from a seed that the path there decides.
  */
 
 type V = readonly [number, number, number];
@@ -22,9 +24,12 @@ const cross = (a: V, b: V): V => [
 const times = (a: V, b: V): V => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
 const decode = (s: number): number => (s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4);
+const colours = new Map<string, V>();
 const colour = (hex: string): V => {
   const part = (k: number): number => decode(Number.parseInt(hex.slice(k, k + 2), 16) / 255);
-  return [part(1), part(3), part(5)];
+  const found = colours.get(hex) ?? [part(1), part(3), part(5)];
+  colours.set(hex, found);
+  return found;
 };
 const byte = (x: number): number => {
   const y = Math.min(x, 1);
@@ -121,8 +126,52 @@ function surfacesOf(thing: Placed): Surface[] {
   return [own, ...caps];
 }
 
-/** The picture's bytes, three a pixel, one ray through the middle of each. */
-export function secondPicture(scene: Scene, width: number, height: number): number[] {
+const SETS = 64;
+
+/** Points of a unit disc, one in each of side · side fields of the same area; 64 sets of them. */
+function drawDiscs(side: number): readonly (readonly (readonly [number, number])[])[] {
+  const random = seeded(2026);
+  const field = (k: number): readonly [number, number] => {
+    const ring = Math.floor(k / side) % side;
+    const r = Math.sqrt((ring + random()) / side);
+    const angle = (2 * Math.PI * ((k % side) + random())) / side;
+    return [r * Math.cos(angle), r * Math.sin(angle)];
+  };
+  return Array.from({ length: SETS }, () =>
+    Array.from({ length: side * side }, (_, k) => field(k)),
+  );
+}
+
+/** The last step of MurmurHash3. */
+function mixed(bits: number): number {
+  const h = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b);
+  const g = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+  return (g ^ (g >>> 16)) >>> 0;
+}
+
+/** The seed of a path that goes on: mirrored or bent. */
+function after(path: number, how: 'mirrored' | 'bent'): number {
+  const next = Math.imul(path ^ (how === 'mirrored' ? 0x51ed270b : 0x2545f491), 0x85ebca6b);
+  return next ^ (next >>> 13);
+}
+
+/** Two directions across a unit vector (Duff et al. 2017). */
+function across(n: V): readonly [V, V] {
+  const [x, y, z] = n;
+  const s = z < 0 ? -1 : 1;
+  const a = -1 / (s + z);
+  return [
+    [1 + s * x * x * a, s * x * y * a, -s * x],
+    [x * y * a, s + y * y * a, -y],
+  ];
+}
+
+/**
+ * The picture's bytes, three a pixel, one ray through the middle of each; `side` · `side` rays to a
+ * lamp with a size.
+ */
+export function secondPicture(scene: Scene, width: number, height: number, side: number): number[] {
+  const discs = drawDiscs(side);
   const surfaces = scene.things.flatMap(surfacesOf);
   const lights = scene.lights.map((light) => {
     const [r, g, b] = colour(light.colour);
@@ -137,21 +186,21 @@ export function secondPicture(scene: Scene, width: number, height: number): numb
     depth < 64 && Math.max(...w) > 0.5 / 255 / 12.92 / brightest;
   const [low, high] = [colour(scene.background.low), colour(scene.background.high)];
 
-  /** The first root ahead; `from` is the surface that the ray starts on. */
-  function ahead(surface: Surface, E: V, d: V, from: Surface | null): number {
-    let roots = [...surface.roots(E, d)];
-    if (surface === from) {
-      const start = Math.min(...roots.map(Math.abs));
-      const at = roots.findLastIndex((t) => Math.abs(t) === start);
-      roots = roots.filter((_, k) => k !== at);
-    }
+  /** The roots ahead; `from` is the surface that the ray starts on. */
+  function allAhead(surface: Surface, E: V, d: V, from: Surface | null): readonly number[] {
+    const roots = surface.roots(E, d);
+    if (roots.length === 0) return roots;
     const [bottom, top] = surface.between;
-    const counts = (t: number): boolean => {
+    const start = Math.min(...roots.map(Math.abs));
+    const skipped = surface === from ? roots.findLastIndex((t) => Math.abs(t) === start) : -1;
+    return roots.filter((t, k) => {
       const y = E[1] + t * d[1];
-      return t > 0 && y >= bottom && y <= top;
-    };
-    return roots.find(counts) ?? Number.POSITIVE_INFINITY;
+      return k !== skipped && t > 0 && y >= bottom && y <= top;
+    });
   }
+
+  const ahead = (surface: Surface, E: V, d: V, from: Surface | null): number =>
+    allAhead(surface, E, d, from)[0] ?? Number.POSITIVE_INFINITY;
 
   const paintAt = ({ thing, flat: isFlat, normal }: Surface, p: V): V => {
     const { paint } = thing.material;
@@ -166,30 +215,92 @@ export function secondPicture(scene: Scene, width: number, height: number): numb
     return colour(odd ? paint.other : paint.colour);
   };
 
-  function lit(surface: Surface, p: V, N: V, d: V): readonly [matt: V, gloss: V] {
+  const coloured = surfaces.filter(({ thing }) =>
+    (thing.material.glass?.absorption ?? []).some((sigma) => sigma > 0),
+  );
+  const dims = scene.effects?.['coloured-shadow']?.light === 'dimmed';
+
+  const isBlocked = (from: Surface, p: V, L: V, far: number): boolean =>
+    surfaces.some((other) => !other.thing.material.glass && ahead(other, p, L, from) < far);
+
+  /** What the glass on the straight way leaves of each colour. */
+  function leftBy(from: Surface, p: V, L: V, far: number): V {
+    const crossings = coloured.flatMap((surface) =>
+      allAhead(surface, p, L, from)
+        .filter((t) => t < far)
+        .map((t) => ({ t, surface })),
+    );
+    crossings.sort((a, b) => a.t - b.t);
+    let left: V = [1, 1, 1];
+    let before = 0;
+    for (const { t, surface } of crossings) {
+      const sigma = surface.thing.material.glass?.absorption as V;
+      // Around glass is air: only where the ray leaves a thing was it in its glass.
+      if (dot(surface.normal(add(p, L, t)), L) > 0) {
+        const chord = t - before;
+        left = times(left, sigma.map((x) => Math.exp(-x * chord)) as never as V);
+      }
+      before = t;
+    }
+    return left;
+  }
+
+  /** The share of the lamp's disc that is seen from p. */
+  function seenOf(at: number, size: number, from: Surface, p: V, N: V, way: V, path: number) {
+    const [u, v] = across(norm(way));
+    const chance = mixed(Math.imul(path ^ 0x9e3779b9, at + 1));
+    const turn = (2 * Math.PI * (chance >>> 6)) / 2 ** 26;
+    const [c, s] = [size * Math.cos(turn), size * Math.sin(turn)];
+    const points = discs[chance % SETS] ?? [];
+    const free = points.filter(([x, y]) => {
+      const to = add(add(way, u, c * x - s * y), v, s * x + c * y);
+      const distance = Math.sqrt(dot(to, to));
+      return dot(to, N) > 0 && !isBlocked(from, p, norm(to), distance);
+    });
+    return free.length / points.length;
+  }
+
+  /** The share of a light that arrives at p, but for what coloured glass takes. */
+  function reach(light: Light, at: number, from: Surface, p: V, N: V, way: V, path: number) {
+    const far = light.light === 'sun' ? Number.POSITIVE_INFINITY : Math.sqrt(dot(way, way));
+    const full = Number(light.effects?.['fall-off']?.full ?? 0);
+    const near = full > 0 && light.light !== 'sun' ? Math.min(1, full / far) ** 2 : 1;
+    if (light.light === 'sphere') return near * seenOf(at, light.radius, from, p, N, way, path);
+    return isBlocked(from, p, norm(way), far) ? 0 : near;
+  }
+
+  function lit(surface: Surface, p: V, N: V, d: V, path: number): readonly [matt: V, gloss: V] {
     let matt: V = [scene.ambient, scene.ambient, scene.ambient];
     let gloss: V = [0, 0, 0];
     const { shine, mirror } = surface.thing.material;
-    for (const { strength, light } of lights) {
+    for (const [at, { strength, light }] of lights.entries()) {
       const way = light.light === 'sun' ? light.towards : add(light.at, p, -1);
       const far = light.light === 'sun' ? Number.POSITIVE_INFINITY : Math.sqrt(dot(way, way));
       const L = norm(way);
       const cosine = dot(L, N);
       if (!(cosine > 0)) continue;
-      const blocked = surfaces.some(
-        (other) => !other.thing.material.glass && ahead(other, p, L, surface) < far,
-      );
-      if (blocked) continue;
-      matt = add(matt, strength, cosine);
+      const share = reach(light, at, surface, p, N, way, path);
+      if (share === 0) continue;
+      const arrives = dims ? times(strength, leftBy(surface, p, L, far)) : strength;
+      matt = add(matt, arrives, share * cosine);
       const back = -dot(add(times(N, [2 * cosine, 2 * cosine, 2 * cosine]), L, -1), d);
       if (!(back > 0)) continue;
       const spot = shine.strength * (1 - mirror) * Math.min(back, 1) ** shine.exponent;
-      gloss = add(gloss, strength, spot);
+      gloss = add(gloss, arrives, share * spot);
     }
     return [matt, gloss];
   }
 
-  function seen(E: V, d: V, from: Surface | null, inside: Surface | null, w: V, depth: number): V {
+  /** A ray from `from`, in the glass of `inside`; its weight, its bounces so far, and its path. */
+  function seen(
+    E: V,
+    d: V,
+    from: Surface | null,
+    inside: Surface | null,
+    w: V,
+    depth: number,
+    path: number,
+  ): V {
     let hit: Surface | null = null;
     let t = Number.POSITIVE_INFINITY;
     for (const surface of surfaces) {
@@ -212,17 +323,18 @@ export function secondPicture(scene: Scene, width: number, height: number): numb
     const leaves = dot(outer, d) > 0;
     const N: V = leaves ? [-outer[0], -outer[1], -outer[2]] : outer;
     const { mirror, shine, glass } = hit.thing.material;
-    const [matt, gloss] = lit(hit, p, N, d);
+    const [matt, gloss] = lit(hit, p, N, d, path);
     const share = glass ? 0 : 1 - mirror;
     const paint = times(paintAt(hit, p), matt);
     let sum = times(weight, add(gloss, paint, share));
-    const go = (way: V, part: number, medium: Surface | null): void => {
+    const go = (way: V, part: number, medium: Surface | null, how: 'mirrored' | 'bent'): void => {
       const next: V = [weight[0] * part, weight[1] * part, weight[2] * part];
-      if (worth(next, depth)) sum = add(sum, seen(p, way, hit, medium, next, depth + 1));
+      if (!worth(next, depth)) return;
+      sum = add(sum, seen(p, way, hit, medium, next, depth + 1, after(path, how)));
     };
     const cosine = -dot(d, N);
     const mirrored = add(d, N, 2 * cosine);
-    if (mirror > 0) go(mirrored, mirror, inside);
+    if (mirror > 0) go(mirrored, mirror, inside, 'mirrored');
     if (!glass) return sum;
     const eta = leaves ? glass.index : 1 / glass.index;
     const through = (1 - mirror) * (1 - shine.strength);
@@ -231,9 +343,9 @@ export function secondPicture(scene: Scene, width: number, height: number): numb
     const rs = (eta * cosine - other) / (eta * cosine + other);
     const rp = (cosine - eta * other) / (cosine + eta * other);
     const back = root < 0 ? 1 : Math.min(1, (rs * rs + rp * rp) / 2);
-    if (back > 0) go(mirrored, through * back, inside);
+    if (back > 0) go(mirrored, through * back, inside, 'mirrored');
     const bent = add([eta * d[0], eta * d[1], eta * d[2]], N, eta * cosine - other);
-    if (back < 1) go(bent, through * (1 - back), leaves ? null : hit);
+    if (back < 1) go(bent, through * (1 - back), leaves ? null : hit, 'bent');
     return sum;
   }
 
@@ -248,7 +360,8 @@ export function secondPicture(scene: Scene, width: number, height: number): numb
       const u = ((2 * (x + 0.5)) / width - 1) * half * (width / height);
       const v = (1 - (2 * (y + 0.5)) / height) * half;
       const d = norm(add(add(forward, right, u), up, v));
-      bytes.push(...seen(eye, d, null, null, [1, 1, 1], 0).map(byte));
+      const path = Math.imul(y * width + x + 1, 0x9e3779b1);
+      bytes.push(...seen(eye, d, null, null, [1, 1, 1], 0, path).map(byte));
     }
   }
   return bytes;

@@ -13,11 +13,27 @@ export const TINY: TraceSettings = { ...DEFAULT_SETTINGS, width: 48, height: 27,
 export const tracerFor = (scene: Scene, settings: Partial<TraceSettings> = {}): Promise<Tracer> =>
   prepareTracer(scene, { ...TINY, ...settings }, () => 0);
 
+interface Traced extends TileResult {
+  readonly width: number;
+  readonly height: number;
+}
+
+const traced = new WeakMap<Scene, Map<string, Promise<Traced>>>();
+
+/** As `picture`, but traced once for all tests of this file's thread; nobody writes into it. */
+export function samePicture(scene: Scene, settings: Partial<TraceSettings> = {}): Promise<Traced> {
+  const key = JSON.stringify({ ...TINY, ...settings });
+  const pictures = traced.get(scene) ?? new Map<string, Promise<Traced>>();
+  const found = pictures.get(key) ?? picture(scene, settings);
+  traced.set(scene, pictures.set(key, found));
+  return found;
+}
+
 /** A whole picture in one tile. */
 export async function picture(
   scene: Scene,
   settings: Partial<TraceSettings> = {},
-): Promise<TileResult & { readonly width: number; readonly height: number }> {
+): Promise<Traced> {
   const { width, height } = { ...TINY, ...settings };
   const tracer = await tracerFor(scene, settings);
   return { ...tracer.trace({ y0: 0, y1: height, step: 1, refines: false }), width, height };
