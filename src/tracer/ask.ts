@@ -209,7 +209,7 @@ export function createAsker(
   };
 }
 
-function copyRay(from: Rays, i: number, to: Rays, k: number): void {
+export function copyRay(from: Rays, i: number, to: Rays, k: number): void {
   to.Ex[k] = from.Ex[i] as number;
   to.Ey[k] = from.Ey[i] as number;
   to.Ez[k] = from.Ez[i] as number;

@@ -1,10 +1,11 @@
-import type { Feelers, Wave } from '../scene/effects/body.ts';
+import type { Chords, Feelers, Wave } from '../scene/effects/body.ts';
 import { type HeightsEffect, startOf } from './ask.ts';
 import { findBlocked } from './blocked.ts';
 import { groupsOf } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import { findNearest } from './nearest.ts';
 import { createScratch } from './scratch.ts';
+import { createChords } from './through.ts';
 import type { StartRule } from './types.ts';
 import type { Target } from './world.ts';
 
@@ -13,6 +14,8 @@ interface Finder {
   nearest(wave: Wave, tally: Tally): void;
   /** Puts a surface that blocks light before the limit into blocker. */
   blocked(feelers: Feelers, tally: Tally): void;
+  /** How far each feeler runs through the glass of each coloured surface before its limit. */
+  through(feelers: Feelers, tally: Tally): readonly Chords[];
 }
 
 /**
@@ -39,6 +42,14 @@ export function createFinder(
   const scratch = createScratch(start, heights);
   return {
     nearest: (wave, tally) => findNearest(wave, all, targets, tMin, scratch, tally),
+    through: createChords(
+      groupsOf(
+        targets.filter(({ absorbs }) => absorbs),
+        useBoxes,
+      ),
+      targets,
+      scratch,
+    ),
     blocked: (feelers, tally) => findBlocked(feelers, blocking, targets, tMin, scratch, tally),
   };
 }

@@ -71,7 +71,8 @@ function traceTile(
 ): TileResult {
   const pixels = pixelsOf(tile, settings.width);
   const samples = settings.only === undefined ? settings.samples : 1;
-  const light = settings.only === undefined ? undefined : new Float64Array(3 * pixels.length);
+  const wantsFilm = settings.film === true || settings.only !== undefined;
+  const light = wantsFilm ? new Float64Array(3 * pixels.length) : undefined;
   const rgba = new Uint8ClampedArray(4 * pixels.length);
   const surface = new Int32Array(pixels.length);
   const t = new Float64Array(pixels.length);
@@ -87,8 +88,7 @@ function traceTile(
     film.fill(0);
     for (const array of Object.values(spent)) array.fill(0);
     ledger = addLedgers(ledger, engine.follow(wave, film, spent));
-    light?.set(film.subarray(0, 3 * some.length), 3 * first);
-    develop(film, samples, some.length, rgba.subarray(4 * first));
+    develop(film, samples, some.length, rgba.subarray(4 * first), light?.subarray(3 * first));
     for (let k = 0; k < some.length; k++) {
       const middle = k * samples + (samples >> 1);
       surface[first + k] = wave.surface[middle] as number;
@@ -111,13 +111,20 @@ function addWork(to: PixelWork, at: number, from: PixelWork, s: number): void {
   to.roots[at] = (to.roots[at] as number) + (from.roots[s] as number);
 }
 
-/** Writes pixels as sRGB bytes: the mean of their samples in linear light. */
-function develop(film: Film, samples: number, pixels: number, rgba: Uint8ClampedArray): void {
+/** Writes pixels as sRGB bytes, and as `light`: the mean of their samples in linear light. */
+function develop(
+  film: Film,
+  samples: number,
+  pixels: number,
+  rgba: Uint8ClampedArray,
+  light?: Film,
+): void {
   for (let k = 0; k < pixels; k++) {
     for (let channel = 0; channel < 3; channel++) {
       let sum = 0;
       for (let s = 0; s < samples; s++) sum += film[3 * (k * samples + s) + channel] as number;
       rgba[4 * k + channel] = level(sum / samples);
+      if (light) light[3 * k + channel] = sum / samples;
     }
     rgba[4 * k + 3] = 255;
   }

@@ -1,68 +1,117 @@
-import { type Answers, createAnswers, kernelArray } from '../math/batch.ts';
+import { createAnswers, createRays, kernelArray } from '../math/batch.ts';
 import type { Chords, Feelers } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
+import { copyRay } from './ask.ts';
+import { type Hierarchy, meetBox } from './boxes.ts';
+import type { Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
+import type { Scratch } from './scratch.ts';
 import type { Target } from './world.ts';
 
 interface Crossing {
   readonly t: number;
-  /** Index into the surfaces. */
-  readonly at: number;
+  readonly surface: number;
   /** Whether the ray leaves the glass of the surface there. */
   readonly leaves: boolean;
 }
 
 /**
- * How far each ray runs, before its limit, through the glass of each of these surfaces. As for rays
- * that are bent, the stretch before a point where a ray leaves a surface's glass is in that glass,
- * and around glass is air.
+ * How far each ray runs, before its limit, through the glass of each surface of these groups. As
+ * for rays that are bent, the stretch before a point where a ray leaves a surface's glass is in
+ * that glass, and around glass is air.
  */
-export function chordsOf(
-  feelers: Feelers,
+export function createChords(
+  { open, boxed }: Groups,
   targets: readonly Target[],
-  tally: Tally,
-): readonly Chords[] {
-  const { count, rays, from, limit, asked, found } = feelers;
-  rays.count = count;
-  asked.fill(targets.length, 0, count);
-  found.fill(0, 0, count);
-  const out: Answers = createAnswers(count, kernelArray);
-  const crossings: Crossing[][] = Array.from({ length: count }, () => []);
+  scratch: Scratch,
+) {
+  let rays = createRays(0, kernelArray);
+  let out = createAnswers(0, kernelArray);
 
-  function cross(target: Target, at: number, start: boolean): void {
-    const { low, high } = target;
-    for (let j = 0; j < count; j++) {
-      if (((from[j] as number) === target.surface) !== start) continue;
-      for (const t of [out.t0[j] as number, out.t1[j] as number]) {
-        const y = (rays.Ey[j] as number) + t * (rays.dy[j] as number);
-        // A missing root is NaN, for which each comparison is false.
-        if (!(t > 0 && t < (limit[j] as number) && y >= low && y <= high)) continue;
-        crossings[j]?.push({ t, at, leaves: leavesAt(target, feelers, j, t) });
-        found[j] = (found[j] as number) + 1;
-        tally.roots += 1;
+  return (feelers: Feelers, tally: Tally): readonly Chords[] => {
+    const { count, from, limit, asked, found } = feelers;
+    feelers.rays.count = count;
+    asked.fill(0, 0, count);
+    found.fill(0, 0, count);
+    scratch.need(count);
+    if (out.t0.length < count) {
+      rays = createRays(2 * count, kernelArray);
+      out = createAnswers(2 * count, kernelArray);
+    }
+    const crossings: Crossing[][] = Array.from({ length: count }, () => []);
+    const chords: Chords[] = [];
+
+    /** Crossings of the rays of the list that start on the target, or that do not. */
+    function cross(target: Target, list: Int32Array, n: number, start: boolean): void {
+      const { low, high, surface } = target;
+      for (let k = 0; k < n; k++) {
+        const j = list[k] as number;
+        if ((from[j] === surface) !== start) continue;
+        for (const t of [out.t0[k] as number, out.t1[k] as number]) {
+          const y = (rays.Ey[k] as number) + t * (rays.dy[k] as number);
+          // A missing root is NaN, for which each comparison is false.
+          if (!(t > 0 && t < (limit[j] as number) && y >= low && y <= high)) continue;
+          crossings[j]?.push({ t, surface, leaves: leavesAt(target, feelers, j, t) });
+          found[j] = (found[j] as number) + 1;
+          tally.roots += 1;
+        }
       }
     }
-  }
 
-  targets.forEach((target, at) => {
-    target.kernel.both(rays, out);
-    tally.questions += count;
-    tally.solves += target.flat ? count : 2 * count;
-    cross(target, at, false);
-    if (!from.subarray(0, count).includes(target.surface)) return;
-    dropStart(out, count);
-    cross(target, at, true);
-  });
-  const lengths = targets.map(() => new Float64Array(count));
-  crossings.forEach((of, j) => {
-    let before = 0;
-    for (const { t, at, leaves } of of.sort((a, b) => a.t - b.t)) {
-      const glass = lengths[at];
-      if (leaves && glass) glass[j] = (glass[j] as number) + t - before;
-      before = t;
+    function ask(target: Target, list: Int32Array, n: number): void {
+      let starts = false;
+      for (let k = 0; k < n; k++) {
+        const j = list[k] as number;
+        copyRay(feelers.rays, j, rays, k);
+        asked[j] = (asked[j] as number) + 1;
+        starts ||= from[j] === target.surface;
+      }
+      rays.count = n;
+      target.kernel.both(rays, out);
+      tally.questions += n;
+      tally.solves += target.flat ? n : 2 * n;
+      cross(target, list, n, false);
+      if (!starts) return;
+      dropStart(out, n);
+      cross(target, list, n, true);
     }
-  });
-  return targets.map(({ surface }, at) => ({ surface, lengths: lengths[at] as Float64Array }));
+
+    const slopes = boxed.length > 0 ? scratch.slopes(feelers.rays, count) : undefined;
+
+    function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
+      if (!slopes) return;
+      const kept = scratch.list(depth);
+      const m = meetBox(node.box, feelers.rays, slopes, limit, list, n, kept);
+      if (m === 0) return;
+      if (node.leaf) ask(targets[node.surface] as Target, kept, m);
+      else {
+        descend(node.near, kept, m, depth + 1);
+        descend(node.far, kept, m, depth + 1);
+      }
+    }
+
+    const everyone = scratch.everyone();
+    for (const target of open) ask(target, everyone, count);
+    for (const node of boxed) descend(node, everyone, count, 0);
+    const lengths = new Map<number, Float64Array>();
+    crossings.forEach((of, j) => {
+      let before = 0;
+      // In the order of surfaces where t is equal, however they were asked.
+      for (const { t, surface, leaves } of of.sort((a, b) => a.t - b.t || a.surface - b.surface)) {
+        if (leaves) {
+          const glass = lengths.get(surface) ?? new Float64Array(count);
+          lengths.set(surface, glass);
+          glass[j] = (glass[j] as number) + t - before;
+        }
+        before = t;
+      }
+    });
+    // Products of colours do not depend on the order in which boxes were met.
+    for (const surface of [...lengths.keys()].sort((a, b) => a - b)) {
+      chords.push({ surface, lengths: lengths.get(surface) as Float64Array });
+    }
+    return chords;
+  };
 }
 
 /** Whether a ray runs along the surface's normal at t, which points out of its glass. */

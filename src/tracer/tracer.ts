@@ -4,7 +4,6 @@ import { type Counts, createCounts, type Part } from './counts.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
 import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
-import { chordsOf } from './through.ts';
 import { type Ledger, NOTHING, type PixelWork, type RayKind, type TraceSettings } from './types.ts';
 import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
@@ -68,8 +67,6 @@ export function createEngine(
   const wayBodies = ways.map(({ body }) => body);
   const least = unseen / brightest(world, scene.ambient, wayBodies);
 
-  const coloured = world.targets.filter(({ absorbs }) => absorbs);
-
   let counts: Counts = createCounts(parts, clock);
   const finder = createFinder(
     world.targets,
@@ -83,7 +80,9 @@ export function createEngine(
         tally.ms += ms;
       },
     },
+    settings.boxless ? Number.POSITIVE_INFINITY : undefined,
   );
+  const bounces = Math.min(settings.bounces ?? MOST_BOUNCES, MOST_BOUNCES);
   let feelers = createFeelers(4096);
   let lits: Lit[] = [];
   let first = createWave(0);
@@ -124,7 +123,7 @@ export function createEngine(
       through(asked, about) {
         const tally = counts.tallyOf(id);
         counts.fire(id, 'shadow', asked.count);
-        const chords = chordsOf(asked, coloured, tally);
+        const chords = finder.through(asked, tally);
         counts.spent(asked, shadowKind);
         asked.blocker.fill(NOTHING, 0, asked.count);
         asked.t.set(asked.limit.subarray(0, asked.count));
@@ -132,7 +131,7 @@ export function createEngine(
         return chords;
       },
       worth(weight) {
-        if (generation >= MOST_BOUNCES) counts.cut();
+        if (generation >= bounces) counts.cut();
         else if (weight > least) return true;
         else counts.save();
         return false;

@@ -35,12 +35,18 @@ export interface TraceSettings {
   readonly samples: number;
   /** If given, the one of these that is traced, alone; the result then has its film. */
   readonly only?: number;
+  /** Whether the result has the pixels' linear light too. */
+  readonly film?: boolean;
   /** Shadow rays to a light with a size, on a square grid with seeded jitter: 4, 9, 16, 25, … */
   readonly lightSamples: number;
   /** The method that answers every question, of METHODS. */
   readonly method: string;
   readonly start: StartRule;
   readonly forced: Forced;
+  /** Most bounces of a ray; MOST_BOUNCES if it is left out. */
+  readonly bounces?: number;
+  /** Whether every surface is asked about every ray, without boxes around them. */
+  readonly boxless?: boolean;
 }
 
 export const DEFAULT_SETTINGS: TraceSettings = {
@@ -75,7 +81,7 @@ export interface TileResult {
   readonly surface: Int32Array;
   /** t of that hit; NaN without one. */
   readonly t: Float64Array;
-  /** Linear light of the pixels, three doubles each, if one sample alone is traced. */
+  /** Linear light of the pixels, three doubles each: of one sample, or the mean of all. */
   readonly film?: Float64Array;
   /** What each pixel needed, with all that its camera rays caused. */
   readonly work: PixelWork;
@@ -126,7 +132,7 @@ export interface Ledger {
    * (see weight.ts).
    */
   readonly saved: number;
-  /** Rays that were not fired because MOST_BOUNCES was reached. */
+  /** Rays that were not fired because the most bounces were reached. */
   readonly cut: number;
 }
 

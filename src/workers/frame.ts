@@ -14,7 +14,7 @@ export interface Frame {
   readonly t: Float64Array;
   /** Size of the block that gave a pixel its colour; 0: the pixel was traced, 255: none yet. */
   readonly block: Uint8Array;
-  /** Linear light, three doubles a pixel, if one sample alone is traced; else null. */
+  /** Linear light, three doubles a pixel, if it was asked for; else null. */
   readonly film: Float64Array | null;
   /** What each pixel needed; valid for traced pixels. */
   readonly work: PixelWork;

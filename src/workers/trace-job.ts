@@ -237,7 +237,11 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
       const started: Run = {
         id,
         listener,
-        frame: newFrame(settings.width, settings.height, settings.only !== undefined),
+        frame: newFrame(
+          settings.width,
+          settings.height,
+          settings.film === true || settings.only !== undefined,
+        ),
         tiles: createTiles(settings.width, settings.height, members.length, atOnce ? [1] : STEPS),
         started: clock(),
         ledger: EMPTY_LEDGER,
