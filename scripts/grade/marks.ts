@@ -1,8 +1,8 @@
-import { csv } from '../../src/check/class.ts';
 import { xmlText } from '../../src/check/exports/xml.ts';
 import { GROUPS, type GroupId } from '../../src/check/program/cases.ts';
 import type { GroupScore, Report } from '../../src/check/program/report.ts';
 import { BRANCHES } from '../../src/check/program/suspects.ts';
+import { csv } from '../../src/text/csv.ts';
 
 /** How much each group counts, against the others. */
 type Weights = Readonly<Record<GroupId, number>>;

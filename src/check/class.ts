@@ -1,3 +1,4 @@
+import { csv } from '../text/csv.ts';
 import { derivationFor } from './compose.ts';
 import { findExercise } from './exercises/index.ts';
 import { readAnswer } from './grade.ts';
@@ -159,20 +160,6 @@ function remarksOn(
     expected && one.seed !== expected.seed ? `another seed: ${one.seed}` : '',
   ].filter((words) => words !== '');
 }
-
-/**
- * A cell of CSV. What a spreadsheet would take for a formula gets an apostrophe before it, since
- * names come from anybody.
- */
-export function csvCell(value: string | number): string {
-  if (typeof value === 'number') return String(value);
-  const plain = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
-  return /[",\n\r]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
-}
-
-/** Rows as CSV. */
-export const csv = (rows: readonly (readonly (string | number)[])[]): string =>
-  `${rows.map((row) => row.map(csvCell).join(',')).join('\n')}\n`;
 
 /** A line for each student; a column for each question, by number: 1 if it is right. */
 export function classCsv({ students }: ClassReport): string {

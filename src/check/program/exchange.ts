@@ -1,5 +1,5 @@
 import { findShape, type Param } from '../../math/shapes.ts';
-import { shortest } from '../../text/format.ts';
+import { type Cell, csv } from '../../text/csv.ts';
 import type { Case } from './cases.ts';
 import { LONGEST_RESULTS } from './results.ts';
 
@@ -45,28 +45,26 @@ const replaced = (_: string, value: unknown): unknown =>
 const columnsOf = ({ symbol, type }: Param): string[] =>
   type === 'vector' ? ['x', 'y', 'z'].map((axis) => `${symbol}${axis}`) : [symbol];
 
-function cellsOf(one: Case): ReadonlyMap<string, string> {
-  const cells = new Map<string, string>();
+function cellsOf(one: Case): ReadonlyMap<string, Cell> {
+  const cells = new Map<string, Cell>();
   for (const param of findShape(one.shape.kind)?.params ?? []) {
     const value = (one.shape as unknown as Readonly<Record<string, unknown>>)[param.key];
-    const parts = Array.isArray(value) ? value : [value];
+    const parts = (Array.isArray(value) ? value : [value]) as readonly (number | string)[];
     columnsOf(param).forEach((column, i) => {
-      cells.set(column, cell(parts[i]));
+      cells.set(column, parts[i]);
     });
   }
   return cells;
 }
 
-const cell = (value: unknown): string =>
-  typeof value === 'number' ? shortest(value) : String(value);
-
 export function casesCsv(cases: readonly Case[]): string {
   const rows = cases.map((one) => ({ one, cells: cellsOf(one) }));
   const columns = [...new Set(rows.flatMap(({ cells }) => [...cells.keys()]))];
-  const head = ['id', 'kind', 'Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz', ...columns];
-  const lines = rows.map(({ one: { id, shape, ray }, cells }) => [
-    ...[id, shape.kind, ...ray.origin.map(cell), ...ray.direction.map(cell)],
-    ...columns.map((column) => cells.get(column) ?? ''),
+  return csv([
+    ['id', 'kind', 'Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz', ...columns],
+    ...rows.map(({ one: { id, shape, ray }, cells }) => [
+      ...[id, shape.kind, ...ray.origin, ...ray.direction],
+      ...columns.map((column) => cells.get(column)),
+    ]),
   ]);
-  return `${[head, ...lines].map((line) => line.join(',')).join('\n')}\n`;
 }

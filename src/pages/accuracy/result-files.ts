@@ -5,7 +5,7 @@ import { METHODS } from '../../math/index.ts';
 import type { Column } from '../../state/accuracy/column.ts';
 import type { RayModel } from '../../state/accuracy/ladder.ts';
 import { type AccuracySettings, TARGETS } from '../../state/accuracy/settings.ts';
-import { shortest } from '../../text/format.ts';
+import { csv } from '../../text/csv.ts';
 
 /** All results, with their provenance. */
 export interface Findings {
@@ -32,17 +32,16 @@ const OF_A_TARGET = [
 ];
 const QUESTIONS = ['both roots', 'a verdict alone'];
 
-const headOf = ({ family, order }: AccuracySettings): string =>
-  [
-    'method',
-    ...OF_THIS_RAY.map((name) => `this ray: ${name}`),
-    ...OF_THE_FAMILY.map((name) => `${family} rays: ${name}`),
-    ...TARGETS.flatMap(({ title }) =>
-      QUESTIONS.flatMap((asked) =>
-        OF_A_TARGET.map((name) => `${family} rays ${order} ${title} ${asked}: ${name}`),
-      ),
+const headOf = ({ family, order }: AccuracySettings): readonly string[] => [
+  'method',
+  ...OF_THIS_RAY.map((name) => `this ray: ${name}`),
+  ...OF_THE_FAMILY.map((name) => `${family} rays: ${name}`),
+  ...TARGETS.flatMap(({ title }) =>
+    QUESTIONS.flatMap((asked) =>
+      OF_A_TARGET.map((name) => `${family} rays ${order} ${title} ${asked}: ${name}`),
     ),
-  ].join(',');
+  ),
+];
 
 /** CSV with one line per method; cells without a measurement are empty. */
 export function toCsv({ settings, ray, columns }: Findings): string {
@@ -60,11 +59,9 @@ export function toCsv({ settings, ray, columns }: Findings): string {
         const row = rowIn(target.id);
         return [...timeCells(row?.roots), ...timeCells(row?.classes)];
       }),
-    ]
-      .map(cell)
-      .join(',');
+    ].map((x) => (Number.isNaN(x) ? '' : x));
   });
-  return `${[headOf(settings), ...lines].join('\n')}\n`;
+  return csv([headOf(settings), ...lines]);
 }
 
 const timeCells = (timing: Timing | undefined) => [
@@ -73,11 +70,6 @@ const timeCells = (timing: Timing | undefined) => [
   timing?.ns.most,
   timing?.times.value,
 ];
-
-function cell(x: string | number | null | undefined): string {
-  if (x === undefined || x === null || Number.isNaN(x)) return '';
-  return typeof x === 'number' ? shortest(x) : x;
-}
 
 /** JSON has no infinities and no NaN: they are written as strings. */
 export function toJson({ ray, ...rest }: Findings): string {

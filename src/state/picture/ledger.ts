@@ -1,6 +1,7 @@
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { type PlannedEffect, planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
+import { type Cell, csv } from '../../text/csv.ts';
 import type { Cost, Ledger, RayKind, TraceSettings, Work } from '../../tracer/types.ts';
 import { type BuildUp, buildUpOf } from './build-up.ts';
 import type { Spread, Times } from './times.ts';
@@ -161,35 +162,34 @@ const sum = (a: Cost, b: Cost): Cost => ({
  * are the quartiles of repeats, of all workers; empty if they were not measured.
  */
 export function ledgerCsv({ camera, simulated, idle, total, by, times }: LedgerModel): string {
-  const head =
-    'effect,needed,forced,reason,rays,questions,roots worked out,roots found,' +
-    `ms lower quartile,ms upper quartile,share of ${by},pixels changed`;
-  const costs = (cost: Cost | null, time: Spread | null): string =>
+  const costs = (cost: Cost | null, time: Spread | null): readonly Cell[] => [
+    ...(cost ? [cost.rays, cost.questions, cost.solves, cost.roots] : [0, 0, 0, 0]),
+    ...[time?.low, time?.high],
+  ];
+  const line = (row: LedgerRow): readonly Cell[] => [
+    ...[row.id, row.leftOut ? 'left out' : row.needed, row.forced, row.reason],
+    ...[...costs(row.cost, row.time), row.share, row.pixels],
+  ];
+  return csv([
     [
-      ...(cost ? [cost.rays, cost.questions, cost.solves, cost.roots] : [0, 0, 0, 0]),
-      ...[time?.low ?? '', time?.high ?? ''],
-    ].join(',');
-  const line = (row: LedgerRow): string =>
+      ...['effect', 'needed', 'forced', 'reason', 'rays', 'questions', 'roots worked out'],
+      ...['roots found', 'ms lower quartile', 'ms upper quartile', `share of ${by}`],
+      'pixels changed',
+    ],
     [
-      ...[
-        row.id,
-        row.leftOut ? 'left out' : row.needed,
-        row.forced,
-        quoted(row.reason),
-        costs(row.cost, row.time),
-      ],
-      ...[row.share, row.pixels ?? ''],
-    ].join(',');
-  return `${[
-    head,
-    `camera rays,true,no,,${costs(camera.cost, camera.time)},${camera.share},${camera.pixels}`,
+      'camera rays',
+      true,
+      'no',
+      '',
+      ...costs(camera.cost, camera.time),
+      camera.share,
+      camera.pixels,
+    ],
     ...simulated.map(line),
     ...idle.map(line),
-    `picture,,,,${costs(total, times?.work ?? null)},1,`,
-  ].join('\n')}\n`;
+    ['picture', '', '', '', ...costs(total, times?.work ?? null), 1, ''],
+  ]);
 }
-
-const quoted = (text: string): string => `"${text.replaceAll('"', '""')}"`;
 
 /** 1 491 968: groups of three, apart by a space that does not break. */
 export function grouped(n: number): string {

@@ -15,6 +15,7 @@ import {
   markShares,
   placeWords,
 } from '../../../state/accuracy/atlas-words.ts';
+import { csv } from '../../../text/csv.ts';
 import { displayAll, shortest } from '../../../text/format.ts';
 import type { ExportItem } from '../../export-dialog.ts';
 
@@ -53,7 +54,7 @@ export function atlasExports(
       text: null,
       blob: async () => picture(shown()),
     },
-    text('map-csv', 'map as CSV', 'graze-map.csv', 'text/csv', () => csv(shown())),
+    text('map-csv', 'map as CSV', 'graze-map.csv', 'text/csv', () => mapCsv(shown())),
     text('map-json', 'map as JSON', 'graze-map.json', 'application/json', () => json(shown())),
     text('map-cases', 'rays as cases', 'graze-cases.json', 'application/json', cases(casesFile)),
     text(
@@ -67,7 +68,7 @@ export function atlasExports(
 }
 
 /** A line a pixel: both numbers, and what each map says. */
-function csv(shown: readonly Shown[]): string {
+function mapCsv(shown: readonly Shown[]): string {
   const [first] = shown;
   if (!first) return '';
   const [x, y] = scalesOf(first.map.request);
@@ -82,9 +83,9 @@ function csv(shown: readonly Shown[]): string {
     const own = shown.flatMap(({ frame, map }) =>
       cells(frame, pixel, map.request.start !== undefined),
     );
-    return [column, row, shortest(x.numberAt(column)), shortest(y.numberAt(row)), ...own].join(',');
+    return [column, row, x.numberAt(column), y.numberAt(row), ...own];
   });
-  return `${[head.map((one) => `"${one}"`).join(','), ...lines].join('\n')}\n`;
+  return csv([head, ...lines]);
 }
 
 function cells(frame: MapFrame | null, pixel: number, isLeaving: boolean): (string | number)[] {

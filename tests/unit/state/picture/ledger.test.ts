@@ -173,7 +173,7 @@ describe('the ledger', () => {
     expect(forced.idle.find(({ id }) => id === 'reflection')?.forced).toBe('off');
   });
 
-  test('as CSV: a line for each, reasons in quotes, every line as long', () => {
+  test('as CSV: a line for each, every line as long', () => {
     const shown = ledgerModel(
       scene('mirror'),
       DEFAULT_SETTINGS,
@@ -187,7 +187,7 @@ describe('the ledger', () => {
       expect(line.replace(/"(?:[^"]|"")*"/g, '').split(',')).toHaveLength(12);
     }
     expect(lines.find((line) => line.startsWith('reflection'))).toMatch(
-      /^reflection,true,no,"[^"]+",30,60,7,6,5,5,0\.09\d*,77$/,
+      /^reflection,true,no,[^",]+,30,60,7,6,5,5,0\.09\d*,77$/,
     );
   });
 });
