@@ -8,8 +8,8 @@ const FORMULA = /^[=+\-@\t\r]/;
 const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i;
 
 /**
- * A cell of CSV, quoted as RFC 4180 says. A text that a spreadsheet would take for a formula gets an
- * apostrophe before it, since names and answers come from anybody.
+ * A cell of CSV, quoted as RFC 4180 says. A text that a spreadsheet would take for a formula gets
+ * an apostrophe before it, since names and answers come from anybody.
  */
 function written(cell: Cell): string {
   if (cell === null || cell === undefined) return '';
