@@ -1,8 +1,9 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { SHAPES, type Shape } from '../math/index.ts';
-import { definitionOf, findShape } from '../math/shapes.ts';
-import { addLight, addShape, addThing, freeId } from '../scene/edit.ts';
-import type { Scene } from '../scene/types.ts';
+import { findShape } from '../math/shapes.ts';
+import { addLight, addThing } from '../scene/edit.ts';
+import { nameIn, wordFor } from '../scene/names.ts';
+import type { Placed, Scene } from '../scene/types.ts';
 import {
   LIGHT_KINDS,
   LIGHT_WORDS,
@@ -10,6 +11,7 @@ import {
   newThing,
   thingWords,
 } from '../state/picture/edits.ts';
+import { initialShape } from '../state/state.ts';
 import type { ChangeScene } from './picture-fields.ts';
 import { lightForm } from './picture-light.ts';
 import { thingForm } from './picture-thing.ts';
@@ -27,6 +29,12 @@ export interface EditorTools {
   open(): void;
 }
 
+/** The shape of Explore, and what it becomes in a scene. */
+interface Explored {
+  readonly shape: Shape;
+  thing(scene: Scene): Placed;
+}
+
 /** Ids of the forms of camera and world; @ keeps them apart from ids of things and lights. */
 const CAMERA = '@camera';
 const WORLD = '@world';
@@ -35,9 +43,14 @@ const WORLD = '@world';
 export function editor(
   scene: Scene,
   edit: string | null,
-  explored: Shape,
+  explored: Explored,
   tools: EditorTools,
 ): TemplateResult {
+  const addOne = (make: (now: Scene) => Placed): void =>
+    tools.add((now) => {
+      const thing = make(now);
+      return [addThing(now, thing), thing.id];
+    });
   return html`<p class="editor-acts">
       <button type="button" class="plain-button" @click=${tools.save}>Save scene</button>
       <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
@@ -47,9 +60,10 @@ export function editor(
       ${scene.things.map((thing) =>
         part(
           thing.id,
+          nameIn(scene, thing.id),
           html`<svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path
             d=${findShape(thing.shape.kind)?.icon ?? ''} /></svg>`,
-          thingWords(thing),
+          thingWords(scene, thing),
           edit === thing.id ? thingForm(scene, thing, tools.change) : null,
           tools,
           () => tools.remove(thing.id),
@@ -58,6 +72,7 @@ export function editor(
       ${scene.lights.map((light) =>
         part(
           light.id,
+          nameIn(scene, light.id),
           LAMP,
           light.light === 'sun'
             ? 'sun'
@@ -71,6 +86,7 @@ export function editor(
       )}
       ${part(
         CAMERA,
+        'camera',
         EYE,
         `${scene.camera.angle}°`,
         edit === CAMERA ? cameraForm(scene, tools.change) : null,
@@ -79,6 +95,7 @@ export function editor(
       )}
       ${part(
         WORLD,
+        'background',
         nothing,
         'what a ray sees that meets nothing',
         edit === WORLD ? worldForm(scene, tools.change) : null,
@@ -88,22 +105,14 @@ export function editor(
     </ul>
     <div class="adding" role="group" aria-label="Add a shape">
       <span>Add</span>
-      ${SHAPES.map(
-        ({ kind, title, icon }) =>
-          html`<button type="button" class="add" title=${`add a ${title}`}
-            aria-label=${`add a ${title}`} @click=${() =>
-              tools.add((now) => {
-                const thing = newThing(now, kind);
-                return [addThing(now, thing), thing.id];
-              })}><svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true"><path d=${icon}
-              /></svg></button>`,
-      )}
+      ${SHAPES.map(({ kind, icon }) => {
+        const word = wordFor(initialShape(kind));
+        return html`<button type="button" class="add" aria-label=${`add a ${word}`}
+          @click=${() => addOne((now) => newThing(now, kind))}><svg viewBox="0 0 24 24" width="24"
+          height="24" aria-hidden="true"><path d=${icon} /></svg>${word}</button>`;
+      })}
       <button type="button" class="textual"
-        @click=${() =>
-          tools.add((now) => [
-            addShape(now, explored),
-            freeId(now, explored.kind),
-          ])}>the ${definitionOf(explored).named(explored).name} of Explore</button>
+        @click=${() => addOne(explored.thing)}>the ${wordFor(explored.shape)} of Explore</button>
     </div>
     <div class="adding" role="group" aria-label="Add a light">
       <span>Add</span>
@@ -120,13 +129,13 @@ export function editor(
 
 function part(
   id: string,
+  name: string,
   icon: TemplateResult | typeof nothing,
   words: string,
   form: TemplateResult | null,
   tools: EditorTools,
   take: (() => void) | null,
 ): TemplateResult {
-  const name = id === CAMERA ? 'camera' : id === WORLD ? 'background' : id;
   return html`<li class="part" data-part=${id}>
     <div class="part-line">
       <button type="button" class="part-name" aria-expanded=${form !== null}

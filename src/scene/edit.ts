@@ -1,21 +1,8 @@
-import type { Shape } from '../math/index.ts';
-import { GREY, type Light, type Placed, type Scene } from './types.ts';
+import type { Shape, Vec3 } from '../math/index.ts';
+import { definitionOf, type Param } from '../math/shapes.ts';
+import type { Light, Placed, Scene } from './types.ts';
 
 /* Edits of a scene. Each returns a new scene that shares the unchanged parts with the old one. */
-
-/** The first of `word`, `word 2`, `word 3`, … that is no id in the scene. */
-export function freeId(scene: Scene, word: string): string {
-  const taken = new Set([...scene.things, ...scene.lights].map(({ id }) => id));
-  if (!taken.has(word)) return word;
-  let k = 2;
-  while (taken.has(`${word} ${k}`)) k += 1;
-  return `${word} ${k}`;
-}
-
-/** Puts a shape into the scene, grey, named after its kind. */
-export function addShape(scene: Scene, shape: Shape): Scene {
-  return addThing(scene, { id: freeId(scene, shape.kind), shape, material: GREY });
-}
 
 export const addThing = (scene: Scene, thing: Placed): Scene => ({
   ...scene,
@@ -47,3 +34,24 @@ export const changeLight = (scene: Scene, id: string, change: (light: Light) => 
   ...scene,
   lights: scene.lights.map((light) => (light.id === id ? change(light) : light)),
 });
+
+/** Whether a parameter is a position: changing it moves the whole shape. */
+export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
+
+/** The thing somewhere else, its heights with it. */
+export function moved(thing: Placed, by: Vec3): Placed {
+  const { shape, between } = thing;
+  const given = shape as unknown as Readonly<Record<string, Vec3>>;
+  const places = definitionOf(shape)
+    .params.filter(isPlace)
+    .flatMap(({ key }) => {
+      const [x, y, z] = given[key] ?? [0, 0, 0];
+      return [[key, [sum(x, by[0]), sum(y, by[1]), sum(z, by[2])]] as const];
+    });
+  const there = { ...thing, shape: { ...shape, ...Object.fromEntries(places) } as Shape };
+  return between ? { ...there, between: [sum(between[0], by[1]), sum(between[1], by[1])] } : there;
+}
+
+/** Rounded to 14 digits, so that a sum of short decimals is a short decimal. */
+export const sum = (a: number, b: number): number =>
+  b === 0 ? a : Number((a + b).toPrecision(14));

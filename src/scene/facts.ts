@@ -1,5 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import { definitionOf, sideOf } from '../math/shapes.ts';
+import { nameIn } from './names.ts';
 import type { Placed, Scene } from './types.ts';
 
 /* Facts on a scene by which effects decide whether they are needed. */
@@ -30,7 +31,7 @@ export function whyNoShadow(
   if (!blocker) return no('glass is let through: a simplification', true);
   const alone = !another && lit.every((thing) => thing === blocker);
   if (!alone || !shadesNothing(blocker, scene.camera.eye)) return null;
-  const own = `${blocker.id} cannot shade itself on the side that is seen`;
+  const own = `${nameIn(scene, blocker.id)} cannot shade itself on the side that is seen`;
   return scene.things.length > 1
     ? no(`glass is let through: a simplification; ${own}`, true)
     : no(`${own}, and it is alone`);

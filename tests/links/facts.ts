@@ -2,6 +2,7 @@ import { question } from '../../src/check/session.ts';
 import { batchesOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
 import { findFamily } from '../../src/math/families.ts';
+import type { Shape } from '../../src/math/index.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { kindsFor } from '../../src/pages/check/program-run.ts';
 import { settingsOf } from '../../src/pages/check/settings.ts';
@@ -76,6 +77,12 @@ function accuracyFacts({ settings }: AppState): Facts {
 
 const [COLUMNS, ROWS] = [16, 9];
 
+/** A sphere as the hyperboloid with a = −1 that it is: so did scenes before there were spheres. */
+const surface = (shape: Shape): Shape =>
+  shape.kind === 'sphere'
+    ? { kind: 'hyperboloid', center: shape.center, flare: -1, radius: shape.radius }
+    : shape;
+
 /** The settings, the scene, and what camera rays on a coarse grid hit at which t. */
 async function pictureFacts(state: AppState): Promise<Facts> {
   const { scene, sceneText: _, ...settings } = pictureSettings(state.settings.picture);
@@ -88,7 +95,7 @@ async function pictureFacts(state: AppState): Promise<Facts> {
       return end?.end === 'hit' ? `${end.surface} ${end.t.toPrecision(12)}` : '-';
     }).join(' | '),
   );
-  const things = scene.things.map(({ id, shape }) => `${id}: ${JSON.stringify(shape)}`);
+  const things = scene.things.map(({ id, shape }) => `${id}: ${JSON.stringify(surface(shape))}`);
   return { ...settings, method, things, hits };
 }
 

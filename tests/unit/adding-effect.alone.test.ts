@@ -227,7 +227,7 @@ describe('the picture', () => {
     const tracer = await tracerFor(scene);
     const { shape, material: own } = scene.things[0] as Scene['things'][number];
     const [sun] = scene.lights;
-    if (shape.kind !== 'hyperboloid' || sun?.light !== 'sun') throw new Error('another scene');
+    if (shape.kind !== 'sphere' || sun?.light !== 'sun') throw new Error('another scene');
     const paint = linear(own.paint.colour);
     const mist = linear(COLOUR);
     const length = Math.hypot(...sun.towards);

@@ -49,6 +49,9 @@ export const CYLINDER: Naming = {
   border: [],
 };
 
+/** A sphere, wherever it comes from. */
+export const SPHERE: Naming = { name: 'sphere', singular: null, straight: null, border: [] };
+
 /** A shape of the registry: name, parameters, formula and picture in one value. */
 export interface ShapeDefinition<S extends { readonly kind: string }> {
   readonly kind: S['kind'];

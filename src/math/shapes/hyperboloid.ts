@@ -2,7 +2,7 @@ import { scalar, squared } from '../formula/expr.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import { AXIS, CONE, CYLINDER, type Naming, type ShapeDefinition } from './define.ts';
+import { AXIS, CONE, CYLINDER, type Naming, type ShapeDefinition, SPHERE } from './define.ts';
 import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
@@ -125,7 +125,7 @@ function nameOf(a: number, r: number): Naming {
     return a === 0 ? AXIS : { ...CLOSED, name: 'point', singular: 'the centre' };
   }
   if (a === 0) return CYLINDER;
-  if (a < 0) return { ...CLOSED, name: a === -1 ? 'sphere' : 'ellipsoid' };
+  if (a < 0) return a === -1 ? SPHERE : { ...CLOSED, name: 'ellipsoid' };
   return { name: 'hyperboloid', singular: null, straight: 'a generator', border: [] };
 }
 

@@ -14,7 +14,7 @@ import {
 import { AXES, type Axis, type Vec3 } from '../vec3.ts';
 import type { CurvedFormula } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
-import type { Naming, ShapeDefinition } from './define.ts';
+import { type Naming, type ShapeDefinition, SPHERE } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
 import { lengthParam, pointParam } from './params.ts';
@@ -65,7 +65,6 @@ const NUMBERS: QuadricNumbers<Sphere> = {
   holds: ({ center, radius }, q) => radius === q.r && isAt(center, q),
 };
 
-const SPHERE: Naming = { name: 'sphere', singular: null, straight: null, border: [] };
 const CENTRE: Naming = { name: 'point', singular: 'the centre', straight: null, border: [] };
 
 /**

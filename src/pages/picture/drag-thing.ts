@@ -1,9 +1,9 @@
 import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
-import { changeThing } from '../../scene/edit.ts';
+import { changeThing, isPlace } from '../../scene/edit.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Placed, Scene } from '../../scene/types.ts';
-import { isPlace, withParam } from '../../state/picture/edits.ts';
+import { withParam } from '../../state/picture/edits.ts';
 import { cameraAxes } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 

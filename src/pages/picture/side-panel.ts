@@ -9,6 +9,7 @@ import { jsonFault } from '../../scene/json-fault.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { sideWords } from '../../state/picture/against.ts';
 import { causeWords } from '../../state/picture/compare-words.ts';
+import { exploredThing } from '../../state/picture/edits.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import { download, pickFile } from '../../ui/files.ts';
@@ -101,7 +102,10 @@ export function createSidePanel(
       aria-label="Scene">${editor(
         picture.scene,
         edited,
-        shapeOf(state),
+        {
+          shape: shapeOf(state),
+          thing: (scene) => exploredThing(scene, shapeOf(state), state.between, state.caps),
+        },
         editorTools(picture),
       )}</div>`;
 

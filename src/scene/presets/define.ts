@@ -55,10 +55,9 @@ export const floor = (paint: Colour | Paint, y = 0): Placed => ({
   material: material(paint),
 });
 
-/** A hyperboloid with a = −1 is a sphere. */
 export const ball = (
   id: string,
   center: readonly [number, number, number],
   radius: number,
   of: Material,
-): Placed => ({ id, shape: { kind: 'hyperboloid', center, flare: -1, radius }, material: of });
+): Placed => ({ id, shape: { kind: 'sphere', center, radius }, material: of });

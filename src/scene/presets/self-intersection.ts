@@ -1,4 +1,4 @@
-import { BLUE, material, PAPER, SAND, type ScenePreset, STONE, VIOLET } from './define.ts';
+import { BLUE, ball, material, PAPER, SAND, type ScenePreset, STONE, VIOLET } from './define.ts';
 
 export const selfIntersection: ScenePreset = {
   id: 'self-intersection',
@@ -12,11 +12,7 @@ export const selfIntersection: ScenePreset = {
     background: PAPER,
     ambient: 0.25,
     things: [
-      {
-        id: 'floor',
-        shape: { kind: 'hyperboloid', center: [0, -1000, 0], flare: -1, radius: 1000 },
-        material: material(STONE),
-      },
+      ball('floor', [0, -1000, 0], 1000, material(STONE)),
       {
         id: 'cone',
         shape: { kind: 'cone', vertex: [-2.3, 2.7, 0.4], slope: 0.5 },

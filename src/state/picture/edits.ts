@@ -1,6 +1,14 @@
 import { InvalidInput, type Shape, type Vec3 } from '../../math/index.ts';
-import { definitionOf, type Param, type ShapeKind } from '../../math/shapes.ts';
-import { freeId } from '../../scene/edit.ts';
+import {
+  axisIndex,
+  definitionOf,
+  type Param,
+  type ShapeKind,
+  withComponent,
+} from '../../math/shapes.ts';
+import { isPlace, sum } from '../../scene/edit.ts';
+import { freeId, nameIn, wordFor } from '../../scene/names.ts';
+import { facingAxis, placed, viewSize } from '../../scene/place.ts';
 import {
   GREY,
   type Light,
@@ -25,19 +33,14 @@ export function refusalOf(scene: Scene): string | null {
   }
 }
 
-/** Whether a parameter is a position: changing it moves the whole shape. */
-export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
-
 /** A thing with one parameter of its shape changed. If it moves, its heights move with it. */
 export function withParam(thing: Placed, param: Param, value: Vec3 | number | string): Placed {
   const shape = { ...thing.shape, [param.key]: value } as Shape;
-  if (!isPlace(param) || !thing.between) return { ...thing, shape };
   const before = (thing.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
-  const up = (value as Vec3)[1] - (before?.[1] ?? 0);
+  const up = isPlace(param) ? (value as Vec3)[1] - (before?.[1] ?? 0) : 0;
+  if (up === 0 || !thing.between) return { ...thing, shape };
   const [low, high] = thing.between;
-  // Rounded to 14 digits, so that a sum of short decimals is a short decimal.
-  const raised = (y: number): number => Number((y + up).toPrecision(14));
-  return up === 0 ? { ...thing, shape } : { ...thing, shape, between: [raised(low), raised(high)] };
+  return { ...thing, shape, between: [sum(low, up), sum(high, up)] };
 }
 
 /** The thing cut off at two heights about its anchor, or no longer cut off. */
@@ -67,29 +70,59 @@ export function withGlass(material: Material, on: boolean): Material {
   return on ? { ...rest, glass: { index: 1.5, absorption: [0, 0, 0] } } : rest;
 }
 
-/** Size of new things: a quarter of half the height that the camera sees at its target. */
-function viewSize({ camera: { eye, target, angle } }: Scene): number {
-  const distance = Math.hypot(...eye.map((x, i) => x - (target[i] ?? 0)));
-  const half = distance * Math.tan((angle * Math.PI) / 360);
-  return Number((half / 4).toPrecision(1));
-}
-
-/** A new grey shape in the middle of the picture; cut off at two heights if it is unbounded. */
+/** A new grey thing on the floor beside the others; an endless flat one is a floor or a wall. */
 export function newThing(scene: Scene, kind: ShapeKind): Placed {
   const unit = viewSize(scene);
   const { target } = scene.camera;
+  // Flat things face the camera.
+  const facing = facingAxis(scene.camera);
   const initial = initialShape(kind);
-  const params = definitionOf(initial).params.map((param) => {
+  const values = definitionOf(initial).params.map((param) => {
     if (isPlace(param)) return [param.key, target] as const;
-    const isLength = param.type === 'number' && param.least === 0;
-    return [param.key, isLength ? unit : (initial as never)[param.key]] as const;
+    if (param.type === 'vector')
+      return [param.key, withComponent([0, 0, 0], axisIndex(facing), 1)] as const;
+    if (param.type === 'axis') return [param.key, facing] as const;
+    return [param.key, param.unit === 'length' ? unit : param.initial] as const;
   });
-  const shape = { ...initial, ...Object.fromEntries(params) } as Shape;
-  const id = freeId(scene, kind);
-  const ends = definitionOf(shape).body.box(shape, null) !== null;
-  if (ends || !canBeCapped(shape)) return { id, shape, material: GREY };
-  const between = [target[1] - unit, target[1] + unit] as const;
-  return { id, shape, material: GREY, between, capped: true };
+  const shape = { ...initial, ...Object.fromEntries(values) } as Shape;
+  return addedTo(scene, { shape, ...endsFor(shape, unit) });
+}
+
+/** The shape of Explore as a new thing. */
+export function exploredThing(
+  scene: Scene,
+  shape: Shape,
+  between: Placed['between'] | null,
+  caps: boolean,
+): Placed {
+  const ends = between && canBeCapped(shape) ? { between, capped: caps } : {};
+  return addedTo(scene, { shape, ...ends });
+}
+
+function addedTo(scene: Scene, thing: Pick<Placed, 'shape' | 'between' | 'capped'>): Placed {
+  const id = freeId(scene, wordFor(thing.shape));
+  return placed(scene, { id, ...thing, material: GREY });
+}
+
+/**
+ * Heights for what is unbounded and round: about its anchor, or to the one side of it where its
+ * circles begin there. It is no wider than high.
+ */
+function endsFor(shape: Shape, unit: number): Pick<Placed, 'between' | 'capped'> {
+  const { box, circleAt } = definitionOf(shape).body;
+  if (!circleAt || box(shape, null)) return {};
+  const y = definitionOf(shape).anchor(shape).at[1];
+  const down = circleAt(shape, y - unit) !== null;
+  const ends = (high: number): readonly [number, number] => {
+    if (circleAt(shape, y)) return [sum(y, -high / 2), sum(y, high / 2)];
+    return down ? [sum(y, -high), y] : [y, sum(y, high)];
+  };
+  const isWide = (between: readonly [number, number]): boolean => {
+    const found = box(shape, between);
+    return found !== null && found.high[0] - found.low[0] > 2.5 * unit;
+  };
+  const between = isWide(ends(2 * unit)) ? ends(unit) : ends(2 * unit);
+  return { between, capped: true };
 }
 
 export const LIGHT_KINDS = ['point', 'sun', 'sphere'] as const;
@@ -129,10 +162,12 @@ export function asLight(light: Light, kind: Light['light'], target: Vec3): Light
   return { light: 'sphere', ...common, at, radius, ...added };
 }
 
-/** What a thing is, in a few words: a hyperboloid with a = −1 is a sphere. */
-export function thingWords({ id, shape, material }: Placed): string {
+/** What a thing is, in a few words, as far as its name does not say it. */
+export function thingWords(scene: Scene, { id, shape, material }: Placed): string {
+  const word = wordFor(shape);
   const { name } = definitionOf(shape).named(shape);
-  return [...(id === name ? [] : [name]), materialWords(material)].filter(Boolean).join('; ');
+  const isSaid = nameIn(scene, id).split(' ').includes(word);
+  return [...(isSaid ? [] : [name]), materialWords(material)].filter(Boolean).join('; ');
 }
 
 /** What a material is, in a word or two. */

@@ -1,5 +1,6 @@
 import type { Ray, Shape } from '../../math/index.ts';
 import { isGlass } from '../../scene/facts.ts';
+import { nameIn } from '../../scene/names.ts';
 import { type Surface, surfacesOf } from '../../scene/surfaces.ts';
 import type { Scene } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
@@ -165,8 +166,9 @@ function verdictOf(
 
 /** 'glass cone', 'glass cone, its lower cap' */
 function surfaceName(scene: Scene, surface: Surface | undefined): string {
-  const name = surface && scene.things[surface.thing]?.id;
-  if (!surface || name === undefined) return 'nothing';
+  const thing = surface && scene.things[surface.thing];
+  if (!thing) return 'nothing';
+  const name = nameIn(scene, thing.id);
   if (surface.part === 'shape') return name;
   return `${name}, its ${surface.part === 'low cap' ? 'lower' : 'upper'} end`;
 }

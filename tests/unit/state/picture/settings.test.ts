@@ -1,10 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { addShape, remove } from '../../../../src/scene/edit.ts';
+import { addThing, remove } from '../../../../src/scene/edit.ts';
 import { EFFECTS } from '../../../../src/scene/effects/index.ts';
 import { sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import { AGAINST, otherSide } from '../../../../src/state/picture/against.ts';
+import { newThing } from '../../../../src/state/picture/edits.ts';
 import { sceneFromText, textOfScene } from '../../../../src/state/picture/scene-link.ts';
 import {
   changed,
@@ -13,7 +14,6 @@ import {
   readPicture,
 } from '../../../../src/state/picture/settings.ts';
 import { readStart, startText } from '../../../../src/state/picture/start.ts';
-import { initialShape } from '../../../../src/state/state.ts';
 import { decode, encode } from '../../../../src/state/url.ts';
 import { DEFAULT_SETTINGS } from '../../../../src/tracer/types.ts';
 import { OLD_SCENES } from './old-scenes.ts';
@@ -29,7 +29,7 @@ describe('a scene in a link', () => {
   test('an edited one comes back the same, through the hash, −0 and all', () => {
     for (const { scene } of PRESETS) {
       const camera = { ...scene.camera, eye: [-0, 1 / 3, 7e-9] as const };
-      const edited = { ...addShape(scene, initialShape('cone')), camera };
+      const edited = { ...addThing(scene, newThing(scene, 'cone')), camera };
       const state = decode(`#/picture?scene=${textOfScene(edited)}`);
       const again = decode(encode(state)).settings.picture.scene ?? '';
       const back = sceneFromText(again);
