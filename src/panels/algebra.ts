@@ -47,7 +47,7 @@ export function algebra(
   model: ExploreModel,
   dispatch: Dispatch,
   normalLine?: ((model: ExploreModel, dispatch: Dispatch) => TemplateResult) | null,
-  ends?: ((model: ExploreModel) => unknown) | null,
+  ends?: ((model: ExploreModel, dispatch: Dispatch) => unknown) | null,
 ): TemplateResult {
   const { derivation, title, shown, found, exactly, digits } = model;
   const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
@@ -72,7 +72,7 @@ export function algebra(
     </div>
     ${shown.verdict ? verdict(model, dispatch) : concealed(model)}
     ${shown.hits ? hitTable(model) : html`<div class="hits"></div>`}
-    ${shown.hits ? ends?.(model) : nothing}
+    ${shown.hits ? ends?.(model, dispatch) : nothing}
   </section>`;
 }
 

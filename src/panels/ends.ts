@@ -5,8 +5,10 @@ import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { type CapLine, flatNote } from '../state/ended.ts';
 import { CAP_NAMES, END_PARAMS, endAction, endsRefusal, someEnds } from '../state/ends.ts';
+import { startedOf } from '../state/explore-start.ts';
 import { told } from '../state/heights.ts';
-import { display } from '../text/format.ts';
+import { encode } from '../state/url.ts';
+import { display, shortest } from '../text/format.ts';
 import '../ui/number-box.ts';
 import '../ui/slider.ts';
 import type { EndsControls } from './controls.ts';
@@ -76,17 +78,38 @@ const AT_HEIGHT = (end: 'low' | 'high') => over(minus(scalar(end), comp('E', 'y'
  * its circle, what exact arithmetic says if that is something else, and of a flat shape that
  * heights do not cut it here.
  */
-export function endsLines(model: ExploreModel): unknown {
+export function endsLines(model: ExploreModel, dispatch: Dispatch): unknown {
   const { ended, state, title, found, derivation } = model;
-  if (!state.between) return nothing;
+  const started = startLine(model, dispatch);
+  if (!state.between) return started;
   if (!ended) {
-    return html`<p class="kept-between" role="note">${flatNote(title, state.between, found)}</p>`;
+    return html`<p class="kept-between" role="note">${flatNote(title, state.between, found)}</p>
+      ${started}`;
   }
   return html`${
     ended.contradicted
       ? html`<p class="contradicted">exact arithmetic says: ${ended.contradicted}</p>`
       : nothing
-  }${ended.capLines.map((line) => capLine(line, derivation.surface))}`;
+  }${ended.capLines.map((line) => capLine(line, derivation.surface))}${started}`;
+}
+
+/** What counts in the picture that the ray comes from, and the way back to its pixel. */
+function startLine(model: ExploreModel, dispatch: Dispatch): unknown {
+  const { state } = model;
+  const started = startedOf(model);
+  if (!started) return nothing;
+  const { pixel } = state.settings.picture;
+  return html`<p class="started" role="note" data-rule=${started.rule ?? nothing}
+    data-first=${started.first === null ? nothing : shortest(started.first)}>${started.words}
+    ${
+      pixel
+        ? html`<a class="textual" href=${encode({ ...state, page: 'picture' })}>back to pixel
+          ${pixel.replace(',', ', ')} of the picture</a>`
+        : nothing
+    }
+    <button type="button" class="textual"
+      @click=${() => dispatch({ type: 'settings', values: { start: null } })}>forget the
+      picture</button></p>`;
 }
 
 function capLine(line: CapLine, { left, right }: Relation): TemplateResult {

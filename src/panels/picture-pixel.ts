@@ -1,20 +1,19 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
+import { exploreLink } from '../state/explore-link.ts';
+import type { PixelRay } from '../state/picture/camera-lines.ts';
 import { type SurfaceStep, surfaceSteps } from '../state/picture/hit-steps.ts';
 import type { RootFate } from '../state/picture/root-fates.ts';
 import type { TreeRow } from '../state/picture/tree-rows.ts';
-import { exploreLink } from '../state/url.ts';
 import { display, shortest } from '../text/format.ts';
 import type { RayKind } from '../tracer/types.ts';
 import { formula } from './formula.ts';
+import { cameraRay } from './picture-camera-ray.ts';
 import { typesetNumbers, typesetSymbols } from './typeset.ts';
 import './picture-pixel.css';
 
 interface PixelModel {
-  readonly x: number;
-  readonly y: number;
-  /** Index of the pixel's camera ray, and how many there are. */
-  readonly sample: number;
-  readonly samples: number;
+  /** The pixel, its camera ray and how many it has, and the camera. */
+  readonly of: PixelRay;
   readonly rows: readonly TreeRow[];
   /** The left side's rows of the same pixel; null without a comparison. */
   readonly left: readonly TreeRow[] | null;
@@ -32,6 +31,8 @@ interface PixelTools {
   choose(path: string): void;
   toggle(path: string): void;
   close(): void;
+  /** Copies how the pixel becomes its ray. */
+  copy(as: 'latex' | 'mathml'): void;
 }
 
 const RAY_WORDS: Readonly<Record<RayKind, string>> = {
@@ -43,7 +44,8 @@ const RAY_WORDS: Readonly<Record<RayKind, string>> = {
 
 /** The rays of a pixel, each with where it ended; of two pictures side by side. */
 export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult {
-  const { x, y, rows, left, chosen } = model;
+  const { rows, left, chosen } = model;
+  const [x, y] = model.of.pixel;
   const paths = [...new Set([...rows, ...(left ?? [])].map(({ path }) => path))];
   const both = left ? paths.sort(byPath) : paths;
   const find = (list: readonly TreeRow[] | null, path: string): TreeRow | undefined =>
@@ -78,6 +80,7 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
       </tbody>
     </table></div>
     ${left && both.some((path) => isAcne(find(left, path), find(rows, path))) ? LESSON : nothing}
+    ${row?.kind === 'camera' ? cameraRay(model.of, tools.copy) : nothing}
     ${row ? algebraOf(row, other, model) : nothing}`;
 }
 
@@ -138,7 +141,8 @@ function weightWords(weight: number): string {
   return weight >= 0.9995 ? 'all' : `${display(100 * weight, weight < 0.01 ? 2 : 3)} %`;
 }
 
-function samplePicker({ sample, samples }: PixelModel, tools: PixelTools): TemplateResult {
+function samplePicker({ of }: PixelModel, tools: PixelTools): TemplateResult {
+  const { sample, samples } = of;
   if (samples === 1) return html`<span class="pixel-note">its ray and what that fires</span>`;
   const options = Array.from({ length: samples }, (_, i) => i);
   return html`<label class="pixel-note">ray
@@ -157,9 +161,9 @@ function swatch(kind: RayKind): TemplateResult {
 }
 
 function openLink(row: TreeRow, method: string, words: string): TemplateResult | typeof nothing {
-  if (!row.shape) return nothing;
+  if (!row.opens) return nothing;
   return html`<a class="textual"
-    href=${exploreLink(row.shape, row.ray, method, row.meeting.between)}>${words}</a>`;
+    href=${exploreLink(row.opens.shape, row.ray, method, row.opens)}>${words}</a>`;
 }
 
 /** The algebra of the surface where the chosen ray ends, by the method that traced it. */
@@ -171,7 +175,7 @@ function algebraOf(row: TreeRow, left: TreeRow | undefined, model: PixelModel): 
       steps
         ? html`<p class="hit-equation">${RAY_WORDS[row.kind]}, put into the
             ${steps.title}: ${formula(typesetSymbols(steps.f))} = 0</p>
-          ${steps.lines.map(stepLine)}
+          ${steps.lines.map((line) => stepLine(line, row, model.method))}
           <p class="hit-verdict">${steps.verdict}</p>
           ${steps.roots.map(rootLine)}`
         : nothing
@@ -195,8 +199,12 @@ function rootLine({ index, t, fate, words }: RootFate): TemplateResult {
     data-value=${shortest(t)}>${words}</p>`;
 }
 
-function stepLine({ step, numbers, put }: SurfaceStep): TemplateResult {
-  const { id, letter, expr, worked, value } = step;
+function stepLine(
+  { step, numbers, put }: SurfaceStep,
+  { shape, ray, meeting: { between } }: TreeRow,
+  method: string,
+): TemplateResult {
+  const { id, letter, expr, worked, value, why: derive } = step;
   const name = letter ? html`${formula(typesetSymbols(letter))} = ` : nothing;
   const sign = put?.isFaithful === false ? '≈' : '=';
   const line = put
@@ -208,6 +216,11 @@ function stepLine({ step, numbers, put }: SurfaceStep): TemplateResult {
         ? nothing
         : html` ${sign} <span class="result" data-quantity=${id} data-value=${shortest(value)}
         title=${shortest(value)}>${display(value)}</span>`
+    } ${
+      shape
+        ? html`<a class="why" aria-label=${`why ${id}, in Explore`}
+          href=${exploreLink(shape, ray, method, { between, derive })}>why</a>`
+        : nothing
     }</p>`;
 }
 

@@ -11,7 +11,7 @@ import {
 import { classOf, highlightOf } from './symbols.ts';
 
 /** Writes formulas as MathML templates; symbols and the numbers put in for them have colours. */
-const MARKS: Marks<TemplateResult> = {
+export const MARKS: Marks<TemplateResult> = {
   join: (parts) => mathml`${parts}`,
   symbol: (id, sort) =>
     mathml`<mi class=${classOf(id, sort)} data-symbol=${highlightOf(id, sort)}>${id}</mi>`,

@@ -1,5 +1,5 @@
 import { walkLength } from '../math/formula.ts';
-import { InvalidInput, type Ray, type Shape, type Vec3 } from '../math/index.ts';
+import { InvalidInput, type Shape, type Vec3 } from '../math/index.ts';
 import {
   checkParam,
   DEFAULT_METHOD,
@@ -120,21 +120,6 @@ export function encode(state: AppState): string {
   return query ? `${path}?${query}` : path;
 }
 
-/**
- * The link to Explore with a shape and a ray of another page, and the ends of the shape.
- */
-export function exploreLink(
-  shape: Shape,
-  ray: Ray,
-  method: string,
-  between: Between | null = null,
-  caps = false,
-): string {
-  const shapes = { ...INITIAL.shapes, [shape.kind]: shape };
-  const { origin: E, direction: d } = ray;
-  return encode({ ...INITIAL, kind: shape.kind, shapes, E, d, method, between, caps });
-}
-
 const entryOf = (page: PageId): PageEntry | undefined => PAGES.find(({ id }) => id === page);
 const partOf = (page: PageId): string | undefined => entryOf(page)?.part;
 const aboutRay = (page: PageId): boolean => entryOf(page)?.ray === true;
@@ -234,11 +219,14 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
       ? readLook(read, before, walkLength(shapeOf(ray)))
       : { ...before, hidden: aboutRay(page) ? readHidden(read, before) : before.revealed !== null };
   const host = readHost(read, ray.kind);
-  const rest = [...given].filter(([key]) => !known.has(key));
-  if (page === 'explore') {
-    for (const [key] of rest) problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
+  const others = [...given].filter(([key]) => !known.has(key));
+  // Explore has one setting: the start rule of a ray that comes from a picture.
+  const own = others.filter(([key]) => page !== 'explore' || key === 'start');
+  if (own.length < others.length) {
+    for (const [key] of others) {
+      if (key !== 'start') problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
+    }
   }
-  const own: Settings = page === 'explore' ? {} : Object.fromEntries(rest);
   return {
     page,
     kind: ray.kind,
@@ -252,7 +240,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     bead: look.bead,
     between: page === 'explore' || !aboutRay(page) ? look.between : null,
     caps: page === 'explore' || !aboutRay(page) ? look.caps : false,
-    settings: { ...before.settings, [page]: own },
+    settings: { ...before.settings, [page]: Object.fromEntries(own) },
     problems,
     example: null,
     revealed: look.hidden ? 0 : null,

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../math/index.ts';
+import { cameraNumbers } from '../scene/camera-ray.ts';
 import { CAMERA, type Wave } from '../scene/effects/body.ts';
 import type { Camera } from '../scene/types.ts';
-import { unit } from './gradient.ts';
 import type { Tile, TraceSettings } from './types.ts';
 
 /** The camera's axes; `right` and `up` are half the picture's width and height at distance 1. */
@@ -14,26 +14,11 @@ interface CameraAxes {
   readonly medium: number;
 }
 
-export function cameraAxes(
-  { eye, target, angle }: Camera,
-  aspect: number,
-  medium = -1,
-): CameraAxes {
-  const ahead = unit([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
-  // For a view straight up or down the picture's top is towards −z.
-  const steep = ahead[0] === 0 && ahead[2] === 0;
-  const right = unit(steep ? [1, 0, 0] : [-ahead[2], 0, ahead[0]]);
-  const up = cross(right, ahead);
-  const half = Math.tan((angle * Math.PI) / 360);
-  return { eye, ahead, right: times(right, half * aspect), up: times(up, half), medium };
+/** By the formulas of scene/camera-ray.ts. */
+export function cameraAxes(camera: Camera, aspect: number, medium = -1): CameraAxes {
+  const { g, R, U } = cameraNumbers(camera, aspect, 1).vectors;
+  return { eye: camera.eye, ahead: g as Vec3, right: R as Vec3, up: U as Vec3, medium };
 }
-
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const times = (v: Vec3, k: number): Vec3 => [v[0] * k, v[1] * k, v[2] * k];
 
 /** The pixels of a tile as y · width + x, row by row. */
 export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32Array {
@@ -46,7 +31,10 @@ export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32A
   return Int32Array.from(found);
 }
 
-/** Puts the camera rays of these pixels into the wave, a pixel's rays one after the other. */
+/**
+ * Puts the camera rays of these pixels into the wave, a pixel's rays one after the other: u, v, D
+ * and d of scene/camera-ray.ts, operation by operation.
+ */
 export function fireCamera(
   axes: CameraAxes,
   { width, height, samples, only }: TraceSettings,

@@ -3,11 +3,12 @@ import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreLink } from '../../src/state/explore-link.ts';
 import { surfaceSteps } from '../../src/state/picture/hit-steps.ts';
 import { treeRows } from '../../src/state/picture/tree-rows.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { update } from '../../src/state/update.ts';
-import { decode, encode, exploreLink } from '../../src/state/url.ts';
+import { decode, encode } from '../../src/state/url.ts';
 import { DEFAULT_SETTINGS } from '../../src/tracer/types.ts';
 import { tracerFor } from '../unit/tracer/tracing.ts';
 
@@ -56,7 +57,7 @@ describe.each([
   test('Explore has the same ends, and keeps them', () => {
     const { shape, ray, meeting } = row;
     if (!shape) throw new Error('a shape was expected');
-    const state = decode(exploreLink(shape, ray, 'certified', meeting.between));
+    const state = decode(exploreLink(shape, ray, 'certified', { between: meeting.between }));
     expect(state.problems).toEqual([]);
     expect(state.between).toEqual(meeting.between);
     expect(decode(encode(state)).between).toEqual(meeting.between);

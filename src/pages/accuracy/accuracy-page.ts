@@ -15,8 +15,8 @@ import {
   writeAccuracy,
 } from '../../state/accuracy/settings.ts';
 import { createDerive } from '../../state/derive.ts';
+import { exploreLink } from '../../state/explore-link.ts';
 import type { AppState, Settings } from '../../state/state.ts';
-import { exploreLink } from '../../state/url.ts';
 import type { MountPage } from '../page.ts';
 import { answerWords, emptyWords, REFERENCE_WORDS } from './answer-words.ts';
 import { createAtlas } from './atlas/atlas.ts';

@@ -76,7 +76,7 @@ function panelOf(
   has: (part: Part) => boolean,
   dispatch: Dispatch,
 ): TemplateResult {
-  const hits = model.shown.hits ? html`${hitTable(model)}${endsLines(model)}` : nothing;
+  const hits = model.shown.hits ? html`${hitTable(model)}${endsLines(model, dispatch)}` : nothing;
   const lines = has('algebra') ? algebra(model, dispatch, undefined, endsLines) : null;
   return html`${has('parameters') ? controls(model, dispatch, endsControls) : nothing}
     ${lines ?? (has('hits') ? hits : nothing)}`;

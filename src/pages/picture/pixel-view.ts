@@ -1,10 +1,15 @@
 import { html, type TemplateResult } from 'lit';
 import type { TreeModel } from '../../canvas/ray-tree.ts';
+import { LATEX, MATHML } from '../../math/formula.ts';
 import { pixelPanel } from '../../panels/picture-pixel.ts';
+import { latexDisplay } from '../../state/exports/latex.ts';
+import { mathmlTable } from '../../state/exports/mathml.ts';
 import { sideWords } from '../../state/picture/against.ts';
+import { cameraLines, type PixelRay } from '../../state/picture/camera-lines.ts';
 import { type TreeRow, treeRows } from '../../state/picture/tree-rows.ts';
 import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
 import type { RayNode, RayTree } from '../../tracer/types.ts';
+import { copyText } from '../../ui/clipboard.ts';
 import type { PictureModel } from './picture-model.ts';
 import type { RayRecorder } from './ray-recorder.ts';
 import type { TraceRequest } from './trace-request.ts';
@@ -78,6 +83,29 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   const sampleOf = ({ rays }: RayTree): number =>
     sample !== null && sample < rays.length ? sample : rays.length >> 1;
 
+  const raysOf = (
+    { picture }: PictureModel,
+    pixel: readonly [number, number],
+    tree: RayTree,
+  ): PixelRay => ({
+    camera: picture.scene.camera,
+    width: picture.width,
+    height: picture.height,
+    pixel,
+    sample: sampleOf(tree),
+    samples: tree.rays.length,
+  });
+
+  const copyRay = async (ray: PixelRay, as: 'latex' | 'mathml'): Promise<void> => {
+    const [x, y] = ray.pixel;
+    const text =
+      as === 'latex'
+        ? latexDisplay(`From pixel ${x}, ${y} to its ray`, cameraLines(ray, LATEX))
+        : mathmlTable(cameraLines(ray, MATHML));
+    const copied = await copyText(text);
+    actions.announce(copied ? 'copied: the ray of the pixel' : 'it could not be copied');
+  };
+
   const start = (pixel: readonly [number, number]): void => {
     if (shown === pixel.join()) return;
     shown = pixel.join();
@@ -131,10 +159,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       const left = other ? rowsOf(treeOf(other, pixel), model, other) : null;
       return pixelPanel(
         {
-          x: pixel[0],
-          y: pixel[1],
-          sample: sampleOf(known.tree),
-          samples: known.tree.rays.length,
+          of: raysOf(model, pixel, known.tree),
           rows,
           left,
           leftWords: other ? sideWords(other.settings, against) : '',
@@ -144,7 +169,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
           chosen,
           opened,
         },
-        tools,
+        { ...tools, copy: (as) => void copyRay(raysOf(model, pixel, known.tree), as) },
       );
     },
     space({ picture, requests }) {

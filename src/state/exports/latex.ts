@@ -14,12 +14,17 @@ export const latex: Export = {
 };
 
 export function derivationLatex(model: ExploreModel): string {
-  const rows = derivationLines(model, LATEX).map(row);
+  const what = `Ray and ${model.title}, by ${model.found.method}`;
+  return latexDisplay(what, derivationLines(model, LATEX));
+}
+
+/** Lines as one display, aligned at their relations; `what` they are, in a comment above. */
+export function latexDisplay(what: string, lines: readonly Line<string>[]): string {
   return [
-    `% Ray and ${model.title}, by ${model.found.method}: \\usepackage{amsmath}`,
+    `% ${what}: \\usepackage{amsmath}`,
     '\\[',
     '\\begin{aligned}',
-    rows.map((text) => `  ${text}`).join(' \\\\\n'),
+    lines.map((line) => `  ${row(line)}`).join(' \\\\\n'),
     '\\end{aligned}',
     '\\]\n',
   ].join('\n');

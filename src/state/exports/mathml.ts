@@ -14,9 +14,13 @@ export const mathml: Export = {
 };
 
 export function derivationMathml(model: ExploreModel): string {
-  const rows = derivationLines(model, MATHML).map(row);
+  return mathmlTable(derivationLines(model, MATHML));
+}
+
+/** Lines as one table, aligned at their relations. */
+export function mathmlTable(lines: readonly Line<string>[]): string {
   const table = '<mtable columnalign="right center left left" displaystyle="true">';
-  return `${mathmlDocument(`\n${table}\n${rows.join('\n')}\n</mtable>\n`)}\n`;
+  return `${mathmlDocument(`\n${table}\n${lines.map(row).join('\n')}\n</mtable>\n`)}\n`;
 }
 
 function row({ left, relation, right, words }: Line<string>): string {

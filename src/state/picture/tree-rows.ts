@@ -4,9 +4,11 @@ import { nameIn } from '../../scene/names.ts';
 import { type Surface, surfacesOf } from '../../scene/surfaces.ts';
 import type { Scene } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
-import type { RayKind, RayNode, TraceSettings } from '../../tracer/types.ts';
+import type { RayKind, RayNode, StartRule, TraceSettings } from '../../tracer/types.ts';
+import type { Between } from '../heights.ts';
 import { surfaceSteps } from './hit-steps.ts';
 import { leastOf, type Meeting } from './root-fates.ts';
+import { startText } from './start.ts';
 
 /** A row of the list of a pixel's rays. */
 export interface TreeRow {
@@ -21,13 +23,22 @@ export interface TreeRow {
   /** Words on where the ray ended: first the verdict, then the rest. */
   readonly verdict: string;
   readonly rest: string;
-  /** The shape of the surface where it ended, which Explore can open; null if it ended nowhere. */
+  /** The shape of the surface where it ended; null if it ended nowhere. */
   readonly shape: Shape | null;
+  /** What Explore opens: of a capped thing all of it, whose first hit is the same. */
+  readonly opens: Opens | null;
   readonly meeting: Meeting;
   readonly t: number | null;
   readonly node: RayNode;
   /** If the row stands for several shadow rays to one light: how many, and how many are blocked. */
   readonly group: { readonly count: number; readonly blocked: number } | null;
+}
+
+interface Opens {
+  readonly shape: Shape;
+  readonly between: Between | null;
+  readonly caps: boolean;
+  readonly start: string;
 }
 
 /** The settings of a picture that decide which root counts. */
@@ -128,8 +139,32 @@ function rowOf(
     meeting: meetingOf(asked),
     rest: rest + passed.map((words) => `; ${of}${words}`).join(''),
     shape: surface?.shape ?? null,
+    opens: surface ? opensOf(node, surface, scene, surfaces, how) : null,
     t: 't' in end ? end.t : null,
     group: null,
+  };
+}
+
+function opensOf(
+  { kind, from }: RayNode,
+  surface: Surface,
+  { things }: Scene,
+  surfaces: readonly Surface[],
+  { start, forced }: Tracing,
+): Opens {
+  const between = (forced.heights !== 'off' && things[surface.thing]?.between) || null;
+  const own = surfaces.filter(({ thing }) => thing === surface.thing);
+  const caps = between !== null && own.some(({ part }) => part !== 'shape');
+  const whole = caps ? own.find(({ part }) => part === 'shape') : surface;
+  // A cap that stands alone, while its shape is not cut off, is a circle of its own.
+  const leaves = caps ? own.includes(surfaces[from] as Surface) : surfaces[from] === surface;
+  const rule: StartRule =
+    kind === 'camera' || (start.rule === 'from' && !leaves) ? { rule: 'none' } : start;
+  return {
+    shape: (whole ?? surface).shape,
+    between: surface.between || caps ? between : null,
+    caps,
+    start: startText(rule),
   };
 }
 

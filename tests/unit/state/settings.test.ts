@@ -1,10 +1,11 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { exploreLink } from '../../../src/state/explore-link.ts';
 import { fromFile, toFile } from '../../../src/state/file.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
 import { type AppState, INITIAL, PAGES, type PageId } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
-import { decode, encode, exploreLink } from '../../../src/state/url.ts';
+import { decode, encode } from '../../../src/state/url.ts';
 
 const SEED = 16180;
 const LATER = PAGES.map(({ id }) => id).filter((id) => id !== 'explore');

@@ -15,7 +15,15 @@ const OPERATORS: Readonly<Record<Sign, string>> = {
   '≤': ' \\le ',
 };
 
-const symbol = (id: string): string => (id.length === 1 ? id : `\\mathrm{${id}}`);
+const NAMED: Readonly<Record<string, string>> = {
+  α: '\\alpha',
+  λ: '\\lambda',
+  μ: '\\mu',
+  tan: '\\tan',
+  '°': '^\\circ',
+};
+
+const symbol = (id: string): string => NAMED[id] ?? (id.length === 1 ? id : `\\mathrm{${id}}`);
 
 /** Mathematics in LaTeX; amsmath is enough for all of it. */
 export const LATEX: Marks<string> = {
