@@ -88,18 +88,8 @@ const tools: PageActions = {
     const copied = await copyText(location.href);
     say(copied ? 'link copied' : 'the link could not be copied: it is in the address bar');
   },
-  save: () =>
-    withFiles(({ toFile }) =>
-      withDisk(({ download }) => {
-        download('graze.json', toFile(store.get()), 'application/json');
-        say('saved: graze.json');
-      }),
-    ),
-  openFile: () =>
-    withDisk(({ mayPick, pickFile }) => {
-      if (mayPick()) pickFile('.json,application/json,.md,text/markdown').then(openText);
-      else say('that took too long for this browser: ask for it again');
-    }),
+  save: () => withCode(files(), ({ save }) => save()),
+  openFile: () => withCode(files(), ({ open }) => open()),
   exportDialog: () => openDialog('export'),
   gallery: () => openDialog('gallery'),
   help: () => openDialog('help'),
@@ -148,12 +138,7 @@ const tools: PageActions = {
         withCode(theRest(), ({ presentExplore }) => tellProblem(presentExplore(announce)));
       }
     }),
-  collect: () =>
-    withLessons(({ withCollected }) => {
-      const { state, step } = withCollected(store.get(), encode(store.get()));
-      store.dispatch({ type: 'open', state });
-      say(`added as step ${step} of your lesson`);
-    }),
+  collect: () => withCode(files(), ({ collect }) => collect()),
   lines: () => {
     const total = lineCount(modelNow());
     return { total, shown: store.get().revealed ?? total };
@@ -214,6 +199,7 @@ function theRest(): NonNullable<typeof rest> {
     (code) => {
       ({ closerLook, announcement, followExplore, story, normalLine, ends } = code);
       provideExamples(code.GALLERY);
+      code.keepLines(store);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
       secondView = code.createSecondView(store.dispatch, requestRender, say);
       motion = code.createMotion(main, requestRender, store.dispatch, announce);
@@ -388,7 +374,7 @@ function writeLink(): void {
   // Another page or the derivation gets a history entry of its own; a step of it does not.
   if (placeOf(before) === placeOf(written) || before === '') {
     history.replaceState(history.state, '', written);
-  } else history.pushState(null, '', written);
+  } else history.pushState(history.state, '', written);
 }
 
 const placeOf = (hash: string): string => `${hash.split('?')[0]} ${/[?&]derive=/.test(hash)}`;
@@ -421,50 +407,13 @@ function say(words: string): void {
   requestRender();
 }
 
-function openText(text: string | null): void {
-  if (text === null) return;
-  const here = () => shownView().catch(() => null);
-  marked(here()).then((view) => view?.open?.(text) || openAnywhere(text));
-}
-
-function openAnywhere(text: string): void {
-  // Only a lesson begins with a line of three dashes.
-  if (/^\s*---/.test(text)) {
-    withLessons(({ openedLesson }) => {
-      store.dispatch({ type: 'open', state: (now) => openedLesson(now, text) });
-      readShown();
-    });
-    return;
-  }
-  withFiles(({ fromFile }) => {
-    const opened = fromFile(text);
-    if (opened.ok) {
-      store.dispatch({ type: 'open', state: opened.state });
-      readShown();
-    } else store.dispatch({ type: 'say', problems: [opened.reason] });
-  });
-}
-
-/** Loads the code that reads and writes saved states. */
-function withFiles(use: (files: typeof import('./state/file.ts')) => void): void {
-  withCode(
-    late(() => import('./state/file.ts')),
-    use,
-  );
-}
-
-/** The code for files of the disk. */
-const files = () => late(() => import('./ui/files.ts'));
-const withDisk = (use: (disk: typeof import('./ui/files.ts')) => void): void =>
-  withCode(files(), use);
-
-/** Loads the code that reads and packs lessons. */
-function withLessons(use: (own: typeof import('./pages/lesson/own-lesson.ts')) => void): void {
-  withCode(
-    late(() => import('./pages/lesson/own-lesson.ts')),
-    use,
-  );
-}
+let desk: ReturnType<typeof import('./pages/open-and-save.ts').createFiles> | null = null;
+/** The code for files. */
+const files = async () => {
+  const { createFiles } = await late(() => import('./pages/open-and-save.ts'));
+  desk ??= createFiles({ store, say, view: shownView, readShown, withCode });
+  return desk;
+};
 
 store.subscribe(() => {
   requestRender();
@@ -513,10 +462,7 @@ document.documentElement.classList.toggle('embed-page', isPart);
 watchStyles(document);
 renderAll();
 writeLink();
-files().then(({ watchDrops, onTooLarge }) => {
-  watchDrops(document.body, openText);
-  onTooLarge((words) => store.dispatch({ type: 'say', problems: [words] }));
-}, sayNotLoaded);
+files().catch(sayNotLoaded);
 // Without it every control is a stop of its own.
 late(() => import('./ui/tab-stops.ts')).then(
   ({ watchTabStops }) => watchTabStops(main, !isPart),

@@ -67,7 +67,7 @@ function exportDialog({ exports, tools, say, state }: DialogParts): () => void {
   const openEmbed = createEmbedDialog(state, say);
   let items: readonly ExportItem[] | 'loading' | 'failed' = 'loading';
   const content = (): TemplateResult => {
-    if (items === 'loading') return html`<p role="status">loading…</p>`;
+    if (items === 'loading') return html`<p data-say>loading…</p>`;
     if (items === 'failed') return notLoaded('What can be copied or saved did not come.', load);
     return exportContent(items, { copy, saveItem, ...actions });
   };

@@ -29,10 +29,7 @@ export function lateView<Model, Code, View extends Mounted<Model>>(
   const begin = (): void => {
     host.append(notice);
     render(nothing, notice);
-    const timer = setTimeout(
-      () => render(html`<p role="status">${waiting}</p>`, notice),
-      PATIENCE_MS,
-    );
+    const timer = setTimeout(() => render(html`<p data-say>${waiting}</p>`, notice), PATIENCE_MS);
     load().then(
       (loaded) => {
         clearTimeout(timer);

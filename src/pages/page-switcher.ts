@@ -72,7 +72,7 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
     };
     const again = (): void => load(page, code, host);
     const timers = [
-      setTimeout(() => put(html`<p role="status">loading…</p>`), PATIENCE_MS),
+      setTimeout(() => put(html`<p data-say>loading…</p>`), PATIENCE_MS),
       setTimeout(() => put(notLoaded('This page has not come yet.', again)), LONG_MS),
     ];
     const settled = (): void => {

@@ -55,7 +55,7 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
 }
 
 function problems(state: AppState, dispatch: Dispatch): TemplateResult {
-  return html`<div class="problems" role="alert">
+  return html`<div class="problems" data-say="problem">
     <p>${state.problems.join(' · ')}</p>
     <button type="button" class="dismiss"
       @click=${() => dispatch({ type: 'dismiss' })}>Dismiss</button>

@@ -66,17 +66,17 @@ export function classForm(view: ClassView, tools: ClassTools): TemplateResult {
           : nothing
       }
     </div>
-    <div role="status" aria-live="polite">${
+    ${
       running
         ? html`<p class="progress"><progress max=${running.total} value=${running.done}
             aria-label="codes that are marked"></progress> ${running.done} of ${running.total}
             <button type="button" class="button small" @click=${tools.cancel}>Cancel</button></p>`
         : report
-          ? html`<p><strong data-quantity="students"
+          ? html`<p data-say><strong data-quantity="students"
               data-value=${report.students.length}>${report.students.length}</strong>
               ${report.students.length === 1 ? 'hand-in' : 'hand-ins'} marked.</p>`
           : nothing
-    }</div>
+    }
     ${problems.length > 0 ? problemList(problems) : nothing}
     ${report && report.students.length > 0 ? tables(report, tools) : nothing}
     <p class="tolerance">The check value of a code finds what was cut or changed by hand. It deters;
@@ -87,7 +87,7 @@ export function classForm(view: ClassView, tools: ClassTools): TemplateResult {
 const MOST_SHOWN = 20;
 
 const problemList = (problems: readonly string[]): TemplateResult =>
-  html`<ul class="class-problems" role="alert">${problems
+  html`<ul class="class-problems" data-say="problem">${problems
     .slice(0, MOST_SHOWN)
     .map((words) => html`<li>${words}</li>`)}${
     problems.length > MOST_SHOWN ? html`<li>and ${problems.length - MOST_SHOWN} more</li>` : nothing

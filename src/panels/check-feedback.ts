@@ -169,18 +169,18 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
   if (asked.hints === 0 && !asked.solutionShown) return nothing;
   const given = hintsOf(posed).slice(0, asked.hints);
   const last = given.length - 1;
-  return html`<div class="helps" role="status">
+  return html`<div class="helps">
     ${given.map(({ words, lines, layer }, i) => {
       // Only the last hint shows its lines; the words of earlier ones stay.
       const shown = i === last && !asked.solutionShown && lines.length > 0;
       return html`${
         words
           ? html`<p
-        class="hint">Hint: ${words}</p>`
+        class="hint" data-say>Hint: ${words}</p>`
           : nothing
       }${shown ? derivationLines(lines, layer) : nothing}`;
     })}
-    ${asked.solutionShown ? solution(posed) : nothing}
+    ${asked.solutionShown ? html`<div data-say>${solution(posed)}</div>` : nothing}
   </div>`;
 }
 

@@ -65,7 +65,7 @@ export function ownNumbers({ input, texts, report }: OwnView, tools: OwnTools): 
       <button type="button" class="button" @click=${tools.clear}>Clear</button>
       <span class="tolerance">${FOUR_DIGITS_WORDS}</span>
     </div>
-    <div role="status" aria-live="polite">${report ? verdict(report, input) : nothing}</div>
+    <div data-say>${report ? verdict(report, input) : nothing}</div>
   </form>`;
 }
 

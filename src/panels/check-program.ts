@@ -46,7 +46,7 @@ export function editor(view: ProgramView, tools: ProgramTools): TemplateResult {
         @scroll=${follow}
       ></textarea>
     </div>
-    <p class="refusal" id="program-refusal" role="alert">${refusal || nothing}${
+    <p class="refusal" id="program-refusal" data-say="problem">${refusal || nothing}${
       view.unshown
         ? html` <button type="button" class="link"
           @click=${tools.saveUnshown}>Save it as a file</button>`

@@ -78,7 +78,7 @@ export function answerForm(view: QuestionView, tools: QuestionTools): TemplateRe
       <button type="submit" class="button primary">Check</button>
       ${numbers ? html`<span class="tolerance">${FOUR_DIGITS_WORDS}</span>` : nothing}
     </div>
-    <div role="status" aria-live="polite">${judged ? feedback(judged, view, tools) : nothing}</div>
+    <div data-say>${judged ? feedback(judged, view, tools) : nothing}</div>
     ${judged || !mayBeHelped(asked) ? nothing : helpButtons(asked, view, tools)}
     ${helps(asked, view)}
   </form>`;

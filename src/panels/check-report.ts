@@ -19,7 +19,7 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
           >case ${running.done} of ${running.total}</span></div>`
         : nothing
     }
-    <div role="status" aria-live="polite">
+    <div data-say>
       ${trouble ? html`<p class="feedback trouble"><strong>${trouble}</strong></p>` : nothing}
       ${notes.map((note) => html`<p class="tolerance">on the way: ${note}</p>`)}
       ${report ? summary(report, view) : nothing}

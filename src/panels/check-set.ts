@@ -96,7 +96,7 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
         /></label>
       </div>
     </fieldset>
-    <p class="refusal" role="alert">${view.refusal || nothing}</p>
+    <p class="refusal" data-say="problem">${view.refusal || nothing}</p>
     <label class="set-link">Link <input readonly .value=${view.link} /></label>
     <div class="buttons">
       <button type="button" class="button primary" @click=${tools.copy}>Copy the link</button>
@@ -152,7 +152,7 @@ function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResu
     </div>
     <div class="buttons"><button type="button" class="button" ?disabled=${making !== null}
       @click=${tools.print}>Print the sheets</button>
-      <span role="status">${making ? `sheet ${making.done} of ${making.total}` : nothing}</span>
+      <span data-say>${making ? `sheet ${making.done} of ${making.total}` : nothing}</span>
     </div>
   </fieldset>`;
 }

@@ -16,7 +16,7 @@ import './digit-steps.css';
  */
 export function digitSteps(title: string, { steps, worst }: Losses): TemplateResult {
   return html`<div class="steps">
-    <p class="steps-verdict" role="status">
+    <p class="steps-verdict" data-say>
       ${
         worst
           ? html`<b>${title}</b>: ${whyLost(worst)}`

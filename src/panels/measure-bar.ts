@@ -36,7 +36,7 @@ export function measureBar(model: MeasureModel, actions: MeasureActions): Templa
             measured && measured.round > 0 ? 'Measure longer' : 'Measure'
           }</button>`
     }
-    <p class="measure-words" role="status">${failed || (running ? '' : stateText(measured))}</p>
+    <p class="measure-words" data-say>${failed || (running ? '' : stateText(measured))}</p>
     ${reference ? html`<p class="measure-reference">${reference}</p>` : nothing}
   </div>`;
 }

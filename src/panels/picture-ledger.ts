@@ -245,10 +245,12 @@ function timeWords(
     const { repeat, repeats, msLeft } = timing;
     const left = Number.isNaN(msLeft) ? '' : `, about ${secondsWords(msLeft)} left`;
     const which = repeat === 0 ? 'warming up' : `repeat ${repeat} of ${repeats}`;
-    return html`<p class="ledger-time" data-timing role="status">measuring the time: ${which}${left}
+    return html`<p class="ledger-time" data-timing><span data-say>measuring the time</span>:
+      ${which}${left}
       <button type="button" class="textual" @click=${tools.stopTiming}>stop</button></p>`;
   }
-  if (times) return html`<p class="ledger-time">${measured(times)} ${act('measure again')}</p>`;
+  if (times)
+    return html`<p class="ledger-time" data-say>${measured(times)} ${act('measure again')}</p>`;
   if (!took || !stands) return html`<p class="ledger-time"></p>`;
   return html`<p class="ledger-time">${act('measure the time')}: again and again, by warm
     workers. This once it took <span data-quantity="took"
@@ -349,7 +351,7 @@ function kindRow({ kind, rays, questions, roots, parts }: KindRow): TemplateResu
 
 function measureLine({ measure, unmeasured, isMeasuring }: LedgerTools): TemplateResult {
   if (isMeasuring)
-    return html`<p class="measure" role="status">counting the pixels that each effect changes…</p>`;
+    return html`<p class="measure" data-say>counting the pixels that each effect changes…</p>`;
   if (unmeasured === 0) return html`<p class="measure"></p>`;
   return html`<p class="measure"><button type="button" class="textual"
     @click=${measure}>count the pixels that each changes</button>, by tracing once without it</p>`;

@@ -32,8 +32,8 @@ export type Settings = Readonly<Record<string, string>>;
 
 /**
  * Everything that a page shows follows from this. A link carries all of it except the shapes that
- * are not shown and their typed texts, which only a file has, and `problems`, `example`, `told`,
- * `ghost` and the number in `revealed`, which last while the page is open.
+ * are not shown and their typed texts, which only a file has; `problems`, `example` and `ghost`,
+ * which last while the page is open; and `told` and the number in `revealed`, which a reload keeps.
  */
 export interface AppState {
   readonly page: PageId;

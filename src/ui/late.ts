@@ -35,7 +35,7 @@ function fetchedAgain(failed: HTMLLinkElement): Promise<void> {
 
 /** A message with buttons to try again and to reload. `what`: 'This page could not be loaded.' */
 export function notLoaded(what: string, again: () => void): TemplateResult {
-  return html`<div class="not-loaded" role="alert"><p>${what}</p>
+  return html`<div class="not-loaded" data-say="problem"><p>${what}</p>
     <button type="button" @click=${again}>Try again</button>
     <button type="button"
       title="After a new version was put online, only this helps; the link keeps what is shown"

@@ -121,12 +121,12 @@ class GrazeNumberBox extends DrawnElement {
       />${
         this.reason === null
           ? nothing
-          : html`<span class="reason" id=${reasonId} role="alert">${this.reason}</span>`
+          : html`<span class="reason" id=${reasonId} data-say="problem">${this.reason}</span>`
       }${
         hint === null
           ? nothing
           : html`<span class="reason" id=${reasonId}
-        role="status">${hint}</span>`
+        data-say>${hint}</span>`
       }`;
   }
 

@@ -1,7 +1,7 @@
 import { SHAPES } from '../../src/math/index.ts';
 import { BUT_CONTRAST, violations, violationsInThemes } from './support/axe.ts';
 import { box, pickShape, slider, typeInto } from './support/controls.ts';
-import { open } from './support/page.ts';
+import { open, problems } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 const SIZES = [
@@ -27,7 +27,7 @@ for (const viewport of SIZES) {
       expect.soft(await violationsInThemes(page), 'circle').toEqual([]);
       await open(page, '#/explore?shape=cone&zoom=1');
       await typeInto(page, 'c', 'abc');
-      await expect(page.getByRole('alert').nth(1)).toBeVisible();
+      await expect(problems(page).nth(1)).toBeVisible();
       expect.soft(await violationsInThemes(page), 'a refused text').toEqual([]);
     });
   });

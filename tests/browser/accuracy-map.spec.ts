@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Download, Page } from '@playwright/test';
 import { violations, violationsInThemes } from './support/axe.ts';
+import { problems } from './support/page.ts';
 import { frames, timersDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
@@ -146,7 +147,7 @@ test('the student’s own program has a map, beside certified’s', async ({ pag
   await map(page).focus();
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Try your program on it' }).click();
-  await expect(page.locator('.atlas-picked [role="status"]')).toContainText(
+  await expect(page.locator('.atlas-picked [data-say]')).toContainText(
     'Your program answers t = 5; right is t = 5.',
     { timeout: 60_000 },
   );
@@ -156,7 +157,7 @@ test('without a program it says so; a link’s mistakes are told', async ({ page
   await page.goto(`./#/accuracy?${TORN}&maps=own`);
   await expect(page.locator('.atlas-progress')).toContainText('There is no program of yours yet');
   await page.goto('./#/accuracy?shape=sphere&atlas=k,E.z&maps=newton');
-  await expect(page.getByRole('alert').first()).toContainText("opened without maps: 'newton'");
+  await expect(problems(page).first()).toContainText("opened without maps: 'newton'");
   await expect(page.locator('.atlas')).toContainText("'k' is no number of this shape");
 });
 

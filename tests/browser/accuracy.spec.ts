@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { METHODS } from '../../src/math/index.ts';
 import { violations, violationsInThemes } from './support/axe.ts';
+import { problems } from './support/page.ts';
 import { frames } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
@@ -226,8 +227,8 @@ test('a link restores the settings, and says what it cannot use', async ({ page 
   await expect(page).not.toHaveURL(/family=/);
   await page.goto('about:blank');
   await page.goto('./#/accuracy?family=nowhere&split=3');
-  await expect(page.getByRole('alert')).toContainText("opened without family: 'nowhere'");
-  await expect(page.getByRole('alert')).toContainText("'split' means nothing");
+  await expect(problems(page)).toContainText("opened without family: 'nowhere'");
+  await expect(problems(page)).toContainText("'split' means nothing");
 });
 
 test('axe finds nothing, and nothing is wider than the page', async ({ page }) => {

@@ -7,7 +7,7 @@ import { handInCode } from '../../src/state/hand-in.ts';
 import { shortest } from '../../src/text/format.ts';
 import { violationsInThemes } from './support/axe.ts';
 import { extent } from './support/layout.ts';
-import { hashOf, NO_SCENE, withoutScene } from './support/page.ts';
+import { hashOf, NO_SCENE, problems, withoutScene } from './support/page.ts';
 import { openCheck } from './support/program.ts';
 import { expect, test } from './support/test.ts';
 
@@ -136,7 +136,7 @@ test('two hundred codes are marked while the page answers', async ({ page }) => 
   expect((await extent(page)).width).toBeLessThanOrEqual(375);
   await page.getByLabel('Hand-in codes').fill('hello graze1.abc.abcdefg');
   await page.getByRole('button', { name: 'Mark these codes' }).click();
-  await expect(page.getByRole('alert')).toContainText('the check value does not fit');
+  await expect(problems(page)).toContainText('the check value does not fit');
 });
 
 test('a set is saved for course systems, and printed on the paper that is chosen', async ({

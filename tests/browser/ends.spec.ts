@@ -10,7 +10,7 @@ test('is made finite, capped and moved, by keys alone, and the voice says each',
   page,
 }) => {
   await open(page, CAN);
-  const spoken = page.locator('[aria-live=polite]').first();
+  const spoken = page.locator('.announcer');
   const finite = page.getByLabel('finite');
   await finite.focus();
   await page.keyboard.press('Space');

@@ -5,7 +5,7 @@ import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
-import { expectSaid, hashOf, linkWritten, open, settle } from './support/page.ts';
+import { expectSaid, hashOf, linkWritten, open, problems, settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
@@ -96,7 +96,7 @@ test('a file that is none of ours is refused in words, and nothing is lost', asy
   await linkWritten(page);
   const before = await hashOf(page);
   await drop(page, '<b>not a state</b>');
-  const alert = page.getByRole('alert');
+  const alert = problems(page);
   await expect(alert).toContainText("'<b>not a state</b>' is not a saved state");
   expect(await hashOf(page)).toBe(before);
   await page.getByRole('button', { name: 'Dismiss' }).click();

@@ -2,7 +2,7 @@ import { SHAPES } from '../../src/math/index.ts';
 import { violationsInThemes } from './support/axe.ts';
 import { box, press, slider } from './support/controls.ts';
 import { collisions, cutOff, extent } from './support/layout.ts';
-import { open, quantities, settle } from './support/page.ts';
+import { open, problems, quantities, settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
@@ -101,7 +101,7 @@ test.describe('390 × 844', () => {
     expect((await quantities(page))['E.x']).toBe('3.1');
     await box(page, 'E.y').fill('abc');
     await box(page, 'E.y').press('Enter');
-    await expect(page.getByRole('alert')).toBeInViewport({ ratio: 1 });
+    await expect(problems(page)).toBeInViewport({ ratio: 1 });
     for (const target of await dock.locator('button, input').all()) {
       expect((await target.boundingBox())?.height).toBeGreaterThanOrEqual(36);
     }

@@ -6,7 +6,7 @@ import { decode } from '../../src/state/url.ts';
 import { BUT_CONTRAST, violations, violationsInThemes } from './support/axe.ts';
 import { extent } from './support/layout.ts';
 import { computed, LESSONS, lessonOf, liveNumbers, openStep, stepShown } from './support/lesson.ts';
-import { settle } from './support/page.ts';
+import { problems, settle } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 import { showTheme } from './support/theme.ts';
@@ -178,7 +178,7 @@ test('what is moved, asked and answered is in the link, and comes back by it', a
   await expect(page.getByRole('heading', { name: 'How hard can it get' })).toBeVisible();
   await expect(page.getByRole('heading', { name: 'This ray' })).toBeHidden();
   await page.goto('./#/lesson/nothing');
-  await expect(page.getByRole('alert')).toContainText("there is no lesson 'nothing'");
+  await expect(problems(page)).toContainText("there is no lesson 'nothing'");
 });
 
 test('a symbol in the text has its colour, and lights up with the scene', async ({ page }) => {
@@ -342,11 +342,11 @@ test('a step is changed where it stands, and the present state becomes the next 
   await box.fill(`${await box.inputValue()}\n\nMine: <b>E.x</b> is {E.x}.`);
   await page.getByRole('button', { name: 'Done' }).click();
   await expect(page.locator('main').getByText('Mine: <b>E.x</b> is 3.')).toBeVisible();
-  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(problems(page)).toHaveCount(0);
   await page.getByRole('button', { name: 'Edit' }).click();
   await box.fill(`${await box.inputValue()}\n\n{Q} is nothing.`);
   await page.getByRole('button', { name: 'Done' }).click();
-  await expect(page.getByRole('alert')).toContainText("step 1: '{Q}' is no number that it shows");
+  await expect(problems(page)).toContainText("step 1: '{Q}' is no number that it shows");
   await page.goto('./#/check?seed=4&question=2');
   await page.locator('.check-stage').first().waitFor();
   await page.keyboard.press('c');
@@ -379,7 +379,7 @@ test('a hostile file is text, and what is wrong with it is quoted', async ({ pag
   await page.getByRole('heading', { name: 'Lessons', exact: true }).waitFor();
   for (const [text, said] of HOSTILE) {
     await drop(page, 'f.txt', text);
-    await expect(page.getByRole('alert'), text.slice(0, 60)).toContainText(said);
+    await expect(problems(page), text.slice(0, 60)).toContainText(said);
     expect((await extent(page)).width).toBeLessThanOrEqual(1000);
     await page.getByRole('button', { name: /dismiss/i }).click();
   }

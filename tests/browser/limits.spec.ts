@@ -1,3 +1,4 @@
+import { problems } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 test('storage that keeps nothing is said at the first word that is typed', async ({ page }) => {
@@ -8,11 +9,11 @@ test('storage that keeps nothing is said at the first word that is typed', async
   });
   await page.goto('./#/check?part=program');
   await page.getByRole('textbox', { name: /intersect/ }).fill('// mine');
-  await expect(page.getByRole('alert')).toContainText('this browser keeps nothing here');
+  await expect(problems(page)).toContainText('this browser keeps nothing here');
   // Once it is dismissed, the next letters do not bring it back.
   await page.getByRole('button', { name: 'Dismiss' }).click();
   await page.getByRole('textbox', { name: /intersect/ }).fill('// mine, and more');
-  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(problems(page)).toHaveCount(0);
 });
 
 test('a file that is too large is said to be that', async ({ page }) => {
@@ -24,7 +25,5 @@ test('a file that is too large is said to be that', async ({ page }) => {
   ]);
   const buffer = Buffer.alloc(2_000_001, ' ');
   await chooser.setFiles({ name: 'film.json', mimeType: 'application/json', buffer });
-  await expect(page.getByRole('alert')).toHaveText(
-    /'film.json' was not opened: it is larger than 2 MB/,
-  );
+  await expect(problems(page)).toHaveText(/'film.json' was not opened: it is larger than 2 MB/);
 });

@@ -1,4 +1,12 @@
-import { hashOf, linkWritten, NO_SCENE, open, quantities, withoutScene } from './support/page.ts';
+import {
+  hashOf,
+  linkWritten,
+  NO_SCENE,
+  open,
+  problems,
+  quantities,
+  withoutScene,
+} from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
 const TITLES = ['Explore', 'Accuracy', 'Picture', 'Check'];
@@ -71,8 +79,8 @@ test.describe('from page to page', () => {
 
   test('what a link says wrongly of a page is quoted, and the rest is opened', async ({ page }) => {
     await page.goto('./#/picture?scene=plain&size=huge&method=certified&colour=red');
-    await expect(page.getByRole('alert')).toContainText("'huge'");
-    await expect(page.getByRole('alert')).toContainText("'colour'");
+    await expect(problems(page)).toContainText("'huge'");
+    await expect(problems(page)).toContainText("'colour'");
     await linkWritten(page);
     expect(await hashOf(page)).toBe('#/picture?method=certified&scene=plain');
   });

@@ -4,7 +4,7 @@ import { EFFECTS } from '../../src/scene/effects/index.ts';
 import { findPreset } from '../../src/scene/presets/index.ts';
 import { RAY_KINDS } from '../../src/tracer/types.ts';
 import { expectInLink } from './support/controls.ts';
-import { linkWritten, settle } from './support/page.ts';
+import { linkWritten, problems, settle } from './support/page.ts';
 import { expect, test as fresh, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
@@ -391,7 +391,7 @@ fresh('a click chooses the pixel under it', async ({ page }) => {
 
 test('a broken link opens what can be opened, and says what was wrong', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=~nonsense&against=method:none&zoom=3`);
-  const alert = page.getByRole('alert');
+  const alert = problems(page);
   await expect(alert).toContainText('opened without scene:');
   await expect(alert).toContainText("'~nonsense'");
   await expect(alert).toContainText("'method:none' is nothing to compare with");
@@ -479,9 +479,7 @@ test('a file that is no scene says why, and changes nothing', async ({ page }) =
     mimeType: 'application/json',
     buffer: Buffer.from(JSON.stringify(scene)),
   });
-  await expect(page.getByRole('alert')).toContainText(
-    'ambient must be a number from 0 to 1, got 7',
-  );
+  await expect(problems(page)).toContainText('ambient must be a number from 0 to 1, got 7');
   await expect(page.getByLabel('scene:')).toHaveValue('plain');
 });
 

@@ -72,6 +72,21 @@ test.describe('without the picture', () => {
       const shown = await quantities(page);
       expect(shown[name]).toBe(all[name]);
       expect(RESULTS.filter((result) => result in shown)).toHaveLength(n + 1);
+      if (name !== 'B') continue;
+      // A reload keeps what has been shown; whoever else opens the link sees nothing of it.
+      await linkWritten(page);
+      const link = page.url();
+      const names = async () => Object.keys(await quantities(page)).filter((one) => one in shown);
+      await page.reload();
+      await expect.poll(names).toEqual(Object.keys(shown));
+      await page.goto('about:blank');
+      await page.goto(link);
+      await page.locator('[data-quantity="E.x"]').first().waitFor();
+      await settle(page);
+      expect(await names()).not.toContain('A');
+      await page.goBack();
+      await page.goBack();
+      await expect.poll(names).toEqual(Object.keys(shown));
     }
     for (let i = 0; i < 3; i++) await page.keyboard.press('n');
     await settle(page);

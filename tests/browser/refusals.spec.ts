@@ -1,5 +1,5 @@
 import { box, expectInLink, slider, typeInto } from './support/controls.ts';
-import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
+import { hashOf, linkWritten, open, problems, quantities, settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
@@ -29,7 +29,7 @@ test('what is not allowed stays in its box with the reason below, and changes no
     await typeInto(page, name, typed);
     await expect(input, `${name} = ${typed}`).toHaveValue(typed);
     await expect(input).toHaveAttribute('aria-invalid', 'true');
-    const alert = page.getByRole('alert');
+    const alert = problems(page);
     await expect(alert).toHaveText(reason);
     expect(await input.getAttribute('aria-describedby')).toBe(await alert.getAttribute('id'));
     const [above, below] = [await input.boundingBox(), await alert.boundingBox()];
@@ -57,14 +57,14 @@ test('a refused text outlives losing the focus, and a slider of the same number 
   await slider(page, 'r').press('ArrowRight');
   await settle(page);
   await expect(box(page, 'r')).toHaveAttribute('aria-invalid', 'false');
-  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(problems(page)).toHaveCount(0);
 });
 
 test('d cannot be made zero by its three boxes, nor by its sliders', async ({ page }) => {
   await open(page, '#/explore?shape=plane&d=1,0,2&method=exact');
   await typeInto(page, 'd.x', '0');
   await typeInto(page, 'd.z', '0');
-  await expect(page.getByRole('alert')).toHaveText(/must not be zero, got \(0, 0, 0\)/);
+  await expect(problems(page)).toHaveText(/must not be zero, got \(0, 0, 0\)/);
   expect(await quantities(page)).toMatchObject({ 'd.x': '0', 'd.y': '0', 'd.z': '2' });
   await box(page, 'd.z').press('Escape');
   await typeInto(page, 'd.z', '0.05');

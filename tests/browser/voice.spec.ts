@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import { commandsOf } from '../../src/pages/commands.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
@@ -30,13 +31,18 @@ test('the scene is described in words that are true', async ({ page }) => {
   await expect(words).toContainText('t₁ = 2, first hit, enters, at (2, 1, 1.5)');
 });
 
+/** The pause before the voice speaks is no part of a test. */
+function withoutPause(): void {
+  const { setTimeout } = window;
+  const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
+    setTimeout(run, ms === 500 ? 0 : ms, ...given);
+  Object.assign(window, { setTimeout: soon });
+}
+
 test('every command says what it did, or moves the focus', async ({ page }) => {
   await withoutScene(page);
-  // The pause before the voice is no part of this.
+  await page.addInitScript(withoutPause);
   await page.addInitScript(() => {
-    const { setTimeout } = window;
-    const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
-      setTimeout(run, ms === 500 ? 0 : ms, ...given);
     // Sound is rendered into a buffer, all at once.
     class Silent extends OfflineAudioContext {
       constructor() {
@@ -45,35 +51,14 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
       }
       close = () => Promise.resolve();
     }
-    Object.assign(window, { setTimeout: soon, AudioContext: Silent });
+    Object.assign(window, { AudioContext: Silent });
   });
   await open(page, '#/explore?shape=cone&E=4,1,0.5&d=-1,0,0');
   const heard = new Map<string, string>();
   const commands = commandsOf({ dispatch() {}, get() {} } as never, {} as never);
   for (const { id, keys, pages } of commands) {
     if (pages && !pages.includes('explore')) continue;
-    const key = (keys[0] ?? '').replace('Ctrl', 'Control').replace(/^\?$/, 'Shift+?');
-    await page.evaluate(() => {
-      (document.activeElement as HTMLElement | null)?.blur();
-      // Its code comes late: until then nothing was said.
-      document.querySelector('.announcer')?.replaceChildren();
-    });
-    const chooser = id === 'open' ? page.waitForEvent('filechooser') : null;
-    const popup = id === 'present-explore' ? page.waitForEvent('popup') : null;
-    await page.keyboard.press(key);
-    await (await popup)?.close();
-    if (chooser) await chooser;
-    else {
-      const words = await page.waitForFunction(() => {
-        const said = document.querySelector('.announcer')?.textContent;
-        const at = document.activeElement;
-        return said || (at && at !== document.body ? `focus: ${at.tagName}` : '');
-      });
-      heard.set(id, await words.jsonValue());
-    }
-    // A dialog, the black screen, the derivation: what has the focus now is left again.
-    await page.keyboard.press('Escape');
-    await expect(page.locator('dialog[open]')).toHaveCount(0);
+    heard.set(id, await heardOf(page, id, keys));
   }
   expect(heard.get('link')).toMatch(/link/);
   expect(heard.get('theme')).toBe('theme: light.');
@@ -106,45 +91,108 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
   heardAsWritten(samples, scoreOf(createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph));
 });
 
-test('so it does on every other page', async ({ page }) => {
-  await page.addInitScript(() => {
-    const { setTimeout } = window;
-    const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
-      setTimeout(run, ms === 500 ? 0 : ms, ...given);
-    Object.assign(window, { setTimeout: soon });
+/** What a command says, or what has got the focus. */
+async function heardOf(page: Page, id: string, keys: readonly string[]): Promise<string> {
+  const key = (keys[0] ?? '').replace('Ctrl', 'Control').replace(/^\?$/, 'Shift+?');
+  await page.evaluate(() => {
+    (document.activeElement as HTMLElement | null)?.blur();
+    // Its code comes late: until then nothing was said.
+    document.querySelector('.announcer')?.replaceChildren();
   });
+  const chooser = id === 'open' ? page.waitForEvent('filechooser') : null;
+  const popup = /^present/.test(id) ? page.waitForEvent('popup') : null;
+  await page.keyboard.press(key);
+  await (await popup)?.close();
+  if (chooser) {
+    await chooser;
+    return 'a file is asked for';
+  }
+  const words = await page.waitForFunction(() => {
+    const said = document.querySelector('.announcer')?.textContent;
+    const at = document.activeElement;
+    return said || (at && at !== document.body ? `focus: ${at.tagName}` : '');
+  });
+  const heard = await words.jsonValue();
+  // A dialog, the black screen, the derivation: what has the focus now is left again.
+  await page.keyboard.press('Escape');
+  await expect(page.locator('dialog[open]')).toHaveCount(0);
+  return heard;
+}
+
+test('so it does on every other page', async ({ page }) => {
+  await page.addInitScript(withoutPause);
   await open(page, '#/explore');
   const commands = commandsOf({ dispatch() {}, get() {} } as never, {} as never);
+  const show = (title: string): Promise<void> =>
+    page.locator('.header').getByRole('link', { name: title, exact: true }).click();
   for (const { id, title } of PAGES) {
     if (id === 'explore') continue;
-    await page.locator('header').getByRole('link', { name: title, exact: true }).click();
+    await show(title);
     await page.locator('main h2').filter({ visible: true }).first().waitFor();
+    const own = commands.filter(({ pages }) => pages?.includes(id));
+    if (id === 'lesson') {
+      // On the list there is nothing to go to.
+      for (const { id: command, keys } of own) {
+        const said = await heardOf(page, command, keys);
+        if (command !== 'present') expect(said).toBe('No lesson is open: choose one.');
+      }
+      await page.locator('.lesson-list a[href^="#/lesson/"]').first().click();
+      await page.locator('[data-lesson-step]').waitFor();
+    }
     for (const { id: command, keys, pages } of commands) {
       if (pages && !pages.includes(id)) continue;
-      // A step of one's own is shown at once; the list of lessons has nothing to go to.
-      if (command === 'collect' || (id === 'lesson' && pages)) continue;
-      const key = (keys[0] ?? '').replace('Ctrl', 'Control').replace(/^\?$/, 'Shift+?');
-      await page.evaluate(() => {
-        (document.activeElement as HTMLElement | null)?.blur();
-        document.querySelector('.announcer')?.replaceChildren();
-      });
-      const chooser = command === 'open' ? page.waitForEvent('filechooser') : null;
-      await page.keyboard.press(key);
-      if (chooser) await chooser;
-      else {
-        await page.waitForFunction(() => {
-          const at = document.activeElement;
-          const said = document.querySelector('.announcer')?.textContent;
-          return said || (at && at !== document.body);
-        });
-      }
-      await page.keyboard.press('Escape');
-      await expect(page.locator('dialog[open]')).toHaveCount(0);
+      const said = await heardOf(page, command, keys);
+      if (command === 'collect') expect(said).toMatch(/added as step \d+ of your lesson/);
+      if (command === 'lesson-next') expect(said).toMatch(/step 2 of \d+: /);
       // Undo may have left the page, and a full screen withdraws the controls.
       await page.evaluate(() => document.exitFullscreen().catch(() => {}));
-      await page.locator('header').getByRole('link', { name: title, exact: true }).click();
+      await show(title);
     }
   }
+});
+
+test('one voice on Check too: a verdict is said once, again where it is asked for again', async ({
+  page,
+}) => {
+  await page.addInitScript(withoutPause);
+  await withoutScene(page);
+  await page.goto('./#/check?seed=41');
+  const voice = page.locator('.announcer');
+  const box = page.locator('.answers :is(input, select)').first();
+  await box.waitFor();
+  // All that is said, one after another.
+  await page.evaluate(() => {
+    const all: string[] = [];
+    Object.assign(window, { all });
+    const region = document.querySelector('.announcer') as Element;
+    new MutationObserver(() => all.push(region.textContent ?? '')).observe(region, {
+      childList: true,
+    });
+  });
+  const check = page.getByRole('button', { name: 'Check', exact: true });
+  await check.click();
+  const unread = 'Not all of it could be read; this was no try.';
+  await expect(voice).toHaveText(unread);
+  await check.click();
+  const said = () =>
+    page.evaluate(
+      (unread) =>
+        (window as unknown as { all: string[] }).all.filter((one) => one.trim() === unread).length,
+      unread,
+    );
+  await expect.poll(said).toBe(2);
+  // Behind a dialog nothing is heard: the voice is in it, and comes back.
+  await page.keyboard.press('Tab');
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  await page.keyboard.press('e');
+  await page.getByRole('dialog').getByRole('button', { name: 'Embed' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Embed' });
+  for (const part of await dialog.getByRole('checkbox').all()) await part.uncheck();
+  await expect(dialog.locator('.announcer')).toHaveText(/Nothing is shown: choose a part\./);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('l');
+  await expect(page.locator('body > .announcer')).toHaveText(/link/);
+  await expect(voice).toHaveCount(1);
 });
 
 const HEARD = '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0';

@@ -370,6 +370,15 @@ function unreached(sources: Sources): string[] {
   return Object.keys(sources).filter((path) => !reached.has(path));
 }
 
+/** What a screen reader says by itself: a live region, an alert, an element that is one. */
+const LIVE = [
+  /\baria-?live\b/i,
+  /html`[^`]*<output\b/,
+  /\brole['"]?\s*[=:,]\s*['"]?(?:alert|status|log|timer|marquee)\b/,
+];
+const liveRegions = (sources: Sources): string[] =>
+  Object.keys(sources).filter((path) => LIVE.some((live) => live.test(sources[path] ?? '')));
+
 function sourcesUnder(folder: string): Sources {
   const files = readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' });
   const paths = files.filter((name) => /\.ts$/.test(name)).map((name) => `${folder}/${name}`);
@@ -449,6 +458,10 @@ describe('src', () => {
 
   test('has no case distinction over shapes outside of src/math/shapes', () => {
     expect(wrongSwitches(SRC)).toEqual([]);
+  });
+
+  test('has a live region in the announcer only', () => {
+    expect(liveRegions(SRC)).toEqual(['src/ui/announcer.ts']);
   });
 
   test('acts at import only in main, custom elements and workers', () => {
@@ -549,6 +562,19 @@ describe('these rules would notice', () => {
     expect(unreached({ ...late, 'src/text/a.ts': '', 'src/text/b.ts': '' })).toEqual([
       'src/text/b.ts',
     ]);
+  });
+
+  test.each([
+    'html`<p role="status">x</p>`',
+    'html`<p role=alert>x</p>`',
+    "element.setAttribute('role', 'log')",
+    "element.role = 'status'",
+    "element.ariaLive = 'polite'",
+    'html`<div aria-live=polite></div>`',
+    'html`<output>1</output>`',
+  ])('%s', (source) => {
+    expect(liveRegions(one('src/panels/wrong.ts', source))).toHaveLength(1);
+    expect(liveRegions(one('src/panels/fine.ts', 'html`<p data-say>x</p>`; status'))).toEqual([]);
   });
 
   test('and a formula’s square is no shape', () => {

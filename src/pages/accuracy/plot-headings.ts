@@ -54,7 +54,7 @@ export function answerHead(
     set({ worth: id as AccuracySettings['worth'] }),
   );
   return html`<div class="acc-answer">
-      <h2 class="acc-sentence"><span role="status">${headline}</span></h2>
+      <h2 class="acc-sentence"><span data-say>${headline}</span></h2>
       <div class="acc-compare">
         ${targets}
         <span class="acc-order">order ${orders}</span>

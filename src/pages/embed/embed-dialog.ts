@@ -95,7 +95,7 @@ function content(
     </form>
     ${
       parts.length === 0
-        ? html`<p role="status">Nothing is shown: choose a part.</p>`
+        ? html`<p data-say>Nothing is shown: choose a part.</p>`
         : html`<iframe class="embed-preview" title="How it will look" src=${link}></iframe>`
     }
     ${lines.map(

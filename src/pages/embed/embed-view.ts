@@ -92,7 +92,9 @@ function captionOf(model: ExploreModel, wanted: boolean): TemplateResult {
           shown.verdict ? `: ${verdict.text}` : ''
         }</p>`
       : nothing
-  }${state.problems.map((problem) => html`<p class="embed-problem" role="alert">${problem}</p>`)}`;
+  }${state.problems.map(
+    (words) => html`<p class="embed-problem" data-say="problem">${words}</p>`,
+  )}`;
 }
 
 function markOf(state: AppState, home: string | null): TemplateResult {

@@ -9,6 +9,7 @@ export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
 export { followExplore, presentExplore } from '../lesson/projected.ts';
+export { keepLines } from './kept-lines.ts';
 export { createMotion } from './motion.ts';
 export { createPlayer } from './player.ts';
 export { createSecondView } from './second-view.ts';

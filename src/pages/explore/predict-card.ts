@@ -136,7 +136,7 @@ function judged(
     ({ id }) => id === guess,
   )?.title;
   return html`<section class="predict" aria-label="Prediction">
-    <p role="status"><strong>${right ? 'Right.' : 'Not so.'}</strong>
+    <p data-say><strong>${right ? 'Right.' : 'Not so.'}</strong>
       ${said ? `You said: ${said}. ` : ''}${gap}${mistake ? ` ${mistake}` : ''}</p>
   </section>`;
 }

@@ -67,7 +67,7 @@ export function questionView(
         aria-disabled=${isOpen}>That is my guess</button>
       <button type="button" class="show-me" @click=${show}>show me</button>
     </div>
-    ${refused ? html`<p class="guess-refused" role="alert">${refused}</p>` : nothing}
+    ${refused ? html`<p class="guess-refused" data-say="problem">${refused}</p>` : nothing}
   </form>`;
 }
 

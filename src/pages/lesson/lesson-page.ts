@@ -12,6 +12,7 @@ import type { AppState, Settings } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { recall } from '../../ui/storage.ts';
+import { wordsOf } from '../../ui/words-of.ts';
 import { lessonHandout } from '../handout/lesson-handout.ts';
 import { printPage, printsAs } from '../handout/print.ts';
 import type { MountPage } from '../page.ts';
@@ -168,8 +169,8 @@ export const mountLesson: MountPage = (host, context) => {
     if (before?.place.lesson !== lesson || before.place.number !== number) {
       heard = null;
       const heading = `${lesson.title}, step ${number} of ${lesson.steps.length}: ${step.title}.`;
-      announce(() => `${heading} ${wordsOf('.lesson-text > *')}`, 'step');
-    } else if (before.asked && !now.asked) announce(() => wordsOf('.lesson-answer'), 'step');
+      announce(() => `${heading} ${wordsAt('.lesson-text > *')}`, 'step');
+    } else if (before.asked && !now.asked) announce(() => wordsAt('.lesson-answer'), 'step');
     if (!now.model || travel.underWay) return;
     heard ??= now.model;
     const old = heard;
@@ -181,9 +182,10 @@ export const mountLesson: MountPage = (host, context) => {
       return words;
     });
   };
-  /** What stands there, as it is read. */
-  const wordsOf = (selector: string): string =>
-    text.querySelector(selector)?.textContent?.replace(/\s+/g, ' ').trim() ?? '';
+  const wordsAt = (selector: string): string => {
+    const found = text.querySelector(selector);
+    return found ? wordsOf(found) : '';
+  };
 
   const showStep = (settings: Settings, place: Place): void => {
     const before = shown;
@@ -244,7 +246,10 @@ export const mountLesson: MountPage = (host, context) => {
   };
 
   const turn = (by: 1 | -1): void => {
-    if (!shown) return;
+    if (!shown) {
+      announce('No lesson is open: choose one.', 'deed');
+      return;
+    }
     const { lesson, number } = shown.place;
     const end = by === 1 ? lesson.steps.length : 1;
     if (number === end) announce(`This is the ${by === 1 ? 'last' : 'first'} step.`, 'deed');

@@ -17,7 +17,7 @@ export function createOtherPages(host: HTMLElement, context: PageContext, dispat
 
   const load = (page: PageId, place: HTMLElement): void => {
     const code = SINGLE_PAGES[page];
-    render(html`<p role="status">loading…</p>`, place);
+    render(html`<p data-say>loading…</p>`, place);
     code?.().then(
       (mountPage) => {
         render(html``, place);

@@ -20,7 +20,7 @@ export function createPaper(page: HTMLElement, show: (settings: Settings | null)
   const seen = new Map<string, SeenPage>();
   let waiting: { readonly step: Step; readonly done: () => void } | null = null;
   let progress = '';
-  const content = () => html`<p role="status">${progress}</p>`;
+  const content = () => html`<p data-say>${progress}</p>`;
   const dialog = createDialog('Printing', content, undefined, () => waiting?.done());
 
   const isMissing = (step: Step): boolean =>

@@ -118,7 +118,7 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
           <h3>Next: ${next}</h3>
           ${drawn ? drawing : nothing}
         </section>
-        <p class="presenter-notice" role="status">${notice}</p>
+        <p class="presenter-notice" data-say>${notice}</p>
         <footer class="presenter-foot">
           ${clock}
           <button type="button" class="bordered" @click=${() => turn(-1)}>Back</button>
@@ -144,7 +144,7 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
       const place = placeOf(settings);
       if (stage?.look) show(exploreParts(stage));
       else if (place) show(stepParts(settings, place, stage?.numbers ?? {}));
-      else render(html`<p class="presenter-notice" role="status">${notice || LEFT}</p>`, frame);
+      else render(html`<p class="presenter-notice" data-say>${notice || LEFT}</p>`, frame);
     },
     read: readSettings,
     exports: () => [],

@@ -58,7 +58,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
             <button type="button" class="quiet" @click=${tools.print}>Print the lesson</button>
             <button type="button" class="quiet" title="Notes, what comes next and a clock (p)"
               @click=${tools.present}>Presenter’s window</button>
-            <span class="present-problem" role="status">${problemWords(tools.problem)}</span>
+            <span class="present-problem" data-say>${problemWords(tools.problem)}</span>
           </p>`
       }
     </div>

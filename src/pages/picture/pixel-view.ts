@@ -146,7 +146,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       const known = treeOf(main, pixel);
       if (known === 'asked')
         return html`<p class="pixel-problem"
-          role="status">following the rays of pixel ${pixel.join(', ')}…</p>`;
+          data-say>following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
         return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button
           type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;

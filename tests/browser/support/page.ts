@@ -1,4 +1,4 @@
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { frames, timersDone } from './pending.ts';
 import { expect } from './test.ts';
 
@@ -13,6 +13,10 @@ export const NO_SCENE = /^Failed to load resource: net::ERR_FAILED$/;
 export async function withoutScene(page: Page): Promise<void> {
   await page.route(SCENE_CHUNK, (route) => route.abort());
 }
+
+/** What went wrong, in words: below the header, and beside what was given. */
+export const problems = (page: Page): Locator =>
+  page.locator('[data-say="problem"]').filter({ visible: true });
 
 export type Shown = Record<string, string>;
 

@@ -46,7 +46,7 @@ export function atlasControls(
       <span class="atlas-zoom" role="group" aria-label="Zoom">
         <button type="button" class="button" aria-label="Zoom out by a decade"
           @click=${() => zoomBy(-1, CENTRE)}>−</button>
-        <output>zoom ${display(first?.request.zoom ?? 0, 4)}</output>
+        <span class="atlas-zoomed">${zoomWords(first?.request.zoom ?? 0)}</span>
         <button type="button" class="button" aria-label="Zoom in by a decade"
           @click=${() => zoomBy(1, CENTRE)}>+</button>
       </span>
@@ -58,8 +58,10 @@ export function atlasControls(
     <div class="atlas-row">
       ${whose(atlas, settings, set)}
     </div>
-    ${atlas.problem ? html`<p role="alert">${atlas.problem}</p>` : nothing}`;
+    ${atlas.problem ? html`<p data-say="problem">${atlas.problem}</p>` : nothing}`;
 }
+
+export const zoomWords = (zoom: number): string => `zoom ${display(zoom, 4)}`;
 
 const isFinest = ({ by, zoom }: AccuracySettings): boolean =>
   by === 'ulps' && zoom >= ZOOMS.ulps[1];

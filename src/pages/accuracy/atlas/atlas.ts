@@ -32,7 +32,7 @@ import type { Announce } from '../../../ui/announcer.ts';
 import type { ExportItem } from '../../export-dialog.ts';
 import { saveButtons } from '../exports.ts';
 import { spawnLab } from '../lab-jobs.ts';
-import { atlasControls } from './atlas-controls.ts';
+import { atlasControls, zoomWords } from './atlas-controls.ts';
 import { atlasExports, type Shown } from './atlas-exports.ts';
 import { legend, paintSamples } from './legend.ts';
 import { type MapState, mapJobs } from './map-jobs.ts';
@@ -128,6 +128,7 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
   function zoomBy(decades: number, [column, row]: Cell): void {
     move(({ measure, zoom, at }) => {
       const next = clampZoom(measure, zoom + decades);
+      announce(zoomWords(next), 'zoom');
       const both = [zoom, next] as const;
       return {
         zoom: next,
@@ -373,7 +374,7 @@ function mapHead(title: string, { summary, probe, request, running }: MapState):
   const words = summary
     ? mapSentence(title, summary, probe, request?.start !== undefined)
     : `${title}: ${running ? 'being drawn …' : 'not drawn'}`;
-  return html`<h2 class="atlas-sentence"><span role="status">${words}</span></h2>`;
+  return html`<h2 class="atlas-sentence"><span data-say>${words}</span></h2>`;
 }
 
 function mapFoot(
@@ -395,7 +396,7 @@ function mapFoot(
               aria-label="Drawing the map"></progress>
             <button type="button" class="acc-link" @click=${jobs.cancel}>Cancel</button>`
           : failed || stopped
-            ? html`<p role="status">${failed || `Stopped at ${Math.round(100 * share)} %.`}</p>
+            ? html`<p data-say>${failed || `Stopped at ${Math.round(100 * share)} %.`}</p>
               <button type="button" class="acc-link" @click=${jobs.again}>Draw it again</button>`
             : html`<p class="acc-hint">${places}</p>`
       }

@@ -39,6 +39,6 @@ export function pickedCard(picked: Picked | null, actions: Actions): TemplateRes
         </p>`
         : nothing
     }
-    ${actions.tried ? html`<p role="status">${actions.tried}</p>` : nothing}
+    ${actions.tried ? html`<p data-say>${actions.tried}</p>` : nothing}
   </div>`;
 }
