@@ -1,5 +1,5 @@
 import { definitionOf } from '../math/shapes.ts';
-import { isGlass, isLit } from './facts.ts';
+import { isGlass, isLit, whyNoShadow } from './facts.ts';
 import type { Placed, Scene } from './types.ts';
 
 /** Whether what is left out would be seen in a scene. */
@@ -37,6 +37,13 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
     file: 'src/scene/types.ts',
     shows: ({ things }) =>
       yesIf(things.some(isMatt) && (things.length > 1 || things.some(isHollow))),
+  },
+  {
+    title: 'light from the background',
+    how: 'left out',
+    reason: 'what is seen behind things lights none of them: the same constant stands in for it',
+    file: 'src/tracer/shade.ts',
+    shows: ({ things }) => yesIf(things.some(isMatt)),
   },
   {
     title: 'caustics, shadows of clear glass',
@@ -109,7 +116,30 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
       'their light comes from so many points of the disc that is seen of them; highlights, ' +
       'fall-off and what coloured glass leaves are those of the middle',
     file: 'src/scene/effects/soft-shadow-body.ts',
-    shows: (scene) => yesIf(hasLamp(scene)),
+    shows: (scene) => yesIf(hasLamp(scene) && scene.things.some(isLit)),
+  },
+  {
+    title: 'lights without a size',
+    how: 'simplified',
+    reason: 'shadows of a point and of a sun are sharp: in nature each light has a size',
+    file: 'src/scene/effects/shadow-body.ts',
+    shows: (scene) =>
+      yesIf(scene.lights.some(({ light }) => light !== 'sphere') && whyNoShadow(scene) === null),
+  },
+  {
+    title: 'mirrors',
+    how: 'simplified',
+    reason: 'they mirror the same share at each angle, and of each colour',
+    file: 'src/scene/effects/reflection-body.ts',
+    shows: ({ things }) =>
+      yesIf(things.some(({ material: { mirror } }) => mirror > 0 && mirror < 1)),
+  },
+  {
+    title: 'light below surfaces',
+    how: 'left out',
+    reason: 'what a matt surface takes up leaves it at the same point, or not at all',
+    file: 'src/tracer/shade.ts',
+    shows: ({ things }) => perhapsIf(things.some(isMatt)),
   },
   {
     title: 'rough surfaces',
@@ -151,6 +181,13 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
     reason: 'rays go on for at most 64 bounces',
     file: 'src/tracer/weight.ts',
     shows: (scene) => perhapsIf(hasGlass(scene) || scene.things.some(isMirror)),
+  },
+  {
+    title: 'between the rays',
+    how: 'simplified',
+    reason: 'a pixel is the mean of its rays: of one, unless more are asked for or it rests',
+    file: 'src/tracer/prepare.ts',
+    shows: ({ things }) => perhapsIf(things.length > 0),
   },
   {
     title: 'a lens',
