@@ -24,7 +24,7 @@ const LEAST_LABEL = 0.01;
 
 export function lineStrokes(
   lines: readonly TreeLine[],
-  chosen: string | null,
+  chosen: ReadonlySet<string>,
   units: StageUnits,
 ): Stroke[] {
   return lines.flatMap(({ kind, from, to, path, weight }) => {
@@ -32,7 +32,7 @@ export function lineStrokes(
     const b = units.toStage(to);
     if (!a || !b) return [];
     const { ink, width, dash } = STYLES[kind];
-    const isChosen = path === chosen;
+    const isChosen = chosen.has(path);
     const alpha = isChosen ? 1 : LEAST_ALPHA + (1 - LEAST_ALPHA) * Math.min(weight, 1);
     return [straight(a, b, { ink, dash, alpha, width: isChosen ? CHOSEN * width : width })];
   });
@@ -48,7 +48,7 @@ export class TreeMarks {
 
   draw(
     lines: readonly TreeLine[],
-    chosen: string | null,
+    chosen: ReadonlySet<string>,
     units: StageUnits,
     projection: Projection,
     { scale }: Pick<Theme, 'scale'>,
@@ -64,7 +64,7 @@ export class TreeMarks {
       const spot = spotOf(line.to, units, projection);
       const start = spotOf(line.from, units, projection);
       if (!spot) continue;
-      const r = (path === chosen ? 6 : 4.2) * scale;
+      const r = (chosen.has(path) ? 6 : 4.2) * scale;
       if (end === 'hit') {
         layer.show(path, 'circle', { class: `tree-hit tree-${kind}`, cx: spot.x, cy: spot.y, r });
       }

@@ -1,4 +1,4 @@
-import type { TreeScene } from '../state/picture/tree-scene.ts';
+import type { TreeLine, TreeScene } from '../state/picture/tree-scene.ts';
 import type { FreeView } from '../state/view.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { GlPainter } from './gl-painter.ts';
@@ -8,6 +8,7 @@ import { outline } from './outline.ts';
 import type { Painter } from './painter.ts';
 import { PathPainter } from './path-painter.ts';
 import { Projection } from './projection.ts';
+import { listenToPicks } from './ray-pick.ts';
 import { lineStrokes, TreeMarks } from './ray-tree-lines.ts';
 import { silhouette } from './silhouette.ts';
 import { StageUnits } from './stage-units.ts';
@@ -27,12 +28,25 @@ const FAINT = 0.7;
 
 export interface TreeModel {
   readonly scene: TreeScene;
-  /** Path of the ray that is chosen in the list. */
-  readonly chosen: string | null;
+  /** Paths of the rays that are chosen, here or in the list. */
+  readonly chosen: ReadonlySet<string>;
+  /** Paths of the rays that are there; null for all. */
+  readonly shown: ReadonlySet<string> | null;
+  /** In so many ms the chosen rays grow from their starts, when they come. */
+  readonly growMs: number;
+}
+
+export interface TreeTools {
+  /** Chooses a ray, or none. */
+  pick(path: string | null): void;
+  /** Goes to the next ray or the one before. */
+  go(by: 1 | -1): void;
+  /** Plays them one after another, or stands still. */
+  play(): void;
 }
 
 /** A pixel's rays in space, among the shapes that they touch. Drawn only after a change. */
-export function mountTree(host: HTMLElement): Mounted<TreeModel> {
+export function mountTree(host: HTMLElement, tools: TreeTools): Mounted<TreeModel> {
   const root = document.createElement('div');
   root.className = 'scene-root tree-root';
   root.tabIndex = 0;
@@ -54,6 +68,11 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
   let view: FreeView = { azimuth: 0, ...FIRST };
   let [width, height] = [host.clientWidth, host.clientHeight];
   let request = 0;
+  let hovered: string | null = null;
+  let drawn: { lines: readonly TreeLine[]; units: StageUnits; projection: Projection } | null =
+    null;
+  /** When the chosen rays began to grow. */
+  let grewAt = 0;
 
   const ask = (): void => {
     request ||= requestAnimationFrame(draw);
@@ -68,16 +87,24 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
       grids.flatMap((grid) =>
         silhouette(grid, projection, units).map((chain) => ({ ...chain, ...style })),
       );
+    const { chosen, growMs, shown } = model;
+    const grown = growMs > 0 ? Math.min((performance.now() - grewAt) / growMs, 1) : 1;
+    if (grown < 1) ask();
+    const lines = model.scene.lines
+      .filter(({ path }) => shown === null || shown.has(path))
+      .map((line) => (grown < 1 && chosen.has(line.path) ? partOf(line, grown) : line));
+    drawn = { lines, units, projection };
+    const lit = hovered === null ? chosen : new Set([...chosen, hovered]);
     painter.paint(
       {
         ground: [...still.ground, ...still.others, ...edges(others, OTHER)],
-        ray: lineStrokes(model.scene.lines, model.chosen, units),
+        ray: lineStrokes(lines, lit, units),
         shape: [...still.touched, ...edges(touched, TOUCHED)],
       },
       projection,
       theme,
     );
-    marks.draw(model.scene.lines, model.chosen, units, projection, theme);
+    marks.draw(lines, lit, units, projection, theme);
     host.dataset.frames = String(Number(host.dataset.frames ?? 0) + 1);
   }
 
@@ -105,7 +132,42 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
     view = next;
     ask();
   };
+  const controller = new AbortController();
+  const { signal } = controller;
+  listenToPicks(
+    root,
+    {
+      drawn: () => drawn,
+      hover(path) {
+        if (path === hovered) return;
+        hovered = path;
+        root.classList.toggle('on-ray', path !== null);
+        ask();
+      },
+      pick: tools.pick,
+    },
+    signal,
+  );
+  const keys: Readonly<Record<string, () => void>> = {
+    PageDown: () => tools.go(1),
+    PageUp: () => tools.go(-1),
+    ' ': tools.play,
+    Escape: () => tools.pick(null),
+  };
+  root.addEventListener(
+    'keydown',
+    (event) => {
+      const press = keys[event.key];
+      if (!press || event.target !== root) return;
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      event.stopPropagation();
+      press();
+    },
+    { signal },
+  );
   const stops = [
+    () => controller.abort(),
     onThemeChange(host, () => {
       theme = faint(readTheme(host));
       ask();
@@ -135,10 +197,13 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
         gl?.fill(prepared.touched);
         root.setAttribute(
           'aria-label',
-          `${next.scene.description}. Arrow keys turn it, plus and minus zoom, 0 goes back.`,
+          `${next.scene.description}. Arrow keys turn it, plus and minus zoom, 0 goes back. Page ` +
+            'Down and Page Up choose a ray, Space plays them one after another.',
         );
-      } else if (next.chosen === model.chosen) return;
-      model = next;
+      } else if (isSame(next, model)) return;
+      const isLess = matchMedia('(prefers-reduced-motion: reduce)').matches;
+      if (!sameSet(next.chosen, model?.chosen ?? null)) grewAt = performance.now();
+      model = isLess ? { ...next, growMs: 0 } : next;
       ask();
     },
     dispose() {
@@ -150,6 +215,19 @@ export function mountTree(host: HTMLElement): Mounted<TreeModel> {
       root.remove();
     },
   };
+}
+
+const sameSet = (a: ReadonlySet<string> | null, b: ReadonlySet<string> | null): boolean =>
+  a === b || (a !== null && b !== null && a.size === b.size && [...a].every((x) => b.has(x)));
+
+const isSame = (a: TreeModel, b: TreeModel): boolean =>
+  sameSet(a.chosen, b.chosen) && sameSet(a.shown, b.shown) && a.growMs === b.growMs;
+
+/** The first part of a ray, before it has come to its end. */
+function partOf(line: TreeLine, share: number): TreeLine {
+  const { from, to } = line;
+  const at = (i: 0 | 1 | 2): number => from[i] + share * (to[i] - from[i]);
+  return { ...line, to: [at(0), at(1), at(2)], end: 'background', light: null };
 }
 
 interface Prepared {

@@ -3,7 +3,7 @@ import { exploreLink } from '../state/explore-link.ts';
 import type { PixelRay } from '../state/picture/camera-lines.ts';
 import { type SurfaceStep, surfaceSteps } from '../state/picture/hit-steps.ts';
 import type { RootFate } from '../state/picture/root-fates.ts';
-import type { TreeRow } from '../state/picture/tree-rows.ts';
+import { RAY_WORDS, type TreeRow } from '../state/picture/tree-rows.ts';
 import { display, shortest } from '../text/format.ts';
 import type { RayKind } from '../tracer/types.ts';
 import { formula } from './formula.ts';
@@ -24,6 +24,8 @@ interface PixelModel {
   /** The path of the row whose algebra is shown. */
   readonly chosen: string | null;
   readonly opened: ReadonlySet<string>;
+  /** The path of the ray that is played; those after it are not there yet. Null for all rays. */
+  readonly played: string | null;
 }
 
 interface PixelTools {
@@ -35,19 +37,13 @@ interface PixelTools {
   copy(as: 'latex' | 'mathml'): void;
 }
 
-const RAY_WORDS: Readonly<Record<RayKind, string>> = {
-  camera: 'camera ray',
-  shadow: 'shadow ray',
-  reflected: 'reflected ray',
-  refracted: 'refracted ray',
-};
-
 /** The rays of a pixel, each with where it ended; of two pictures side by side. */
 export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult {
   const { rows, left, chosen } = model;
   const [x, y] = model.of.pixel;
   const paths = [...new Set([...rows, ...(left ?? [])].map(({ path }) => path))];
   const both = left ? paths.sort(byPath) : paths;
+  const later = model.played === null ? both.length : both.indexOf(model.played) + 1;
   const find = (list: readonly TreeRow[] | null, path: string): TreeRow | undefined =>
     list?.find((row) => row.path === path);
   const row = chosen === null ? undefined : find(rows, chosen);
@@ -76,7 +72,9 @@ export function pixelPanel(model: PixelModel, tools: PixelTools): TemplateResult
         <th scope="col" class="weight">weight</th>
       </tr></thead>
       <tbody>
-        ${both.map((path) => line(path, find(rows, path), find(left, path), model, tools))}
+        ${both.map((path, i) =>
+          line(path, find(rows, path), find(left, path), i >= later, model, tools),
+        )}
       </tbody>
     </table></div>
     ${left && both.some((path) => isAcne(find(left, path), find(rows, path))) ? LESSON : nothing}
@@ -88,6 +86,7 @@ function line(
   path: string,
   right: TreeRow | undefined,
   left: TreeRow | undefined,
+  isLater: boolean,
   model: PixelModel,
   tools: PixelTools,
 ): TemplateResult | typeof nothing {
@@ -96,7 +95,7 @@ function line(
   const same = left && right && text(left) === text(right);
   const words = RAY_WORDS[row.kind];
   return html`<tr data-ray=${path} data-kind=${row.kind}
-    class=${model.chosen === path ? 'chosen' : ''}>
+    class=${isLater ? 'later' : path === (model.played ?? model.chosen) ? 'chosen' : ''}>
     <th scope="row" class="depth-${Math.min(row.depth, 6)}">
       <button type="button" class="ray-name" aria-pressed=${model.chosen === path}
         @click=${() => tools.choose(path)}>${swatch(row.kind)} ${
@@ -156,7 +155,7 @@ function samplePicker({ of }: PixelModel, tools: PixelTools): TemplateResult {
 
 /** A line of this kind of ray, dashed as in the space view. */
 function swatch(kind: RayKind): TemplateResult {
-  return html`<svg class="swatch ray-${kind}" viewBox="0 0 34 6" width="34" height="6"
+  return html`<svg class="ray-swatch ray-${kind}" viewBox="0 0 34 6" width="34" height="6"
     aria-hidden="true">${svg`<path d="M0 3H34" />`}</svg>`;
 }
 
@@ -228,7 +227,8 @@ const triple = (v: readonly [number, number, number]): string =>
   `(${v.map((x) => display(x)).join(', ')})`;
 
 function byPath(a: string, b: string): number {
-  const [p, q] = [a.split('.').map(Number), b.split('.').map(Number)];
+  const numbers = (path: string) => path.split('.').map((part) => Number.parseInt(part, 10));
+  const [p, q] = [numbers(a), numbers(b)];
   for (let i = 0; i < Math.min(p.length, q.length); i++) {
     if (p[i] !== q[i]) return (p[i] ?? 0) - (q[i] ?? 0);
   }

@@ -1,5 +1,5 @@
 import { nothing, render } from 'lit';
-import type { TreeModel } from '../../canvas/ray-tree.ts';
+import type { TreeModel, TreeTools } from '../../canvas/ray-tree.ts';
 import { late, notLoaded } from '../../ui/late.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
@@ -12,7 +12,7 @@ interface LateRayTree {
   render(model: TreeModel | null): void;
 }
 
-export function lateRayTree(host: HTMLElement): LateRayTree {
+export function lateRayTree(host: HTMLElement, tools: TreeTools): LateRayTree {
   let model: TreeModel | null = null;
   let mounted: Mounted<TreeModel> | null = null;
   let asked = false;
@@ -21,7 +21,7 @@ export function lateRayTree(host: HTMLElement): LateRayTree {
     render(nothing, host);
     late(() => import('../../canvas/ray-tree.ts')).then(
       ({ mountTree }) => {
-        mounted = mountTree(host);
+        mounted = mountTree(host, tools);
         if (model) mounted.render(model);
       },
       () => {

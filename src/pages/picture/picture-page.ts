@@ -91,12 +91,12 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     choose: (x, y) => tools.set({ pixel: `${x},${y}` }),
   });
   const magnifier = createPixelMagnifier(parts.magnifiers);
-  const space = lateRayTree(parts.space);
   const pixels = createPixelView(createRayRecorder(spawn), {
     changed,
     announce,
     close: () => tools.set({ pixel: '' }),
   });
+  const space = lateRayTree(parts.space, pixels);
   /** Key of the picture for which the ledger's last column was requested; '' for none. */
   let counting = '';
   let held: DraggedThing | null = null;
@@ -188,6 +188,8 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       },
     );
     space.render(pixels.space(now));
+    render(pixels.bar() ?? nothing, parts.play);
+    showRow(parts.rays, pixels.wanted());
   };
 
   const drawMap = ({ picture, main, comparison }: PictureModel): void => {
@@ -267,7 +269,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     exports: () => pictureExports(() => model),
     open: (text) => openScene(text, dispatch),
     turn: tools.buildUp,
-    rest: traceQueue.rest,
+    rest() {
+      pixels.rest();
+      traceQueue.rest();
+    },
   };
 }
 
@@ -281,6 +286,16 @@ const toTime = ({ main, other, baselines }: TraceRequests): readonly TraceReques
   ...(other ? [other] : []),
   ...baselines.filter(({ key }) => key !== other?.key),
 ];
+
+/** Scrolls the list of rays, not the page, until a row is in view. */
+function showRow(list: HTMLElement, path: string | null): void {
+  const row = path === null ? null : list.querySelector(`[data-ray="${path}"]`);
+  const room = row?.closest('.rays-room');
+  if (!row || !room) return;
+  const [at, frame] = [row.getBoundingClientRect(), room.getBoundingClientRect()];
+  if (at.top < frame.top) room.scrollTop -= frame.top - at.top;
+  if (at.bottom > frame.bottom) room.scrollTop += at.bottom - frame.bottom;
+}
 
 function sections(host: HTMLElement) {
   host.classList.add('picture');
@@ -300,7 +315,9 @@ function sections(host: HTMLElement) {
   const side = section('side-panel');
   const rays = section('pixel-list', pixel);
   const magnifiers = section('magnifiers', pixel);
-  const space = section('pixel-space', pixel);
+  const beside = section('pixel-beside', pixel);
+  const space = section('pixel-space', beside);
+  const play = section('pixel-play', beside);
   return {
     bar,
     compareView,
@@ -311,6 +328,7 @@ function sections(host: HTMLElement) {
     rays,
     magnifiers,
     space,
+    play,
     sidePanel: side,
   };
 }

@@ -2,6 +2,7 @@ import { html, type TemplateResult } from 'lit';
 import type { TreeModel } from '../../canvas/ray-tree.ts';
 import { LATEX, MATHML } from '../../math/formula.ts';
 import { pixelPanel } from '../../panels/picture-pixel.ts';
+import { playBar } from '../../panels/picture-play.ts';
 import { latexDisplay } from '../../state/exports/latex.ts';
 import { mathmlTable } from '../../state/exports/mathml.ts';
 import { sideWords } from '../../state/picture/against.ts';
@@ -11,6 +12,7 @@ import { type TreeScene, treeScene } from '../../state/picture/tree-scene.ts';
 import type { RayNode, RayTree } from '../../tracer/types.ts';
 import { copyText } from '../../ui/clipboard.ts';
 import type { PictureModel } from './picture-model.ts';
+import { createRayPlay } from './ray-play.ts';
 import type { RayRecorder } from './ray-recorder.ts';
 import type { TraceRequest } from './trace-request.ts';
 
@@ -19,6 +21,17 @@ interface PixelView {
   panel(model: PictureModel): TemplateResult;
   /** The same rays for the view in space; null while there are none. */
   space(model: PictureModel): TreeModel | null;
+  /** What plays them; null while there are none. */
+  bar(): TemplateResult | null;
+  /** Chooses the ray with this path, or none; shows it in the list if several share a row. */
+  pick(path: string | null): void;
+  /** Goes to the next or the previous ray of the list. */
+  go(by: 1 | -1): void;
+  play(): void;
+  /** Path of a ray that the list has to show. */
+  wanted(): string | null;
+  /** Another page is shown. */
+  rest(): void;
 }
 
 interface PixelActions {
@@ -42,6 +55,20 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   let chosen: string | null = null;
   let opened: ReadonlySet<string> = new Set();
   let shown = '';
+  /** The rows that are shown; those that play are without the ones that others stand for. */
+  let rows: readonly TreeRow[] = [];
+  let wanted: string | null = null;
+  const play = createRayPlay(() => {
+    wanted = play.at();
+    if (wanted !== null && !play.runs()) tell(wanted);
+    actions.changed();
+  });
+  const rowAt = (path: string | null): TreeRow | undefined => rows.find((row) => row.path === path);
+  const wordsOf = ({ words, verdict, rest }: TreeRow): string => `${words}; ${verdict}${rest}`;
+  function tell(path: string): void {
+    const row = rowAt(path);
+    if (row) actions.announce(wordsOf(row));
+  }
 
   const keyOf = (request: TraceRequest, [x, y]: readonly [number, number]) =>
     `${x},${y} ${request.key}`;
@@ -112,16 +139,34 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
     sample = null;
     chosen = null;
     opened = new Set();
+    play.end();
+  };
+
+  const hold = (next: readonly TreeRow[]): void => {
+    rows = next;
+    play.of(next.filter(({ group, path }) => !(group && opened.has(path))));
+  };
+
+  const pick = (path: string | null): void => {
+    const group = path === null ? null : rows.find(({ rays }) => rays.includes(path));
+    if (group?.group) opened = new Set([...opened, group.path]);
+    chosen = path;
+    wanted = path;
+    if (path !== null && play.at() !== null) play.seek(path);
+    if (path !== null) tell(path);
+    actions.changed();
   };
 
   const tools = {
     sample(index: number): void {
+      play.end();
       sample = index;
       chosen = null;
       actions.changed();
     },
     choose(path: string): void {
       chosen = chosen === path ? null : path;
+      if (play.at() !== null) play.seek(path);
       actions.changed();
     },
     toggle(path: string): void {
@@ -138,19 +183,21 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       const { pixel, against } = model.picture;
       if (!pixel) {
         shown = '';
+        hold([]);
         return HINT;
       }
       const isNew = shown !== pixel.join();
       start(pixel);
       const { main, other } = model.requests;
       const known = treeOf(main, pixel);
+      if (known === 'asked' || 'problem' in known) hold([]);
       if (known === 'asked')
         return html`<p class="pixel-problem"
           data-say>following the rays of pixel ${pixel.join(', ')}…</p>`;
       if ('problem' in known)
         return html`<p class="pixel-problem">pixel ${pixel.join(', ')}: ${known.problem} <button
           type="button" class="button" @click=${() => ask(main, pixel)}>Try again</button></p>`;
-      const rows = rowsOf(known, model, main) ?? [];
+      hold(rowsOf(known, model, main) ?? []);
       const first = rows[0];
       if (isNew && first)
         actions.announce(
@@ -168,6 +215,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
           leftMethod: other?.settings.method ?? main.settings.method,
           chosen,
           opened,
+          played: play.at(),
         },
         { ...tools, copy: (as) => void copyRay(raysOf(model, pixel, known.tree), as) },
       );
@@ -180,7 +228,42 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       if (!root) return null;
       const scene = inSpace.get(root) ?? treeScene(picture.scene, root);
       inSpace.set(root, scene);
-      return { scene, chosen };
+      const at = rowAt(play.at());
+      const before = at ? rows.slice(0, rows.indexOf(at) + 1) : rows;
+      return {
+        scene,
+        chosen: new Set((at ?? rowAt(chosen))?.rays),
+        shown: at ? new Set(before.flatMap(({ rays }) => rays)) : null,
+        growMs: at && play.runs() ? play.pace() / 2 : 0,
+      };
+    },
+    bar() {
+      if (rows.length === 0) return null;
+      const row = rowAt(play.at() ?? chosen);
+      const model = {
+        at: row ? rows.indexOf(row) + 1 : null,
+        count: rows.length,
+        runs: play.runs(),
+        words: row ? wordsOf(row) : '',
+      };
+      return playBar(model, { toggle: play.toggle, step: play.step });
+    },
+    pick,
+    go(by) {
+      if (play.at() !== null) return play.step(by);
+      const all = rows.filter(({ group, path }) => !(group && opened.has(path)));
+      const from = all.findIndex(({ path }) => path === chosen);
+      const next = from < 0 ? (by === 1 ? 0 : all.length - 1) : from + by;
+      pick(all[next]?.path ?? null);
+    },
+    play: play.toggle,
+    wanted() {
+      const path = wanted;
+      wanted = null;
+      return path;
+    },
+    rest() {
+      if (play.runs()) play.toggle();
     },
   };
 }

@@ -13,13 +13,18 @@ import { startText } from './start.ts';
 /** A row of the list of a pixel's rays. */
 export interface TreeRow {
   /**
-   * Indices of children from the root: '0', '0.2', '0.2.1'; equal for the same ray in two trees.
+   * Indices of children from the root: '0', '0.2', '0.2.1'; equal for the same ray in two trees. A
+   * row for several rays has a plus after that of the first.
    */
   readonly path: string;
+  /** The paths of the rays that it stands for. */
+  readonly rays: readonly string[];
   readonly depth: number;
   readonly kind: RayKind;
   readonly ray: Ray;
   readonly weight: number;
+  /** What it is, and where it starts: 'shadow ray from ball to lamp'. */
+  readonly words: string;
   /** Words on where the ray ended: first the verdict, then the rest. */
   readonly verdict: string;
   readonly rest: string;
@@ -65,8 +70,8 @@ export function treeRows(
       const mates = node.children.filter((other) => sameLight(child, other));
       const first = mates[0] === child;
       if (mates.length < GROUP_FROM) rows.push(...walk(child, `${path}.${i}`, depth));
-      else if (first) rows.push(groupOf(mates, `${path}.${i}`, depth, rowTools));
-      if (mates.length >= GROUP_FROM && open.has(groupPath(node, child, path))) {
+      else if (first) rows.push(groupOf(node, mates, path, depth, rowTools));
+      if (mates.length >= GROUP_FROM && open.has(groupPath(node, mates, path))) {
         rows.push(...walk(child, `${path}.${i}`, depth + 1));
       }
     });
@@ -77,9 +82,9 @@ export function treeRows(
   return walk(root, '0', 0);
 }
 
-/** The path of a group's row: that of its first ray. */
-function groupPath(parent: RayNode, child: RayNode, path: string): string {
-  return `${path}.${parent.children.findIndex((other) => sameLight(child, other))}`;
+/** The path of a group's row. */
+function groupPath(parent: RayNode, [first]: readonly RayNode[], path: string): string {
+  return `${path}.${first ? parent.children.indexOf(first) : 0}+`;
 }
 
 function sameLight(a: RayNode, b: RayNode): boolean {
@@ -89,6 +94,7 @@ function sameLight(a: RayNode, b: RayNode): boolean {
 const lightOf = ({ end }: RayNode): string | null => ('light' in end ? end.light : null);
 
 function groupOf(
+  parent: RayNode,
   mates: readonly RayNode[],
   path: string,
   depth: number,
@@ -98,8 +104,11 @@ function groupOf(
   const blocked = mates.filter(({ end }) => end.end === 'blocked').length;
   const words = `of ${mates.length} to ${lightOf(first) ?? 'a light'}`;
   const verdict = blocked === 0 ? 'all free' : `${blocked} blocked`;
+  const row = rowOfNode(first, groupPath(parent, mates, path), depth);
   return {
-    ...rowOfNode(first, path, depth),
+    ...row,
+    rays: mates.map((mate) => `${path}.${parent.children.indexOf(mate)}`),
+    words: `${mates.length} ${row.words.replace('ray', 'rays')}`,
     verdict,
     rest: ` ${words}`,
     group: { count: mates.length, blocked },
@@ -135,7 +144,8 @@ function rowOf(
   const passed = 'surface' in end && shape ? cutWords(shape, meetingOf(side), end.t, how) : [];
   const of = side === asked ? '' : 'of its side ';
   return {
-    ...{ path, depth, kind, ray, weight, node, verdict },
+    ...{ path, rays: [path], depth, kind, ray, weight, node, verdict },
+    words: wayWords(node, scene, surfaces),
     meeting: meetingOf(asked),
     rest: rest + passed.map((words) => `; ${of}${words}`).join(''),
     shape: surface?.shape ?? null,
@@ -192,11 +202,30 @@ function verdictOf(
 ): Pick<TreeRow, 'verdict' | 'rest'> {
   if (end.end === 'background') return { verdict: 'meets nothing', rest: ': the background' };
   const at = Number.isFinite(end.t) ? ` at t = ${display(end.t)}` : '';
-  if (end.end === 'light') return { verdict: 'free', rest: `: reaches ${end.light}` };
+  if (end.end === 'light')
+    return { verdict: 'free', rest: `: reaches ${nameIn(scene, end.light)}` };
   const name = surfaceName(scene, surfaces[end.surface]);
   if (end.end === 'hit') return { verdict: name, rest: at };
   const own = end.surface === from ? 'the surface it starts on' : name;
   return { verdict: 'blocked', rest: ` by ${own},${at}` };
+}
+
+/** What kinds of rays are called. */
+export const RAY_WORDS: Readonly<Record<RayKind, string>> = {
+  camera: 'camera ray',
+  shadow: 'shadow ray',
+  reflected: 'reflected ray',
+  refracted: 'refracted ray',
+};
+
+function wayWords(
+  { kind, from, end }: RayNode,
+  scene: Scene,
+  surfaces: readonly Surface[],
+): string {
+  const start = surfaces[from] ? ` from ${surfaceName(scene, surfaces[from])}` : '';
+  const light = 'light' in end ? ` to ${nameIn(scene, end.light)}` : '';
+  return `${RAY_WORDS[kind]}${start}${light}`;
 }
 
 /** 'glass cone', 'glass cone, its lower cap' */

@@ -50,19 +50,17 @@ describe('the rays of a pixel as a list', () => {
   test('a group counts its rays, and those that are blocked', () => {
     let groups = 0;
     for (const { rows, all } of FOUND) {
-      for (const { path, group, depth } of rows) {
+      for (const { path, rays, group, depth } of rows) {
         if (!group) continue;
         groups++;
-        const parent = path.slice(0, path.lastIndexOf('.'));
-        const members = all.filter(
-          (row) =>
-            !row.group &&
-            row.depth === depth + 1 &&
-            row.kind === 'shadow' &&
-            row.path.startsWith(`${parent}.`),
+        expect(rays).toHaveLength(group.count);
+        const members = all.filter((row) => !row.group && rays.includes(row.path));
+        expect(members.map((row) => [row.kind, row.depth])).toEqual(
+          rays.map(() => ['shadow', depth + 1]),
         );
-        expect(members.length).toBeGreaterThanOrEqual(group.count);
-        expect(group.blocked).toBeLessThanOrEqual(group.count);
+        const blocked = members.filter(({ node }) => node.end.end === 'blocked');
+        expect(blocked).toHaveLength(group.blocked);
+        expect(rays).not.toContain(path);
       }
     }
     expect(groups).toBeGreaterThan(20);
@@ -72,10 +70,12 @@ describe('the rays of a pixel as a list', () => {
     const kinds = new Set<string>();
     const ends = new Set<string>();
     for (const { all } of FOUND) {
-      for (const { kind, node, verdict, rest } of all) {
+      for (const { kind, node, words, verdict, rest } of all) {
         kinds.add(kind);
         ends.add(node.end.end);
-        expect(`${verdict}${rest}`).not.toMatch(/undefined|NaN|null|Infinity/);
+        expect(words.includes(' from ')).toBe(kind !== 'camera');
+        expect(words.includes(' to ')).toBe(kind === 'shadow');
+        expect(`${words}; ${verdict}${rest}`).not.toMatch(/undefined|NaN|null|Infinity/);
         expect(verdict).not.toBe('');
       }
     }
