@@ -34,7 +34,7 @@ export function lineOf(
         aria-valuenow=${picked ?? model.range[0]}
       aria-valuetext=${wordsAt(line, picked ?? model.range[0])}
       @keydown=${(event: KeyboardEvent) => key(event, line, actions)}
-      @click=${(event: MouseEvent) => click(event, line, x, actions)}>
+      @click=${(event: MouseEvent) => click(event, model, { x, y }, actions)}>
     <path class=${`plot-path ${cls}`} stroke-dasharray=${style.dash} d=${path}></path>
     ${
       end && last
@@ -118,15 +118,38 @@ function key(event: KeyboardEvent, line: HardnessLine, actions: HardnessActions)
   }
 }
 
+/** Picks the stop that is nearest along the line that is nearest: their hit areas overlap. */
 function click(
   event: MouseEvent,
-  line: HardnessLine,
-  x: HardnessScales['x'],
+  { lines }: HardnessModel,
+  scales: HardnessScales,
   actions: HardnessActions,
 ): void {
   const root = (event.currentTarget as SVGElement).ownerSVGElement;
   if (!root) return;
-  const at = placeIn(root, event).x;
-  const [nearest] = stops(line).sort((a, b) => Math.abs(x(a) - at) - Math.abs(x(b) - at));
+  const at = placeIn(root, event);
+  const [line] = [...lines].sort((a, b) => awayFrom(a, at, scales) - awayFrom(b, at, scales));
+  if (!line) return;
+  const aside = (difficulty: number): number => Math.abs(scales.x(difficulty) - at.x);
+  const [nearest] = stops(line).sort((a, b) => aside(a) - aside(b));
   if (nearest !== undefined) actions.pick({ id: line.id, difficulty: nearest });
+}
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** How far a place is from a line's points and the way between them, in px. */
+function awayFrom({ points, end }: HardnessLine, at: Place, { x, y }: HardnessScales): number {
+  const all = points.map(({ difficulty, digits }) => ({ x: x(difficulty), y: y(digits) }));
+  if (end) all.push({ x: x(end.difficulty), y: y(0) });
+  return Math.min(...all.map((a, i) => awayFromWay(a, all[i + 1] ?? a, at)));
+}
+
+function awayFromWay(a: Place, b: Place, at: Place): number {
+  const [dx, dy] = [b.x - a.x, b.y - a.y];
+  const along = ((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy || 1);
+  const share = Math.min(Math.max(along, 0), 1);
+  return Math.hypot(at.x - a.x - share * dx, at.y - a.y - share * dy);
 }

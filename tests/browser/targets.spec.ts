@@ -8,56 +8,45 @@ test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 const FINGER = 44;
 
 /**
- * What can be pressed and is smaller than a finger's 44 px, so that a press beside it does
- * something else. A target in a line of text is as high as the line, and its neighbours in the
- * text are as near as the text has them.
+ * What can be pressed and takes a finger in less than 44 × 44 px, whether it stands in a row, in a
+ * line of text or in a drawing: what is hit around its middle, up to where something else is.
  */
 async function tooSmall(page: Page, within: string): Promise<string[]> {
   return page.evaluate(
     ([within, finger]) => {
-      const TARGETS = 'a[href], button, select, summary, input, textarea, label:has(input)';
-      const rowsOf = 'p, li, td, th, dd, .body, .lesson-text, .lesson-answer';
+      const TARGETS =
+        'a[href], button, select, summary, input, textarea, label:has(input), ' +
+        '[role=slider], [role=application], [data-handle]';
       const targetAt = (x: number, y: number): Element | null =>
-        document.elementFromPoint(x, y)?.closest(`${TARGETS}, [role=slider]`) ?? null;
+        document.elementFromPoint(x, y)?.closest(TARGETS) ?? null;
       const same = (one: Element, other: Element | null): boolean =>
-        other === null ||
-        one === other ||
-        one.contains(other) ||
-        other.contains(one) ||
-        (one instanceof HTMLInputElement && [...(one.labels ?? [])].some((l) => l === other));
-      const inText = (one: Element): boolean => {
-        const row = one.closest(rowsOf);
-        const own = one.textContent?.trim() ?? '';
-        return row !== null && one.matches('a, button') && (row.textContent ?? '').trim() !== own;
+        other !== null &&
+        (one === other ||
+          one.contains(other) ||
+          (one instanceof HTMLInputElement && [...(one.labels ?? [])].some((l) => l === other)));
+      /** How far a press beside its middle still hits it, in px, along one axis. */
+      const reach = (one: Element, x: number, y: number, dx: number, dy: number): number => {
+        let far = 0;
+        while (far < finger && same(one, targetAt(x + (far + 1) * dx, y + (far + 1) * dy))) far++;
+        return far;
       };
       const found: string[] = [];
       for (const one of document.querySelectorAll<HTMLElement>(`${within} :is(${TARGETS})`)) {
         if (!one.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
         // The label around a box is the target.
         const isLabelled = one instanceof HTMLInputElement && one.closest('label') !== null;
-        if (one.matches('.visually-hidden, :disabled') || isLabelled || inText(one)) continue;
+        if (one.matches('.visually-hidden, :disabled') || isLabelled) continue;
         one.scrollIntoView({ block: 'center', inline: 'center', behavior: 'instant' });
         const { left, top, width, height } = one.getBoundingClientRect();
         if (width < 2 || (width >= finger - 0.5 && height >= finger - 0.5)) continue;
         const [x, y] = [left + width / 2, top + height / 2];
-        // Covered by what is over it: it is pressed after scrolling.
-        if (!same(one, targetAt(x, y)) || targetAt(x, y) === null) continue;
-        const around = (far: number) =>
-          [
-            [x - far, y],
-            [x + far, y],
-            [x, y - far],
-            [x, y + far],
-          ].map(([u = 0, v = 0]) => targetAt(u, v));
-        const other = around(finger / 2 - 1).find((hit) => !same(one, hit));
-        // However free it stands, half of a finger has to hit it.
-        const small = around(finger / 4).some((hit) => hit === null || !same(one, hit));
-        if (!other && !small) continue;
+        // Covered by what is over it: it is pressed after scrolling, or is the nearer of two.
+        if (!same(one, targetAt(x, y))) continue;
+        const wide = reach(one, x, y, -1, 0) + 1 + reach(one, x, y, 1, 0);
+        const high = reach(one, x, y, 0, -1) + 1 + reach(one, x, y, 0, 1);
+        if (wide >= finger - 1 && high >= finger - 1) continue;
         const name = (one.getAttribute('aria-label') ?? one.textContent ?? '').trim().slice(0, 30);
-        const beside = other ? ` beside ${other.getAttribute('class') ?? other.tagName}` : '';
-        found.push(
-          `${one.className} “${name}” ${Math.round(width)} × ${Math.round(height)}${beside}`,
-        );
+        found.push(`${one.getAttribute('class')} “${name}” takes ${wide} × ${high}`);
       }
       return [...new Set(found)];
     },
@@ -67,7 +56,7 @@ async function tooSmall(page: Page, within: string): Promise<string[]> {
 
 /** Each page, and the states of Explore and of lessons that have controls of their own. */
 const LINKS = [
-  '#/explore?shape=hyperboloid',
+  '#/explore?shape=hyperboloid&between=-1,2&caps=1',
   '#/explore?shape=cone&E=4,1,0.5&d=-1,0,0&hide=1',
   '#/explore?shape=cone&derive=4',
   '#/lesson',
@@ -76,29 +65,50 @@ const LINKS = [
   '#/lesson/ray?step=6',
   '#/lesson/effects?step=3',
   '#/accuracy?shape=cone',
+  '#/accuracy?shape=sphere&atlas=E.z,E.x',
   '#/picture?size=64x36',
   '#/check?seed=41',
+  '#/check?part=program',
 ];
 
-test('under a finger every target has 44 px, or nothing else as near', async ({ page }) => {
+test('under a finger every target takes 44 px', async ({ page }) => {
   await open(page, '#/explore');
-  for (const link of LINKS) {
-    await open(page, link);
-    await page.locator('main :is(h2, canvas, table)').filter({ visible: true }).first().waitFor();
-    await settle(page);
-    expect.soft(await tooSmall(page, 'body'), link).toEqual([]);
+  for (const size of [
+    { width: 844, height: 390 },
+    { width: 390, height: 844 },
+  ]) {
+    await page.setViewportSize(size);
+    for (const link of LINKS) {
+      await open(page, link);
+      await page.locator('main :is(h2, canvas, table)').filter({ visible: true }).first().waitFor();
+      await settle(page);
+      expect.soft(await tooSmall(page, 'body'), `${link}, ${size.width} px`).toEqual([]);
+    }
+    await open(page, '#/explore');
+    for (const [key, name] of [
+      ['x', 'Examples'],
+      ['e', 'File and export'],
+      ['?', 'Help'],
+    ] as const) {
+      await page.keyboard.press(key);
+      const dialog = page.getByRole('dialog', { name });
+      await expect(
+        dialog.getByRole('button').nth(1).or(dialog.locator('kbd').first()),
+      ).toBeVisible();
+      expect.soft(await tooSmall(page, 'dialog[open]'), `${name}, ${size.width} px`).toEqual([]);
+      const embed = dialog.getByRole('button', { name: 'Embed' });
+      if (await embed.isVisible()) {
+        await embed.tap();
+        await page.getByRole('dialog', { name: 'Embed' }).waitFor();
+        expect.soft(await tooSmall(page, 'dialog[open]'), `Embed, ${size.width} px`).toEqual([]);
+      }
+      await page.keyboard.press('Escape');
+      await expect(page.locator('dialog[open]')).toHaveCount(0);
+    }
   }
-  await open(page, '#/explore');
-  for (const [key, name] of [
-    ['x', 'Examples'],
-    ['e', 'File and export'],
-    ['?', 'Help'],
-  ] as const) {
-    await page.keyboard.press(key);
-    const dialog = page.getByRole('dialog', { name });
-    await expect(dialog.getByRole('button').nth(1).or(dialog.locator('kbd').first())).toBeVisible();
-    expect.soft(await tooSmall(page, 'dialog[open]'), name).toEqual([]);
-    await page.keyboard.press('Escape');
-    await expect(dialog).toBeHidden();
-  }
+  // The parts in a host's page.
+  await page.goto('about:blank');
+  await page.goto('./#/explore?embed=scene,graph,algebra,parameters,caption&shape=cone');
+  await page.locator('.value').first().waitFor();
+  expect.soft(await tooSmall(page, 'body'), 'embedded').toEqual([]);
 });
