@@ -46,6 +46,9 @@ export function summary(progress: Progress): Summary {
   return { seed, set, right, total: lines.length, lines };
 }
 
+/** 3 of 8 right */
+export const scoreWords = (right: number, total: number): string => `${right} of ${total} right`;
+
 function inWords({ tries, solvedAt, solutionShown }: Asked): string {
   if (solvedAt !== null) return `right at try ${solvedAt}`;
   if (solutionShown) return tries === 0 ? 'solution read' : `solution read after try ${tries}`;

@@ -31,17 +31,14 @@ export function questionHead(view: QuestionView, tools: QuestionTools): Template
   </div>`;
 }
 
-/** Form for the seed, which decides the session's questions. */
+/** The box for the seed, which decides the session's questions. */
 export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
-  return html`<form class="seed" @submit=${(event: Event) => {
-    event.preventDefault();
-    const text = new FormData(event.target as HTMLFormElement).get('seed');
-    const wanted = Number(text);
-    if (Number.isSafeInteger(wanted)) tools.seed(wanted);
-  }}><label>seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}"
+  return html`<label class="seed">seed <input name="seed" inputmode="numeric" pattern="-?[0-9]{1,9}"
     title="a whole number of up to nine digits" .value=${String(seed)}
-      @change=${(event: Event) => (event.target as HTMLInputElement).form?.requestSubmit()}
-        /></label></form>`;
+    @change=${({ target }: Event) => {
+      const box = target as HTMLInputElement;
+      if (box.value.trim() !== '' && box.reportValidity()) tools.seed(Number(box.value));
+    }} /></label>`;
 }
 
 export function questionText({ posed }: QuestionView): TemplateResult {

@@ -24,6 +24,9 @@ export interface SetView {
   readonly sheets: Sheets;
   /** Sheets that are made; null while none are. */
   readonly making: { readonly done: number; readonly total: number } | null;
+  readonly packages: Packages;
+  /** The file that is put together, in words; '' while none is. */
+  readonly saving: string;
 }
 
 export interface SetTools {
@@ -36,6 +39,7 @@ export interface SetTools {
   open(): void;
   /** Saves a file for a course system. */
   save(id: string): void;
+  packages(change: Partial<Packages>): void;
   sheets(change: Partial<Sheets>): void;
   print(): void;
 }
@@ -46,6 +50,14 @@ export interface Sheets {
   readonly to: number;
   readonly paper: 'a4' | 'letter';
   readonly key: boolean;
+}
+
+/** What packages say beside the set. */
+export interface Packages {
+  /** Percent of right questions from which it is passed. */
+  readonly pass: number;
+  /** Whether each student has own numbers. */
+  readonly own: boolean;
 }
 
 /** A file for a course system, and what is in it. */
@@ -110,15 +122,31 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
     }
     ${sheetFields(view, tools)}
     <fieldset><legend>Files for course systems</legend>
-      <p class="set-about">For the questions of this seed. Nothing is sent anywhere: a file is saved
-        on this device.</p>
+      <p class="set-about">For the questions of this seed. Nothing is sent by this page: a file is
+        saved on this device, with questions and right answers in it, and nothing of students.</p>
       <ul class="set-files">${view.files.map(
         ({ id, title, says }) => html`<li><button type="button" class="button"
+          ?disabled=${view.saving !== ''}
           @click=${() => tools.save(id)}>${title}</button> <span>${says}</span></li>`,
       )}</ul>
+      <div class="set-choices">
+        <label>SCORM and xAPI: passed from <input class="set-pass" inputmode="decimal"
+          .value=${String(view.packages.pass)} @change=${(event: Event) =>
+            tools.packages({ pass: numberIn(event) })} /> % right on</label>
+        <label><input type="checkbox" .checked=${view.packages.own}
+          @change=${(event: Event) =>
+            tools.packages({ own: (event.target as HTMLInputElement).checked })}
+        /> own numbers for each student, by the id that the course system has</label>
+      </div>
+      <span data-say>${view.saving || nothing}</span>
     </fieldset>
   </form>`;
 }
+
+const numberIn = (event: Event): number => {
+  const text = (event.target as HTMLInputElement).value.trim();
+  return text === '' ? Number.NaN : Number(text.replace(',', '.'));
+};
 
 function exerciseRow(id: string, topic: string, view: SetView, tools: SetTools): TemplateResult {
   const now = view.times[id] ?? 0;

@@ -6,7 +6,8 @@ import './check-summary.css';
 interface SummaryTools {
   save(): void;
   print(): void;
-  restart(): void;
+  /** Null where answers are reported, and none is taken back. */
+  readonly restart: (() => void) | null;
 }
 
 /** A row for each question: at which try it was right. */
@@ -33,11 +34,20 @@ export function summaryTable(
       )}</tbody>
     </table>
     </div>
-    <p class="tolerance">Nothing is sent anywhere; it stays on this device.</p>
+    ${
+      tools.restart
+        ? html`<p class="tolerance">Nothing is sent anywhere; it stays on this device.</p>`
+        : nothing
+    }
     <div class="buttons">
       <button type="button" class="button" @click=${tools.print}>Print</button>
       <button type="button" class="button" @click=${tools.save}>Save as JSON</button>
-      <button type="button" class="button" @click=${tools.restart}>Start this seed anew</button>
+      ${
+        tools.restart
+          ? html`<button type="button" class="button" @click=${tools.restart}>Start this seed
+              anew</button>`
+          : nothing
+      }
     </div>
   </details>`;
 }

@@ -67,7 +67,7 @@ test('a set is made in the form, answered under a name, handed in and marked', a
     const box = label.getByRole('checkbox');
     if ((await label.innerText()).trim() !== 'cylinder') await box.press('Space');
   }
-  await page.getByLabel('numbers').selectOption('1');
+  await page.getByRole('combobox', { name: 'numbers' }).selectOption('1');
   await page.getByRole('checkbox', { name: 'hints and solutions' }).press('Space');
   await page.getByLabel('seed', { exact: true }).fill('41');
   await page.getByLabel('seed', { exact: true }).press('Enter');

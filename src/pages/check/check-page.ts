@@ -1,11 +1,18 @@
 import { html, nothing, render } from 'lit';
+import { COURSE_ELEMENT, readCourse } from '../../state/course/course.ts';
 import { late, notLoaded } from '../../ui/late.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { MountPage } from '../page.ts';
 import { openMemory } from './memory.ts';
 import { createOwn } from './own-numbers.ts';
 import { mountProgram } from './own-program.ts';
-import { element, type PartContext, turnablePicture, type WidePart } from './part.ts';
+import {
+  type CourseSession,
+  element,
+  type PartContext,
+  turnablePicture,
+  type WidePart,
+} from './part.ts';
 import { createQuestions } from './questions.ts';
 import {
   type CheckSettings,
@@ -45,12 +52,24 @@ export const mountCheck: MountPage = (host, context) => {
   const wide = matchMedia('(min-width: 1100px)');
   wide.addEventListener('change', context.changed);
 
+  let session: CourseSession | null = null;
   const part: PartContext = {
     ...context,
     memory: openMemory(),
     set: (wanted) => context.dispatch({ type: 'settings', values: settingsFor(wanted) }),
+    course: () => session,
   };
   const questions = createQuestions(part);
+  const course = readCourse(document.getElementById(COURSE_ELEMENT)?.textContent);
+  if (course) {
+    late(() => import('./course.ts'))
+      .then(({ joinCourse }) => joinCourse(course, part))
+      .then((joined) => {
+        session = joined;
+        questions.again();
+        context.changed();
+      });
+  }
   const own = createOwn(part);
   const program = mountProgram(right, part);
 

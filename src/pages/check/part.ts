@@ -1,3 +1,7 @@
+import type { TemplateResult } from 'lit';
+import type { Posed } from '../../check/compose.ts';
+import type { Judged } from '../../check/judge.ts';
+import type { Progress } from '../../check/progress.ts';
 import type { AppState } from '../../state/state.ts';
 import type { View } from '../../state/view.ts';
 import { lateScene } from '../late-scene.ts';
@@ -7,11 +11,24 @@ import type { Wanted } from './question-scene.ts';
 import { createPicture } from './question-scene.ts';
 import type { CheckSettings } from './settings.ts';
 
+/** The session of a package's set, whose answers go to a course system. */
+export interface CourseSession {
+  /** Whether this session is the one that is reported. */
+  isOf(progress: Progress): boolean;
+  /** A judged answer. */
+  answered(posed: Posed, index: number, progress: Progress, judged: Judged): void;
+  /** Something else of the session; at once, or with the next report. */
+  changed(progress: Progress, index: number, now: boolean): void;
+  box(progress: Progress): TemplateResult;
+}
+
 /** What every part of the page is created with. */
 export interface PartContext extends PageContext {
   readonly memory: Memory;
   /** Writes settings into the link. */
   readonly set: (wanted: Partial<CheckSettings>) => void;
+  /** The session that is reported, in a package for a course system; null elsewhere. */
+  readonly course: () => CourseSession | null;
 }
 
 /**

@@ -22,6 +22,7 @@ import { summaryTable } from '../../panels/check-summary.ts';
 import { handInCode, handInOf } from '../../state/hand-in.ts';
 import { copyText } from '../../ui/clipboard.ts';
 import { download } from '../../ui/files.ts';
+import { late } from '../../ui/late.ts';
 import { linkCode } from '../handout/link-code.ts';
 import type { LeftPart, PartContext, Shown } from './part.ts';
 import type { CheckSettings } from './settings.ts';
@@ -32,10 +33,12 @@ interface Questions extends LeftPart {
   /** The session so far as JSON, for a download. */
   json(): string;
   score(): { readonly right: number; readonly asked: number };
+  /** Another session is kept for the same seed. */
+  again(): void;
 }
 
 /** The questions of sessions. Typed texts are kept in the browser's storage, judgements are not. */
-export function createQuestions({ memory, changed, set, say }: PartContext): Questions {
+export function createQuestions({ memory, changed, set, say, course }: PartContext): Questions {
   let progress = memory.session(1, FIRST_SET);
   let index = 0;
   let posed: Posed = question(progress.seed, index, progress.set);
@@ -62,6 +65,7 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
     if (same && at === index) return;
     if (!same) progress = memory.session(seed, own);
     index = at;
+    course()?.changed(progress, index, false);
     posed = question(seed, at, own);
     recallVerdict();
   };
@@ -90,6 +94,11 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
       say(copied ? 'copied: the code of what you hand in' : 'it could not be copied: mark it');
     },
     save: () => download(`graze-hand-in-${progress.seed}.txt`, `${code()}\n`),
+    async statements() {
+      const { saveStatements } = await late(() => import('./statements.ts'));
+      await saveStatements(progress, given);
+      say('saved: the statements');
+    },
   };
   let drawnCode: { readonly code: string; readonly picture: TemplateResult } | null = null;
   const handInView = () => {
@@ -104,13 +113,21 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
     type(field, text) {
       judged = null;
       keep(typed(progress, index, field, text));
+      course()?.changed(progress, index, false);
     },
     check() {
       judged = judgeNow();
       keep(tried(progress, index, judged));
+      course()?.answered(posed, index, progress, judged);
     },
-    hint: () => keep(hinted(progress, index, HINTS)),
-    solution: () => keep(solutionShown(progress, index)),
+    hint() {
+      keep(hinted(progress, index, HINTS));
+      course()?.changed(progress, index, false);
+    },
+    solution() {
+      keep(solutionShown(progress, index));
+      course()?.changed(progress, index, true);
+    },
     go(next) {
       arriving = next;
       set({ question: next });
@@ -133,6 +150,10 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
       const { right, total } = summary(progress);
       return { right, asked: total };
     },
+    again() {
+      progress = memory.session(progress.seed, progress.set);
+      recallVerdict();
+    },
     render(head, body, _, settings) {
       show(settings);
       const view = {
@@ -153,9 +174,13 @@ export function createQuestions({ memory, changed, set, say }: PartContext): Que
         judged = null;
         keep(started(progress.seed, progress.set));
       };
-      const table = summaryTable(summary(progress), { save, print, restart });
-      const box = handInBox(handInView(), handIn);
-      render(html`${answerForm(view, tools)}${table}${box}`, body);
+      const own = course();
+      const reported = own?.isOf(progress) === true;
+      const summed = summary(progress);
+      const table = summaryTable(summed, { save, print, restart: reported ? null : restart });
+      const box = handInBox({ ...handInView(), reported }, handIn);
+      const told = own?.box(progress) ?? nothing;
+      render(html`${answerForm(view, tools)}${told}${table}${box}`, body);
       // In the same task: later it would take the focus from whoever has gone on meanwhile.
       if (arriving === index) body.querySelector<HTMLElement>('input, select')?.focus();
       arriving = null;

@@ -6,7 +6,6 @@ import { type Part, partsOfSet } from '../../check/exports/parts.ts';
 import { qtiFiles } from '../../check/exports/qti.ts';
 import { stackXml } from '../../check/exports/stack.ts';
 import {
-  CHOSEN,
   type Chosen,
   isNumbered,
   partsOf,
@@ -19,28 +18,34 @@ import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import {
   type CourseFile,
+  type Packages,
   type SetTools,
   type SetView,
   type Sheets,
   setForm,
 } from '../../panels/check-set.ts';
-import { zipOf } from '../../state/zip.ts';
+import type { Course } from '../../state/course/course.ts';
+import { pageWithCourse } from '../../state/course/package.ts';
+import { COURSE_SYSTEMS } from '../../state/course/systems.ts';
+import { zipLater, zipOf } from '../../state/zip.ts';
 import { copyText } from '../../ui/clipboard.ts';
 import { download } from '../../ui/files.ts';
 import { printPage, printsAs } from '../handout/print.ts';
 import { MOST_SHEETS, type Sheet, seedsOf, sheetOf, sheetsHandout } from '../handout/sheets.ts';
+import { ownFile } from './own-file.ts';
 import type { PartContext, WidePart } from './part.ts';
+import { activityOf, setLink } from './set-link.ts';
 import type { CheckSettings } from './settings.ts';
 
 /** What the form says of a set, its own or a numbered one. */
-interface Made {
+interface Form {
   readonly times: ReadonlyMap<string, number>;
   readonly shapes: readonly ShapeKind[];
   readonly level: string;
   readonly hints: boolean;
 }
 
-function madeOf(id: string): Made {
+function madeOf(id: string): Form {
   const { turns, shapes, level, withoutHints } = setOf(id);
   const newest = new Set(EXERCISES.map((one) => one.id));
   const times = new Map<string, number>();
@@ -56,7 +61,7 @@ function madeOf(id: string): Made {
 }
 
 /** The shapes' order decides nothing, but one text a set is easier to compare. */
-function idOf({ times, shapes, level, hints }: Made): string {
+function idOf({ times, shapes, level, hints }: Form): string {
   const items = [...times].filter(([, count]) => count > 0);
   const base = items.map(([id, count]) => (count === 1 ? id : `${id}*${count}`)).join(',');
   const kinds = SHAPES.map(({ kind }) => kind).filter((kind) => shapes.includes(kind));
@@ -68,10 +73,21 @@ function idOf({ times, shapes, level, hints }: Made): string {
   return setId(base, chosen);
 }
 
+/** What files are made of. */
+interface Made {
+  readonly parts: () => readonly Part[];
+  /** The set and its seed in words. */
+  readonly about: string;
+  /** The link of its questions, from # on. */
+  readonly hash: string;
+  /** The course of a package for this system. */
+  readonly course: (system: string) => Course;
+}
+
 interface FileKind extends CourseFile {
   readonly name: string;
   readonly type: string;
-  readonly content: (parts: readonly Part[], about: string) => BlobPart;
+  readonly content: (made: Made) => BlobPart | Promise<BlobPart>;
 }
 
 const FILES: readonly FileKind[] = [
@@ -83,7 +99,7 @@ const FILES: readonly FileKind[] = [
       'worked reason, and for each known mistake its wrong answer with what to look at again.',
     name: 'graze-moodle.xml',
     type: 'application/xml',
-    content: moodleXml,
+    content: ({ parts, about }) => moodleXml(parts(), about),
   },
   {
     id: 'gift',
@@ -91,7 +107,7 @@ const FILES: readonly FileKind[] = [
     says: 'The same as plain text, which Moodle and others read.',
     name: 'graze.gift.txt',
     type: 'text/plain',
-    content: gift,
+    content: ({ parts }) => gift(parts()),
   },
   {
     id: 'qti',
@@ -99,7 +115,7 @@ const FILES: readonly FileKind[] = [
     says: 'The same as a package (zip) of the IMS standard, for other course systems.',
     name: 'graze-qti.zip',
     type: 'application/zip',
-    content: (parts) => zipOf(qtiFiles(parts)) as BlobPart,
+    content: ({ parts }) => zipOf(qtiFiles(parts())) as BlobPart,
   },
   {
     id: 'stack',
@@ -109,13 +125,27 @@ const FILES: readonly FileKind[] = [
       'computes the answer and each mistake from its formula, a node each of the response tree.',
     name: 'graze-stack.xml',
     type: 'application/xml',
-    content: stackXml,
+    content: ({ parts, about }) => stackXml(parts(), about),
   },
+  ...COURSE_SYSTEMS.map(
+    ({ id, title, says, manifest }): FileKind => ({
+      ...{ id, title, says, name: `graze-${id}.zip`, type: 'application/zip' },
+      async content({ course, hash }) {
+        const own = course(id);
+        const page = pageWithCourse(await ownFile(), own, hash);
+        const files = { [manifest.name]: manifest.write(own), 'index.html': page };
+        return (await zipLater(files)) as BlobPart;
+      },
+    }),
+  ),
 ];
 
 /** Where a set is made; all of it is in the link. */
 export function createSetPart({ set, changed, say }: PartContext): WidePart {
   let refusal = '';
+  let packages: Packages = { pass: 50, own: true };
+  /** What is put together now; '' while nothing is. */
+  let saving = '';
   let sheets: Sheets = { from: 1, to: 1, paper: 'a4', key: true };
   let making: SetView['making'] = null;
   let made: { readonly set: string; readonly sheets: readonly Sheet[] } = { set: '', sheets: [] };
@@ -150,7 +180,7 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
   }, prepare);
   let now: CheckSettings | null = null;
   let link = '';
-  const put = (change: Partial<Made>): void => {
+  const put = (change: Partial<Form>): void => {
     if (!now) return;
     const id = idOf({ ...madeOf(now.set), ...change });
     const empty = partsOf(id).base === '';
@@ -190,12 +220,42 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
       const copied = await copyText(link);
       say(copied ? 'copied: the link of the set' : 'it could not be copied: mark it and copy it');
     },
-    save(id) {
+    async save(id) {
       const file = FILES.find((one) => one.id === id);
-      if (!now || !file) return;
-      const parts = partsOfSet(now.seed, now.set);
-      const about = `Graze/${setName(now.set)}, seed ${now.seed}`;
-      download(file.name, new Blob([file.content(parts, about)], { type: file.type }));
+      if (!now || !file || saving) return;
+      const { set: own, seed } = now;
+      saving = `${file.title} is put together …`;
+      changed();
+      try {
+        const content = await file.content({
+          parts: () => partsOfSet(seed, own),
+          about: `Graze/${setName(own)}, seed ${seed}`,
+          hash: setLink(own, seed),
+          course: (system) => ({
+            system,
+            set: own,
+            seed,
+            ...packages,
+            activity: activityOf(setLink(own, seed)),
+          }),
+        });
+        download(file.name, new Blob([content], { type: file.type }));
+        saving = '';
+        say(`saved: ${file.name}`);
+      } catch (error) {
+        if (!(error instanceof RangeError)) throw error;
+        refusal = `${file.title} was not saved, for it needs Graze as one file: ${error.message}.`;
+      } finally {
+        saving = '';
+        changed();
+      }
+    },
+    packages(change) {
+      const { pass = packages.pass } = change;
+      const isPercent = Number.isFinite(pass) && pass >= 0 && pass <= 100;
+      refusal = isPercent ? '' : 'Passed is from a number of percent on, from 0 to 100.';
+      if (isPercent) packages = { ...packages, ...change };
+      changed();
     },
     sheets(change) {
       const wanted = { ...sheets, ...change };
@@ -230,7 +290,7 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
         numbered: isNumbered(settings.set)
           ? { name: setName(settings.set), isSpread: setOf(settings.set).spread === true }
           : null,
-        ...{ files: FILES, sheets, making },
+        ...{ files: FILES, sheets, making, packages, saving },
         count: [...times.values()].reduce((sum, count) => sum + count, 0),
       };
       render(html`${setForm(view, tools)}`, own);
@@ -240,14 +300,3 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
 
 const words = (problem: string): string =>
   problem === '' ? '' : `${problem[0]?.toUpperCase()}${problem.slice(1)}.`;
-
-/** The link of a set's questions: of letters that links hold as they are. */
-function setLink(set: string, seed: number): string {
-  const { base, chosen } = partsOf(set);
-  const pairs = [
-    ['set', base],
-    ...CHOSEN.flatMap((key) => (chosen[key] ? [[key, chosen[key]]] : [])),
-    ['seed', String(seed)],
-  ];
-  return `#/check?${pairs.map(([key, text]) => `${key}=${text}`).join('&')}`;
-}

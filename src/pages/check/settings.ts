@@ -63,7 +63,7 @@ export const KEYS = [
 ] as const;
 
 /** Most characters of a name in a link. */
-const LONGEST_NAME = 60;
+export const LONGEST_NAME = 60;
 
 const isPart = (text: string): text is PartId => PARTS.some(({ id }) => id === text);
 const isSeed = (text: string): boolean => /^-?\d{1,9}$/.test(text);

@@ -3,6 +3,7 @@ import { answerOf, opened, readMessage, type ToHost } from '../../state/host-mes
 import type { AppState } from '../../state/state.ts';
 import type { Store } from '../../state/store.ts';
 import { decode, encode } from '../../state/url.ts';
+import { watchForms } from '../../ui/forms.ts';
 import { leaveKeys } from './host-keys.ts';
 
 /** What the frame needs of the page. */
@@ -57,6 +58,7 @@ export function watchHost({ store, model, score, content }: Framed): { drawn(): 
     }
   };
   window.addEventListener('message', hear);
+  watchForms(document);
 
   leaveKeys(window, ({ key }) => post({ type: 'key', key }));
   window.addEventListener('keydown', (event) => {

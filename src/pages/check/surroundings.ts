@@ -1,0 +1,23 @@
+import type { Surroundings } from '../../state/course/course.ts';
+
+const two = (x: number): string => String(x).padStart(2, '0');
+
+/** The clock of this device, and its chance. */
+export const SURROUNDINGS: Surroundings = {
+  now: () => performance.now(),
+  clock() {
+    const now = new Date();
+    return [now.getHours(), now.getMinutes(), now.getSeconds()].map(two).join(':');
+  },
+  // Hundredths of a second: SCORM allows no more digits.
+  stamp: () => `${new Date().toISOString().slice(0, 22)}Z`,
+  uuid() {
+    // randomUUID is missing on pages that came without encryption.
+    const bytes = crypto.getRandomValues(new Uint8Array(16));
+    const hex = Array.from(bytes, (byte, i) => {
+      const own = i === 6 ? (byte & 0x0f) | 0x40 : i === 8 ? (byte & 0x3f) | 0x80 : byte;
+      return own.toString(16).padStart(2, '0');
+    }).join('');
+    return hex.replace(/^(.{8})(.{4})(.{4})(.{4})(.{12})$/, '$1-$2-$3-$4-$5');
+  },
+};

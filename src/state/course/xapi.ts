@@ -1,0 +1,276 @@
+import {
+  type Answered,
+  type Connection,
+  type Course,
+  type CourseReport,
+  type Surroundings,
+  scaled,
+} from './course.ts';
+
+/* Statements of xAPI 1.0.3 (ADL): who did what with which activity, and how it went. */
+
+const VERBS = 'http://adlnet.gov/expapi/verbs/';
+const TYPES = 'http://adlnet.gov/expapi/activities/';
+const XAPI_VERSION = '1.0.3';
+
+type Actor = Readonly<Record<string, unknown>>;
+
+/** An agent with an account: a name or number of this place. */
+export const accountOf = (homePage: string, name: string): Actor => ({
+  objectType: 'Agent',
+  account: { homePage, name },
+});
+
+/** Whose statements they are, on which activity. */
+export interface Scene {
+  readonly actor: Actor;
+  /** IRI of the set. */
+  readonly activity: string;
+  /** Ties the statements of one attempt together; '' for none. */
+  readonly registration: string;
+}
+
+export type Statement = Readonly<Record<string, unknown>>;
+
+const verb = (name: string) => ({ id: `${VERBS}${name}`, display: { en: name } });
+
+const withRegistration = (registration: string) => (registration ? { registration } : {});
+
+/** The IRI of something within the activity. */
+const within = (activity: string, name: string): string =>
+  `${activity}${/[?#]/.test(activity) ? '&' : '#'}${name}`;
+
+export function answeredStatement(
+  { id, about, response, expected, right, causes }: Answered,
+  { actor, activity, registration }: Scene,
+  around: Surroundings,
+): Statement {
+  const extensions =
+    causes.length > 0 ? { extensions: { [within(activity, 'misconceptions')]: causes } } : {};
+  return {
+    id: around.uuid(),
+    actor,
+    verb: verb('answered'),
+    object: {
+      objectType: 'Activity',
+      id: within(activity, `question=${/\d+/.exec(id)?.[0] ?? ''}`),
+      definition: {
+        name: { en: about },
+        type: `${TYPES}cmi.interaction`,
+        interactionType: 'long-fill-in',
+        correctResponsesPattern: [expected],
+      },
+    },
+    result: { response, success: right, ...extensions },
+    context: {
+      ...withRegistration(registration),
+      contextActivities: { parent: [{ objectType: 'Activity', id: activity }] },
+    },
+    timestamp: around.stamp(),
+  };
+}
+
+/** That the set was completed, and passed or failed. */
+function completedStatements(
+  report: CourseReport,
+  { actor, activity, registration }: Scene,
+  around: Surroundings,
+): Statement[] {
+  const { right, total, passed } = report;
+  const score = { scaled: Number(scaled(report).toFixed(4)), raw: right, min: 0, max: total };
+  return ['completed', passed ? 'passed' : 'failed'].map((name) => ({
+    id: around.uuid(),
+    actor,
+    verb: verb(name),
+    object: {
+      objectType: 'Activity',
+      id: activity,
+      definition: { name: { en: 'Graze: a set of questions' }, type: `${TYPES}assessment` },
+    },
+    result: { score, completion: true, success: passed },
+    ...(registration ? { context: { registration } } : {}),
+    timestamp: around.stamp(),
+  }));
+}
+
+/** How a page was launched: where statements go, by whom. */
+interface Launch extends Scene {
+  /** Ends with a slash. */
+  readonly endpoint: string;
+  readonly auth: string;
+}
+
+/** The launch in an address's query; words on what it lacks. */
+export function readLaunch(query: string, { activity }: Course): Launch | string {
+  const given = new URLSearchParams(query);
+  const endpoint = given.get('endpoint') ?? '';
+  if (!/^https?:\/\/[^/]/.test(endpoint)) {
+    return 'this page was opened without the address of a record store (endpoint)';
+  }
+  const actor = actorIn(given.get('actor') ?? '');
+  if (!actor) return 'this page was opened without a name to answer under (actor)';
+  const registration = given.get('registration') ?? '';
+  return {
+    endpoint: endpoint.endsWith('/') ? endpoint : `${endpoint}/`,
+    auth: given.get('auth') ?? '',
+    actor,
+    registration: /^[\da-f]{8}(?:-[\da-f]{4}){3}-[\da-f]{12}$/i.test(registration)
+      ? registration
+      : '',
+    activity: given.get('activity_id') || activity,
+  };
+}
+
+const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+const first = (value: unknown): unknown => (Array.isArray(value) ? value[0] : value);
+
+/** An agent with one identifier; launches of version 0.95 have lists, and longer names. */
+function actorIn(text: string): Actor | null {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  if (!isRecord(value)) return null;
+  const named = first(value.name);
+  const name = typeof named === 'string' ? { name: named } : {};
+  const account = first(value.account);
+  if (isRecord(account)) {
+    const homePage = account.homePage ?? account.accountServiceHomePage;
+    const own = account.name ?? account.accountName;
+    if (typeof homePage !== 'string' || typeof own !== 'string') return null;
+    return { ...accountOf(homePage, own), ...name };
+  }
+  for (const key of ['mbox', 'mbox_sha1sum', 'openid']) {
+    const found = first(value[key]);
+    if (typeof found === 'string' && found !== '') {
+      return { objectType: 'Agent', [key]: found, ...name };
+    }
+  }
+  return null;
+}
+
+/** Whom the launch means, as a text that tells students apart. */
+function learnerOf({ account, mbox, mbox_sha1sum, openid }: Actor): string {
+  if (isRecord(account)) return String(account.name);
+  return String(mbox ?? mbox_sha1sum ?? openid ?? '').replace(/^mailto:/, '');
+}
+
+/** A request to a record store, and its answer. */
+export type Request = (
+  url: string,
+  about: {
+    readonly method: string;
+    readonly headers: Readonly<Record<string, string>>;
+    readonly body: string | null;
+    /** The page may be left before it is answered. */
+    readonly last: boolean;
+  },
+) => Promise<{ readonly status: number; readonly text: string }>;
+
+const STATE_ID = 'graze-session';
+
+/** What fits into a request of a page that is left. */
+const MOST_STATE = 40_000;
+
+/** Speaks with the record store of a launch; words on why it cannot. */
+export async function connectXapi(
+  launch: Launch,
+  request: Request,
+  around: Surroundings,
+): Promise<Connection | string> {
+  const headers = {
+    'X-Experience-API-Version': XAPI_VERSION,
+    'Content-Type': 'application/json',
+    ...(launch.auth ? { Authorization: launch.auth } : {}),
+  };
+  const query = new URLSearchParams({
+    activityId: launch.activity,
+    agent: JSON.stringify(launch.actor),
+    stateId: STATE_ID,
+    ...withRegistration(launch.registration),
+  });
+  const stateUrl = `${launch.endpoint}activities/state?${query}`;
+  /** '' if it was taken. */
+  const ask = async (
+    url: string,
+    method: string,
+    content: unknown,
+    last = false,
+  ): Promise<string> => {
+    try {
+      const body = JSON.stringify(content);
+      const { status } = await request(url, { method, headers, body, last });
+      return status >= 200 && status < 300 ? '' : `it answers ${status}`;
+    } catch {
+      return 'it does not answer';
+    }
+  };
+  let kept = { state: '', place: 0, complete: false };
+  try {
+    const { status, text } = await request(stateUrl, {
+      ...{ method: 'GET', headers, body: null, last: false },
+    });
+    if (status === 200) kept = stateIn(text);
+    else if (status !== 404) return `it answers ${status}`;
+  } catch {
+    return 'it does not answer';
+  }
+  let told = '';
+  const newsOf = (report: CourseReport, answered: Answered | null): Statement[] => {
+    const score = `${report.right} ${report.passed}`;
+    const isNews = report.complete && score !== told;
+    if (isNews) told = score;
+    return [
+      ...(answered ? [answeredStatement(answered, launch, around)] : []),
+      ...(isNews ? completedStatements(report, launch, around) : []),
+    ];
+  };
+  const stateFor = ({ state, place, complete }: CourseReport) => ({ state, place, complete });
+  /** Statements that were not taken yet: they go first the next time. */
+  let waiting: Statement[] = [];
+  const send = async (
+    report: CourseReport,
+    answered: Answered | null,
+    last = false,
+  ): Promise<string> => {
+    const news = [...waiting, ...newsOf(report, answered)];
+    waiting = [];
+    const [refused, other] = await Promise.all([
+      news.length === 0 ? '' : ask(`${launch.endpoint}statements`, 'POST', news, last),
+      ask(stateUrl, 'PUT', stateFor(report), last),
+    ]);
+    if (refused) waiting = [...news, ...waiting];
+    return refused || other;
+  };
+  return {
+    ...kept,
+    learner: learnerOf(launch.actor),
+    readOnly: false,
+    most: MOST_STATE,
+    send: (report, answered) => send(report, answered),
+    end: (report) => void send(report, null, true),
+  };
+}
+
+function stateIn(text: string): {
+  readonly state: string;
+  readonly place: number;
+  readonly complete: boolean;
+} {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    value = null;
+  }
+  const { state, place, complete } = isRecord(value) ? value : {};
+  return {
+    state: typeof state === 'string' ? state : '',
+    place: Number.isSafeInteger(place) ? Math.max(0, place as number) : 0,
+    complete: complete === true,
+  };
+}
