@@ -115,12 +115,19 @@ interface Import {
   readonly typesOnly: boolean;
 }
 
+const importsKnown = new Map<string, readonly Import[]>();
 /**
  * Static and dynamic imports, re-exports, import types, and files named by `new URL(…,
  * import.meta.url)`.
  */
-function importsOf(path: string, source: string): Import[] {
-  return nodesOf(path, source).flatMap((node): Import[] => {
+function importsOf(path: string, source: string): readonly Import[] {
+  const known = importsKnown.get(source) ?? readImports(nodesOf(path, source));
+  importsKnown.set(source, known);
+  return known;
+}
+
+function readImports(nodes: readonly AnyNode[]): Import[] {
+  return nodes.flatMap((node): Import[] => {
     const at = (value: unknown, typesOnly: boolean): Import[] =>
       isNode(value) && typeof value.value === 'string' ? [{ from: value.value, typesOnly }] : [];
     switch (node.type) {
@@ -285,6 +292,12 @@ function circles(sources: Sources): string[] {
         .filter((target) => target in sources),
     ]),
   );
+  // A file that imports none of those that are left is in no circle.
+  let left = 0;
+  while (left !== targets.size) {
+    left = targets.size;
+    for (const [path, to] of targets) if (!to.some((one) => targets.has(one))) targets.delete(path);
+  }
   const reached = new Map<string, Set<string>>();
   for (const start of targets.keys()) {
     const seen = new Set<string>();
@@ -336,11 +349,13 @@ function takenBy(path: string, source: string): string[] {
     const { specifiers, source: from, argument } = node as { [key: string]: unknown };
     const at = textOf(from ?? argument ?? '');
     if (typeof at !== 'string' || !at.startsWith('.')) return [];
-    const wholly = all.map((name) => `${target(at)} ${name}`);
-    if (node.type === 'ImportExpression' || node.type === 'TSImportType') return wholly;
+    const wholly = (): string[] => all.map((name) => `${target(at)} ${name}`);
+    if (node.type === 'ImportExpression' || node.type === 'TSImportType') return wholly();
     if (node.type !== 'ImportDeclaration' && node.type !== 'ExportNamedDeclaration') return [];
     return (specifiers as AnyNode[]).flatMap(({ type, imported, local }) =>
-      type === 'ImportNamespaceSpecifier' ? wholly : [`${target(at)} ${textOf(imported ?? local)}`],
+      type === 'ImportNamespaceSpecifier'
+        ? wholly()
+        : [`${target(at)} ${textOf(imported ?? local)}`],
     );
   });
 }

@@ -9,11 +9,15 @@ import { innerState } from '../../../src/lesson/step-state.ts';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type FullModel } from '../../../src/state/derive.ts';
 import { update } from '../../../src/state/update.ts';
+import { many } from '../many.ts';
 import { holds, holdsBetween, isBetween } from './lesson-claims.ts';
 import { holdsOnPage } from './page-claims.ts';
 
-/** Between two values that a slider has, so that roots of a range are not only met by luck. */
-const FINER = 2;
+/**
+ * At night also between two values that a slider has, so that roots of a range are not only met by
+ * luck.
+ */
+const FINER = many(2);
 
 /** What a step shows as it opens, then with each value that its free numbers can be given. */
 function modelsOf(step: Step): FullModel[] {

@@ -19,6 +19,7 @@ import {
 } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
+import { many } from '../many.ts';
 import { anyPicture, PICTURED } from './random-state.ts';
 
 const open = (query: string): FullModel =>
@@ -323,7 +324,7 @@ describe('the stage', () => {
 
   test.each(KINDS)('%s: no slider makes it jump', (kind) => {
     const derive = createDerive(() => closerLook);
-    const steps = 60;
+    const steps = many(60);
     for (const { name, range, at } of slidersOf(kind)) {
       const stageAt = (x: number): Stage => derive(at(x)).scene.stage;
       const [low, high] = range;
@@ -428,8 +429,9 @@ describe.each(WORLDS)('a world of size %d', (size) => {
 });
 
 const SEED = 14142;
+const RUNS = many(800);
 
-test(`nothing breaks a scene or a graph: 400 states up to ${PICTURED}, seed ${SEED}`, () => {
+test(`nothing breaks a scene or a graph: ${RUNS} states up to ${PICTURED}, seed ${SEED}`, () => {
   fc.assert(
     fc.property(anyPicture, (state) => {
       const { scene, graph, found } = createDerive(() => closerLook)(state);
@@ -440,6 +442,6 @@ test(`nothing breaks a scene or a graph: 400 states up to ${PICTURED}, seed ${SE
       const known = isKnown ? graph : { ...graph, A: 0, B: 0, C: 0, bead: { ...graph.bead, f } };
       expect([...nan(scene), ...nan(known)]).toEqual([]);
     }),
-    { seed: SEED, numRuns: 400 },
+    { seed: SEED, numRuns: RUNS },
   );
 });
