@@ -95,10 +95,12 @@ export function ledger(
     ${timeWords(model, took, tools)}
     ${kinds(model)}
     ${measureLine(tools)}
-    <h3 class="ledger-title">Not simulated</h3>
-    <ul class="idle">
-      ${idle.map((one) => idleRow(one, pixels, tools))}
-    </ul>`;
+    ${
+      idle.length === 0
+        ? nothing
+        : html`<h3 class="ledger-title">Not simulated</h3>
+          <ul class="idle">${idle.map((one) => idleRow(one, pixels, tools))}</ul>`
+    }`;
 }
 
 /** Adds one effect after another, or takes them away; a dot for each. */

@@ -1,14 +1,14 @@
 import { html, type TemplateResult } from 'lit';
 import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
-import { changed, type PictureSettings } from '../state/picture/settings.ts';
+import { BOUNCES, changed, type PictureSettings } from '../state/picture/settings.ts';
 import { readStart, START_TEXTS, startText, startWords } from '../state/picture/start.ts';
 import './picture-method.css';
 
 /** Which method answers every question, and where rays that leave a surface begin. */
 export function methodPanel(
   method: string,
-  { start }: PictureSettings,
+  { start, bounces }: PictureSettings,
   dispatch: Dispatch,
 ): TemplateResult {
   return html`<h3 class="ledger-title" id="picture-method">Method for every ray</h3>
@@ -22,7 +22,27 @@ export function methodPanel(
         >${title}</button>`,
       )}
     </div>
-    ${startRow(startText(start), dispatch)}`;
+    ${startRow(startText(start), dispatch)}${bouncesRow(bounces, dispatch)}`;
+}
+
+function bouncesRow(current: number, dispatch: Dispatch): TemplateResult {
+  const known: readonly number[] = BOUNCES;
+  const all = known.includes(current) ? known : [...known, current].sort((a, b) => a - b);
+  const pick = (event: Event): void =>
+    dispatch({
+      type: 'settings',
+      values: changed({ bounces: (event.target as HTMLSelectElement).value }),
+    });
+  return html`<label class="start-row">A ray goes on for at most
+    <select @change=${pick}>
+      ${all.map(
+        (n) =>
+          html`<option value=${n} ?selected=${n === current}>${
+            n === 1 ? '1 bounce' : `${n} bounces`
+          }</option>`,
+      )}
+    </select>
+  </label>`;
 }
 
 function startRow(current: string, dispatch: Dispatch): TemplateResult {

@@ -23,7 +23,7 @@ interface Finder {
  * (docs/bench-tracer.md), but with few surfaces every ray is tested against each, so that a
  * method's errors outside of a shape's box are seen. `certified` and `exact` do not depend on it.
  */
-const BOXES_FROM = 6;
+export const BOXES_FROM = 6;
 
 /** @param targets by surface. @param heights undefined if no target is cut off. */
 export function createFinder(

@@ -1,5 +1,5 @@
-// What the page costs: the size of each built chunk, and the script time of one slider step in a
-// real browser.
+// What the page costs: the size of each built chunk, the script time of one slider step in a real
+// browser, and pictures a second while a hand turns the camera of Picture.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium, type Page } from '@playwright/test';
@@ -8,11 +8,13 @@ import { serveSite } from '../serve-site.ts';
 
 const SITE = 'dist/site';
 const STEPS = 60;
+const DRAG_MS = 6000;
 const site = await serveSite();
 sizes();
 const browser = await launch();
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
 await sliderSteps(page, site.url);
+await cameraDrag(await browser.newPage({ viewport: { width: 1280, height: 720 } }), site.url);
 await browser.close();
 site.close();
 
@@ -71,4 +73,50 @@ async function sliderSteps(target: Page, url: string): Promise<void> {
     const label = name === 'graze step' ? 'numbers, formulas, plot' : 'scene';
     console.log(`| ${label} | ${at(0)} | ${at(0.5)} | ${at(0.25)}–${at(0.75)} | ${ms.length} |`);
   }
+}
+
+/** Every picture that is painted while a mouse goes to and fro without a pause. */
+async function cameraDrag(target: Page, url: string): Promise<void> {
+  await target.addInitScript(() => {
+    const painted: [number, string][] = [];
+    const put = CanvasRenderingContext2D.prototype.putImageData;
+    CanvasRenderingContext2D.prototype.putImageData = function (
+      this: CanvasRenderingContext2D,
+      data: ImageData,
+      ...rest: never[]
+    ) {
+      const of = `${data.width} × ${data.height}`;
+      if (this.canvas.className === 'traced') painted.push([performance.now(), of]);
+      return (put as (...all: unknown[]) => void).call(this, data, ...rest);
+    } as typeof put;
+    Object.assign(globalThis, { painted });
+  });
+  await target.goto(`${url}#/picture?scene=everything`);
+  await target.locator('.picture[data-trace="finished"]').waitFor({ timeout: 600_000 });
+  const box = await target.locator('.picture-frame').boundingBox();
+  if (!box) throw new Error('no picture');
+  const [x, y] = [box.x + box.width / 3, box.y + box.height / 3];
+  await target.mouse.move(x, y);
+  await target.mouse.down();
+  const begun = await target.evaluate(() => performance.now());
+  const start = Date.now();
+  for (let at = 0; at < DRAG_MS; at = Date.now() - start) {
+    const turn = at / 800;
+    await target.mouse.move(x + 100 * Math.sin(turn), y + 30 * Math.sin(0.7 * turn));
+  }
+  const all = await target.evaluate(() => (globalThis as unknown as Painted).painted);
+  const says = await target.locator('[data-quantity="resolution"]').innerText();
+  await target.mouse.up();
+  // The first second finds the size.
+  const steady = all.filter(([at]) => at > begun + 1000 && at < begun + DRAG_MS);
+  const rate = (1000 * steady.length) / (DRAG_MS - 1000);
+  const sizes = [...new Set(steady.map(([, of]) => of))].join(', ');
+  console.log(
+    '\n| turning the camera of everything, 752 × 424 | pictures a second | sizes | ledger |\n' +
+      `|---|---:|---|---|\n| ${DRAG_MS / 1000} s | ${rate.toFixed(1)} | ${sizes} | ${says} |`,
+  );
+}
+
+interface Painted {
+  readonly painted: readonly (readonly [number, string])[];
 }

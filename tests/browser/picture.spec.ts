@@ -523,6 +523,44 @@ test('picture, scene and ledger can be taken away', async ({ page }) => {
   }
 });
 
+test('a link measures how the price grows, and finds the cheapest picture within a budget', async ({
+  page,
+}) => {
+  await openPicture(page, 'size=48x27&method=certified&scene=glass&growth=on&budget=10%25,5');
+  await expect(page.locator('.picture')).toHaveAttribute('data-prices', 'rests', {
+    timeout: 120_000,
+  });
+  const names = await page
+    .locator('.growth-plot [data-quantity]')
+    .evaluateAll((all) => all.map((one) => (one as HTMLElement).dataset.value));
+  expect(names.length).toBeGreaterThan(5);
+  for (const name of names) {
+    expect(['constant', 'linear', 'logarithmic', 'neither']).toContain(name);
+  }
+  await page.getByLabel('bars by').selectOption('rays');
+  await expect(page.locator('.growth-words').first()).toContainText('rays, the same on every');
+  const share = page.locator('[data-quantity="budget.share"]');
+  const part = Number(await share.getAttribute('data-value'));
+  expect(part).toBeLessThan(1);
+  const whole = await cell(page, 'total', 'questions');
+  await page.getByRole('button', { name: 'show it beside the whole picture' }).click();
+  await traced(page);
+  await expectInLink(page, { against: 'whole', show: 'errors', budget: '10%,5' });
+  expect(await cell(page, 'total', 'questions')).toBe(Math.round(part * (whole ?? Number.NaN)));
+  await expect(page.locator('.compare-sentence')).toContainText('Left: the whole picture');
+  // What was found stays while its picture is shown.
+  await expect(share).toHaveAttribute('data-value', String(part));
+  await page.getByRole('button', { name: 'File and export' }).click();
+  for (const id of ['growth-csv', 'budget-csv']) {
+    await expect(page.locator(`[data-export="${id}"]`)).toBeVisible();
+  }
+  await page.keyboard.press('Escape');
+  await page.getByLabel('largest difference').selectOption('');
+  await page.getByRole('button', { name: 'close' }).click();
+  await expectInLink(page, { budget: null, growth: null });
+  await expect(page.locator('.growth-plot')).toHaveCount(0);
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 } });
   test('nothing sticks out to the side', async ({ page }) => {

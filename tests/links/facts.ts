@@ -85,7 +85,13 @@ const surface = (shape: Shape): Shape =>
 
 /** The settings, the scene, and what camera rays on a coarse grid hit at which t. */
 async function pictureFacts(state: AppState): Promise<Facts> {
-  const { scene, sceneText: _, ...settings } = pictureSettings(state.settings.picture);
+  const { scene, sceneText: _, ...all } = pictureSettings(state.settings.picture);
+  // Settings that these links cannot name have their defaults, which change nothing.
+  const { bounces, grows, budget } = pictureSettings({});
+  const later: Facts = { bounces, grows, budget };
+  const settings = Object.fromEntries(
+    Object.entries(all).filter(([key, value]) => !(key in later) || later[key] !== value),
+  );
   const { method } = state;
   const size = { width: COLUMNS, height: ROWS, samples: 1 };
   const tracer = await prepareTracer(scene, { ...DEFAULT_SETTINGS, ...size, method }, () => 0);

@@ -1,5 +1,6 @@
 import { type CameraEdit, onGrid } from '../../state/picture/camera-edits.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
+import { totalOf } from '../../tracer/ledger.ts';
 import type { TraceProgress } from '../../workers/trace-job.ts';
 
 interface CameraHand {
@@ -10,14 +11,20 @@ interface CameraHand {
   release(isCancelled: boolean): void;
   /** Whether the camera is moving. */
   moves(): boolean;
-  /**
-   * The picture to trace now; the one before until that is finished. Its scene has the moved camera
-   * and a text of its own.
-   */
+  /** The coarse pictures of this moment; `seen` is how far one is. */
   moving(
     still: PictureSettings,
     seen: (moved: PictureSettings) => TraceProgress | null,
-  ): PictureSettings;
+    now: number,
+  ): Moving;
+}
+
+/** Coarse pictures: their scene has the moved camera and a text of its own. */
+interface Moving {
+  /** The one to trace, which is the same until it is finished. */
+  readonly next: PictureSettings;
+  /** The last finished one; null before the first. */
+  readonly shown: PictureSettings | null;
 }
 
 interface HandTools {
@@ -29,12 +36,18 @@ interface HandTools {
 /** A camera that keys and the wheel move is at rest after so many ms. */
 const REST_MS = 220;
 
-/** The picture's size is divided by one of these while it moves. */
-const COARSEST = 8;
-const FINEST = 2;
+/** The picture's sides are divided by a number between these while it moves, at first by FIRST. */
+const COARSEST = 16;
+const FINEST = 1.5;
 const FIRST = 4;
-/** Wanted time of a frame in ms, with some room: 15 a second. */
+/** Wanted ms from one picture to the next: 15 a second, with room for those that take longer. */
 const MS_A_FRAME = 55;
+/** Part of it that tracing has at least, where drawing takes long. */
+const LEAST_TRACING = 0.3;
+/** The size stays while frames take no more than this part more or less: it would flicker. */
+const LOOSE = 0.2;
+/** Weight of the last frame among those before, since single ones are disturbed. */
+const LAST = 0.3;
 
 /** Rays to a light with a size while the camera moves. */
 const LIGHT_SAMPLES = 4;
@@ -44,9 +57,14 @@ export function createCameraHand({ changed, rest }: HandTools): CameraHand {
   let held = false;
   let timer = 0;
   let divisor = FIRST;
+  let next: PictureSettings | null = null;
   let shown: PictureSettings | null = null;
+  /** Number of edits that the next picture has, and when it was asked for. */
   let done = 0;
-  let measured: PictureSettings | null = null;
+  let begun = Number.NaN;
+  /** As frames before have shown: ms to trace a pixel, and ms of a frame beside; NaN before any. */
+  let price = Number.NaN;
+  let beside = Number.NaN;
 
   const all: CameraEdit = (camera) => edits.reduce((now, edit) => edit(now), camera);
 
@@ -54,14 +72,27 @@ export function createCameraHand({ changed, rest }: HandTools): CameraHand {
     clearTimeout(timer);
     if (edits.length === 0 || held) return;
     const made = edits;
-    edits = [];
-    shown = null;
+    forget();
     rest((camera) => made.reduce((now, edit) => edit(now), camera));
   };
 
-  const resize = (progress: TraceProgress): void => {
-    if (progress.msSpent > MS_A_FRAME) divisor = Math.min(divisor + 1, COARSEST);
-    else if (progress.msSpent < MS_A_FRAME / 2.5) divisor = Math.max(divisor - 1, FINEST);
+  const forget = (): void => {
+    edits = [];
+    next = null;
+    shown = null;
+    begun = Number.NaN;
+  };
+
+  /** Fits the size to what frames took: tracing grows with the pixels, all else does not. */
+  const resize = (ms: number, traced: number, { width, height }: PictureSettings): void => {
+    if (!(ms >= traced && traced > 0)) return;
+    price = mixed(price, traced / (width * height));
+    beside = mixed(beside, ms - traced);
+    const expected = price * width * height;
+    const wanted = Math.max(MS_A_FRAME - beside, LEAST_TRACING * MS_A_FRAME);
+    if (Math.abs(Math.log(expected / wanted)) < LOOSE) return;
+    const fitting = divisor * Math.sqrt(expected / wanted);
+    divisor = Math.min(Math.max(fitting, FINEST), COARSEST);
   };
 
   const moved = (still: PictureSettings): PictureSettings => {
@@ -95,28 +126,36 @@ export function createCameraHand({ changed, rest }: HandTools): CameraHand {
     release(isCancelled) {
       held = false;
       if (isCancelled) {
-        edits = [];
-        shown = null;
+        forget();
         changed();
       }
       end();
     },
     moves: () => edits.length > 0,
-    moving(still, seen) {
-      const before = shown && seen(shown);
-      const state = before?.state;
-      if (shown && (state === 'loading' || state === 'tracing')) return shown;
-      if (before?.state === 'finished' && measured !== shown) {
-        measured = shown;
-        resize(before);
+    moving(still, seen, now) {
+      const progress = next && seen(next);
+      const state = progress?.state;
+      if (next && (state === 'loading' || state === 'tracing')) return { next, shown };
+      if (state === 'finished') shown = next;
+      if (next && done === edits.length) {
+        // What comes next has waited for the hand: how long that took says nothing.
+        begun = Number.NaN;
+        return { next, shown };
       }
-      if (shown && done === edits.length) return shown;
+      if (next && progress) resize(now - begun, tracedMs(progress), next);
+      begun = now;
       done = edits.length;
-      shown = moved(still);
-      return shown;
+      next = moved(still);
+      return { next, shown };
     },
   };
 }
+
+/** What tracing alone took, without handing over: only that grows with the pixels. */
+const tracedMs = ({ ledger, workers }: TraceProgress): number => totalOf(ledger).ms / workers;
+
+const mixed = (before: number, last: number): number =>
+  Number.isNaN(before) ? last : before + LAST * (last - before);
 
 /** The scene's edit that puts a moved camera on the grid of a picture of this height. */
 export const atRest =

@@ -1,14 +1,24 @@
 import { InvalidInput } from '../../math/index.ts';
+import { budgetCsv } from '../../panels/picture-budget.ts';
+import { growthCsv } from '../../panels/picture-growth.ts';
 import { sceneFromJson, sceneToJson } from '../../scene/json.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { ledgerCsv } from '../../state/picture/ledger.ts';
 import { textOfScene } from '../../state/picture/scene-link.ts';
 import { changed } from '../../state/picture/settings.ts';
 import type { ExportItem } from '../export-dialog.ts';
+import type { BudgetState } from './budget.ts';
+import type { GrowthState } from './growth.ts';
 import type { PictureModel } from './picture-model.ts';
 
-/** What can be taken from the page: the picture, its scene, its ledger. */
-export function pictureExports(model: () => PictureModel | null): readonly ExportItem[] {
+/** What can be taken from the page: the picture, its scene, its ledger, how its price grows. */
+export function pictureExports(
+  model: () => PictureModel | null,
+  growth: () => GrowthState | null,
+  budget: () => BudgetState | null,
+): readonly ExportItem[] {
+  const grown = growth();
+  const sought = budget();
   const text = (of: (model: PictureModel) => string) => (): string => {
     const now = model();
     return now ? of(now) : '';
@@ -38,6 +48,30 @@ export function pictureExports(model: () => PictureModel | null): readonly Expor
       text: text(({ ledger }) => ledgerCsv(ledger)),
       blob: null,
     },
+    ...(grown
+      ? [
+          {
+            id: 'growth-csv',
+            title: 'how the price grows as CSV',
+            file: 'graze-growth.csv',
+            type: 'text/csv',
+            text: () => growthCsv(growth() ?? grown),
+            blob: null,
+          },
+        ]
+      : []),
+    ...(sought
+      ? [
+          {
+            id: 'budget-csv',
+            title: 'pictures within the budget as CSV',
+            file: 'graze-budget.csv',
+            type: 'text/csv',
+            text: () => budgetCsv(sought.budget, budget() ?? sought),
+            blob: null,
+          },
+        ]
+      : []),
   ];
 }
 

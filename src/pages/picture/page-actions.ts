@@ -12,6 +12,8 @@ import {
   pictureSettings,
   textsOf,
 } from '../../state/picture/settings.ts';
+import type { TraceSettings } from '../../tracer/types.ts';
+import { MOST_BOUNCES } from '../../tracer/weight.ts';
 
 type Values = Readonly<Partial<Record<PictureKey, string>>>;
 
@@ -25,6 +27,8 @@ export interface PictureActions {
   force(id: EffectId, how: 'on' | 'off' | 'no'): void;
   /** Simulates one effect more, or one less, of those that the scene calls for. */
   buildUp(by: 1 | -1): void;
+  /** Shows the picture with these settings, which leave something out, beside the whole one. */
+  showBesideWhole(settings: TraceSettings): void;
   /** Chooses the right side of the comparison: 'method:…' or 'start:…'. */
   right(value: string): void;
 }
@@ -44,6 +48,15 @@ export function pictureActions(dispatch: Dispatch): PictureActions {
       }),
     force: (id, how) => edit(({ forced }) => forcedTexts(forced, id, how)),
     buildUp: (by) => edit(({ scene, forced }) => textsOf(builtUp(scene, forced, by))),
+    showBesideWhole({ forced, bounces, method }) {
+      dispatch({ type: 'method', id: method });
+      set({
+        ...textsOf(forced),
+        bounces: String(bounces ?? MOST_BOUNCES),
+        against: 'whole',
+        show: 'errors',
+      });
+    },
     right(value) {
       const [what, ...rest] = value.split(':');
       if (what === 'method') dispatch({ type: 'method', id: rest.join(':') });

@@ -48,7 +48,9 @@ export function pictureModel(
   const requests = traceRequests(picture, state.method);
   const main = traceQueue.seen(requests.main);
   const other = requests.other && traceQueue.seen(requests.other);
-  const trustsLeft = trustOf(requests.other ?? requests.main) > trustOf(requests.main);
+  const trustsLeft =
+    picture.against?.change === 'whole' ||
+    trustOf(requests.other ?? requests.main) > trustOf(requests.main);
   const times = visit.times(requests.main);
   // Bars of the time of one picture stay no bars at all for the next, which has none yet.
   const by = visit.by === 'ms' && !times ? 'questions' : visit.by;

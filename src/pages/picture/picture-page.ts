@@ -1,7 +1,10 @@
 import { nothing, render } from 'lit';
+import { DEFAULT_METHOD } from '../../math/shapes.ts';
 import { pictureBar } from '../../panels/picture-bar.ts';
+import { budgetPanel, budgetSaid } from '../../panels/picture-budget.ts';
 import { cameraLine } from '../../panels/picture-camera.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
+import { growthPanel, growthSaid } from '../../panels/picture-growth.ts';
 import { firstAgainst } from '../../state/picture/against.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import {
@@ -9,12 +12,15 @@ import {
   pictureSettings,
   readPicture,
 } from '../../state/picture/settings.ts';
+import { MOST_BOUNCES } from '../../tracer/weight.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
+import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraHand } from './camera-hand.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
 import { type DraggedThing, dragTo, thingAt } from './drag-thing.ts';
 import { openScene, pictureExports } from './exports.ts';
+import { createGrowth } from './growth.ts';
 import { lateRayTree } from './late-ray-tree.ts';
 import { pictureActions } from './page-actions.ts';
 import { type PictureModel, type PictureVisit, pictureModel } from './picture-model.ts';
@@ -48,6 +54,8 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const tools = pictureActions(dispatch);
   const repeats = createRepeats();
   const refiner = createRefiner();
+  const growth = createGrowth();
+  const budgets = createBudgetSearch();
   const hand = createCameraHand({
     changed,
     rest(edit) {
@@ -60,7 +68,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     spawn,
     workers: coresOf(navigator),
     changed,
-    background: oneAfterAnother(repeats, refiner),
+    background: oneAfterAnother(repeats, budgets, growth, refiner),
   });
   const compareView = createCompareView(parts.compareView, {
     split: (edit) => tools.edit(({ split }) => ({ split: String(edit(split)) })),
@@ -203,6 +211,36 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     });
   };
 
+  const drawPrices = (
+    { picture: { budget }, ledger: { by: measure } }: PictureModel,
+    stands: boolean,
+  ): void => {
+    const stop = (run: () => void) => () => {
+      run();
+      changed();
+    };
+    render(
+      growthPanel(growth.state(), measure, {
+        stands,
+        measure: () => tools.set({ growth: 'on' }),
+        stop: stop(growth.stop),
+        again: stop(growth.again),
+        close: () => tools.set({ growth: '' }),
+      }),
+      parts.growth,
+    );
+    render(
+      budgetPanel(budget, budgets.state(), {
+        set: (text) => tools.set({ budget: text }),
+        stop: stop(budgets.stop),
+        again: stop(budgets.again),
+        show: tools.showBesideWhole,
+        pixel: (x, y) => tools.set({ pixel: `${x},${y}` }),
+      }),
+      parts.budget,
+    );
+  };
+
   function point(pixel: readonly [number, number] | null): void {
     if (pixel?.join() === pointed?.join()) return;
     pointed = pixel;
@@ -219,21 +257,39 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     announce(`picture finished: ${total.rays} rays; simulated: ${names}`);
   };
 
+  /** Says once what was found of the prices. */
+  let toldPrices = '';
+  const tellPrices = ({ ledger: { by: measure } }: PictureModel): void => {
+    const [grown, sought] = [growth.state(), budgets.state()];
+    const found = [grown && growthSaid(grown, measure), sought && budgetSaid(sought)];
+    const words = found.filter(Boolean).join('. ');
+    if (words !== '' && words !== toldPrices) announce(words);
+    toldPrices = words;
+  };
+
   return {
     render(state) {
       still = pictureSettings(state.settings.picture);
       const seenOf = (moved: PictureSettings) =>
         traceQueue.seen(traceRequests(moved, state.method).main);
       const moves = hand.moves();
-      const picture = moves ? hand.moving(still, seenOf) : still;
+      const moving = moves ? hand.moving(still, seenOf, performance.now()) : null;
+      const picture = moving ? (moving.shown ?? moving.next) : still;
       const modelNow = (): PictureModel => pictureModel(state, traceQueue, visit(), picture);
       const { requests, uncounted, main } = modelNow();
       if (!repeats.isOf(requests.main)) repeats.stop();
       const stands = !moves && main?.state === 'finished';
       refiner.of(stands && isRefined(picture) ? requests.main : null);
+      // While the camera moves they wait, and keep what they know until it is at rest.
+      growth.rests(!stands);
+      budgets.rests(!stands);
+      if (!moves) {
+        growth.of(picture.grows ? requests.main : null);
+        budgets.of(wholeRequest(picture), picture.budget);
+      }
       traceQueue.want(
-        moves
-          ? [{ ...requests.main, atOnce: true }]
+        moving
+          ? [{ ...traceRequests(moving.next, state.method).main, atOnce: true }]
           : [
               requests.main,
               ...(requests.other ? [requests.other] : []),
@@ -258,15 +314,18 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       render(statusLine({ ...model, picture: still }, traceQueue, moves), parts.status);
       drawMap(model);
       drawPixel(model);
+      drawPrices(model, stands);
       sidePanel.render(state, model);
       host.classList.toggle('editing', sidePanel.isEditing());
       host.dataset.trace = moves ? 'moving' : (model.main?.state ?? 'waiting');
       const refined = refiner.done(requests.main);
       host.dataset.rest = refined === null || !refiner.next() ? 'still' : 'refining';
+      host.dataset.prices = growth.state()?.runs || budgets.state()?.runs ? 'runs' : 'rests';
       if (!moves) tell(model);
+      tellPrices(model);
     },
     read: readPicture,
-    exports: () => pictureExports(() => model),
+    exports: () => pictureExports(() => model, growth.state, budgets.state),
     open: (text) => openScene(text, dispatch),
     turn: tools.buildUp,
     rest() {
@@ -275,6 +334,11 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     },
   };
 }
+
+/** The picture of which nothing is left out. */
+const wholeRequest = (picture: PictureSettings): TraceRequest =>
+  traceRequests({ ...picture, forced: {}, bounces: MOST_BOUNCES, against: null }, DEFAULT_METHOD)
+    .main;
 
 /** More rays a pixel are for a picture alone: a comparison is of the rays that were asked for. */
 const isRefined = ({ against, samples }: PictureSettings): boolean =>
@@ -311,7 +375,10 @@ function sections(host: HTMLElement) {
   const status = section('picture-status', work);
   const rest = section('picture-rest', compareView);
   const map = section('picture-map');
-  const pixel = section('picture-pixel', section('picture-more'));
+  const more = section('picture-more');
+  const pixel = section('picture-pixel', more);
+  const growth = section('picture-growth', more);
+  const budget = section('picture-budget', more);
   const side = section('side-panel');
   const rays = section('pixel-list', pixel);
   const magnifiers = section('magnifiers', pixel);
@@ -325,6 +392,8 @@ function sections(host: HTMLElement) {
     status,
     map,
     pixel,
+    growth,
+    budget,
     rays,
     magnifiers,
     space,

@@ -91,6 +91,7 @@ export const oneAfterAnother = (...all: readonly Background[]): Background => {
       }
       return null;
     },
+    enough: (request, soFar) => last?.enough?.(request, soFar) ?? false,
     took(request, result) {
       last?.took(request, result);
     },

@@ -35,6 +35,8 @@ export interface TraceQueue {
 export interface Background {
   /** The next one, under a key of its own; null for none. */
   next(): TraceRequest | null;
+  /** Whether it need not be finished: `took` has it as far as it is. */
+  enough?(request: TraceRequest, soFar: TraceProgress): boolean;
   /** Takes a finished one, or one that failed. */
   took(request: TraceRequest, result: TraceProgress): void;
 }
@@ -109,7 +111,12 @@ export function createTraceQueue({
       request.settings,
       {
         progress(state) {
-          if (isUnderWay(state) || over) return;
+          if (over) return;
+          if (isUnderWay(state)) {
+            if (state.done === 0 || !background?.enough?.(request, state)) return;
+            over = true;
+            job.cancel();
+          }
           over = true;
           if (state.state === 'cancelled') return;
           if (running?.request === request) running = null;

@@ -4,6 +4,7 @@ import type { Scene } from '../../scene/types.ts';
 import { otherSide } from '../../state/picture/against.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
+import { MOST_BOUNCES } from '../../tracer/weight.ts';
 
 /** A picture to trace. Equal keys mean equal pictures, bit for bit. */
 export interface TraceRequest {
@@ -29,7 +30,11 @@ const MOST_BASELINES = 2;
 
 export function traceRequests(picture: PictureSettings, method: string): TraceRequests {
   const { scene, sceneText, width, height, samples, lightSamples, start, forced } = picture;
-  const settings = { width, height, samples, lightSamples, method, start, forced };
+  const settings: TraceSettings = {
+    ...{ width, height, samples, lightSamples, method, start, forced },
+    // Left out it is what it was before it could be chosen: keys of pictures stay the same.
+    ...(picture.bounces < MOST_BOUNCES ? { bounces: picture.bounces } : {}),
+  };
   const request = (changed: TraceSettings): TraceRequest => ({
     key: JSON.stringify([sceneText, { ...changed, forced: differing(scene, changed) }]),
     scene,

@@ -56,7 +56,7 @@ function thing(k: number): Placed {
 export const hundred: ScenePreset = {
   id: 'hundred',
   reason: 'A hundred shapes: boxes around boxes keep most questions from being asked.',
-  compare: 'off:shadow',
+  compare: 'off:boxes',
   scene: {
     title: 'a hundred shapes',
     camera: { eye: [2, 6, 8], target: [0, 0, -4], angle: 40 },

@@ -6,19 +6,29 @@ import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';
 import { readStart, startText, startWords } from './start.ts';
 
-/** The one thing in which the other side of a comparison differs. */
+/**
+ * The one thing in which the other side of a comparison differs; 'whole' is the picture of which
+ * nothing is left out.
+ */
 export type Against =
   | { readonly change: 'method'; readonly method: string }
   | { readonly change: 'start'; readonly start: StartRule }
-  | { readonly change: 'effect'; readonly effect: EffectId; readonly force: 'on' | 'off' };
+  | { readonly change: 'effect'; readonly effect: EffectId; readonly force: 'on' | 'off' }
+  | { readonly change: 'boxes' }
+  | { readonly change: 'whole' };
+
+const WHOLE = 'whole';
+const NO_BOXES = 'off:boxes';
 
 /**
- * In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection'; '' for
- * no comparison.
+ * In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection',
+ * 'off:boxes', 'whole'; '' for no comparison.
  */
 export const AGAINST = {
   read(text: string): Against | null {
     if (text === '') return null;
+    if (text === WHOLE) return { change: 'whole' };
+    if (text === NO_BOXES) return { change: 'boxes' };
     const [word = '', ...rest] = text.split(':');
     const value = rest.join(':');
     if (word === 'method' && findMethod(value)) return { change: 'method', method: value };
@@ -31,6 +41,8 @@ export const AGAINST = {
   },
   write(against: Against | null): string {
     if (!against) return '';
+    if (against.change === 'whole') return WHOLE;
+    if (against.change === 'boxes') return NO_BOXES;
     if (against.change === 'method') return `method:${against.method}`;
     if (against.change === 'start') return `start:${startText(against.start)}`;
     return `${against.force}:${against.effect}`;
@@ -59,17 +71,52 @@ export function firstAgainst(
 export function otherSide(settings: TraceSettings, against: Against): TraceSettings {
   if (against.change === 'method') return { ...settings, method: against.method };
   if (against.change === 'start') return { ...settings, start: against.start };
+  if (against.change === 'boxes') return { ...settings, boxless: true };
+  if (against.change === 'whole') return wholeOf(settings);
   const forced = { ...settings.forced, [against.effect]: against.force };
   return { ...settings, forced };
+}
+
+/** All that the scene calls for and nothing else, to the last bounce, by the default method. */
+export function wholeOf({ bounces: _, ...settings }: TraceSettings): TraceSettings {
+  return { ...settings, forced: {}, method: DEFAULT_METHOD };
 }
 
 /** Words for a side in a picker: method and start rule, or the effect if that is the difference. */
 export function sideWords(settings: TraceSettings, against: Against | null): string {
   const method = findMethod(settings.method)?.title ?? settings.method;
   const start = startWords(settings.start);
+  if (against?.change === 'boxes') {
+    return `${method}, ${settings.boxless ? 'every surface asked' : 'boxes met first'}`;
+  }
+  if (against?.change === 'whole') {
+    return lessWords(settings) || `the whole picture, ${method}`;
+  }
   if (against?.change !== 'effect') return `${method}, ${start}`;
   const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const forced = settings.forced[against.effect];
   const words = forced === undefined ? `${title} as called for` : `${title} forced ${forced}`;
   return `${method}, ${words}`;
 }
+
+/** All in which a picture differs from the whole one, in words; '' if in nothing. */
+export function lessWords({ forced, bounces, method }: Less): string {
+  const titles = (how: 'on' | 'off'): string =>
+    EFFECTS.filter(({ id }) => forced[id] === how)
+      .map(({ title }) => title)
+      .join(', ');
+  const [without, more] = [titles('off'), titles('on')];
+  const by = findMethod(method)?.title ?? method;
+  const parts = [
+    ...(without ? [`without ${without}`] : []),
+    ...(more ? [`${more} forced on`] : []),
+    ...(bounces === undefined ? [] : [bounces === 0 ? 'no bounces' : bouncesWords(bounces)]),
+    ...(method === DEFAULT_METHOD ? [] : [`by ${by}`]),
+  ];
+  return parts.join('; ');
+}
+
+type Less = Pick<TraceSettings, 'forced' | 'bounces' | 'method'>;
+
+const bouncesWords = (bounces: number): string =>
+  bounces === 1 ? 'at most 1 bounce' : `at most ${bounces} bounces`;

@@ -4,7 +4,7 @@ import { EFFECTS } from '../../scene/effects/index.ts';
 import { planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
-import { AGAINST, type Against, otherSide, sideWords } from './against.ts';
+import { AGAINST, type Against, lessWords, otherSide, sideWords, wholeOf } from './against.ts';
 import { readStart, START_TEXTS, startText } from './start.ts';
 
 export interface SideOption {
@@ -27,7 +27,9 @@ export function sideOptions(
   const effects = planEffects(scene, settings.forced).map(
     ({ id, runs }): Against => ({ change: 'effect', effect: id, force: runs ? 'off' : 'on' }),
   );
-  const all = [...starts, ...methods, ...effects];
+  const all: Against[] = [...starts, ...methods, ...effects, { change: 'boxes' }];
+  const isWhole = JSON.stringify(wholeOf(settings)) === JSON.stringify(settings);
+  if (!isWhole) all.push({ change: 'whole' });
   const known = all.map(AGAINST.write);
   if (current && !known.includes(AGAINST.write(current))) all.unshift(current);
   return all.map((against) => ({
@@ -59,8 +61,13 @@ export function causeWords(settings: TraceSettings, against: Against): string {
   }
   if (against.change === 'start') return 'The method is the same; only the start rule is not.';
   if (against.change === 'method') return 'The start rule is the same; only the method is not.';
-  const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const method = findMethod(settings.method)?.title ?? settings.method;
+  if (against.change === 'boxes') {
+    return `Both by ${method}; only on the left every surface is asked about every ray.`;
+  }
+  if (against.change === 'whole')
+    return `Left: the whole picture. Right: ${lessWords(settings) || 'the same'}.`;
+  const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const what = against.force === 'off' ? 'is missing' : 'is forced on';
   return `Both by ${method}; only ${title} ${what} on the left.`;
 }

@@ -6,6 +6,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { StartRule } from '../../tracer/types.ts';
 import type { Settings } from '../state.ts';
 import { AGAINST, type Against } from './against.ts';
+import { BUDGET, type Budget } from './budget.ts';
 import { DEFAULT_SCENE, sceneFromText } from './scene-link.ts';
 import { readStart } from './start.ts';
 
@@ -20,6 +21,8 @@ export interface PictureSettings {
   readonly lightSamples: number;
   readonly start: StartRule;
   readonly forced: Forced;
+  /** Most bounces of a ray. */
+  readonly bounces: number;
   /** The other side of a comparison: the same picture with one thing changed. */
   readonly against: Against | null;
   /** Position of the divider, in percent of the width. */
@@ -28,11 +31,16 @@ export interface PictureSettings {
   readonly show: 'both' | 'roots' | 'rays' | 'errors';
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
+  /** Whether it is measured how the price grows. */
+  readonly grows: boolean;
+  /** What the cheapest picture may differ by; null if none is looked for. */
+  readonly budget: Budget | null;
 }
 
 export const SIZES = ['160x90', '320x180', '640x360', '752x424', '960x540', '1280x720'] as const;
 export const SAMPLES = [1, 4, 9, 16] as const;
 export const LIGHT_SAMPLES = [4, 9, 16, 25, 64] as const;
+export const BOUNCES = [0, 1, 2, 3, 4, 6, 8, 16, 32, 64] as const;
 const MOST_SIDE = 2000;
 
 interface Key {
@@ -49,10 +57,13 @@ const KEYS = {
   start: { initial: 'from', read: readStart },
   on: { initial: '', read: readEffects },
   off: { initial: '', read: readEffects },
+  bounces: { initial: '64', read: readBounces },
   against: { initial: '', read: AGAINST.read },
   split: { initial: '50', read: readPercent },
   show: { initial: 'both', read: word(['both', 'errors', 'roots', 'rays']) },
   pixel: { initial: '', read: readPixel },
+  growth: { initial: '', read: word(['', 'on']) },
+  budget: { initial: '', read: BUDGET.read },
 } as const satisfies Record<string, Key>;
 
 export type PictureKey = keyof typeof KEYS;
@@ -80,10 +91,13 @@ export function pictureSettings(settings: Settings): PictureSettings {
     lightSamples: value('light'),
     start: value('start'),
     forced: forcedOf(value('on'), value('off')),
+    bounces: value('bounces'),
     against: value('against'),
     split: value('split'),
     show: value('show') as PictureSettings['show'],
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
+    grows: value('growth') === 'on',
+    budget: value('budget'),
   };
 }
 
@@ -188,6 +202,14 @@ function readPixel(text: string): readonly [number, number] | null {
   const [, x, y] = /^(\d{1,4}),(\d{1,4})$/.exec(text) ?? [];
   if (x === undefined) throw new InvalidInput(`${quote(text)} is not a pixel like 142,300`);
   return [Number(x), Number(y)];
+}
+
+function readBounces(text: string): number {
+  const most = BOUNCES.at(-1) ?? 0;
+  if (!/^\d{1,2}$/.test(text) || Number(text) > most) {
+    throw new InvalidInput(`${quote(text)} is not a number of bounces from 0 to ${most}`);
+  }
+  return Number(text);
 }
 
 function readPercent(text: string): number {

@@ -112,6 +112,9 @@ describe('the links in docs/USING.md', () => {
       split: 'split',
       show: 'show',
       pixel: 'pixel',
+      bounces: 'bounces',
+      growth: 'growth',
+      budget: 'budget',
     };
     expect([...keysOf('Accuracy').keys()].sort()).toEqual([...ACCURACY_KEYS].sort());
     expect([...keysOf('Picture').keys()].sort()).toEqual(Object.keys(picture).sort());

@@ -1,4 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { createBudgetSearch } from '../../../../src/pages/picture/budget.ts';
+import { createGrowth } from '../../../../src/pages/picture/growth.ts';
 import { pictureModel } from '../../../../src/pages/picture/picture-model.ts';
 import { createRayRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
 import { createRefiner, oneAfterAnother } from '../../../../src/pages/picture/refiner.ts';
@@ -10,8 +12,11 @@ import {
   type TraceQueue,
 } from '../../../../src/pages/picture/trace-queue.ts';
 import { type TraceRequest, traceRequests } from '../../../../src/pages/picture/trace-request.ts';
+import { BUDGET } from '../../../../src/state/picture/budget.ts';
 import { pictureSettings } from '../../../../src/state/picture/settings.ts';
 import { type AppState, INITIAL, type Settings } from '../../../../src/state/state.ts';
+import { totalOf } from '../../../../src/tracer/ledger.ts';
+import type { TraceProgress } from '../../../../src/workers/trace-job.ts';
 import { type FakeWorker, fakeWorker } from '../../tracer/fake-worker.ts';
 
 const SMALL: Settings = { size: '32x18', light: '4' };
@@ -229,6 +234,65 @@ describe('behind what is wanted', () => {
     expect([...(refiner.frame(main)?.rgba ?? [])]).toEqual([
       ...(the.room.seen(fine)?.frame.rgba ?? []),
     ]);
+  });
+
+  test('how the price grows: all work, then the times; it waits, stops, begins anew', async () => {
+    const growth = createGrowth();
+    const the = bench(2, growth);
+    const { main } = requests({ scene: 'mirror' });
+    growth.of(main);
+    growth.rests(true);
+    await rest(the, [main]);
+    expect(growth.state()).toMatchObject({ share: 0, runs: true, repeat: 0 });
+    growth.rests(false);
+    the.room.want([main]);
+    await the.work(40);
+    const some = growth.state()?.series.flatMap(({ points }) => points) ?? [];
+    expect(some.some(({ work }) => work)).toBe(true);
+    expect(some.every(({ time }) => time === null)).toBe(true);
+    growth.stop();
+    await rest(the, [main]);
+    expect(growth.state()?.runs).toBe(false);
+    growth.again();
+    await rest(the, [main]);
+    const found = growth.state();
+    expect(found).toMatchObject({ share: 1, runs: false, msLeft: 0 });
+    const [pixels] = found?.series ?? [];
+    const whole = pixels?.points.at(-1);
+    expect(whole?.x).toBe(32 * 18);
+    const { ms: _, ...work } = totalOf((the.room.seen(main) as TraceProgress).ledger);
+    expect(whole?.work).toMatchObject(work);
+    for (const { points } of found?.series ?? []) {
+      for (const { time } of points) expect(time?.low).toBeGreaterThanOrEqual(0);
+    }
+    growth.of(null);
+    expect(growth.state()).toBeNull();
+  });
+
+  test('a budget: what breaks it ends at once, and what is chosen was compared whole', async () => {
+    const search = createBudgetSearch();
+    const the = bench(2, search);
+    const { main } = requests({ scene: 'cone-on-mirror' }, 'certified');
+    const budget = BUDGET.read('0.5');
+    search.of(main, budget);
+    await rest(the, [main]);
+    const found = search.state();
+    const pixels = 32 * 18;
+    expect(found).toMatchObject({ runs: false, tracing: null, timed: 1 });
+    expect(found?.chosen).toMatchObject({ keeps: true, seen: pixels, over: 0 });
+    expect(found?.chosen?.time).not.toBeNull();
+    for (const { keeps, over, seen } of found?.candidates ?? []) {
+      expect(keeps).toBe(over === 0 && seen === pixels);
+    }
+    const broken = found?.candidates.filter(({ keeps }) => !keeps) ?? [];
+    expect(broken.some(({ seen }) => seen < pixels / 2)).toBe(true);
+    // The same question is not asked again, another one is.
+    search.of(requests({ scene: 'cone-on-mirror' }, 'certified').main, BUDGET.read('0.5'));
+    expect(search.state()).toBe(found);
+    search.of(main, BUDGET.read('10%'));
+    expect(search.state()).toMatchObject({ candidates: [], chosen: null, runs: true });
+    search.of(main, null);
+    expect([search.state(), search.next()]).toEqual([null, null]);
   });
 });
 

@@ -4,7 +4,8 @@ import { addThing, remove } from '../../../../src/scene/edit.ts';
 import { EFFECTS } from '../../../../src/scene/effects/index.ts';
 import { sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
-import { AGAINST, otherSide } from '../../../../src/state/picture/against.ts';
+import { AGAINST, lessWords, otherSide } from '../../../../src/state/picture/against.ts';
+import { BUDGET, budgetWords } from '../../../../src/state/picture/budget.ts';
 import { newThing } from '../../../../src/state/picture/edits.ts';
 import { sceneFromText, textOfScene } from '../../../../src/state/picture/scene-link.ts';
 import {
@@ -150,7 +151,7 @@ describe('forcing', () => {
 
 describe('the other side of a comparison', () => {
   const texts = [
-    ...['method:textbook32', 'start:none', 'start:from', 'start:1e-9'],
+    ...['method:textbook32', 'start:none', 'start:from', 'start:1e-9', 'off:boxes'],
     ...EFFECTS.flatMap(({ id }) => [`on:${id}`, `off:${id}`]),
   ];
   test.each(texts)('%s comes back', (text) => {
@@ -175,6 +176,32 @@ describe('the other side of a comparison', () => {
       );
       expect(differing, text).toEqual(text === 'start:from' ? [] : [expect.any(String)]);
     }
+  });
+});
+
+test('the whole picture leaves nothing out, and is said to differ in what this one does', () => {
+  const against = AGAINST.read('whole');
+  if (against?.change !== 'whole') throw new Error('no comparison with the whole');
+  expect(AGAINST.write(against)).toBe('whole');
+  expect(otherSide(DEFAULT_SETTINGS, against)).toEqual({ ...DEFAULT_SETTINGS, forced: {} });
+  const less = { forced: { shadow: 'off' }, bounces: 3, method: 'moment' } as const;
+  expect(otherSide({ ...DEFAULT_SETTINGS, ...less }, against)).toEqual(DEFAULT_SETTINGS);
+  expect(lessWords(DEFAULT_SETTINGS)).toBe('');
+  expect(lessWords(less)).toBe('without shadows; at most 3 bounces; by moment');
+});
+
+describe('a budget', () => {
+  const texts = BUDGET.differences.flatMap(({ value: difference }) =>
+    BUDGET.parts.map(({ value: part }) => BUDGET.write(difference, part)),
+  );
+  test.each(texts)('%s comes back', (text) => {
+    const budget = BUDGET.read(text);
+    if (!budget) throw new Error(text);
+    expect(BUDGET.write(...BUDGET.texts(budget))).toBe(text);
+    expect(budgetWords(budget)).toMatch(/^no more than .+ (every pixel|of the pixels)$/);
+  });
+  test.each(['x', '3%', '1%,7', '1%,1,1', '0.5,'.repeat(2)])('%s is refused', (text) => {
+    expect(() => BUDGET.read(text)).toThrow(`'${text}' is not a budget`);
   });
 });
 
