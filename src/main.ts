@@ -169,7 +169,6 @@ const commands = commandsOf(store, tools).map((command) => ({
 const command = (id: string): Command | undefined => commands.find((c) => c.id === id);
 const dialogParts: DialogParts = {
   commands,
-  thumbnail: () => explore?.scene.thumbnail() ?? null,
   exports: async () => (await shownView())?.exports() ?? (explore ? exportsOf(explore) : []),
   example: () => exampleOf(store.get()),
   hidden: () => store.get().revealed !== null,

@@ -20,8 +20,6 @@ import { SceneLines } from './scene-lines.ts';
 import { onThemeChange, readTheme } from './theme.ts';
 import { Viewpoint } from './viewpoint.ts';
 
-export { drawThumbnail } from './thumbnail.ts';
-
 interface MountedScene extends Mounted<SceneModel> {
   /** The picture as a PNG; null before there is one. */
   picture(): Promise<Blob | null>;

@@ -5,7 +5,7 @@ import type { AppState, PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
-import { notLoaded } from '../ui/late.ts';
+import { late, notLoaded } from '../ui/late.ts';
 import type { Command, PageActions } from './commands.ts';
 import { createEmbedDialog } from './embed/embed-dialog.ts';
 import { type ExportItem, exportContent } from './export-dialog.ts';
@@ -16,7 +16,6 @@ import { helpContent } from './help.ts';
 export interface DialogParts {
   readonly commands: readonly Command[];
   /** Draws small pictures; null until the scene's code is loaded. */
-  readonly thumbnail: () => Thumbnail | null;
   readonly example: () => ShownExample | null;
   /** Whether results are hidden, so that the gallery must not show them. */
   readonly hidden: () => boolean;
@@ -33,11 +32,22 @@ export type Dialogs = Readonly<Record<'gallery' | 'help' | 'export', () => void>
 
 /** The dialogs of the page, each opened by its command. */
 export function createDialogs(parts: DialogParts): Dialogs {
+  let thumbnail: Thumbnail | null = null;
+  // Without small pictures the examples still have their names and questions.
+  const drawn = (): void => {
+    late(() => import('../canvas/thumbnail.ts')).then(
+      (code) => {
+        thumbnail = code.drawThumbnail;
+        gallery.refresh();
+      },
+      () => {},
+    );
+  };
   const gallery = createDialog('Examples', () =>
     galleryContent(
       parts.example(),
       pick,
-      parts.thumbnail(),
+      thumbnail,
       parts.hidden(),
       () => gallery.close(),
       () => {
@@ -57,7 +67,10 @@ export function createDialogs(parts: DialogParts): Dialogs {
     }),
   );
   return {
-    gallery: gallery.open,
+    gallery() {
+      gallery.open();
+      if (!thumbnail) drawn();
+    },
     help: help.open,
     export: exportDialog(parts),
   };

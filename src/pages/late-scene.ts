@@ -2,14 +2,11 @@ import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
 import { late } from '../ui/late.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import type { Thumbnail } from './gallery.ts';
 import { lateView } from './late-view.ts';
 
 export interface Scene extends Mounted<SceneModel> {
   /** The picture as a PNG; null while there is none. */
   picture(): Promise<Blob | null>;
-  /** Draws small pictures; null until the scene's code is there. */
-  thumbnail(): Thumbnail | null;
 }
 
 const WORDS = {
@@ -19,7 +16,7 @@ const WORDS = {
 
 /** The scene, with three.js. */
 export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
-  const { code, view, ...mounted } = lateView<
+  const { view, ...mounted } = lateView<
     SceneModel,
     typeof import('../canvas/scene.ts'),
     ReturnType<typeof import('../canvas/scene.ts').mountScene>
@@ -32,6 +29,5 @@ export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
   return {
     ...mounted,
     picture: async () => view()?.picture() ?? null,
-    thumbnail: () => code()?.drawThumbnail ?? null,
   };
 }

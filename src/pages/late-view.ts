@@ -5,9 +5,9 @@ import type { Mounted } from '../ui/mounted.ts';
 /** ms after which the page says that something is being loaded. */
 const PATIENCE_MS = 300;
 
-interface LateView<Model, Code> extends Mounted<Model> {
+interface LateView<Model, View> extends Mounted<Model> {
   /** Null until it has been loaded. */
-  code(): Code | null;
+  view(): View | null;
 }
 
 /**
@@ -19,9 +19,8 @@ export function lateView<Model, Code, View extends Mounted<Model>>(
   load: () => Promise<Code>,
   mount: (code: Code) => View,
   { waiting, failed }: { readonly waiting: string; readonly failed: string },
-): LateView<Model, Code> & { view(): View | null } {
+): LateView<Model, View> {
   let model: Model | null = null;
-  let code: Code | null = null;
   let view: View | null = null;
   let disposed = false;
   const notice = document.createElement('div');
@@ -35,7 +34,6 @@ export function lateView<Model, Code, View extends Mounted<Model>>(
         clearTimeout(timer);
         notice.remove();
         if (disposed) return;
-        code = loaded;
         view = mount(loaded);
         if (model) view.render(model);
       },
@@ -51,7 +49,6 @@ export function lateView<Model, Code, View extends Mounted<Model>>(
       model = next;
       view?.render(next);
     },
-    code: () => code,
     view: () => view,
     dispose() {
       disposed = true;

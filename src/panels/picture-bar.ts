@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import { PRESETS } from '../scene/presets/index.ts';
+import { EARLIER, PRESETS } from '../scene/presets/index.ts';
 import { isPacked } from '../state/picture/scene-link.ts';
 import {
   LIGHT_SAMPLES,
@@ -35,6 +35,10 @@ export function pictureBar(picture: PictureSettings, tools: BarTools): TemplateR
             selected>${scene.title}, edited</option>`
               : nothing
           }
+          ${EARLIER.filter(({ id }) => id === sceneText).map(
+            ({ id, scene: before }) => html`<option value=${id}
+            selected>${before.title}, as it was</option>`,
+          )}
           ${PRESETS.map(
             ({ id, scene: preset }) => html`<option value=${id}
             ?selected=${id === sceneText}>${preset.title}</option>`,

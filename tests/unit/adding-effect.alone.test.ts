@@ -10,7 +10,7 @@ import { EFFECTS } from '../../src/scene/effects/index.ts';
 import { planEffects, shownScene } from '../../src/scene/effects/plan.ts';
 import { sceneFromJson, sceneToJson } from '../../src/scene/json.ts';
 import { material } from '../../src/scene/presets/define.ts';
-import { PRESETS } from '../../src/scene/presets/index.ts';
+import { findPreset, PRESETS } from '../../src/scene/presets/index.ts';
 import { plain } from '../../src/scene/presets/plain.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { validateScene } from '../../src/scene/validate.ts';
@@ -274,7 +274,7 @@ describe('the picture', () => {
   );
 
   test('does not depend on tiles, mirrors and glass included', async () => {
-    const scene = foggy(PRESETS.find(({ id }) => id === 'everything')?.scene as Scene);
+    const scene = foggy(findPreset('everything')?.scene as Scene);
     const { rgba } = await picture(scene);
     const tracer = await tracerFor(scene);
     const rows = Array.from({ length: TINY.height }, (_, y0) => [

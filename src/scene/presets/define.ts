@@ -8,6 +8,7 @@ import type {
   Placed,
   Scene,
   Shine,
+  SunLight,
 } from '../types.ts';
 
 /** A scene that comes with Graze. */
@@ -26,6 +27,7 @@ export const SAND: Colour = '#d8ae6c';
 export const BLUE: Colour = '#6d97c4';
 export const TEAL: Colour = '#3f9c8f';
 export const STONE: Colour = '#d6d0c4';
+export const WOOD: Colour = '#6f5a48';
 export const CAMERA: Camera = { eye: [1.5, 3, 9], target: [0, 1, 0], angle: 34 };
 
 const DULL: Shine = { strength: 0, exponent: 20 };
@@ -47,6 +49,24 @@ export const material = (paint: Colour | Paint, finish: Finish = {}): Material =
 });
 
 export const clear = (index: number): Glass => ({ index, absorption: [0, 0, 0] });
+
+/** Daylight on an even ground, which meets a sky of the colour that it has in that light. */
+export const SKY: Background = { low: '#e8e3da', high: '#f0ece6' };
+export const GROUND: Colour = '#f9f8f6';
+export const DAYLIGHT: SunLight = {
+  light: 'sun',
+  id: 'sun',
+  colour: '#fffaf0',
+  strength: 0.78,
+  towards: [-1.2, 2.2, 1.5],
+};
+
+/** A round table, whose top is at height 0. */
+export const table = (radius: number, paint: Colour | Paint = '#e2dbce'): Placed => ({
+  id: 'table',
+  shape: { kind: 'circle', normal: [0, 1, 0], center: [0, 0, 0], radius },
+  material: material(paint),
+});
 
 /** A floor at height y. */
 export const floor = (paint: Colour | Paint, y = 0): Placed => ({

@@ -15,7 +15,7 @@ import {
 const COLOURS = [VIOLET, SAND, BLUE, TEAL];
 
 /** Thing k of a grid of ten by ten, with kinds in turn. */
-function thing(k: number): Placed {
+export function thing(k: number): Placed {
   const x = (k % 10) * 1.2 - 5.4;
   const z = Math.floor(k / 10) * -1.2;
   const paint = material(COLOURS[(k + Math.floor(k / 10)) % 4] ?? VIOLET);

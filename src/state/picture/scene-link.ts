@@ -1,7 +1,7 @@
 import { InvalidInput } from '../../math/index.ts';
 import { quote } from '../../math/shapes.ts';
 import { LONGEST_JSON, sceneFromJson, sceneToJson } from '../../scene/json.ts';
-import { PRESETS } from '../../scene/presets/index.ts';
+import { allPresets, findPreset } from '../../scene/presets/index.ts';
 import type { Scene } from '../../scene/types.ts';
 import { packed, unpacked } from '../packed.ts';
 
@@ -18,7 +18,7 @@ export const DEFAULT_SCENE = 'cone-on-mirror';
 export function sceneFromText(text: string): Scene {
   if (text.startsWith(MARK))
     return sceneFromJson(unpacked(text.slice(MARK.length), 'scene', LONGEST_JSON));
-  const preset = PRESETS.find(({ id }) => id === text);
+  const preset = findPreset(text);
   if (!preset) throw new InvalidInput(`there is no scene ${quote(text.slice(0, 40))}`);
   return preset.scene;
 }
@@ -26,7 +26,7 @@ export function sceneFromText(text: string): Scene {
 /** The preset's id if the scene equals a preset, else the packed scene. */
 export function textOfScene(scene: Scene): string {
   const json = sceneToJson(scene);
-  const preset = PRESETS.find(
+  const preset = allPresets().find(
     (entry) => entry.scene === scene || sceneToJson(entry.scene) === json,
   );
   return preset?.id ?? MARK + packed(JSON.stringify(JSON.parse(json).scene));

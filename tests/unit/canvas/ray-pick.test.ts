@@ -2,13 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { Projection } from '../../../src/canvas/projection.ts';
 import { nearestLine } from '../../../src/canvas/ray-pick.ts';
 import { StageUnits } from '../../../src/canvas/stage-units.ts';
-import { PRESETS } from '../../../src/scene/presets/index.ts';
+import { findPreset } from '../../../src/scene/presets/index.ts';
 import { type TreeLine, treeScene } from '../../../src/state/picture/tree-scene.ts';
 import { tracerFor } from '../tracer/tracing.ts';
 
 describe('a ray is picked where it is drawn', async () => {
   for (const id of ['cone-on-mirror', 'everything', 'far']) {
-    const scene = PRESETS.find((preset) => preset.id === id)?.scene;
+    const scene = findPreset(id)?.scene;
     const [root] = scene ? (await tracerFor(scene)).record(24, 13).rays : [];
     if (!scene || !root) throw new Error(id);
     const { lines, stage, azimuth } = treeScene(scene, root);

@@ -29,7 +29,7 @@ const bounded = (thing: Placed) => {
 /** Things stand on round floors, whose boxes they are in. */
 const isFloor = (other: Placed, { low, high }: ReturnType<typeof bounded>): boolean => {
   const box = boxOf(other);
-  return !box || box.high[0] - box.low[0] > 50 * (high[0] - low[0]);
+  return !box || box.high[0] - box.low[0] > 20 * (high[0] - low[0]);
 };
 
 /** Each kind of shape that ends, one after the other, twice. */

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { far } from '../../../src/scene/presets/far.ts';
 import { grazing } from '../../../src/scene/presets/grazing.ts';
+import { grazing2 } from '../../../src/scene/presets/grazing-2.ts';
 import { selfIntersection } from '../../../src/scene/presets/self-intersection.ts';
 import { twoScales } from '../../../src/scene/presets/two-scales.ts';
 import type { Scene } from '../../../src/scene/types.ts';
@@ -16,7 +17,7 @@ const trace = (scene: Scene, method: string, start: StartRule = { rule: 'from' }
   samePicture(scene, { ...SIZE, method, start });
 const share = ({ differing, pixels }: Comparison): number => differing / pixels;
 
-describe.each([far, grazing])(
+describe.each([far, grazing, grazing2])(
   'holes and wrong silhouettes come from the method: $id',
   ({ scene }) => {
     test('float32 and the textbook judge many pixels wrongly, certified none', async () => {

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
 import { createRayPlay } from '../../../../src/pages/picture/ray-play.ts';
-import { PRESETS } from '../../../../src/scene/presets/index.ts';
+import { findPreset } from '../../../../src/scene/presets/index.ts';
 import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
 import { TINY, tracerFor } from '../../tracer/tracing.ts';
 
 async function rowsOf(id: string, x: number, y: number): Promise<TreeRow[]> {
-  const scene = PRESETS.find((preset) => preset.id === id)?.scene;
+  const scene = findPreset(id)?.scene;
   if (!scene) throw new Error(id);
   const [root] = (await tracerFor(scene)).record(x, y).rays;
   return root ? treeRows(scene, root, new Set(), TINY) : [];
