@@ -1,4 +1,5 @@
 import { MIN_EXPONENT, scale } from '../float/bits.ts';
+import { lazily } from '../lazily.ts';
 import type { Dyadic, Sign } from './dyadic.ts';
 import * as dy from './dyadic.ts';
 import { bitLength } from './isqrt.ts';
@@ -12,8 +13,10 @@ const QUOTIENT_BITS = 62;
 const QUOTIENT_TOP = 1n << BigInt(QUOTIENT_BITS);
 const DOUBLE_BITS = 53;
 
-/** HALVES[k] is half of 2^k, for all k that `settled` may drop. */
-const HALVES = Array.from({ length: QUOTIENT_BITS + 3 }, (_, k) => (1n << BigInt(k)) >> 1n);
+/** Place k has half of 2^k, for all k that `settled` may drop. */
+const HALVES = lazily(() =>
+  Array.from({ length: QUOTIENT_BITS + 3 }, (_, k) => (1n << BigInt(k)) >> 1n),
+);
 
 /**
  * The double nearest to the surd, ties to even, rounded once, also into the subnormals; ±Infinity
@@ -68,7 +71,7 @@ export function settled(a: Surd, n: Dyadic, d: Dyadic): number {
   const drop = Math.max(size - DOUBLE_BITS, MIN_EXPONENT - q.e);
   // Far below half of the smallest subnormal there is no midpoint to fear.
   if (drop > size + 1) return signed(negative, 0);
-  const past = BigInt.asUintN(drop, q.m) - (HALVES[drop] ?? 0n);
+  const past = BigInt.asUintN(drop, q.m) - (HALVES()[drop] ?? 0n);
   const m = past < -2n || past > 1n ? q.m : decided(a, negative, { m: q.m - past, e: q.e });
   // A normal result needs nothing from roundScaled, which would measure m again.
   const normal = drop === size - DOUBLE_BITS;

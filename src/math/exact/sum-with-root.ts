@@ -21,10 +21,10 @@ export function hasLeadingBits(sum: Dyadic, u: Dyadic, v: Dyadic, D: Dyadic): bo
  * The last root taken. Both hits of a ray, with their points and normals, are surds over one and
  * the same D object; this is a memo only, and no result depends on it.
  */
-let last: { readonly D: Dyadic; readonly root: Dyadic } = { D: dy.ONE, root: rootBelow(dy.ONE) };
+let last: { readonly D: Dyadic; readonly root: Dyadic } | null = null;
 
 function rootOf(D: Dyadic): Dyadic {
-  if (last.D !== D) last = { D, root: rootBelow(D) };
+  if (last?.D !== D) last = { D, root: rootBelow(D) };
   return last.root;
 }
 

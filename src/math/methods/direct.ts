@@ -11,6 +11,7 @@ import {
 } from '../batch/one-ray.ts';
 import type { Values } from '../formula/evaluate.ts';
 import type { Hit, Intersection } from '../intersection.ts';
+import { lazily } from '../lazily.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
@@ -21,9 +22,13 @@ import { flatAnswer } from './tree-flat.ts';
 import { valuesOf } from './tree-method.ts';
 import { answer, curvedDetails } from './tree-parts.ts';
 
-const slot = new Float64Array(SLOT);
-const at = (k: number): number => slot[k] as number;
-const triple = (k: number): Vec3 => [at(k), at(k + 1), at(k + 2)];
+const ownSlot = lazily(() => new Float64Array(SLOT));
+type Slot = Float64Array;
+const triple = (slot: Slot, k: number): Vec3 => [
+  slot[k] as number,
+  slot[k + 1] as number,
+  slot[k + 2] as number,
+];
 
 /**
  * The method `walked` without walking its trees: by the pieces that are made of them, hence with
@@ -33,17 +38,18 @@ export function direct(walked: Method, { forms, roots, point, normals }: Pieces)
   const about = { id: walked.id, decidedBy: 'formula', arithmetic: float64 } as const;
 
   function curved(
+    slot: Slot,
     putNormal: PutNormal,
     values: Values<number>,
     { origin, direction }: Ray,
   ): Intersection {
     const verdict = roots(slot);
-    const details = curvedDetails([at(0), at(1), at(2)], at(3), float64);
+    const details = curvedDetails(triple(slot, 0), slot[3] as number, float64);
     const hits: Hit[] = [];
     const add = (root: 0 | 1): void => {
       point(origin, direction, slot, root);
       putNormal(values, slot);
-      hits.push(hitOf(at(AT_ROOTS + root)));
+      hits.push(hitOf(slot, slot[AT_ROOTS + root] as number));
     };
     if (verdict === TWO || verdict === ONE || verdict === TANGENT) add(0);
     if (verdict === TWO) add(1);
@@ -51,16 +57,22 @@ export function direct(walked: Method, { forms, roots, point, normals }: Pieces)
     return answer({ class: VERDICTS[verdict as typeof NONE], hits, method, decidedBy, details });
   }
 
-  function flat(formula: FlatFormula, values: Values<number>, shape: Shape, ray: Ray) {
-    const [offset, rate] = [at(0), at(1)];
+  function flat(
+    slot: Slot,
+    formula: FlatFormula,
+    values: Values<number>,
+    shape: Shape,
+    ray: Ray,
+  ): Intersection {
+    const [offset, rate, t] = triple(slot, 0);
     const { scalars, vectors } = values;
     const conditions = formula.bound?.conditions.length ?? 0;
     return flatAnswer(formula, rate, offset, about, {
       N: vectors.N as Vec3,
       meeting: () => ({
-        t: at(2),
-        x: triple(AT_POINT),
-        excesses: Array.from({ length: conditions }, (_, k) => at(AT_NORMAL + k)),
+        t,
+        x: triple(slot, AT_POINT),
+        excesses: Array.from({ length: conditions }, (_, k) => slot[AT_NORMAL + k] as number),
       }),
       values: () => ({ scalars, vectors: { ...vectors, E: ray.origin, d: ray.direction } }),
       exactly: () => valuesOf(shape, ray, exact),
@@ -74,16 +86,17 @@ export function direct(walked: Method, { forms, roots, point, normals }: Pieces)
       if (!form) return walked.intersect(shape, ray);
       const definition = definitionOf(shape);
       const values = definition.values(shape);
+      const slot = ownSlot();
       form(values, ray.origin, ray.direction, slot);
       const normal = normals[shape.kind];
-      if (normal) return curved(normal, values, ray);
-      return flat(definition.formula(shape) as FlatFormula, values, shape, ray);
+      if (normal) return curved(slot, normal, values, ray);
+      return flat(slot, definition.formula(shape) as FlatFormula, values, shape, ray);
     },
   };
 }
 
-function hitOf(t: number): Hit {
-  const normal = triple(AT_NORMAL);
+function hitOf(slot: Slot, t: number): Hit {
+  const normal = triple(slot, AT_NORMAL);
   const singular = normal[0] === 0 && normal[1] === 0 && normal[2] === 0;
-  return { t, point: triple(AT_POINT), normal: singular ? [0, 0, 0] : normal, singular };
+  return { t, point: triple(slot, AT_POINT), normal: singular ? [0, 0, 0] : normal, singular };
 }

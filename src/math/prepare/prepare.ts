@@ -9,6 +9,7 @@ import {
   requireFiniteVector,
   requireNonZero,
 } from '../invalid-input.ts';
+import { lazily } from '../lazily.ts';
 import { DIRECT_ERROR, LARGEST, SMALLEST_DIRECT } from '../methods/certified/class.ts';
 import { exactSide, type WholeLine, wholeLine } from '../methods/whole-line.ts';
 import { isSameSurface, isSecondNearer } from '../nearer.ts';
@@ -157,7 +158,7 @@ export function preparedBy<S extends { readonly kind: string }>(
 
   function slowly(given: Given<Ray>): readonly PreparedHit[] {
     const ray = plainRay(given);
-    const whole = lazy(() => wholeLine(entry, shape, ray));
+    const whole = lazily(() => wholeLine(entry, shape, ray));
     const { verdict, hits } = surface.roots(ray, whole);
     const fated = cut
       ? withEnds(hits, verdict, cut, ray, surface.ending(ray, whole))
@@ -243,7 +244,7 @@ export function preparedBy<S extends { readonly kind: string }>(
       ray,
       k,
       room.t,
-      lazy(() => wholeLine(entry, shape, ray)),
+      lazily(() => wholeLine(entry, shape, ray)),
     );
     put(room, hit);
   }
@@ -302,14 +303,6 @@ function plainRay(given: Given<Ray>): Ray {
   requireFiniteVector('direction', direction);
   requireNonZero('direction', direction);
   return { origin: plainVector(origin), direction: plainVector(direction) };
-}
-
-function lazy<T>(make: () => T): () => T {
-  let known: { readonly value: T } | null = null;
-  return () => {
-    known ??= { value: make() };
-    return known.value;
-  };
 }
 
 /**

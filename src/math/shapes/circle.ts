@@ -2,6 +2,7 @@ import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { components } from '../formula/common.ts';
 import { squaredNorm, type Triple, type Values } from '../formula/evaluate.ts';
 import { norm, plus, scalar, squared, times, vec, vecMinus } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import type { Vec3 } from '../vec3.ts';
 import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
@@ -32,7 +33,7 @@ const get = <T>(values: Values<T>) => ({
   r: values.scalars.r as T,
 });
 
-const BOUND: Bound = {
+const bound = (): Bound => ({
   conditions: [{ left: norm(vecMinus(vec('X'), vec('C'))), relation: '≤', right: scalar('r') }],
   momentConditions: [
     {
@@ -65,7 +66,7 @@ const BOUND: Bound = {
     const moment = squaredNorm(cross(d, between(E, C, ar), ar), ar);
     return notPositive(ar.sign(ar.sub(moment, ar.mul(ar.sqr(r), squaredNorm(d, ar)))));
   },
-};
+});
 
 function inner<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): T {
   const [x, y, z] = [ar.mul(a[0], b[0]), ar.mul(a[1], b[1]), ar.mul(a[2], b[2])];
@@ -77,7 +78,8 @@ function cross<T>(a: Triple<T>, b: Triple<T>, ar: Arithmetic<T>): Triple<T> {
   return [minor(1, 2), minor(2, 0), minor(0, 1)];
 }
 
-const formula = planarFormula('C', BOUND);
+const surface = lazily(() => planarSurface('C'));
+const formula = lazily(() => planarFormula('C', bound()));
 
 const NUMBERS: PlanarNumbers<Circle> = {
   family: 'planar',
@@ -114,8 +116,10 @@ export const circle: ShapeDefinition<Circle> = {
     pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
     lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 2 }),
   ],
-  surface: planarSurface('C'),
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ normal, center, radius }) => ({
     scalars: { r: radius },
     vectors: { N: normal, C: center },

@@ -1,4 +1,5 @@
 import { scalar, squared } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
@@ -18,8 +19,9 @@ export interface Cone {
   readonly slope: number;
 }
 
-const QUADRIC: AxialQuadric = { center: 'V', a: squared(scalar('c')), rho: null };
-const formula = axialFormula(QUADRIC);
+const quadric = lazily((): AxialQuadric => ({ center: 'V', a: squared(scalar('c')), rho: null }));
+const surface = lazily(() => axialSurface(quadric()));
+const formula = lazily(() => axialFormula(quadric()));
 
 const NUMBERS: QuadricNumbers<Cone> = {
   family: 'quadric',
@@ -65,8 +67,10 @@ export const cone: ShapeDefinition<Cone> = {
       unit: 'ratio',
     },
   ],
-  surface: axialSurface(QUADRIC),
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),

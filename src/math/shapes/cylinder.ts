@@ -1,4 +1,5 @@
 import { scalar, squared } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
@@ -16,8 +17,9 @@ export interface Cylinder {
   readonly radius: number;
 }
 
-const QUADRIC: AxialQuadric = { center: 'C', a: null, rho: squared(scalar('r')) };
-const formula = axialFormula(QUADRIC);
+const quadric = lazily((): AxialQuadric => ({ center: 'C', a: null, rho: squared(scalar('r')) }));
+const surface = lazily(() => axialSurface(quadric()));
+const formula = lazily(() => axialFormula(quadric()));
 
 const NUMBERS: QuadricNumbers<Cylinder> = {
   family: 'quadric',
@@ -47,8 +49,10 @@ export const cylinder: ShapeDefinition<Cylinder> = {
     pointParam({ key: 'center', symbol: 'C', title: 'centre of the axis', initial: [0, 1, 0] }),
     lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 }),
   ],
-  surface: axialSurface(QUADRIC),
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),

@@ -1,4 +1,5 @@
 import { scalar, squared } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type AxialQuadric, axialFormula, axialSurface } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
@@ -19,8 +20,11 @@ export interface Hyperboloid {
   readonly radius: number;
 }
 
-const QUADRIC: AxialQuadric = { center: 'C', a: scalar('a'), rho: squared(scalar('r')) };
-const formula = axialFormula(QUADRIC);
+const quadric = lazily(
+  (): AxialQuadric => ({ center: 'C', a: scalar('a'), rho: squared(scalar('r')) }),
+);
+const surface = lazily(() => axialSurface(quadric()));
+const formula = lazily(() => axialFormula(quadric()));
 
 const NUMBERS: QuadricNumbers<Hyperboloid> = {
   family: 'quadric',
@@ -70,8 +74,10 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
       linkDefault: 1,
     }),
   ],
-  surface: axialSurface(QUADRIC),
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ center, flare, radius }) => ({
     scalars: { a: flare, r: radius },
     vectors: { C: center },

@@ -13,6 +13,7 @@ import {
   squared,
   times,
 } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
 import type { CurvedFormula } from './axial-quadric.ts';
 import { type Body, roomyBox } from './body.ts';
@@ -30,37 +31,40 @@ export interface Paraboloid {
   readonly width: number;
 }
 
-const k = scalar('k');
 const d = (axis: Axis): Expr => comp('d', axis);
 const p = (axis: Axis): Expr => minus(comp('E', axis), comp('V', axis));
 const n = (axis: Axis): Expr => minus(scalar(axis), comp('V', axis));
 
-const surface: Relation = {
-  left: plus(squared(n('x')), squared(n('z'))),
-  relation: '=',
-  right: times(k, n('y')),
-};
+const surface = lazily(
+  (): Relation => ({
+    left: plus(squared(n('x')), squared(n('z'))),
+    relation: '=',
+    right: times(scalar('k'), n('y')),
+  }),
+);
 
-const [mx, my, mz] = components('m');
-
-const formula: CurvedFormula = {
-  family: 'curved',
-  A: plus(squared(d('x')), squared(d('z'))),
-  B: signedSum(
-    [1, times(num(2), d('x'), p('x'))],
-    [1, times(num(2), d('z'), p('z'))],
-    [-1, times(k, d('y'))],
-  ),
-  C: signedSum([1, squared(p('x'))], [1, squared(p('z'))], [-1, times(k, p('y'))]),
-  moment: momentAbout('V'),
-  // B² − 4AC with p only in m = d × p: the terms in py add up to dx·mz − dz·mx.
-  momentD: signedSum(
-    [1, times(squared(k), squared(d('y')))],
-    [1, times(num(4), k, minus(times(d('x'), mz), times(d('z'), mx)))],
-    [-1, times(num(4), squared(my))],
-  ),
-  normal: [n('x'), negative(over(k, num(2))), n('z')],
-};
+const formula = lazily((): CurvedFormula => {
+  const k = scalar('k');
+  const [mx, my, mz] = components('m');
+  return {
+    family: 'curved',
+    A: plus(squared(d('x')), squared(d('z'))),
+    B: signedSum(
+      [1, times(num(2), d('x'), p('x'))],
+      [1, times(num(2), d('z'), p('z'))],
+      [-1, times(k, d('y'))],
+    ),
+    C: signedSum([1, squared(p('x'))], [1, squared(p('z'))], [-1, times(k, p('y'))]),
+    moment: momentAbout('V'),
+    // B² − 4AC with p only in m = d × p: the terms in py add up to dx·mz − dz·mx.
+    momentD: signedSum(
+      [1, times(squared(k), squared(d('y')))],
+      [1, times(num(4), k, minus(times(d('x'), mz), times(d('z'), mx)))],
+      [-1, times(num(4), squared(my))],
+    ),
+    normal: [n('x'), negative(over(k, num(2))), n('z')],
+  };
+});
 
 /**
  * √(kh), 0 on the side where there is no surface. As a product of roots: kh need not be a double.
@@ -118,8 +122,10 @@ export const paraboloid: ShapeDefinition<Paraboloid> = {
       unit: 'length',
     },
   ],
-  surface,
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ vertex, width }) => ({ scalars: { k: width }, vectors: { V: vertex } }),
   numbers: null,
   body,

@@ -1,3 +1,4 @@
+import { lazily } from '../lazily.ts';
 import type { Vec3 } from '../vec3.ts';
 import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
@@ -14,7 +15,8 @@ export interface Plane {
   readonly point: Vec3;
 }
 
-const formula = planarFormula('P', null);
+const surface = lazily(() => planarSurface('P'));
+const formula = lazily(() => planarFormula('P', null));
 
 const NUMBERS: PlanarNumbers<Plane> = {
   family: 'planar',
@@ -34,8 +36,10 @@ export const plane: ShapeDefinition<Plane> = {
     normalParam({ initial: [1, 0.5, 0.5], linkDefault: [1, 1, 0.5] }),
     pointParam({ key: 'point', symbol: 'P', title: 'point of the plane', initial: [0, 1, 0] }),
   ],
-  surface: planarSurface('P'),
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
   numbers: NUMBERS,
   body: planarBody(NUMBERS.read),

@@ -11,6 +11,7 @@ import {
   squared,
   times,
 } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import { AXES, type Axis, type Vec3 } from '../vec3.ts';
 import type { CurvedFormula } from './axial-quadric.ts';
 import { quadricBody } from './body.ts';
@@ -30,24 +31,31 @@ export interface Sphere {
 const d = (axis: Axis): Expr => comp('d', axis);
 const p = (axis: Axis): Expr => minus(comp('E', axis), comp('C', axis));
 const n = (axis: Axis): Expr => minus(scalar(axis), comp('C', axis));
-const square = squared(scalar('r'));
+const square = (): Expr => squared(scalar('r'));
 
-const surface: Relation = {
-  left: plus(...AXES.map((axis) => squared(n(axis)))),
-  relation: '=',
-  right: square,
-};
+const surface = lazily(
+  (): Relation => ({
+    left: plus(...AXES.map((axis) => squared(n(axis)))),
+    relation: '=',
+    right: square(),
+  }),
+);
 
-const formula: CurvedFormula = {
-  family: 'curved',
-  A: plus(...AXES.map((axis) => squared(d(axis)))),
-  B: plus(...AXES.map((axis) => times(num(2), d(axis), p(axis)))),
-  C: signedSum(...AXES.map((axis): [1, Expr] => [1, squared(p(axis))]), [-1, square]),
-  moment: momentAbout('C'),
-  // Lagrange's identity: (d·d)(p·p) − (d·p)² = |d × p|².
-  momentD: times(num(4), minus(times(square, scalar('A')), plus(...components('m').map(squared)))),
-  normal: [n('x'), n('y'), n('z')],
-};
+const formula = lazily(
+  (): CurvedFormula => ({
+    family: 'curved',
+    A: plus(...AXES.map((axis) => squared(d(axis)))),
+    B: plus(...AXES.map((axis) => times(num(2), d(axis), p(axis)))),
+    C: signedSum(...AXES.map((axis): [1, Expr] => [1, squared(p(axis))]), [-1, square()]),
+    moment: momentAbout('C'),
+    // Lagrange's identity: (d·d)(p·p) − (d·p)² = |d × p|².
+    momentD: times(
+      num(4),
+      minus(times(square(), scalar('A')), plus(...components('m').map(squared))),
+    ),
+    normal: [n('x'), n('y'), n('z')],
+  }),
+);
 
 /** The round quadric with a = −1 and ρ = r². Its trees have their own order of terms. */
 const NUMBERS: QuadricNumbers<Sphere> = {
@@ -80,8 +88,10 @@ export const sphere: ShapeDefinition<Sphere> = {
     pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
     lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 }),
   ],
-  surface,
-  formula: () => formula,
+  get surface() {
+    return surface();
+  },
+  formula,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: NUMBERS,
   body: quadricBody(NUMBERS.read),

@@ -1,6 +1,7 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Triple, Values } from '../formula/evaluate.ts';
 import { comp, num, plus, type Relation, scalar, times } from '../formula/expr.ts';
+import { lazily } from '../lazily.ts';
 import { type Axis, axisIndex, type Vec3 } from '../vec3.ts';
 import { planarBody } from './body.ts';
 import type { ShapeDefinition } from './define.ts';
@@ -115,11 +116,14 @@ function cornersOnBothSides<T>(
   return Math.min(...signs) <= 0 && Math.max(...signs) >= 0;
 }
 
-const FORMULAS: Readonly<Record<Axis, FlatFormula>> = {
-  x: planarFormula('P', boundOf('x')),
-  y: planarFormula('P', boundOf('y')),
-  z: planarFormula('P', boundOf('z')),
+const formulaOf = (axis: Axis): (() => FlatFormula) =>
+  lazily(() => planarFormula('P', boundOf(axis)));
+const FORMULAS: Readonly<Record<Axis, () => FlatFormula>> = {
+  x: formulaOf('x'),
+  y: formulaOf('y'),
+  z: formulaOf('z'),
 };
+const surface = lazily(() => planarSurface('P'));
 
 const NUMBERS: PlanarNumbers<Square> = {
   family: 'planar',
@@ -158,8 +162,10 @@ export const square: ShapeDefinition<Square> = {
     lengthParam({ key: 'side', symbol: 'L', title: 'side', initial: 2 }),
     { type: 'axis', key: 'axis', symbol: 'axis', title: 'axis of the normal', initial: 'x' },
   ],
-  surface: planarSurface('P'),
-  formula: ({ axis }) => FORMULAS[axis],
+  get surface() {
+    return surface();
+  },
+  formula: ({ axis }) => FORMULAS[axis](),
   values: ({ corner, side, axis }) => ({
     scalars: { L: side },
     vectors: { N: unitAlong(axis), P: corner },
