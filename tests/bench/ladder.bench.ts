@@ -5,6 +5,7 @@ import { batchesOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
 import { accelerate } from '../../src/math/accelerate.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
+import type { Ray } from '../../src/math/index.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import {
   besides,
@@ -61,13 +62,29 @@ const named = (...ids: readonly string[]): readonly (typeof METHODS)[number][] =
   METHODS.filter(({ id }) => ids.includes(id));
 const find = (id: string): Family => FAMILIES.find((family) => family.id === id) as Family;
 
+/** Typical rays, every second one moved along its line to where the shape lies behind it. */
+const behind: Family = {
+  ...find('typical'),
+  batch(random, count) {
+    const { shape, rays } = find('typical').batch(random, count);
+    const moved = ({ origin: E, direction: d }: Ray): Ray => ({
+      origin: [E[0] + FAR * d[0], E[1] + FAR * d[1], E[2] + FAR * d[2]],
+      direction: d,
+    });
+    return { shape, rays: rays.map((ray, i) => (i % 2 === 0 ? ray : moved(ray))) };
+  },
+};
+/** In lengths of d. */
+const FAR = 40;
+
 const BIG = { seed: SEED, shapes: SHAPES, count: many };
 const typical = pricesOf(
   find('typical'),
   BIG,
-  [...ask(METHODS, 'both'), ...ask(METHODS, 'classes')],
+  [...ask(METHODS, 'both'), ...ask(METHODS, 'classes'), ...ask(METHODS, 'first')],
   PLAN,
 );
+const halfBehind = pricesOf(behind, BIG, ask(named('textbook', 'certified'), 'first'), PLAN);
 const onSurface = pricesOf(
   find('near-surface'),
   BIG,
@@ -95,7 +112,7 @@ const all = families.map((family) => {
   print(familyTable(one));
   return one;
 });
-const ladder: Ladder = { typical, onSurface, methods: METHODS, measured: all };
+const ladder: Ladder = { typical, halfBehind, onSurface, methods: METHODS, measured: all };
 const first = headline(ladder);
 
 const about = [

@@ -13,7 +13,7 @@ import { type Drawn, draw, ORDERS, type Order, put, room } from './rays.ts';
 
 export const TARGETS = ['simd', 'typescript'] as const;
 export type Target = (typeof TARGETS)[number];
-export type Form = 'both' | 'classes';
+export type Form = 'both' | 'classes' | 'first';
 
 /** One thing that is timed. */
 export interface Asked {
@@ -74,7 +74,12 @@ function tasksFor(
   return asked.flatMap(({ method, target, form }) => {
     if (targetOf(method, shape, target) !== target) return [];
     const kernel = batchOf(method, shape, target);
-    return [{ id: nameOf(method.id, target, form), run: () => kernel[form](rays, out) }];
+    const run = {
+      both: () => kernel.both(rays, out),
+      classes: () => kernel.classes(rays, out),
+      first: () => kernel.first(rays, 0, Number.POSITIVE_INFINITY, out),
+    }[form];
+    return [{ id: nameOf(method.id, target, form), run }];
   });
 }
 
