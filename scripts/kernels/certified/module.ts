@@ -25,6 +25,7 @@ import { blockKernel } from './block-kernel.ts';
 import { classKernel } from './class-kernel.ts';
 import { firstKernel } from './first-kernel.ts';
 import { listKernel } from './list-kernel.ts';
+import { oneRayFile } from './one-ray.ts';
 import type { Numbers } from './prologue.ts';
 import { elementOf, loopOf, type Source } from './source.ts';
 
@@ -65,6 +66,12 @@ const PASSES = [
   numbersOf({ SOLVE_BOUNDS: named(AT_SOLVE, SOLVE_BOUNDS) }),
 ];
 
+/** Of units.ts, around an axis and in space. */
+const PASS_NAMES = [
+  ['coarseAroundAxis', 'residualsAroundAxis', 'solvePass'],
+  ['coarseInSpace', 'residualsInSpace', 'solvePass'],
+] as const;
+
 /** Where the parts end, found by measuring. */
 const CUTS = [
   ['missed', 0],
@@ -86,11 +93,19 @@ export const certifiedModule = (sources = stageSources()): Uint8Array =>
     pages: PAGES,
   });
 
+/** The passes over ordinary rays as functions of one. */
+export const oneRayText = (sources = stageSources()): string =>
+  oneRayFile(
+    PASSES,
+    [false, true].map((hasY) => [
+      hasY ? 'oneInSpace' : 'oneAroundAxis',
+      PASS_NAMES[hasY ? 1 : 0].map((name) => loopOf(sources.units, name, hasY)),
+    ]),
+  );
+
 function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Func[] {
   const read = (stage: Stage, name: string) => loopOf(sources[stage], name, hasY);
-  const rough = read('units', hasY ? 'coarseInSpace' : 'coarseAroundAxis');
-  const values = read('units', hasY ? 'residualsInSpace' : 'residualsAroundAxis');
-  const solve = read('units', 'solvePass');
+  const [rough, values, solve] = PASS_NAMES[hasY ? 1 : 0];
   const start = read('from-surface', hasY ? 'surfaceInSpace' : 'surfaceAroundAxis');
   const far = read('recentred', hasY ? 'recentredInSpace' : 'recentredAroundAxis');
   return [
@@ -99,7 +114,12 @@ function kernelsOf(sources: Readonly<Record<Stage, Source>>, hasY: boolean): Fun
       numbersOf({ CLASS_BOUNDS: named(AT_CLASS, CLASS_BOUNDS) }),
       read('class', hasY ? 'classesInSpace' : 'classesAroundAxis'),
     ),
-    blockKernel(`ordinary${hasY}`, PASSES, [rough, values, solve], CUTS),
+    blockKernel(
+      `ordinary${hasY}`,
+      PASSES,
+      [read('units', rough), read('units', values), read('units', solve)],
+      CUTS,
+    ),
     listKernel(
       `surface${hasY}`,
       numbersOf({ SURFACE_BOUNDS: named(AT_SURFACE_BOUND, SURFACE_BOUNDS) }),

@@ -11,6 +11,12 @@ export interface RootSlot {
   t1: number;
 }
 
+/** Where only the first root from tMin to tMax is wanted. */
+export interface Within {
+  readonly tMin: number;
+  readonly tMax: number;
+}
+
 const ONE_MORE: Dyadic = { m: 1n, e: 0 };
 const ZERO_PARTS: Parts = { m: 0n, e: 0 };
 
@@ -49,6 +55,8 @@ function partsOf(q: Quadric): ShapeParts {
  * components of another, 2^k; then A t² + 2bt + C = 0 has whole coefficients for t in units of 2^(l
  * − k), and a factor 2^-e of a = m·2^e < 1 is multiplied through. The sign of b² − AC is the class,
  * and exact/round.ts rounds (−b ± √(b² − AC))/A once.
+ *
+ * @param within the lesser of two roots that is within, is all that is found; null: both are.
  */
 export function solveExactly(
   q: Quadric,
@@ -59,6 +67,7 @@ export function solveExactly(
   dy: number,
   dz: number,
   slot: RootSlot,
+  within: Within | null = null,
 ): number {
   const { cx, cy, cz, r, flare, least } = partsOf(q);
   const ex = decompose(Ex);
@@ -93,11 +102,18 @@ export function solveExactly(
     b -= aY * py;
     C -= a * py * py;
   }
-  return rootsOf(A, b, C, l - k, slot);
+  return rootsOf(A, b, C, l - k, slot, within);
 }
 
 /** The real roots of A t² + 2bt + C, times 2^e, each rounded once. */
-function rootsOf(A: bigint, b: bigint, C: bigint, e: number, slot: RootSlot): number {
+function rootsOf(
+  A: bigint,
+  b: bigint,
+  C: bigint,
+  e: number,
+  slot: RootSlot,
+  within: Within | null,
+): number {
   slot.t0 = Number.NaN;
   slot.t1 = Number.NaN;
   if (A === 0n) {
@@ -111,8 +127,7 @@ function rootsOf(A: bigint, b: bigint, C: bigint, e: number, slot: RootSlot): nu
     slot.t0 = ratio(-b, A, e);
     return TANGENT;
   }
-  const bySum = largerFirst(A, b, C, D, e, slot);
-  if (!bySum) [slot.t0, slot.t1] = [slot.t1, slot.t0];
+  twoRoots(A, b, C, D, e, slot, within);
   return TWO;
 }
 
@@ -123,17 +138,16 @@ const BITS = 127;
  * With q = −(b ± √D), the sign so that nothing cancels, the roots are q/A and C/q. q by the first
  * 64 bits of √D is off by less than a part in 2^63: enough to know the nearest double, unless a
  * midpoint is near. Then the exact surd is compared with it.
- *
- * @returns whether t0, which is q/A, is the lesser.
  */
-function largerFirst(
+function twoRoots(
   A: bigint,
   b: bigint,
   C: bigint,
   D: bigint,
   e: number,
   slot: RootSlot,
-): boolean {
+  within: Within | null,
+): void {
   const half = (bitLength(D) - BITS) >> 1;
   const up = BigInt(2 * half);
   const root = isqrt(half < 0 ? D << -up : D >> up);
@@ -146,9 +160,13 @@ function largerFirst(
   const positive: Dyadic = { m: 1n, e };
   const negative: Dyadic = { m: -1n, e };
   const [own, other] = b < 0n ? [positive, negative] : [negative, positive];
-  slot.t0 = settled({ u, v: own, w, D: d }, { m: q.m, e: q.e + e }, w);
-  slot.t1 = C === 0n ? 0 : settled({ u, v: other, w, D: d }, { m: C, e }, q);
-  return b < 0n !== A > 0n;
+  const byRatio = (): number => settled({ u, v: own, w, D: d }, { m: q.m, e: q.e + e }, w);
+  const byProduct = (): number =>
+    C === 0n ? 0 : settled({ u, v: other, w, D: d }, { m: C, e }, q);
+  const [near, far] = b < 0n !== A > 0n ? [byRatio, byProduct] : [byProduct, byRatio];
+  slot.t0 = near();
+  if (within && slot.t0 >= within.tMin && slot.t0 <= within.tMax) return;
+  slot.t1 = far();
 }
 
 const ZERO: Dyadic = { m: 0n, e: 0 };

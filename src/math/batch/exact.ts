@@ -10,7 +10,7 @@ import {
   TWO,
 } from './batch.ts';
 import { solvePlanarExactly } from './exact-planar.ts';
-import { type RootSlot, solveExactly } from './exact-quadric.ts';
+import { type RootSlot, solveExactly, type Within } from './exact-quadric.ts';
 import { type Planar, planarOf } from './planar.ts';
 import { type Quadric, quadricOf } from './quadric.ts';
 
@@ -27,7 +27,7 @@ export function exactKernel(shape: Shape): Kernel | null {
 
 function exactQuadric(q: Quadric): Kernel {
   const slot: RootSlot = { t0: Number.NaN, t1: Number.NaN };
-  const both = (rays: Rays, out: Answers): void => {
+  const solve = (rays: Rays, out: Answers, within: Within | null): void => {
     const { count, Ex, Ey, Ez, dx, dy, dz } = rays;
     out.rareCount = 0;
     for (let i = 0; i < count; i++) {
@@ -41,6 +41,7 @@ function exactQuadric(q: Quadric): Kernel {
         dy[i] as number,
         dz[i] as number,
         slot,
+        within,
       );
       out.t0[i] = slot.t0;
       out.t1[i] = slot.t1;
@@ -48,7 +49,7 @@ function exactQuadric(q: Quadric): Kernel {
       if (verdict !== NONE && verdict !== TWO) list(out, i, verdict);
     }
   };
-  return withFirst('two', both);
+  return withFirst('two', solve);
 }
 
 function exactPlanar(s: Planar): Kernel {
@@ -77,13 +78,17 @@ function exactPlanar(s: Planar): Kernel {
   return withFirst('one', both);
 }
 
-function withFirst(met: 'two' | 'one', both: (rays: Rays, out: Answers) => void): Kernel {
+function withFirst(
+  met: 'two' | 'one',
+  solve: (rays: Rays, out: Answers, within: Within | null) => void,
+): Kernel {
+  const both = (rays: Rays, out: Answers): void => solve(rays, out, null);
   return {
     met,
     both,
     classes: both,
     first(rays, tMin, tMax, out) {
-      both(rays, out);
+      solve(rays, out, { tMin, tMax });
       selectFirst(out, rays.count, tMin, tMax);
     },
   };

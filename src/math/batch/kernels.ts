@@ -1,5 +1,6 @@
+import { useFastStages } from '../methods/certified/blocks.ts';
+import { certifiedKernel } from '../methods/certified/kernel.ts';
 import { certifiedPlanar } from '../methods/certified/planar.ts';
-import { certifiedKernel, useFastStages } from '../methods/certified/quadric-kernel.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Kernel } from './batch.ts';

@@ -2,6 +2,7 @@ import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { float32 } from '../arithmetic/float32.ts';
 import { float64 } from '../arithmetic/float64.ts';
 import type { Values } from '../formula/evaluate.ts';
+import { lazily } from '../lazily.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
@@ -24,7 +25,7 @@ import { largestIn, mayLackNormal } from './normals.ts';
 import { AT_ROOTS, SLOT } from './one-ray.ts';
 import { ASK, type Ask, CLASS_BIT, type Loops, PLACE } from './straight-loop.ts';
 
-const slot = new Float64Array(SLOT);
+const ownSlot = lazily(() => new Float64Array(SLOT));
 
 /** Where a method's loops for a kind of shape come from; null where there are none. */
 export type Source = (method: string, kind: string) => Loops | null;
@@ -66,6 +67,7 @@ export function straightKernel(
       out.t1[i] = found.hits[1]?.t ?? Number.NaN;
       return VERDICTS.indexOf(found.class);
     }
+    const slot = ownSlot();
     form(values, E, d, slot);
     const place = alone.roots(slot);
     const [near, far] = [slot[AT_ROOTS] as number, slot[AT_ROOTS + 1] as number];

@@ -12,6 +12,7 @@ import {
   BLOCK,
   CERTAIN,
   createScratch,
+  ordinaryPasses,
   ordinaryRootsWith,
 } from '../../../src/math/methods/certified/units.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -202,7 +203,7 @@ describe('the largest and the smallest shapes that are ordinary (seed 206)', () 
 
   const out = createAnswers(BLOCK);
   const scratch = createScratch();
-  const ordinaryRoots = ordinaryRootsWith(scratch);
+  const ordinaryRoots = ordinaryRootsWith(ordinaryPasses(scratch));
   /** Roots, over `unit`, and what is left to others. */
   function answers(q: Quadric, rays: readonly Ray[], unit: number): number[] {
     out.t0.fill(-1);

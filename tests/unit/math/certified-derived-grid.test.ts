@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { createFound, T0, T1 } from '../../../src/math/methods/certified/found.ts';
 import {
   CUT,
   CUT_ORIGIN,
@@ -23,7 +24,6 @@ import {
   rootsPass,
 } from '../../../src/math/methods/certified/grids.ts';
 import { AT_SCALED } from '../../../src/math/methods/certified/numbers.ts';
-import { createFound, T0, T1 } from '../../../src/math/methods/certified/quadric-kernel.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { climbFromUnits } from './climb.ts';

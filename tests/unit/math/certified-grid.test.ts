@@ -7,6 +7,7 @@ import { evaluateTriple } from '../../../src/math/formula/evaluate.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit } from '../../../src/math/intersection.ts';
 import { DIRECT_ERROR } from '../../../src/math/methods/certified/class.ts';
+import { createFound, T0, T1, VERDICT } from '../../../src/math/methods/certified/found.ts';
 import {
   coefficientsPass,
   createGrid,
@@ -34,13 +35,7 @@ import {
   FAITHFUL_ONCE as FAITHFUL,
   readQuadric,
 } from '../../../src/math/methods/certified/numbers.ts';
-import {
-  createFound,
-  findRoots,
-  T0,
-  T1,
-  VERDICT,
-} from '../../../src/math/methods/certified/quadric-kernel.ts';
+import { findRoots } from '../../../src/math/methods/certified/quadric-kernel.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';

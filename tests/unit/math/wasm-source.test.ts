@@ -4,7 +4,12 @@ import { blockKernel } from '../../../scripts/kernels/certified/block-kernel.ts'
 import { flowOf, partsOf, scopeOf } from '../../../scripts/kernels/certified/flow.ts';
 import { fileOf, GENERATED } from '../../../scripts/kernels/certified/generated.ts';
 import { listKernel } from '../../../scripts/kernels/certified/list-kernel.ts';
-import { certifiedModule, stageSources } from '../../../scripts/kernels/certified/module.ts';
+import {
+  certifiedModule,
+  oneRayText,
+  stageSources,
+} from '../../../scripts/kernels/certified/module.ts';
+import { ONE_RAY } from '../../../scripts/kernels/certified/one-ray.ts';
 import { type Numbers, numberOf } from '../../../scripts/kernels/certified/prologue.ts';
 import {
   expressionOf,
@@ -186,6 +191,15 @@ describe('the generated file', () => {
   test('is what the stages compile to today: else `npm run kernels`', () => {
     expect(readFileSync(GENERATED, 'utf8')).toBe(fileOf(certifiedModule()));
     expect(bytesOf(CERTIFIED_SIMD)).toEqual(certifiedModule());
+  });
+  test('for one ray, too', () => {
+    expect(readFileSync(ONE_RAY, 'utf8')).toBe(oneRayText());
+    const { file, text } = sources.units;
+    const other = {
+      ...sources,
+      units: { file, text: text.replaceAll('const remote =', 'const distant =') },
+    };
+    expect(() => oneRayText(other)).toThrow(/^remote is not known$/);
   });
   test('another name for a value changes no byte', () => {
     const { file, text } = sources.recentred;

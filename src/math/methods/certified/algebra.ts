@@ -16,6 +16,7 @@ import {
   squareError,
   sumError,
 } from '../../float/eft.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import { UU } from './numbers.ts';
 
@@ -246,10 +247,10 @@ export const ACCUMULATED_ERROR = 2 * (2 * TERMS * 2 ** -53) ** 4;
 export const ERROR_LEVELS = 9 * UU;
 export const SMALLEST_C = 2 ** -870;
 
-const levels = newLevels();
+const ownLevels = lazily(newLevels);
 
 /** The levels' sum, and one of them, as two doubles each. */
-const sum = new Float64Array(4);
+const ownSum = lazily(() => new Float64Array(4));
 const TOTAL = 0;
 const TOTAL_LOW = 1;
 const LEVEL = 2;
@@ -262,6 +263,8 @@ const LEVEL = 2;
 export function sharpenC(algebra: Algebra, r: number): void {
   const a = algebra[AT_FLARE] as number;
   const rho = r * r;
+  const levels = ownLevels();
+  const sum = ownSum();
   levels.fill(0);
   addSquare(levels, algebra[AT_PX] as number, algebra[AT_PX_LOW] as number, 1, 0);
   addSquare(levels, algebra[AT_PZ] as number, algebra[AT_PZ_LOW] as number, 1, 0);

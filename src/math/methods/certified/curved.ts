@@ -2,6 +2,7 @@ import { CONTAINED, NONE, ONE, TANGENT, TWO, VERDICTS } from '../../batch/batch.
 import type { Quadric } from '../../batch/quadric.ts';
 import { productError, sumError } from '../../float/eft.ts';
 import type { CurvedDetails, Hit, Intersection, Sign } from '../../intersection.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import {
   type Algebra,
@@ -30,18 +31,23 @@ import {
 } from './algebra.ts';
 import { DIRECT_ERROR } from './class.ts';
 import { putRoots } from './doubled.ts';
+import { createFound, T0, T1, VERDICT } from './found.ts';
 import { hitAt } from './hits.ts';
 import { type CertifiedQuadric, FAITHFUL } from './numbers.ts';
-import { createFound, findRoots, T0, T1, VERDICT } from './quadric-kernel.ts';
+import { findRoots } from './quadric-kernel.ts';
 
 /*
  * One ray against a curved shape, all that is asked in one go: class, A, B, C, D, roots, points and
  * normals. First where nothing rounds, then by twice the digits. Both have the ray in its own
  * units, in arrays of theirs: findRoots may go on to other units, with arrays of its own.
  */
-const algebra = createAlgebra();
-const roots = createRoots();
-const found = createFound();
+const createScratch = () => ({
+  algebra: createAlgebra(),
+  roots: createRoots(),
+  found: createFound(),
+});
+const ownScratch = lazily(createScratch);
+type Scratch = ReturnType<typeof createScratch>;
 const slot = { t0: Number.NaN, t1: Number.NaN };
 const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
 
@@ -66,34 +72,42 @@ function detailsOf(algebra: Algebra): CurvedDetails {
 
 /** The whole answer, or null where a number is not short, or one of the answer's stays open. */
 export function shortQuadric(q: Quadric, c: CertifiedQuadric, ray: Ray): Intersection | null {
+  const own = ownScratch();
+  const { algebra } = own;
   if (!putShort(q, ray, algebra)) return null;
   const verdict = shortVerdict(algebra);
-  const hits = hitsOf(q, c, ray, verdict);
+  const hits = hitsOf(q, c, ray, verdict, own);
   return (
     hits && {
       class: VERDICTS[verdict] ?? 'undecided',
       hits,
       method: 'certified',
-      decidedBy: stageOf(verdict),
+      decidedBy: stageOf(verdict, algebra),
       details: detailsOf(algebra),
     }
   );
 }
 
 /** As plainQuadric tells it; what no filter decides for any ray is exact. */
-function stageOf(verdict: number): Intersection['decidedBy'] {
+function stageOf(verdict: number, algebra: Algebra): Intersection['decidedBy'] {
   const single = verdict === ONE || verdict === TANGENT || verdict === CONTAINED;
   if (single || algebra[AT_A] === 0) return 'exact';
   const sure = Math.abs(algebra[AT_D] as number) > DIRECT_ERROR * (algebra[AT_SIZE] as number);
   return sure ? 'filter' : 'double-double';
 }
 
-function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit[] | null {
+function hitsOf(
+  q: Quadric,
+  c: CertifiedQuadric,
+  ray: Ray,
+  verdict: number,
+  { algebra, roots, found }: Scratch,
+): Hit[] | null {
   if (verdict === NONE || verdict === CONTAINED) return [];
   if (verdict !== TWO) {
     putSingle(algebra, verdict, slot);
     const n = topOf(algebra, verdict);
-    return [hitAtQuotient(q, ray, n, bottomOf(algebra, verdict), slot.t0)];
+    return [hitAtQuotient(q, ray, algebra, n, bottomOf(algebra, verdict), slot.t0)];
   }
   findRoots(q, ray, found, c);
   if (found[VERDICT] !== TWO) return null;
@@ -103,7 +117,10 @@ function hitsOf(q: Quadric, c: CertifiedQuadric, ray: Ray, verdict: number): Hit
   const s = m > 0 ? wholeRoot(algebra) : -wholeRoot(algebra);
   if (!Number.isNaN(s)) {
     const b = algebra[AT_B] as number;
-    return [hitAtQuotient(q, ray, -b - s, m, t0), hitAtQuotient(q, ray, -b + s, m, t1)];
+    return [
+      hitAtQuotient(q, ray, algebra, -b - s, m, t0),
+      hitAtQuotient(q, ray, algebra, -b + s, m, t1),
+    ];
   }
   if (!putRoots(algebra, roots)) return null;
   const near = hitAt(q, ray, algebra, roots, NEAR, t0);
@@ -130,10 +147,16 @@ function putQuotient(quotient: Float64Array, e: number, x: number, n: number, m:
 const HI = 0;
 const LO = 1;
 /** The coordinate that hitAtQuotient put last: its low part is read before the next is put. */
-const quotient = new Float64Array(2);
+const ownQuotient = lazily(() => new Float64Array(2));
 
-function hitAtQuotient(q: Quadric, { origin: E, direction: d }: Ray, ...at: Quotient): Hit {
+function hitAtQuotient(
+  q: Quadric,
+  { origin: E, direction: d }: Ray,
+  algebra: Algebra,
+  ...at: Quotient
+): Hit {
   const [n, m, t] = at;
+  const quotient = ownQuotient();
   const coordinate = (e: number, x: number): number => {
     putQuotient(quotient, e, x, n, m);
     return quotient[HI] as number;
@@ -166,6 +189,7 @@ type Quotient = readonly [n: number, m: number, t: number];
  */
 /** The whole answer, or null where one of its numbers stays open; `c` as for findRoots. */
 export function plainQuadric(q: Quadric, ray: Ray, c?: CertifiedQuadric): Intersection | null {
+  const { algebra, roots, found } = ownScratch();
   putAlgebra(q, ray, algebra);
   const at = (k: number): number => algebra[k] as number;
   const D1 = at(AT_D);

@@ -3,6 +3,7 @@ import { type RootSlot, solveExactly } from '../../batch/exact-quadric.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import { exponentOf, scale } from '../../float/bits.ts';
 import { SPLITTER, squareError, sumError } from '../../float/eft.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
 import {
@@ -77,7 +78,7 @@ export interface Work {
 }
 /** A `Work` of zeros. */
 export const createWork = (): Work => ({ formed: createAlgebra(), solved: createRoots() });
-const work = createWork();
+const ownWork = lazily(createWork);
 
 /** Where nothing rounds: any verdict and its roots; UNKNOWN elsewhere. */
 function shortRoots(q: Quadric, ray: Ray, slot: RootSlot, work: Work): number {
@@ -187,6 +188,7 @@ const ordinary = (x: number): boolean => x < ORDINARY && x > 1 / ORDINARY;
  * same in other units, whole numbers.
  */
 export function solveSlowly(q: Quadric, ray: Ray, slot: CertifiedSlot): number {
+  const work = ownWork();
   const { formed } = work;
   let verdict = shortRoots(q, ray, slot, work);
   slot.exact = verdict !== UNKNOWN && (formed[AT_A] === 0 || formed[AT_D] === 0);
@@ -229,7 +231,7 @@ function inUnits(q: Quadric, { origin: E, direction: d }: Ray, slot: RootSlot): 
   const origin: Vec3 = [inUnit(E[0], l), hasY ? inUnit(E[1], l) : 0, inUnit(E[2], l)];
   const direction: Vec3 = [inUnit(d[0], k), hasY ? inUnit(d[1], k) : 0, inUnit(d[2], k)];
   if (!lossless) return UNKNOWN;
-  const verdict = plainRoots(shape, { origin, direction }, slot, work);
+  const verdict = plainRoots(shape, { origin, direction }, slot, ownWork());
   if (verdict === TWO) {
     // Rounding twice, to 53 bits and then into the subnormals, stays faithful: a neighbour in the
     // coarser grid is one in the finer.

@@ -1,9 +1,11 @@
 import type { Quadric } from '../../batch/quadric.ts';
 import { SPLITTER as HALVES, productError, sumError } from '../../float/eft.ts';
 import type { CurvedDetails, Hit, Intersection, Sign } from '../../intersection.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
+import { createFound, type Found, T0, T1 } from './found.ts';
 import { AT_SCALED, BOX, type CertifiedQuadric, FAITHFUL_ONCE } from './numbers.ts';
-import { createFound, type Found, findRoots, T0, T1 } from './quadric-kernel.ts';
+import { findRoots } from './quadric-kernel.ts';
 
 /** What the passes of this file hand to each other, and where in it each number is. */
 export type Grid = Float64Array;
@@ -388,7 +390,8 @@ const signOf = (x: number): Sign => (x > 0 ? 1 : -1);
 type Answer = (q: Quadric, c: CertifiedQuadric, ray: Ray) => Intersection | null;
 
 /** The answer for one ray and a curved shape, by grids; null if a bound is not met. */
-export const gridQuadric = onGrids();
+export const gridQuadric: Answer = (q, c, ray) => ownGrids()(q, c, ray);
+const ownGrids = lazily(onGrids);
 
 function onGrids(): Answer {
   const grid = createGrid();

@@ -3,6 +3,7 @@ import type { Quadric } from '../../batch/quadric.ts';
 import * as dd from '../../float/double-double.ts';
 import { productError, SPLITTER, squareError, sumError } from '../../float/eft.ts';
 import type { Hit } from '../../intersection.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import type { Vec3 } from '../../vec3.ts';
 import {
@@ -200,7 +201,7 @@ export const createStep = (): Step => ({
   algebra: createAlgebra(),
   roots: createRoots(),
 });
-const own = createStep();
+const ownStep = lazily(createStep);
 
 /** Puts g, and p for hitAt. */
 function putPlace(
@@ -308,6 +309,7 @@ export function stepOnQuadric(step: Step, q: Quadric, ray: Ray, k: number, t: nu
  * zero.
  */
 export function placeOnQuadric(q: Quadric, ray: Ray, t: number): Hit | null {
+  const own = ownStep();
   return stepOnQuadric(own, q, ray, NEAR, t)
     ? hitAt(q, ray, own.algebra, own.roots, NEAR, t)
     : null;
@@ -316,6 +318,7 @@ export function placeOnQuadric(q: Quadric, ray: Ray, t: number): Hit | null {
 /** As `placeOnQuadric`; the normal is N itself. */
 export function placeInPlane({ N, P }: Planar, ray: Ray, t: number): Hit | null {
   const { origin: E, direction: d } = ray;
+  const own = ownStep();
   const { place, roots } = own;
   putPlace(own, ray, P, t);
   let rate = 0;

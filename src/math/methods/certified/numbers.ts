@@ -138,13 +138,22 @@ const same = (a: Quadric, b: Quadric): boolean =>
 /** Numbers to be filled by `put`. */
 type Room = { -readonly [Field in keyof CertifiedQuadric]: CertifiedQuadric[Field] } & {
   readonly units: Lattice;
+  /** The powers of two that the units are made for. */
+  size: number;
+  stretch: number;
 };
 
 function room(): Room {
+  const units = new Float64Array(ROOM_COUNT);
+  units[AT_LATTICE.cutD] = ROUND * UNIT_OF_DIRECTION;
+  units[AT_LATTICE.largestDirection] = (LARGEST_LENGTH * UNIT_OF_DIRECTION) ** 2;
+  units[AT_LATTICE.smallestDirection] = (SMALLEST_DIRECTION * UNIT_OF_DIRECTION) ** 2;
   return {
     inBox: false,
     numbers: new Float64Array(SCALED_COUNT),
-    units: new Float64Array(LATTICE_COUNT),
+    units,
+    size: Number.NaN,
+    stretch: 0,
     lattice: null,
     surface: null,
   };
@@ -185,7 +194,7 @@ function put(c: Room, q: Quadric): void {
   numbers[AT_SCALED.wide] = Math.max(1, s);
   numbers[AT_SCALED.flareLow] = flareLow;
   c.inBox = (s === 0 || (s < BOX && s > 1 / BOX)) && (q.r === 0 || (q.r < BOX && q.r > 1 / BOX));
-  c.lattice = putLattice(c.units, q, flare, flareLow, rho, rhoLow) ? c.units : null;
+  c.lattice = putLattice(c, q, flare, flareLow, rho, rhoLow) ? c.units : null;
   c.surface = null;
 }
 
@@ -279,38 +288,84 @@ export const cut = (x: number, unit: number): number => x + ROUND * unit - ROUND
 /** Null for a shape whose numbers are not ordinary. */
 export const latticeOf = (q: Quadric): Lattice | null => prepared(q).lattice;
 
-/** False for a shape whose numbers are not ordinary; the lattice is then of no use. */
+const LARGEST_POWER = LARGEST_EXPONENT + SIZE_BITS;
+let powers: Float64Array | null = null;
+
+/** 2^k for |k| ≤ LARGEST_POWER: what was written to memory in halves is slow to be read. */
+function power(k: number): number {
+  powers ??= Float64Array.from({ length: 2 * LARGEST_POWER + 1 }, (_, i) =>
+    powerOfTwo(i - LARGEST_POWER),
+  );
+  return powers[k + LARGEST_POWER] as number;
+}
+
+/** Beside those of AT_LATTICE: what cuts a, and ρ, and the greatest coordinate of a centre. */
+const CUT_A1 = LATTICE_COUNT;
+const CUT_A2 = LATTICE_COUNT + 1;
+const CUT_RHO = LATTICE_COUNT + 2;
+const FARTHEST = LATTICE_COUNT + 3;
+const ROOM_COUNT = LATTICE_COUNT + 4;
+
+/** Puts what depends on the units alone. */
+function putUnits(lattice: Lattice, size: number, stretch: number): void {
+  const up = power(stretch);
+  const down = 1 / up;
+  const unit = power(size - SIZE_BITS);
+  const unitD = UNIT_OF_DIRECTION;
+  const unitT = unit / unitD;
+  const square = up * up;
+  const area = unit * unitD;
+  lattice[AT_LATTICE.cutDy] = ROUND * unitD * down;
+  lattice[AT_LATTICE.cutE] = ROUND * unit;
+  lattice[AT_LATTICE.cutEy] = ROUND * unit * down;
+  lattice[AT_LATTICE.cutT] = ROUND * unitT;
+  lattice[AT_LATTICE.up] = up;
+  lattice[AT_LATTICE.two] = 2 * unitT;
+  lattice[AT_LATTICE.smallest] = SMALLEST_IN_UNITS * (area * area);
+  lattice[AT_LATTICE.largestSize] = LARGEST_SIZE * unit;
+  lattice[AT_LATTICE.leastGap] = LEAST_GAP * unitT;
+  lattice[CUT_A1] = ROUND * (square / 2 ** 5);
+  lattice[CUT_A2] = ROUND * (square / 2 ** 11);
+  lattice[CUT_RHO] = ROUND * (unit * unit);
+  lattice[FARTHEST] = LARGEST_LENGTH * unit;
+}
+
+/**
+ * False for a shape whose numbers are not ordinary; the lattice is then of no use. Shapes in turn
+ * often have the same units: these are not waited for.
+ */
 function putLattice(
-  lattice: Lattice,
+  c: Room,
   { Cx, Cy, Cz, r }: Quadric,
   flare: number,
   flareLow: number,
   rho: number,
   rhoLow: number,
 ): boolean {
+  const lattice = c.units;
   const size = exponentOf(r || 1);
   const stretch = flare === 0 ? 0 : (exponentOf(flare) + 2) >> 1;
   if (!(Math.abs(size) <= LARGEST_EXPONENT && Math.abs(stretch) <= LARGEST_STRETCH)) return false;
-  const up = powerOfTwo(stretch);
-  const down = powerOfTwo(-stretch);
-  const unit = powerOfTwo(size - SIZE_BITS);
-  const unitD = UNIT_OF_DIRECTION;
-  const unitT = unit / unitD;
+  if (size !== c.size || stretch !== c.stretch) {
+    putUnits(lattice, size, stretch);
+    c.size = size;
+    c.stretch = stretch;
+  }
+  const up = lattice[AT_LATTICE.up] as number;
   const farthest = Math.max(Math.abs(Cx), Math.abs(Cy) * up, Math.abs(Cz));
-  if (!(farthest < LARGEST_LENGTH * unit)) return false;
-  const wholeX = cut(Cx, unit);
-  const wholeY = cut(Cy, unit * down);
-  const wholeZ = cut(Cz, unit);
-  const square = up * up;
-  const a1 = cut(flare, square / 2 ** 5);
-  const a2 = cut(flare - a1, square / 2 ** 11);
-  const wholeRho = cut(rho, unit * unit);
-  const area = unit * unitD;
-  lattice[AT_LATTICE.cutD] = ROUND * unitD;
-  lattice[AT_LATTICE.cutDy] = ROUND * unitD * down;
-  lattice[AT_LATTICE.cutE] = ROUND * unit;
-  lattice[AT_LATTICE.cutEy] = ROUND * unit * down;
-  lattice[AT_LATTICE.cutT] = ROUND * unitT;
+  if (!(farthest < (lattice[FARTHEST] as number))) return false;
+  const cutE = lattice[AT_LATTICE.cutE] as number;
+  const cutEy = lattice[AT_LATTICE.cutEy] as number;
+  const cutA1 = lattice[CUT_A1] as number;
+  const cutA2 = lattice[CUT_A2] as number;
+  const cutRho = lattice[CUT_RHO] as number;
+  const wholeX = Cx + cutE - cutE;
+  const wholeY = Cy + cutEy - cutEy;
+  const wholeZ = Cz + cutE - cutE;
+  const a1 = flare + cutA1 - cutA1;
+  const rest = flare - a1;
+  const a2 = rest + cutA2 - cutA2;
+  const wholeRho = rho + cutRho - cutRho;
   lattice[AT_LATTICE.Cx] = Cx;
   lattice[AT_LATTICE.Cy] = Cy;
   lattice[AT_LATTICE.Cz] = Cz;
@@ -323,30 +378,23 @@ function putLattice(
   lattice[AT_LATTICE.a] = flare;
   lattice[AT_LATTICE.a1] = a1;
   lattice[AT_LATTICE.a2] = a2;
-  lattice[AT_LATTICE.a3] = flare - a1 - a2 + flareLow;
+  lattice[AT_LATTICE.a3] = rest - a2 + flareLow;
   lattice[AT_LATTICE.rho] = rho;
   lattice[AT_LATTICE.wholeRho] = wholeRho;
   lattice[AT_LATTICE.restRho] = rho - wholeRho + rhoLow;
-  lattice[AT_LATTICE.up] = up;
-  lattice[AT_LATTICE.two] = 2 * unitT;
-  lattice[AT_LATTICE.smallest] = SMALLEST_IN_UNITS * (area * area);
-  lattice[AT_LATTICE.largestDirection] = (LARGEST_LENGTH * unitD) ** 2;
-  lattice[AT_LATTICE.smallestDirection] = (SMALLEST_DIRECTION * unitD) ** 2;
-  lattice[AT_LATTICE.largestSize] = LARGEST_SIZE * unit;
-  lattice[AT_LATTICE.leastGap] = LEAST_GAP * unitT;
   return true;
 }
 
 /** A shape's numbers, and how the kernels take them. */
 interface ReadQuadric {
-  readonly q: Quadric;
-  readonly c: CertifiedQuadric;
+  q: Quadric;
+  readonly c: Room;
 }
 
 let latestKind: Shape['kind'] | null = null;
 let reader: QuadricNumbers<Shape> | null = null;
 let latest: ReadQuadric | null = null;
-const latestNumbers: Room = room();
+let isHeld = false;
 
 /**
  * The shape, read as a quadric; null where it is none. The last one is known by its numbers, while
@@ -357,12 +405,14 @@ export function readQuadric(shape: Shape): ReadQuadric | null {
   if (shape.kind !== latestKind) {
     latestKind = shape.kind;
     reader = numbersOf(latestKind);
-    latest = null;
+    isHeld = false;
   }
   if (!reader) return null;
-  if (latest !== null && reader.holds(shape, latest.q)) return latest;
+  if (isHeld && latest !== null && reader.holds(shape, latest.q)) return latest;
   const q = reader.read(shape);
-  put(latestNumbers, q);
-  latest = { q, c: latestNumbers };
+  latest ??= { q, c: room() };
+  latest.q = q;
+  put(latest.c, q);
+  isHeld = true;
   return latest;
 }

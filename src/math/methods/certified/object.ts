@@ -2,26 +2,18 @@ import { NONE, ONE, TWO, VERDICTS } from '../../batch/batch.ts';
 import { type Planar, planarOf } from '../../batch/planar.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy, Hit, Intersection, Verdict } from '../../intersection.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import type { Shape } from '../../shapes/index.ts';
 import type { Vec3 } from '../../vec3.ts';
 import { exact } from '../exact.ts';
 import { plainQuadric, shortQuadric } from './curved.ts';
+import { createFound, type Found, stageFound, T0, T1, VERDICT } from './found.ts';
 import { gridQuadric } from './grids.ts';
 import { placeInPlane, placeOnQuadric } from './hits.ts';
 import { type CertifiedQuadric, certifiedSlot, readQuadric } from './numbers.ts';
 import { planarRoots, solvePlanarSlowly } from './planar.ts';
-import {
-  createFound,
-  createOneRay,
-  type Found,
-  findRoots,
-  stageFound,
-  stageOf,
-  T0,
-  T1,
-  VERDICT,
-} from './quadric-kernel.ts';
+import { createOneRay, findRoots, stageOf } from './quadric-kernel.ts';
 
 /** The answer for one ray: grids, else the kernels' stages on a batch of one, points, normals. */
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {
@@ -45,10 +37,11 @@ const copyOf = ({ origin, direction }: Ray): Ray => ({
 });
 const copied = (v: Vec3): Vec3 => [v[0], v[1], v[2]];
 
-const found = createFound();
+const ownFound = lazily(createFound);
 
 function curved(q: Quadric, c: CertifiedQuadric, asked: Ray): Intersection {
   const ray = copyOf(asked);
+  const found = ownFound();
   findRoots(q, ray, found, c);
   const verdict = found[VERDICT] as number;
   return new CertifiedAnswer(verdict, stageFound(found), hitsOf(q, ray, found), q, ray);
@@ -76,11 +69,12 @@ const exactHit = (shape: Quadric | Planar, ray: Ray, k: number, t: number): Hit 
   t,
 });
 
-const { rays, out, left, setRay } = createOneRay();
+const oneRay = lazily(createOneRay);
 const slot = certifiedSlot();
 
 function flat(shape: Planar, ray: Ray): Intersection {
   const s: Planar = { ...shape, N: copied(shape.N), P: copied(shape.P) };
+  const { rays, out, left, setRay } = oneRay();
   setRay(ray);
   planarRoots(s, rays, out, left);
   if (left.count === 0) {

@@ -12,6 +12,7 @@ import { solvePlanarExactly } from '../../batch/exact-planar.ts';
 import type { Planar } from '../../batch/planar.ts';
 import * as dd from '../../float/double-double.ts';
 import { sumError } from '../../float/eft.ts';
+import { lazily } from '../../lazily.ts';
 import {
   BOX,
   type CertifiedSlot,
@@ -353,7 +354,7 @@ export function rootInTwice(s: Planar, rays: Rays, i: number, twice: Twice): num
   );
 }
 
-const twice = createTwice();
+const ownTwice = lazily(createTwice);
 
 /** Ray i, which the first stage left open; overwrites its margin and t1. */
 export function solvePlanarSlowly(
@@ -363,6 +364,7 @@ export function solvePlanarSlowly(
   { margin, t1 }: Answers,
   slot: CertifiedSlot,
 ): number {
+  const twice = ownTwice();
   slot.exact = false;
   if (rootInTwice(s, rays, i, twice) < FAITHFUL) {
     margin[i] = twice[TWICE_RATE] as number;

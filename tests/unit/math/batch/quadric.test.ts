@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import {
+  type Answers,
   createAnswers,
   type Kernel,
   packRays,
@@ -7,9 +8,14 @@ import {
   verdictsOfClasses,
   verdictsOfRoots,
 } from '../../../../src/math/batch/batch.ts';
+import { exactKernel } from '../../../../src/math/batch/exact.ts';
 import { solveExactly } from '../../../../src/math/batch/exact-quadric.ts';
 import { quadricOf } from '../../../../src/math/batch/quadric.ts';
-import { certifiedKernel } from '../../../../src/math/methods/certified/quadric-kernel.ts';
+import { FAMILIES, type Family, findFamily } from '../../../../src/math/families.ts';
+import { nextDown, nextUp } from '../../../../src/math/float/ulp.ts';
+import { certifiedKernel } from '../../../../src/math/methods/certified/kernel.ts';
+import { integer, seeded } from '../../../../src/math/rng.ts';
+import { many } from '../../many.ts';
 import { rayCases, readAll } from '../read-vectors.ts';
 
 const curved = rayCases.filter(({ shape }) => quadricOf(shape));
@@ -53,6 +59,50 @@ describe('certified', () => {
         const around = readAll(c.expect.faithful[k] ?? []);
         expect([c.id, k, t, around, around.includes(t)]).toEqual([c.id, k, t, around, true]);
       });
+    }
+  });
+});
+
+describe('first is what both roots and the range give, to the bit', () => {
+  const least = (out: Answers, i: number, tMin: number, tMax: number): number =>
+    [out.t0[i] as number, out.t1[i] as number].find((t) => t >= tMin && t <= tMax) ?? Number.NaN;
+  const all = FAMILIES.map(({ id }) => id);
+  test.each(all)('%s', (id) => {
+    const random = seeded(321);
+    const { shape, rays: list } = (findFamily(id) as Family).batch(random, many(400));
+    const q = quadricOf(shape);
+    if (!q) return;
+    const rays = packRays(list);
+    const [pairs, out] = [createAnswers(rays.count), createAnswers(rays.count)];
+    for (const [name, kernel] of [
+      ['certified', certifiedKernel(q)],
+      ['exact', exactKernel(shape)],
+    ] as const) {
+      kernel?.both(rays, pairs);
+      // Ranges about a ray's own roots, and so beside, between and around those of the others.
+      const i = integer(random, 0, rays.count - 1);
+      const [near, far] = [pairs.t0[i] as number, pairs.t1[i] as number];
+      const middle = (near + far) / 2;
+      const ranges = [
+        [0, Infinity],
+        [-Infinity, 0],
+        [-Infinity, Infinity],
+        [near, middle],
+        [middle, far],
+        [middle, middle],
+        [nextUp(near), nextDown(far)],
+        [far, near],
+      ] as const;
+      for (const [tMin, tMax] of ranges) {
+        kernel?.first(rays, tMin, tMax, out);
+        const want = list.map((_, k) => least(pairs, k, tMin, tMax));
+        expect([name, tMin, tMax, [...out.t0.subarray(0, rays.count)]]).toEqual([
+          name,
+          tMin,
+          tMax,
+          want,
+        ]);
+      }
     }
   });
 });
