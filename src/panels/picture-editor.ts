@@ -1,9 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { SHAPES, type Shape } from '../math/index.ts';
 import { findShape } from '../math/shapes.ts';
 import { addLight, addThing } from '../scene/edit.ts';
 import { nameIn, wordFor } from '../scene/names.ts';
 import type { Placed, Scene } from '../scene/types.ts';
+import { ALONG, type Along } from '../state/picture/drag.ts';
 import {
   LIGHT_KINDS,
   LIGHT_WORDS,
@@ -27,7 +29,12 @@ export interface EditorTools {
   edit(id: string | null): void;
   save(): void;
   open(): void;
+  /** What drags keep to. */
+  readonly along: Along;
+  drag(along: Along): void;
 }
+
+const ALONG_WORDS: Readonly<Record<Along, string>> = { floor: 'the floor', wall: 'a wall' };
 
 /** The shape of Explore, and what it becomes in a scene. */
 interface Explored {
@@ -54,8 +61,36 @@ export function editor(
   return html`<p class="editor-acts">
       <button type="button" class="plain-button" @click=${tools.save}>Save scene</button>
       <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
-      <span>Shapes can be dragged in the picture.</span>
     </p>
+    <fieldset class="drag-along"><legend>Shapes and lights are dragged, in the picture and among the
+      rays of a pixel, along</legend>${ALONG.map(
+        (along) =>
+          html`<label><input type="radio" name="drag-along" .checked=${live(
+            tools.along === along,
+          )} @change=${() => tools.drag(along)} /> ${ALONG_WORDS[along]}</label>`,
+      )}</fieldset>
+    <div class="adding" role="group" aria-label="Add a shape">
+      <span>Add</span>
+      ${SHAPES.map(({ kind, icon }) => {
+        const word = wordFor(initialShape(kind));
+        return html`<button type="button" class="add" aria-label=${`add a ${word}`}
+          @click=${() => addOne((now) => newThing(now, kind))}><svg viewBox="0 0 24 24" width="24"
+          height="24" aria-hidden="true"><path d=${icon} /></svg>${word}</button>`;
+      })}
+      <button type="button" class="textual"
+        @click=${() => addOne(explored.thing)}>the ${wordFor(explored.shape)} of Explore</button>
+    </div>
+    <div class="adding" role="group" aria-label="Add a light">
+      <span>Add</span>
+      ${LIGHT_KINDS.map(
+        (kind) =>
+          html`<button type="button" class="textual" @click=${() =>
+            tools.add((now) => {
+              const light = newLight(now, kind);
+              return [addLight(now, light), light.id];
+            })}>${LIGHT_WORDS[kind]}</button>`,
+      )}
+    </div>
     <ul class="parts">
       ${scene.things.map((thing) =>
         part(
@@ -102,29 +137,7 @@ export function editor(
         tools,
         null,
       )}
-    </ul>
-    <div class="adding" role="group" aria-label="Add a shape">
-      <span>Add</span>
-      ${SHAPES.map(({ kind, icon }) => {
-        const word = wordFor(initialShape(kind));
-        return html`<button type="button" class="add" aria-label=${`add a ${word}`}
-          @click=${() => addOne((now) => newThing(now, kind))}><svg viewBox="0 0 24 24" width="24"
-          height="24" aria-hidden="true"><path d=${icon} /></svg>${word}</button>`;
-      })}
-      <button type="button" class="textual"
-        @click=${() => addOne(explored.thing)}>the ${wordFor(explored.shape)} of Explore</button>
-    </div>
-    <div class="adding" role="group" aria-label="Add a light">
-      <span>Add</span>
-      ${LIGHT_KINDS.map(
-        (kind) =>
-          html`<button type="button" class="textual" @click=${() =>
-            tools.add((now) => {
-              const light = newLight(now, kind);
-              return [addLight(now, light), light.id];
-            })}>${LIGHT_WORDS[kind]}</button>`,
-      )}
-    </div>`;
+    </ul>`;
 }
 
 function part(

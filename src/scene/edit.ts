@@ -38,10 +38,11 @@ export const changeLight = (scene: Scene, id: string, change: (light: Light) => 
 /** Whether a parameter is a position: changing it moves the whole shape. */
 export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
 
-/** The thing somewhere else, its heights with it. */
-export function moved(thing: Placed, by: Vec3): Placed {
-  const { shape, between } = thing;
-  const given = shape as unknown as Readonly<Record<string, Vec3>>;
+/** The thing somewhere else, its heights with it: from where it is, or where it was taken. */
+export function moved(thing: Placed, by: Vec3, from = thing): Placed {
+  const { shape } = thing;
+  const { between } = from;
+  const given = from.shape as unknown as Readonly<Record<string, Vec3>>;
   const places = definitionOf(shape)
     .params.filter(isPlace)
     .flatMap(({ key }) => {
@@ -49,7 +50,9 @@ export function moved(thing: Placed, by: Vec3): Placed {
       return [[key, [sum(x, by[0]), sum(y, by[1]), sum(z, by[2])]] as const];
     });
   const there = { ...thing, shape: { ...shape, ...Object.fromEntries(places) } as Shape };
-  return between ? { ...there, between: [sum(between[0], by[1]), sum(between[1], by[1])] } : there;
+  return between && thing.between
+    ? { ...there, between: [sum(between[0], by[1]), sum(between[1], by[1])] }
+    : there;
 }
 
 /** Rounded to 14 digits, so that a sum of short decimals is a short decimal. */

@@ -37,8 +37,9 @@ function standing(scene: Scene, thing: Placed, box: Box): Placed {
   const size = viewSize(scene);
   const foot = footOf(box, size);
   const floors = surfacesOf(scene).filter((surface) => isWide(surface, foot, size));
-  const isSeen = sightOf(scene.camera);
+  const sight = sightOf(scene.camera);
   const boxes = scene.things.map((one) => boxOf(one));
+  const frames = boxes.map((one) => one && sight(one));
   const places = placesAbout(scene, size);
   const { target } = scene.camera;
   let best = { at: target, cost: Number.POSITIVE_INFINITY };
@@ -52,13 +53,22 @@ function standing(scene: Scene, thing: Placed, box: Box): Placed {
     const at: Vec3 = [place[0], level, place[1]];
     const there = boxAt(at, foot);
     const others = scene.things.flatMap((one, i) =>
-      i === floor?.thing ? [] : { thing: one, box: boxes[i] ?? boxOf(one, heightsOf(there)) },
+      i === floor?.thing
+        ? []
+        : {
+            thing: one,
+            box: boxes[i] ?? boxOf(one, heightsOf(there)),
+            frame: frames[i] ?? null,
+          },
     );
     if (others.some((other) => overlaps(other, there, scene.camera, size))) continue;
+    const frame = sight(there);
+    const hides = ({ frame: other, thing: one }: Other): boolean =>
+      isOver(frame, other) || (!other && crosses(one, scene.camera.eye, middleOf(there)));
     const lacks =
       (floor ? 0 : NO_FLOOR) +
-      (isSeen(there) ? 0 : UNSEEN) +
-      (others.some((other) => hides(other, there, scene.camera)) ? HIDES : 0);
+      (isInPicture(frame, scene.camera) ? 0 : UNSEEN) +
+      (others.some(hides) ? HIDES : 0);
     const cost = far + lacks * places.length;
     if (cost < best.cost) best = { at, cost };
   }
@@ -146,9 +156,11 @@ function footOf({ low, high }: Box, size: number): Foot {
 
 /** The shortest decimal that is as near as boxes are to what they hold. */
 function shortest(x: number, size: number): number {
+  const near = 2 ** -36 * size;
+  if (Math.abs(x) <= near) return 0;
   for (let digits = 1; digits < 17; digits++) {
     const rounded = Number(x.toPrecision(digits));
-    if (Math.abs(rounded - x) <= 2 ** -36 * size) return rounded;
+    if (Math.abs(rounded - x) <= near) return rounded;
   }
   return x;
 }
@@ -234,6 +246,7 @@ const boxAt = ([x, y, z]: Vec3, { wide, deep, high }: Foot): Box => ({
 interface Other {
   readonly thing: Placed;
   readonly box: Box | null;
+  readonly frame: Frame | null;
 }
 
 /** Whether a box meets a thing, or has less than a gap to it at its sides. */
@@ -250,32 +263,47 @@ function overlaps({ thing, box: other }: Other, box: Box, { eye }: Camera, size:
   return contains(other, eye) && contains(other, grown.low) ? isCut() : true;
 }
 
-/** Whether a box at this place hides a thing from the eye, or the thing hides the box. */
-function hides({ thing, box: other }: Other, box: Box, { eye }: Camera): boolean {
-  const middle = middleOf(box);
-  if (other && !contains(other, eye)) {
-    if (meets(eye, middleOf(other), box)) return true;
-    if (!meets(eye, middle, other)) return false;
-  }
-  return crosses(thing, eye, middle);
+/** A rectangle that a box fills in the picture, in tangents; null if it is not all ahead. */
+interface Frame {
+  readonly low: readonly [number, number];
+  readonly high: readonly [number, number];
 }
 
-/** Whether all of a box is in the picture, of any width that is usual. */
-function sightOf({ eye, target, angle }: Camera): (box: Box) => boolean {
+/** Where a box is seen by the camera. */
+function sightOf({ eye, target }: Camera): (box: Box) => Frame | null {
   const ahead = minus(target, eye);
   const distance = Math.hypot(...ahead);
   const flat = Math.hypot(ahead[0], ahead[2]);
   const right: Vec3 = flat > 0 ? [-ahead[2] / flat, 0, ahead[0] / flat] : [1, 0, 0];
   const up = cross(right, ahead).map((x) => x / distance);
-  const half = MARGIN * Math.tan((angle * Math.PI) / 360);
-  return (box) =>
-    cornersOf(box).every((corner) => {
+  return (box) => {
+    const spots = cornersOf(box).map((corner) => {
       const from = minus(corner, eye);
       const depth = dot(from, ahead) / distance;
-      const [x, y] = [Math.abs(dot(from, right)), Math.abs(dot(from, up))];
-      return depth > 0 && y <= half * depth && x <= ASPECT * half * depth;
+      return { depth, x: dot(from, right) / depth, y: dot(from, up) / depth };
     });
+    if (!spots.every(({ depth }) => depth > 0)) return null;
+    const [xs, ys] = [spots.map(({ x }) => x), spots.map(({ y }) => y)];
+    return {
+      low: [Math.min(...xs), Math.min(...ys)],
+      high: [Math.max(...xs), Math.max(...ys)],
+    };
+  };
 }
+
+/** Whether all of it is in a picture of any width that is usual. */
+function isInPicture(frame: Frame | null, { angle }: Camera): boolean {
+  if (!frame) return false;
+  const half = MARGIN * Math.tan((angle * Math.PI) / 360);
+  const { low, high } = frame;
+  const [x, y] = [Math.max(-low[0], high[0]), Math.max(-low[1], high[1])];
+  return y <= half && x <= ASPECT * half;
+}
+
+const isOver = (a: Frame | null, b: Frame | null): boolean =>
+  a !== null &&
+  b !== null &&
+  [0, 1].every((k) => a.low[k as 0] < b.high[k as 0] && b.low[k as 0] < a.high[k as 0]);
 
 const isApart = (a: Box, b: Box, k: 0 | 1 | 2): boolean =>
   a.low[k] > b.high[k] || b.low[k] > a.high[k];
@@ -316,22 +344,6 @@ const middleOf = ({ low, high }: Box): Vec3 => [
   (low[1] + high[1]) / 2,
   (low[2] + high[2]) / 2,
 ];
-
-/** Whether the way from one point to another goes through a box. */
-function meets(from: Vec3, to: Vec3, { low, high }: Box): boolean {
-  let [first, last] = [0, 1];
-  for (const k of [0, 1, 2] as const) {
-    const by = to[k] - from[k];
-    const [a, b] = [(low[k] - from[k]) / by, (high[k] - from[k]) / by];
-    if (by === 0) {
-      if (from[k] < low[k] || from[k] > high[k]) return false;
-      continue;
-    }
-    first = Math.max(first, Math.min(a, b));
-    last = Math.min(last, Math.max(a, b));
-  }
-  return first <= last;
-}
 
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: readonly number[], b: readonly number[]): number =>

@@ -11,6 +11,8 @@ export interface Grip {
 interface Drags {
   /** Whether a press is one, and not that of a control or a thing at this place. */
   takes(event: PointerEvent): boolean;
+  /** One finger drags whichever way it goes: nothing scrolls here. */
+  readonly everyWay?: boolean;
   /** Pointers were put down or lifted: what follows is told from here. */
   begin?(): void;
   /** The press has become a drag. */
@@ -60,7 +62,7 @@ export function watchDrags(element: HTMLElement, drags: Drags, signal?: AbortSig
       const [dx, dy] = [now.x - from.x, now.y - from.y];
       const kind = event.pointerType as keyof typeof DRAG_FROM;
       if (Math.hypot(dx, dy) < (DRAG_FROM[kind] ?? DRAG_FROM.mouse)) return;
-      if (kind === 'touch' && Math.abs(dy) > Math.abs(dx)) {
+      if (kind === 'touch' && !drags.everyWay && Math.abs(dy) > Math.abs(dx)) {
         pointers.delete(event.pointerId);
         begin();
         return;

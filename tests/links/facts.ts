@@ -87,8 +87,8 @@ const surface = (shape: Shape): Shape =>
 async function pictureFacts(state: AppState): Promise<Facts> {
   const { scene, sceneText: _, ...all } = pictureSettings(state.settings.picture);
   // Settings that these links cannot name have their defaults, which change nothing.
-  const { bounces, grows, budget } = pictureSettings({});
-  const later: Facts = { bounces, grows, budget };
+  const { bounces, grows, budget, along } = pictureSettings({});
+  const later: Facts = { bounces, grows, budget, along };
   const settings = Object.fromEntries(
     Object.entries(all).filter(([key, value]) => !(key in later) || later[key] !== value),
   );

@@ -1,4 +1,5 @@
 import type { Picture } from '../../tracer/compare.ts';
+import { watchDrags } from '../../ui/drags.ts';
 import { listenToCamera } from './camera-gestures.ts';
 
 export interface CompareViewModel {
@@ -29,6 +30,8 @@ interface CompareViewActions {
    */
   grab(x: number, y: number): boolean;
   drag(x: number, y: number): void;
+  /** A cancelled drag, or one that Escape ends, moves nothing. */
+  drop(isCancelled: boolean): void;
   /** A gesture moves the camera: see camera-gestures.ts. */
   readonly camera: Omit<Parameters<typeof listenToCamera>[1], 'free'>;
 }
@@ -80,7 +83,10 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
     }
   };
 
-  const placeAt = ({ clientX, clientY }: MouseEvent): readonly [number, number] => {
+  const placeAt = ({
+    clientX,
+    clientY,
+  }: Pick<MouseEvent, 'clientX' | 'clientY'>): readonly [number, number] => {
     const box = frame.getBoundingClientRect();
     const { width, height } = model ?? { width: 1, height: 1 };
     const x = ((clientX - box.left) / box.width) * width;
@@ -88,16 +94,18 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   };
 
   let holds = false;
+  watchDrags(frame, {
+    everyWay: true,
+    takes(event) {
+      holds = event.button === 0 && event.isPrimary && actions.grab(...placeAt(event));
+      return holds;
+    },
+    move: ({ x, y }) => actions.drag(...placeAt({ clientX: x, clientY: y })),
+    end: actions.drop,
+  });
   const wasDragged = listenToCamera(frame, {
     ...actions.camera,
-    free(event) {
-      holds = event.button === 0 && event.isPrimary && actions.grab(...placeAt(event));
-      if (holds) frame.setPointerCapture(event.pointerId);
-      return !holds;
-    },
-  });
-  frame.addEventListener('pointermove', (event) => {
-    if (holds && frame.hasPointerCapture(event.pointerId)) actions.drag(...placeAt(event));
+    free: () => !holds,
   });
   frame.addEventListener('pointermove', (event) => {
     const [x, y] = placeAt(event);
@@ -112,6 +120,11 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   });
   frame.addEventListener('keydown', (event) => {
     if (!model || event.altKey || event.metaKey) return;
+    if (event.key === 'Escape' && holds) {
+      event.preventDefault();
+      actions.drop(true);
+      return;
+    }
     const here = cursor ?? model.pixel ?? [model.width >> 1, model.height >> 1];
     if (event.key === 'Enter' || event.key === ' ') {
       event.preventDefault();

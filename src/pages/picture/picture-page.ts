@@ -6,6 +6,7 @@ import { cameraLine } from '../../panels/picture-camera.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
 import { growthPanel, growthSaid } from '../../panels/picture-growth.ts';
 import { firstAgainst } from '../../state/picture/against.ts';
+import { movedFrom } from '../../state/picture/drag.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import {
   type PictureSettings,
@@ -18,7 +19,7 @@ import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraHand } from './camera-hand.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
-import { type DraggedThing, dragTo, thingAt } from './drag-thing.ts';
+import { dragTo, type Held, thingAt } from './drags.ts';
 import { openScene, pictureExports } from './exports.ts';
 import { createGrowth } from './growth.ts';
 import { lateRayTree } from './late-ray-tree.ts';
@@ -30,6 +31,7 @@ import { createPixelView } from './pixel-view.ts';
 import { createRayRecorder } from './ray-recorder.ts';
 import { createRefiner, MOST_SAMPLES, oneAfterAnother } from './refiner.ts';
 import { createRepeats } from './repeats.ts';
+import { createSceneHandles, placeWords } from './scene-handles.ts';
 import { createSidePanel } from './side-panel.ts';
 import { loadTracer, type StartTracer } from './start-tracer.ts';
 import { statusLine } from './status-line.ts';
@@ -82,7 +84,12 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       return held !== null;
     },
     drag(x, y) {
-      if (held) tools.scene(dragTo(held, x, y));
+      if (held && model) tools.scene(dragTo(held, x, y, model.picture.along));
+    },
+    drop(isCancelled) {
+      const taken = held;
+      held = null;
+      if (taken && isCancelled) tools.scene(() => taken.scene);
     },
     camera: {
       move(edit) {
@@ -107,7 +114,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const space = lateRayTree(parts.space, pixels);
   /** Key of the picture for which the ledger's last column was requested; '' for none. */
   let counting = '';
-  let held: DraggedThing | null = null;
+  let held: Held | null = null;
   let told = '';
   let by: Measure = 'questions';
   /** The settings of the picture at rest, while the camera moves too. */
@@ -120,6 +127,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const sidePanel = createSidePanel(parts.sidePanel, {
     dispatch,
     changed,
+    announce,
     tools,
     asks: {
       by(measure) {
@@ -140,6 +148,14 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
         changed();
       },
       timing: repeats.progress,
+    },
+  });
+  const handles = createSceneHandles(parts.handles, {
+    scene: tools.scene,
+    edit: (id) => sidePanel.edit(id),
+    move(id, by) {
+      tools.scene((now) => movedFrom(now, id, by)(now));
+      announce(() => (model ? placeWords(model.picture.scene, id) : ''), 'place');
     },
   });
   const compareTools: CompareTools = {
@@ -316,6 +332,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       drawPixel(model);
       drawPrices(model, stands);
       sidePanel.render(state, model);
+      handles.render(sidePanel.isEditing() && !moves ? still : null, sidePanel.edited());
       host.classList.toggle('editing', sidePanel.isEditing());
       host.dataset.trace = moves ? 'moving' : (model.main?.state ?? 'waiting');
       const refined = refiner.done(requests.main);
@@ -374,6 +391,7 @@ function sections(host: HTMLElement) {
   const compareView = section('compare-view', work);
   const status = section('picture-status', work);
   const rest = section('picture-rest', compareView);
+  const handles = section('picture-handles', compareView);
   const map = section('picture-map');
   const more = section('picture-more');
   const pixel = section('picture-pixel', more);
@@ -389,6 +407,7 @@ function sections(host: HTMLElement) {
     bar,
     compareView,
     rest,
+    handles,
     status,
     map,
     pixel,

@@ -6,6 +6,7 @@ import { twoLedgers } from '../../panels/picture-two-ledgers.ts';
 import { remove } from '../../scene/edit.ts';
 import { sceneToJson } from '../../scene/json.ts';
 import { jsonFault } from '../../scene/json-fault.ts';
+import { nameIn } from '../../scene/names.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { sideWords } from '../../state/picture/against.ts';
 import { causeWords } from '../../state/picture/compare-words.ts';
@@ -21,6 +22,8 @@ import type { RepeatProgress } from './repeats.ts';
 interface SidePanel {
   /** Whether the scene's forms are shown, so that its shapes can be taken hold of. */
   isEditing(): boolean;
+  /** The thing or light whose form is open. */
+  edited(): string | null;
   /** Opens the form of a thing or light. */
   edit(id: string): void;
   render(state: AppState, model: PictureModel): void;
@@ -39,6 +42,7 @@ interface LedgerAsks {
 interface SidePanelTools {
   readonly dispatch: Dispatch;
   readonly changed: () => void;
+  readonly announce: (words: string) => void;
   readonly tools: PictureActions;
   /** What the ledger can be asked for. */
   readonly asks: LedgerAsks;
@@ -52,17 +56,20 @@ type Tab = 'ledger' | 'scene';
  */
 export function createSidePanel(
   host: HTMLElement,
-  { dispatch, changed, tools, asks }: SidePanelTools,
+  { dispatch, changed, announce, tools, asks }: SidePanelTools,
 ): SidePanel {
   let tab: Tab = 'ledger';
   let edited: string | null = null;
 
-  const editorTools = ({ scene: now }: PictureModel['picture']): EditorTools => ({
+  const editorTools = ({ scene: now, along }: PictureModel['picture']): EditorTools => ({
+    along,
+    drag: (next) => tools.set({ drag: next }),
     change: tools.scene,
     add: (add) =>
       tools.scene((scene) => {
         const [next, id] = add(scene);
         edited = id;
+        announce(`${nameIn(next, id)} added`);
         return next;
       }),
     remove(id) {
@@ -111,6 +118,7 @@ export function createSidePanel(
 
   return {
     isEditing: () => tab === 'scene',
+    edited: () => edited,
     edit(id) {
       edited = id;
       changed();

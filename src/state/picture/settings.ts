@@ -7,6 +7,7 @@ import type { StartRule } from '../../tracer/types.ts';
 import type { Settings } from '../state.ts';
 import { AGAINST, type Against } from './against.ts';
 import { BUDGET, type Budget } from './budget.ts';
+import { ALONG, type Along } from './drag.ts';
 import { DEFAULT_SCENE, sceneFromText } from './scene-link.ts';
 import { readStart } from './start.ts';
 
@@ -29,6 +30,8 @@ export interface PictureSettings {
   readonly split: number;
   /** What the map beside the picture shows; 'both', an old word, for questions. */
   readonly show: 'both' | 'roots' | 'rays' | 'errors';
+  /** What drags of things and lights keep to. */
+  readonly along: Along;
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
   /** Whether it is measured how the price grows. */
@@ -64,6 +67,7 @@ const KEYS = {
   pixel: { initial: '', read: readPixel },
   growth: { initial: '', read: word(['', 'on']) },
   budget: { initial: '', read: BUDGET.read },
+  drag: { initial: 'floor', read: word(ALONG) },
 } as const satisfies Record<string, Key>;
 
 export type PictureKey = keyof typeof KEYS;
@@ -95,6 +99,7 @@ export function pictureSettings(settings: Settings): PictureSettings {
     against: value('against'),
     split: value('split'),
     show: value('show') as PictureSettings['show'],
+    along: value('drag') as Along,
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
     grows: value('growth') === 'on',
     budget: value('budget'),

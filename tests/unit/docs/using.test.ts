@@ -115,6 +115,7 @@ describe('the links in docs/USING.md', () => {
       bounces: 'bounces',
       growth: 'growth',
       budget: 'budget',
+      drag: 'drag',
     };
     expect([...keysOf('Accuracy').keys()].sort()).toEqual([...ACCURACY_KEYS].sort());
     expect([...keysOf('Picture').keys()].sort()).toEqual(Object.keys(picture).sort());

@@ -59,6 +59,14 @@ describe.each(PRESETS.map(({ id, scene }) => [id, scene] as const))('new in %s',
     }
   });
 
+  test('has short coordinates', () => {
+    for (const { shape } of added.filter(() => FLOORS[id] === 0)) {
+      for (const text of JSON.stringify(shape).match(/-?[\d.]+(e-?\d+)?/g) ?? []) {
+        expect.soft(text.length, `${text} in ${JSON.stringify(shape)}`).toBeLessThan(11);
+      }
+    }
+  });
+
   test('meets no box of what was there, and none of what was added', () => {
     const slack = 1e-9 * viewSize(scene);
     for (const thing of added) {

@@ -1,0 +1,48 @@
+import type { Vec3 } from '../../math/index.ts';
+import { surfacesOf } from '../../scene/surfaces.ts';
+import type { Scene } from '../../scene/types.ts';
+import { type Along, dragged, type Lens, movedFrom, through } from '../../state/picture/drag.ts';
+import { cameraAxes } from '../../tracer/camera.ts';
+import type { Picture } from '../../tracer/compare.ts';
+
+/** A thing or a light that is held in the picture. */
+export interface Held {
+  /** The scene as it was taken. */
+  readonly scene: Scene;
+  readonly id: string;
+  /** The point that is held, in the world, and its place in the picture. */
+  readonly at: Vec3;
+  readonly from: readonly [x: number, y: number];
+  readonly lens: Lens;
+}
+
+/** The scene's camera for a picture of this size. */
+export const lensOf = ({ camera }: Scene, width: number, height: number): Lens => ({
+  ...cameraAxes(camera, width / height),
+  width,
+  height,
+});
+
+/** What is seen at a place of the picture; null for the background. */
+export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Held | null {
+  const { width, height } = seen;
+  const pixel = Math.floor(y) * width + Math.floor(x);
+  const surface = surfacesOf(scene)[seen.surface[pixel] ?? -1];
+  const thing = surface && scene.things[surface.thing];
+  const t = seen.t[pixel] ?? Number.NaN;
+  if (!thing || Number.isNaN(t)) return null;
+  const lens = lensOf(scene, width, height);
+  const middle = through(lens, [Math.floor(x) + 0.5, Math.floor(y) + 0.5]);
+  const way = through(lens, [x, y]);
+  const depth = t / Math.hypot(...middle);
+  const at = (i: 0 | 1 | 2): number => lens.eye[i] + depth * way[i];
+  return { scene, id: thing.id, at: [at(0), at(1), at(2)], from: [x, y], lens };
+}
+
+/** The scene's edit that drags what is held to another place of the picture. */
+export const dragTo = (
+  { scene, id, at, from, lens }: Held,
+  x: number,
+  y: number,
+  along: Along,
+): ((now: Scene) => Scene) => movedFrom(scene, id, dragged(lens, at, from, [x, y], along));
