@@ -1,9 +1,13 @@
 import type { Page } from '@playwright/test';
+import { question } from '../../src/check/session.ts';
 import type { Step } from '../../src/lesson/lesson.ts';
 import { type Prose, quantitiesIn } from '../../src/lesson/prose.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
+import { shortest } from '../../src/text/format.ts';
 import { BUT_CONTRAST, violations, violationsInThemes } from './support/axe.ts';
+import { expected } from './support/expected.ts';
 import { extent } from './support/layout.ts';
 import { computed, LESSONS, lessonOf, liveNumbers, openStep, stepShown } from './support/lesson.ts';
 import { problems, settle } from './support/page.ts';
@@ -11,7 +15,7 @@ import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 import { showTheme } from './support/theme.ts';
 
-const question = (page: Page) => page.getByRole('form', { name: 'Question' });
+const asked = (page: Page) => page.getByRole('form', { name: 'Question' });
 const column = (page: Page) => page.locator('.lesson-column');
 
 /** Each live number of this prose is there, with the value that is computed or shown beside it. */
@@ -29,14 +33,39 @@ async function numbersAreRight(page: Page, step: Step, prose: Prose): Promise<vo
   expect(text).toEqual(isExplore ? computed(step, Object.keys(text)) : beside);
 }
 
+/** Graze's front page, where a lesson is looked for. */
+async function frontPage(page: Page): Promise<void> {
+  await page.goto('./');
+  await page.locator('[data-quantity="class"]').waitFor();
+}
+
+/** A question of Check that a step ends with, and what answers it. */
+function posedBy({ link }: Step): { id: string; kind: string; text: string }[] {
+  const { seed, question: number, set } = decode(link).settings.check;
+  const settings = new URLSearchParams(link.split('?')[1]);
+  const posed = question(
+    Number(seed ?? settings.get('seed')),
+    Number(number ?? settings.get('question')) - 1,
+    set ?? undefined,
+  );
+  return posed.fields.map(({ id, kind }) => {
+    const truth = posed.truth[id];
+    return { id, kind, text: typeof truth === 'number' ? shortest(truth) : String(truth) };
+  });
+}
+
+const BY_KEYS = 'ray';
+const BY_TOUCH = 'discriminant';
+
 for (const { id, title, steps } of LESSONS) {
+  if (id === BY_KEYS || id === BY_TOUCH) continue;
   test(`${title}: by a clicker, its numbers are those of the math module`, async ({ page }) => {
     await page.goto(`./#/lesson/${id}`);
     for (const [i, step] of steps.entries()) {
       await stepShown(page, i + 1);
       await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
       if (step.guess !== null) {
-        await expect(question(page)).toBeVisible();
+        await expect(asked(page)).toBeVisible();
         await numbersAreRight(page, step, step.question);
         expect(Object.keys((await liveNumbers(page)).text)).not.toContain('t1');
         await page.keyboard.press('PageDown');
@@ -50,10 +79,8 @@ for (const { id, title, steps } of LESSONS) {
 }
 
 test('a whole lesson by keyboard alone', async ({ page }) => {
-  const { title, steps } = lessonOf('ray');
-  await page.goto('./#/lesson');
-  const first = page.getByRole('link', { name: title });
-  await expect(first).toBeVisible();
+  const { title, steps } = lessonOf(BY_KEYS);
+  await frontPage(page);
   const tabTo = async (selector: string): Promise<void> => {
     for (let i = 0; i < 60; i += 1) {
       if (await page.evaluate((css) => document.activeElement?.matches(css), selector)) return;
@@ -61,45 +88,60 @@ test('a whole lesson by keyboard alone', async ({ page }) => {
     }
     throw new Error(`no Tab leads to ${selector}`);
   };
-  await tabTo('a[href="#/lesson/ray"]');
+  await tabTo('.tab[href^="#/lesson"]');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('link', { name: title })).toBeVisible();
+  await tabTo(`a[href="#/lesson/${BY_KEYS}"]`);
   await page.keyboard.press('Enter');
   await stepShown(page, 1);
   await expect(page.locator('.announcer')).toContainText(`step 1 of ${steps.length}: `);
-  for (const number of [2, 3, 4]) {
-    await page.keyboard.press('PageDown');
-    await stepShown(page, number);
+  for (const [i, step] of steps.entries()) {
+    await stepShown(page, i + 1);
+    await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
+    if (step.guess) {
+      await numbersAreRight(page, step, step.question);
+      await tabTo('.guess-box');
+      await page.keyboard.type('3.6');
+      await page.keyboard.press('Enter');
+      await expect(
+        page.getByRole('heading', { name: 'Your guess 3.6: too large by 1.8' }),
+      ).toBeVisible();
+      await expect(column(page)).toContainText('(−B ± √D)/A in place of (−B ± √D)/2A');
+      // Back takes the answer away again, forward shows it.
+      const t1 = page.locator('.lesson-answer [data-quantity="t1"]');
+      await page.keyboard.press('PageUp');
+      await expect(asked(page)).toBeVisible();
+      await expect(t1).toHaveCount(0);
+      await page.keyboard.press('PageDown');
+      await expect(t1).toHaveAttribute('data-value', '1.8');
+    }
+    await numbersAreRight(page, step, [...step.text, ...step.answer]);
+    if (step.free) {
+      await tabTo('.lesson-slider input');
+      for (let j = 0; j < 3; j += 1) await page.keyboard.press('ArrowLeft');
+      await expect(page).toHaveURL(/step=5&r=/);
+    }
+    // Also on the slider a clicker's key turns.
+    if (i + 1 < steps.length) await page.keyboard.press('PageDown');
   }
-  await tabTo('.guess-box');
-  await page.keyboard.type('3.6');
-  await page.keyboard.press('Enter');
-  await expect(
-    page.getByRole('heading', { name: 'Your guess 3.6: too large by 1.8' }),
-  ).toBeVisible();
-  await expect(column(page)).toContainText('(−B ± √D)/A in place of (−B ± √D)/2A');
-  // Back takes the answer away again, forward shows it.
-  const t1 = page.locator('.lesson-answer [data-quantity="t1"]');
-  await page.keyboard.press('PageUp');
-  await expect(question(page)).toBeVisible();
-  await expect(t1).toHaveCount(0);
-  await page.keyboard.press('PageDown');
-  await expect(t1).toHaveAttribute('data-value', '1.8');
-  await page.keyboard.press('PageDown');
-  await stepShown(page, 5);
-  await tabTo('.lesson-slider input');
-  for (let i = 0; i < 3; i += 1) await page.keyboard.press('ArrowLeft');
-  await expect(page).toHaveURL(/step=5&r=/);
-  // Also on the slider a clicker's key turns.
-  await page.keyboard.press('PageDown');
-  await stepShown(page, 6);
+  // The last step asks for the whole derivation.
+  const state = decode(steps.at(-1)?.link ?? '');
+  const own = expected(shapeOf(state), rayOf(state), 'exact');
   await expect(page.getByRole('heading', { name: 'Own numbers', exact: true })).toBeVisible();
-  await page.keyboard.press('PageUp');
-  await stepShown(page, 5);
+  for (const name of ['A', 'B', 'C', 'D', 't1', 't2']) {
+    await tabTo(`.own [data-field="${name}"] input`);
+    await page.keyboard.type(own[name] ?? '');
+  }
+  await page.keyboard.press('Enter');
+  const verdict = page.locator('.own .feedback');
+  await expect(verdict).toHaveAttribute('data-verdict', 'correct');
+  await expect(page.locator('.announcer')).toContainText('right');
 });
 
 test.describe('by touch alone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
   test('a whole lesson on a phone', async ({ page }) => {
-    const { title, steps } = lessonOf('discriminant');
+    const { title, steps } = lessonOf(BY_TOUCH);
     const top = (selector: string): Promise<number> =>
       page.locator(selector).evaluate((element) => element.getBoundingClientRect().top);
     const swipeUp = async (): Promise<void> => {
@@ -114,13 +156,16 @@ test.describe('by touch alone', () => {
       await touch('touchEnd', []);
       await settle(page);
     };
-    await page.goto('./#/lesson');
+    const hand = page.getByRole('button', { name: 'That is my guess' });
+    await frontPage(page);
+    await page.locator('.header').getByRole('link', { name: 'Lessons' }).tap();
     await page.getByRole('link', { name: title }).tap();
     for (const [i, step] of steps.entries()) {
       await stepShown(page, i + 1);
+      if (step.guess) await numbersAreRight(page, step, step.question);
       if (step.guess?.type === 'class') {
         await page.getByRole('radio', { name: 'one double root' }).tap();
-        await page.getByRole('button', { name: 'That is my guess' }).tap();
+        await hand.tap();
         await expect(
           page.locator('main').getByText('Your guess, one double root: it is no point'),
         ).toBeVisible();
@@ -136,11 +181,21 @@ test.describe('by touch alone', () => {
         const { x, y, width, height } = track;
         await page.touchscreen.tap(x + width / 2, y + height / 2);
         await expect(page.locator('.guess-box')).not.toHaveValue('');
-        await page.getByRole('button', { name: 'That is my guess' }).tap();
+        await hand.tap();
         await expect(page.locator('main').getByText(/^Your guess \S+: too large by/)).toBeVisible();
-      }
+      } else await numbersAreRight(page, step, [...step.text, ...step.answer]);
       if (i + 1 < steps.length) await page.getByRole('button', { name: 'Next' }).tap();
     }
+    const last = steps.at(-1);
+    for (const { id, kind, text } of last ? posedBy(last) : []) {
+      const field = page.locator(`.answers [data-field="${id}"] :is(input, select)`);
+      await field.tap();
+      // The phone's own list, and its own keys.
+      if (kind === 'choice') await field.selectOption(text);
+      else await page.keyboard.insertText(text);
+    }
+    await page.getByRole('button', { name: 'Check', exact: true }).tap();
+    await expect(page.locator('.feedback').first()).toHaveAttribute('data-verdict', 'correct');
     await page.getByRole('link', { name: 'All lessons' }).tap();
     await expect(page.getByRole('heading', { name: 'Lessons', exact: true })).toBeVisible();
   });
@@ -328,7 +383,7 @@ test('an own lesson by file, drop and link: order, hidden results, notes', async
   await expect(column(page)).toContainText(one?.answer ?? '-');
   await page.keyboard.press('PageDown');
   await stepShown(page, 2);
-  await question(page).getByLabel('D < 0').check();
+  await asked(page).getByLabel('D < 0').check();
   await page.getByRole('button', { name: 'That is my guess' }).click();
   await expect(column(page)).toContainText('Your guess, D < 0: not so. D = 0.');
 });
