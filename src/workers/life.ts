@@ -27,19 +27,35 @@ export function liveAs(name: string): Promise<void> {
 }
 
 /**
- * A worker of the site's own file. A page without an origin, in a sandboxed frame, may not start
- * one; in some browsers a text of its own may import the file. Where that is not allowed either,
- * the worker has an `error` event as any that cannot be started.
+ * A worker of the site's own file. A page without an origin, in a sandboxed frame, may start no
+ * file but a text of its own, and in Chromium no module: a plain script that loads the module,
+ * which the server has to let strangers have (Access-Control-Allow-Origin). What it is told until
+ * then is kept for the module. Where that fails too the worker has an `error` event.
  */
 export function moduleWorker(url: string, { name }: { name: string }): Worker {
-  const options = { type: 'module', name } as const;
-  try {
-    return new Worker(url, options);
-  } catch {
-    const text = `import ${JSON.stringify(new URL(url, location.href).href)};`;
-    const own = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-    return new Worker(own, options);
-  }
+  if (globalThis.origin !== 'null') return new Worker(url, { type: 'module', name });
+  const file = JSON.stringify(new URL(url, location.href).href);
+  const text = `
+    const told = [];
+    const keep = (event) => {
+      event.stopImmediatePropagation();
+      told.push(event);
+    };
+    addEventListener('message', keep);
+    import(${file}).then(() => {
+      removeEventListener('message', keep);
+      for (const { data, ports } of told) {
+        dispatchEvent(new MessageEvent('message', { data, ports }));
+      }
+    }, () => postMessage({ unstarted: true }));`;
+  const own = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
+  const worker = new Worker(own, { name });
+  worker.addEventListener('message', (event: MessageEvent<{ unstarted?: true } | null>) => {
+    if (!event.data?.unstarted) return;
+    event.stopImmediatePropagation();
+    worker.dispatchEvent(new ErrorEvent('error'));
+  });
+  return worker;
 }
 
 /** Starts a worker that gets an `error` event with a message when it has crashed. */

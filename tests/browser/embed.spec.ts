@@ -2,6 +2,7 @@ import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { extname } from 'node:path';
 import type { FrameLocator, Page } from '@playwright/test';
 import { expect, test } from './support/test.ts';
 
@@ -17,6 +18,13 @@ const STRICT = (site: string): string =>
   `default-src 'none'; script-src 'unsafe-inline' ${site}; style-src 'unsafe-inline'; ` +
   `frame-src ${site}; font-src ${site}; img-src data:`;
 
+const TYPES: Readonly<Record<string, string>> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+};
+
 let server: Server;
 /** What the host's server answers with: its page, and the headers beside it. */
 let given = { body: '', policy: '' };
@@ -31,6 +39,11 @@ test.beforeAll(async () => {
     if (path.startsWith('/reveal/')) {
       const file = `node_modules/reveal.js/dist/${path.slice('/reveal/'.length)}`;
       put(path.endsWith('.css') ? 'text/css' : 'text/javascript', readFileSync(file));
+    } else if (path.startsWith('/site/')) {
+      // Strangers may have all scripts but what a worker loads.
+      const file = path.slice('/site/'.length) || 'index.html';
+      if (!/\/worker-/.test(file)) response.setHeader('Access-Control-Allow-Origin', '*');
+      put(TYPES[extname(file)] ?? 'text/plain', readFileSync(`dist/site/${file}`));
     } else if (path === '/offline.html') {
       put('text/html', readFileSync('dist/offline/index.html'));
     } else {
@@ -150,9 +163,24 @@ test('a sandboxed frame, of the site and of the single file', async ({ page, bas
   await host(page, two.map((src) => frame(src, 'sandbox="allow-scripts"')).join(''));
   for (const i of [0, 1]) await standsIn(page.frameLocator('iframe').nth(i));
   await test.step('what cannot be started there is said', async () => {
-    await host(page, frame(`${baseURL}#/picture`, 'sandbox="allow-scripts"'));
+    await host(page, frame(`${origin()}/site/#/picture`, 'sandbox="allow-scripts"'));
     const words = 'failed: a worker could not be started';
-    await expect(page.frameLocator('iframe').getByText(words)).toBeVisible();
+    await expect(page.frameLocator('iframe').locator('main').getByText(words)).toBeVisible();
+  });
+  await test.step('its workers trace and measure, and a program runs', async () => {
+    const shown = page.frameLocator('iframe');
+    const sites = [baseURL ?? '', `${origin()}/offline.html`];
+    for (const site of sites) {
+      const open = (link: string): Promise<void> =>
+        host(page, frame(`${site}${link}`, 'sandbox="allow-scripts"'));
+      await open('#/picture?scene=plain&size=64x36');
+      await expect(shown.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+      await open('#/accuracy?shape=sphere&atlas=E.z,E.x');
+      await expect(shown.locator('.atlas-sentence').first()).toContainText('the right class');
+      await open('#/check?part=program');
+      await shown.getByRole('button', { name: 'Run', exact: true }).click();
+      await expect(shown.locator('.program-report')).toHaveAttribute('data-finished', '1');
+    }
   });
 });
 
