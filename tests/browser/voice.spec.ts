@@ -2,6 +2,7 @@ import type { Page } from '@playwright/test';
 import { commandsOf } from '../../src/pages/commands.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import type { GraphModel } from '../../src/state/graph-model.ts';
 import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/hearing.ts';
 import { INITIAL, PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
@@ -88,7 +89,7 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
     const { sound } = window as unknown as { sound: OfflineAudioContext };
     return [...(await sound.startRendering()).getChannelData(0)];
   });
-  heardAsWritten(samples, scoreOf(createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph));
+  heardAsWritten(samples, createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph);
 });
 
 /** What a command says, or what has got the focus. */
@@ -197,50 +198,149 @@ test('one voice on Check too: a verdict is said once, again where it is asked fo
 
 const HEARD = '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0';
 const RATE = 16_000;
-/** Seconds before it begins, and of a part that is listened to. */
+/** Seconds before it begins. */
 const LEAD = 0.15;
-const PART = 0.05;
+/** A click's tone in Hz, its length in s, and its mean loudness against the pitch's. */
+const CLICK = { hertz: 1800, seconds: 0.03, loud: 0.45 / 0.4 };
+/** A wrong pitch that is to be noticed at least. */
+const OFF = 0.015;
 
-/** How much of a tone is in these samples, as an amplitude (Goertzel). */
-function amplitude(samples: readonly number[], hertz: number): number {
-  const turn = (2 * Math.PI * hertz) / RATE;
-  const [x, y] = [Math.cos, Math.sin].map((wave) =>
-    samples.reduce((sum, sample, i) => sum + sample * wave(turn * i), 0),
-  );
-  return (2 * Math.hypot(x ?? 0, y ?? 0)) / samples.length;
+type Wave = (i: number) => number;
+
+/** Both waves of a tone, which make it in any phase. */
+const wavesOf = (hertz: number): Wave[] =>
+  [Math.cos, Math.sin].map((wave) => (i) => wave((2 * Math.PI * hertz * i) / RATE));
+
+interface Fit {
+  /** Amplitude of each tone. */
+  readonly amplitudes: readonly number[];
+  /** The part of the energy that the tones leave. */
+  readonly left: number;
 }
 
-/** Every twentieth of a second sounds as the score has it: pitch, steady tone, click, silence. */
-function heardAsWritten(samples: readonly number[], { seconds, tones, clicks }: Score): void {
-  expect(clicks).toHaveLength(2);
-  let [told, silent] = [0, 0];
-  for (let at = 0; at + PART <= seconds; at += PART) {
-    const from = Math.round((LEAD + at) * RATE);
-    const part = samples.slice(from, from + PART * RATE);
-    const clicked = clicks.some((click) => click > at - PART && click < at + PART);
-    // A click dies away within one part.
-    if (!clicked) expect(amplitude(part, 1800), `no click at ${at}`).toBeLessThan(0.02);
-    else if (clicks.some((click) => click >= at && click < at + PART / 2)) {
-      expect(amplitude(part, 1800), `a click at ${at}`).toBeGreaterThan(0.02);
-    }
-    const tone = tones.find(({ begin, end }) => begin + PART <= at && end - PART >= at + PART);
-    if (tone) {
-      expect(amplitude(part, REFERENCE_HZ), `the steady tone at ${at}`).toBeGreaterThan(0.05);
-      const middle = at + PART / 2;
-      const pitch = tone.pitch.find((one) => one.at >= middle)?.hertz ?? 0;
-      // Two tones that are closer than a part tells apart beat with each other.
-      if (Math.abs(pitch - REFERENCE_HZ) < 2 / PART) continue;
-      told += 1;
-      // The pitch glides: its middle is the shorter, the better it is one tone.
-      const middling = part.slice(part.length / 4, (3 * part.length) / 4);
-      const loud = amplitude(middling, pitch);
-      expect(loud, `${pitch} Hz at ${at}`).toBeGreaterThan(0.05);
-      expect(amplitude(middling, 1.5 * pitch), `nothing above, at ${at}`).toBeLessThan(loud / 2);
-    } else if (!clicked && tones.every(({ begin, end }) => end < at || begin > at + PART)) {
-      silent += 1;
-      expect(Math.max(...part.map(Math.abs)), `silence at ${at}`).toBeLessThan(1e-3);
+/** The tones of these frequencies that come nearest to the samples (least squares). */
+function tonesIn(samples: readonly number[], hertz: readonly number[]): Fit {
+  let rest = [...samples];
+  const waves = hertz.flatMap(wavesOf).map((wave) => samples.map((_, i) => wave(i)));
+  const dot = (a: readonly number[], b: readonly number[]): number =>
+    a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
+  // Gram and Schmidt, then the amplitudes from the last wave to the first.
+  const basis: { wave: number[]; parts: number[] }[] = [];
+  for (const wave of waves) {
+    const parts = basis.map((one) => dot(wave, one.wave));
+    const own = wave.map((x, i) => x - parts.reduce((sum, c, j) => sum + c * at(j, i), 0));
+    const length = Math.sqrt(dot(own, own)) || 1;
+    basis.push({ wave: own.map((x) => x / length), parts: [...parts, length] });
+  }
+  function at(j: number, i: number): number {
+    return basis[j]?.wave[i] ?? 0;
+  }
+  const along = basis.map(({ wave }) => {
+    const part = dot(rest, wave);
+    rest = rest.map((x, i) => x - part * (wave[i] ?? 0));
+    return part;
+  });
+  const weights: number[] = [];
+  for (let j = basis.length - 1; j >= 0; j--) {
+    const later = weights.reduce((sum, w, k) => sum + w * (basis[k]?.parts[j] ?? 0), 0);
+    weights[j] = ((along[j] ?? 0) - later) / (basis[j]?.parts[j] ?? 1);
+  }
+  const amplitudes = hertz.map((_, k) => Math.hypot(weights[2 * k] ?? 0, weights[2 * k + 1] ?? 0));
+  return { amplitudes, left: dot(rest, rest) / (dot(samples, samples) || 1) };
+}
+
+/**
+ * What is not as the score has it: in each of its steps the pitch of f beside the steady tone, at
+ * each hit a click and nowhere else, and silence between the tones. How far a pitch may be off
+ * follows from the step: what a tone that is off by OFF would leave in it.
+ */
+function faultsOf(
+  samples: readonly number[],
+  { seconds, tones, clicks }: Score,
+  hertzAt: (at: number) => number,
+): string[] {
+  const faults: string[] = [];
+  const part = (from: number, to: number): number[] =>
+    samples.slice(Math.ceil((LEAD + from) * RATE), Math.floor((LEAD + to) * RATE));
+  const steady: number[] = [];
+  let loudest = 0;
+  for (const { pitch } of tones) {
+    // It comes and goes within the first step and the last.
+    for (let i = 1; i + 2 < pitch.length; i++) {
+      const [from, to] = [pitch[i]?.at ?? 0, pitch[i + 1]?.at ?? 0];
+      if (clicks.some((click) => click < to && click + CLICK.seconds > from)) continue;
+      const heard = part(from, to);
+      const hertz = hertzAt(from);
+      const { amplitudes, left } = tonesIn(heard, [REFERENCE_HZ, hertz]);
+      const lefts = [1 - OFF, 1 + OFF].map((by) => {
+        const [wave] = wavesOf(hertz * by);
+        const [low] = wavesOf(REFERENCE_HZ);
+        const wrong = heard.map((_, j) => 0.4 * (wave?.(j) ?? 0) + 0.3 * (low?.(j) ?? 0));
+        return tonesIn(wrong, [REFERENCE_HZ, hertz]).left;
+      });
+      if (heard.every((x) => x === 0)) faults.push(`no tone at ${from}`);
+      else if (left > Math.min(...lefts)) faults.push(`no ${hertz} Hz at ${from}`);
+      // Two tones that are closer than a step tells apart beat with each other.
+      if (Math.abs(hertz - REFERENCE_HZ) < 1 / (to - from)) continue;
+      steady.push(amplitudes[0] ?? 0);
+      loudest = Math.max(loudest, amplitudes[1] ?? 0);
     }
   }
-  expect(told).toBeGreaterThan(20);
-  expect(silent).toBeGreaterThan(20);
+  const [least, most] = [Math.min(...steady), Math.max(...steady)];
+  if (!(least > loudest / 2 && most - least < OFF * most)) faults.push('no steady tone');
+  for (let from = 0; from + CLICK.seconds <= seconds; from += CLICK.seconds / 3) {
+    const to = from + CLICK.seconds;
+    const heard = part(from, to);
+    const [amplitude = 0] = tonesIn(heard, [CLICK.hertz]).amplitudes;
+    const isClicked = clicks.some((click) => click < to && click + CLICK.seconds > from);
+    const isWhole = clicks.some((click) => Math.abs(click - from) <= CLICK.seconds / 6);
+    if (isWhole && amplitude < (CLICK.loud * loudest) / 2) faults.push(`no click at ${from}`);
+    if (!isClicked && amplitude > loudest / 10) faults.push(`a click at ${from}`);
+    const isSilent = tones.every(({ begin, end }) => end <= from || begin >= to);
+    if (isSilent && !isClicked && heard.some((x) => Math.abs(x) > 1e-6)) {
+      faults.push(`no silence at ${from}`);
+    }
+  }
+  return faults;
+}
+
+/** The sound is the score, and another score would be noticed. */
+function heardAsWritten(samples: readonly number[], graph: GraphModel): void {
+  const score = scoreOf(graph);
+  const { A, B, C, low, high } = graph;
+  const { seconds, from, to, tones, clicks } = score;
+  // f at t, as the page says it: an octave is 0.15 of the largest |f| in the graph.
+  const half = 0.15 * Math.max(Math.abs(low), Math.abs(high));
+  const hertzAt = (at: number): number => {
+    const t = from + ((to - from) * at) / seconds;
+    const f = (A * t + B) * t + C;
+    return REFERENCE_HZ * 2 ** ((2 * f) / (Math.abs(f) + half));
+  };
+  expect(clicks).toHaveLength(2);
+  expect(tones).toHaveLength(2);
+  expect(faultsOf(samples, score, hertzAt)).toEqual([]);
+  const others: readonly [fault: RegExp, other: Score, by: number][] = [
+    [/^no \d.* Hz/, score, 1.03],
+    [/^no \d.* Hz/, score, 1 / 1.03],
+    [/^no click/, { ...score, clicks: [...clicks, seconds / 2] }, 1],
+    [/^a click/, { ...score, clicks: clicks.slice(1) }, 1],
+    [/^no silence/, { ...score, tones: tones.slice(1) }, 1],
+    [/^no tone/, { ...score, tones: [...tones, spread(score, tones[0])] }, 1],
+  ];
+  for (const [fault, other, by] of others) {
+    const faults = faultsOf(samples, other, (at) => by * hertzAt(at));
+    expect(
+      faults.filter((one) => fault.test(one)),
+      `${fault}`,
+    ).not.toEqual([]);
+  }
+}
+
+/** A tone where the score has its silence, with the steps of another. */
+function spread({ clicks }: Score, tone: Score['tones'][number] | undefined) {
+  const [begin = 0, end = 0] = clicks;
+  const pitch = tone?.pitch ?? [];
+  const last = pitch.at(-1)?.at ?? 1;
+  const moved = pitch.map(({ at, hertz }) => ({ at: begin + ((end - begin) * at) / last, hertz }));
+  return { begin, end, pitch: moved };
 }
