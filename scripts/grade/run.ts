@@ -3,7 +3,6 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { gradedCases } from '../../src/check/program/cases.ts';
 import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
-import { gradeOne, kindsIn, submissionsIn } from './grade.ts';
 import {
   type Graded,
   gradesCsv,
@@ -11,9 +10,11 @@ import {
   gradesMarkdown,
   junit,
   readWeights,
+  resultsName,
   scoreOf,
   WEIGHTS,
-} from './marks.ts';
+} from '../../src/check/program/marks.ts';
+import { gradeOne, kindsIn, submissionsIn } from './grade.ts';
 import { LIMITS } from './program.ts';
 
 /*
@@ -41,8 +42,6 @@ function whole(name: string, text: string): number {
   if (!/^\d{1,9}$/.test(text)) throw new RangeError(`--${name} is a whole number, not '${text}'`);
   return Number(text);
 }
-
-const fileName = (who: string): string => who.replace(/[^\w.()-]+/g, '_').slice(0, 100);
 
 async function grade(): Promise<number> {
   const kinds = kindsIn(values.set);
@@ -75,7 +74,7 @@ async function grade(): Promise<number> {
   write('report.md', gradesMarkdown(all, weights, `Programs for ${kinds.join(', ')}`));
   const [only, ...others] = all;
   if (only && others.length === 0) write('results.json', gradescope(only, weights));
-  else for (const one of all) write(`results.${fileName(one.who)}.json`, gradescope(one, weights));
+  else for (const one of all) write(resultsName(one.who), gradescope(one, weights));
   console.log(`written to ${values.out}`);
   return 0;
 }

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { ClassReport } from '../check/class.ts';
 import { setName } from '../check/sets.ts';
+import type { PathFile } from '../ui/files.ts';
 import './check-set.css';
 import './check-class.css';
 
@@ -15,12 +16,16 @@ interface ClassView {
   /** Set and seed of the link, which hand-ins are compared with; '' if they are not. */
   readonly compared: string;
   readonly compares: boolean;
+  readonly isGraded: boolean;
+  /** The part for programs. */
+  readonly grades: TemplateResult;
 }
 
 export interface ClassTools {
   type(text: string): void;
   mark(): void;
-  files(files: readonly File[]): void;
+  files(files: readonly PathFile[]): void;
+  chosen(input: HTMLInputElement): void;
   drop(transfer: DataTransfer): void;
   compare(wanted: boolean): void;
   cancel(): void;
@@ -28,12 +33,14 @@ export interface ClassTools {
   save(): void;
 }
 
+const ACCEPTED = '.txt,.csv,.tsv,.eml,.html,.json,.jsonl,.js,.mjs,.cjs,.ts,.mts,text/*';
+
 /** Where hand-in codes of a class become a table. */
 export function classForm(view: ClassView, tools: ClassTools): TemplateResult {
   const { running, report, problems } = view;
   const chosen = (event: Event): void => {
     const input = event.target as HTMLInputElement;
-    tools.files([...(input.files ?? [])]);
+    tools.chosen(input);
     input.value = '';
   };
   return html`<section class="class-part" aria-label="Mark a class"
@@ -56,12 +63,12 @@ export function classForm(view: ClassView, tools: ClassTools): TemplateResult {
       /> note what is not of ${view.compared}</label>
     <div class="buttons">
       <button type="button" class="button primary" @click=${tools.mark}>Mark these codes</button>
-      <label class="button class-file">Open texts<input type="file" multiple
-        class="visually-hidden" accept=".txt,.csv,.eml,.html,text/*" @change=${chosen} /></label>
+      <label class="button class-file">Open files<input type="file" multiple
+        class="visually-hidden" accept=${ACCEPTED} @change=${chosen} /></label>
       <label class="button class-file">Open a folder<input type="file" multiple webkitdirectory
         class="visually-hidden" @change=${chosen} /></label>
       ${
-        report || problems.length > 0
+        report || problems.length > 0 || view.isGraded
           ? html`<button type="button" class="button" @click=${tools.clear}>Clear</button>`
           : nothing
       }
@@ -81,6 +88,7 @@ export function classForm(view: ClassView, tools: ClassTools): TemplateResult {
     ${report && report.students.length > 0 ? tables(report, tools) : nothing}
     <p class="tolerance">The check value of a code finds what was cut or changed by hand. It deters;
       it does not prove who answered, or with what help.</p>
+    ${view.grades}
   </section>`;
 }
 
@@ -96,7 +104,9 @@ const problemList = (problems: readonly string[]): TemplateResult =>
 function tables(report: ClassReport, tools: ClassTools): TemplateResult {
   const { students, topics, misconceptions } = report;
   return html`<div class="buttons"><button type="button" class="button"
-      @click=${tools.save}>Save as CSV</button></div>
+      @click=${tools.save}>Save as CSV</button> <span class="tolerance">A line for each student:
+      name, set, seed, right, tries, hints, solutions read, mistakes, notes, and 1 for each question
+      that is right.</span></div>
     <h3>By topic</h3>
     ${shares(topics, 'topic', 'right')}
     <h3>By mistake</h3>

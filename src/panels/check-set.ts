@@ -122,8 +122,9 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
     }
     ${sheetFields(view, tools)}
     <fieldset><legend>Files for course systems</legend>
-      <p class="set-about">For the questions of this seed. Nothing is sent by this page: a file is
-        saved on this device, with questions and right answers in it, and nothing of students.</p>
+      <p class="set-about">For the questions of this seed; in SCORM and xAPI, if you like, with each
+        student’s own numbers. Nothing is sent by this page: a file is saved on this device, and
+        nothing of students is in it.</p>
       <ul class="set-files">${view.files.map(
         ({ id, title, says }) => html`<li><button type="button" class="button"
           ?disabled=${view.saving !== ''}

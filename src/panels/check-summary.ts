@@ -41,7 +41,8 @@ export function summaryTable(
     }
     <div class="buttons">
       <button type="button" class="button" @click=${tools.print}>Print</button>
-      <button type="button" class="button" @click=${tools.save}>Save as JSON</button>
+      <button type="button" class="button" title="this table with set and seed, without a name"
+        @click=${tools.save}>Save as JSON</button>
       ${
         tools.restart
           ? html`<button type="button" class="button" @click=${tools.restart}>Start this seed

@@ -38,32 +38,42 @@ export function pickFile(accept: string): Promise<string | null> {
   });
 }
 
+/** A file, and its path within the folders that were chosen or dropped. */
+export interface PathFile {
+  readonly path: string;
+  readonly file: File;
+}
+
+export const chosenFiles = (input: HTMLInputElement): readonly PathFile[] =>
+  [...(input.files ?? [])].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
+
 /** The texts of files, null for one that is too large; in a folder also what is no text. */
 export const readTexts = (
-  files: readonly File[],
-): Promise<readonly { readonly name: string; readonly text: string | null }[]> =>
+  files: readonly PathFile[],
+): Promise<readonly { readonly path: string; readonly text: string | null }[]> =>
   Promise.all(
-    files.map(async (file) => ({
-      name: (file.webkitRelativePath || file.name).slice(-60),
+    files.map(async ({ path, file }) => ({
+      path,
       text: file.size <= LARGEST_BYTES ? await file.text() : null,
     })),
   );
 
 /** All files that were dropped, also those in folders. To be called while the event is handled. */
-export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly File[]> {
+export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly PathFile[]> {
   const entries = [...items].flatMap((item) => item.webkitGetAsEntry() ?? []);
-  if (entries.length === 0) return [...files];
+  if (entries.length === 0) return [...files].map((file) => ({ path: file.name, file }));
   return (await Promise.all(entries.map(filesOf))).flat();
 }
 
-async function filesOf(entry: FileSystemEntry): Promise<File[]> {
+async function filesOf(entry: FileSystemEntry): Promise<PathFile[]> {
   if (entry.isFile) {
-    return [
-      await new Promise<File>((done, fail) => (entry as FileSystemFileEntry).file(done, fail)),
-    ];
+    const file = await new Promise<File>((done, fail) =>
+      (entry as FileSystemFileEntry).file(done, fail),
+    );
+    return [{ path: entry.fullPath.replace(/^\//, ''), file }];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
-  const found: File[] = [];
+  const found: PathFile[] = [];
   // A reader gives a hundred entries at a time, and none at the end.
   for (;;) {
     const some = await new Promise<FileSystemEntry[]>((done, fail) =>

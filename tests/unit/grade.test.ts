@@ -4,6 +4,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
 import { gradeOne, kindsIn, submissionsIn } from '../../scripts/grade/grade.ts';
+import { LIMITS, runProgram } from '../../scripts/grade/program.ts';
+import { CASES_SEED, casesFor, gradedCases } from '../../src/check/program/cases.ts';
+import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
 import {
   type Graded,
   gradesCsv,
@@ -13,10 +16,7 @@ import {
   readWeights,
   scoreOf,
   WEIGHTS,
-} from '../../scripts/grade/marks.ts';
-import { LIMITS, runProgram } from '../../scripts/grade/program.ts';
-import { CASES_SEED, casesFor, gradedCases } from '../../src/check/program/cases.ts';
-import { casesCsv, casesJson } from '../../src/check/program/exchange.ts';
+} from '../../src/check/program/marks.ts';
 import { reportOf } from '../../src/check/program/report.ts';
 import { readResults } from '../../src/check/program/results.ts';
 import { example } from '../../src/check/program/template.ts';

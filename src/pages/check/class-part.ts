@@ -7,19 +7,30 @@ import {
   type MarkedStudent,
   marking,
 } from '../../check/class.ts';
+import { isGraded } from '../../check/program/submissions.ts';
 import { setName } from '../../check/sets.ts';
 import { InvalidInput } from '../../math/index.ts';
 import { type ClassTools, classForm } from '../../panels/check-class.ts';
 import { codesIn, readHandIn } from '../../state/hand-in.ts';
-import { download, droppedFiles, readTexts } from '../../ui/files.ts';
-import type { PartContext, WidePart } from './part.ts';
+import { chosenFiles, download, droppedFiles, readTexts } from '../../ui/files.ts';
+import { createGrades } from './grades.ts';
+import { element, type PartContext, type WidePart } from './part.ts';
 import type { CheckSettings } from './settings.ts';
 
 /** ms of marking after which the page may draw and answer; a question takes up to some 100. */
 const SLICE_MS = 12;
 
 /** Where the codes of a class are marked, in slices. */
-export function createClassPart({ changed }: PartContext): WidePart {
+export function createClassPart(part: PartContext): WidePart {
+  const { changed } = part;
+  let host: HTMLElement | null = null;
+  let sandbox: HTMLElement | null = null;
+  /** Where programs run: beside what is drawn. */
+  const sandboxHost = (): HTMLElement => {
+    sandbox ??= element('class-sandbox', host?.parentElement ?? document.body);
+    return sandbox;
+  };
+  const grades = createGrades(sandboxHost, part);
   let text = '';
   let compares = true;
   let problems: readonly string[] = [];
@@ -96,12 +107,20 @@ export function createClassPart({ changed }: PartContext): WidePart {
     },
     async files(files) {
       problems = [];
-      for (const { name, text: content } of await readTexts(files)) {
+      const programs: { readonly path: string; readonly text: string }[] = [];
+      for (const { path, text: content } of await readTexts(files)) {
+        const name = path.slice(-60);
+        // Beside what people put into a folder there is what systems do: .DS_Store.
+        if (path.split('/').at(-1)?.startsWith('.')) continue;
         if (content === null) problems = [...problems, `${name}: larger than 2 MB`];
-        else take(content, name);
+        else if (isGraded(path) && codesIn(content).length === 0) {
+          programs.push({ path, text: content });
+        } else take(content, name);
       }
+      if (programs.length > 0) grades.take(programs);
       changed();
     },
+    chosen: (input) => tools.files(chosenFiles(input)),
     drop: async (transfer) => tools.files(await droppedFiles(transfer)),
     compare(wanted) {
       compares = wanted;
@@ -112,6 +131,7 @@ export function createClassPart({ changed }: PartContext): WidePart {
       stop();
       queue.length = 0;
       known.clear();
+      grades.clear();
       marked = [];
       problems = [];
       tell();
@@ -119,18 +139,25 @@ export function createClassPart({ changed }: PartContext): WidePart {
     save: () => report && download('graze-class.csv', classCsv(report), 'text/csv'),
   };
   return {
-    render(host, next) {
+    render(own, next) {
+      host = own;
       const other = settings?.set !== next.set || settings?.seed !== next.seed;
       settings = next;
       if (other && marked.length > 0) tell();
       const compared = `${setName(next.set)}, seed ${next.seed}`;
-      const view = { text, running, problems, report, compared, compares };
-      render(html`${classForm(view, tools)}`, host);
+      const view = {
+        ...{ text, running, problems, report, compared, compares },
+        ...{ grades: grades.view(next), isGraded: grades.isThere() },
+      };
+      render(html`${classForm(view, tools)}`, own);
     },
     open(given) {
       problems = [];
       return take(given, 'the file');
     },
-    rest: () => stop(),
+    rest() {
+      stop();
+      grades.cancel();
+    },
   };
 }

@@ -2,7 +2,7 @@ import { html, render } from 'lit';
 import { CASES_SEED } from '../../check/program/cases.ts';
 import { tooLong } from '../../check/program/script.ts';
 import { example, template } from '../../check/program/template.ts';
-import { FIRST_SET, setOf } from '../../check/sets.ts';
+import { FIRST_SET } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import { editor, exchange, programHead } from '../../panels/check-program.ts';
@@ -10,7 +10,7 @@ import type { ProgramTools } from '../../panels/check-program-view.ts';
 import { programReport } from '../../panels/check-report.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { element, type PartContext, turnablePicture } from './part.ts';
-import { createRuns, kindsFor } from './program-run.ts';
+import { allWords, createRuns, kindsFor } from './program-run.ts';
 import { exploreLink } from './question-scene.ts';
 import type { CheckSettings } from './settings.ts';
 
@@ -22,12 +22,6 @@ interface Program {
   open(text: string): boolean;
   cancel(): void;
 }
-
-/** Label of "all shapes": those of the set, which may be fewer than SHAPES. */
-const allWords = (set: string): string => {
-  const { length } = setOf(set).shapes;
-  return length === SHAPES.length ? 'all shapes' : `the ${length} shapes of set ${set}`;
-};
 
 const TYPES = { json: 'application/json', csv: 'text/csv' } as const;
 
@@ -41,7 +35,11 @@ export function mountProgram(
   const more = element('check-more', host);
   const picture = turnablePicture(failing, changed);
   let casesSeed = CASES_SEED;
-  const runs = createRuns(host, changed, () => casesSeed);
+  const runs = createRuns(
+    () => host,
+    changed,
+    () => casesSeed,
+  );
   let cases = '';
   let set = FIRST_SET;
   const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);

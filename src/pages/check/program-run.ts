@@ -6,7 +6,7 @@ import { type Failure, type Report, reportOf } from '../../check/program/report.
 import { readResults } from '../../check/program/results.ts';
 import { adviceFor, asScript, looksTyped, tooLong } from '../../check/program/script.ts';
 import { textbookFor } from '../../check/program/template.ts';
-import { setOf } from '../../check/sets.ts';
+import { setName, setOf } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import type { ProgramView } from '../../panels/check-program-view.ts';
@@ -23,6 +23,12 @@ export const kindsFor = (cases: string, set: string): readonly ShapeKind[] =>
   cases === 'all'
     ? setOf(set).shapes
     : SHAPES.map(({ kind }) => kind).filter((kind) => cases === kind);
+
+/** Label of "all shapes": those of the set, which may be fewer than SHAPES. */
+export const allWords = (set: string): string => {
+  const { length } = setOf(set).shapes;
+  return length === SHAPES.length ? 'all shapes' : `the ${length} shapes of ${setName(set)}`;
+};
 
 /** Number of notes shown: messages of the program outside of its results. */
 const MOST_NOTES = 3;
@@ -65,7 +71,12 @@ interface Runs {
 }
 
 /** Runs programs, one at a time; a new run ends the one before. */
-export function createRuns(host: Element, changed: () => void, seed: () => number): Runs {
+export function createRuns(
+  host: () => Element,
+  changed: () => void,
+  seed: () => number,
+  isTimed = true,
+): Runs {
   let state = NOTHING;
   let close: (() => void) | null = null;
   let stop = (): void => {};
@@ -113,9 +124,9 @@ export function createRuns(host: Element, changed: () => void, seed: () => numbe
       source: asScript(text ?? source),
       textbook: textbookFor(kinds, 'textbook'),
       cases: cases.map(({ shape, ray }) => ({ shape, ray })),
-      timed: timedOf(cases),
+      timed: isTimed ? timedOf(cases) : [],
     };
-    close = runInSandbox(host, job, {
+    close = runInSandbox(host(), job, {
       output(index, output) {
         if (index !== outputs.length || index >= cases.length) return;
         outputs.push(output);

@@ -125,6 +125,9 @@ export const SCORM_2004: ScormVersion = {
   ],
 };
 
+/** Most answers that wait: a course system may take none at all. */
+const MOST_WAITING = 30;
+
 /** The object of a course system: strings in, strings out, of which some make booleans. */
 export type ScormApi = Readonly<Record<string, unknown>>;
 
@@ -175,21 +178,27 @@ export function connectScorm(
   });
   if (problem) return problem;
   let answers = 0;
-  const put = (report: CourseReport, answered: Answered | null): string => {
+  /** Answers that were not taken yet, the oldest first. */
+  let waiting: readonly Answered[] = [];
+  const put = (report: CourseReport): string => {
     let refused = '';
-    const set = (element: string, value: string): void => {
-      if (isTrue(call('set', element, value)) || refused) return;
-      refused = `${element}: ${whyNot()}`;
+    const set = (element: string, value: string): boolean => {
+      const isTaken = isTrue(call('set', element, value));
+      if (!isTaken) refused ||= `${element}: ${whyNot()}`;
+      return isTaken;
     };
     for (const [element, value] of version.report(report, around.now() - begun)) {
       set(element, value);
     }
-    if (answered) {
+    for (const answered of waiting) {
       const count = Number(get('cmi.interactions._count'));
       const n = Number.isSafeInteger(count) && count >= answers ? count : answers;
-      for (const [name, value] of version.answer(answered, around)) {
-        set(`cmi.interactions.${n}.${name}`, value);
-      }
+      const taken = version
+        .answer(answered, around)
+        .map(([name, value]) => set(`cmi.interactions.${n}.${name}`, value));
+      // Without its first element, the id, there is no interaction.
+      if (!taken[0]) break;
+      waiting = waiting.filter((one) => one !== answered);
       answers = n + 1;
     }
     return isTrue(call('commit', '')) ? refused : refused || whyNot();
@@ -198,11 +207,13 @@ export function connectScorm(
     ...state,
     most: version.most,
     async send(report, answered) {
-      return ended || state.readOnly ? '' : guarded(() => put(report, answered));
+      if (ended || state.readOnly) return '';
+      if (answered) waiting = [...waiting, answered].slice(-MOST_WAITING);
+      return guarded(() => put(report));
     },
     end(report) {
       if (ended) return;
-      if (!state.readOnly) guarded(() => put(report, null));
+      if (!state.readOnly) guarded(() => put(report));
       ended = true;
       guarded(() => call('finish', ''));
     },

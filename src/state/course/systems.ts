@@ -27,7 +27,7 @@ export const COURSE_SYSTEMS: readonly CourseSystem[] = [
     name: 'SCORM 1.2',
     scorm: SCORM_12,
     manifest: { name: 'imsmanifest.xml', write: manifest12 },
-    says: `Graze as one page with this set, and its manifest, in a zip of 1 MB. ${TOLD}`,
+    says: `Graze as one page with this set, and its manifest, in a zip. ${TOLD}`,
   },
   {
     id: 'scorm2004',

@@ -197,6 +197,20 @@ describe.each(versions)('$api', (version) => {
       throw new Error('the connection is lost');
     };
     expect(await connection.send(report, null)).toBe('the connection is lost');
+    // An answer that was refused goes with the next report.
+    const [progress, answered] = answer(started(41, SET), 0, true);
+    await connection.send(reportOf(progress), answered);
+    const taken: unknown[] = [];
+    api[version.names.set] = (element: string) => {
+      taken.push(element);
+      return 'true';
+    };
+    api[version.names.commit] = () => 'true';
+    expect(await connection.send(reportOf(progress), null)).toBe('');
+    expect(taken).toContain('cmi.interactions.0.id');
+    taken.length = 0;
+    await connection.send(reportOf(progress), null);
+    expect(taken.join()).not.toContain('interactions');
     connection.end(report);
     api[version.names.set] = () => {
       throw new Error('it was asked after its end');

@@ -1,11 +1,11 @@
-import { xmlText } from '../../src/check/exports/xml.ts';
-import { GROUPS, type GroupId } from '../../src/check/program/cases.ts';
-import type { GroupScore, Report } from '../../src/check/program/report.ts';
-import { BRANCHES } from '../../src/check/program/suspects.ts';
-import { csv } from '../../src/text/csv.ts';
+import { csv } from '../../text/csv.ts';
+import { xmlText } from '../exports/xml.ts';
+import { GROUPS, type GroupId } from './cases.ts';
+import type { GroupScore, Report } from './report.ts';
+import { BRANCHES } from './suspects.ts';
 
 /** How much each group counts, against the others. */
-type Weights = Readonly<Record<GroupId, number>>;
+export type Weights = Readonly<Record<GroupId, number>>;
 
 export const WEIGHTS: Weights = { ordinary: 4, special: 3, hard: 2, invalid: 1 };
 
@@ -23,13 +23,19 @@ export function readWeights(text: string): Weights {
     if (!known.some((one) => one === id) || given.trim() === '' || !(weight >= 0)) {
       throw new RangeError(`'${part}' is no weight: groups are ${known.join(', ')}`);
     }
-    if (weight === Number.POSITIVE_INFINITY) throw new RangeError(`'${part}' is no weight`);
     weights[id] = weight;
   }
-  if (Object.values(weights).every((weight) => weight === 0)) {
-    throw new RangeError('some group has to count');
-  }
+  const problem = weightProblem(weights as Weights);
+  if (problem) throw new RangeError(problem);
   return weights as Weights;
+}
+
+/** Why these are no weights; '' if they are. */
+export function weightProblem(weights: Weights): string {
+  const all = Object.values(weights);
+  const isWeight = (x: number): boolean => x >= 0 && x < Number.POSITIVE_INFINITY;
+  if (!all.every(isWeight)) return 'A weight is a number from 0 on.';
+  return all.every((weight) => weight === 0) ? 'Some group has to count.' : '';
 }
 
 /** A submission that was run or read: its report, or why there is none. */
@@ -52,10 +58,10 @@ export function scoreOf({ report }: Graded, weights: Weights): number {
   return Math.round((1e4 * sum) / all) / 100;
 }
 
-const findingsOf = ({ report }: Graded): string[] =>
+export const findingsOf = ({ report }: Graded): string[] =>
   (report?.findings ?? []).map(({ flaw, branch }) => `${flaw.says} (cases ${BRANCHES[branch]})`);
 
-const remarksOf = (graded: Graded): string[] => [
+export const remarksOf = (graded: Graded): string[] => [
   ...graded.problems,
   ...(graded.report?.remarks ?? []),
 ];
@@ -75,6 +81,10 @@ export function gradesCsv(all: readonly Graded[], weights: Weights): string {
     ]),
   ]);
 }
+
+/** The name of a submission's file for Gradescope. */
+export const resultsName = (who: string): string =>
+  `results.${who.replace(/[^\w.()-]+/g, '_').slice(0, 100)}.json`;
 
 /** What Gradescope's autograder reads as results.json, for one submission. */
 export function gradescope(graded: Graded, weights: Weights): string {
