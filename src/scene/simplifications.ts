@@ -59,9 +59,11 @@ export const SIMPLIFICATIONS: readonly Simplification[] = [
   },
   {
     title: 'dispersion',
-    how: 'left out',
-    reason: 'glass has one index for all colours',
-    file: 'src/scene/types.ts',
+    how: 'simplified',
+    reason:
+      'glass has one index, or where it asks for it three: red, green and blue part, and no ' +
+      'colours between them',
+    file: 'src/scene/effects/dispersion-body.ts',
     shows: (scene) => yesIf(bends(scene)),
   },
   {

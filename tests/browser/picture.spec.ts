@@ -346,6 +346,9 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
   await page.getByRole('button', { name: 'camera ray', exact: true }).click();
   await settle(page);
   await expect(page.locator('.hit-step[data-step="D"]')).toBeVisible();
+  await expect(page.locator('.camera-line[data-step="u"]')).toContainText('=');
+  await page.locator('.camera-line[data-step="d"] summary').click();
+  await expect(page.locator('.camera-line[data-step="d"]')).toContainText('t is a length');
   await expect(page.locator('.pixel-space canvas')).toBeVisible();
   const link = await page
     .getByRole('link', { name: 'Open this ray in Explore' })
@@ -358,6 +361,12 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
     .locator('[data-quantity="t1"], [data-quantity="t2"]')
     .evaluateAll((cells) => cells.map((c) => c.getAttribute('data-value')));
   expect(roots).toContain(t);
+  const started = page.locator('.started');
+  await expect(started).toContainText('first hit');
+  expect(await started.getAttribute('data-first')).toBe(t);
+  await started.getByRole('link', { name: 'back to pixel 48, 25' }).click();
+  await expect(page.getByRole('heading', { name: 'Pixel 48, 25' })).toBeVisible();
+  await expectInLink(page, { pixel: '48,25', scene: 'cone-on-mirror' });
 });
 
 test('the picture is used by keys alone', async ({ page }) => {

@@ -76,7 +76,8 @@ test('both are in the list, and every effect’s fields are sound', () => {
 describe('a scene file', () => {
   test('without fields has the defaults, and says no more than before', () => {
     for (const { scene } of PRESETS) {
-      const own = scene.effects ?? scene.lights.some(({ effects }) => effects);
+      const owners = [scene, ...scene.lights, ...scene.things.map(({ material }) => material)];
+      const own = owners.some(({ effects }) => effects);
       if (!own) expect(sceneToJson(validateScene(scene))).not.toContain('effects');
       expect(sceneToJson(validateScene(scene))).not.toContain('fog');
       expect(valuesOf(air, validateScene(scene))).toEqual({ density: 0, colour: '#c8ccd0' });

@@ -1,4 +1,4 @@
-import { REFLECTED, type REFRACTED, type Wave } from './body.ts';
+import { REFLECTED, REFRACTED, type Wave } from './body.ts';
 
 /**
  * Fires the mirrored ray, d − 2(d·N)N, from the stored hit point, with the share `weight` of the
@@ -52,3 +52,33 @@ export function follow(
 /** The largest of a ray's weights. */
 export const weightOf = (wave: Wave, i: number): number =>
   Math.max(wave.red[i] as number, wave.green[i] as number, wave.blue[i] as number);
+
+/** Cosine between the ray and the normal on its side. */
+export const cosineOf = ({ rays, Nx, Ny, Nz }: Wave, i: number): number =>
+  -(
+    (rays.dx[i] as number) * (Nx[i] as number) +
+    (rays.dy[i] as number) * (Ny[i] as number) +
+    (rays.dz[i] as number) * (Nz[i] as number)
+  );
+
+/**
+ * Fires the bent ray by Snell's law: d's tangential part times eta, and a normal part that makes
+ * the length 1. Returns its index in `next`.
+ */
+export function bent(
+  wave: Wave,
+  i: number,
+  next: Wave,
+  weight: number,
+  eta: number,
+  cosine: number,
+): number {
+  const j = follow(wave, i, next, weight, REFRACTED);
+  const inwards = Math.sqrt(Math.max(0, 1 - eta * eta * (1 - cosine * cosine)));
+  const along = eta * cosine - inwards;
+  next.rays.dx[j] = eta * (wave.rays.dx[i] as number) + along * (wave.Nx[i] as number);
+  next.rays.dy[j] = eta * (wave.rays.dy[i] as number) + along * (wave.Ny[i] as number);
+  next.rays.dz[j] = eta * (wave.rays.dz[i] as number) + along * (wave.Nz[i] as number);
+  next.medium[j] = wave.back[i] === 1 ? -1 : (wave.surface[i] as number);
+  return j;
+}

@@ -1,5 +1,6 @@
 import { absorption } from './absorption.ts';
 import { colouredShadow } from './coloured-shadow.ts';
+import { dispersion } from './dispersion.ts';
 import { fallOff } from './fall-off.ts';
 import { heights } from './heights.ts';
 import { highlights } from './highlights.ts';
@@ -19,6 +20,7 @@ export const EFFECTS = [
   colouredShadow,
   fallOff,
   reflection,
+  dispersion,
   refraction,
   absorption,
   pattern,

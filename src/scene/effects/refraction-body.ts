@@ -1,6 +1,6 @@
 import { fresnel } from '../optics.ts';
-import { type BounceBody, type Look, REFRACTED, type Wave } from './body.ts';
-import { follow, mirrored, weightOf } from './bounce.ts';
+import type { BounceBody, Look } from './body.ts';
+import { bent, cosineOf, mirrored, weightOf } from './bounce.ts';
 
 export const body: BounceBody = {
   at: 'bounce',
@@ -19,6 +19,8 @@ export const body: BounceBody = {
       const cosine = cosineOf(wave, i);
       const back = fresnel(eta, cosine);
       const weight = share * weightOf(wave, i);
+      // Nothing is left of a ray whose colour dispersion has fired.
+      if (weight === 0 && !forced) continue;
       if (back > 0 && share > 0 && tools.worth(back * weight)) {
         mirrored(wave, i, next, share * back);
         reflected += 1;
@@ -32,28 +34,3 @@ export const body: BounceBody = {
     tools.fired('refracted', refracted);
   },
 };
-
-const cosineOf = ({ rays, Nx, Ny, Nz }: Wave, i: number): number =>
-  -(
-    (rays.dx[i] as number) * (Nx[i] as number) +
-    (rays.dy[i] as number) * (Ny[i] as number) +
-    (rays.dz[i] as number) * (Nz[i] as number)
-  );
-
-/** Snell's law: d's tangential part times eta, and a normal part that makes the length 1. */
-function bent(
-  wave: Wave,
-  i: number,
-  next: Wave,
-  weight: number,
-  eta: number,
-  cosine: number,
-): void {
-  const j = follow(wave, i, next, weight, REFRACTED);
-  const inwards = Math.sqrt(Math.max(0, 1 - eta * eta * (1 - cosine * cosine)));
-  const along = eta * cosine - inwards;
-  next.rays.dx[j] = eta * (wave.rays.dx[i] as number) + along * (wave.Nx[i] as number);
-  next.rays.dy[j] = eta * (wave.rays.dy[i] as number) + along * (wave.Ny[i] as number);
-  next.rays.dz[j] = eta * (wave.rays.dz[i] as number) + along * (wave.Nz[i] as number);
-  next.medium[j] = wave.back[i] === 1 ? -1 : (wave.surface[i] as number);
-}

@@ -39,7 +39,10 @@ export const everything2: ScenePreset = {
       {
         id: 'glass cone',
         shape: { kind: 'cone', vertex: [0.35, 2, 1.3], slope: 0.4 },
-        material: material('#ffffff', { glass: clear(1.5), shine: GLINT }),
+        material: {
+          ...material('#ffffff', { glass: clear(1.5), shine: GLINT }),
+          effects: { dispersion: { spread: 0.08 } },
+        },
         between: [0.02, 2],
         capped: true,
       },

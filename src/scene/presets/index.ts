@@ -1,6 +1,7 @@
 import { colouredGlass } from './coloured-glass.ts';
 import { colouredGlass2 } from './coloured-glass-2.ts';
 import { colouredLight } from './coloured-light.ts';
+import { coloursApart } from './colours-apart.ts';
 import { coneOnMirror } from './cone-on-mirror.ts';
 import type { ScenePreset } from './define.ts';
 import { everything } from './everything.ts';
@@ -36,6 +37,7 @@ export const PRESETS: readonly ScenePreset[] = [
   glass2,
   colouredGlass2,
   colouredLight,
+  coloursApart,
   softLight2,
   sixShapes2,
   far,

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
+import type { Scene } from '../../../src/scene/types.ts';
 import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/against.ts';
 import { comparePictures } from '../../../src/tracer/compare.ts';
 import { DEFAULT_SETTINGS, type TraceSettings } from '../../../src/tracer/types.ts';
@@ -52,6 +53,61 @@ describe('a scene that promises a comparison opens with one that keeps it', () =
     expect(await differing('start:none', true)).toBeGreaterThan(50);
     expect(await differing(text, true)).toBe(0);
     expect(await differing(text, false)).toBeGreaterThan(20);
+  });
+});
+
+const forcedOff = PRESETS.filter(({ compare }) => compare?.startsWith('off:'));
+
+test.each(forcedOff)('$id: what it is compared without is seen in it', async ({ id, compare }) => {
+  const { found } = await compared(id, compare ?? '');
+  expect(found.differing).toBeGreaterThan(found.pixels / 100);
+});
+
+describe('what a scene says of itself', () => {
+  const sceneOf = (id: string): Scene => {
+    const found = PRESETS.find((one) => one.id === id)?.scene;
+    if (!found) throw new Error(id);
+    return found;
+  };
+
+  test('plain: camera rays are all that it takes', async () => {
+    const { ledger } = await samePicture(sceneOf('plain'), SETTINGS);
+    expect([ledger.effects, ledger.kinds.shadow.rays]).toEqual([{}, 0]);
+  });
+
+  test('shadows.2: shadows and nothing else', async () => {
+    const { ledger } = await samePicture(sceneOf('shadows.2'), SETTINGS);
+    expect(Object.keys(ledger.effects)).toEqual(['shadow']);
+  });
+
+  test('facing-mirrors.2: rays go on, and stop for what they can no longer change', async () => {
+    const { ledger } = await samePicture(sceneOf('facing-mirrors.2'), SETTINGS);
+    expect([ledger.saved > 0, ledger.cut]).toEqual([true, 0]);
+  });
+
+  test('six-shapes.2: the course’s six, the round ones cut off', () => {
+    const { things } = sceneOf('six-shapes.2');
+    const kinds = things.map(({ shape }) => shape.kind).toSorted();
+    expect(kinds).toEqual(['circle', 'cone', 'cylinder', 'hyperboloid', 'plane', 'square']);
+    const cut = things.filter(({ between }) => between).map(({ shape }) => shape.kind);
+    expect(cut.toSorted()).toEqual(['cone', 'cylinder', 'hyperboloid']);
+  });
+
+  test('grazing.2: three hundred million lengths away, in light along the ground', () => {
+    const { camera, lights } = sceneOf('grazing.2');
+    const far = Math.hypot(...camera.eye.map((x, k) => x - (camera.target[k] ?? 0)));
+    expect(Math.round(far / 1e7)).toBeCloseTo(31, 0);
+    const [sun] = lights;
+    if (sun?.light !== 'sun') throw new Error('no sun');
+    expect(sun.towards[1] / Math.hypot(...sun.towards)).toBeLessThan(0.1);
+  });
+
+  test('hundred.2: boxes keep most questions from being asked', async () => {
+    const scene = sceneOf('hundred.2');
+    const { ledger } = await samePicture(scene, SETTINGS);
+    const rays = ledger.kinds.camera.rays + ledger.kinds.shadow.rays;
+    const asked = ledger.kinds.camera.questions + ledger.kinds.shadow.questions;
+    expect(asked).toBeLessThan((rays * scene.things.length) / 2);
   });
 });
 

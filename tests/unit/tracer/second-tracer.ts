@@ -327,8 +327,14 @@ export function secondPicture(scene: Scene, width: number, height: number, side:
     const share = glass ? 0 : 1 - mirror;
     const paint = times(paintAt(hit, p), matt);
     let sum = times(weight, add(gloss, paint, share));
-    const go = (way: V, part: number, medium: Surface | null, how: 'mirrored' | 'bent'): void => {
-      const next: V = [weight[0] * part, weight[1] * part, weight[2] * part];
+    const go = (
+      way: V,
+      part: number,
+      medium: Surface | null,
+      how: 'mirrored' | 'bent',
+      colours: V = [1, 1, 1],
+    ): void => {
+      const next = times([weight[0] * part, weight[1] * part, weight[2] * part], colours);
       if (!worth(next, depth)) return;
       sum = add(sum, seen(p, way, hit, medium, next, depth + 1, after(path, how)));
     };
@@ -336,16 +342,28 @@ export function secondPicture(scene: Scene, width: number, height: number, side:
     const mirrored = add(d, N, 2 * cosine);
     if (mirror > 0) go(mirrored, mirror, inside, 'mirrored');
     if (!glass) return sum;
-    const eta = leaves ? glass.index : 1 / glass.index;
     const through = (1 - mirror) * (1 - shine.strength);
-    const root = 1 - eta ** 2 * (1 - cosine ** 2);
-    const other = Math.sqrt(Math.max(0, root));
-    const rs = (eta * cosine - other) / (eta * cosine + other);
-    const rp = (cosine - eta * other) / (cosine + eta * other);
-    const back = root < 0 ? 1 : Math.min(1, (rs * rs + rp * rp) / 2);
-    if (back > 0) go(mirrored, through * back, inside, 'mirrored');
-    const bent = add([eta * d[0], eta * d[1], eta * d[2]], N, eta * cosine - other);
-    if (back < 1) go(bent, through * (1 - back), leaves ? null : hit, 'bent');
+    const spread = Number(hit.thing.material.effects?.dispersion?.spread ?? 0);
+    // Each colour by its own index; with one index all of them together.
+    const ways: readonly (readonly [number, V])[] =
+      spread > 0
+        ? [
+            [Math.max(1, glass.index - spread / 2), [1, 0, 0]],
+            [glass.index, [0, 1, 0]],
+            [glass.index + spread / 2, [0, 0, 1]],
+          ]
+        : [[glass.index, [1, 1, 1]]];
+    for (const [index, colours] of ways) {
+      const eta = leaves ? index : 1 / index;
+      const root = 1 - eta ** 2 * (1 - cosine ** 2);
+      const other = Math.sqrt(Math.max(0, root));
+      const rs = (eta * cosine - other) / (eta * cosine + other);
+      const rp = (cosine - eta * other) / (cosine + eta * other);
+      const back = root < 0 ? 1 : Math.min(1, (rs * rs + rp * rp) / 2);
+      if (back > 0) go(mirrored, through * back, inside, 'mirrored', colours);
+      const bent = add([eta * d[0], eta * d[1], eta * d[2]], N, eta * cosine - other);
+      if (back < 1) go(bent, through * (1 - back), leaves ? null : hit, 'bent', colours);
+    }
     return sum;
   }
 
