@@ -24,7 +24,7 @@ export function mirrored(wave: Wave, i: number, next: Wave, weight: number): num
 const TURNS: readonly number[] = [0, 0x51ed270b, 0x2545f491];
 
 /** Adds a ray of the next generation at the hit of ray i, without direction and medium. */
-export function follow(
+function follow(
   wave: Wave,
   i: number,
   next: Wave,

@@ -10,7 +10,7 @@ import {
   WOOD,
 } from './define.ts';
 
-const GLASS = material('#c9d2d6', { mirror: 0.88 });
+const GLASS = material('#c9d2d6', { mirror: 0.85 });
 const WALL = material('#e7ded0');
 
 export const facingMirrors2: ScenePreset = {
