@@ -42,7 +42,7 @@ export const HELP: Readonly<Record<PageId, TemplateResult>> = {
   check: html`<h3>This page</h3>
     <p>Enter hands in an answer. Set and seed are in the link: the same two pose the same
       questions everywhere. What was answered and typed stays on this device, and survives a
-      reload.</p>
+      reload; only a package for a course system reports it there, and says so.</p>
     <p>An own program runs in a frame without network, storage or page, in a worker of its own
       that is ended when it falls silent for a second.</p>`,
 };

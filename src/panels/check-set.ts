@@ -44,7 +44,7 @@ export interface SetTools {
   print(): void;
 }
 
-/** Which sheets are printed: those of the seeds from one to another, or of names. */
+/** Which sheets are printed: those of the seeds from one to another. */
 export interface Sheets {
   readonly from: number;
   readonly to: number;

@@ -6,6 +6,8 @@ import './check-summary.css';
 interface SummaryTools {
   save(): void;
   print(): void;
+  /** Whether a page around this one is told the score. */
+  readonly isFramed: boolean;
   /** Null where answers are reported, and none is taken back. */
   readonly restart: (() => void) | null;
 }
@@ -36,7 +38,11 @@ export function summaryTable(
     </div>
     ${
       tools.restart
-        ? html`<p class="tolerance">Nothing is sent anywhere; it stays on this device.</p>`
+        ? html`<p class="tolerance">${
+            tools.isFramed
+              ? 'The page around this one is told how many are right; nothing else is sent.'
+              : 'Nothing is sent anywhere; it stays on this device.'
+          }</p>`
         : nothing
     }
     <div class="buttons">

@@ -121,6 +121,7 @@ for (const { button, script, api, learner, done, score, get } of VERSIONS) {
     await expect(course).toContainText('0 of 2 right, 0 done');
     await answer(frame, seed, 0);
     await expect(course).toContainText('1 of 2 right, 1 done: reported to the course system.');
+    await expect(frame.locator('main .summary')).not.toContainText('sent');
     expect(await value(score)).toBe('50.00');
     expect(await value(done.status)).toBe(done.values[0]);
     expect(await value('cmi.interactions._count')).toBe('1');

@@ -191,6 +191,9 @@ test('all of Graze in a frame tells the score', async ({ page, baseURL }) => {
   await expect
     .poll(async () => (await heard(page, 'score')).at(-1))
     .toMatchObject({ right: 0, asked: expect.any(Number) });
+  const summary = graze.locator('main .summary');
+  await summary.locator('summary').click();
+  await expect(summary).toContainText('The page around this one is told how many are right');
 });
 
 test('a frame that is higher than its content says so', async ({ page, baseURL }) => {

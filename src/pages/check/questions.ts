@@ -177,7 +177,10 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
       const own = course();
       const reported = own?.isOf(progress) === true;
       const summed = summary(progress);
-      const table = summaryTable(summed, { save, print, restart: reported ? null : restart });
+      const table = summaryTable(summed, {
+        ...{ save, print, isFramed: window.parent !== window },
+        restart: reported ? null : restart,
+      });
       const box = handInBox({ ...handInView(), reported }, handIn);
       const told = own?.box(progress) ?? nothing;
       render(html`${answerForm(view, tools)}${told}${table}${box}`, body);
