@@ -5,6 +5,7 @@ import type { FrameLocator, Locator, Page } from '@playwright/test';
 import { strFromU8, unzipSync } from 'fflate';
 import { plan, question, studentSeed } from '../../src/check/session.ts';
 import type { Answer } from '../../src/check/types.ts';
+import { pageWithCourse } from '../../src/state/course/package.ts';
 import { readHandIn } from '../../src/state/hand-in.ts';
 import { shortest } from '../../src/text/format.ts';
 import { violationsInThemes } from './support/axe.ts';
@@ -26,8 +27,19 @@ const asText = (answer: Answer | undefined): string => {
   return typeof answer === 'object' ? answer.map(shortest).join(', ') : (answer ?? '');
 };
 
+const SITE = process.env.E2E_SITE ?? 'dist/site';
+
+/** The page of a package for this system, as the page of a set makes it. */
+const pageFor = (system: string, baseURL: string | undefined): string => {
+  const activity = `${baseURL}#/check?${LINK}`;
+  const course = { system, set: SET, seed: 41, pass: 50, own: true, activity };
+  const page = readFileSync(resolve(ROOT, SITE, 'offline.html'), 'utf8');
+  return pageWithCourse(page, course, `#/check?${LINK}`);
+};
+
 /** The files of a package that the page of a set saves, by name. */
 async function packageOf(page: Page, button: string): Promise<Record<string, string>> {
+  await openCheck(page, `part=set&${LINK}`);
   const [file] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', { name: button, exact: true }).click(),
@@ -77,7 +89,7 @@ async function answer(frame: FrameLocator | Locator, seed: number, index: number
 
 const VERSIONS = [
   {
-    button: 'SCORM 1.2',
+    system: 'scorm12',
     script: 'scorm12.min.js',
     api: 'API',
     learner: { core: { student_id: 's1234' } },
@@ -86,7 +98,7 @@ const VERSIONS = [
     get: 'LMSGetValue',
   },
   {
-    button: 'SCORM 2004',
+    system: 'scorm2004',
     script: 'scorm2004.min.js',
     api: 'API_1484_11',
     learner: { learner_id: 's1234' },
@@ -96,13 +108,13 @@ const VERSIONS = [
   },
 ] as const;
 
-for (const { button, script, api, learner, done, score, get } of VERSIONS) {
-  test(`${button}: a package reports to a course system, and goes on later`, async ({ page }) => {
+for (const { system, script, api, learner, done, score, get } of VERSIONS) {
+  test(`${system}: a package reports to a course system, and goes on later`, async ({
+    page,
+    baseURL,
+  }) => {
     await withoutScene(page);
-    await openCheck(page, `part=set&${LINK}`);
-    const files = await packageOf(page, button);
-    expect(Object.keys(files).sort()).toEqual(['imsmanifest.xml', 'index.html']);
-    const html = files['index.html'] ?? '';
+    const html = pageFor(system, baseURL);
     await serve(page, { html, script, api, sandbox: 'allow-scripts allow-same-origin' });
     const value = (element: string): Promise<string> =>
       page.evaluate(
@@ -161,10 +173,12 @@ for (const { button, script, api, learner, done, score, get } of VERSIONS) {
 
 test('where no course system is reached, the page says why, and the code has everything', async ({
   page,
+  baseURL,
 }) => {
   await withoutScene(page);
-  await openCheck(page, `part=set&${LINK}`);
-  const { 'index.html': html = '' } = await packageOf(page, 'SCORM 1.2');
+  const { 'index.html': html = '', ...others } = await packageOf(page, 'SCORM 1.2');
+  expect(Object.keys(others)).toEqual(['imsmanifest.xml']);
+  expect(html === pageFor('scorm12', baseURL)).toBe(true);
   // A frame of no origin has no storage either.
   await serve(page, { html, script: 'scorm12.min.js', api: 'API', sandbox: 'allow-scripts' });
   await page.goto('./system/index.html');
@@ -184,13 +198,13 @@ test.describe('a record store', () => {
   // It answers so where nothing is kept yet, which the browser says by itself.
   test.use({ provoked: new RegExp(`${PROVOKED.source}|^Failed to load resource: .* 404`) });
 
-  test('gets statements of a package that is launched with its address', async ({ page }) => {
+  test('gets statements of a package that is launched with its address', async ({
+    page,
+    baseURL,
+  }) => {
     await withoutScene(page);
-    await openCheck(page, `part=set&${LINK}`);
-    const files = await packageOf(page, 'xAPI');
-    expect(files['tincan.xml']).toContain('<launch lang="en">index.html</launch>');
     await serve(page, {
-      ...{ html: files['index.html'] ?? '', script: 'scorm12.min.js', api: 'API' },
+      ...{ html: pageFor('xapi', baseURL), script: 'scorm12.min.js', api: 'API' },
       sandbox: 'allow-scripts',
     });
     const heard: { readonly verb: string; readonly actor: string; readonly auth: string }[] = [];
@@ -211,7 +225,7 @@ test.describe('a record store', () => {
     });
     const actor = { account: { homePage: 'https://school.example', name: 'Zoë' } };
     const launch = new URLSearchParams({
-      endpoint: new URL('./store', page.url()).href,
+      endpoint: `${baseURL}store`,
       auth: 'Basic abc=',
       actor: JSON.stringify(actor),
     });
