@@ -32,7 +32,21 @@ export interface Posed {
 export function derivationFor({ exercise, draft, fields, given }: Posed): Derivation {
   const answers = (course: Course, own: Answers): Answers =>
     exercise.answers(course, draft, { ...given, ...own });
-  return derivationOf(fields, courseOf(draft.shape), draft.watch, answers);
+  return derivationOf(fields, courseFor(exercise, draft), draft.watch, answers);
+}
+
+/** Cache, so that a course's edits are made once. */
+const extended = new WeakMap<Exercise, WeakMap<Course, Course>>();
+
+/** The right formulas and rules, with the lines that only this exercise asks for. */
+export function courseFor(exercise: Exercise, { shape }: Draft): Course {
+  const plain = courseOf(shape);
+  if (!exercise.extend) return plain;
+  const own = extended.get(exercise) ?? new WeakMap<Course, Course>();
+  extended.set(exercise, own);
+  const known = own.get(plain) ?? exercise.extend(plain);
+  own.set(plain, known);
+  return known;
 }
 
 /**
@@ -87,7 +101,7 @@ function posedIn(
   });
   try {
     for (;;) {
-      const posed = tryPose(exercise, kind, level, random);
+      const posed = tryPose(exercise, kind, level, random, wanted);
       if (posed && exercise.spread?.of(posed.draft, posed.truth) === wanted) return posed;
     }
   } catch (error) {
@@ -104,8 +118,14 @@ function atMost(most: number, random: Random, exceeded: () => never): Random {
   };
 }
 
-function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Random): Posed | null {
-  const draft = exercise.draw(random, kind, level);
+function tryPose(
+  exercise: Exercise,
+  kind: ShapeKind,
+  level: Level,
+  random: Random,
+  wanted?: string,
+): Posed | null {
+  const draft = exercise.draw(random, kind, level, wanted);
   return draft && posedOf(exercise, draft);
 }
 
@@ -114,7 +134,7 @@ function tryPose(exercise: Exercise, kind: ShapeKind, level: Level, random: Rand
  * from the right ones and from each other. Adding to a `watch` list changes what old seeds pose.
  */
 function posedOf(exercise: Exercise, draft: Draft): Posed | null {
-  const course = courseOf(draft.shape);
+  const course = courseFor(exercise, draft);
   const truth = exercise.answers(course, draft);
   const fields = exercise.fields(draft, truth);
   const asked = fields.filter(({ id, mayBeAbsent }) => !mayBeAbsent || truth[id] !== undefined);

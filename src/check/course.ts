@@ -48,8 +48,20 @@ const RULES: Rules = {
   loss: 'measured',
 };
 
+/** Lines and decisions besides ray and shape, in the course of an exercise that asks for them. */
+interface Extras {
+  /** d of a pixel's ray. */
+  readonly pixel?: ExprTriple;
+  /** D from A and F, the value of f where it turns. */
+  readonly read?: Expr;
+  /** A root counts if its point's height lies between the ends, if its t does, or always. */
+  readonly ends?: 'height' | 't' | 'forgotten';
+  /** Hits of two surfaces come in the order of t, or all of one before those of the other. */
+  readonly meetings?: 'by t' | 'by surface';
+}
+
 /** Every line that a student writes for a curved shape, as trees. */
-export interface CurvedCourse {
+export interface CurvedCourse extends Extras {
   readonly family: 'curved';
   readonly A: Expr;
   readonly B: Expr;
@@ -64,7 +76,7 @@ export interface CurvedCourse {
 }
 
 /** Every line that a student writes for a flat shape, as trees. */
-export interface FlatCourse {
+export interface FlatCourse extends Extras {
   readonly family: 'flat';
   readonly rate: Expr;
   readonly offset: Expr;

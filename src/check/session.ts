@@ -2,6 +2,7 @@ import { integer, type Random, seeded } from '../math/rng.ts';
 import type { ShapeKind } from '../math/shapes.ts';
 import { type Posed, pose } from './compose.ts';
 import type { Level } from './exercises/define.ts';
+import { shuffled } from './exercises/draw.ts';
 import { findExercise } from './exercises/index.ts';
 import { FIRST_SET, type QuestionSet, setOf } from './sets.ts';
 
@@ -68,16 +69,6 @@ function dealer<T>(random: Random, cards: readonly T[]): () => readonly T[] {
     const rest = cards.filter((card) => card !== next);
     return next === undefined ? [] : [next, ...shuffled(random, rest)];
   };
-}
-
-/** Fisher and Yates. */
-function shuffled<T>(random: Random, list: readonly T[]): T[] {
-  const all = [...list];
-  for (let i = all.length - 1; i > 0; i--) {
-    const k = integer(random, 0, i);
-    [all[i], all[k]] = [all[k] as T, all[i] as T];
-  }
-  return all;
 }
 
 /** Question `index` (from 0) of the session. */

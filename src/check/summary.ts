@@ -35,7 +35,7 @@ export function summary(progress: Progress): Summary {
     return {
       question: i + 1,
       topic: findExercise(exercise)?.topic ?? exercise,
-      shape: kind,
+      shape: findExercise(exercise)?.subject ?? kind,
       ...{ tries, solvedAt, hints, solutionShown },
       misconceptions: asked.causes.flatMap((id) => findMisconception(id)?.says ?? []),
       says: inWords(asked),

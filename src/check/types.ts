@@ -8,6 +8,10 @@ export interface Input {
   readonly ray: Ray;
   /** The exact values of the typed numbers, if they differ from the stored doubles. */
   readonly typed?: Values<Surd> | null;
+  /** Heights that the shape is kept between, its ends open. */
+  readonly between?: readonly [low: number, high: number];
+  /** A second surface that the ray goes through. */
+  readonly other?: Shape;
 }
 
 /** A number, a point or normal, or the id of a choice. NaN: the formula has no value there. */

@@ -181,6 +181,12 @@ export function helps(asked: Asked, { posed }: QuestionView): TemplateResult | t
       }${shown ? derivationLines(lines, layer) : nothing}`;
     })}
     ${asked.solutionShown ? html`<div data-say>${solution(posed)}</div>` : nothing}
+    ${
+      asked.solutionShown && posed.draft.scene
+        ? html`<p><a class="link"
+          href=${`#/picture?scene=${posed.draft.scene.id}`}>See the scene in Picture</a></p>`
+        : nothing
+    }
   </div>`;
 }
 

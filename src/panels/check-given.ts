@@ -1,4 +1,6 @@
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
+import { askedOf, givenName } from '../check/asked.ts';
+import type { Posed } from '../check/compose.ts';
 import type { Answer, Input } from '../check/types.ts';
 import type { Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
@@ -28,6 +30,32 @@ export function inputRow({ shape, ray }: Input, unknown: string | null = null): 
       ),
     )}
   </ul>`;
+}
+
+/** All that a question gives: ray and shape, quantities of the derivation, and what is told. */
+export function givenLines(posed: Posed): TemplateResult {
+  const { input, unknown, told } = askedOf(posed);
+  const known = Object.entries(posed.given);
+  const { origin } = posed.draft.ray;
+  return html`${
+    input === 'all'
+      ? inputRow(posed.draft, unknown)
+      : input === 'E'
+        ? html`<ul class="given" aria-label="The camera">${item('E', 'vector', text(origin))}</ul>`
+        : nothing
+  }${
+    told.length === 0
+      ? nothing
+      : html`<dl class="told-lines">${told.map(
+          ({ name, says }) => html`<div><dt>${name}</dt><dd>${says}</dd></div>`,
+        )}</dl>`
+  }${
+    known.length === 0
+      ? nothing
+      : html`<ul class="given told" aria-label="Also given">${known.map(
+          ([id, answer]) => html`<li>${givenName(id)} = ${shownAnswer(answer)}</li>`,
+        )}</ul>`
+  }`;
 }
 
 function item(letter: string, sort: 'vector' | 'scalar', words: string): TemplateResult {

@@ -1,12 +1,13 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { askedOf } from '../check/asked.ts';
 import { FOUR_DIGITS_WORDS, type Mark, roundedWords } from '../check/grade.ts';
 import { type Asked, askedAt } from '../check/progress.ts';
 import { summary } from '../check/summary.ts';
 import type { Field } from '../check/types.ts';
-import { definitionOf } from '../math/shapes.ts';
+import { questionDrawing } from './check-drawing.ts';
 import { feedback, helpButtons, helps, mayBeHelped } from './check-feedback.ts';
 import { type FieldView, fieldRow } from './check-field.ts';
-import { inputRow, shownAnswer } from './check-given.ts';
+import { givenLines } from './check-given.ts';
 import type { QuestionTools, QuestionView } from './check-question-view.ts';
 import './check-question.css';
 
@@ -41,26 +42,14 @@ export function seedForm(seed: number, tools: QuestionTools): TemplateResult {
     }} /></label>`;
 }
 
-export function questionText({ posed }: QuestionView): TemplateResult {
-  const { draft, exercise, given } = posed;
-  const unknown = exercise.asksForParam ? (draft.param?.key ?? null) : null;
-  const { title } = definitionOf(draft.shape);
-  const told = Object.entries(given);
+export function questionText({ posed, index }: QuestionView): TemplateResult {
+  const { draft, exercise } = posed;
   return html`<div class="question-text">
-    <p class="topic">${title}: ${exercise.topic}</p>
+    <p class="topic">${askedOf(posed).subject}: ${exercise.topic}</p>
     <p class="ask">${exercise.ask(draft)}</p>
-    ${inputRow(draft, unknown)}
-    ${
-      told.length === 0
-        ? nothing
-        : html`<ul class="given told" aria-label="Also given">${told.map(
-            ([id, answer]) => html`<li>${SHORT[id] ?? id} = ${shownAnswer(answer)}</li>`,
-          )}</ul>`
-    }
+    ${givenLines(posed)} ${questionDrawing(posed, `question-${index}`)}
   </div>`;
 }
-
-const SHORT: Readonly<Record<string, string>> = { t1: 't₁', t2: 't₂' };
 
 export function answerForm(view: QuestionView, tools: QuestionTools): TemplateResult {
   const { posed, progress, index, judged } = view;

@@ -1,6 +1,9 @@
+import type { Drawing, Stage } from '../math/drawing.ts';
 import type { Ray, Shape, Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
-import { displayTriple } from '../text/format.ts';
+import { display, displayTriple } from '../text/format.ts';
+import { cutDrawing, endPoints } from './cut-drawing.ts';
+import type { Between } from './heights.ts';
 import { clipToStage } from './scene.ts';
 import type { RaySegment, SceneModel } from './scene-model.ts';
 import { isDrawn, stageAround } from './stage.ts';
@@ -8,25 +11,39 @@ import type { View } from './view.ts';
 
 const EVERYWHERE = { from: Number.NEGATIVE_INFINITY, to: Number.POSITIVE_INFINITY };
 
+/** A ray, its shape, the heights that this is kept between, and perhaps a second shape. */
+interface Before {
+  readonly shape: Shape;
+  readonly ray: Ray;
+  readonly between?: Between;
+  readonly other?: Shape;
+}
+
 /**
  * A scene of shape and ray without results, on a stage with room for them and for `points`. Neither
  * its size nor the drawn part of the ray depends on where the two meet.
  */
 export function sceneBefore(
-  shape: Shape,
-  ray: Ray,
+  { shape, ray, between, other }: Before,
   points: readonly Vec3[],
   view: View,
 ): SceneModel {
-  const definition = definitionOf(shape);
-  const stage = stageAround(shape, [ray.origin, ...points]);
+  const { title } = definitionOf(shape);
+  const ends = between ? endPoints(shape, between) : [];
+  const second = other ? [definitionOf(other).anchor(other).at] : [];
+  const stage = stageAround(shape, [ray.origin, ...points, ...ends, ...second]);
   const reach = clipToStage(ray, stage, EVERYWHERE);
   const originDrawn = isDrawn(ray.origin, stage);
   const { origin, direction } = ray;
+  const own = definitionOf(shape).draw(shape, stage);
+  const cut = between ? cutDrawing(own, shape, stage, between, false) : own;
+  const heights = between
+    ? `, from y = ${display(between[0])} to y = ${display(between[1])}, open at its ends`
+    : '';
   return {
-    shapeTitle: definition.title,
+    shapeTitle: title,
     stage,
-    drawing: definition.draw(shape, stage),
+    drawing: other ? withOther(cut, other, stage) : cut,
     ray: { origin, direction, segments: reach ? cutAtE(reach) : [], ticks: [], originDrawn },
     hits: [],
     ghost: null,
@@ -36,7 +53,18 @@ export function sceneBefore(
     notes: originDrawn ? [] : [`E ${displayTriple(origin, 3)} lies outside the drawn part`],
     description:
       `A ray from E ${displayTriple(origin)} in direction d ` +
-      `${displayTriple(direction)} and a ${definition.title}.`,
+      `${displayTriple(direction)} and a ${title}${heights}` +
+      `${other ? `, and a ${definitionOf(other).title}` : ''}.`,
+  };
+}
+
+/** Both shapes, the second without names of its points: they would be those of the first. */
+function withOther(drawing: Drawing, other: Shape, stage: Stage): Drawing {
+  const { patches, lines } = definitionOf(other).draw(other, stage);
+  return {
+    ...drawing,
+    patches: [...drawing.patches, ...patches],
+    lines: [...drawing.lines, ...lines],
   };
 }
 

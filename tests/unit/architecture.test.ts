@@ -19,7 +19,7 @@ const ROOMS: Readonly<Record<string, readonly string[]>> = {
   scene: ['math', 'text'],
   tracer: ['math', 'scene'],
   lab: ['math', 'text'],
-  check: ['math', 'lab', 'text'],
+  check: ['math', 'scene', 'lab', 'text'],
   // Of the tracer only types: see below.
   state: PURE,
   lesson: [...PURE, 'state'],

@@ -26,6 +26,7 @@ export const coefficients: Exercise = {
   given: [],
   fields: () => IDS.map((id) => numberField(id)),
   answers: (course, draft, own) => chosen(work(course, draft, own), IDS),
+  stack: 'from the ray',
   clue: 'Write E + t d for (x, y, z) and sort by powers of t.',
   lines: IDS,
 };

@@ -1,7 +1,7 @@
-import { findFamily } from '../../math/families.ts';
+import { findFamily, madeFamilies } from '../../math/families.ts';
 import type { Shape, Vec3 } from '../../math/index.ts';
 import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
-import { type CurvedDetails, findMethod, findShape } from '../../math/shapes.ts';
+import { type CurvedDetails, findMethod, findShape, type ShapeKind } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
 import { type Exercise, spreadOver } from './define.ts';
@@ -54,6 +54,7 @@ function drawOf(id: string): Draw {
   return (random) => family.make(random);
 }
 
+/** Rays of the round shapes that have families of their own. */
 const DRAWS: readonly [Draw, ...Draw[]] = [
   drawOf('typical'),
   drawOf('far-origin'),
@@ -62,6 +63,20 @@ const DRAWS: readonly [Draw, ...Draw[]] = [
   drawOf('near-axis'),
   alongGenerator,
 ];
+
+/** Rays about a shape of this kind, for any curved one. */
+export const allDraws = (kind: ShapeKind): readonly [Draw, ...Draw[]] =>
+  findShape(kind)?.ownFamilies
+    ? DRAWS
+    : (GROUPS.flatMap((group) =>
+        madeFamilies(kind, group).map(
+          ({ make }): Draw =>
+            (random) =>
+              make(random),
+        ),
+      ) as unknown as readonly [Draw, ...Draw[]]);
+
+const GROUPS = ['ordinary', 'special', 'hard'] as const;
 
 /** "A 16, B 12": names with their right digits. */
 const listed = (each: readonly (readonly [string, number])[]): string =>
@@ -119,7 +134,27 @@ export const digits: Exercise = {
   lines: ['A', 'B', 'C', 'D', 't'],
 };
 
-const sameKind = ({ shape }: Input, kind: string): boolean => Object.is(shape.kind, kind);
+/** As `digits`, also about the shapes whose families are made from their parameters. */
+export const allDigits: Exercise = {
+  ...digits,
+  id: 'digits.2',
+  kinds: kindsOf('curved'),
+  spread: spreadOver('line', ['A', 'C', 'D', 't', 'nowhere'], {
+    cylinder: ['A', 't'],
+    sphere: ['A', 'C', 't'],
+    paraboloid: ['A', 'C', 't'],
+  }),
+  draw(random, kind) {
+    const make = pick(random, allDraws(kind));
+    const made = drawUntil(
+      () => make(random),
+      (drawn) => sameKind(drawn, kind) && measured(drawn) !== null,
+    );
+    return made && { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
+  },
+};
+
+export const sameKind = ({ shape }: Input, kind: string): boolean => Object.is(shape.kind, kind);
 
 /** Right decimal digits of x, 0 to 16. */
 export function digitsRight(x: number, truth: number): number {
@@ -129,7 +164,7 @@ export function digitsRight(x: number, truth: number): number {
 }
 
 /** Right digits of the textbook's lines, and of each method's roots; null without two roots. */
-function keptDigits({ shape, ray }: Input): Kept | null {
+export function keptDigits({ shape, ray }: Input): Kept | null {
   const of = (id: string) => findMethod(id)?.intersect(shape, ray);
   const exact = of('exact');
   const textbook = of('textbook');
@@ -157,7 +192,7 @@ interface Kept {
 }
 
 /** The answers; null if a line is between lost and kept. */
-function measured(input: Input): Answers | null {
+export function measured(input: Input): Answers | null {
   const found = keptDigits(input);
   if (!found) return null;
   const { lines, cures } = found;

@@ -30,6 +30,7 @@ export const discriminant: Exercise = {
   fields: () => [numberField('D'), choiceField('case', 'the line has', CASES)],
   answers: (course, draft, own) => chosen(work(course, draft, own), ['D', 'case']),
   argue: (_, found) => ({ rule: '', put: '', decision: [caseWords(found)] }),
+  stack: 'from the ray',
   clue: 'The sign of D decides: two roots, one double root, or none.',
   lines: ['D'],
 };

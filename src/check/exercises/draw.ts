@@ -61,6 +61,16 @@ export function drawInput(random: Random, kind: ShapeKind, level: Level): Input 
   return { shape: drawShape(random, kind, level), ray: { origin, direction } };
 }
 
+/** Fisher and Yates. */
+export function shuffled<T>(random: Random, list: readonly T[]): T[] {
+  const all = [...list];
+  for (let i = all.length - 1; i > 0; i--) {
+    const k = integer(random, 0, i);
+    [all[i], all[k]] = [all[k] as T, all[i] as T];
+  }
+  return all;
+}
+
 /** Draws until `accept` holds; null after 4000 draws. */
 export function drawUntil<T>(draw: () => T, accept: (drawn: T) => boolean): T | null {
   for (let i = 0; i < 4000; i++) {

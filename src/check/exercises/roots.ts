@@ -34,6 +34,7 @@ export const roots: Exercise = {
         ? [`A = ${withSign(numberOf(found, 'A'))}: the plus sign gives the smaller root, t₁.`]
         : [`A = ${withSign(numberOf(found, 'A'))}: the minus sign gives the smaller root, t₁.`],
   }),
+  stack: 'from the ray',
   clue: 'Work out D first. Then both signs of ± give a root each; where A < 0 the order turns.',
   lines: ['D', 't'],
 };

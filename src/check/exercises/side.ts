@@ -48,6 +48,7 @@ export const side: Exercise = {
       decision: [`C = ${withSign(C)}: E is ${words}.`],
     };
   },
+  stack: 'from the ray',
   clue: 'At t = 0 the ray is at E, and A t² + B t + C is C there.',
   lines: ['C'],
 };

@@ -1,6 +1,7 @@
 import type { Vec3 } from '../../math/index.ts';
 import { AXES, definitionOf } from '../../math/shapes.ts';
 import { display, displayTriple, shortest } from '../../text/format.ts';
+import { askedOf, capital, givenName } from '../asked.ts';
 import type { Posed } from '../compose.ts';
 import { FOUR_DIGITS } from '../grade.ts';
 import { plan, question } from '../session.ts';
@@ -47,25 +48,28 @@ const shown = (answer: Answer): string =>
       ? displayTriple(answer, DIGITS)
       : answer;
 
-const NAMES: Readonly<Record<string, string>> = { t1: 't₁', t2: 't₂' };
-
 /** The question's text: what is asked, ray and shape, and what is given beside. */
-function promptOf({ exercise, draft, given }: Posed): string {
-  const { params, title } = definitionOf(draft.shape);
+function promptOf(posed: Posed): string {
+  const { exercise, draft, given } = posed;
+  const { input, unknown, subject, told, described } = askedOf(posed);
+  const { params } = definitionOf(draft.shape);
   const numbers = draft.shape as unknown as Readonly<Record<string, Answer>>;
   const shape = params.map(({ symbol, key }) => {
-    const hidden = exercise.asksForParam && key === draft.param?.key;
     const name = symbol === 'axis' ? 'normal along' : `${symbol} =`;
-    return `${name} ${hidden ? '?' : shown(numbers[key] ?? '')}`;
+    return `${name} ${key === unknown ? '?' : shown(numbers[key] ?? '')}`;
   });
   const { origin, direction } = draft.ray;
-  const ray = `Ray R(t) = E + t d: E = ${shown(origin)}, d = ${shown(direction)}`;
-  const told = Object.entries(given).map(([id, x]) => `${NAMES[id] ?? id} = ${shown(x)}`);
+  const known = Object.entries(given).map(([id, x]) => `${givenName(id)} = ${shown(x)}`);
   return [
     exercise.ask(draft),
-    ray,
-    `${title[0]?.toUpperCase()}${title.slice(1)}: ${shape.join(', ')}`,
-    ...(told.length > 0 ? [`Given: ${told.join(', ')}`] : []),
+    ...(input === 'all'
+      ? [`Ray R(t) = E + t d: E = ${shown(origin)}, d = ${shown(direction)}`]
+      : []),
+    ...(input === 'all' ? [`${capital(subject)}: ${shape.join(', ')}`] : []),
+    ...(input === 'E' ? [`E = ${shown(origin)}`] : []),
+    ...(described ? [described] : []),
+    ...told.map(({ name, says }) => `${name}: ${says}`),
+    ...(known.length > 0 ? [`Given: ${known.join(', ')}`] : []),
   ].join('\n');
 }
 

@@ -1,7 +1,9 @@
 import { type CodeSyntax, type Expr, type Names, printCode } from '../../math/formula.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
-import { type Course, courseOf } from '../course.ts';
+import { courseFor } from '../compose.ts';
+import type { Course } from '../course.ts';
+import type { Lines } from '../exercises/define.ts';
 import { findMisconception } from '../misconceptions/index.ts';
 import type { Answer } from '../types.ts';
 import { work } from '../work.ts';
@@ -36,46 +38,62 @@ const maxima = (expr: Expr, end: string, branch: 1 | -1 = 1): string =>
 
 const list = (v: readonly number[]): string => `[${v.map(maximaNumber).join(', ')}]`;
 
-/** The statements that set the ray and the shape. */
-function given({ posed: { draft } }: Part): string[] {
+/** The statements that set the ray and the shape, or the numbers of the exercise's own lines. */
+function given({ posed: { draft, exercise } }: Part, { scalars }: Lines): string[] {
+  const numbersOf = ([id, x]: readonly [string, number]): string => `s${id}: ${maximaNumber(x)};`;
+  if (exercise.stack !== 'from the ray') return Object.entries(scalars).map(numbersOf);
   const numbers = draft.shape as unknown as Readonly<Record<string, Answer>>;
   const own = definitionOf(draft.shape).params.flatMap(({ symbol, key, type }) => {
     const value = numbers[key];
     if (type === 'vector' && typeof value === 'object') return [`v${symbol}: ${list(value)};`];
-    return typeof value === 'number' ? [`s${symbol}: ${maximaNumber(value)};`] : [];
+    return typeof value === 'number' ? [numbersOf([symbol, value])] : [];
   });
   const { origin, direction } = draft.ray;
   return [`vE: ${list(origin)};`, `vd: ${list(direction)};`, ...own];
 }
 
-/** The fields that follow from A, B and C, which STACK computes. */
-const FIELDS = ['A', 'B', 'C', 'D', 't1', 't2'];
-
-/** Statements for A, B, C, D and both roots of these formulas, and the answer's name. */
-function lines(course: Course, end: string, field: string): string[] {
-  if (course.family === 'flat') return [];
-  const { A, B, C, D, roots, rules } = course;
-  const coefficients = [A, B, C].map((tree, i) => `q${'ABC'[i]}${end}: ${maxima(tree, end)};`);
-  const [low, high] = [maxima(roots, end, -1), maxima(roots, end)];
-  const sorted = `sort([${low}, ${high}])`;
-  const pair = rules.order === 'ascending' ? sorted : `reverse(${sorted})`;
-  const needed = FIELDS.indexOf(field);
-  return [
-    ...coefficients,
-    ...(needed >= 3 ? [`qD${end}: ${maxima(D, end)};`] : []),
-    ...(needed >= 4 ? [`r${end}: ${pair};`] : []),
-  ];
+/** The lines of these formulas that STACK computes; null where it has nothing to compute. */
+function linesOf({ posed: { draft, exercise } }: Part, course: Course): Lines | null {
+  if (typeof exercise.stack === 'function') return exercise.stack(course, draft);
+  if (exercise.stack !== 'from the ray' || course.family === 'flat') return null;
+  const { A, B, C, D, roots } = course;
+  return {
+    scalars: {},
+    trees: Object.entries({ A, B, C, D }),
+    pair: { letters: ['t1', 't2'], tree: roots },
+  };
 }
 
-const answerName = (field: string, end: string): string =>
-  field === 't1' ? `r${end}[1]` : field === 't2' ? `r${end}[2]` : `q${field}${end}`;
+/** Statements up to the field's, and at its end the pair of roots if the field is one of them. */
+function statements(
+  { trees, pair }: Lines,
+  { rules }: Course,
+  end: string,
+  field: string,
+): string[] {
+  const last = trees.findIndex(([letter]) => letter === field);
+  const needed = last < 0 ? trees : trees.slice(0, last + 1);
+  const each = needed.map(([letter, tree]) => `q${letter}${end}: ${maxima(tree, end)};`);
+  if (last >= 0 || !pair) return each;
+  const sorted = `sort([${maxima(pair.tree, end, -1)}, ${maxima(pair.tree, end)}])`;
+  return [...each, `r${end}: ${rules.order === 'ascending' ? sorted : `reverse(${sorted})`};`];
+}
+
+const answerName = (field: string, { pair }: Lines, end: string): string => {
+  const at = pair?.letters.indexOf(field) ?? -1;
+  return at < 0 ? `q${field}${end}` : `r${end}[${at + 1}]`;
+};
 
 /** Whether STACK can compute a part's answer and those of its mistakes: roots where A ≠ 0. */
-export const isForStack = ({ field, posed: { draft, exercise }, answer }: Part): boolean => {
-  const course = courseOf(draft.shape);
-  if (course.family === 'flat' || exercise.asksForParam || typeof answer !== 'number') return false;
-  const root = FIELDS.indexOf(field) >= 4;
-  return FIELDS.includes(field) && (!root || work(course, draft).case === 'two');
+export const isForStack = (part: Part): boolean => {
+  const { field, answer, posed } = part;
+  const { draft, exercise } = posed;
+  const course = courseFor(exercise, draft);
+  const lines = linesOf(part, course);
+  if (!lines || typeof answer !== 'number') return false;
+  if (lines.trees.some(([letter]) => letter === field)) return true;
+  const isRoot = lines.pair?.letters.includes(field) ?? false;
+  return isRoot && (exercise.stack !== 'from the ray' || work(course, draft).case === 'two');
 };
 
 interface Node {
@@ -86,23 +104,27 @@ interface Node {
 
 /** The statements of a part, and the answers of the nodes. */
 export function stackFormulas(part: Part): { readonly variables: string; readonly nodes: Node[] } {
-  const course = courseOf(part.posed.draft.shape);
+  const { exercise, draft } = part.posed;
+  const course = courseFor(exercise, draft);
+  const right = linesOf(part, course);
+  if (!right) return { variables: '', nodes: [] };
   const known = part.wrong.flatMap(({ id, says }, i) => {
     const edited = findMisconception(id)?.edit(course);
-    return edited ? [{ edited, says, end: `m${i + 1}` }] : [];
+    const lines = edited && linesOf(part, edited);
+    return edited && lines ? [{ edited, lines, says, end: `m${i + 1}` }] : [];
   });
-  const statements = [
-    ...given(part),
-    ...lines(course, 'r', part.field),
-    ...known.flatMap(({ edited, end }) => lines(edited, end, part.field)),
-    `ta: ${answerName(part.field, 'r')};`,
+  const all = [
+    ...given(part, right),
+    ...statements(right, course, 'r', part.field),
+    ...known.flatMap(({ edited, lines, end }) => statements(lines, edited, end, part.field)),
+    `ta: ${answerName(part.field, right, 'r')};`,
   ];
   return {
-    variables: statements.join('\n'),
+    variables: all.join('\n'),
     nodes: [
       { answer: 'ta', score: 1, says: '' },
-      ...known.map(({ says, end }) => ({
-        ...{ answer: answerName(part.field, end), score: 0 as const, says },
+      ...known.map(({ lines, says, end }) => ({
+        ...{ answer: answerName(part.field, lines, end), score: 0 as const, says },
       })),
     ],
   };

@@ -37,6 +37,7 @@ import {
   normalTurned,
 } from './normals.ts';
 import { ON_PAPER } from './on-paper.ts';
+import { READINGS } from './readings.ts';
 import {
   aEpsilon,
   dEpsilon,
@@ -96,8 +97,12 @@ export const MISCONCEPTIONS: readonly Misconception[] = [
   alwaysTheRoot,
 ];
 
-/** All mistakes, also those that only lines on paper can show. */
-export const ALL_MISCONCEPTIONS: readonly Misconception[] = [...MISCONCEPTIONS, ...ON_PAPER];
+/** All mistakes, also those that only answers to questions can show. */
+export const ALL_MISCONCEPTIONS: readonly Misconception[] = [
+  ...MISCONCEPTIONS,
+  ...ON_PAPER,
+  ...READINGS,
+];
 
 export const findMisconception = (id: string): Misconception | undefined =>
   ALL_MISCONCEPTIONS.find((one) => one.id === id);

@@ -41,7 +41,8 @@ export const mountCheck: MountPage = (host, context) => {
   const tabs = element('parts-area', host);
   const left = element('check-left', host);
   const head = element('check-head', left);
-  const picture = turnablePicture(element('check-stage', left), context.changed);
+  const stage = element('check-stage', left);
+  const picture = turnablePicture(stage, context.changed);
   const body = element('check-body', left);
   const right = element('check-right', host);
   tabs.dataset.part = 'rest';
@@ -143,7 +144,9 @@ export const mountCheck: MountPage = (host, context) => {
       if (!broad.hidden) renderWide(shown, settings);
       if (!left.hidden) {
         const drawn = shown === 'own' ? own : questions;
-        picture.render(drawn.render(head, body, state, settings));
+        const scene = drawn.render(head, body, state, settings);
+        stage.hidden = scene === null;
+        if (scene) picture.render(scene);
       }
       if (!right.hidden) program.render(settings);
     },

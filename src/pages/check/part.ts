@@ -32,10 +32,16 @@ export interface PartContext extends PageContext {
 }
 
 /**
- * A part of the left side: renders the areas above and below the picture, and says what to draw.
+ * A part of the left side: renders the areas above and below the picture, and says what to draw;
+ * null for no scene.
  */
 export interface LeftPart {
-  render(head: HTMLElement, body: HTMLElement, state: AppState, settings: CheckSettings): Shown;
+  render(
+    head: HTMLElement,
+    body: HTMLElement,
+    state: AppState,
+    settings: CheckSettings,
+  ): Shown | null;
 }
 
 /** A part that takes the whole width, for whoever makes sets and marks classes. */

@@ -1,24 +1,26 @@
 import type { Answers, Input } from '../../check/types.ts';
 import { evaluateTriple, float64, POINT, valuesOf, withScalars } from '../../math/formula.ts';
-import type { Vec3 } from '../../math/index.ts';
+import { intersect, type Shape, type Vec3 } from '../../math/index.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
 import { sceneBefore } from '../../state/scene-before.ts';
-import type { GhostModel, SceneModel } from '../../state/scene-model.ts';
+import type { GhostModel, HitMark, SceneModel } from '../../state/scene-model.ts';
 import { isDrawn } from '../../state/stage.ts';
 import { type AppState, INITIAL } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import type { View } from '../../state/view.ts';
-import { displayTriple } from '../../text/format.ts';
+import { display, displayTriple } from '../../text/format.ts';
+import { subscript } from '../../text/scripts.ts';
 
 /** The state of Explore that shows this input. */
-function stateOf({ shape, ray }: Input): AppState {
+function stateOf({ shape, ray, between }: Input): AppState {
   return {
     ...INITIAL,
     kind: shape.kind,
     shapes: { ...INITIAL.shapes, [shape.kind]: shape },
     E: ray.origin,
     d: ray.direction,
+    between: between ?? null,
   };
 }
 
@@ -56,11 +58,19 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
   return (wanted) => {
     const { input, results, answers, view } = wanted;
     if (input !== last?.input) state = stateOf(input);
-    const same = input === last?.input && answers === last.answers && wanted.note === last.note;
+    const same =
+      input === last?.input &&
+      answers === last.answers &&
+      wanted.note === last.note &&
+      results === last.results;
     if (!same) before = null;
     last = wanted;
     if (!results) {
       before ??= unsolved(wanted);
+      return { ...before, view };
+    }
+    if (input.other) {
+      before ??= solvedOfTwo(wanted, input.other);
       return { ...before, view };
     }
     const { scene } = derive({ ...state, view, revealed: null });
@@ -72,7 +82,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
 function unsolved(wanted: Wanted): SceneModel {
   const { input, answers, note, view } = wanted;
   const points = answers ? pointsOf(input, answers).filter(isFinitePoint) : [];
-  const scene = sceneBefore(input.shape, input.ray, points, view);
+  const scene = sceneBefore(input, points, view);
   const own = points.map((p) => displayTriple(p, 4));
   const words = [
     scene.description,
@@ -86,6 +96,31 @@ function unsolved(wanted: Wanted): SceneModel {
     description: words.join(' '),
     ghost: ghostOf(wanted, scene),
   };
+}
+
+/** The scene of two surfaces with the hits of both: t₁, t₂ of the first, s₁, s₂ of the second. */
+function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
+  const { ray } = input;
+  const met = [input.shape, other].flatMap((shape, k) =>
+    intersect(shape, ray).hits.map((hit, i) => ({ ...hit, letter: 'ts'[k] ?? '', index: i + 1 })),
+  );
+  const first = Math.min(...met.filter(({ t }) => t >= 0).map(({ t }) => t));
+  const scene = sceneBefore(
+    input,
+    met.map(({ point }) => point),
+    view,
+  );
+  const hits = met.map(
+    ({ t, point, letter, index }): HitMark => ({
+      ...{ index, t, point, normal: null, words: `${letter}${subscript(index)}` },
+      role: t < 0 ? 'behind' : Object.is(t, first) ? 'first' : 'other',
+      drawn: isDrawn(point, scene.stage),
+    }),
+  );
+  const said = [...hits]
+    .sort((a, b) => a.t - b.t)
+    .map(({ words, t }) => `${words} = ${display(t, 4)}`);
+  return { ...scene, hits, description: `${scene.description} Hits: ${said.join(', ')}.` };
 }
 
 const isFinitePoint = (p: Vec3): boolean => p.every(Number.isFinite);
@@ -131,7 +166,7 @@ function arrow(from: Vec3, [x, y, z]: Vec3, radius: number): GhostModel | null {
 function pointsOf(input: Input, answers: Answers): Vec3[] {
   const values = valuesOf(input.shape, input.ray, float64);
   const at = (t: number): Vec3 => evaluateTriple(POINT, float64, withScalars(values, { t }));
-  const ts = ['t', 't1', 't2'].flatMap((id) => {
+  const ts = ['t', 't1', 't2', 's1', 's2'].flatMap((id) => {
     const t = answers[id];
     return typeof t === 'number' ? [at(t)] : [];
   });

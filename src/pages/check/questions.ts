@@ -69,8 +69,12 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
     posed = question(seed, at, own);
     recallVerdict();
   };
-  /** The picture: with hits and normals once the question is solved, else the student's points. */
-  const shown = (): Shown => {
+  /**
+   * The scene, if the question has one: with hits and normals once it is solved, else the student's
+   * points.
+   */
+  const shown = (): Shown | null => {
+    if (posed.exercise.picture) return null;
     const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
     const results = solvedAt !== null || given;
     const committed = judged !== null && judged.verdict !== 'invalid';

@@ -1,11 +1,12 @@
 import { html, type TemplateResult } from 'lit';
+import { askedOf } from '../../check/asked.ts';
 import type { Posed } from '../../check/compose.ts';
 import { plan, question } from '../../check/session.ts';
 import { setName } from '../../check/sets.ts';
 import type { Field } from '../../check/types.ts';
-import { definitionOf } from '../../math/shapes.ts';
+import { questionDrawing } from '../../panels/check-drawing.ts';
 import { solution } from '../../panels/check-feedback.ts';
-import { inputRow, shownAnswer } from '../../panels/check-given.ts';
+import { givenLines } from '../../panels/check-given.ts';
 import type { Sheets } from '../../panels/check-set.ts';
 import type { Handout } from './print.ts';
 import './sheets.css';
@@ -38,12 +39,12 @@ export function sheetsHandout(
   return {
     content: html`<div>${sheets.map(
       (sheet) => html`<section class=${page}>${head(set, sheet.seed, false)}
-        ${sheet.posed.map((posed, i) => asked(posed, i))}</section>`,
+        ${sheet.posed.map((posed, i) => asked(posed, i, sheet.seed))}</section>`,
     )}${
       key
         ? sheets.map(
             (sheet) => html`<section class="${page} sheet-key">${head(set, sheet.seed, true)}
-              ${sheet.posed.map((posed, i) => solved(posed, i))}</section>`,
+              ${sheet.posed.map((posed, i) => solved(posed, i, sheet.seed))}</section>`,
           )
         : ''
     }</div>`,
@@ -57,23 +58,13 @@ const head = (set: string, seed: number, isKey: boolean): TemplateResult =>
       isKey ? '' : html`<span class="sheet-name">Name <span></span></span>`
     }</header>`;
 
-function about({ draft, exercise, given }: Posed, i: number): TemplateResult {
-  const unknown = exercise.asksForParam ? (draft.param?.key ?? null) : null;
-  const told = Object.entries(given);
-  return html`<h2>${i + 1}  ${definitionOf(draft.shape).title}: ${exercise.topic}</h2>
-    <p>${exercise.ask(draft)}</p>${inputRow(draft, unknown)}${
-      told.length === 0
-        ? ''
-        : html`<p>Given: ${told
-            .map(([id, answer]) => `${SHORT[id] ?? id} = ${shownAnswer(answer)}`)
-            .join(', ')}</p>`
-    }`;
-}
+const about = (posed: Posed, i: number, id: string): TemplateResult =>
+  html`<h2>${i + 1}  ${askedOf(posed).subject}: ${posed.exercise.topic}</h2>
+    <p>${posed.exercise.ask(posed.draft)}</p>${givenLines(posed)}${questionDrawing(posed, id)}`;
 
-const SHORT: Readonly<Record<string, string>> = { t1: 't₁', t2: 't₂' };
-
-const asked = (posed: Posed, i: number): TemplateResult =>
-  html`<div class="sheet-question" .style=${`--answers: ${posed.fields.length}`}>${about(posed, i)}
+const asked = (posed: Posed, i: number, seed: number): TemplateResult =>
+  html`<div class="sheet-question" .style=${`--answers: ${posed.fields.length}`}>
+    ${about(posed, i, `asked-${seed}-${i}`)}
     <div class="sheet-working"></div>
     <div class="sheet-answers">${posed.fields.map(answerPlace)}</div></div>`;
 
@@ -84,5 +75,5 @@ const answerPlace = ({ kind, label, options }: Field): TemplateResult =>
       )}</span>`
     : html`<span class="sheet-answer">${label} = <span class="sheet-line"></span></span>`;
 
-const solved = (posed: Posed, i: number): TemplateResult =>
-  html`<div class="sheet-question">${about(posed, i)}${solution(posed)}</div>`;
+const solved = (posed: Posed, i: number, seed: number): TemplateResult =>
+  html`<div class="sheet-question">${about(posed, i, `key-${seed}-${i}`)}${solution(posed)}</div>`;
