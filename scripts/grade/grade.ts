@@ -4,6 +4,7 @@ import type { Case } from '../../src/check/program/cases.ts';
 import type { Graded } from '../../src/check/program/marks.ts';
 import { reportOf } from '../../src/check/program/report.ts';
 import { readResults } from '../../src/check/program/results.ts';
+import { type RunAgain, shrunk } from '../../src/check/program/shrink.ts';
 import {
   chosenOf,
   isProgram,
@@ -60,8 +61,11 @@ export async function gradeOne(
   if (isProgram(file)) {
     const { outputs, problem: why } = await runProgram(text, cases, limits);
     const problems = why ? [why] : [];
-    const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
-    return { who, report, problems };
+    if (outputs.length === 0) return { who, report: null, problems };
+    const report = reportOf(cases, outputs);
+    if (why || report.silent) return { who, report, problems };
+    const again: RunAgain = async (simpler) => (await runProgram(text, simpler, limits)).outputs;
+    return { who, report: { ...report, branches: await shrunk(report.branches, again) }, problems };
   }
   if (!isResults(file)) {
     return { who, report: null, problems: [`${file}: neither a program nor a file of results`] };

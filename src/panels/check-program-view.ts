@@ -23,6 +23,8 @@ export interface ProgramView {
   /** Why the time was not measured; '' if it was, or if that needs no reason. */
   readonly untimed: string;
   readonly selected: Failure | null;
+  /** Whether smaller failing cases are looked for. */
+  readonly shrinking: boolean;
   /** Number of runs that have ended. */
   readonly finished: number;
   /** Link to the selected case on Explore. */

@@ -25,8 +25,9 @@ export function programReport(view: ProgramView, tools: ProgramTools): TemplateR
       ${report ? summary(report, view) : nothing}
     </div>
     ${view.lines.length > 0 ? consoleLines(view.lines) : nothing}
-    ${report ? families(report, view, tools) : nothing}
+    ${report ? branches(report, view, tools) : nothing}
     ${view.selected ? failure(view.selected, view) : nothing}
+    ${report ? families(report, view, tools) : nothing}
   </div>`;
 }
 
@@ -115,6 +116,41 @@ function consoleLines(lines: readonly ConsoleLine[]): TemplateResult {
   </details>`;
 }
 
+/** By what a program has code of its own for, ordinary cases first. */
+function branches(report: Report, view: ProgramView, tools: ProgramTools): TemplateResult {
+  const rows = report.branches.map(({ id, title, passed, total, says, first }) => {
+    const chosen = first !== null && first === view.selected;
+    return html`<tr data-branch=${id} data-passed=${passed} data-total=${total}
+      data-selected=${chosen ? 'true' : nothing}>
+      <th scope="row"><span class="glyph"
+        aria-hidden="true">${passed === total ? '✓' : '✕'}</span> ${title}</th>
+      <td><strong>${passed}</strong> of ${total}</td>
+      <td>${says === report.common ? nothing : says}${
+        first
+          ? html` <button type="button" class="link" aria-label=${`show the failing case: ${title}`}
+        @click=${() => tools.select(first)}>show</button>`
+          : nothing
+      }</td>
+    </tr>`;
+  });
+  const failing = report.branches.some(({ first }) => first !== null);
+  return html`<div class="table-area" tabindex="0" role="region"
+    aria-label="Results by branch"><table class="families">
+    <thead><tr><th scope="col">case</th><th scope="col">right</th><th
+      scope="col">what happened</th></tr></thead>
+    <tbody>${rows}</tbody>
+  </table></div>
+  <p class="tolerance" role="status">${
+    view.shrinking
+      ? 'Looking for the smallest failing case of each line: your program runs again.'
+      : failing
+        ? SHRUNK
+        : nothing
+  }</p>`;
+}
+
+const SHRUNK = '“show” has the simplest case that was found to fail for the commonest reason.';
+
 function families(report: Report, view: ProgramView, tools: ProgramTools): TemplateResult {
   const { families: rows, groups, common } = report;
   return html`<div class="table-area" tabindex="0" role="region"
@@ -161,7 +197,9 @@ function familyRow(
 function failure({ case: one, output, verdict }: Failure, { link }: ProgramView): TemplateResult {
   const { expected } = one;
   return html`<section class="failure" aria-label="A failing case">
-    <h3>A failing case <span class="family">${definitionOf(one.shape).title}, ${one.family}</span>
+    <h3>A failing case <span class="family">${definitionOf(one.shape).title}${
+      one.id.endsWith('/simpler') ? nothing : `, ${one.family}`
+    }</span>
       ${link ? html`<a class="link" href=${link}>See it in Explore</a>` : nothing}</h3>
     ${inputRow(one)}
     <p>expected: <strong>${

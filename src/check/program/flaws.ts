@@ -182,7 +182,7 @@ const oneSided = (id: string, wanted: 1 | -1, side: string): Flaw => ({
 });
 
 /** Whether R(t) is exactly on the border of a figure. */
-function onBorder({ input }: About, t: number): boolean {
+export function isOnBorder({ input }: About, t: number): boolean {
   const course = courseOf(input.shape);
   if (course.family !== 'flat') return false;
   const values = withScalars(valuesOf(input.shape, input.ray, float64), { t });
@@ -250,7 +250,7 @@ const ROOTS: readonly Flaw[] = [
     says: '< in place of ≤ where the figure ends',
     line: 'inside',
     remedy: 'Rim and edges belong to the figure.',
-    answer: (roots, about) => roots.filter(({ t }) => !onBorder(about, t)),
+    answer: (roots, about) => roots.filter(({ t }) => !isOnBorder(about, t)),
   },
   inFront('front-only', 'roots with t < 0 left out', (t) => t >= 0),
   inFront('front-strict', 'only roots with t > 0, or above an epsilon, returned', (t) => t > 1e-4),

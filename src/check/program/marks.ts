@@ -1,7 +1,7 @@
 import { csv } from '../../text/csv.ts';
 import { xmlText } from '../exports/xml.ts';
 import { GROUPS, type GroupId } from './cases.ts';
-import type { GroupScore, Report } from './report.ts';
+import { failureWords, type GroupScore, type Report } from './report.ts';
 import { BRANCHES } from './suspects.ts';
 
 /** How much each group counts, against the others. */
@@ -61,6 +61,13 @@ export function scoreOf({ report }: Graded, weights: Weights): number {
 export const findingsOf = ({ report }: Graded): string[] =>
   (report?.findings ?? []).map(({ flaw, branch }) => `${flaw.says} (cases ${BRANCHES[branch]})`);
 
+/** The branches with failing cases: how many are right, and the smallest that is not. */
+const branchesOf = ({ report }: Graded): { readonly title: string; readonly words: string }[] =>
+  (report?.branches ?? []).flatMap(({ title, passed, total, says, first }) => {
+    const smallest = first ? `. Smallest: ${failureWords(first)}` : '';
+    return passed === total ? [] : [{ title, words: `${passed} of ${total}: ${says}${smallest}` }];
+  });
+
 export const remarksOf = (graded: Graded): string[] => [
   ...graded.problems,
   ...(graded.report?.remarks ?? []),
@@ -103,14 +110,27 @@ export function gradescope(graded: Graded, weights: Weights): string {
         .map(({ family, passed, total, says }) => `${family}: ${passed} of ${total}, ${says}`),
     ].join('\n'),
   }));
-  const output = [...remarksOf(graded), ...findingsOf(graded)].join('\n');
+  const output = [
+    ...remarksOf(graded),
+    ...findingsOf(graded),
+    ...branchesOf(graded).map(({ title, words }) => `${title}: ${words}`),
+  ].join('\n');
   const result = { score: scoreOf(graded, weights), output, output_format: 'text', tests };
   return `${JSON.stringify(result, null, 2)}\n`;
 }
 
-/** A suite for each submission, a test for each family of cases. */
+/** A suite for each submission, a test for each branch and each family of cases. */
 export function junit(all: readonly Graded[]): string {
-  const suites = all.map(({ who, report, problems }) => {
+  const suites = all.map((graded) => {
+    const { who, report, problems } = graded;
+    const failing = branchesOf(graded);
+    const branches = (report?.branches ?? []).map(({ title }) => {
+      const name = `<testcase classname="branch" name="${xmlText(title)}"`;
+      const words = failing.find((one) => one.title === title)?.words;
+      return words === undefined
+        ? `    ${name}/>`
+        : `    ${name}><failure message="${xmlText(words)}"/></testcase>`;
+    });
     const families = report?.families ?? [];
     const failed = families.filter(({ passed, total }) => passed < total).length;
     const tests = families.map(({ group, family, passed, total, says }) => {
@@ -128,8 +148,10 @@ export function junit(all: readonly Graded[]): string {
           )}"/></testcase>`,
         ];
     return [
-      `  <testsuite name="${xmlText(who)}" tests="${families.length + error.length}" ` +
-        `failures="${failed}" errors="${error.length}">`,
+      `  <testsuite name="${xmlText(who)}" ` +
+        `tests="${branches.length + families.length + error.length}" ` +
+        `failures="${failed + failing.length}" errors="${error.length}">`,
+      ...branches,
       ...tests,
       ...error,
       '  </testsuite>',
@@ -171,5 +193,11 @@ export function gradesMarkdown(all: readonly Graded[], weights: Weights, about: 
     ...(tally.length === 0 ? [] : ['| mistake | programs |', '| --- | ---: |']),
     ...tally.map(([words, count]) => `| ${cellMd(words)} | ${count} |`),
     '',
+    ...all.flatMap((one) => {
+      const failing = branchesOf(one);
+      if (failing.length === 0) return [];
+      const rows = failing.map(({ title, words }) => `* ${title}: ${cellMd(words)}`);
+      return [`## ${cellMd(one.who)}`, '', ...rows, ''];
+    }),
   ].join('\n');
 }

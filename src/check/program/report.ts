@@ -1,4 +1,7 @@
 import { intersect } from '../../math/index.ts';
+import { definitionOf } from '../../math/shapes.ts';
+import { shortest } from '../../text/format.ts';
+import { type BranchId, CASE_BRANCHES, caseBranch } from './branches.ts';
 import { type Case, GROUPS, type GroupId } from './cases.ts';
 import { judgeCase, type Output, type Verdict } from './judge.ts';
 import { remarks } from './remarks.ts';
@@ -19,6 +22,18 @@ export interface FamilyReport {
   readonly digits: number | null;
   /** "all right", or the reasons of the failures, the commonest first. */
   readonly says: string;
+  readonly first: Failure | null;
+}
+
+/** The cases that a program usually has code of its own for. */
+export interface BranchReport {
+  readonly id: BranchId;
+  readonly title: string;
+  readonly passed: number;
+  readonly total: number;
+  /** "all right", or the reasons of the failures, the commonest first. */
+  readonly says: string;
+  /** The simplest failure for its commonest reason; null without one. */
   readonly first: Failure | null;
 }
 
@@ -44,6 +59,8 @@ export interface Report {
   readonly common: string;
   /** Sentences on the results as a whole. */
   readonly remarks: readonly string[];
+  /** Ordinary cases first. */
+  readonly branches: readonly BranchReport[];
   readonly families: readonly FamilyReport[];
   readonly findings: readonly Finding[];
 }
@@ -75,6 +92,7 @@ export function reportOf(cases: readonly Case[], outputs: readonly (Output | und
     silent,
     common: commonReason(run),
     remarks: remarks(cases, all),
+    branches: branchesOf(run),
     families,
     findings: silent ? [] : findings(cases, all),
   };
@@ -119,8 +137,25 @@ function isRightBy(method: string, one: Case): boolean {
 
 function commonReason(run: readonly Failure[]): string {
   const failures = run.filter(({ verdict }) => !verdict.passed);
-  const [kind = '', ...others] = new Set(failures.map(({ verdict }) => kindOf(verdict.says)));
+  const [kind = '', ...others] = new Set(failures.map(({ verdict }) => reasonOf(verdict.says)));
   return failures.length > 1 && others.length === 0 ? kind : '';
+}
+
+function branchesOf(run: readonly Failure[]): BranchReport[] {
+  const of = run.map((one) => ({ one, branch: caseBranch(one.case, one.case.group) }));
+  return CASE_BRANCHES.flatMap(({ id, title }): BranchReport[] => {
+    const members = of.filter(({ branch }) => branch === id).map(({ one }) => one);
+    if (members.length === 0) return [];
+    const failures = members.filter(({ verdict }) => !verdict.passed);
+    const [usual] = counted(failures);
+    return [
+      {
+        ...{ id, title, passed: members.length - failures.length, total: members.length },
+        says: failures.length === 0 ? 'all right' : reasons(failures),
+        first: simplest(failures.filter(({ verdict }) => reasonOf(verdict.says) === usual?.[0])),
+      },
+    ];
+  });
 }
 
 function familyReport(group: GroupId, family: string, members: readonly Failure[]): FamilyReport {
@@ -148,21 +183,26 @@ function simplest(failures: readonly Failure[]): Failure | null {
     : null;
 }
 
-/** The reasons of failures without their numbers, counted. */
-function reasons(failures: readonly Failure[]): string {
+/** The reasons of failures without their numbers, the commonest first. */
+function counted(failures: readonly Failure[]): (readonly [string, number])[] {
   const counts = new Map<string, number>();
   for (const { verdict } of failures) {
-    const kind = kindOf(verdict.says);
-    counts.set(kind, (counts.get(kind) ?? 0) + 1);
+    const reason = reasonOf(verdict.says);
+    counts.set(reason, (counts.get(reason) ?? 0) + 1);
   }
-  const sorted = [...counts].sort((a, b) => b[1] - a[1]);
-  return sorted
+  return [...counts].sort((a, b) => b[1] - a[1]);
+}
+
+function reasons(failures: readonly Failure[]): string {
+  const counts = counted(failures);
+  return counts
     .slice(0, 2)
-    .map(([kind, count]) => (counts.size === 1 ? kind : `${count}× ${kind}`))
+    .map(([reason, count]) => (counts.length === 1 ? reason : `${count}× ${reason}`))
     .join(', ');
 }
 
-function kindOf(says: string): string {
+/** Why a case failed, without its numbers. */
+export function reasonOf(says: string): string {
   if (/ digits? right$|no digit right$/.test(says)) return 'fewer than nine digits right';
   if (/^answers t = /.test(says)) return 'answers, although the input is invalid';
   if (/^t is -?[\d.]/.test(says)) return 't is a number, not an array of numbers';
@@ -170,3 +210,27 @@ function kindOf(says: string): string {
   if (/^t holds '/.test(says)) return 't holds text, not only numbers';
   return says;
 }
+
+/** A case in one line: the ray, the shape, what is expected and what came. */
+export function failureWords({ case: one, output, verdict }: Failure): string {
+  const { shape, ray, expected } = one;
+  const numbers = shape as unknown as Readonly<Record<string, unknown>>;
+  const own = definitionOf(shape).params.map(({ key, symbol }) => {
+    const value = numbers[key];
+    return `${symbol} = ${Array.isArray(value) ? triple(value) : written(value)}`;
+  });
+  const right = !expected
+    ? 'an error or no t'
+    : expected.t.length > 0
+      ? expected.t.map((t) => `t = ${written(t)}`).join(', ')
+      : 'no t';
+  const came = output.type === 'value' ? `; it returned [${output.t.map(written).join(', ')}]` : '';
+  return (
+    `E = ${triple(ray.origin)}, d = ${triple(ray.direction)}, ${shape.kind} with ` +
+    `${own.join(', ')}: expected ${right}${came}: ${verdict.says}`
+  );
+}
+
+const written = (x: unknown): string =>
+  typeof x === 'number' && Number.isFinite(x) ? shortest(x) : String(x);
+const triple = (v: readonly unknown[]): string => `(${v.map(written).join(', ')})`;

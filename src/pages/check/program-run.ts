@@ -5,6 +5,7 @@ import type { Output } from '../../check/program/judge.ts';
 import { type Failure, type Report, reportOf } from '../../check/program/report.ts';
 import { readResults } from '../../check/program/results.ts';
 import { adviceFor, asScript, looksTyped, tooLong } from '../../check/program/script.ts';
+import type { RunAgain } from '../../check/program/shrink.ts';
 import { textbookFor } from '../../check/program/template.ts';
 import { setName, setOf } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
@@ -46,6 +47,7 @@ type RunState = Pick<
   | 'untimed'
   | 'selected'
   | 'finished'
+  | 'shrinking'
 >;
 
 const NOTHING: RunState = {
@@ -58,6 +60,7 @@ const NOTHING: RunState = {
   untimed: '',
   selected: null,
   finished: 0,
+  shrinking: false,
 };
 
 interface Runs {
@@ -87,16 +90,61 @@ export function createRuns(
     state = { ...state, ...next };
     changed();
   };
+  /**
+   * Looks for the smallest failing case of each branch, by running the program again. A branch
+   * that is selected meanwhile stays selected.
+   */
+  const shrink = async (report: Report, job: Pick<Job, 'source' | 'textbook'>): Promise<void> => {
+    const call = calls;
+    let leave = (): void => {};
+    const again: RunAgain = (cases) =>
+      new Promise((resolve) => {
+        const outputs: Output[] = [];
+        const heard = {
+          ...SILENT,
+          output: (_: number, output: Output) => void outputs.push(output),
+          end: () => resolve(outputs),
+        };
+        const packed = cases.map(({ shape, ray }) => ({ shape, ray }));
+        const end = runInSandbox(host, { ...job, cases: packed, timed: [] }, heard);
+        leave = () => {
+          end();
+          resolve([]);
+        };
+      });
+    const ended = (): void => {
+      stop = () => {};
+      put({ shrinking: false });
+    };
+    stop = close = () => {
+      calls++;
+      close = null;
+      leave();
+      ended();
+    };
+    put({ shrinking: true });
+    const { shrunk } = await late(() => import('../../check/program/shrink.ts'));
+    if (call !== calls) return;
+    const branches = await shrunk(report.branches, again);
+    if (call !== calls) return;
+    close = null;
+    const at = report.branches.findIndex(({ first }) => first && first === state.selected);
+    const selected = branches[at]?.first ?? state.selected;
+    put({ report: { ...report, branches }, selected });
+    ended();
+  };
   const finish = (
     cases: readonly Case[],
     outputs: readonly (Output | undefined)[],
     trouble: string,
+    job: Pick<Job, 'source' | 'textbook'> | null = null,
   ) => {
     close = null;
     stop = () => {};
     const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
-    const selected = report && firstFailure(report);
+    const selected = report && firstOf(report);
     put({ running: null, trouble, report, selected, finished: state.finished + 1 });
+    if (report && selected && job) shrink(report, job).catch(() => put({ shrinking: false }));
   };
   /** Runs a program; one in TypeScript without its types. `text` is what runs of `source`. */
   const start = (source: string, kinds: readonly ShapeKind[], text: string | null = null): void => {
@@ -162,7 +210,7 @@ export function createRuns(
           const at =
             `Stopped at case ${outputs.length + 1} of ${cases.length}: ` + `${ending.message}.`;
           finish(cases, [...outputs, { type: 'stopped' }], at);
-        } else finish(cases, outputs, '');
+        } else finish(cases, outputs, '', job);
       },
     });
   };
@@ -228,5 +276,16 @@ function timedOf(cases: readonly Case[]): number[] {
   return ordinary.filter((_, i) => i % step === 0).slice(0, TIMED);
 }
 
-const firstFailure = ({ families }: Report): Failure | null =>
-  families.find(({ first }) => first !== null)?.first ?? null;
+/** The failing case to show first: of the most ordinary branch. */
+const firstOf = ({ branches }: Report): Failure | null =>
+  branches.find(({ first }) => first !== null)?.first ?? null;
+
+type Job = Parameters<typeof runInSandbox>[1];
+
+const SILENT = {
+  note() {},
+  console() {},
+  unsteady() {},
+  timing() {},
+  untimed() {},
+};
