@@ -20,7 +20,7 @@ export function programHead(view: ProgramView, tools: ProgramTools): TemplateRes
     </label>
     <button type="button" class="button" @click=${tools.openFile}>Open file</button>
     ${
-      view.running || view.shrinking
+      view.running
         ? html`<button type="button" class="button primary" @click=${tools.cancel}>Cancel</button>`
         : html`<button type="button" class="button primary" @click=${tools.run}>Run</button>`
     }

@@ -11,7 +11,8 @@ import type { ProgramTools, ProgramView } from './check-program-view.ts';
 
 export function programReport(view: ProgramView, tools: ProgramTools): TemplateResult {
   const { running, trouble, report, notes } = view;
-  return html`<div class="program-report" data-finished=${view.finished}>
+  return html`<div class="program-report" data-finished=${view.finished}
+    data-shrinking=${String(view.shrinking)}>
     ${
       running
         ? html`<div class="progress"><progress max=${running.total} value=${running.done}
@@ -140,16 +141,15 @@ function branches(report: Report, view: ProgramView, tools: ProgramTools): Templ
       scope="col">what happened</th></tr></thead>
     <tbody>${rows}</tbody>
   </table></div>
-  <p class="tolerance" role="status">${
+  <p class="tolerance">${
     view.shrinking
-      ? 'Looking for the smallest failing case of each line: your program runs again.'
+      ? html`Your program runs again, to find the smallest failing case of each line. <button
+        type="button" class="link" @click=${tools.cancel}>Cancel</button>`
       : failing
-        ? SHRUNK
+        ? '“show” has the simplest case that was found to fail for the commonest reason.'
         : nothing
   }</p>`;
 }
-
-const SHRUNK = '“show” has the simplest case that was found to fail for the commonest reason.';
 
 function families(report: Report, view: ProgramView, tools: ProgramTools): TemplateResult {
   const { families: rows, groups, common } = report;

@@ -75,6 +75,36 @@ test('causes are named, two at once too', async ({ page }) => {
   }
 });
 
+test('the smallest failing case of each branch is found, drawn, and opened in Explore', async ({
+  page,
+}) => {
+  await openCheck(page, 'cases=cylinder');
+  const lost = findMisconception('strict');
+  if (!lost) throw new Error('no such misconception');
+  await runProgram(page, programOf('cylinder', (course) => lost.edit(course)) ?? '');
+  await expect(report(page)).toHaveAttribute('data-shrinking', 'false', { timeout: 60_000 });
+  const rows = report(page).locator('[data-branch]');
+  await expect(rows.first()).toHaveAttribute('data-branch', 'two');
+  await expect(report(page).locator('[data-branch="two"] button')).toHaveCount(0);
+  const failing = report(page).locator('[data-branch="tangent"]');
+  await expect(failing).toHaveAttribute('data-passed', '0');
+  await expect(failing).toHaveAttribute('data-selected', 'true');
+  const text = await report(page).locator('.failure').innerText();
+  expect(text).toContain('misses the hit');
+  // Whole numbers of one digit.
+  expect(text.split('expected')[0]).not.toMatch(/\d[.\d]/);
+  await page.getByRole('link', { name: 'See it in Explore' }).click();
+  await expect(page.getByRole('main')).toContainText('double, touches');
+  // A search that is cancelled leaves the report as it is, and a new run ends it.
+  await openCheck(page, 'cases=cylinder');
+  const run = page.getByRole('button', { name: 'Run', exact: true });
+  await run.click();
+  await report(page).getByRole('button', { name: 'Cancel' }).click();
+  await expect(report(page)).toHaveAttribute('data-shrinking', 'false');
+  await expect(failing).toHaveAttribute('data-passed', '0');
+  await expect(page.locator('iframe')).toHaveCount(0);
+});
+
 test('a program may use any name, and export what it likes', async ({ page }) => {
   await openCheck(page, 'cases=plane');
   const names = ['top', 'parent', 'location', 'frames', 'navigator', 'caches', 'opener', 'fetch'];

@@ -121,7 +121,7 @@ const EVERYWHERE = ['lost-minus', 'over-a'];
 const STEPS = Array.from({ length: 25 }, (_, i) => i - 12);
 
 const drawRay = (random: Random, direction: Vec3): Input['ray'] => ({
-  origin: [integer(random, -5, 5), integer(random, -5, 5), integer(random, -5, 5)],
+  origin: [integer(random, -3, 3), integer(random, -3, 3), integer(random, -3, 3)],
   direction,
 });
 
@@ -139,20 +139,30 @@ function movedBy(shape: Shape, by: readonly number[]): Shape {
 
 const hitsIn = (draft: Draft): readonly Met[] => hitsOf(draft, courseOf(draft.shape), {}) ?? [];
 
+const of =
+  (surface: 'a' | 'b') =>
+  (t: number): Met => ({ t, of: surface });
+
+const rootsOf = (input: Input): readonly number[] => {
+  const found = roughWork(courseOf(input.shape), input);
+  return [numberOf(found, 't1'), numberOf(found, 't2')];
+};
+
+/** Two roots count as one below this distance: other clean ones are at least 1/100 apart. */
+const APART = 1e-6;
+
+const isFit = (all: readonly Met[]): boolean =>
+  all.some(({ t }) => t > 0) &&
+  all.every(
+    ({ t }, i) =>
+      Math.abs(t) > APART && all.slice(0, i).every((other) => Math.abs(other.t - t) > APART),
+  );
+
 /** Largest coordinate of the second surface's point. */
 const FARTHEST = 20;
 
-function isFit(draft: Draft): boolean {
-  const ts = hitsIn(draft).map(({ t }) => t);
-  const at = draft.other ? definitionOf(draft.other).anchor(draft.other).at : [];
-  return (
-    ts.length === 4 &&
-    new Set(ts).size === 4 &&
-    ts.every((t) => t !== 0) &&
-    ts.some((t) => t > 0) &&
-    at.every((x) => Math.abs(x) <= FARTHEST)
-  );
-}
+const isNear = ({ other }: Draft): boolean =>
+  (other ? definitionOf(other).anchor(other).at : []).every((x) => Math.abs(x) <= FARTHEST);
 
 export const order: Exercise = {
   id: 'order',
@@ -176,21 +186,24 @@ export const order: Exercise = {
     const second = pick(random, [next, ...more]);
     const { direction } = input.ray;
     const found = drawUntil(
-      (): Input => ({ shape: drawShape(random, second, level), ray: drawRay(random, direction) }),
+      (): Input => ({ shape: drawShape(random, second, 1), ray: drawRay(random, direction) }),
       (drawn) => withTwoCleanRoots(drawn) !== null,
     );
     if (!found) return null;
-    // Moved onto the ray, and along it by whole lengths of d, the second surface keeps what its
-    // roots are apart.
-    const moved = shuffled(random, STEPS).map((k) => {
-      const at = AXES.map(
-        (_, i) => (input.ray.origin[i] ?? 0) - (found.ray.origin[i] ?? 0) + k * (direction[i] ?? 0),
-      );
-      return { ...input, other: movedBy(found.shape, at), watch: [] };
-    });
+    // Moved onto the ray, and along it by k lengths of d, the second surface has its roots k later.
+    const [ts, ss] = [rootsOf(input), rootsOf(found)];
     const place = wanted ?? pick(random, PLACES);
-    const draft = moved.find((one) => isFit(one) && placeOf(hitsIn(one)) === place);
-    if (!draft) return null;
+    const fits = (k: number): boolean => {
+      const all = [...ts.map(of('a')), ...ss.map((s) => of('b')(s + k))];
+      return isFit(all) && placeOf(all) === place;
+    };
+    const k = shuffled(random, STEPS).find(fits);
+    if (k === undefined) return null;
+    const by = AXES.map(
+      (_, i) => (input.ray.origin[i] ?? 0) - (found.ray.origin[i] ?? 0) + k * (direction[i] ?? 0),
+    );
+    const draft: Draft = { ...input, other: movedBy(found.shape, by), watch: [] };
+    if (!isNear(draft)) return null;
     const own: Readonly<Record<string, readonly string[]>> = {
       overlapping: ['by-surface'],
       'one within the other': ['by-surface'],
@@ -211,7 +224,8 @@ export const order: Exercise = {
   fields(draft) {
     const { a, b } = titlesOf(draft);
     const hits = hitsIn(draft);
-    const seen = (of: 'a' | 'b'): number => hits.filter((one) => one.of === of && one.t > 0).length;
+    const seen = (surface: 'a' | 'b'): number =>
+      hits.filter((one) => one.of === surface && one.t > 0).length;
     const all = [...new Set([...orders(seen('a'), seen('b')), ...orders(2, 2)])];
     return [
       numberField('s1', 's₁'),

@@ -144,7 +144,8 @@ export function createRuns(
     const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
     const selected = report && firstOf(report);
     put({ running: null, trouble, report, selected, finished: state.finished + 1 });
-    if (report && selected && job) shrink(report, job).catch(() => put({ shrinking: false }));
+    if (report && selected && job && !report.silent)
+      shrink(report, job).catch(() => put({ shrinking: false }));
   };
   /** Runs a program; one in TypeScript without its types. `text` is what runs of `source`. */
   const start = (source: string, kinds: readonly ShapeKind[], text: string | null = null): void => {

@@ -207,6 +207,12 @@ describe('one line on all results', () => {
       curved({ out: 'if (ts.length === 0) return null' }),
       'an empty array, not null',
     ],
+    ['arrays', curved({ out: 'if (ts) return ts' }), 'returned a plain array'],
+    [
+      'the larger root first',
+      curved({ pair: '[Math.max(t1, t2), Math.min(t1, t2)]' }),
+      'not in ascending order: sort them',
+    ],
     ['no roots at D > 0', curved({ miss: 'if (disc > 0) return out([]);' }), 'look at D'],
   ])('%s', (_, source, words) => expect(remarksOf(source)).toContain(words));
 
