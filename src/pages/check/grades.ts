@@ -63,7 +63,7 @@ export function createGrades(
     const { finished } = runs.get();
     if (isProgram(file.path)) {
       const end = new Promise<void>((done) => {
-        heard = () => runs.get().finished > finished && done();
+        heard = () => runs.get().finished > finished && !runs.get().shrinking && done();
       });
       runs.run(file.text, kinds());
       await end;

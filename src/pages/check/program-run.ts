@@ -106,7 +106,7 @@ export function createRuns(
           end: () => resolve(outputs),
         };
         const packed = cases.map(({ shape, ray }) => ({ shape, ray }));
-        const end = runInSandbox(host, { ...job, cases: packed, timed: [] }, heard);
+        const end = runInSandbox(host(), { ...job, cases: packed, timed: [] }, heard);
         leave = () => {
           end();
           resolve([]);
@@ -122,7 +122,6 @@ export function createRuns(
       leave();
       ended();
     };
-    put({ shrinking: true });
     const { shrunk } = await late(() => import('../../check/program/shrink.ts'));
     if (call !== calls) return;
     const branches = await shrunk(report.branches, again);
@@ -143,9 +142,9 @@ export function createRuns(
     stop = () => {};
     const report = outputs.length > 0 ? reportOf(cases, outputs) : null;
     const selected = report && firstOf(report);
-    put({ running: null, trouble, report, selected, finished: state.finished + 1 });
-    if (report && selected && job && !report.silent)
-      shrink(report, job).catch(() => put({ shrinking: false }));
+    const shrinking = selected !== null && job !== null && report?.silent === false;
+    put({ running: null, trouble, report, selected, finished: state.finished + 1, shrinking });
+    if (shrinking) shrink(report, job).catch(() => put({ shrinking: false }));
   };
   /** Runs a program; one in TypeScript without its types. `text` is what runs of `source`. */
   const start = (source: string, kinds: readonly ShapeKind[], text: string | null = null): void => {
