@@ -209,7 +209,7 @@ export async function connectXapi(
       return 'it does not answer';
     }
   };
-  let kept = { state: '', place: 0, complete: false };
+  let kept = NOTHING_KEPT;
   try {
     const { status, text } = await request(stateUrl, {
       ...{ method: 'GET', headers, body: null, last: false },
@@ -219,7 +219,8 @@ export async function connectXapi(
   } catch {
     return 'it does not answer';
   }
-  let told = '';
+  /** The outcome that was told last, on this visit or one before. */
+  let { told } = kept;
   const newsOf = (report: CourseReport, answered: Answered | null): Statement[] => {
     const score = `${report.right} ${report.passed}`;
     const isNews = report.complete && score !== told;
@@ -229,7 +230,9 @@ export async function connectXapi(
       ...(isNews ? completedStatements(report, launch, around) : []),
     ];
   };
-  const stateFor = ({ state, place, complete }: CourseReport) => ({ state, place, complete });
+  const stateFor = ({ state, place, complete }: CourseReport): Kept => ({
+    ...{ state, place, complete, told },
+  });
   /** Statements that were not taken yet: they go first the next time. */
   let waiting: Statement[] = [];
   const send = async (
@@ -246,8 +249,9 @@ export async function connectXapi(
     if (refused) waiting = [...news, ...waiting];
     return refused || other;
   };
+  const { state, place, complete } = kept;
   return {
-    ...kept,
+    ...{ state, place, complete },
     learner: learnerOf(launch.actor),
     readOnly: false,
     most: MOST_STATE,
@@ -256,21 +260,28 @@ export async function connectXapi(
   };
 }
 
-function stateIn(text: string): {
+/** What a record store keeps of a session. */
+interface Kept {
   readonly state: string;
   readonly place: number;
   readonly complete: boolean;
-} {
+  readonly told: string;
+}
+
+const NOTHING_KEPT: Kept = { state: '', place: 0, complete: false, told: '' };
+
+function stateIn(text: string): Kept {
   let value: unknown;
   try {
     value = JSON.parse(text);
   } catch {
     value = null;
   }
-  const { state, place, complete } = isRecord(value) ? value : {};
+  const { state, place, complete, told } = isRecord(value) ? value : {};
   return {
     state: typeof state === 'string' ? state : '',
     place: Number.isSafeInteger(place) ? Math.max(0, place as number) : 0,
     complete: complete === true,
+    told: typeof told === 'string' ? told : '',
   };
 }

@@ -396,6 +396,21 @@ describe('statements', () => {
     sent.length = 0;
     await connection.send(reportOf(right, 4096, true), null);
     expect(sent.map(({ method }) => method)).toEqual(['PUT']);
+    // Also on another visit.
+    const kept = sent[0]?.body ?? '';
+    const later = await connectXapi(
+      launch,
+      async (url, { method, body }) => {
+        sent.push({ url, method, body: body ?? '' });
+        return { status: 200, text: method === 'GET' ? kept : '' };
+      },
+      AROUND,
+    );
+    if (typeof later === 'string') throw new Error(later);
+    expect(later.complete).toBe(true);
+    sent.length = 0;
+    later.end(reportOf(right, 4096, true));
+    expect(sent.map(({ method }) => method)).toEqual(['PUT']);
   });
 
   test('need an address and a name, and none is sent without', async () => {
