@@ -92,9 +92,9 @@ function doing(
         ? html`; <span class="line-key dashed" aria-hidden="true"></span> time here, lower quartile
           of ${repeats} repeats, all workers added up`
         : ''
-    }. Linear is what a + b·x, logarithmic what a + b·log x meets within ${percent(WITHIN)} at every
-      point (a time also within its quartiles); constant, what varies by less; from ${FEWEST} points
-      on. ${complete ? '' : 'Stopped. '}${
+    }. Linear: a + b·x is within ${percent(WITHIN)} of every point, or within its quartiles;
+      logarithmic: a + b·log x is; constant: it varies by less; from ${FEWEST} points on.
+      ${complete ? '' : 'Stopped. '}${
         isBusy ? html`<strong>The machine was busy</strong>, so times may be too long. ` : ''
       }${act('measure again', tools.again)}
     ${act('close', tools.close)}</p>`;
@@ -110,11 +110,10 @@ function busy({ series }: GrowthShown): boolean {
 
 const percent = (part: number): string => `${display(100 * part, 2)} %`;
 
-/** px of a decade; of the margins around a plot. */
-const DECADE = 46;
-const SIDE = 7;
+/** px of a decade, of the margins around a plot, and of its width for what ranges over least. */
+const DECADE = 42;
+const SIDE = 6;
 const TOP = 9;
-/** Width in px that a plot's words need. */
 const LEAST_WIDTH = 92;
 
 function plots({ series }: GrowthShown, measure: Exclude<Measure, 'ms'>): TemplateResult {
@@ -161,6 +160,7 @@ function plot(
   const whole = work.length === points.length;
   const words = whole ? growthWords(series, work) : '';
   const timed = time.length === points.length ? growthWords(series, time) : '';
+  const timeName = timed && (named(time)?.growth ?? '');
   const unit = MEASURE_WORDS[measure];
   return html`<li class="growth-plot" data-series=${id} title=${how}>
     <svg width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img"
@@ -189,8 +189,8 @@ function plot(
     }</p>
     ${
       timed
-        ? html`<p class="growth-time" data-quantity="growth.${id}.time"
-      data-value=${named(time)?.growth ?? ''}>time ${timed}</p>`
+        ? html`<p data-quantity="growth.${id}.time"
+      data-value=${timeName}>time ${timeName === 'neither' ? timeName : timed}</p>`
         : nothing
     }
     <p class="growth-range">${grouped(numberOf(id, from))} to ${grouped(numberOf(id, to))}</p>

@@ -1,7 +1,8 @@
 import { html, type TemplateResult } from 'lit';
 import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
-import { BOUNCES, changed, type PictureSettings } from '../state/picture/settings.ts';
+import { BOUNCES } from '../state/picture/bounces.ts';
+import { changed, type PictureSettings } from '../state/picture/settings.ts';
 import { readStart, START_TEXTS, startText, startWords } from '../state/picture/start.ts';
 import './picture-method.css';
 

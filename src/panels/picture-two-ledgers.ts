@@ -15,7 +15,10 @@ interface Row {
   /** Null for what does not run on that side, and for a time that was not measured. */
   readonly left: number | null;
   readonly right: number | null;
+  readonly by: Measure;
 }
+
+const MS = 'ms' as const;
 
 /** Both ledgers of a comparison by what the bars show, with their ratios, and the one cause. */
 export function twoLedgers(
@@ -25,11 +28,11 @@ export function twoLedgers(
 ): TemplateResult {
   const { by } = right;
   const rows = rowsOf(left, right, by);
-  const row = ({ id, title, left: a, right: b }: Row): TemplateResult =>
-    html`<tr data-row=${id}><th scope="row">${title}</th>${cell('left', a, by)}${cell(
+  const row = ({ id, title, left: a, right: b, by: of }: Row): TemplateResult =>
+    html`<tr data-row=${id}><th scope="row">${title}</th>${cell('left', a, of)}${cell(
       'right',
       b,
-      by,
+      of,
     )}${ratio(a, b)}</tr>`;
   return html`<table class="two-ledgers">
     <caption>${words.cause} By ${MEASURE_WORDS[by]}${by === 'ms' ? ', ms of all workers' : ''}:
@@ -38,7 +41,13 @@ export function twoLedgers(
       scope="col">left: ${words.left}</th><th scope="col">right: ${words.right}</th><th
         scope="col">left ÷ right</th></tr></thead>
     <tbody>${rows.map(row)}</tbody>
-  </table>`;
+  </table>
+  ${
+    rows.some(({ by: of }) => of === 'ms')
+      ? nothing
+      : html`<p class="measure">Their times too, once <em>measure the time</em> has been chosen
+          below.</p>`
+  }`;
 }
 
 function rowsOf(left: LedgerModel, right: LedgerModel, by: Measure): readonly Row[] {
@@ -49,18 +58,23 @@ function rowsOf(left: LedgerModel, right: LedgerModel, by: Measure): readonly Ro
   const effects = [...right.simulated, ...right.idle].flatMap(({ id, title }): Row[] => {
     const of = ({ simulated }: LedgerModel) => simulated.find((row) => row.id === id);
     const [a, b] = [of(left), of(right)];
-    return a || b ? [{ id, title, left: amount(a), right: amount(b) }] : [];
+    return a || b ? [{ id, title, left: amount(a), right: amount(b), by }] : [];
   });
   const whole = ({ total, times }: LedgerModel): number | null =>
     by === 'ms' ? (times?.work.low ?? null) : total[by];
+  const worked = ({ times }: LedgerModel): number | null => times?.work.low ?? null;
   const waited = ({ times }: LedgerModel): number | null => times?.waited.low ?? null;
+  const areTimed = worked(left) !== null && worked(right) !== null;
   const camera = { left: amount(left.camera), right: amount(right.camera) };
   return [
-    { id: 'camera', title: 'camera rays', ...camera },
+    { id: 'camera', title: 'camera rays', ...camera, by },
     ...effects,
-    { id: 'total', title: 'picture', left: whole(left), right: whole(right) },
-    ...(by === 'ms'
-      ? [{ id: 'waited', title: 'waited', left: waited(left), right: waited(right) }]
+    { id: 'total', title: 'picture', left: whole(left), right: whole(right), by },
+    ...(areTimed && by !== 'ms'
+      ? [{ id: 'time', title: 'ms of work', left: worked(left), right: worked(right), by: MS }]
+      : []),
+    ...(areTimed
+      ? [{ id: 'waited', title: 'ms waited', left: waited(left), right: waited(right), by: MS }]
       : []),
   ];
 }

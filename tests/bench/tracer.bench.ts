@@ -3,12 +3,14 @@ import { cpus } from 'node:os';
 import { accelerate } from '../../src/math/accelerate.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { body as heights } from '../../src/scene/effects/heights-body.ts';
-import { everything } from '../../src/scene/presets/everything.ts';
+import { coneOnMirror } from '../../src/scene/presets/cone-on-mirror.ts';
+import { everything2 } from '../../src/scene/presets/everything-2.ts';
 import { hundred } from '../../src/scene/presets/hundred.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { cameraAxes, fireCamera, pixelsOf } from '../../src/tracer/camera.ts';
 import { createFinder } from '../../src/tracer/find.ts';
+import { growthOf, numberOf, slopeOf, WITHIN } from '../../src/tracer/growth.ts';
 import { newTally, totalOf } from '../../src/tracer/ledger.ts';
 import { prepareTracer } from '../../src/tracer/prepare.ts';
 import { DEFAULT_SETTINGS, type TileResult, type TraceSettings } from '../../src/tracer/types.ts';
@@ -16,9 +18,10 @@ import { createWave } from '../../src/tracer/wave.ts';
 import { worldOf } from '../../src/tracer/world.ts';
 
 /*
- * How many rays a second a picture takes, per preset and method; what it costs against pixels and
- * against shapes, and where boxes pay. One thread. The best of a few rounds of processor time: on a
- * shared machine anything else measures the neighbours. `--methods a,b` and `--presets a,b` choose.
+ * How many rays a second a picture takes, per preset and method; how its price grows, by the plan
+ * and the names of the page (src/tracer/growth.ts); and where boxes pay. One thread. The best of a
+ * few rounds of processor time: on a shared machine anything else measures the neighbours.
+ * `--methods a,b` and `--presets a,b` choose.
  */
 const ROUNDS = 3;
 
@@ -89,28 +92,30 @@ for (const { id, scene } of presets) {
   row([id, first ? raysOf(first) : 0, ...found.map(speed)]);
 }
 
-print('\n## Against pixels: everything, certified\n');
-row(['pixels', 'ms', 'rays', 'ns a pixel']);
-row(['---', '---', '---', '---']);
-for (const width of [80, 160, 320, 640, 1280]) {
-  const height = (width * 9) / 16;
-  const one = await timed(everything.scene, { width, height });
-  row([
-    `${width} × ${height}`,
-    one.ms.toFixed(0),
-    raysOf(one),
-    ((one.ms * 1e6) / (width * height)).toFixed(0),
-  ]);
-}
-
-print('\n## Against shapes: certified, 320 × 180, with boxes from six shapes on\n');
-row(['shapes', 'ms', 'questions a ray']);
-row(['---', '---', '---']);
-for (const count of [1, 2, 4, 5, 6, 8, 12, 25, 50, 100]) {
-  const things = hundred.scene.things.slice(0, count + 1);
-  const one = await timed({ ...hundred.scene, things }, { width: 320, height: 180 });
-  const { questions, rays } = totalOf(one.result.ledger);
-  row([count, one.ms.toFixed(1), (questions / rays).toFixed(2)]);
+for (const { scene } of [coneOnMirror, everything2]) {
+  const settings = { ...DEFAULT_SETTINGS, width: 752, height: 424 };
+  print(`\n## How the price grows: ${scene.title}, 752 × 424, certified\n`);
+  print(
+    `As on the page: linear is what a + b·x, logarithmic what a + b·log x meets within ` +
+      `${100 * WITHIN} % at every point; constant, what varies by less; neither, the rest.\n`,
+  );
+  row(['number of', 'questions grow', 'time grows', 'from … to: questions, ms']);
+  row(['---', '---', '---', '---']);
+  for (const { id, title, how, points } of growthOf(scene, settings)) {
+    const found: { x: number; questions: number; ms: number }[] = [];
+    for (const { x, scene: own, settings: with_ } of points) {
+      const one = await timed(own, with_);
+      found.push({ x, questions: totalOf(one.result.ledger).questions, ms: one.ms });
+    }
+    const growth = (key: 'questions' | 'ms'): string => {
+      const slope = slopeOf(found.map((one) => ({ x: one.x, y: one[key] })));
+      return slope ? `${slope.growth}, slope ${slope.exponent.toFixed(2)}` : '–';
+    };
+    const cells = found.map(
+      ({ x, questions, ms }) => `${numberOf(id, x)}: ${questions}, ${ms.toFixed(0)}`,
+    );
+    row([`${title} (${how})`, growth('questions'), growth('ms'), cells.join('; ')]);
+  }
 }
 
 print('\n## Where boxes pay: nearest hits of 14,400 camera rays, ms\n');

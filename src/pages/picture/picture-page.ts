@@ -163,16 +163,17 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     right: tools.right,
   };
 
+  /** Begins the comparison that the scene promises, or ends the one that there is. */
+  const compare = ({ main }: TraceRequests): void =>
+    tools.edit(({ against, sceneText, start, forced }) => ({
+      against: against ? '' : firstAgainst(sceneText, start, main.settings.method, forced),
+      show: against ? 'both' : 'errors',
+    }));
+
   const bar = ({ picture, requests }: PictureModel) =>
     pictureBar(picture, {
       set: tools.set,
-      compare: () =>
-        tools.edit(({ against, sceneText, start, forced }) => ({
-          against: against
-            ? ''
-            : firstAgainst(sceneText, start, requests.main.settings.method, forced),
-          show: against ? 'both' : 'errors',
-        })),
+      compare: () => compare(requests),
       again: () => traceQueue.again([requests.main, ...(requests.other ? [requests.other] : [])]),
       cancel: traceQueue.cancel,
       isTracing: traceQueue.current() !== null,
@@ -327,7 +328,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       );
       render(over(model), compareView.over);
       render(restLine(model), parts.rest);
-      render(statusLine({ ...model, picture: still }, traceQueue, moves), parts.status);
+      render(
+        statusLine({ ...model, picture: still }, traceQueue, moves, () => compare(requests)),
+        parts.status,
+      );
       drawMap(model);
       drawPixel(model);
       drawPrices(model, stands);

@@ -1,6 +1,7 @@
 import { html, type TemplateResult } from 'lit';
 import { comparisonWords } from '../../panels/picture-compare.ts';
 import { pictureStatus } from '../../panels/picture-status.ts';
+import type { ScenePreset } from '../../scene/presets/define.ts';
 import { findPreset } from '../../scene/presets/index.ts';
 import type { PictureModel } from './picture-model.ts';
 import type { TraceQueue } from './trace-queue.ts';
@@ -10,6 +11,7 @@ export function statusLine(
   model: PictureModel,
   traceQueue: TraceQueue,
   moves: boolean,
+  compare: () => void,
 ): TemplateResult {
   const { picture, requests, main, other, comparison, trustsLeft } = model;
   const current = traceQueue.current();
@@ -18,6 +20,17 @@ export function statusLine(
   const { against, scene, sceneText } = picture;
   const middle = against
     ? comparisonWords(requests.main.settings, against, { found: comparison, trustsLeft })
-    : html`<p>${findPreset(sceneText)?.reason ?? `${scene.title}, edited`}</p>`;
+    : reasonWords(findPreset(sceneText), `${scene.title}, edited`, compare);
   return pictureStatus(moves ? null : (running ?? main), what, middle, other);
+}
+
+/** What there is to see, and the comparison that shows it. */
+function reasonWords(
+  preset: ScenePreset | undefined,
+  otherwise: string,
+  compare: () => void,
+): TemplateResult {
+  if (!preset?.compare) return html`<p>${preset?.reason ?? otherwise}</p>`;
+  return html`<p>${preset.reason} <button type="button" class="textual"
+    @click=${compare}>with and without</button></p>`;
 }

@@ -16,7 +16,7 @@ const WALL = material('#e7ded0');
 export const facingMirrors2: ScenePreset = {
   id: 'facing-mirrors.2',
   reason: 'Two mirrors face each other: each ray goes on until it can no longer change its pixel.',
-  compare: 'off:reflection',
+  compare: 'bounces:1',
   scene: {
     title: 'mirrors that face each other',
     camera: { eye: [0.75, 1.75, 2.6], target: [-0.12, 1.3, -3], angle: 50 },

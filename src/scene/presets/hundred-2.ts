@@ -4,7 +4,7 @@ import { thing } from './hundred.ts';
 export const hundred2: ScenePreset = {
   id: 'hundred.2',
   reason: 'A hundred shapes: boxes around boxes keep most questions from being asked.',
-  compare: 'off:shadow',
+  compare: 'off:boxes',
   scene: {
     title: 'a hundred shapes',
     camera: { eye: [2.2, 7.6, 8], target: [0, 0, -4.3], angle: 36 },

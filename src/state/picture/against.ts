@@ -4,6 +4,7 @@ import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import type { Forced } from '../../scene/effects/plan.ts';
 import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';
+import { readBounces } from './bounces.ts';
 import { readStart, startText, startWords } from './start.ts';
 
 /**
@@ -14,6 +15,7 @@ export type Against =
   | { readonly change: 'method'; readonly method: string }
   | { readonly change: 'start'; readonly start: StartRule }
   | { readonly change: 'effect'; readonly effect: EffectId; readonly force: 'on' | 'off' }
+  | { readonly change: 'bounces'; readonly bounces: number }
   | { readonly change: 'boxes' }
   | { readonly change: 'whole' };
 
@@ -22,7 +24,7 @@ const NO_BOXES = 'off:boxes';
 
 /**
  * In a link: 'method:textbook32', 'start:none', 'start:1e-9', 'off:shadow', 'on:reflection',
- * 'off:boxes', 'whole'; '' for no comparison.
+ * 'bounces:2', 'off:boxes', 'whole'; '' for no comparison.
  */
 export const AGAINST = {
   read(text: string): Against | null {
@@ -33,6 +35,7 @@ export const AGAINST = {
     const value = rest.join(':');
     if (word === 'method' && findMethod(value)) return { change: 'method', method: value };
     if (word === 'start') return { change: 'start', start: readStart(value) };
+    if (word === 'bounces') return { change: 'bounces', bounces: readBounces(value) };
     const effect = EFFECTS.find(({ id }) => id === value)?.id;
     if ((word === 'on' || word === 'off') && effect) {
       return { change: 'effect', effect, force: word };
@@ -43,6 +46,7 @@ export const AGAINST = {
     if (!against) return '';
     if (against.change === 'whole') return WHOLE;
     if (against.change === 'boxes') return NO_BOXES;
+    if (against.change === 'bounces') return `bounces:${against.bounces}`;
     if (against.change === 'method') return `method:${against.method}`;
     if (against.change === 'start') return `start:${startText(against.start)}`;
     return `${against.force}:${against.effect}`;
@@ -72,6 +76,7 @@ export function otherSide(settings: TraceSettings, against: Against): TraceSetti
   if (against.change === 'method') return { ...settings, method: against.method };
   if (against.change === 'start') return { ...settings, start: against.start };
   if (against.change === 'boxes') return { ...settings, boxless: true };
+  if (against.change === 'bounces') return { ...settings, bounces: against.bounces };
   if (against.change === 'whole') return wholeOf(settings);
   const forced = { ...settings.forced, [against.effect]: against.force };
   return { ...settings, forced };
@@ -89,6 +94,7 @@ export function sideWords(settings: TraceSettings, against: Against | null): str
   if (against?.change === 'boxes') {
     return `${method}, ${settings.boxless ? 'every surface asked' : 'boxes met first'}`;
   }
+  if (against?.change === 'bounces') return `${method}, ${bouncesWords(settings.bounces)}`;
   if (against?.change === 'whole') {
     return lessWords(settings) || `the whole picture, ${method}`;
   }
@@ -110,7 +116,7 @@ export function lessWords({ forced, bounces, method }: Less): string {
   const parts = [
     ...(without ? [`without ${without}`] : []),
     ...(more ? [`${more} forced on`] : []),
-    ...(bounces === undefined ? [] : [bounces === 0 ? 'no bounces' : bouncesWords(bounces)]),
+    ...(bounces === undefined ? [] : [bouncesWords(bounces)]),
     ...(method === DEFAULT_METHOD ? [] : [`by ${by}`]),
   ];
   return parts.join('; ');
@@ -118,5 +124,9 @@ export function lessWords({ forced, bounces, method }: Less): string {
 
 type Less = Pick<TraceSettings, 'forced' | 'bounces' | 'method'>;
 
-const bouncesWords = (bounces: number): string =>
-  bounces === 1 ? 'at most 1 bounce' : `at most ${bounces} bounces`;
+/** Undefined: as many as there can be. */
+function bouncesWords(bounces: number | undefined): string {
+  if (bounces === undefined) return 'all bounces';
+  if (bounces === 0) return 'no bounces';
+  return bounces === 1 ? 'at most 1 bounce' : `at most ${bounces} bounces`;
+}

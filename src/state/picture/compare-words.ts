@@ -5,7 +5,10 @@ import { planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
 import { AGAINST, type Against, lessWords, otherSide, sideWords, wholeOf } from './against.ts';
+import { BOUNCES } from './bounces.ts';
 import { readStart, START_TEXTS, startText } from './start.ts';
+
+const MOST = BOUNCES.at(-1) ?? 0;
 
 export interface SideOption {
   readonly value: string;
@@ -27,7 +30,10 @@ export function sideOptions(
   const effects = planEffects(scene, settings.forced).map(
     ({ id, runs }): Against => ({ change: 'effect', effect: id, force: runs ? 'off' : 'on' }),
   );
-  const all: Against[] = [...starts, ...methods, ...effects, { change: 'boxes' }];
+  const depths = BOUNCES.filter((n) => n < (settings.bounces ?? MOST)).map(
+    (n): Against => ({ change: 'bounces', bounces: n }),
+  );
+  const all: Against[] = [...starts, ...methods, ...effects, ...depths, { change: 'boxes' }];
   const isWhole = JSON.stringify(wholeOf(settings)) === JSON.stringify(settings);
   if (!isWhole) all.push({ change: 'whole' });
   const known = all.map(AGAINST.write);
@@ -65,8 +71,13 @@ export function causeWords(settings: TraceSettings, against: Against): string {
   if (against.change === 'boxes') {
     return `Both by ${method}; only on the left every surface is asked about every ray.`;
   }
-  if (against.change === 'whole')
+  if (against.change === 'bounces') {
+    const after = against.bounces === 1 ? '1 bounce' : `${against.bounces} bounces`;
+    return `Both by ${method}; only on the left rays end after ${after}.`;
+  }
+  if (against.change === 'whole') {
     return `Left: the whole picture. Right: ${lessWords(settings) || 'the same'}.`;
+  }
   const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const what = against.force === 'off' ? 'is missing' : 'is forced on';
   return `Both by ${method}; only ${title} ${what} on the left.`;
@@ -75,6 +86,9 @@ export function causeWords(settings: TraceSettings, against: Against): string {
 /** The comparison of the main picture with itself; null for an effect. */
 function sameAs(settings: TraceSettings, against: Against): Against | null {
   if (against.change === 'method') return { change: 'method', method: settings.method };
+  if (against.change === 'bounces') {
+    return { change: 'bounces', bounces: settings.bounces ?? MOST };
+  }
   if (against.change === 'start') return { change: 'start', start: settings.start };
   return null;
 }

@@ -6,6 +6,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { StartRule } from '../../tracer/types.ts';
 import type { Settings } from '../state.ts';
 import { AGAINST, type Against } from './against.ts';
+import { readBounces } from './bounces.ts';
 import { BUDGET, type Budget } from './budget.ts';
 import { ALONG, type Along } from './drag.ts';
 import { DEFAULT_SCENE, sceneFromText } from './scene-link.ts';
@@ -43,7 +44,6 @@ export interface PictureSettings {
 export const SIZES = ['160x90', '320x180', '640x360', '752x424', '960x540', '1280x720'] as const;
 export const SAMPLES = [1, 4, 9, 16] as const;
 export const LIGHT_SAMPLES = [4, 9, 16, 25, 64] as const;
-export const BOUNCES = [0, 1, 2, 3, 4, 6, 8, 16, 32, 64] as const;
 const MOST_SIDE = 2000;
 
 interface Key {
@@ -207,14 +207,6 @@ function readPixel(text: string): readonly [number, number] | null {
   const [, x, y] = /^(\d{1,4}),(\d{1,4})$/.exec(text) ?? [];
   if (x === undefined) throw new InvalidInput(`${quote(text)} is not a pixel like 142,300`);
   return [Number(x), Number(y)];
-}
-
-function readBounces(text: string): number {
-  const most = BOUNCES.at(-1) ?? 0;
-  if (!/^\d{1,2}$/.test(text) || Number(text) > most) {
-    throw new InvalidInput(`${quote(text)} is not a number of bounces from 0 to ${most}`);
-  }
-  return Number(text);
 }
 
 function readPercent(text: string): number {

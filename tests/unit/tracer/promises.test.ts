@@ -4,6 +4,7 @@ import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
 import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/against.ts';
 import { comparePictures } from '../../../src/tracer/compare.ts';
+import { totalOf } from '../../../src/tracer/ledger.ts';
 import { DEFAULT_SETTINGS, type TraceSettings } from '../../../src/tracer/types.ts';
 import { samePicture } from './tracing.ts';
 
@@ -34,6 +35,22 @@ describe('a scene that promises a comparison opens with one that keeps it', () =
   test.each(['grazing', 'grazing.2'])('%s: a few wrong digits decide hit or miss', async (id) => {
     const { found } = await compared(id, firstAgainst(id, FROM, 'certified'));
     expect(found.holes + found.ghosts).toBeGreaterThan(found.pixels / 50);
+  });
+
+  test('hundred: boxes keep questions from being asked for the same picture', async () => {
+    const text = firstAgainst('hundred.2', FROM, 'certified');
+    const { found, left, right } = await compared('hundred.2', text);
+    expect(found.differing).toBe(0);
+    const [every, boxed] = [left, right].map(({ ledger }) => totalOf(ledger));
+    expect(boxed?.rays).toBe(every?.rays);
+    expect(boxed?.questions).toBeLessThan((every?.questions ?? 0) / 2);
+  });
+
+  test('facing mirrors: rays that end sooner change pixels', async () => {
+    const text = firstAgainst('facing-mirrors.2', FROM, 'certified');
+    const { found, left, right } = await compared('facing-mirrors.2', text);
+    expect(found.differing).toBeGreaterThan(found.pixels / 50);
+    expect(totalOf(left.ledger).rays).toBeLessThan(totalOf(right.ledger).rays);
   });
 
   test('self-intersection: a third of the pixels, by the exact method too', async () => {

@@ -151,7 +151,15 @@ describe('forcing', () => {
 
 describe('the other side of a comparison', () => {
   const texts = [
-    ...['method:textbook32', 'start:none', 'start:from', 'start:1e-9', 'off:boxes'],
+    ...[
+      'method:textbook32',
+      'start:none',
+      'start:from',
+      'start:1e-9',
+      'off:boxes',
+      'bounces:0',
+      'bounces:64',
+    ],
     ...EFFECTS.flatMap(({ id }) => [`on:${id}`, `off:${id}`]),
   ];
   test.each(texts)('%s comes back', (text) => {
