@@ -112,7 +112,7 @@ export function encode(state: AppState): string {
   const { [part ?? '']: place, ...settings }: Settings = state.settings[page];
   if (part === undefined) pairs.push(['method', state.method]);
   if (page === 'explore') pairs.push(...lookPairs(state));
-  else if (aboutRay(page)) pairs.push(...hidePairs(state));
+  else if (aboutRay(page)) pairs.push(...endPairs(state), ...hidePairs(state));
   pairs.push(...hostPairs(state));
   for (const [key, value] of Object.entries(settings)) pairs.push([escaped(key), escaped(value)]);
   const path = place ? `#/${page}/${escaped(place)}` : `#/${page}`;
@@ -160,13 +160,17 @@ function lookPairs(state: AppState): [string, string][] {
   const looked = view.write(state.view);
   if (looked !== view.write(INITIAL.view)) pairs.push(['view', looked]);
   if (state.bead !== null) pairs.push(['t', number.write(state.bead)]);
-  if (state.between) pairs.push(['between', heights.write(state.between)]);
-  if (state.between && state.caps) pairs.push(['caps', '1']);
-  pairs.push(...hidePairs(state));
+  pairs.push(...endPairs(state), ...hidePairs(state));
   if (state.ask) pairs.push(['ask', state.ask]);
   if (state.derive) pairs.push(['derive', String(stepShown(state))]);
   return pairs;
 }
+
+/** On every page about the ray: it leads back to the same shape. */
+const endPairs = ({ between, caps }: AppState): [string, string][] => [
+  ...(between ? [['between', heights.write(between)] satisfies [string, string]] : []),
+  ...(between && caps ? [['caps', '1'] satisfies [string, string]] : []),
+];
 
 /** On every page about the ray, since a page may tell what is hidden on another one. */
 const hidePairs = ({ revealed }: AppState): [string, string][] =>
@@ -218,6 +222,8 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     page === 'explore'
       ? readLook(read, before, walkLength(shapeOf(ray)))
       : { ...before, hidden: aboutRay(page) ? readHidden(read, before) : before.revealed !== null };
+  const { between, caps } = before;
+  const ends = aboutRay(page) ? readEnds(read) : { between, caps };
   const host = readHost(read, ray.kind);
   const others = [...given].filter(([key]) => !known.has(key));
   // Explore has one setting: the start rule of a ray that comes from a picture.
@@ -238,8 +244,7 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
     method,
     view: look.view,
     bead: look.bead,
-    between: page === 'explore' || !aboutRay(page) ? look.between : null,
-    caps: page === 'explore' || !aboutRay(page) ? look.caps : false,
+    ...ends,
     settings: { ...before.settings, [page]: Object.fromEntries(own) },
     problems,
     example: null,
@@ -271,7 +276,7 @@ function readRay(
   };
 }
 
-interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'caps' | 'ask' | 'derive'> {
+interface Look extends Pick<AppState, 'view' | 'bead' | 'ask' | 'derive'> {
   readonly hidden: boolean;
 }
 
@@ -281,20 +286,22 @@ interface Look extends Pick<AppState, 'view' | 'bead' | 'between' | 'caps' | 'as
 const readHidden = (read: Read, { revealed }: AppState): boolean =>
   read('hide', word, revealed === null ? '0' : '1', flag) === '1';
 
-function readLook(read: Read, before: AppState, steps: number): Look {
+function readEnds(read: Read): Pick<AppState, 'between' | 'caps'> {
   const between = read<Between | null>('between', heights, null);
+  const caps = read('caps', word, '0', (text) => {
+    flag(text);
+    if (text === '1' && !between)
+      throw new InvalidInput("'caps' needs 'between', which is missing");
+  });
+  return { between, caps: caps === '1' };
+}
+
+function readLook(read: Read, before: AppState, steps: number): Look {
   return {
     hidden: readHidden(read, before),
     ask: read<string | null>('ask', word as Codec<string | null>, null, knownAsk) as Ask | null,
     view: read('view', view, INITIAL.view),
     bead: read<number | null>('t', number, null),
-    between,
-    caps:
-      read('caps', word, '0', (text) => {
-        flag(text);
-        if (text === '1' && !between)
-          throw new InvalidInput("'caps' needs 'between', which is missing");
-      }) === '1',
     derive: read<number | null>('derive', number, null, (given) => {
       const step = Number(given);
       if (step % 1 !== 0 || step < 1 || step > steps) {

@@ -117,12 +117,12 @@ export const anyState: fc.Arbitrary<AppState> = fc
       ...(rest.page !== 'explore' && {
         view: INITIAL.view,
         bead: null,
-        between: null,
-        caps: false,
         revealed: null,
         ask: null,
         derive: null,
       }),
+      // Pages that are about no ray do not carry its shape's ends.
+      ...(!PAGES.some(({ id, ray }) => id === rest.page && ray) && { between: null, caps: false }),
       kind: shape.kind,
       shapes: { ...INITIAL.shapes, [shape.kind]: shape },
     };
