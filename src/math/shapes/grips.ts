@@ -16,6 +16,9 @@ const LEVER_OF_RADIUS = 0.75;
 /** A radius below this many stage radii is too short to be a lever. */
 const SHORT = 0.03;
 
+/** In units of the stage; at the least double a part of its radius would be 0. */
+const leverOf = ({ radius }: Stage): number => Math.max(LEVER * radius, Number.MIN_VALUE);
+
 export function pointGrip(param: string, at: Vec3): Grip {
   return { type: 'point', param, at };
 }
@@ -32,7 +35,7 @@ export function radiusGrip(param: string, center: Vec3, radius: number, axis: Ve
  * picture: c = radius / height.
  */
 export function slopeGrip(param: string, vertex: Vec3, slope: number, stage: Stage): Grip {
-  const h = LEVER * stage.radius;
+  const h = leverOf(stage);
   const side = vertex[1] - h < stage.low ? 1 : -1;
   const sign = slope < 0 ? -1 : 1;
   const from: Vec3 = [vertex[0], vertex[1] + side * h, vertex[2]];
@@ -48,7 +51,7 @@ export function flareGrip(
   { center, a, r }: { readonly center: Vec3; readonly a: number; readonly r: number },
   stage: Stage,
 ): Grip {
-  const h = r > SHORT * stage.radius ? LEVER_OF_RADIUS * r : LEVER * stage.radius;
+  const h = r > SHORT * stage.radius ? LEVER_OF_RADIUS * r : leverOf(stage);
   // As products of quotients: the square of a very long or very short length is not a double.
   const value = (reach: number): number => ((reach - r) / h) * ((reach + r) / h);
   const reach = h * Math.sqrt(Math.max(a + (r / h) ** 2, 0));
@@ -62,7 +65,7 @@ export function flareGrip(
  * height.
  */
 export function widthGrip(param: string, vertex: Vec3, width: number, stage: Stage): Grip {
-  const h = (width < 0 ? -LEVER : LEVER) * stage.radius;
+  const h = width < 0 ? -leverOf(stage) : leverOf(stage);
   const from: Vec3 = [vertex[0], vertex[1] + h, vertex[2]];
   const value = (reach: number): number => reach * (reach / h);
   const reach = Math.sqrt(width / h) * Math.abs(h);
