@@ -157,8 +157,8 @@ const lines = [
     'above; the loop 77, and 96 before the hits of a block were listed first.',
   '* interval in TypeScript: the loop takes 225 ns; 270 with choices by a table, 238 with ' +
     'hits listed first.',
-  '* interval with numbers beyond 2^±100 is left to the method, 83 % of rays with a long or short ' +
-    'd and 98 % of scenes in other units: an end near the limits of the doubles moves outwards ' +
+  '* interval with numbers beyond 2^±100 is left to the method, 83 % of rays with a long or ' +
+    'short d and 98 % of scenes in other units: an end near the limits of the doubles moves outwards ' +
     'even where nothing was rounded, and that would have to be asked of each of 386 products. ' +
     'A pair of doubles only loses its second half there, which its ends show.',
   '* certified, both roots, in TypeScript: of 4.8 to 5.2 the rough roots, which are a ' +
