@@ -158,9 +158,9 @@ const lines = [
   '* interval in TypeScript: the loop takes 225 ns; 270 with choices by a table, 238 with ' +
     'hits listed first.',
   '* interval with numbers beyond 2^±100 is left to the method, 83 % of rays with a long or ' +
-    'short d and 98 % of scenes in other units: an end near the limits of the doubles moves outwards ' +
-    'even where nothing was rounded, and that would have to be asked of each of 386 products. ' +
-    'A pair of doubles only loses its second half there, which its ends show.',
+    'short d and 98 % of scenes in other units: an end near the limits of the doubles moves ' +
+    'outwards even where nothing was rounded, and that would have to be asked of each of 386 ' +
+    'products. A pair of doubles only loses its second half there, which its ends show.',
   '* certified, both roots, in TypeScript: of 4.8 to 5.2 the rough roots, which are a ' +
     'textbook with a bound, take 1.5 to 1.8, the residuals at both roots 1.6 to 1.8, the ' +
     'steps and their bounds 1.1 to 1.3, lists and blocks 0.2 to 0.4. These are 56, 116 and 52' +
