@@ -11,7 +11,7 @@ export const MOST_SAMPLES = 16;
 const ORDER = [0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12] as const;
 
 /** The picture is shown anew after so many: each takes time to be written as bytes. */
-const SHOWN_AT = [4, 8, 16] as const;
+const SHOWN_AT = [2, 4, 8, 16] as const;
 
 /** While nothing else is to be traced the picture gets more rays a pixel, one after another. */
 interface Refiner extends Background {

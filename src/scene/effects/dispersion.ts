@@ -5,7 +5,7 @@ import { bodyValues, defineFields, valuesOf } from './fields.ts';
 const glass = defineFields('dispersion', 'material', {
   spread: {
     type: 'number',
-    label: 'index of blue above that of red by',
+    label: 'dispersion: index of blue above red by',
     default: 0,
     range: [0, 1],
     slider: [0, 0.2],
@@ -23,7 +23,8 @@ export const dispersion = defineEffect({
   neededBy({ things }) {
     const all = things.filter(isGlass);
     const spreads = all.filter(({ material }) => valuesOf(glass, material).spread > 0).length;
-    if (spreads > 0) return needed(`${counted(spreads, 'thing')} of glass with an index a colour`);
+    if (spreads > 0)
+      return needed(`${counted(spreads, 'thing')} of glass with an index for each colour`);
     if (all.length === 0) return notNeeded('no material is glass');
     if (all.every(({ material }) => material.glass?.index === 1))
       return notNeeded('the glass bends no light');
