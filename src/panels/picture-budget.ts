@@ -117,18 +117,19 @@ function result(
         were traced by ${by} differs by more or asks no less.`
     : html`Of ${grouped(first.length)} pictures by ${by} the cheapest that keeps to it is
         <strong data-quantity="budget.choice"
-        data-value=${lessWords(chosen.settings)}>${nameOf(chosen)}</strong>. It asks
+        data-value=${lessWords(cheapest.settings)}>${nameOf(cheapest)}</strong>. It asks
         <strong data-quantity="budget.share"
-          data-value=${shortest(chosen.questions / whole.questions)}>${percent(
-            chosen.questions,
+          data-value=${shortest(cheapest.questions / whole.questions)}>${percent(
+            cheapest.questions,
             whole.questions,
-          )}</strong> of the questions, ${grouped(chosen.questions)} of ${grouped(
+          )}</strong> of the questions, ${grouped(cheapest.questions)} of ${grouped(
             whole.questions,
           )}.`;
   const { over, worst, at } = chosen;
   const place = at < 0 ? null : ([at % width, Math.floor(at / width)] as const);
-  const proof = html`All ${grouped(pixels)} pixels of both were compared, before they were rounded
-    to levels: <strong data-quantity="budget.over"
+  const which = isSame(chosen, cheapest) ? '' : `By ${methodOf(chosen)}: `;
+  const proof = html`${which}All ${grouped(pixels)} pixels of both were compared, before they were
+    rounded to levels: <strong data-quantity="budget.over"
       data-value=${over}>${over === 0 ? 'none differs' : `${grouped(over)} differ`}</strong> by more
     than ${differenceWords(budget)}${
       budget.beyond > 0 ? `, ${grouped(Math.floor(budget.beyond * pixels))} may` : ''
