@@ -30,7 +30,7 @@ const framed = ({ width, height, content }: Picture, words: string, id: string):
 /** Side of a unit of t in pixels; one of f is smaller where more of them are shown. */
 const CELL = 40;
 const GRAPH_HEIGHT = 280;
-const MARGIN = { left: 40, right: 16, top: 14, bottom: 30 };
+const MARGIN = { left: 40, right: 26, top: 14, bottom: 30 };
 
 /** Steps between the grid's lines of f, so that the lines can be counted. */
 const STEPS = [1, 2, 5, 10, 20];
@@ -86,7 +86,7 @@ function graphOf({ t, F, A }: ReturnType<typeof turnOf>): Picture {
         (at) =>
           svg`<text x=${MARGIN.left - 6} y=${y(at) + 4} text-anchor="end">${minus(at)}</text>`,
       )}
-      <text class="name" x=${x(to) + 4} y=${GRAPH_HEIGHT - 12}>t</text>
+      <text class="name" x=${x(to) + 14} y=${GRAPH_HEIGHT - 12}>t</text>
       <text class="name" x="4" y=${MARGIN.top + 4}>f</text></g>`,
   };
 }

@@ -222,7 +222,6 @@ export const order: Exercise = {
   told,
   extend: (course) => ({ ...course, meetings: 'by t' }),
   fields(draft) {
-    const { a, b } = titlesOf(draft);
     const hits = hitsIn(draft);
     const seen = (surface: 'a' | 'b'): number =>
       hits.filter((one) => one.of === surface && one.t > 0).length;
@@ -232,7 +231,7 @@ export const order: Exercise = {
       numberField('s2', 's₂'),
       choiceField(
         'order',
-        `${a} and ${b}, in this order`,
+        'in turn it meets',
         all.map((id) => ({ id, title: words(id, draft) })),
       ),
     ];
