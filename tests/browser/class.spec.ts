@@ -164,7 +164,7 @@ test('dropped files and folders are marked and graded, and saved as four kinds o
     'class/more/deep/Bo.eml': handInCode(handIn('Bo', 1)),
     'class/Cem.js': program,
     'class/Dee/intersect.ts': program.replace('(shape, ray)', '(shape: any, ray: any)'),
-    'class/Dee/notes.md': '# notes',
+    'class/Dee/notes.rst': '# notes',
     'class/Eve.json': JSON.stringify(results),
     'class/Fay.js': 'function intersect( {',
     'class/.DS_Store': '',
@@ -204,7 +204,7 @@ test('dropped files and folders are marked and graded, and saved as four kinds o
   }, files);
   await expect(page.locator('[data-quantity="students"]')).toHaveAttribute('data-value', '2');
   await expect(page.getByRole('alert').or(page.locator('.class-problems'))).toContainText(
-    'notes.md: no hand-in code in it',
+    'notes.rst: no hand-in code in it',
   );
   const points = page.getByRole('region', { name: 'Points by submission' });
   await expect(points.locator('tbody tr')).toHaveCount(4);
@@ -235,7 +235,7 @@ test('dropped files and folders are marked and graded, and saved as four kinds o
     ['CSV', 'graze-programs.csv', 'Eve,100,'],
     ['Gradescope', 'graze-results.zip', 'results.Fay.json'],
     ['JUnit XML', 'graze-junit.xml', '<testsuite name="Dee"'],
-    ['Markdown', 'graze-report.md', '| Eve | 100 |'],
+    ['Markdown', 'report.md', '| Eve | 100 |'],
   ] as const) {
     const [file] = await Promise.all([
       page.waitForEvent('download'),

@@ -100,8 +100,7 @@ export function createGrades(
   const FILES: Readonly<Record<string, () => void>> = {
     csv: () => download('graze-programs.csv', gradesCsv(graded, weights), 'text/csv'),
     junit: () => download('graze-junit.xml', junit(graded), 'application/xml'),
-    markdown: () =>
-      download('graze-report.md', gradesMarkdown(graded, weights, `Programs for ${about}`)),
+    markdown: () => download('report.md', gradesMarkdown(graded, weights, `Programs for ${about}`)),
     gradescope() {
       const [only, ...others] = graded;
       if (only && others.length === 0) {
