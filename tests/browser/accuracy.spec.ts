@@ -4,7 +4,9 @@ import { METHODS } from '../../src/math/index.ts';
 import { violations, violationsInThemes } from './support/axe.ts';
 import { problems } from './support/page.ts';
 import { frames } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({ viewport: { width: 1280, height: 900 } });
 
@@ -48,118 +50,126 @@ const measured = (page: Page) =>
     timeout: 100_000,
   });
 
-test('shows the reference, measures by itself, and the sentence has the table’s numbers', async ({
-  page,
-}) => {
-  await open(page, '&family=far-origin&target=typescript');
-  await expect(page.locator('.acc-sentence')).toHaveText(
-    /^By the reference prices of typical rays in random order, .+ costs? /,
-  );
-  await expect(page.locator('.plot-dot.faint')).toHaveCount(METHODS.length);
-  await expect(page.locator('.measure-reference')).toContainText('typical rays');
-  await measured(page);
-  await expect(page.locator('.plot-dot.faint')).toHaveCount(0);
-  await expect(page.locator('.measure-reference')).toHaveCount(0);
-  await expect(marks(page)).toHaveCount(METHODS.length);
-  for (const { id } of METHODS) {
-    expect(Number(await value(page, id, 'typescript ns')), id).toBeGreaterThan(0);
-  }
-  expect(Number(await value(page, 'textbook', 'typescript ratio'))).toBe(1);
-  const words = (await page.locator('.acc-sentence').textContent()) ?? '';
-  const roots =
-    /both roots, faithful to the last digit, cost .+? ([\d.]+) times .+?(\((\w+)\)|\.)$/;
-  const [, times] = roots.exec(words) ?? [];
-  if (times) {
-    const prices = await page.locator('[data-quantity="typescript ratio"]').allTextContents();
-    expect(prices).toContain(`${times}×`);
-  }
-  await expect(page.locator('.acc-details')).toContainText(/the textbook formula misjudges \d+/);
-  await expect(row(page, 'textbook32')).toContainText('emulated');
-  await expect(page.locator('.head-timed')).toHaveText(
-    '× textbook: “far away” rays, both roots, above',
-  );
-  // Nothing certified or exact is wrong; the textbook formula is.
-  await expect(
-    page.getByRole('button', { name: /^certified: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
-  ).toBeVisible();
-  await expect(
-    page.getByRole('button', { name: /^exact: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
-  ).toBeVisible();
-  await expect(
-    page.getByRole('button', { name: /^textbook: .* [1-9]\d* of 3.072 verdicts wrong/ }),
-  ).toBeVisible();
-  // A mark is a choice of method, for the row and for Explore.
-  await marks(page).and(page.locator('[data-method="moment"]')).focus();
-  await page.keyboard.press('Enter');
-  await expect(row(page, 'moment')).toHaveClass(/is-chosen/);
-  await expect(page).toHaveURL(/method=moment/);
-  const csv = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'table as CSV' }).click(),
-  ]);
-  const lines = readFileSync(await csv[0].path(), 'utf8')
-    .trim()
-    .split('\n');
-  expect(lines).toHaveLength(METHODS.length + 1);
-  expect(lines[2]?.startsWith('textbook,two,right,')).toBe(true);
-  for (const line of lines) expect(line.split(',')).toHaveLength(lines[0]?.split(',').length ?? 0);
-  const svg = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save the frontier plot as SVG' }).click(),
-  ]);
-  expect(readFileSync(await svg[0].path(), 'utf8')).toMatch(/^<svg[\s\S]*certified[\s\S]*<\/svg>$/);
-  const png = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save the frontier plot as PNG' }).click(),
-  ]);
-  expect(
-    readFileSync(await png[0].path())
-      .subarray(1, 4)
-      .toString(),
-  ).toBe('PNG');
-});
+test.describe('measured', () => {
+  test.use({ idle: true });
 
-test('cancelling ends it at once and keeps what was found; the page moves meanwhile', async ({
-  page,
-}) => {
-  await open(page);
-  await measured(page);
-  // No price of TypeScript stands in the column of SIMD.
-  const simd = page.getByRole('button', { name: 'SIMD', exact: true });
-  const details = page.locator('.acc-details');
-  if ((await simd.getAttribute('aria-pressed')) === 'true') {
-    await expect(details).not.toContainText('Compared in TypeScript');
-  } else {
-    await expect(details).toContainText('Compared in TypeScript: ');
-    for (const { id } of METHODS)
-      await expect(row(page, id).locator('.price.simd')).toHaveText('–');
-  }
-  await page.getByRole('button', { name: 'TypeScript', exact: true }).click();
-  await page.getByRole('button', { name: 'Measure longer' }).click();
-  await expect(page.locator('.measure-left')).toContainText(/round [2-9]/, { timeout: 100_000 });
-  const slider = page.locator('.acc-dial input');
-  await page.locator('main').getByText('What does one double more or less change?').click();
-  await page.getByRole('button', { name: 'E.x one double up' }).click();
-  await expect(page.locator('.nudge [data-quantity="E.x"]')).toHaveAttribute(
-    'data-value',
-    '153.00000000000003',
-  );
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.getByRole('button', { name: 'Measure longer' })).toBeVisible();
-  await expect(page.locator('main').getByText(/Cancelled after \d+ of 15 rounds/)).toBeVisible();
-  await expect(marks(page)).toHaveCount(METHODS.length);
-  const before = await value(page, 'exact', 'typescript ns');
-  // A round that was still on its way would come with one of the next frames.
-  await frames(page, 30);
-  expect(await value(page, 'exact', 'typescript ns')).toBe(before);
-  // Other rays: what was measured does not belong to them, and they are measured in turn.
-  const thumb = await slider.inputValue();
-  await slider.focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(slider).not.toHaveValue(thumb);
-  await expect(page).toHaveURL(/dial=/);
-  await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
-  await expect(row(page, 'exact').locator('.price.typescript')).toHaveText('–');
+  test('shows the reference, measures by itself, and the sentence has the table’s numbers', async ({
+    page,
+  }) => {
+    await open(page, '&family=far-origin&target=typescript');
+    await expect(page.locator('.acc-sentence')).toHaveText(
+      /^By the reference prices of typical rays in random order, .+ costs? /,
+    );
+    await expect(page.locator('.plot-dot.faint')).toHaveCount(METHODS.length);
+    await expect(page.locator('.measure-reference')).toContainText('typical rays');
+    await measured(page);
+    await expect(page.locator('.plot-dot.faint')).toHaveCount(0);
+    await expect(page.locator('.measure-reference')).toHaveCount(0);
+    await expect(marks(page)).toHaveCount(METHODS.length);
+    for (const { id } of METHODS) {
+      expect(Number(await value(page, id, 'typescript ns')), id).toBeGreaterThan(0);
+    }
+    expect(Number(await value(page, 'textbook', 'typescript ratio'))).toBe(1);
+    const words = (await page.locator('.acc-sentence').textContent()) ?? '';
+    const roots =
+      /both roots, faithful to the last digit, cost .+? ([\d.]+) times .+?(\((\w+)\)|\.)$/;
+    const [, times] = roots.exec(words) ?? [];
+    if (times) {
+      const prices = await page.locator('[data-quantity="typescript ratio"]').allTextContents();
+      expect(prices).toContain(`${times}×`);
+    }
+    await expect(page.locator('.acc-details')).toContainText(/the textbook formula misjudges \d+/);
+    await expect(row(page, 'textbook32')).toContainText('emulated');
+    await expect(page.locator('.head-timed')).toHaveText(
+      '× textbook: “far away” rays, both roots, above',
+    );
+    // Nothing certified or exact is wrong; the textbook formula is.
+    await expect(
+      page.getByRole('button', { name: /^certified: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
+    ).toBeVisible();
+    await expect(
+      page.getByRole('button', { name: /^exact: .* 0 of 3.072 verdicts wrong, 0 undecided/ }),
+    ).toBeVisible();
+    await expect(
+      page.getByRole('button', { name: /^textbook: .* [1-9]\d* of 3.072 verdicts wrong/ }),
+    ).toBeVisible();
+    // A mark is a choice of method, for the row and for Explore.
+    await marks(page).and(page.locator('[data-method="moment"]')).focus();
+    await page.keyboard.press('Enter');
+    await expect(row(page, 'moment')).toHaveClass(/is-chosen/);
+    await expect(page).toHaveURL(/method=moment/);
+    const csv = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'table as CSV' }).click(),
+    ]);
+    const lines = readFileSync(await csv[0].path(), 'utf8')
+      .trim()
+      .split('\n');
+    expect(lines).toHaveLength(METHODS.length + 1);
+    expect(lines[2]?.startsWith('textbook,two,right,')).toBe(true);
+    for (const line of lines)
+      expect(line.split(',')).toHaveLength(lines[0]?.split(',').length ?? 0);
+    const svg = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save the frontier plot as SVG' }).click(),
+    ]);
+    expect(readFileSync(await svg[0].path(), 'utf8')).toMatch(
+      /^<svg[\s\S]*certified[\s\S]*<\/svg>$/,
+    );
+    const png = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save the frontier plot as PNG' }).click(),
+    ]);
+    expect(
+      readFileSync(await png[0].path())
+        .subarray(1, 4)
+        .toString(),
+    ).toBe('PNG');
+    expect(await violations(page), 'with what is measured').toEqual([]);
+  });
+
+  test('cancelling ends it at once and keeps what was found; the page moves meanwhile', async ({
+    page,
+  }) => {
+    await open(page);
+    await measured(page);
+    // No price of TypeScript stands in the column of SIMD.
+    const simd = page.getByRole('button', { name: 'SIMD', exact: true });
+    const details = page.locator('.acc-details');
+    if ((await simd.getAttribute('aria-pressed')) === 'true') {
+      await expect(details).not.toContainText('Compared in TypeScript');
+    } else {
+      await expect(details).toContainText('Compared in TypeScript: ');
+      for (const { id } of METHODS)
+        await expect(row(page, id).locator('.price.simd')).toHaveText('–');
+    }
+    await page.getByRole('button', { name: 'TypeScript', exact: true }).click();
+    await page.getByRole('button', { name: 'Measure longer' }).click();
+    await expect(page.locator('.measure-left')).toContainText(/round [2-9]/, { timeout: 100_000 });
+    const slider = page.locator('.acc-dial input');
+    await page.locator('main').getByText('What does one double more or less change?').click();
+    await page.getByRole('button', { name: 'E.x one double up' }).click();
+    await expect(page.locator('.nudge [data-quantity="E.x"]')).toHaveAttribute(
+      'data-value',
+      '153.00000000000003',
+    );
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect(page.getByRole('button', { name: 'Measure longer' })).toBeVisible();
+    await expect(page.locator('main').getByText(/Cancelled after \d+ of 15 rounds/)).toBeVisible();
+    await expect(marks(page)).toHaveCount(METHODS.length);
+    const before = await value(page, 'exact', 'typescript ns');
+    // A round that was still on its way would come with one of the next frames.
+    await frames(page, 30);
+    expect(await value(page, 'exact', 'typescript ns')).toBe(before);
+    // Other rays: what was measured does not belong to them, and they are measured in turn.
+    const thumb = await slider.inputValue();
+    await slider.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect(slider).not.toHaveValue(thumb);
+    await expect(page).toHaveURL(/dial=/);
+    await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible();
+    await expect(row(page, 'exact').locator('.price.typescript')).toHaveText('–');
+  });
 });
 
 test('how hard: textbook ends in lost hits, and its worst ray opens in Explore', async ({

@@ -12,8 +12,10 @@ import { extent } from './support/layout.ts';
 import { computed, LESSONS, lessonOf, liveNumbers, openStep, stepShown } from './support/lesson.ts';
 import { problems, settle } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
 import { showTheme } from './support/theme.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const asked = (page: Page) => page.getByRole('form', { name: 'Question' });
 const column = (page: Page) => page.locator('.lesson-column');
@@ -57,26 +59,30 @@ function posedBy({ link }: Step): { id: string; kind: string; text: string }[] {
 const BY_KEYS = 'ray';
 const BY_TOUCH = 'discriminant';
 
-for (const { id, title, steps } of LESSONS) {
-  if (id === BY_KEYS || id === BY_TOUCH) continue;
-  test(`${title}: by a clicker, its numbers are those of the math module`, async ({ page }) => {
-    await page.goto(`./#/lesson/${id}`);
-    for (const [i, step] of steps.entries()) {
-      await stepShown(page, i + 1);
-      await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
-      if (step.guess !== null) {
-        await expect(asked(page)).toBeVisible();
-        await numbersAreRight(page, step, step.question);
-        expect(Object.keys((await liveNumbers(page)).text)).not.toContain('t1');
+test.describe('by a clicker', () => {
+  // A lesson speaks of what is measured.
+  test.use({ idle: true });
+  for (const { id, title, steps } of LESSONS) {
+    if (id === BY_KEYS || id === BY_TOUCH) continue;
+    test(`${title}: its numbers are those of the math module`, async ({ page }) => {
+      await page.goto(`./#/lesson/${id}`);
+      for (const [i, step] of steps.entries()) {
+        await stepShown(page, i + 1);
+        await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
+        if (step.guess !== null) {
+          await expect(asked(page)).toBeVisible();
+          await numbersAreRight(page, step, step.question);
+          expect(Object.keys((await liveNumbers(page)).text)).not.toContain('t1');
+          await page.keyboard.press('PageDown');
+          await expect(page.getByRole('region', { name: 'Answer' })).toBeVisible();
+        }
+        await numbersAreRight(page, step, [...step.text, ...step.answer]);
         await page.keyboard.press('PageDown');
-        await expect(page.getByRole('region', { name: 'Answer' })).toBeVisible();
       }
-      await numbersAreRight(page, step, [...step.text, ...step.answer]);
-      await page.keyboard.press('PageDown');
-    }
-    await stepShown(page, steps.length);
-  });
-}
+      await stepShown(page, steps.length);
+    });
+  }
+});
 
 test('a whole lesson by keyboard alone', async ({ page }) => {
   const { title, steps } = lessonOf(BY_KEYS);
@@ -486,6 +492,7 @@ for (const viewport of [
       await openStep(page, '#/lesson/ray', 1);
       await page.getByRole('button', { name: 'Edit' }).click();
       expect.soft(await violations(page), 'an edit').toEqual([]);
+      await page.getByRole('button', { name: 'Done' }).click();
     });
   });
 }
@@ -662,7 +669,7 @@ test('a presenter’s window follows Explore: what is not shown yet, and what co
   await presenter.close();
 });
 
-test('a presenter’s window that is kept from opening is a link', async ({ page }) => {
+fresh('a presenter’s window that is kept from opening is a link', async ({ page }) => {
   await page.addInitScript(() => {
     window.open = () => null;
   });

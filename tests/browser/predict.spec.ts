@@ -17,7 +17,9 @@ import {
   settle,
   withoutScene,
 } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const LINK = '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25&method=exact';
 /**
@@ -93,7 +95,7 @@ test.describe('without the picture', () => {
     expect(await quantities(page)).toEqual(all);
   });
 
-  test("a clicker's one key reveals first and then goes on, still hidden", async ({ page }) => {
+  fresh("a clicker's one key reveals first and then goes on, still hidden", async ({ page }) => {
     await page.keyboard.press('h');
     for (let i = 0; i < 7; i++) await page.keyboard.press('PageDown');
     await settle(page);
@@ -109,7 +111,8 @@ test.describe('without the picture', () => {
 });
 
 test.describe('asked', () => {
-  test.use({ provoked: NO_SCENE });
+  // What Accuracy measures by itself is no result either.
+  test.use({ provoked: NO_SCENE, idle: true });
   test.beforeEach(({ page }) => withoutScene(page));
 
   test('what is hidden and asked survives a reload; the answer and its gap come after', async ({

@@ -1,6 +1,9 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from './support/test.ts';
 
+// What measures by itself is to die.
+test.use({ idle: true });
+
 /** Ends all workers as a lack of memory does: the page that started them is told nothing. */
 async function mortal(page: Page): Promise<() => Promise<void>> {
   await page.addInitScript(() => {

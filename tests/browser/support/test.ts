@@ -17,9 +17,19 @@ function withoutInk(): void {
     Object.defineProperty(prototype, name, { value: () => undefined });
 }
 
+/**
+ * Accuracy measures by itself once the browser has nothing else to do, which is seconds of work:
+ * where nobody looks at what it measures the browser is never idle.
+ */
+function neverIdle(): void {
+  Object.assign(window, { requestIdleCallback: () => 0 });
+}
+
 interface Strict {
   /** Whether the canvas of the scene is filled. */
   ink: boolean;
+  /** Whether the browser is idle at times, so that Accuracy measures by itself. */
+  idle: boolean;
   /** What a test provokes on purpose and may therefore appear on the console. */
   provoked: RegExp | null;
   /** Everything that went wrong so far; a test may look at it before its end. */
@@ -32,10 +42,14 @@ interface Kept {
   page: Page | null;
 }
 
-async function prepare(context: BrowserContext, ink: boolean): Promise<void> {
+async function prepare(
+  context: BrowserContext,
+  { ink, idle }: Pick<Strict, 'ink' | 'idle'>,
+): Promise<void> {
   await context.addInitScript(countPending);
   await context.addInitScript(keepSaid);
   if (!ink) await context.addInitScript(withoutInk);
+  if (!idle) await context.addInitScript(neverIdle);
 }
 
 /**
@@ -55,8 +69,9 @@ export const test = base.extend<Strict, { kept: Kept }>({
   ],
   provoked: [null, { option: true }],
   ink: [false, { option: true }],
-  context: async ({ context, ink }, use) => {
-    await prepare(context, ink);
+  idle: [false, { option: true }],
+  context: async ({ context, ink, idle }, use) => {
+    await prepare(context, { ink, idle });
     await use(context);
   },
   complaints: [
@@ -93,17 +108,17 @@ export const test = base.extend<Strict, { kept: Kept }>({
  * As `test`, but the tests of a file have the same page, one after another: a visit takes more
  * time than most of what is done there. A link says anew what is shown; storage, media, mouse,
  * focus and routes are put back here. What is left is undo, a kept ray, hidden results, answers
- * that were given, and numbers of shapes that were left: a test ends what it began of these, and
- * lets go of the keys that it holds. The file says `test.describe.configure({ mode: 'default' })`.
+ * that were given, numbers of shapes that were left, and a scene that was kept away: a test ends
+ * what it began of these, and lets go of the keys that it holds. The file says `test.describe.configure({ mode: 'default' })`.
  */
 export const visit = test.extend({
-  context: async ({ browser, kept, ink, hasTouch, isMobile, permissions }, use, { file }) => {
-    const key = JSON.stringify([file, ink, hasTouch, isMobile, permissions]);
+  context: async ({ browser, kept, ink, idle, hasTouch, isMobile, permissions }, use, info) => {
+    const key = JSON.stringify([info.file, ink, idle, hasTouch, isMobile, permissions]);
     if (kept.key !== key) {
       await kept.page?.context().close();
       kept.page = null;
       const context = await browser.newContext();
-      await prepare(context, ink);
+      await prepare(context, { ink, idle });
       kept.page = await context.newPage();
       kept.key = key;
     }
