@@ -6,11 +6,17 @@ import { type Tourist, webkitGtk } from './webdriver.ts';
 export const BROWSERS = ['firefox', 'webkit'] as const;
 export type BrowserName = (typeof BROWSERS)[number];
 
-/** Chromium, whose values the others are to have. */
-export async function reference(): Promise<Tourist> {
+/** Where the Chromium is that `npm test` takes, and how it is started; '' for Playwright's own. */
+export async function chromiumFound(): Promise<{ path: string; args: string[] }> {
   // @ts-expect-error: a plain script, shared with the tests' runner.
   const { ensureChromium, args } = await import('../browser.mjs');
-  const { executablePath } = await ensureChromium();
+  const { executablePath: path = '' } = await ensureChromium();
+  return { path, args };
+}
+
+/** Chromium, whose values the others are to have. */
+export async function reference(): Promise<Tourist> {
+  const { path: executablePath, args } = await chromiumFound();
   return byPlaywright(await chromium.launch({ args, ...(executablePath && { executablePath }) }));
 }
 

@@ -4,13 +4,14 @@ import { spawnSync } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { serveSite } from '../serve-site.ts';
 import { accelerated } from './accelerated.ts';
-import { BROWSERS, type BrowserName, found, reference } from './browsers.ts';
+import { BROWSERS, type BrowserName, chromiumFound, found, reference } from './browsers.ts';
 import { type Seen, tour } from './tour.ts';
 import type { Tourist } from './webdriver.ts';
 
 /** Commands of package.json, each with what makes it long. */
 const COMMANDS: Readonly<Record<string, readonly string[]>> = {
   unit: ['test:unit'],
+  browser: ['test:browser'],
   rays: ['fuzz', '--rays', '1e7'],
   page: ['fuzz:page', '--actions', '5000'],
   shots: ['shots'],
@@ -34,6 +35,13 @@ const judge = (name: string, ok: boolean): void => {
   else failed += 1;
 };
 
+/** Runs a command of npm; whether it ended well. */
+function run(argv: readonly string[], env: NodeJS.ProcessEnv): boolean {
+  const { status } = spawnSync('npm', argv, { stdio: 'inherit', env });
+  judge(`npm ${argv.join(' ')}`, status === 0);
+  return status === 0;
+}
+
 const browsers = BROWSERS.filter((name) => steps.includes(name));
 if (browsers.length > 0) await tours(browsers);
 for (const [step, [script = '', ...args]] of Object.entries(COMMANDS)) {
@@ -41,10 +49,13 @@ for (const [step, [script = '', ...args]] of Object.entries(COMMANDS)) {
   const seed =
     values.seed === undefined || !script.startsWith('fuzz') ? [] : ['--seed', values.seed];
   const argv = ['run', script, '--', ...args, ...seed];
-  // The unit tests take all of their random cases, not a quarter: tests/unit/many.ts.
-  const env = { ...process.env, LONG: '1' };
-  const { status } = spawnSync('npm', argv, { stdio: 'inherit', env });
-  judge(`npm ${argv.join(' ')}`, status === 0);
+  // Unit and browser tests take all of their cases, not some by turns: tests/unit/many.ts.
+  const env: NodeJS.ProcessEnv = { ...process.env, LONG: '1' };
+  if (step === 'browser') {
+    if (!env.SITE_IS_BUILT && !run(['run', 'build'], env)) continue;
+    env.E2E_CHROMIUM ??= (await chromiumFound()).path;
+  }
+  run(argv, env);
 }
 for (const name of skipped)
   console.log(`NOT RUN: ${name}: it is not here and could not be installed`);

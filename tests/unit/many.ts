@@ -1,6 +1,6 @@
 /*
- * How much of a long test `npm test` does: a quarter. The unit tests of `npm run test:long` have
- * LONG and do all of it.
+ * How much of a long test `npm test` does: a quarter. The unit tests and the browser tests of
+ * `npm run test:long` have LONG and do all of it.
  */
 
 const isLong = Boolean(process.env.LONG);
