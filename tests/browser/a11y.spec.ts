@@ -2,7 +2,9 @@ import { SHAPES } from '../../src/math/index.ts';
 import { BUT_CONTRAST, violations, violationsInThemes } from './support/axe.ts';
 import { box, pickShape, slider, typeInto } from './support/controls.ts';
 import { open, problems } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const SIZES = [
   { width: 1280, height: 720 },
@@ -33,7 +35,9 @@ for (const viewport of SIZES) {
   });
 }
 
-test('everything that can be operated has a name', async ({ page }) => {
+test('everything that can be operated has a name; the page has a language and a heading', async ({
+  page,
+}) => {
   await open(page, '#/explore?shape=square&method=exact');
   await page.locator('canvas').waitFor();
   const operable = page.locator('a, button, input, select, [tabindex="0"], [role="slider"]');
@@ -42,10 +46,6 @@ test('everything that can be operated has a name', async ({ page }) => {
   await expect(slider(page, 'E.x')).toHaveAccessibleName(/E\.x/);
   await expect(box(page, 'L')).toHaveAccessibleName(/side/);
   await expect(page.locator('.graph-bead')).toHaveAttribute('aria-valuetext', /^t .*f /);
-});
-
-test('the page says its language and has a heading', async ({ page }) => {
-  await open(page, '#/explore');
   await expect(page.locator('html')).toHaveAttribute('lang', 'en');
   await expect(page).toHaveTitle(/Graze/);
   await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);

@@ -3,7 +3,9 @@ import type { Download, Page } from '@playwright/test';
 import { violations, violationsInThemes } from './support/axe.ts';
 import { problems } from './support/page.ts';
 import { frames, timersDone } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 test.use({ viewport: { width: 1280, height: 900 } });
 
@@ -72,7 +74,8 @@ test('textbook’s torn edge: by keys and wheel, each gesture one step of undo',
   await expect(page).not.toHaveURL(/at=/);
 });
 
-test('a pixel is the ray of the table, of Explore, and where its digits go', async ({ page }) => {
+// Where the cursor of the maps stands is kept.
+fresh('a pixel is the ray of the table, of Explore, and where its digits go', async ({ page }) => {
   await open(page, TORN);
   await map(page).focus();
   // Below the middle, on the line: textbook sees a tangent where there is none.
@@ -136,7 +139,7 @@ const PROGRAM = `function intersect(shape: Shape, ray: Ray) {
   return { t: [(-B - Math.sqrt(D)) / (2 * A), (-B + Math.sqrt(D)) / (2 * A)] };
 }`;
 
-test('the student’s own program has a map, beside certified’s', async ({ page }) => {
+fresh('the student’s own program has a map, beside certified’s', async ({ page }) => {
   await page.goto('./#/check');
   await page.evaluate((text) => localStorage.setItem('graze.check.program', text), PROGRAM);
   await open(page, `${TORN}&maps=own,certified`);

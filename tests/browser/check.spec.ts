@@ -9,7 +9,9 @@ import { violations, violationsInThemes } from './support/axe.ts';
 import { extent } from './support/layout.ts';
 import { hashOf, NO_SCENE, settle, withoutScene } from './support/page.ts';
 import { openCheck, report, runProgram } from './support/program.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const SEED = 41;
 const COUNT = plan(SEED).length;
@@ -44,34 +46,35 @@ test.describe('questions', () => {
     await withoutScene(page);
   });
 
-  test('a wrong answer is named, hints come after a try, the right one is kept', async ({
-    page,
-  }) => {
-    const posed = question(SEED, indexOf('roots'));
-    await openCheck(page, link('roots'));
-    await expect(page.getByRole('button', { name: /^Hint/ })).toHaveCount(0);
-    const [suspect] = posed.suspects;
-    await answer(page, 'roots', suspect?.answers ?? {});
-    await expect(feedback(page)).toHaveAttribute('data-cause', suspect?.misconception.id ?? '');
-    await expect(feedback(page)).toContainText(
-      `This is what comes out with ${suspect?.misconception.says}`,
-    );
-    await expect(feedback(page)).toContainText('It happens on');
-    for (const i of [1, 2, 3]) await page.getByRole('button', { name: `Hint ${i} of 3` }).click();
-    await expect(page.locator('.helps')).toContainText(posed.exercise.clue);
-    await answer(page, 'roots', posed.truth);
-    await expect(feedback(page)).toHaveAttribute('data-verdict', 'correct');
-    await page.reload();
-    await expect(feedback(page)).toHaveAttribute('data-verdict', 'correct');
-    await page.locator('.summary summary').click();
-    await expect(page.locator('.summary')).toContainText('right at try 2');
-    await expect(page.locator('.summary')).toContainText(`1 of ${COUNT} right`);
-    await page.getByRole('button', { name: 'Next question' }).click();
-    await expect(
-      page.getByRole('heading', { name: `Question ${indexOf('roots') + 2} of ${COUNT}` }),
-    ).toBeVisible();
-    await expect.poll(() => hashOf(page)).toContain(`question=${indexOf('roots') + 2}`);
-  });
+  fresh(
+    'a wrong answer is named, hints come after a try, the right one is kept',
+    async ({ page }) => {
+      const posed = question(SEED, indexOf('roots'));
+      await openCheck(page, link('roots'));
+      await expect(page.getByRole('button', { name: /^Hint/ })).toHaveCount(0);
+      const [suspect] = posed.suspects;
+      await answer(page, 'roots', suspect?.answers ?? {});
+      await expect(feedback(page)).toHaveAttribute('data-cause', suspect?.misconception.id ?? '');
+      await expect(feedback(page)).toContainText(
+        `This is what comes out with ${suspect?.misconception.says}`,
+      );
+      await expect(feedback(page)).toContainText('It happens on');
+      for (const i of [1, 2, 3]) await page.getByRole('button', { name: `Hint ${i} of 3` }).click();
+      await expect(page.locator('.helps')).toContainText(posed.exercise.clue);
+      await answer(page, 'roots', posed.truth);
+      await expect(feedback(page)).toHaveAttribute('data-verdict', 'correct');
+      await page.reload();
+      await expect(feedback(page)).toHaveAttribute('data-verdict', 'correct');
+      await page.locator('.summary summary').click();
+      await expect(page.locator('.summary')).toContainText('right at try 2');
+      await expect(page.locator('.summary')).toContainText(`1 of ${COUNT} right`);
+      await page.getByRole('button', { name: 'Next question' }).click();
+      await expect(
+        page.getByRole('heading', { name: `Question ${indexOf('roots') + 2} of ${COUNT}` }),
+      ).toBeVisible();
+      await expect.poll(() => hashOf(page)).toContain(`question=${indexOf('roots') + 2}`);
+    },
+  );
 
   test('what cannot be read is no try', async ({ page }) => {
     await openCheck(page, link('coefficients'));
@@ -86,39 +89,40 @@ test.describe('questions', () => {
     );
   });
 
-  test('every question can be answered, and the solution ends with what was asked', async ({
-    page,
-  }) => {
-    await openCheck(page, `seed=${SEED}`);
-    for (let i = 0; i < COUNT; i++) {
-      await page.locator('.dash').nth(i).click();
-      await expect(
-        page.getByRole('heading', { name: `Question ${i + 1} of ${COUNT}` }),
-      ).toBeVisible();
-      // It has the focus from the first frame: later it would take it from who types elsewhere.
-      const [first] = await page
-        .locator('.answers :is(input, select)')
-        .evaluateAll((all) => all.map((one) => one === document.activeElement));
-      expect(first, `the first box of question ${i + 1} has the focus`).toBe(true);
-      const posed = question(SEED, i);
-      for (const { id, kind } of posed.fields) {
-        const row = page.locator(`.answer[data-field="${id}"]`);
-        if (kind === 'choice') await row.locator('select').selectOption(asText(posed.truth[id]));
-        else await row.locator('input').fill(asText(posed.truth[id]));
+  fresh(
+    'every question can be answered, and the solution ends with what was asked',
+    async ({ page }) => {
+      await openCheck(page, `seed=${SEED}`);
+      for (let i = 0; i < COUNT; i++) {
+        await page.locator('.dash').nth(i).click();
+        await expect(
+          page.getByRole('heading', { name: `Question ${i + 1} of ${COUNT}` }),
+        ).toBeVisible();
+        // It has the focus from the first frame: later it would take it from who types elsewhere.
+        const [first] = await page
+          .locator('.answers :is(input, select)')
+          .evaluateAll((all) => all.map((one) => one === document.activeElement));
+        expect(first, `the first box of question ${i + 1} has the focus`).toBe(true);
+        const posed = question(SEED, i);
+        for (const { id, kind } of posed.fields) {
+          const row = page.locator(`.answer[data-field="${id}"]`);
+          if (kind === 'choice') await row.locator('select').selectOption(asText(posed.truth[id]));
+          else await row.locator('input').fill(asText(posed.truth[id]));
+        }
+        await page.locator('.answers').getByRole('button', { name: 'Check', exact: true }).click();
+        await expect(feedback(page), posed.exercise.id).toHaveAttribute('data-verdict', 'correct');
+        await page.getByRole('button', { name: 'Show the solution' }).click();
+        await expect(page.locator('.solution .so'), posed.exercise.id).toBeVisible();
       }
-      await page.locator('.answers').getByRole('button', { name: 'Check', exact: true }).click();
-      await expect(feedback(page), posed.exercise.id).toHaveAttribute('data-verdict', 'correct');
-      await page.getByRole('button', { name: 'Show the solution' }).click();
-      await expect(page.locator('.solution .so'), posed.exercise.id).toBeVisible();
-    }
-    await page.locator('.summary summary').click();
-    await expect(page.locator('.summary')).toContainText(`${COUNT} of ${COUNT} right`);
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('.summary').getByRole('button', { name: 'Save as JSON' }).click(),
-    ]);
-    expect(file.suggestedFilename()).toBe(`graze-check-${SEED}.json`);
-  });
+      await page.locator('.summary summary').click();
+      await expect(page.locator('.summary')).toContainText(`${COUNT} of ${COUNT} right`);
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        page.locator('.summary').getByRole('button', { name: 'Save as JSON' }).click(),
+      ]);
+      expect(file.suggestedFilename()).toBe(`graze-check-${SEED}.json`);
+    },
+  );
 
   test('with the keyboard alone', async ({ page }) => {
     const posed = question(SEED, indexOf('first'));
@@ -166,27 +170,28 @@ test.describe('questions', () => {
   });
 });
 
-test('hits stay hidden until a question is solved or given up; own points are drawn', async ({
-  page,
-}) => {
-  await openCheck(page, link('roots'));
-  const stage = page.locator('.check-left .check-stage');
-  await stage.locator('canvas').waitFor();
-  await settle(page);
-  const marks = stage.locator('[data-symbol^="t1"], [data-symbol^="t2"]');
-  await expect(marks).toHaveCount(0);
-  await answer(page, 'roots', { t1: 1, t2: 2 });
-  await expect(stage).toContainText('yours');
-  await settle(page);
-  await expect(marks).toHaveCount(0);
-  const words = stage.locator('.scene-description').first();
-  await expect(words).toContainText('Yours:');
-  await expect(words).not.toContainText(/t₁|t₂|first hit|outside|inside/);
-  await expect(page.locator('.check-left a[href*="#/explore"]')).toHaveCount(0);
-  await page.getByRole('button', { name: 'Show the solution' }).click();
-  await expect(marks).not.toHaveCount(0);
-  await expect(page.locator('.solution .so')).toContainText('So t₁ =');
-});
+fresh(
+  'hits stay hidden until a question is solved or given up; own points are drawn',
+  async ({ page }) => {
+    await openCheck(page, link('roots'));
+    const stage = page.locator('.check-left .check-stage');
+    await stage.locator('canvas').waitFor();
+    await settle(page);
+    const marks = stage.locator('[data-symbol^="t1"], [data-symbol^="t2"]');
+    await expect(marks).toHaveCount(0);
+    await answer(page, 'roots', { t1: 1, t2: 2 });
+    await expect(stage).toContainText('yours');
+    await settle(page);
+    await expect(marks).toHaveCount(0);
+    const words = stage.locator('.scene-description').first();
+    await expect(words).toContainText('Yours:');
+    await expect(words).not.toContainText(/t₁|t₂|first hit|outside|inside/);
+    await expect(page.locator('.check-left a[href*="#/explore"]')).toHaveCount(0);
+    await page.getByRole('button', { name: 'Show the solution' }).click();
+    await expect(marks).not.toHaveCount(0);
+    await expect(page.locator('.solution .so')).toContainText('So t₁ =');
+  },
+);
 
 test.describe('own numbers', () => {
   test.use({ provoked: NO_SCENE });
@@ -289,7 +294,7 @@ for (const viewport of [
 ]) {
   test.describe(`${viewport.width} px`, () => {
     test.use({ viewport, provoked: NO_SCENE });
-    test('axe finds nothing, and nothing is wider than the screen', async ({ page }) => {
+    fresh('axe finds nothing, and nothing is wider than the screen', async ({ page }) => {
       await withoutScene(page);
       for (const state of STATES) {
         await openCheck(page, state);

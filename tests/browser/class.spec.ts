@@ -11,7 +11,9 @@ import { violationsInThemes } from './support/axe.ts';
 import { extent } from './support/layout.ts';
 import { hashOf, NO_SCENE, problems, withoutScene } from './support/page.ts';
 import { openCheck } from './support/program.ts';
-import { expect, test } from './support/test.ts';
+import { expect, test as fresh, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const SET = 'coefficients,roots;shapes=cylinder;level=1';
 const LINK = 'set=coefficients,roots&shapes=cylinder&level=1&seed=41';
@@ -107,7 +109,7 @@ test('a set is made in the form, answered under a name, handed in and marked', a
   await expect(students.getByRole('row', { name: /^Ada/ })).toContainText('1 of 2');
 });
 
-test('two hundred codes are marked while the page answers', async ({ page }) => {
+fresh('two hundred codes are marked while the page answers', async ({ page }) => {
   const codes = Array.from({ length: 200 }, (_, i) => handInCode(handIn(`s${i + 1}`, i % 3)));
   await openCheck(page, `part=class&${LINK}`);
   await page.getByLabel('Hand-in codes').fill(codes.join('\n'));

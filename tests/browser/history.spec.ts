@@ -1,6 +1,8 @@
 import { box, expectInLink, pickShape, resetOf, slider, typeInto } from './support/controls.ts';
 import { hashOf, NO_SCENE, open, quantities, settle, withoutScene } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const START = '#/explore?shape=cone&method=exact';
 
@@ -8,6 +10,25 @@ test.use({ provoked: NO_SCENE });
 test.beforeEach(async ({ page }) => {
   await withoutScene(page);
   await open(page, START);
+});
+
+// It comes first, where nothing is to be undone yet.
+test('a whole drag of a slider is one step', async ({ page }) => {
+  const at = await slider(page, 'c').boundingBox();
+  if (!at) throw new Error('no slider');
+  await page.mouse.move(at.x + at.width * 0.25, at.y + at.height / 2);
+  await page.mouse.down();
+  for (const share of [0.4, 0.5, 0.6, 0.8]) {
+    await page.mouse.move(at.x + at.width * share, at.y + at.height / 2);
+    await settle(page);
+  }
+  await page.mouse.up();
+  await settle(page);
+  expect(Number((await quantities(page)).c)).toBeGreaterThan(1);
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  expect((await quantities(page)).c).toBe('0.5');
+  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('aria-disabled', 'true');
 });
 
 test('undo and redo by keys and by buttons bring back every number', async ({ page }) => {
@@ -28,25 +49,7 @@ test('undo and redo by keys and by buttons bring back every number', async ({ pa
   await expectInLink(page, { shape: 'square' });
 });
 
-test('a whole drag of a slider is one step', async ({ page }) => {
-  const at = await slider(page, 'c').boundingBox();
-  if (!at) throw new Error('no slider');
-  await page.mouse.move(at.x + at.width * 0.25, at.y + at.height / 2);
-  await page.mouse.down();
-  for (const share of [0.4, 0.5, 0.6, 0.8]) {
-    await page.mouse.move(at.x + at.width * share, at.y + at.height / 2);
-    await settle(page);
-  }
-  await page.mouse.up();
-  await settle(page);
-  expect(Number((await quantities(page)).c)).toBeGreaterThan(1);
-  await page.keyboard.press('Control+z');
-  await settle(page);
-  expect((await quantities(page)).c).toBe('0.5');
-  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('aria-disabled', 'true');
-});
-
-test('so is a run of key presses on one control; another control begins a new one', async ({
+test('a run of key presses on one control is one step; another control begins a new one', async ({
   page,
 }) => {
   for (let i = 0; i < 5; i++) await slider(page, 'c').press('ArrowRight');

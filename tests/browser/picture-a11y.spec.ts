@@ -1,6 +1,8 @@
 import { violations, violationsInThemes } from './support/axe.ts';
 import { settle } from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const STATES = [
   'scene=cone-on-mirror&pixel=48,25',

@@ -1,16 +1,8 @@
 import { slider } from './support/controls.ts';
-import {
-  hashOf,
-  linkWritten,
-  NO_SCENE,
-  open,
-  quantities,
-  settle,
-  withoutScene,
-} from './support/page.ts';
-import { expect, test } from './support/test.ts';
+import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
+import { expect, visit as test } from './support/test.ts';
 
-test.use({ provoked: NO_SCENE });
+test.describe.configure({ mode: 'default' });
 
 /** Key presses that all arrive before the page is drawn again. */
 async function pressAtOnce(element: ReturnType<typeof slider>, key: string, times: number) {
@@ -28,7 +20,6 @@ async function pressAtOnce(element: ReturnType<typeof slider>, key: string, time
 }
 
 test('no key is lost, however fast they come: slider, box and bead', async ({ page }) => {
-  await withoutScene(page);
   await open(page, '#/explore?shape=cone&method=exact&t=1');
   await pressAtOnce(slider(page, 'E.x'), 'ArrowRight', 12);
   await settle(page);

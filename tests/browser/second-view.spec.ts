@@ -1,6 +1,8 @@
 import { expectSaid, open, quantities, settle } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
-import { expect, test } from './support/test.ts';
+import { expect, visit as test } from './support/test.ts';
+
+test.describe.configure({ mode: 'default' });
 
 const TANGENT = '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,1,1.5&d=-1,0,0';
 
