@@ -55,11 +55,11 @@ export function shell(state: AppState, dispatch: Dispatch, tools: ShellTools): T
 }
 
 function problems(state: AppState, dispatch: Dispatch): TemplateResult {
-  return html`<div class="problems" data-say="problem">
+  return html`<aside class="problems" data-say="problem">
     <p>${state.problems.join(' · ')}</p>
     <button type="button" class="dismiss"
       @click=${() => dispatch({ type: 'dismiss' })}>Dismiss</button>
-  </div>`;
+  </aside>`;
 }
 
 function tool(

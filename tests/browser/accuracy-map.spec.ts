@@ -158,7 +158,9 @@ fresh('the student’s own program has a map, beside certified’s', async ({ pa
 
 test('without a program it says so; a link’s mistakes are told', async ({ page }) => {
   await page.goto(`./#/accuracy?${TORN}&maps=own`);
-  await expect(page.locator('.atlas-progress')).toContainText('There is no program of yours yet');
+  await expect(page.locator('.atlas-progress').first()).toContainText(
+    'There is no program of yours yet',
+  );
   await page.goto('./#/accuracy?shape=sphere&atlas=k,E.z&maps=newton');
   await expect(problems(page).first()).toContainText("opened without maps: 'newton'");
   await expect(page.locator('.atlas')).toContainText("'k' is no number of this shape");

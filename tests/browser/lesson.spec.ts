@@ -68,7 +68,8 @@ test.describe('by a clicker', () => {
       await page.goto(`./#/lesson/${id}`);
       for (const [i, step] of steps.entries()) {
         await stepShown(page, i + 1);
-        await expect(page.getByRole('heading', { level: 2, name: step.title })).toBeVisible();
+        const head = { level: 2, name: step.title, exact: true };
+        await expect(page.getByRole('heading', head)).toBeVisible();
         if (step.guess !== null) {
           await expect(asked(page)).toBeVisible();
           await numbersAreRight(page, step, step.question);
