@@ -546,6 +546,7 @@ test('a link measures how the price grows, and finds the cheapest picture within
   for (const name of names) {
     expect(['constant', 'linear', 'logarithmic', 'neither']).toContain(name);
   }
+  await page.getByRole('tab', { name: 'What this picture needed' }).click();
   await page.getByLabel('bars by').selectOption('rays');
   await expect(page.locator('.growth-words').first()).toContainText('rays, the same on every');
   const share = page.locator('[data-quantity="budget.share"]');

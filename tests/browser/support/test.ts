@@ -109,7 +109,8 @@ export const test = base.extend<Strict, { kept: Kept }>({
  * time than most of what is done there. A link says anew what is shown; storage, media, mouse,
  * focus and routes are put back here. What is left is undo, a kept ray, hidden results, answers
  * that were given, numbers of shapes that were left, and a scene that was kept away: a test ends
- * what it began of these, and lets go of the keys that it holds. The file says `test.describe.configure({ mode: 'default' })`.
+ * what it began of these, and lets go of the keys that it holds. The file says
+ * `test.describe.configure({ mode: 'default' })`.
  */
 export const visit = test.extend({
   context: async ({ browser, kept, ink, idle, hasTouch, isMobile, permissions }, use, info) => {
