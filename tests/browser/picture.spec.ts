@@ -584,7 +584,7 @@ test.describe('on a phone', () => {
     }
     await page.getByRole('tab', { name: 'Scene' }).click();
     for (const part of ['cone', 'lamp', 'camera', 'background']) {
-      await page.getByRole('button', { name: part }).first().click();
+      await page.locator('.part-name', { hasText: part }).first().click();
       await settle(page);
       const width = await page.evaluate(() => document.scrollingElement?.scrollWidth);
       expect(width, part).toBe(390);
