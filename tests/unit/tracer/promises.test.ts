@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { EFFECTS } from '../../../src/scene/effects/index.ts';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
@@ -73,7 +74,9 @@ describe('a scene that promises a comparison opens with one that keeps it', () =
   });
 });
 
-const forcedOff = PRESETS.filter(({ compare }) => compare?.startsWith('off:'));
+const forcedOff = PRESETS.filter(({ compare }) =>
+  EFFECTS.some(({ id }) => compare === `off:${id}`),
+);
 
 test.each(forcedOff)('$id: what it is compared without is seen in it', async ({ id, compare }) => {
   const { found } = await compared(id, compare ?? '');
