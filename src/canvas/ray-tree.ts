@@ -1,3 +1,4 @@
+import type { Along } from '../state/picture/drag.ts';
 import type { TreeLine, TreeScene } from '../state/picture/tree-scene.ts';
 import type { FreeView } from '../state/view.ts';
 import type { Mounted } from '../ui/mounted.ts';
@@ -9,6 +10,7 @@ import type { Painter } from './painter.ts';
 import { PathPainter } from './path-painter.ts';
 import { Projection } from './projection.ts';
 import { listenToPicks } from './ray-pick.ts';
+import { type LightTools, listenToLights, TreeLights } from './ray-tree-lights.ts';
 import { lineStrokes, TreeMarks } from './ray-tree-lines.ts';
 import { silhouette } from './silhouette.ts';
 import { StageUnits } from './stage-units.ts';
@@ -34,6 +36,8 @@ export interface TreeModel {
   readonly shown: ReadonlySet<string> | null;
   /** In so many ms the chosen rays grow from their starts, when they come. */
   readonly growMs: number;
+  /** What drags of lights keep to. */
+  readonly along: Along;
 }
 
 export interface TreeTools {
@@ -43,6 +47,7 @@ export interface TreeTools {
   go(by: 1 | -1): void;
   /** Plays them one after another, or stands still. */
   play(): void;
+  readonly lights: LightTools;
 }
 
 /** A pixel's rays in space, among the shapes that they touch. Drawn only after a change. */
@@ -61,6 +66,7 @@ export function mountTree(host: HTMLElement, tools: TreeTools): Mounted<TreeMode
   const gl = GlPainter.on(canvas);
   const lines = new PathPainter(paths);
   const marks = new TreeMarks(overlay);
+  const lights = new TreeLights(overlay);
   let painter: Painter = gl ?? lines;
   let theme = faint(readTheme(host));
   let model: TreeModel | null = null;
@@ -105,6 +111,7 @@ export function mountTree(host: HTMLElement, tools: TreeTools): Mounted<TreeMode
       theme,
     );
     marks.draw(lines, lit, units, projection, theme);
+    lights.draw(model.scene.lights, units, projection, theme);
     host.dataset.frames = String(Number(host.dataset.frames ?? 0) + 1);
   }
 
@@ -134,6 +141,7 @@ export function mountTree(host: HTMLElement, tools: TreeTools): Mounted<TreeMode
   };
   const controller = new AbortController();
   const { signal } = controller;
+  listenToLights(root, () => (model && drawn ? { ...drawn, model } : null), tools.lights, signal);
   listenToPicks(
     root,
     {
@@ -221,7 +229,10 @@ const sameSet = (a: ReadonlySet<string> | null, b: ReadonlySet<string> | null): 
   a === b || (a !== null && b !== null && a.size === b.size && [...a].every((x) => b.has(x)));
 
 const isSame = (a: TreeModel, b: TreeModel): boolean =>
-  sameSet(a.chosen, b.chosen) && sameSet(a.shown, b.shown) && a.growMs === b.growMs;
+  a.along === b.along &&
+  sameSet(a.chosen, b.chosen) &&
+  sameSet(a.shown, b.shown) &&
+  a.growMs === b.growMs;
 
 /** The first part of a ray, before it has come to its end. */
 function partOf(line: TreeLine, share: number): TreeLine {

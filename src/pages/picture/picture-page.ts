@@ -1,12 +1,14 @@
 import { nothing, render } from 'lit';
+import type { Vec3 } from '../../math/index.ts';
 import { DEFAULT_METHOD } from '../../math/shapes.ts';
 import { pictureBar } from '../../panels/picture-bar.ts';
 import { budgetPanel, budgetSaid } from '../../panels/picture-budget.ts';
 import { cameraLine } from '../../panels/picture-camera.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
 import { growthPanel, growthSaid } from '../../panels/picture-growth.ts';
+import type { Scene } from '../../scene/types.ts';
 import { firstAgainst } from '../../state/picture/against.ts';
-import { movedFrom } from '../../state/picture/drag.ts';
+import { movedFrom, stepIn } from '../../state/picture/drag.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import {
   type PictureSettings,
@@ -111,10 +113,34 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     announce,
     close: () => tools.set({ pixel: '' }),
   });
-  const space = lateRayTree(parts.space, pixels);
+  const space = lateRayTree(parts.space, {
+    ...pixels,
+    lights: {
+      hold() {
+        taken = model?.picture.scene ?? null;
+        pixels.hold(true);
+      },
+      drag(id, by) {
+        if (taken) tools.scene(movedFrom(taken, id, by));
+      },
+      drop(isCancelled) {
+        const before = taken;
+        taken = null;
+        if (before && isCancelled) tools.scene(() => before);
+        pixels.hold(false);
+      },
+      press: (id, way, isFine) => model && moveBy(id, way(stepIn(model.picture.scene, isFine))),
+    },
+  });
+  const moveBy = (id: string, by: Vec3): void => {
+    tools.scene((now) => movedFrom(now, id, by)(now));
+    announce(() => (model ? placeWords(model.picture.scene, id) : ''), 'place');
+  };
   /** Key of the picture for which the ledger's last column was requested; '' for none. */
   let counting = '';
   let held: Held | null = null;
+  /** The scene in which a light was taken hold of in the view in space. */
+  let taken: Scene | null = null;
   let told = '';
   let by: Measure = 'questions';
   /** The settings of the picture at rest, while the camera moves too. */
@@ -153,10 +179,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const handles = createSceneHandles(parts.handles, {
     scene: tools.scene,
     edit: (id) => sidePanel.edit(id),
-    move(id, by) {
-      tools.scene((now) => movedFrom(now, id, by)(now));
-      announce(() => (model ? placeWords(model.picture.scene, id) : ''), 'place');
-    },
+    move: moveBy,
   });
   const compareTools: CompareTools = {
     left: (value) => tools.set({ against: value }),

@@ -28,6 +28,8 @@ interface PixelView {
   /** Goes to the next or the previous ray of the list. */
   go(by: 1 | -1): void;
   play(): void;
+  /** While something is dragged the view in space keeps its stage. */
+  hold(isHeld: boolean): void;
   /** Path of a ray that the list has to show. */
   wanted(): string | null;
   /** Another page is shown. */
@@ -42,6 +44,8 @@ interface PixelActions {
 
 /** Number of ray trees that are cached, the most recent pixels. */
 const MOST_TREES = 24;
+/** One for each side of a comparison. */
+const MOST_ASKED = 2;
 
 const HINT = html`<p class="pixel-problem">Click a pixel to follow its rays.</p>`;
 
@@ -51,6 +55,9 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   const trees = new Map<string, Known>();
   /** Cache of the scenes, so that the view in space is not rebuilt while nothing changes. */
   const inSpace = new WeakMap<RayNode, TreeScene>();
+  let stage: TreeScene['stage'] | null = null;
+  let held = false;
+  let current: RayNode | null = null;
   let sample: number | null = null;
   let chosen: string | null = null;
   let opened: ReadonlySet<string> = new Set();
@@ -73,22 +80,38 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   const keyOf = (request: TraceRequest, [x, y]: readonly [number, number]) =>
     `${x},${y} ${request.key}`;
 
+  /** Requests that are under way: while things move the newest is asked for, not all of them. */
+  let asked = 0;
   const treeOf = (request: TraceRequest, [x, y]: readonly [number, number]): Known => {
     const key = keyOf(request, [x, y]);
-    return trees.get(key) ?? ask(request, [x, y]);
+    return trees.get(key) ?? (asked < MOST_ASKED ? ask(request, [x, y]) : 'asked');
+  };
+
+  /** What was shown of this pixel last, until there is what is asked for. */
+  let stands: { readonly pixel: string; readonly model: PictureModel } | null = null;
+  const settled = (model: PictureModel): PictureModel => {
+    const { pixel } = model.picture;
+    if (!pixel) return model;
+    const known = treeOf(model.requests.main, pixel);
+    if (known === 'asked' && stands?.pixel === pixel.join()) return stands.model;
+    stands = known === 'asked' ? null : { pixel: pixel.join(), model };
+    return model;
   };
 
   const ask = (request: TraceRequest, [x, y]: readonly [number, number]): Known => {
     const key = keyOf(request, [x, y]);
     trees.set(key, 'asked');
+    asked += 1;
     const [oldest] = trees.keys();
     if (trees.size > MOST_TREES && oldest !== undefined) trees.delete(oldest);
     recorder.record(request, x, y).then(
       (tree) => {
+        asked -= 1;
         trees.set(key, { tree });
         actions.changed();
       },
       (error: Error) => {
+        asked -= 1;
         trees.set(key, { problem: error.message });
         actions.changed();
       },
@@ -179,7 +202,8 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   };
 
   return {
-    panel(model) {
+    panel(now) {
+      const model = settled(now);
       const { pixel, against } = model.picture;
       if (!pixel) {
         shown = '';
@@ -220,14 +244,17 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
         { ...tools, copy: (as) => void copyRay(raysOf(model, pixel, known.tree), as) },
       );
     },
-    space({ picture, requests }) {
+    space(now) {
+      const { picture, requests } = settled(now);
       if (!picture.pixel) return null;
       const known = treeOf(requests.main, picture.pixel);
       if (known === 'asked' || 'problem' in known) return null;
       const root = known.tree.rays[sampleOf(known.tree)];
       if (!root) return null;
-      const scene = inSpace.get(root) ?? treeScene(picture.scene, root);
+      const scene = inSpace.get(root) ?? treeScene(picture.scene, root, held ? stage : null);
       inSpace.set(root, scene);
+      stage = scene.stage;
+      current = root;
       const at = rowAt(play.at());
       const before = at ? rows.slice(0, rows.indexOf(at) + 1) : rows;
       return {
@@ -235,6 +262,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
         chosen: new Set((at ?? rowAt(chosen))?.rays),
         shown: at ? new Set(before.flatMap(({ rays }) => rays)) : null,
         growMs: at && play.runs() ? play.pace() / 2 : 0,
+        along: now.picture.along,
       };
     },
     bar() {
@@ -257,6 +285,11 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
       pick(all[next]?.path ?? null);
     },
     play: play.toggle,
+    hold(isHeld) {
+      held = isHeld;
+      if (!isHeld && current) inSpace.delete(current);
+      actions.changed();
+    },
     wanted() {
       const path = wanted;
       wanted = null;

@@ -1,8 +1,9 @@
 import type { Figure, Patch, Stage } from '../../math/drawing.ts';
 import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
+import { nameIn } from '../../scene/names.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
-import type { Placed, Scene } from '../../scene/types.ts';
+import type { Light, Placed, Scene } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';
 
 /** A ray of the tree in space, clipped to what the space view shows. */
@@ -17,6 +18,15 @@ export interface TreeLine {
   readonly light: string | null;
 }
 
+/** A light, where the rays to it end; one that is far is shown nearer in its direction. */
+export interface TreeLight {
+  readonly id: string;
+  readonly name: string;
+  readonly at: Vec3;
+  /** How much farther it moves than the place where it is shown. */
+  readonly per: number;
+}
+
 /** The pixel's rays among the scene's shapes, in world coordinates. */
 export interface TreeScene {
   readonly stage: Stage;
@@ -24,6 +34,7 @@ export interface TreeScene {
   readonly touched: Figure;
   readonly others: Figure;
   readonly lines: readonly TreeLine[];
+  readonly lights: readonly TreeLight[];
   /** Initial azimuth in degrees: to the side of the camera, so that its ray is seen as a line. */
   readonly azimuth: number;
   readonly description: string;
@@ -34,7 +45,8 @@ const BESIDE_CAMERA = 50;
 const LONG = 1.9;
 const OPEN_END = 1.1;
 
-export function treeScene(scene: Scene, root: RayNode): TreeScene {
+/** `held`: the stage to keep to while something is dragged. */
+export function treeScene(scene: Scene, root: RayNode, held: Stage | null = null): TreeScene {
   const surfaces = surfacesOf(scene);
   const nodes = flat(root, '0');
   const things = new Set(
@@ -43,7 +55,7 @@ export function treeScene(scene: Scene, root: RayNode): TreeScene {
     ),
   );
   const near = scene.things.filter((_, i) => things.has(i));
-  const stage = stageOf(scene, nodes, near);
+  const stage = held ?? stageOf(scene, nodes, near);
   const { eye, target } = scene.camera;
   return {
     stage,
@@ -53,6 +65,7 @@ export function treeScene(scene: Scene, root: RayNode): TreeScene {
       stage,
     ),
     lines: nodes.map(({ node, path }) => lineOf(node, path, stage)),
+    lights: scene.lights.map((light) => lightOf(light, scene, nodes, stage)),
     azimuth: (180 / Math.PI) * Math.atan2(eye[0] - target[0], eye[2] - target[2]) + BESIDE_CAMERA,
     description: `${nodes.length} rays of one pixel in space`,
   };
@@ -118,6 +131,18 @@ function lineOf(node: RayNode, path: string, stage: Stage): TreeLine {
   const light = 'light' in end ? end.light : null;
   const what = isNear || end.end === 'light' ? end.end : 'background';
   return { path, kind, from: start, to, weight, end: what, light };
+}
+
+/** From the start of the first ray to it. */
+function lightOf(light: Light, scene: Scene, nodes: readonly Named[], stage: Stage): TreeLight {
+  const { id } = light;
+  const first = nodes.find(({ node: { end } }) => 'light' in end && end.light === id);
+  const from = first?.node.ray.origin ?? stage.center;
+  const way = light.light === 'sun' ? light.towards : minus(light.at, from);
+  const length = Math.hypot(...way) || 1;
+  const isNear = light.light !== 'sun' && length <= LONG * stage.radius;
+  const per = isNear ? 1 : length / (OPEN_END * stage.radius);
+  return { id, name: nameIn(scene, id), at: plus(from, way, 1 / per), per };
 }
 
 /** Where a camera ray that hits nothing is drawn from: before its point nearest to the centre. */
