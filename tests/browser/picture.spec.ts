@@ -343,6 +343,25 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
   expect(await list.count()).toBeGreaterThan(3);
   await expect(page.locator('.rays [data-kind="refracted"]').first()).toBeVisible();
   const t = await list.first().locator('[data-quantity="t"]').getAttribute('data-value');
+  // One after another: in the list and in space there is what has been fired.
+  const [at, later] = [page.locator('[data-quantity="ray"]'), page.locator('.rays tr.later')];
+  const all = await list.count();
+  await page.getByRole('button', { name: 'next ray' }).click();
+  await expect(at).toHaveAttribute('data-value', '1');
+  await expect(at).toContainText('camera ray; glass cone at t =');
+  await expect(later).toHaveCount(all - 1);
+  const space = page.locator('.tree-root');
+  await space.press('PageDown');
+  await expect(at).toHaveAttribute('data-value', '2');
+  await page.getByRole('button', { name: 'play the rays' }).click();
+  await page.getByRole('button', { name: 'stand still' }).click();
+  await space.press('PageUp');
+  await space.press('PageUp');
+  await expect(later).toHaveCount(0);
+  // Picked in space, lit in the list.
+  await space.press('PageUp');
+  await expect(list.last()).toHaveClass('chosen');
+  await expect(at).toHaveAttribute('data-value', String(all));
   await page.getByRole('button', { name: 'camera ray', exact: true }).click();
   await settle(page);
   await expect(page.locator('.hit-step[data-step="D"]')).toBeVisible();
@@ -452,6 +471,8 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
 test('a dragged shape takes its heights along; one drag is one step of undo', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=cone-on-mirror`);
   await page.getByRole('tab', { name: 'Scene' }).click();
+  await page.getByRole('radio', { name: 'a wall' }).check();
+  await expectInLink(page, { drag: 'wall' });
   await page.getByRole('application').scrollIntoViewIfNeeded();
   const box = await page.getByRole('application').boundingBox();
   if (!box) throw new Error('no picture');
@@ -475,6 +496,40 @@ test('a dragged shape takes its heights along; one drag is one step of undo', as
   await page.getByRole('button', { name: 'Undo' }).click();
   await traced(page);
   await expect(page.getByLabel('scene:')).toHaveValue('cone-on-mirror');
+
+  const lamp = page.locator('.scene-grip[data-handle="lamp"]');
+  const at = await lamp.boundingBox();
+  if (!at) throw new Error('no handle');
+  await page.mouse.move(at.x + 16, at.y + 16);
+  await page.mouse.down();
+  for (const step of [1, 2, 3]) await page.mouse.move(at.x + 16 + 20 * step, at.y + 16);
+  await page.mouse.up();
+  await settle(page);
+  const place = page.locator('[data-part="lamp"] .triple').first();
+  const lampAt = async (axis: string): Promise<number> =>
+    Number(await place.getByRole('textbox', { name: `at, ${axis}` }).getAttribute('title'));
+  expect(await lampAt('x')).toBeGreaterThan(-2.9);
+  expect(await lampAt('y')).toBe(6);
+  await lamp.press('ArrowUp');
+  await settle(page);
+  expect(await lampAt('y')).toBeGreaterThan(6);
+  await expect(page.locator('.announcer')).toContainText('at (');
+});
+
+test('new things stand beside the others, by their names, and are taken out by one undo', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=plain`);
+  await page.getByRole('tab', { name: 'Scene' }).click();
+  const add = page.getByRole('button', { name: 'add a ball' });
+  await add.click();
+  await add.click();
+  const form = page.locator('[data-part="ball 3"] .part-form');
+  await expect(form.locator('input.number[data-symbol="r"]')).toBeVisible();
+  await expect(page.locator('.announcer')).toContainText('ball 3 added');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('[data-part="ball 2"]')).toBeVisible();
+  await expect(page.locator('[data-part="ball 3"]')).toHaveCount(0);
 });
 
 test('a file that is no scene says why, and changes nothing', async ({ page }) => {
@@ -602,6 +657,17 @@ test('nothing sticks out to the side at any width', async ({ page }) => {
     await settle(page);
     expect.soft(await page.evaluate(() => document.scrollingElement?.scrollWidth)).toBe(width);
   }
+  // A phone on its side: the ledger stands beside the picture.
+  await page.setViewportSize({ width: 844, height: 390 });
+  await settle(page);
+  expect(await page.evaluate(() => document.scrollingElement?.scrollWidth)).toBe(844);
+  const boxes = await Promise.all(
+    ['.compare-view', '.side-panel'].map((name) => page.locator(name).boundingBox()),
+  );
+  const [picture, panel] = boxes;
+  if (!picture || !panel) throw new Error('not there');
+  expect(panel.x).toBeGreaterThan(picture.x + picture.width);
+  expect(panel.y).toBeLessThan(390);
 });
 
 fresh.describe('without WebGL', () => {

@@ -13,6 +13,7 @@ import { causeWords } from '../../state/picture/compare-words.ts';
 import { exploredThing } from '../../state/picture/edits.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
+import type { Announce } from '../../ui/announcer.ts';
 import { download, pickFile } from '../../ui/files.ts';
 import { openScene } from './exports.ts';
 import type { PictureActions } from './page-actions.ts';
@@ -42,7 +43,7 @@ interface LedgerAsks {
 interface SidePanelTools {
   readonly dispatch: Dispatch;
   readonly changed: () => void;
-  readonly announce: (words: string) => void;
+  readonly announce: Announce;
   readonly tools: PictureActions;
   /** What the ledger can be asked for. */
   readonly asks: LedgerAsks;
@@ -69,7 +70,7 @@ export function createSidePanel(
       tools.scene((scene) => {
         const [next, id] = add(scene);
         edited = id;
-        announce(`${nameIn(next, id)} added`);
+        announce(`${nameIn(next, id)} added`, 'deed');
         return next;
       }),
     remove(id) {
