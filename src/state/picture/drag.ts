@@ -106,12 +106,16 @@ function levelAhead({ ahead, up }: Lens): Vec3 {
 
 /** Which way arrows move: along the world's axes that are nearest to the picture's. */
 export function nudged(lens: Lens, key: string, step: number, along: Along): Vec3 | null {
-  const level = axisOf(levelAhead(lens));
+  const across = axisOf(lens.right);
+  const inwards = levelAhead(lens);
+  // The other level axis, so that a view along a diagonal has both.
+  const level: Vec3 =
+    across[0] === 0 ? [Math.sign(inwards[0]) || 1, 0, 0] : [0, 0, Math.sign(inwards[2]) || 1];
   const upwards: Vec3 = [0, 1, 0];
   const [ahead, aside] = along === 'floor' ? [level, upwards] : [upwards, level];
   const ways: Readonly<Record<string, Vec3>> = {
-    ArrowRight: axisOf(lens.right),
-    ArrowLeft: times(axisOf(lens.right), -1),
+    ArrowRight: across,
+    ArrowLeft: times(across, -1),
     ArrowUp: ahead,
     ArrowDown: times(ahead, -1),
     PageUp: aside,
