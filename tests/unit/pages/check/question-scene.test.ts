@@ -4,11 +4,13 @@ import { drawnInput } from '../../../../src/check/drawn-input.ts';
 import { EXERCISES } from '../../../../src/check/exercises/index.ts';
 import { withParam } from '../../../../src/check/exercises/params.ts';
 import type { Answers } from '../../../../src/check/types.ts';
+import { definitionOf } from '../../../../src/math/shapes.ts';
 import { createPicture } from '../../../../src/pages/check/question-scene.ts';
+import { endPoints } from '../../../../src/state/cut-drawing.ts';
 import type { SceneModel } from '../../../../src/state/scene-model.ts';
 import { stageAround } from '../../../../src/state/stage.ts';
 import { INITIAL } from '../../../../src/state/state.ts';
-import { displayTriple } from '../../../../src/text/format.ts';
+import { display, displayTriple } from '../../../../src/text/format.ts';
 
 const SEEDS = 18;
 const ALL: readonly Posed[] = EXERCISES.flatMap((exercise) =>
@@ -18,8 +20,10 @@ const ALL: readonly Posed[] = EXERCISES.flatMap((exercise) =>
   }),
 );
 
-/** Of the others E may be so far off that the picture lets go of it. */
-const ON_PAPER = ALL.filter(({ exercise }) => exercise.paper);
+/**
+ * Beside the others stands something else, or E may be so far off that the picture lets go of it.
+ */
+const ON_PAPER = ALL.filter(({ exercise }) => exercise.paper && !exercise.picture);
 
 /** As the page draws a question that is open. */
 function drawn(posed: Posed, answers: Answers | null): SceneModel {
@@ -42,9 +46,9 @@ describe('the picture of an open question', () => {
       });
       const { origin, direction } = posed.draft.ray;
       const note = drawnInput(posed, {}).note;
-      const told = numbersIn(
-        [displayTriple(origin), displayTriple(origin, 3), displayTriple(direction), note].join(' '),
-      );
+      const ends = (posed.draft.between ?? []).map((y) => display(y));
+      const triples = [displayTriple(origin), displayTriple(origin, 3), displayTriple(direction)];
+      const told = numbersIn([...triples, ...ends, note].join(' '));
       for (const x of numbersIn([description, ...notes].join(' ')))
         expect([...told, '.'], description).toContain(x);
       expect([description, ...notes].join(' ')).not.toMatch(
@@ -53,11 +57,13 @@ describe('the picture of an open question', () => {
     }
   });
 
-  test('has the size that ray and shape ask for, and the ray goes all through it', () => {
+  test('has the size that ray, shape, its ends and a second shape ask for, and the ray goes all through it', () => {
     for (const posed of ON_PAPER) {
-      const { shape, ray } = drawnInput(posed, {}).input;
+      const { shape, ray, between, other } = drawnInput(posed, {}).input;
       const { stage, ray: shown } = drawn(posed, null);
-      expect(stage).toEqual(stageAround(shape, [ray.origin]));
+      const ends = between ? endPoints(shape, between) : [];
+      const second = other ? [definitionOf(other).anchor(other).at] : [];
+      expect(stage).toEqual(stageAround(shape, [ray.origin, ...ends, ...second]));
       for (const { from, to, stretch } of shown.segments) {
         expect(stretch).toBe(to <= 0 ? 'behind' : 'before');
         expect(from === 0 || to === 0).toBe(true);
