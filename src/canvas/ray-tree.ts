@@ -61,12 +61,14 @@ export function mountTree(host: HTMLElement, tools: TreeTools): Mounted<TreeMode
   canvas.setAttribute('aria-hidden', 'true');
   const paths = svg('scene-fallback');
   const overlay = svg('scene-overlay');
-  root.append(canvas, paths, overlay);
+  const handles = svg('scene-handles-over');
+  handles.removeAttribute('aria-hidden');
+  root.append(canvas, paths, overlay, handles);
   host.append(root);
   const gl = GlPainter.on(canvas);
   const lines = new PathPainter(paths);
   const marks = new TreeMarks(overlay);
-  const lights = new TreeLights(overlay);
+  const lights = new TreeLights(handles);
   let painter: Painter = gl ?? lines;
   let theme = faint(readTheme(host));
   let model: TreeModel | null = null;

@@ -152,104 +152,107 @@ fresh('two hundred codes are marked while the page answers', async ({ page }) =>
   await expect(problems(page)).toContainText('the check value does not fit');
 });
 
-test('dropped files and folders are marked and graded, and saved as four kinds of files', async ({
-  page,
-}) => {
-  await openCheck(page, `part=class&${LINK}&cases=sphere&cases-seed=2718`);
-  const program = programOf('sphere') ?? '';
-  const cases = gradedCases(['sphere'], 2718);
-  const results = cases.map(({ id, expected }) =>
-    expected ? { id, t: expected.t } : { id, error: 'no' },
-  );
-  const files = {
-    'class/Ada.txt': `Dear all,\n> ${handInCode(handIn('Ada', 2))}`,
-    'class/more/deep/Bo.eml': handInCode(handIn('Bo', 1)),
-    'class/Cem.js': program,
-    'class/Dee/intersect.ts': program.replace('(shape, ray)', '(shape: any, ray: any)'),
-    'class/Dee/notes.rst': '# notes',
-    'class/Eve.json': JSON.stringify(results),
-    'class/Fay.js': 'function intersect( {',
-    'class/.DS_Store': '',
-  };
-  // A folder as browsers drop it: entries that are read a few at a time.
-  await page.evaluate((given) => {
-    interface Entry {
-      readonly isFile: boolean;
-      readonly fullPath: string;
-    }
-    const entryOf = (path: string): Entry => {
-      const own = given as Readonly<Record<string, string>>;
-      const text = own[path];
-      if (text !== undefined) {
-        const file = new File([text], path.split('/').at(-1) ?? '');
-        return {
-          ...{ isFile: true, fullPath: `/${path}` },
-          ...{ file: (done: (file: File) => void) => done(file) },
-        };
-      }
-      const below = Object.keys(own).filter((name) => name.startsWith(`${path}/`));
-      const names = below.map((name) => name.slice(path.length + 1).split('/')[0] ?? '');
-      let left = [...new Set(names)].map((name) => entryOf(`${path}/${name}`));
-      const readEntries = (done: (some: Entry[]) => void): void => {
-        done(left.slice(0, 2));
-        left = left.slice(2);
-      };
-      return {
-        ...{ isFile: false, fullPath: `/${path}` },
-        ...{ createReader: () => ({ readEntries }) },
-      };
+fresh(
+  'dropped files and folders are marked and graded, and saved as four kinds of files',
+  async ({ page }) => {
+    await openCheck(page, `part=class&${LINK}&cases=sphere&cases-seed=2718`);
+    const program = programOf('sphere') ?? '';
+    const cases = gradedCases(['sphere'], 2718);
+    const results = cases.map(({ id, expected }) =>
+      expected ? { id, t: expected.t } : { id, error: 'no' },
+    );
+    const files = {
+      'class/Ada.txt': `Dear all,\n> ${handInCode(handIn('Ada', 2))}`,
+      'class/more/deep/Bo.eml': handInCode(handIn('Bo', 1)),
+      'class/Cem.js': program,
+      'class/Dee/intersect.ts': program.replace('(shape, ray)', '(shape: any, ray: any)'),
+      'class/Dee/notes.rst': '# notes',
+      'class/Eve.json': JSON.stringify(results),
+      'class/Fay.js': 'function intersect( {',
+      'class/.DS_Store': '',
     };
-    const event = new DragEvent('drop', { bubbles: true, cancelable: true });
-    const items = [{ webkitGetAsEntry: () => entryOf('class') }];
-    Object.defineProperty(event, 'dataTransfer', { value: { types: ['Files'], items, files: [] } });
-    document.querySelector('.class-part')?.dispatchEvent(event);
-  }, files);
-  await expect(page.locator('[data-quantity="students"]')).toHaveAttribute('data-value', '2');
-  await expect(page.getByRole('alert').or(page.locator('.class-problems'))).toContainText(
-    'notes.rst: no hand-in code in it',
-  );
-  const points = page.getByRole('region', { name: 'Points by submission' });
-  await expect(points.locator('tbody tr')).toHaveCount(4);
-  const row = (who: string) => points.getByRole('row', { name: new RegExp(`^${who}`) });
-  await expect(row('Eve').locator('td').first()).toHaveText('100');
-  await expect(row('Fay')).toContainText('syntax error');
-  const [cem, dee] = await Promise.all(
-    ['Cem', 'Dee'].map((who) => row(who).locator('td').first().innerText()),
-  );
-  expect(cem).toBe(dee);
-  expect(Number(cem)).toBeGreaterThan(50);
-  const weight = page.getByLabel('weight of hard cases');
-  await weight.fill('-1');
-  await weight.press('Tab');
-  await expect(page.locator('.grades .refusal')).toHaveText('A weight is a number from 0 on.');
-  for (const group of ['ordinary', 'special', 'invalid']) {
-    await page.getByLabel(`weight of ${group} cases`).fill('0');
-    await page.getByLabel(`weight of ${group} cases`).press('Tab');
-  }
-  await weight.fill('2');
-  await weight.press('Tab');
-  const [, right = '', of = ''] =
-    /^(\d+) of (\d+)$/.exec(await row('Cem').locator('td').nth(3).innerText()) ?? [];
-  await expect(row('Cem').locator('td').first()).toHaveText(
-    String(Math.round((1e4 * Number(right)) / Number(of)) / 100),
-  );
-  for (const [button, name, has] of [
-    ['CSV', 'graze-programs.csv', 'Eve,100,'],
-    ['Gradescope', 'graze-results.zip', 'results.Fay.json'],
-    ['JUnit XML', 'graze-junit.xml', '<testsuite name="Dee"'],
-    ['Markdown', 'report.md', '| Eve | 100 |'],
-  ] as const) {
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('.grades').getByRole('button', { name: button, exact: true }).click(),
-    ]);
-    expect(file.suggestedFilename()).toBe(name);
-    expect(readFileSync(await file.path(), 'latin1')).toContain(has);
-  }
-  expect(await violationsInThemes(page, '.grades')).toEqual([]);
-  await page.setViewportSize({ width: 375, height: 800 });
-  expect((await extent(page)).width).toBeLessThanOrEqual(375);
-});
+    // A folder as browsers drop it: entries that are read a few at a time.
+    await page.evaluate((given) => {
+      interface Entry {
+        readonly isFile: boolean;
+        readonly fullPath: string;
+      }
+      const entryOf = (path: string): Entry => {
+        const own = given as Readonly<Record<string, string>>;
+        const text = own[path];
+        if (text !== undefined) {
+          const file = new File([text], path.split('/').at(-1) ?? '');
+          return {
+            ...{ isFile: true, fullPath: `/${path}` },
+            ...{ file: (done: (file: File) => void) => done(file) },
+          };
+        }
+        const below = Object.keys(own).filter((name) => name.startsWith(`${path}/`));
+        const names = below.map((name) => name.slice(path.length + 1).split('/')[0] ?? '');
+        let left = [...new Set(names)].map((name) => entryOf(`${path}/${name}`));
+        const readEntries = (done: (some: Entry[]) => void): void => {
+          done(left.slice(0, 2));
+          left = left.slice(2);
+        };
+        return {
+          ...{ isFile: false, fullPath: `/${path}` },
+          ...{ createReader: () => ({ readEntries }) },
+        };
+      };
+      const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+      const items = [{ webkitGetAsEntry: () => entryOf('class') }];
+      Object.defineProperty(event, 'dataTransfer', {
+        value: { types: ['Files'], items, files: [] },
+      });
+      document.querySelector('.class-part')?.dispatchEvent(event);
+    }, files);
+    await expect(page.locator('[data-quantity="students"]')).toHaveAttribute('data-value', '2');
+    await expect(page.getByRole('alert').or(page.locator('.class-problems'))).toContainText(
+      'notes.rst: no hand-in code in it',
+    );
+    const points = page.getByRole('region', { name: 'Points by submission' });
+    await expect(points.locator('tbody tr')).toHaveCount(4);
+    const row = (who: string) => points.getByRole('row', { name: new RegExp(`^${who}`) });
+    await expect(row('Eve').locator('td').first()).toHaveText('100');
+    await expect(row('Fay')).toContainText('syntax error');
+    const [cem, dee] = await Promise.all(
+      ['Cem', 'Dee'].map((who) => row(who).locator('td').first().innerText()),
+    );
+    expect(cem).toBe(dee);
+    expect(Number(cem)).toBeGreaterThan(50);
+    const weight = page.getByLabel('weight of hard cases');
+    await weight.fill('-1');
+    await weight.press('Tab');
+    await expect(page.locator('.grades .refusal')).toHaveText('A weight is a number from 0 on.');
+    for (const group of ['ordinary', 'special', 'invalid']) {
+      await page.getByLabel(`weight of ${group} cases`).fill('0');
+      await page.getByLabel(`weight of ${group} cases`).press('Tab');
+    }
+    await weight.fill('2');
+    await weight.press('Tab');
+    const [, right = '', of = ''] =
+      /^(\d+) of (\d+)$/.exec(await row('Cem').locator('td').nth(3).innerText()) ?? [];
+    await expect(row('Cem').locator('td').first()).toHaveText(
+      String(Math.round((1e4 * Number(right)) / Number(of)) / 100),
+    );
+    for (const [button, name, has] of [
+      ['CSV', 'graze-programs.csv', 'Eve,100,'],
+      ['Gradescope', 'graze-results.zip', 'results.Fay.json'],
+      ['JUnit XML', 'graze-junit.xml', '<testsuite name="Dee"'],
+      ['Markdown', 'report.md', '| Eve | 100 |'],
+    ] as const) {
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        page.locator('.grades').getByRole('button', { name: button, exact: true }).click(),
+      ]);
+      expect(file.suggestedFilename()).toBe(name);
+      expect(readFileSync(await file.path(), 'latin1')).toContain(has);
+    }
+    expect(await violationsInThemes(page, '.grades')).toEqual([]);
+    await page.setViewportSize({ width: 375, height: 800 });
+    expect((await extent(page)).width).toBeLessThanOrEqual(375);
+  },
+);
 
 test('a set is saved for course systems, and printed on the paper that is chosen', async ({
   page,
