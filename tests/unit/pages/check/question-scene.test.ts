@@ -57,7 +57,7 @@ describe('the picture of an open question', () => {
     }
   });
 
-  test('has the size that ray, shape, its ends and a second shape ask for, and the ray goes all through it', () => {
+  test('has the size that ray and shapes ask for, and the ray goes all through it', () => {
     for (const posed of ON_PAPER) {
       const { shape, ray, between, other } = drawnInput(posed, {}).input;
       const { stage, ray: shown } = drawn(posed, null);
