@@ -1,22 +1,13 @@
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { html, render, svg, type TemplateResult } from 'lit';
 import { frontier } from '../lab/pareto.ts';
-import { grouped } from '../lab/sentence.ts';
 import type { FrontierMark, FrontierModel } from '../state/accuracy/frontier.ts';
 import type { Mounted } from '../ui/mounted.ts';
+import { costTicks } from './cost-ticks.ts';
 import { lineBoxes, markOf, stepLine } from './frontier-marks.ts';
 import { watchMetrics } from './graph-metrics.ts';
 import { type Box, labelMarks } from './mark-labels.ts';
-import {
-  axes,
-  type Field,
-  fieldBox,
-  fieldOf,
-  labelSize,
-  nameAt,
-  type PlotTick,
-  px,
-} from './plot.ts';
+import { axes, type Field, fieldBox, fieldOf, labelSize, nameAt, px } from './plot.ts';
 
 /** The plot of worth against cost: a mark for each method, and the step line of the frontier. */
 export function mountFrontier(
@@ -126,30 +117,6 @@ function noteBox(title: string, field: Field): Box {
   const fits = labelSize(title, field.em).width < left;
   return { left, top: fits ? -0.1 * field.em : 1.2 * field.em, ...size };
 }
-
-/** Ticks at 1, 2 and 5 times each power of ten of a unit; only at 1 if those were too dense. */
-function costTicks(
-  x: ReturnType<typeof scalesOf>['x'],
-  unit: number,
-  { width, em }: Field,
-): PlotTick[] {
-  const [from = 1, to = 1] = x.domain().map((value) => value * unit);
-  const decades = Math.log10(to / from);
-  const [left = 0, right = 0] = x.range();
-  const steps = (right - left) / decades > DENSE ? [1, 2, 5] : [1];
-  const first = Math.floor(Math.log10(from));
-  return Array.from({ length: Math.ceil(decades) + 2 }, (_, k) => Number(`1e${first + k}`))
-    .flatMap((power) => steps.map((step) => Number((step * power).toPrecision(1))))
-    .filter((value) => value >= from && value <= to)
-    .map((value) => ({
-      at: x(value / unit),
-      label: `${value >= 1 ? grouped(value) : value}${unit === 1 ? '' : ' ns'}`,
-    }))
-    .filter(({ at, label }) => at + labelSize(label, em).width / 2 <= width);
-}
-
-/** Least px per power of ten with ticks at 1, 2 and 5. */
-const DENSE = 150;
 
 /** Ratio of a bold label's width to that of a plain one. */
 const BOLD = 1.06;
