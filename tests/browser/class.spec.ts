@@ -114,13 +114,11 @@ fresh('two hundred codes are marked while the page answers', async ({ page }) =>
   await openCheck(page, `part=class&${LINK}`);
   await page.getByLabel('Hand-in codes').fill(codes.join('\n'));
   await page.evaluate(() => {
-    const gaps: number[] = [];
-    Object.assign(window, { gaps });
-    let last = performance.now();
+    Object.assign(window, { beats: 0 });
     const beat = (): void => {
-      const now = performance.now();
-      gaps.push(now - last);
-      last = now;
+      if (document.querySelector('.class-part .progress')) {
+        (window as unknown as { beats: number }).beats += 1;
+      }
       setTimeout(beat, 0);
     };
     beat();
@@ -131,9 +129,9 @@ fresh('two hundred codes are marked while the page answers', async ({ page }) =>
   const students = page.getByRole('region', { name: 'Results by student' });
   await expect(students.locator('tbody tr')).toHaveCount(200);
   await expect(students.getByRole('row', { name: /^s3 / })).toContainText('2 of 2');
-  // Marked in many tasks, and not in one: between them the page could answer.
-  const tasks = await page.evaluate(() => (window as unknown as { gaps: number[] }).gaps.length);
-  expect(tasks).toBeGreaterThan(20);
+  // Marked in many tasks, and not in one: between them the page drew how far it was, and answered.
+  const beats = await page.evaluate(() => (window as unknown as { beats: number }).beats);
+  expect(beats).toBeGreaterThan(2);
   await expect(page.getByRole('region', { name: 'Results by topic' })).toContainText(' of 200');
   const [file] = await Promise.all([
     page.waitForEvent('download'),
@@ -207,9 +205,7 @@ fresh(
       document.querySelector('.class-part')?.dispatchEvent(event);
     }, files);
     await expect(page.locator('[data-quantity="students"]')).toHaveAttribute('data-value', '2');
-    await expect(page.getByRole('alert').or(page.locator('.class-problems'))).toContainText(
-      'notes.rst: no hand-in code in it',
-    );
+    await expect(page.locator('.class-problems')).toContainText('notes.rst: no hand-in code in it');
     const points = page.getByRole('region', { name: 'Points by submission' });
     await expect(points.locator('tbody tr')).toHaveCount(4);
     const row = (who: string) => points.getByRole('row', { name: new RegExp(`^${who}`) });

@@ -3,6 +3,7 @@ import { type Command, commandsOf } from '../../src/pages/commands.ts';
 import { PAGES } from '../../src/state/state.ts';
 import { share } from '../unit/many.ts';
 import { linkWritten, open, quantities, withoutScene } from './support/page.ts';
+import { withoutPause } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
 /* What failed to load is fetched again when it is asked for again. */
@@ -70,15 +71,10 @@ test('without its program the page has words', async ({ page }) => {
   await expect(page.locator('.starting')).toBeVisible();
 });
 
-/** What has been said at once, and on Explore by the voice too, without the pause before it. */
+/** What has been said at once, and on Explore by the voice too. */
 function keepTold(): void {
-  const { setTimeout } = window;
   const told: string[] = [];
-  Object.assign(window, {
-    told,
-    setTimeout: (run: TimerHandler, ms?: number, ...given: unknown[]) =>
-      setTimeout(run, ms === 500 ? 0 : ms, ...given),
-  });
+  Object.assign(window, { told });
   new MutationObserver(() => {
     // Of other pages the voice tells that they have come.
     const where = location.hash.startsWith('#/explore') ? '.announcer, .said' : '.said';
@@ -144,6 +140,7 @@ async function answerTo(page: Page, at: string, command: Command): Promise<strin
 
 for (const { id: at } of PAGES) {
   test(`${at}: a key that is pressed before its code has come is answered`, async ({ page }) => {
+    await page.addInitScript(withoutPause);
     await page.addInitScript(keepTold);
     // What each page does itself is asked of each, what is the same on several only of one.
     const asked = COMMANDS.filter(

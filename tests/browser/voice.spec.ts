@@ -8,6 +8,7 @@ import { INITIAL, PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { box, expectInLink, typeInto } from './support/controls.ts';
 import { NO_SCENE, open, withoutScene } from './support/page.ts';
+import { withoutPause } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
 
 test.use({ provoked: NO_SCENE });
@@ -32,14 +33,6 @@ test('the scene is described in words that are true', async ({ page }) => {
   await expect(words).toContainText('two points: the ray enters, then leaves');
   await expect(words).toContainText('t₁ = 2, first hit, enters, at (2, 1, 1.5)');
 });
-
-/** The pause before the voice speaks is no part of a test. */
-function withoutPause(): void {
-  const { setTimeout } = window;
-  const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
-    setTimeout(run, ms === 500 ? 0 : ms, ...given);
-  Object.assign(window, { setTimeout: soon });
-}
 
 test('every command says what it did, or moves the focus', async ({ page }) => {
   await withoutScene(page);
@@ -179,32 +172,24 @@ test('one voice on Check too: a verdict is said once, again where it is asked fo
   page,
 }) => {
   await page.addInitScript(withoutPause);
+  await page.addInitScript(keepSpoken);
   await withoutScene(page);
   await page.goto('./#/check?seed=41');
   const voice = page.locator('.announcer');
   const box = page.locator('.answers :is(input, select)').first();
   await box.waitFor();
-  // All that is said, one after another.
-  await page.evaluate(() => {
-    const all: string[] = [];
-    Object.assign(window, { all });
-    const region = document.querySelector('.announcer') as Element;
-    new MutationObserver(() => all.push(region.textContent ?? '')).observe(region, {
-      childList: true,
-    });
-  });
   const check = page.getByRole('button', { name: 'Check', exact: true });
   await check.click();
   const unread = 'Not all of it could be read; this was no try.';
   await expect(voice).toHaveText(unread);
+  const said: string[] = [];
+  const times = async (): Promise<number> => {
+    said.push(...(await spokenOn(page)).split('\n'));
+    return said.filter((one) => one.trim() === unread).length;
+  };
+  expect(await times()).toBe(1);
   await check.click();
-  const said = () =>
-    page.evaluate(
-      (unread) =>
-        (window as unknown as { all: string[] }).all.filter((one) => one.trim() === unread).length,
-      unread,
-    );
-  await expect.poll(said).toBe(2);
+  await expect.poll(times).toBe(2);
   // Behind a dialog nothing is heard: the voice is in it, and comes back.
   await page.keyboard.press('Tab');
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
@@ -217,6 +202,7 @@ test('one voice on Check too: a verdict is said once, again where it is asked fo
   await page.keyboard.press('l');
   await expect(page.locator('body > .announcer')).toHaveText(/link/);
   await expect(voice).toHaveCount(1);
+  expect(await times()).toBe(2);
 });
 
 const HEARD = '#/explore?shape=cylinder&C=0,0,0&r=2.5&E=4,1,1.5&d=-1,0,0';

@@ -62,6 +62,14 @@ export function keepSaid(): void {
   }).observe(document, { subtree: true, childList: true, characterData: true });
 }
 
+/** The pause before the voice speaks is no part of a test. */
+export function withoutPause(): void {
+  const { setTimeout } = window;
+  const soon = (run: TimerHandler, ms?: number, ...given: unknown[]) =>
+    setTimeout(run, ms === 500 ? 0 : ms, ...given);
+  Object.assign(window, { setTimeout: soon });
+}
+
 interface Counted {
   readonly pending: Pending;
 }

@@ -10,6 +10,7 @@ import { type AppState, INITIAL } from '../../../../src/state/state.ts';
 import { update } from '../../../../src/state/update.ts';
 import { decode, encode } from '../../../../src/state/url.ts';
 import type { TraceSettings } from '../../../../src/tracer/types.ts';
+import { share } from '../../many.ts';
 import { TINY, tracerFor } from '../../tracer/tracing.ts';
 
 /* From a pixel's ray to Explore and back: shape, heights, caps, method and start rule. */
@@ -44,8 +45,10 @@ const RULES: readonly Partial<TraceSettings>[] = [
 describe.each(RULES)('by %o', (how) => {
   test.each(PRESETS)('$id: where a ray hits is the first hit in Explore', async (preset) => {
     const { method } = { ...TINY, ...how };
-    for (const { opens, ray, node } of await rowsOf(preset, how)) {
-      if (!opens) continue;
+    const rows = (await rowsOf(preset, how)).flatMap(({ opens, ray, node }) =>
+      opens ? [{ opens, ray, node }] : [],
+    );
+    for (const { opens, ray, node } of share(rows)) {
       const state = decode(exploreLink(opens.shape, ray, method, opens));
       expect(state.problems).toEqual([]);
       expect(state).toMatchObject({ E: ray.origin, d: ray.direction, method });
