@@ -15,7 +15,6 @@ import { helpContent } from './help.ts';
 
 export interface DialogParts {
   readonly commands: readonly Command[];
-  /** Draws small pictures; null until the scene's code is loaded. */
   readonly example: () => ShownExample | null;
   /** Whether results are hidden, so that the gallery must not show them. */
   readonly hidden: () => boolean;

@@ -225,13 +225,12 @@ export function decode(hash: string, before: AppState = INITIAL): AppState {
   const { between, caps } = before;
   const ends = aboutRay(page) ? readEnds(read) : { between, caps };
   const host = readHost(read, ray.kind);
-  const others = [...given].filter(([key]) => !known.has(key));
-  // Explore has one setting: the start rule of a ray that comes from a picture.
-  const own = others.filter(([key]) => page !== 'explore' || key === 'start');
-  if (own.length < others.length) {
-    for (const [key] of others) {
-      if (key !== 'start') problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
-    }
+  const own: [key: string, text: string][] = [];
+  for (const [key, text] of given) {
+    if (known.has(key)) continue;
+    // Explore has one setting: the start rule of a ray that comes from a picture.
+    if (page !== 'explore' || key === 'start') own.push([key, text]);
+    else problems.push(`${quote(key)} means nothing for a ${ray.kind}`);
   }
   return {
     page,
