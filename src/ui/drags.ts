@@ -49,6 +49,9 @@ export function watchDrags(element: HTMLElement, drags: Drags, signal?: AbortSig
   const down = (event: PointerEvent): void => {
     if (pointers.size === 2 || !drags.takes(event)) return;
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    // As a finger is by itself: its moves are heard however far the first one goes. By what is
+    // pressed, so that a click reaches that.
+    (event.target as Element).setPointerCapture(event.pointerId);
     begin();
     if (pointers.size === 2 && !isDragging) drag();
   };
@@ -68,7 +71,7 @@ export function watchDrags(element: HTMLElement, drags: Drags, signal?: AbortSig
         return;
       }
       drag();
-      // Captured only now, so that a click reaches the element under the pointer.
+      // What was pressed may be drawn anew meanwhile.
       element.setPointerCapture(event.pointerId);
     }
     drags.move(now, from, event);

@@ -468,7 +468,7 @@ test('a scene is edited, saved, opened again, and travels in the link', async ({
   expect(scenes[1]).toBe(scenes[0]);
 });
 
-test('a dragged shape takes its heights along; one drag is one step of undo', async ({ page }) => {
+test('what is dragged takes its heights along; one drag is one step of undo', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=cone-on-mirror&drag=wall`);
   await page.getByRole('tab', { name: 'Scene' }).click();
   await expect(page.getByRole('radio', { name: 'a wall' })).toBeChecked();
@@ -494,6 +494,38 @@ test('a dragged shape takes its heights along; one drag is one step of undo', as
   await expectInLink(page, { pixel: null });
   await page.getByRole('button', { name: 'Undo' }).click();
   await traced(page);
+  await expect(page.getByLabel('scene:')).toHaveValue('cone-on-mirror');
+
+  // The lamp by its handle, which the pointer leaves with its first move; then by a key.
+  const lamp = page.locator('.scene-grip[data-handle="lamp"]');
+  const placeOf = async (): Promise<readonly number[]> => {
+    const words = (await lamp.getAttribute('aria-label')) ?? '';
+    return [...words.replaceAll('−', '-').matchAll(/-?[\d.]+(?=[,)])/g)].map(Number);
+  };
+  const start = await placeOf();
+  const grip = await lamp.boundingBox();
+  if (!grip) throw new Error('no handle');
+  const [gx, gy] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+  await page.mouse.move(gx, gy);
+  await page.mouse.down();
+  await page.mouse.move(gx + 60, gy);
+  await page.mouse.up();
+  // It is let go of: this moves nothing.
+  await page.mouse.move(gx + 90, gy + 60);
+  await traced(page);
+  const dragged = await placeOf();
+  expect(dragged[0]).toBeGreaterThan((start[0] ?? 0) + 0.1);
+  expect(dragged[1]).toBe(start[1]);
+  await lamp.press('ArrowUp');
+  await traced(page);
+  const pressed = await placeOf();
+  expect(pressed[1]).toBeGreaterThan(dragged[1] ?? 0);
+  expect([pressed[0], pressed[2]]).toEqual([dragged[0], dragged[2]]);
+  for (const before of [dragged, start]) {
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await traced(page);
+    expect(await placeOf()).toEqual(before);
+  }
   await expect(page.getByLabel('scene:')).toHaveValue('cone-on-mirror');
 });
 

@@ -129,7 +129,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
         if (before && isCancelled) tools.scene(() => before);
         pixels.hold(false);
       },
-      press: (id, way, isFine) => model && moveBy(id, way(stepIn(model.picture.scene, isFine))),
+      press: (id, way, isFine) => model && moveBy(id, way(stepIn(model.picture.scene, id, isFine))),
     },
   });
   const moveBy = (id: string, by: Vec3): void => {

@@ -83,7 +83,7 @@ export function createSceneHandles(host: HTMLElement, tools: HandleTools): Scene
       return drop(true);
     }
     const { scene, along } = picture;
-    const by = nudged(lens(picture), event.key, stepIn(scene, event.shiftKey), along);
+    const by = nudged(lens(picture), event.key, stepIn(scene, id, event.shiftKey), along);
     if (!by) return;
     event.preventDefault();
     event.stopPropagation();

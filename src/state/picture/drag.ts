@@ -130,9 +130,12 @@ function axisOf(v: Vec3): Vec3 {
   return isX ? [Math.sign(v[0]) || 1, 0, 0] : [0, 0, Math.sign(v[2])];
 }
 
-/** Length of an arrow key's step; with Shift a tenth of it. */
-export const stepIn = (scene: Scene, isFine: boolean): number =>
-  Number((viewSize(scene) / (isFine ? 60 : 6)).toPrecision(1));
+/** Length of an arrow key's step; with Shift a tenth of it. A sun's direction has its own scale. */
+export function stepIn(scene: Scene, id: string, isFine: boolean): number {
+  const light = scene.lights.find((one) => one.id === id);
+  const size = light?.light === 'sun' ? Math.hypot(...light.towards) / 5 : viewSize(scene);
+  return Number((size / (isFine ? 60 : 6)).toPrecision(1));
+}
 
 /** The scene with the thing or light of this id moved by so much from where it was in `taken`. */
 export const movedFrom =

@@ -100,8 +100,8 @@ test('arrow keys move along axes of the world, there and back', () => {
 
 test('things and lights of every scene are moved, with their heights, and stay in order', () => {
   for (const { scene } of PRESETS) {
-    const step = stepIn(scene, false);
     for (const { id } of [...scene.things, ...scene.lights]) {
+      const step = stepIn(scene, id, false);
       const moved = movedFrom(scene, id, [step, 0, -step])(scene);
       // Hills a million million times as large are moved by nothing.
       if (!id.endsWith('hill')) expect(moved).not.toEqual(scene);
@@ -110,6 +110,16 @@ test('things and lights of every scene are moved, with their heights, and stay i
       expect(movedFrom(scene, id, [step, 0, -step])(moved)).toEqual(moved);
       const back = movedFrom(moved, id, [-step, 0, step])(moved);
       expect(JSON.stringify(back).length).toBeLessThan(JSON.stringify(scene).length + 60);
+    }
+  }
+});
+
+test('a step turns the sun of every scene by a few degrees', () => {
+  for (const { scene } of PRESETS) {
+    for (const light of scene.lights) {
+      if (light.light !== 'sun') continue;
+      const turn = stepIn(scene, light.id, false) / Math.hypot(...light.towards);
+      expect.soft(Math.abs(turn - 1 / 30), scene.title).toBeLessThan(1 / 60);
     }
   }
 });
