@@ -1,8 +1,9 @@
 import type { Box, Heights } from '../math/drawing.ts';
 import { intersect, type Shape, type Solid, type Vec3 } from '../math/index.ts';
 import { type Axis, axisIndex, definitionOf, withComponent } from '../math/shapes.ts';
+import { cameraNumbers } from './camera-ray.ts';
 import { isPlace, moved } from './edit.ts';
-import { type Surface, surfacesOf } from './surfaces.ts';
+import { boxOf, type Surface, surfacesOf } from './surfaces.ts';
 import type { Camera, Placed, Scene } from './types.ts';
 
 /*
@@ -57,7 +58,7 @@ function standing(scene: Scene, thing: Placed, box: Box): Placed {
         ? []
         : {
             thing: one,
-            box: boxes[i] ?? boxOf(one, heightsOf(there)),
+            box: boxes[i] ?? boxWithin(one, heightsOf(there)),
             frame: frames[i] ?? null,
           },
     );
@@ -66,9 +67,7 @@ function standing(scene: Scene, thing: Placed, box: Box): Placed {
     const hides = ({ frame: other, thing: one }: Other): boolean =>
       isOver(frame, other) || (!other && crosses(one, scene.camera.eye, middleOf(there)));
     const lacks =
-      (floor ? 0 : NO_FLOOR) +
-      (isInPicture(frame, scene.camera) ? 0 : UNSEEN) +
-      (others.some(hides) ? HIDES : 0);
+      (floor ? 0 : NO_FLOOR) + (isInPicture(frame) ? 0 : UNSEEN) + (others.some(hides) ? HIDES : 0);
     const cost = far + lacks * places.length;
     if (cost < best.cost) best = { at, cost };
   }
@@ -120,12 +119,11 @@ export function viewSize({ camera: { eye, target, angle } }: Scene): number {
   return Number((half / 4).toPrecision(1));
 }
 
-/** The box of a thing, or of its part between the heights; null where it has none. */
-export function boxOf({ shape, between }: Placed, heights?: Heights): Box | null {
-  const { box } = definitionOf(shape).body;
-  if (!heights) return box(shape, between ?? null);
-  const low = Math.max(between?.[0] ?? heights[0], heights[0]);
-  return box(shape, [low, Math.max(low, Math.min(between?.[1] ?? heights[1], heights[1]))]);
+/** The box of a thing's part between the heights; null where it has none. */
+export function boxWithin({ shape, between }: Placed, heights: Heights): Box | null {
+  const [least, most] = between ?? heights;
+  const low = Math.max(least, heights[0]);
+  return boxOf({ shape, between: [low, Math.max(low, Math.min(most, heights[1]))] });
 }
 
 const heightsOf = ({ low, high }: Box): Heights => [low[1], high[1]];
@@ -207,8 +205,8 @@ function floorAt(
 }
 
 /** Whether a surface could be a floor: wide, or endless. */
-function isWide({ shape, between }: Surface, { wide, deep }: Foot, size: number): boolean {
-  const box = definitionOf(shape).body.box(shape, between ?? null);
+function isWide(surface: Surface, { wide, deep }: Foot, size: number): boolean {
+  const box = boxOf(surface);
   const least = WIDE * 2 * Math.max(wide, deep, size);
   return !box || (box.high[0] - box.low[0] >= least && box.high[2] - box.low[2] >= least);
 }
@@ -263,24 +261,21 @@ function overlaps({ thing, box: other }: Other, box: Box, { eye }: Camera, size:
   return contains(other, eye) && contains(other, grown.low) ? isCut() : true;
 }
 
-/** A rectangle that a box fills in the picture, in tangents; null if it is not all ahead. */
+/** A rectangle that a box fills in the picture, in halves of the picture's height. */
 interface Frame {
   readonly low: readonly [number, number];
   readonly high: readonly [number, number];
 }
 
-/** Where a box is seen by the camera. */
-function sightOf({ eye, target }: Camera): (box: Box) => Frame | null {
-  const ahead = minus(target, eye);
-  const distance = Math.hypot(...ahead);
-  const flat = Math.hypot(ahead[0], ahead[2]);
-  const right: Vec3 = flat > 0 ? [-ahead[2] / flat, 0, ahead[0] / flat] : [1, 0, 0];
-  const up = cross(right, ahead).map((x) => x / distance);
+/** Where a box is seen by the camera; null if it is not all ahead. */
+function sightOf(camera: Camera): (box: Box) => Frame | null {
+  const { g = [], R = [], U = [] } = cameraNumbers(camera, 1, 1).vectors;
   return (box) => {
     const spots = cornersOf(box).map((corner) => {
-      const from = minus(corner, eye);
-      const depth = dot(from, ahead) / distance;
-      return { depth, x: dot(from, right) / depth, y: dot(from, up) / depth };
+      const from = minus(corner, camera.eye);
+      const depth = dot(from, g);
+      const along = (side: readonly number[]): number => dot(from, side) / dot(side, side) / depth;
+      return { depth, x: along(R), y: along(U) };
     });
     if (!spots.every(({ depth }) => depth > 0)) return null;
     const [xs, ys] = [spots.map(({ x }) => x), spots.map(({ y }) => y)];
@@ -292,12 +287,11 @@ function sightOf({ eye, target }: Camera): (box: Box) => Frame | null {
 }
 
 /** Whether all of it is in a picture of any width that is usual. */
-function isInPicture(frame: Frame | null, { angle }: Camera): boolean {
+function isInPicture(frame: Frame | null): boolean {
   if (!frame) return false;
-  const half = MARGIN * Math.tan((angle * Math.PI) / 360);
   const { low, high } = frame;
   const [x, y] = [Math.max(-low[0], high[0]), Math.max(-low[1], high[1])];
-  return y <= half && x <= ASPECT * half;
+  return y <= MARGIN && x <= ASPECT * MARGIN;
 }
 
 const isOver = (a: Frame | null, b: Frame | null): boolean =>
@@ -348,8 +342,3 @@ const middleOf = ({ low, high }: Box): Vec3 => [
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: readonly number[], b: readonly number[]): number =>
   a.reduce((sum, x, k) => sum + x * (b[k] as number), 0);
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];

@@ -1,5 +1,6 @@
-import { capsOf, type Heights } from '../math/drawing.ts';
+import { type Box, capsOf, type Heights } from '../math/drawing.ts';
 import type { Shape } from '../math/index.ts';
+import { definitionOf } from '../math/shapes.ts';
 import type { Placed, Scene } from './types.ts';
 
 type SurfacePart = 'shape' | 'low cap' | 'high cap';
@@ -13,6 +14,10 @@ export interface Surface {
   /** Heights that cut the shape off; caps have none. */
   readonly between?: Heights;
 }
+
+/** A box slightly larger than the surface, or than all of a thing; null for an unbounded one. */
+export const boxOf = ({ shape, between }: Pick<Surface, 'shape' | 'between'>): Box | null =>
+  definitionOf(shape).body.box(shape, between ?? null);
 
 /** All surfaces of a scene, in the order to which indices in hits, ray trees and frames refer. */
 export function surfacesOf(scene: Scene): readonly Surface[] {

@@ -1,12 +1,6 @@
 import type { Rays } from '../math/batch.ts';
 import type { Box } from '../math/drawing.ts';
 import type { Vec3 } from '../math/index.ts';
-import { definitionOf } from '../math/shapes.ts';
-import type { Surface } from '../scene/surfaces.ts';
-
-/** A box slightly larger than the surface; null for an unbounded one. */
-export const boxOf = ({ shape, between }: Surface): Box | null =>
-  definitionOf(shape).body.box(shape, between ?? null);
 
 /** A bounding volume hierarchy of boxes; a leaf is one surface. */
 export type Hierarchy =

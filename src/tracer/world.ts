@@ -12,9 +12,8 @@ import { definitionOf, findMethod, quote } from '../math/shapes.ts';
 import type { CutOff, Look, World, WorldLight } from '../scene/effects/body.ts';
 import { declaredAt } from '../scene/effects/declared.ts';
 import { type BodyValues, type Owner, type Place, valuesOf } from '../scene/effects/fields.ts';
-import { type Surface, surfacesOf } from '../scene/surfaces.ts';
+import { boxOf, type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
-import { boxOf } from './boxes.ts';
 import { linear } from './colour.ts';
 import { type GradientOf, gradientOf, unit } from './gradient.ts';
 

@@ -2,8 +2,9 @@ import { describe, expect, test } from 'vitest';
 import { SHAPES, type Vec3 } from '../../../src/math/index.ts';
 import { definitionOf } from '../../../src/math/shapes.ts';
 import { addThing } from '../../../src/scene/edit.ts';
-import { boxOf, viewSize } from '../../../src/scene/place.ts';
+import { boxWithin, viewSize } from '../../../src/scene/place.ts';
 import { PRESETS } from '../../../src/scene/presets/index.ts';
+import { boxOf } from '../../../src/scene/surfaces.ts';
 import type { Placed, Scene } from '../../../src/scene/types.ts';
 import { newThing } from '../../../src/state/picture/edits.ts';
 import { cameraAxes } from '../../../src/tracer/camera.ts';
@@ -72,7 +73,7 @@ describe.each(PRESETS.map(({ id, scene }) => [id, scene] as const))('new in %s',
     for (const thing of added) {
       const a = bounded(thing);
       for (const other of [...scene.things, ...added]) {
-        const b = other === thing ? null : boxOf(other, [a.low[1], a.high[1]]);
+        const b = other === thing ? null : boxWithin(other, [a.low[1], a.high[1]]);
         if (!b || isFloor(other, a)) continue;
         const isApart = [0, 1, 2].some((k) => {
           const [p, q] = [a.low[k] as number, b.low[k] as number];
