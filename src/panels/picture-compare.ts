@@ -76,11 +76,12 @@ interface ComparisonShown {
 
 /** Words on how many pixels differ, why, and in which ways. */
 export function comparisonWords(
+  scene: Scene,
   settings: TraceSettings,
   against: Against,
   { found, trustsLeft }: ComparisonShown,
 ): TemplateResult {
-  const cause = causeWords(settings, against);
+  const cause = causeWords(scene, settings, against);
   return html`<p class="compare-sentence">${
     found
       ? html`<strong data-quantity="differing" data-value=${found.differing}

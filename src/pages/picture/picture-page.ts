@@ -15,7 +15,6 @@ import {
   pictureSettings,
   readPicture,
 } from '../../state/picture/settings.ts';
-import { MOST_BOUNCES } from '../../tracer/weight.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
 import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraHand } from './camera-hand.ts';
@@ -380,9 +379,8 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
 }
 
 /** The picture of which nothing is left out. */
-const wholeRequest = (picture: PictureSettings): TraceRequest =>
-  traceRequests({ ...picture, forced: {}, bounces: MOST_BOUNCES, against: null }, DEFAULT_METHOD)
-    .main;
+const wholeRequest = (picture: PictureSettings): TraceRequest | null =>
+  traceRequests({ ...picture, against: { change: 'whole' } }, DEFAULT_METHOD).other;
 
 /** More rays a pixel are for a picture alone: a comparison is of the rays that were asked for. */
 const isRefined = ({ against, samples }: PictureSettings): boolean =>

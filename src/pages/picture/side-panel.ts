@@ -142,7 +142,7 @@ function both({ otherLedger, ledger: own, picture, requests }: PictureModel) {
   return twoLedgers(otherLedger, own, {
     left: sideWords(other.settings, picture.against),
     right: sideWords(main.settings, picture.against),
-    cause: causeWords(main.settings, picture.against),
+    cause: causeWords(picture.scene, main.settings, picture.against),
   });
 }
 

@@ -19,7 +19,7 @@ export function statusLine(
   const running = current && traceQueue.seen(current);
   const { against, scene, sceneText } = picture;
   const middle = against
-    ? comparisonWords(requests.main.settings, against, { found: comparison, trustsLeft })
+    ? comparisonWords(scene, requests.main.settings, against, { found: comparison, trustsLeft })
     : reasonWords(findPreset(sceneText), `${scene.title}, edited`, compare);
   return pictureStatus(moves ? null : (running ?? main), what, middle, other);
 }

@@ -92,7 +92,7 @@ export function sideWords(settings: TraceSettings, against: Against | null): str
   const method = findMethod(settings.method)?.title ?? settings.method;
   const start = startWords(settings.start);
   if (against?.change === 'boxes') {
-    return `${method}, ${settings.boxless ? 'every surface asked' : 'boxes met first'}`;
+    return `${method}, ${settings.boxless ? 'every surface asked' : 'boxes for many shapes'}`;
   }
   if (against?.change === 'bounces') return `${method}, ${bouncesWords(settings.bounces)}`;
   if (against?.change === 'whole') {

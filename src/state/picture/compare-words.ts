@@ -61,34 +61,33 @@ const NO_SCENE: Scene = {
 };
 
 /** Sentences on what both sides share and the one thing in which they differ. */
-export function causeWords(settings: TraceSettings, against: Against): string {
-  if (AGAINST.write(against) === AGAINST.write(sameAs(settings, against))) {
+export function causeWords(scene: Scene, settings: TraceSettings, against: Against): string {
+  if (isSame(scene, settings, otherSide(settings, against))) {
     return 'Both sides are the same picture.';
   }
   if (against.change === 'start') return 'The method is the same; only the start rule is not.';
   if (against.change === 'method') return 'The start rule is the same; only the method is not.';
   const method = findMethod(settings.method)?.title ?? settings.method;
   if (against.change === 'boxes') {
-    return `Both by ${method}; only on the left every surface is asked about every ray.`;
+    return `Both by ${method}; on the left every surface is asked about every ray, however many.`;
   }
   if (against.change === 'bounces') {
     const after = against.bounces === 1 ? '1 bounce' : `${against.bounces} bounces`;
     return `Both by ${method}; only on the left rays end after ${after}.`;
   }
   if (against.change === 'whole') {
-    return `Left: the whole picture. Right: ${lessWords(settings) || 'the same'}.`;
+    return `Left: the whole picture. Right: ${lessWords(settings)}.`;
   }
   const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
   const what = against.force === 'off' ? 'is missing' : 'is forced on';
   return `Both by ${method}; only ${title} ${what} on the left.`;
 }
 
-/** The comparison of the main picture with itself; null for an effect. */
-function sameAs(settings: TraceSettings, against: Against): Against | null {
-  if (against.change === 'method') return { change: 'method', method: settings.method };
-  if (against.change === 'bounces') {
-    return { change: 'bounces', bounces: settings.bounces ?? MOST };
-  }
-  if (against.change === 'start') return { change: 'start', start: settings.start };
-  return null;
+/** Whether two settings ask for one picture: an effect may run, or not, for several reasons. */
+function isSame(scene: Scene, a: TraceSettings, b: TraceSettings): boolean {
+  const asked = ({ method, start, forced, bounces = MOST, boxless }: TraceSettings): string => {
+    const plan = planEffects(scene, forced).map((effect) => [effect.runs, effect.forced]);
+    return JSON.stringify([method, start, bounces, boxless, plan]);
+  };
+  return asked(a) === asked(b);
 }

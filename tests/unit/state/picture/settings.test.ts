@@ -6,6 +6,7 @@ import { sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import { AGAINST, lessWords, otherSide } from '../../../../src/state/picture/against.ts';
 import { BUDGET, budgetWords } from '../../../../src/state/picture/budget.ts';
+import { causeWords } from '../../../../src/state/picture/compare-words.ts';
 import { newThing } from '../../../../src/state/picture/edits.ts';
 import { sceneFromText, textOfScene } from '../../../../src/state/picture/scene-link.ts';
 import {
@@ -196,6 +197,28 @@ test('the whole picture leaves nothing out, and is said to differ in what this o
   expect(otherSide({ ...DEFAULT_SETTINGS, ...less }, against)).toEqual(DEFAULT_SETTINGS);
   expect(lessWords(DEFAULT_SETTINGS)).toBe('');
   expect(lessWords(less)).toBe('without shadows; at most 3 bounces; by moment');
+});
+
+test('a comparison with what the picture is already says so', () => {
+  const scene = PRESETS.find(({ id }) => id === 'shadows.2')?.scene;
+  if (!scene) throw new Error('no such preset');
+  const cause = (text: string, main: Partial<typeof DEFAULT_SETTINGS> = {}): string => {
+    const against = AGAINST.read(text);
+    return against ? causeWords(scene, { ...DEFAULT_SETTINGS, ...main }, against) : '';
+  };
+  const same = 'Both sides are the same picture.';
+  const { method } = DEFAULT_SETTINGS;
+  for (const text of [`method:${method}`, 'start:from', 'bounces:64', 'whole', 'on:shadow']) {
+    expect(cause(text), text).toBe(same);
+  }
+  expect(cause('off:refraction')).toBe(same);
+  expect(cause('off:shadow', { forced: { shadow: 'off' } })).toBe(same);
+  expect(cause('off:shadow')).toContain('only shadows is missing on the left');
+  expect(cause('on:reflection')).toContain('only reflection is forced on on the left');
+  expect(cause('whole', { bounces: 3 })).toBe('Left: the whole picture. Right: at most 3 bounces.');
+  for (const text of ['off:boxes', 'bounces:2', 'start:none', 'method:textbook32']) {
+    expect(cause(text), text).not.toBe(same);
+  }
 });
 
 describe('a budget', () => {
