@@ -113,8 +113,7 @@ function result(
     .filter(({ keeps }) => keeps)
     .reduce((best, one) => (one.questions < best.questions ? one : best), whole);
   const sentence = isSame(cheapest, whole)
-    ? html`Nothing cheaper keeps to it: each of the ${grouped(first.length - 1)} other pictures that
-        were traced by ${by} differs by more or asks no less.`
+    ? noneWords(first.length - 1, by)
     : html`Of ${grouped(first.length)} pictures by ${by} the cheapest that keeps to it is
         <strong data-quantity="budget.choice"
         data-value=${lessWords(cheapest.settings)}>${nameOf(cheapest)}</strong>. It asks
@@ -150,6 +149,13 @@ function result(
           @click=${() => tools.show(chosen.settings)}>show it beside the whole picture</button></p>
         ${classes(chosen)}`
     }`;
+}
+
+/** Why nothing is cheaper, where so many other pictures were traced. */
+function noneWords(others: number, by: string): string {
+  if (others === 0) return 'Only its camera rays ask questions: there is nothing to leave out.';
+  const each = others === 1 ? 'the one other' : `each of the ${grouped(others)} other pictures`;
+  return `Nothing cheaper keeps to it: ${each} traced by ${by} differs by more or asks no less.`;
 }
 
 const isSame = (a: Candidate, b: Candidate): boolean => a.settings === b.settings;
