@@ -2,8 +2,8 @@ import { type Allocate, useMemory } from './batch/memory.ts';
 import { bytesOf, createSimdMemory } from './batch/simd-memory.ts';
 import { simdSource } from './batch/straight-simd.ts';
 import { type Simd, useSimd } from './batch/target.ts';
-import { type FastStages, useFastStages } from './methods/certified/blocks.ts';
 import { CERTIFIED_SIMD } from './methods/certified/generated/certified-simd.ts';
+import { type FastStages, useFastStages } from './methods/certified/kernel.ts';
 import { createFastStages } from './methods/certified/simd.ts';
 
 interface Fast {

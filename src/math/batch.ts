@@ -14,4 +14,4 @@ export { batchOf, targetOf } from './batch/kernels.ts';
 export { kernelArray } from './batch/memory.ts';
 export { type Quadric, quadricOf } from './batch/quadric.ts';
 export type { Target } from './batch/target.ts';
-export { isFast } from './methods/certified/blocks.ts';
+export { isFast } from './methods/certified/kernel.ts';

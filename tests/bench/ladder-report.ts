@@ -86,8 +86,6 @@ export function familyTable({ family, quality, prices, left, rays }: Measured): 
 /** The rest of what was measured on many rays. */
 export interface Ladder {
   readonly typical: Prices;
-  /** The first hit, of typical rays half of which leave the shape behind. */
-  readonly halfBehind: Prices;
   readonly onSurface: Prices;
   readonly methods: readonly Method[];
   readonly measured: readonly Measured[];
@@ -170,7 +168,7 @@ export function besides({ typical }: Ladder): string[] {
 }
 
 /** Every ratio again with its quartiles. */
-export function quartilesTable({ typical, halfBehind, onSurface, methods }: Ladder): string[] {
+export function quartilesTable({ typical, onSurface, methods }: Ladder): string[] {
   const line = (what: string, prices: Prices, id: string, form: Form): string[] => [
     what,
     ...cells((target, order) =>
@@ -183,7 +181,6 @@ export function quartilesTable({ typical, halfBehind, onSurface, methods }: Ladd
       .filter(({ id }) => typical.times.random.has(nameOf(id, 'typescript', 'classes')))
       .map(({ id }) => line(`${id}, class only`, typical, id, 'classes')),
     ...methods.map(({ id }) => line(`${id}, first hit at t ≥ 0`, typical, id, 'first')),
-    line('the same, every second ray away from the shape', halfBehind, 'certified', 'first'),
     line('certified, rays that start on a surface', onSurface, 'certified', 'both'),
   ]);
 }

@@ -5,7 +5,6 @@ import { batchesOf } from '../../src/lab/plan.ts';
 import { qualityOf } from '../../src/lab/quality.ts';
 import { accelerate } from '../../src/math/accelerate.ts';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
-import type { Ray } from '../../src/math/index.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import {
   besides,
@@ -62,21 +61,6 @@ const named = (...ids: readonly string[]): readonly (typeof METHODS)[number][] =
   METHODS.filter(({ id }) => ids.includes(id));
 const find = (id: string): Family => FAMILIES.find((family) => family.id === id) as Family;
 
-/** Typical rays, every second one moved along its line to where the shape lies behind it. */
-const behind: Family = {
-  ...find('typical'),
-  batch(random, count) {
-    const { shape, rays } = find('typical').batch(random, count);
-    const moved = ({ origin: E, direction: d }: Ray): Ray => ({
-      origin: [E[0] + FAR * d[0], E[1] + FAR * d[1], E[2] + FAR * d[2]],
-      direction: d,
-    });
-    return { shape, rays: rays.map((ray, i) => (i % 2 === 0 ? ray : moved(ray))) };
-  },
-};
-/** In lengths of d. */
-const FAR = 40;
-
 const BIG = { seed: SEED, shapes: SHAPES, count: many };
 const typical = pricesOf(
   find('typical'),
@@ -84,7 +68,6 @@ const typical = pricesOf(
   [...ask(METHODS, 'both'), ...ask(METHODS, 'classes'), ...ask(METHODS, 'first')],
   PLAN,
 );
-const halfBehind = pricesOf(behind, BIG, ask(named('textbook', 'certified'), 'first'), PLAN);
 const onSurface = pricesOf(
   find('near-surface'),
   BIG,
@@ -112,7 +95,7 @@ const all = families.map((family) => {
   print(familyTable(one));
   return one;
 });
-const ladder: Ladder = { typical, halfBehind, onSurface, methods: METHODS, measured: all };
+const ladder: Ladder = { typical, onSurface, methods: METHODS, measured: all };
 const first = headline(ladder);
 
 const about = [
@@ -167,12 +150,9 @@ const lines = [
     ' operations; factors of 1.3 and 2.2 would be 53 and 90 in all. They were goals beside a ' +
     "textbook that took 16 ns; by this file's history certified took 47 ns then, and takes 25" +
     ' to 40 now.',
-  '* first of certified in TypeScript solves nothing of a ray without a root in the range. Of ' +
-    'the others it solves both: pass 2 and 3 for the nearer root alone take 10.9 ns in place of ' +
-    '16.5, and to tell which rays these are, by two lists, 7.1 more in pass 1 (16.8 in place of ' +
-    '9.7), where a branch that random rays mislead waits for √D. In WebAssembly, two rays at a ' +
-    'time, both are solved always: with one ray in five that wants the farther root, more than ' +
-    'a third of the pairs has one.',
+  '* first of a batch by certified solves both roots and chooses; to solve the wanted one alone ' +
+    'was slower on random rays, whose branch waits for √D. exact solves the second root only ' +
+    'where the first is out of the range.',
   '* certified in SIMD to textbook in TypeScript: textbook in SIMD is 0.42 to 0.53 of it, ' +
     'so that a factor of 0.7 would be 1.3 to 1.7 of that; by the operations above, two rays ' +
     'at once, it is 2.7.',

@@ -1,5 +1,4 @@
-import { useFastStages } from '../methods/certified/blocks.ts';
-import { certifiedKernel } from '../methods/certified/kernel.ts';
+import { certifiedKernel, useFastStages } from '../methods/certified/kernel.ts';
 import { certifiedPlanar } from '../methods/certified/planar.ts';
 import type { Method } from '../methods/define.ts';
 import type { Shape } from '../shapes/index.ts';

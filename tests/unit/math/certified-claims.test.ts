@@ -12,7 +12,6 @@ import {
   BLOCK,
   CERTAIN,
   createScratch,
-  ordinaryPasses,
   ordinaryRootsWith,
 } from '../../../src/math/methods/certified/units.ts';
 import type { Ray } from '../../../src/math/ray.ts';
@@ -203,7 +202,7 @@ describe('the largest and the smallest shapes that are ordinary (seed 206)', () 
 
   const out = createAnswers(BLOCK);
   const scratch = createScratch();
-  const ordinaryRoots = ordinaryRootsWith(ordinaryPasses(scratch));
+  const ordinaryRoots = ordinaryRootsWith(scratch);
   /** Roots, over `unit`, and what is left to others. */
   function answers(q: Quadric, rays: readonly Ray[], unit: number): number[] {
     out.t0.fill(-1);

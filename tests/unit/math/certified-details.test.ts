@@ -12,9 +12,9 @@ import {
   createRoots,
   putAlgebra,
 } from '../../../src/math/methods/certified/algebra.ts';
-import { openClasses } from '../../../src/math/methods/certified/blocks.ts';
 import { plainQuadric } from '../../../src/math/methods/certified/curved.ts';
 import { putRoots } from '../../../src/math/methods/certified/doubled.ts';
+import { openClasses } from '../../../src/math/methods/certified/kernel.ts';
 import { certifiedQuadric } from '../../../src/math/methods/certified/numbers.ts';
 import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';

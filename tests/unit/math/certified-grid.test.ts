@@ -35,7 +35,7 @@ import {
   FAITHFUL_ONCE as FAITHFUL,
   readQuadric,
 } from '../../../src/math/methods/certified/numbers.ts';
-import { findRoots } from '../../../src/math/methods/certified/quadric-kernel.ts';
+import { findRoots } from '../../../src/math/methods/certified/one-ray.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { integer, type Random, seeded, uniform } from '../../../src/math/rng.ts';

@@ -34,7 +34,7 @@ import { putRoots } from './doubled.ts';
 import { createFound, T0, T1, VERDICT } from './found.ts';
 import { hitAt } from './hits.ts';
 import { type CertifiedQuadric, FAITHFUL } from './numbers.ts';
-import { findRoots } from './quadric-kernel.ts';
+import { findRoots } from './one-ray.ts';
 
 /*
  * One ray against a curved shape, all that is asked in one go: class, A, B, C, D, roots, points and

@@ -15,9 +15,3 @@ export const STAGE = 3;
 const STAGES: readonly DecidedBy[] = ['filter', 'double-double', 'exact'];
 /** The stage that decided, from `found[STAGE]`. */
 export const stageFound = (found: Found): DecidedBy => STAGES[found[STAGE] as number] ?? 'exact';
-
-/** What the passes over ordinary rays leave a ray to: nothing, or one of their lists (units.ts). */
-export const LEFT_NOTHING = 0;
-export const LEFT_DOUBTFUL = 1;
-export const LEFT_UNSETTLED = 2;
-export const LEFT_STARTING = 3;

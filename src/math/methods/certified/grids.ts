@@ -5,7 +5,7 @@ import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import { createFound, type Found, T0, T1 } from './found.ts';
 import { AT_SCALED, BOX, type CertifiedQuadric, FAITHFUL_ONCE } from './numbers.ts';
-import { findRoots } from './quadric-kernel.ts';
+import { findRoots } from './one-ray.ts';
 
 /** What the passes of this file hand to each other, and where in it each number is. */
 export type Grid = Float64Array;

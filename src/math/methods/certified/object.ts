@@ -12,8 +12,8 @@ import { createFound, type Found, stageFound, T0, T1, VERDICT } from './found.ts
 import { gridQuadric } from './grids.ts';
 import { placeInPlane, placeOnQuadric } from './hits.ts';
 import { type CertifiedQuadric, certifiedSlot, readQuadric } from './numbers.ts';
+import { createOneRay, findRoots, stageOf } from './one-ray.ts';
 import { planarRoots, solvePlanarSlowly } from './planar.ts';
-import { createOneRay, findRoots, stageOf } from './quadric-kernel.ts';
 
 /** The answer for one ray: grids, else the kernels' stages on a batch of one, points, normals. */
 export function intersectCertified(shape: Shape, ray: Ray): Intersection {

@@ -11,8 +11,8 @@ import {
   SCRATCH_BYTES,
   type SimdMemory,
 } from '../../batch/simd-memory.ts';
-import type { FastRoots, FastStages } from './blocks.ts';
 import { SURFACE_COUNT, surfaceNumbers } from './from-surface.ts';
+import type { FastRoots, FastStages } from './kernel.ts';
 
 /*
  * What certified's kernels keep in the shared memory (batch/simd-memory.ts): the shape's numbers,

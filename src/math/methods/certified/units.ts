@@ -622,23 +622,6 @@ export function solvePass(s: Scratch): SolvePass {
   };
 }
 
-/** The passes over one scratch, by form: around an axis, in space. */
-export interface OrdinaryPasses {
-  readonly coarse: readonly [CoarsePass, CoarsePass];
-  readonly residuals: readonly [ResidualPass, ResidualPass];
-  readonly solve: SolvePass;
-}
-
-/**
- * The passes over this scratch. Of each only one set should be in use: V8 knows the arrays of a
- * function that was made once.
- */
-export const ordinaryPasses = (scratch: Scratch): OrdinaryPasses => ({
-  coarse: [coarseAroundAxis(scratch), coarseInSpace(scratch)],
-  residuals: [residualsAroundAxis(scratch), residualsInSpace(scratch)],
-  solve: solvePass(scratch),
-});
-
 /** All three passes over rays `from` to `to`. */
 export type OrdinaryRoots = (
   lattice: Lattice,
@@ -653,7 +636,10 @@ export type OrdinaryRoots = (
  * Both roots of the rays of a block, but for the first count[DOUBTS] of `doubtful` and the first
  * count[UNSETTLED] of `unsettled`, which the scratch holds until the next block.
  */
-export function ordinaryRootsWith({ coarse, residuals, solve }: OrdinaryPasses): OrdinaryRoots {
+export function ordinaryRootsWith(scratch: Scratch): OrdinaryRoots {
+  const coarse = [coarseAroundAxis(scratch), coarseInSpace(scratch)] as const;
+  const residuals = [residualsAroundAxis(scratch), residualsInSpace(scratch)] as const;
+  const solve = solvePass(scratch);
   return (lattice, hasY, rays, out, from, to) => {
     const form = hasY ? 1 : 0;
     coarse[form](lattice, rays, out, from, to);

@@ -2,7 +2,7 @@ import { afterEach, expect, test } from 'vitest';
 import { accelerate, decelerate } from '../../../../src/math/accelerate.ts';
 import { createAnswers, packRays } from '../../../../src/math/batch/batch.ts';
 import { batchOf, targetOf } from '../../../../src/math/batch/kernels.ts';
-import { isFast } from '../../../../src/math/methods/certified/blocks.ts';
+import { isFast } from '../../../../src/math/methods/certified/kernel.ts';
 import { METHODS } from '../../../../src/math/methods/index.ts';
 import type { Shape } from '../../../../src/math/shapes/index.ts';
 

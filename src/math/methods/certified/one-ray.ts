@@ -8,20 +8,12 @@ import {
 } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
 import type { DecidedBy } from '../../intersection.ts';
+import { lazily } from '../../lazily.ts';
 import type { Ray } from '../../ray.ts';
 import { solveSlowly } from './doubled.ts';
-import {
-  type Found,
-  LEFT_DOUBTFUL,
-  LEFT_NOTHING,
-  LEFT_STARTING,
-  STAGE,
-  T0,
-  T1,
-  VERDICT,
-} from './found.ts';
-import { surfaceAroundAxis, surfaceInSpace, surfaceNumbers } from './from-surface.ts';
+import { type Found, STAGE, T0, T1, VERDICT } from './found.ts';
 import { oneAroundAxis, oneInSpace } from './generated/one-ray.ts';
+import { type Lists, laterStages } from './kernel.ts';
 import {
   type CertifiedQuadric,
   type CertifiedSlot,
@@ -29,8 +21,7 @@ import {
   certifiedSlot,
   type OpenRays,
 } from './numbers.ts';
-import { recentredAroundAxis, recentredInSpace } from './recentred.ts';
-import { refine } from './refined.ts';
+import { DOUBTS, HITS, STARTING, UNSETTLED } from './units.ts';
 
 /*
  * A batch of one: an object's roots are the batch's, to the bit, as a faithful root can be either
@@ -76,8 +67,8 @@ export function findRoots(
 ): void {
   if (c.inBox) {
     const form = q.hasY ? oneInSpace : oneAroundAxis;
-    const left = c.lattice ? form(c.lattice, ray, found) : LEFT_DOUBTFUL;
-    if (left === LEFT_NOTHING || isSettled(left, q, ray, found, c)) {
+    const list = c.lattice ? form(c.lattice, ray, found) : DOUBTS;
+    if (list === HITS || isSettled(list, q, ray, found, c)) {
       found[VERDICT] = Number.isNaN(found[T0]) ? NONE : TWO;
       found[STAGE] = 0;
       return;
@@ -91,28 +82,28 @@ export function findRoots(
 }
 
 let slot: CertifiedSlot | null = null;
-let batch: OneRay | null = null;
-let places: Int32Array | null = null;
 
-/** By the stage for what the ordinary rays' passes have left, and the last of them. */
-function isSettled(left: number, q: Quadric, ray: Ray, found: Found, c: CertifiedQuadric): boolean {
-  batch ??= createOneRay();
-  places ??= new Int32Array(1);
-  const { rays, out, setRay } = batch;
+/** The lists of a block of one ray. */
+const ownLists = lazily((): Lists => {
+  const list = (): Int32Array => new Int32Array(1);
+  return { doubtful: list(), unsettled: list(), starting: list(), count: new Int32Array(4) };
+});
+const ownBatch = lazily(createOneRay);
+
+/** By the stages for what the ordinary rays' passes have listed. */
+function isSettled(list: number, q: Quadric, ray: Ray, found: Found, c: CertifiedQuadric): boolean {
+  const { rays, out, left, setRay } = ownBatch();
+  const lists = ownLists();
   setRay(ray);
-  places[0] = 0;
-  let open = 1;
-  if (left === LEFT_DOUBTFUL) {
-    const pass = q.hasY ? recentredInSpace : recentredAroundAxis;
-    open = pass(c.numbers, rays, out, places, 1);
-  } else if (left === LEFT_STARTING) {
-    const pass = q.hasY ? surfaceInSpace : surfaceAroundAxis;
-    open = pass(surfaceNumbers(q, c), rays, out, places, 1);
-  }
-  if (open > 0) open = refine(c.numbers, q.hasY, rays, out, places, 1);
+  lists.doubtful[0] = 0;
+  lists.unsettled[0] = 0;
+  lists.starting[0] = 0;
+  for (const k of [DOUBTS, UNSETTLED, STARTING]) lists.count[k] = k === list ? 1 : 0;
+  left.count = 0;
+  laterStages(lists, q, c, rays, out, left);
   found[T0] = out.t0[0] as number;
   found[T1] = out.t1[0] as number;
-  return open === 0;
+  return left.count === 0;
 }
 
 /** The stage after the filter that decided. */
