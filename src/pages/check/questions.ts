@@ -84,7 +84,6 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
     if (JSON.stringify(next) !== JSON.stringify(picture)) picture = next;
     return picture ?? next;
   };
-  /** Whether a set was made in the form, and is not a numbered one. */
   const code = (): string => handInCode(handInOf(progress, given.seed, given.who));
   const handIn = {
     toggle(open: boolean) {
