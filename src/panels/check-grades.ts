@@ -34,7 +34,7 @@ interface GradesTools {
   save(id: string): void;
   saveCases(format: 'json' | 'csv'): void;
   cases(kind: string): void;
-  seed(seed: number): void;
+  seed(text: string): void;
   weigh(group: GroupId, weight: number): void;
 }
 
@@ -77,7 +77,8 @@ export function gradesPart(view: GradesView, tools: GradesTools): TemplateResult
         <option value="all" ?selected=${view.cases === 'all'}>${view.all}</option>
       </select></label>
       <label>seed of the cases <input class="set-seed" inputmode="numeric"
-        .value=${String(view.casesSeed)} @change=${(event: Event) => tools.seed(numberIn(event))}
+        .value=${String(view.casesSeed)} @change=${(event: Event) =>
+          tools.seed((event.target as HTMLInputElement).value.trim())}
       /></label>
     </div>
     <div class="set-choices" role="group" aria-label="Weights"><span>weights</span>

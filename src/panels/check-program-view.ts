@@ -37,7 +37,7 @@ export interface ProgramTools {
   takes(source: string): boolean;
   pick(kind: string): void;
   /** Chooses the seed of the cases. */
-  seed(seed: number): void;
+  seed(text: string): void;
   run(): void;
   cancel(): void;
   openFile(): void;

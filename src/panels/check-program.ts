@@ -90,7 +90,7 @@ export function exchange(tools: ProgramTools, seed: number): TemplateResult {
       <button type="button" class="button small" @click=${tools.openResults}>Open results</button>
     </div>
     <label class="cases-seed">seed of the cases <input inputmode="numeric" .value=${String(seed)}
-      @change=${(event: Event) => tools.seed(Number((event.target as HTMLInputElement).value))}
+      @change=${(event: Event) => tools.seed((event.target as HTMLInputElement).value.trim())}
       /></label>
     <p class="tolerance">With another seed than ${CASES_SEED} the cases are others, in no order,
     under ids that tell nothing: for whoever marks programs.</p>

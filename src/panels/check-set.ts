@@ -34,7 +34,7 @@ export interface SetTools {
   shape(kind: ShapeKind, wanted: boolean): void;
   level(level: string): void;
   hints(offered: boolean): void;
-  seed(seed: number): void;
+  seed(text: string): void;
   copy(): void;
   open(): void;
   /** Saves a file for a course system. */
@@ -104,7 +104,7 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
           @change=${(event: Event) => tools.hints((event.target as HTMLInputElement).checked)}
         /> hints and solutions</label>
         <label>seed <input class="set-seed" inputmode="numeric" .value=${String(view.seed)}
-          @change=${(event: Event) => tools.seed(Number((event.target as HTMLInputElement).value))}
+          @change=${(event: Event) => tools.seed((event.target as HTMLInputElement).value.trim())}
         /></label>
       </div>
     </fieldset>

@@ -59,6 +59,18 @@ test('a set is made in the form, answered under a name, handed in and marked', a
   await openCheck(page, 'part=set&set=flat');
   await expect(form).toContainText('students give a name or number');
   await expect(form).not.toContainText('as it always was');
+  const seed = form.getByRole('textbox', { name: 'seed', exact: true });
+  for (const text of ['one', '1e400', '']) {
+    await seed.fill(text);
+    await seed.press('Enter');
+    await expect(form.locator('.refusal')).toHaveText(
+      `'${text}' is not a whole number of up to nine digits.`,
+    );
+    await expect(seed).toHaveValue(text);
+  }
+  await seed.fill('1');
+  await seed.press('Enter');
+  await expect(form.locator('.refusal')).toHaveText('');
   const row = (id: string) => page.locator(`[data-exercise="${id}"] input`);
   for (const id of ['coefficients', 'roots']) {
     await row(id).fill('1');

@@ -15,7 +15,7 @@ import { zipOf } from '../../state/zip.ts';
 import { download } from '../../ui/files.ts';
 import type { PartContext } from './part.ts';
 import { allWords, createRuns, kindsFor } from './program-run.ts';
-import type { CheckSettings } from './settings.ts';
+import { type CheckSettings, seedProblem } from './settings.ts';
 
 interface GradedFile {
   readonly path: string;
@@ -131,9 +131,8 @@ export function createGrades(
         save: (id) => FILES[id]?.(),
         cases: (cases) => set({ cases }),
         seed(seed) {
-          const isSeed = Number.isInteger(seed) && seed >= 0 && seed < 1e9;
-          refusal = isSeed ? '' : 'The seed is a whole number of up to nine digits.';
-          if (isSeed) set({ casesSeed: seed });
+          refusal = seedProblem('cases-seed', seed);
+          if (refusal === '') set({ casesSeed: Number(seed) });
           changed();
         },
         saveCases(format) {

@@ -12,7 +12,7 @@ import { download, pickFile } from '../../ui/files.ts';
 import { element, type PartContext, turnablePicture } from './part.ts';
 import { allWords, createRuns, kindsFor } from './program-run.ts';
 import { exploreLink } from './question-scene.ts';
-import type { CheckSettings } from './settings.ts';
+import { type CheckSettings, seedProblem } from './settings.ts';
 
 interface Program {
   render(settings: CheckSettings): void;
@@ -87,8 +87,9 @@ export function mountProgram(
     edit: (text) => write(text),
     takes: (text) => takes(text),
     seed(wanted) {
-      if (Number.isInteger(wanted) && wanted >= 0 && wanted < 1e9) part.set({ casesSeed: wanted });
-      else refuse('The seed of the cases is a whole number of up to nine digits.');
+      const problem = seedProblem('cases-seed', wanted);
+      refuse(problem);
+      if (problem === '') part.set({ casesSeed: Number(wanted) });
     },
     pick(kind) {
       if (source() === templateNow()) write(template(kindsFor(kind, set)));

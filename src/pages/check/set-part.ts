@@ -35,7 +35,7 @@ import { MOST_SHEETS, type Sheet, seedsOf, sheetOf, sheetsHandout } from '../han
 import { ownFile } from './own-file.ts';
 import type { PartContext, WidePart } from './part.ts';
 import { activityOf, setLink } from './set-link.ts';
-import type { CheckSettings } from './settings.ts';
+import { type CheckSettings, seedProblem } from './settings.ts';
 
 /** What the form says of a set, its own or a numbered one. */
 interface Form {
@@ -210,10 +210,8 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
     level: (level) => put({ level }),
     hints: (hints) => put({ hints }),
     seed(seed) {
-      if (Number.isSafeInteger(seed) && Math.abs(seed) < 1e9) {
-        refusal = '';
-        set({ seed });
-      } else refusal = 'The seed is a whole number of up to nine digits.';
+      refusal = seedProblem('seed', seed);
+      if (refusal === '') set({ seed: Number(seed) });
       changed();
     },
     async copy() {

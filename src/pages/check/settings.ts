@@ -127,8 +127,17 @@ const CHECKS: Readonly<Record<string, Rule>> = {
   ],
   question: [isQuestion, (set) => `a question from 1 to ${questionsIn(set)}`],
   cases: [isCases, () => 'a shape, or all'],
-  'cases-seed': [(text) => /^\d{1,9}$/.test(text), () => 'a whole number of up to nine digits'],
+  'cases-seed': [
+    (text) => /^\d{1,9}$/.test(text),
+    () => 'a whole number from 0 on of up to nine digits',
+  ],
 };
+
+/** What is wrong with a seed that was typed; '' for nothing. */
+export function seedProblem(key: 'seed' | 'cases-seed', text: string): string {
+  const [ok, wanted] = CHECKS[key] ?? UNKNOWN;
+  return ok(text, FIRST_SET) ? '' : `'${text.slice(0, 40)}' is not ${wanted(FIRST_SET, text)}.`;
+}
 
 const UNKNOWN: Rule = [() => false, () => ''];
 
