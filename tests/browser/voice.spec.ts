@@ -168,6 +168,19 @@ test('so it does on every other page', async ({ page }) => {
   }
 });
 
+test.describe('on Accuracy', () => {
+  test.use({ idle: true });
+  test('the answer is said, and not the question in its place before', async ({ page }) => {
+    await page.addInitScript(withoutPause);
+    await page.addInitScript(keepSpoken);
+    await page.goto('./#/accuracy');
+    let spoken = '';
+    const answer = 'the textbook formula';
+    await expect.poll(async () => (spoken += await spokenOn(page))).toContain(answer);
+    expect(spoken).not.toContain('What does a right answer cost?');
+  });
+});
+
 test('one voice on Check too: a verdict is said once, again where it is asked for again', async ({
   page,
 }) => {

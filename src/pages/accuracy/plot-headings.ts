@@ -36,7 +36,6 @@ export function answerHead(
   const { family, worth, order, dial } = settings;
   const own = findFamily(family)?.dial;
   const instead = why ? `Compared in ${targetTitle(target)}: ${why} ` : '';
-  const headline = words.headline || 'What does a right answer cost?';
   const targets = tabs('Kernels', TARGETS, target, (id) =>
     set({ target: id as AccuracySettings['target'] }),
   );
@@ -54,7 +53,9 @@ export function answerHead(
     set({ worth: id as AccuracySettings['worth'] }),
   );
   return html`<div class="acc-answer">
-      <h2 class="acc-sentence"><span data-say>${headline}</span></h2>
+      <h2 class="acc-sentence"><span ?data-say=${words.headline !== ''}>${
+        words.headline || 'What does a right answer cost?'
+      }</span></h2>
       <div class="acc-compare">
         ${targets}
         <span class="acc-order">order ${orders}</span>
