@@ -13,8 +13,11 @@ interface CameraLine {
 
 /** Over the picture: how the camera is moved, and how fine the picture has become. */
 export function cameraLine({ hint, done, most, refines, stop }: CameraLine): TemplateResult {
-  const how = html`<p class="camera-hint"><span aria-hidden="true">⟲</span> <b>drag</b> turns,
-    <b>Shift</b> + drag moves, <b>wheel</b> or pinch comes nearer</p>`;
+  const how = html`<p class="camera-hint"><span aria-hidden="true">⟲</span>
+    <span class="by-mouse"><b>drag</b> turns, <b>Shift</b> + drag moves, <b>wheel</b> or pinch comes
+      nearer</span>
+    <span class="by-finger"><b>sideways</b> turns, <b>two fingers</b> move and come
+      nearer</span></p>`;
   return html`${hint ? how : nothing}${done === null || done === 0 ? nothing : rest()}`;
 
   function rest(): TemplateResult {

@@ -6,6 +6,7 @@ import { RAY_KINDS } from '../../src/tracer/types.ts';
 import { expectInLink } from './support/controls.ts';
 import { linkWritten, problems, settle } from './support/page.ts';
 import { expect, test as fresh, visit as test } from './support/test.ts';
+import { showTheme } from './support/theme.ts';
 
 test.describe.configure({ mode: 'default' });
 
@@ -150,7 +151,9 @@ test('built up by one key, taken away by another; both ledgers of a comparison',
     Number(await both.locator(`[data-quantity="${name}"]`).getAttribute('data-value'));
   expect(await value('ratio')).toBe((await value('left')) / (await value('right')));
   expect(await value('ratio')).toBeLessThan(1);
-  await expect(page.locator('.two-ledgers')).toContainText('only reflection is missing');
+  await expect(page.locator('.two-ledgers')).toContainText(
+    'only the left one is without reflection',
+  );
 });
 
 test('the camera is moved by drag, wheel and keys; one drag is one step of undo', async ({
@@ -623,6 +626,10 @@ test('a link measures how the price grows, and finds the cheapest picture within
   const part = Number(await share.getAttribute('data-value'));
   expect(part).toBeLessThan(1);
   const whole = await cell(page, 'total', 'questions');
+  for (const theme of ['projector', 'light']) {
+    await showTheme(page, theme);
+    await expect(page.locator('.budget-classes'), theme).toBeVisible();
+  }
   await page.getByRole('button', { name: 'show it beside the whole picture' }).click();
   await traced(page);
   await expectInLink(page, { against: 'whole', show: 'errors', budget: '10%,5' });
@@ -659,6 +666,16 @@ test.describe('on a phone', () => {
       const width = await page.evaluate(() => document.scrollingElement?.scrollWidth);
       expect(width, part).toBe(390);
     }
+  });
+});
+
+test.describe('under a finger', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  test('the picture says how fingers move the camera, not keys and wheel', async ({ page }) => {
+    await openPicture(page, `${SMALL}&scene=plain`);
+    const hint = page.locator('.camera-hint');
+    await expect(hint).toContainText(/two fingers move/, { useInnerText: true });
+    await expect(hint).not.toContainText(/Shift|wheel/, { useInnerText: true });
   });
 });
 

@@ -79,8 +79,8 @@ export function causeWords(scene: Scene, settings: TraceSettings, against: Again
     return `Left: the whole picture. Right: ${lessWords(settings)}.`;
   }
   const title = EFFECTS.find(({ id }) => id === against.effect)?.title ?? against.effect;
-  const what = against.force === 'off' ? 'is missing' : 'is forced on';
-  return `Both by ${method}; only ${title} ${what} on the left.`;
+  const what = against.force === 'off' ? `is without ${title}` : `has ${title} forced on`;
+  return `Both by ${method}; only the left one ${what}.`;
 }
 
 /** Whether two settings ask for one picture: an effect may run, or not, for several reasons. */
