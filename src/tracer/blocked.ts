@@ -1,6 +1,5 @@
 import type { Feelers } from '../scene/effects/body.ts';
-import { type Hierarchy, meetBox } from './boxes.ts';
-import type { Groups } from './groups.ts';
+import { askBoxed, type Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import type { Scratch } from './scratch.ts';
 import { NOTHING } from './types.ts';
@@ -12,7 +11,7 @@ import type { Target } from './world.ts';
  */
 export function findBlocked(
   feelers: Feelers,
-  { open, boxed }: Groups,
+  groups: Groups,
   targets: readonly Target[],
   tMin: number,
   scratch: Scratch,
@@ -21,7 +20,6 @@ export function findBlocked(
   const { count, rays, from, blocker, limit, t } = feelers;
   scratch.need(count);
   const asker = scratch.asker();
-  const everyone = scratch.everyone();
   asker.begin(feelers, count);
   blocker.fill(NOTHING, 0, count);
   t.set(limit.subarray(0, count));
@@ -57,25 +55,16 @@ export function findBlocked(
     return m;
   }
 
-  const slopes = boxed.length > 0 ? scratch.slopes(rays, count) : undefined;
-
-  function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
-    if (!slopes) return;
-    const kept = scratch.list(depth);
-    const m = meetBox(node.box, rays, slopes, limit, list, n, kept);
-    const left = free(kept, m, kept);
-    if (left === 0) return;
-    if (node.leaf) ask(targets[node.surface] as Target, kept, left);
-    else {
-      descend(node.near, kept, left, depth + 1);
-      descend(node.far, kept, left, depth + 1);
-    }
-  }
-
-  for (const node of boxed) descend(node, everyone, count, 0);
-  for (const target of open) {
+  askBoxed(
+    groups,
+    feelers,
+    scratch,
+    (k, list, n) => ask(targets[k] as Target, list, n),
+    (list, n) => free(list, n, list),
+  );
+  for (const target of groups.open) {
     const kept = scratch.list(0);
-    const left = free(everyone, count, kept);
+    const left = free(scratch.everyone(), count, kept);
     if (left > 0) ask(target, kept, left);
   }
 }

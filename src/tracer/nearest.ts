@@ -1,7 +1,6 @@
 import type { Wave } from '../scene/effects/body.ts';
 import { AHEAD } from './ask.ts';
-import { type Hierarchy, meetBox } from './boxes.ts';
-import type { Groups } from './groups.ts';
+import { askBoxed, type Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import type { Scratch } from './scratch.ts';
 import { NOTHING } from './types.ts';
@@ -10,7 +9,7 @@ import type { Target } from './world.ts';
 /** Puts each ray's nearest hit into t and surface. `tMin`: least t of rays that leave a surface. */
 export function findNearest(
   wave: Wave,
-  { open, boxed }: Groups,
+  groups: Groups,
   targets: readonly Target[],
   tMin: number,
   scratch: Scratch,
@@ -42,22 +41,10 @@ export function findNearest(
     takeNearer(target.surface, leaving.index, out.t0, leaving.rays.count, wave);
   }
 
-  const slopes = boxed.length > 0 ? scratch.slopes(rays, count) : undefined;
-
-  function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
-    if (!slopes) return;
-    const kept = scratch.list(depth);
-    const m = meetBox(node.box, rays, slopes, t, list, n, kept);
-    if (m === 0) return;
-    if (node.leaf) ask(targets[node.surface] as Target, kept, m);
-    else {
-      descend(node.near, kept, m, depth + 1);
-      descend(node.far, kept, m, depth + 1);
-    }
-  }
-
-  for (const target of open) ask(target, everyone, count);
-  for (const node of boxed) descend(node, everyone, count, 0);
+  for (const target of groups.open) ask(target, everyone, count);
+  askBoxed(groups, { rays, count, limit: t }, scratch, (k, list, n) =>
+    ask(targets[k] as Target, list, n),
+  );
   for (let i = 0; i < count; i++) {
     if (surface[i] === NOTHING) t[i] = Number.NaN;
   }

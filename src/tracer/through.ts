@@ -2,8 +2,7 @@ import { createAnswers, createRays, kernelArray } from '../math/batch.ts';
 import type { Chords, Feelers } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
 import { copyRay } from './ask.ts';
-import { type Hierarchy, meetBox } from './boxes.ts';
-import type { Groups } from './groups.ts';
+import { askBoxed, type Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import type { Scratch } from './scratch.ts';
 import type { Target } from './world.ts';
@@ -20,11 +19,7 @@ interface Crossing {
  * for rays that are bent, the stretch before a point where a ray leaves a surface's glass is in
  * that glass, and around glass is air.
  */
-export function createChords(
-  { open, boxed }: Groups,
-  targets: readonly Target[],
-  scratch: Scratch,
-) {
+export function createChords(groups: Groups, targets: readonly Target[], scratch: Scratch) {
   let rays = createRays(0, kernelArray);
   let out = createAnswers(0, kernelArray);
 
@@ -76,23 +71,8 @@ export function createChords(
       cross(target, list, n, true);
     }
 
-    const slopes = boxed.length > 0 ? scratch.slopes(feelers.rays, count) : undefined;
-
-    function descend(node: Hierarchy, list: Int32Array, n: number, depth: number): void {
-      if (!slopes) return;
-      const kept = scratch.list(depth);
-      const m = meetBox(node.box, feelers.rays, slopes, limit, list, n, kept);
-      if (m === 0) return;
-      if (node.leaf) ask(targets[node.surface] as Target, kept, m);
-      else {
-        descend(node.near, kept, m, depth + 1);
-        descend(node.far, kept, m, depth + 1);
-      }
-    }
-
-    const everyone = scratch.everyone();
-    for (const target of open) ask(target, everyone, count);
-    for (const node of boxed) descend(node, everyone, count, 0);
+    for (const target of groups.open) ask(target, scratch.everyone(), count);
+    askBoxed(groups, feelers, scratch, (k, list, n) => ask(targets[k] as Target, list, n));
     const lengths = new Map<number, Float64Array>();
     crossings.forEach((of, j) => {
       let before = 0;
