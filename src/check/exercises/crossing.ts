@@ -45,9 +45,9 @@ export const crossing: Exercise = {
     `points does the line meet the surface?`,
   given: [],
   fields: ({ param }) => [
-    choiceField('before', `${param?.symbol} a little below`, CASES),
-    choiceField('at', `${param?.symbol} = ${display(param?.value ?? 0)}`, CASES),
-    choiceField('after', `${param?.symbol} a little above`, CASES),
+    choiceField('before', `just below ${valueWords(param)}`, CASES),
+    choiceField('at', `at ${valueWords(param)}`, CASES),
+    choiceField('after', `just above ${valueWords(param)}`, CASES),
   ],
   answers: (course, draft) => answersAt(course, draft, LITTLE),
   argue: (draft) => {
@@ -64,14 +64,17 @@ export const crossing: Exercise = {
     return {
       rule: 'The sign of D decides where A ≠ 0; where A = 0, B t + C = 0 is left.',
       put:
-        `${A} and ${D}: which signs have they a little below, at and a little above ${symbol} ` +
-        `= ${display(value)}?`,
+        `${A} and ${D}: which signs have they just below, at and just above ` +
+        `${valueWords(param)}?`,
       decision: [`${A} and ${D}.`, at(-LITTLE, ' − 1/64'), at(0, ''), at(LITTLE, ' + 1/64')],
     };
   },
   clue: 'Write D, and A, as functions of the parameter, and see where they change their sign.',
   lines: ['A', 'D'],
 };
+
+const valueWords = (param: Draft['param']): string =>
+  `${param?.symbol} = ${display(param?.value ?? 0)}`;
 
 function answersAt(course: Course, { shape, ray, param }: Draft, by: number): Answers {
   if (!param) return {};
@@ -88,8 +91,8 @@ const CHANGES = ['root count changes at D = 0', 'A = 0', 'always two', 'never an
 
 /** What happens where the parameter crosses its value. */
 function changeOf({ before, at, after }: Answers): string {
-  if (before !== after || before === at) {
-    if (at === 'tangent') return 'root count changes at D = 0';
+  if (at === 'tangent') return 'root count changes at D = 0';
+  if (before === at && at === after) {
     return at === 'two' ? 'always two' : at === 'none' ? 'never any' : 'other';
   }
   return at === 'one' || at === 'none' ? 'A = 0' : 'other';
@@ -104,8 +107,9 @@ export const passing: Exercise = {
     without: { cylinder: ['A = 0'], sphere: ['A = 0'], paraboloid: ['A = 0'] },
     of: (_, truth) => changeOf(truth),
   },
-  draw(random, kind, level) {
-    if (random() < 0.85) {
+  draw(random, kind, level, wanted) {
+    const stays = wanted === undefined ? random() >= 0.85 : /always|never/.test(wanted);
+    if (!stays) {
       return drawUntil(
         () => crossing.draw(random, kind, level),
         (drawn) => drawn !== null,

@@ -4,7 +4,7 @@ import { integer, pick, type Random, randomSign } from '../../math/rng.ts';
 import { type CurvedDetails, findMethod, findShape, type ShapeKind } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
-import { type Exercise, spreadOver } from './define.ts';
+import { type Draft, type Exercise, spreadOver } from './define.ts';
 import { drawUntil, kindsOf, numberOf } from './draw.ts';
 
 const LINES = [
@@ -94,13 +94,7 @@ export const digits: Exercise = {
   kinds: kindsOf('curved').filter((kind) => findShape(kind)?.ownFamilies),
   spread: spreadOver('line', ['A', 'C', 'D', 't', 'nowhere'], { cylinder: ['A', 't'] }),
   draw(random, kind) {
-    const make = pick(random, DRAWS);
-    const made = drawUntil(
-      () => make(random),
-      (drawn) => sameKind(drawn, kind) && measured(drawn) !== null,
-    );
-    if (!made) return null;
-    return { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
+    return drawnFrom(pick(random, DRAWS), random, kind);
   },
   ask: () =>
     'In doubles, on which line does the textbook method first lose digits here (fewer than nine ' +
@@ -144,15 +138,23 @@ export const allDigits: Exercise = {
     sphere: ['A', 'C', 't'],
     paraboloid: ['A', 'C', 't'],
   }),
-  draw(random, kind) {
-    const make = pick(random, allDraws(kind));
-    const made = drawUntil(
-      () => make(random),
-      (drawn) => sameKind(drawn, kind) && measured(drawn) !== null,
-    );
-    return made && { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
+  draw(random, kind, _, wanted) {
+    const draws = allDraws(kind);
+    return drawnFrom((numbers) => pick(numbers, draws)(numbers), random, kind, wanted);
   },
 };
+
+/** A ray about this kind on which a line, or the wanted one, clearly loses digits or none does. */
+function drawnFrom(make: Draw, random: Random, kind: ShapeKind, wanted?: string): Draft | null {
+  const made = drawUntil(
+    () => make(random),
+    (drawn) => {
+      const line = sameKind(drawn, kind) ? measured(drawn)?.line : undefined;
+      return line !== undefined && (wanted === undefined || line === wanted);
+    },
+  );
+  return made && { ...made, watch: measured(made)?.line === 't' ? [] : ['loss-always-t'] };
+}
 
 export const sameKind = ({ shape }: Input, kind: string): boolean => Object.is(shape.kind, kind);
 

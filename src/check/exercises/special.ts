@@ -1,7 +1,7 @@
 import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
-import { choiceField, mayBeAbsent, numberField } from '../types.ts';
+import { type Answers, choiceField, type Input, mayBeAbsent, numberField } from '../types.ts';
 import { roughWork, work } from '../work.ts';
 import { CASES, type Exercise, spreadOver } from './define.ts';
 import {
@@ -15,6 +15,14 @@ import {
 } from './draw.ts';
 import { caseWords } from './words.ts';
 
+const foundOf = (input: Input): Answers => roughWork(courseOf(input.shape), input);
+
+function isFit(input: Input): boolean {
+  const found = foundOf(input);
+  if (numberOf(found, 'A') !== 0 || !allClean(found, ['B', 'C'])) return false;
+  return found.case !== 'one' || allClean(found, ['t1']);
+}
+
 /** A = 0 for a curved shape: a line, with one root or none. */
 export const linear: Exercise = {
   id: 'linear',
@@ -25,18 +33,27 @@ export const linear: Exercise = {
     cylinder: ['one'],
     paraboloid: ['none', 'contained'],
   }),
-  draw(random, kind, level) {
-    const input = drawUntil(
-      () => drawInput(random, kind, level),
-      (drawn) => {
-        const found = roughWork(courseOf(drawn.shape), drawn);
-        if (numberOf(found, 'A') !== 0 || !allClean(found, ['B', 'C'])) return false;
-        return found.case !== 'one' || allClean(found, ['t1']);
-      },
-    );
+  draw(random, kind, level, wanted) {
+    const draw = (): Input => drawInput(random, kind, level);
+    if (wanted !== undefined) {
+      // A depends on the shape and d alone.
+      const straight = drawUntil(draw, (drawn) => foundOf(drawn).A === 0);
+      const aimed = (from: Input): Input => {
+        const { origin } = draw().ray;
+        return { ...from, ray: { ...from.ray, origin } };
+      };
+      const found =
+        straight &&
+        drawUntil(
+          () => aimed(straight),
+          (drawn) => isFit(drawn) && foundOf(drawn).case === wanted,
+        );
+      return found && { ...found, watch: ['a-zero'] };
+    }
+    const input = drawUntil(draw, isFit);
     // Half of the drawn rays without a root are dropped, as they are too many; a cylinder has no
     // others.
-    const { case: verdict } = input ? roughWork(courseOf(input.shape), input) : {};
+    const { case: verdict } = input ? foundOf(input) : {};
     return input && (verdict !== 'none' || random() < 0.5) ? { ...input, watch: ['a-zero'] } : null;
   },
   ask: () =>
