@@ -1,12 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { GROUPS, type GroupId } from '../check/program/cases.ts';
-import {
-  findingsOf,
-  type Graded,
-  remarksOf,
-  scoreOf,
-  type Weights,
-} from '../check/program/marks.ts';
+import { type Graded, rowOf, type Weights } from '../check/program/marks.ts';
 import { SHAPES } from '../math/index.ts';
 import './check-set.css';
 import './check-class.css';
@@ -126,13 +120,13 @@ function table(
       <thead><tr><th scope="col">who</th><th scope="col">points</th>${GROUPS.map(
         ({ title }) => html`<th scope="col">${title}</th>`,
       )}<th scope="col">found</th></tr></thead>
-      <tbody>${graded.map(
-        (one) => html`<tr><th scope="row">${one.who}</th><td>${scoreOf(one, weights)}</td>
-          ${GROUPS.map(({ id }) => {
-            const group = one.report?.groups.find((score) => score.id === id);
-            return html`<td>${group ? `${group.passed} of ${group.total}` : '–'}</td>`;
-          })}<td>${[...remarksOf(one), ...findingsOf(one)].join('; ')}</td></tr>`,
-      )}</tbody>
+      <tbody>${graded
+        .map((one) => rowOf(one, weights))
+        .map(
+          ({ who, points, groups, found }) => html`<tr><th scope="row">${who}</th>
+          <td>${points}</td>${groups.map((words) => html`<td>${words}</td>`)}
+            <td>${found}</td></tr>`,
+        )}</tbody>
     </table></div>
     <ul class="set-files">${FILES.map(
       ({ id, title, says }) => html`<li><button type="button" class="button"

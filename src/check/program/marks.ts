@@ -58,20 +58,30 @@ export function scoreOf({ report }: Graded, weights: Weights): number {
   return Math.round((1e4 * sum) / all) / 100;
 }
 
-export const findingsOf = ({ report }: Graded): string[] =>
+const findingsOf = ({ report }: Graded): string[] =>
   (report?.findings ?? []).map(({ flaw, branch }) => `${flaw.says} (cases ${BRANCHES[branch]})`);
 
-/** The branches with failing cases: how many are right, and the smallest that is not. */
+/** The branches with failing cases: how many are right, and the simplest known to fail. */
 const branchesOf = ({ report }: Graded): { readonly title: string; readonly words: string }[] =>
   (report?.branches ?? []).flatMap(({ title, passed, total, says, first }) => {
-    const smallest = first ? `. Smallest: ${failureWords(first)}` : '';
-    return passed === total ? [] : [{ title, words: `${passed} of ${total}: ${says}${smallest}` }];
+    const simplest = first ? `. The simplest that was found: ${failureWords(first)}` : '';
+    return passed === total ? [] : [{ title, words: `${passed} of ${total}: ${says}${simplest}` }];
   });
 
-export const remarksOf = (graded: Graded): string[] => [
+const remarksOf = (graded: Graded): string[] => [
   ...graded.problems,
   ...(graded.report?.remarks ?? []),
 ];
+
+/** A submission as people read it: points, right cases of each group, and what was found. */
+export function rowOf(graded: Graded, weights: Weights) {
+  const groups = GROUPS.map(({ id }) => {
+    const group = graded.report?.groups.find((score) => score.id === id);
+    return group ? `${group.passed} of ${group.total}` : '–';
+  });
+  const found = [...remarksOf(graded), ...findingsOf(graded)].join('; ');
+  return { who: graded.who, points: scoreOf(graded, weights), groups, found };
+}
 
 /** One line for each submission. */
 export function gradesCsv(all: readonly Graded[], weights: Weights): string {
@@ -182,12 +192,8 @@ export function gradesMarkdown(all: readonly Graded[], weights: Weights, about: 
     `| who | points | ${GROUPS.map(({ title }) => title).join(' | ')} | found |`,
     `| --- | ---: | ${GROUPS.map(() => '---:').join(' | ')} | --- |`,
     ...all.map((one) => {
-      const groups = GROUPS.map(({ id }) => {
-        const group = one.report?.groups.find((score) => score.id === id);
-        return group ? `${group.passed} of ${group.total}` : '–';
-      });
-      const found = cellMd([...remarksOf(one), ...findingsOf(one)].join('; '));
-      return `| ${cellMd(one.who)} | ${scoreOf(one, weights)} | ${groups.join(' | ')} | ${found} |`;
+      const { who, points, groups, found } = rowOf(one, weights);
+      return `| ${cellMd(who)} | ${points} | ${groups.join(' | ')} | ${cellMd(found)} |`;
     }),
     '',
     ...(tally.length === 0 ? [] : ['| mistake | programs |', '| --- | ---: |']),

@@ -1,5 +1,5 @@
 import { intersect } from '../../math/index.ts';
-import { definitionOf } from '../../math/shapes.ts';
+import { definitionOf, findShape } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import { type BranchId, CASE_BRANCHES, caseBranch } from './branches.ts';
 import { type Case, GROUPS, type GroupId } from './cases.ts';
@@ -31,7 +31,7 @@ export interface BranchReport {
   readonly title: string;
   readonly passed: number;
   readonly total: number;
-  /** "all right", or the reasons of the failures, the commonest first. */
+  /** "all right", or the reasons of the failures, the commonest first, and for which shapes. */
   readonly says: string;
   /** The simplest failure for its commonest reason; null without one. */
   readonly first: Failure | null;
@@ -151,11 +151,19 @@ function branchesOf(run: readonly Failure[]): BranchReport[] {
     return [
       {
         ...{ id, title, passed: members.length - failures.length, total: members.length },
-        says: failures.length === 0 ? 'all right' : reasons(failures),
+        says: failures.length === 0 ? 'all right' : reasons(failures) + onlyFor(failures, members),
         first: simplest(failures.filter(({ verdict }) => reasonOf(verdict.says) === usual?.[0])),
       },
     ];
   });
+}
+
+/** " (cone, sphere)" if some shapes of the members have no failure. */
+function onlyFor(failures: readonly Failure[], members: readonly Failure[]): string {
+  const kindsOf = (all: readonly Failure[]) => [...new Set(all.map((one) => one.case.shape.kind))];
+  const kinds = kindsOf(failures);
+  if (kinds.length === kindsOf(members).length) return '';
+  return ` (${kinds.map((kind) => findShape(kind)?.title).join(', ')})`;
 }
 
 function familyReport(group: GroupId, family: string, members: readonly Failure[]): FamilyReport {

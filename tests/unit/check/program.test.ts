@@ -86,6 +86,21 @@ describe('a report', () => {
       if (id !== 'hard') expect([id, passed]).toEqual([id, total]);
   });
 
+  test('a branch says for which of several shapes it fails', () => {
+    const cases = casesFor(['cone', 'cylinder'], SEED);
+    const right = exactly(cases);
+    const outputs = cases.map(({ shape }, i): Output | undefined =>
+      shape.kind === 'cone' ? { type: 'value', t: [7], normal: null } : right[i],
+    );
+    const two = reportOf(cases, outputs).branches.find(({ id }) => id === 'two');
+    expect(two?.says).toMatch(/ \(cone\)$/);
+    const one = casesFor(['cone'], SEED);
+    const alone = reportOf(one, outputs.slice(0, one.length)).branches.find(
+      ({ id }) => id === 'two',
+    );
+    expect(alone?.says).not.toContain('cone');
+  });
+
   test.each([
     ['the template', template(KINDS)],
     ['always no t', 'const intersect = () => ({ t: [] })'],
