@@ -136,7 +136,9 @@ export function figures(
     const n = String(hit.index);
     const tone = hit.role === 'first' || hit.role === 'other' ? 'hit' : 'rejected';
     const kind = tone === 'rejected' ? 'rejected' : hit.role === 'first' ? 'first' : 'other';
-    const name = { key: `t${n}`, symbol: `t${n}`, letter: 't', sub: n, tone } as const;
+    const { letter = 't' } = hit;
+    const root = `${letter}${n}`;
+    const name = { key: root, symbol: root, letter, sub: n, tone } as const;
     const spot = hit.drawn ? see(hit.point) : null;
     if (!spot) {
       all.pointers.push({
@@ -145,7 +147,8 @@ export function figures(
       });
       return;
     }
-    all.marks.push({ key: `P${n}`, kind, symbols: [`P${n}`, `t${n}`], spot });
+    const point = letter === 't' ? `P${n}` : root;
+    all.marks.push({ key: point, kind, symbols: [point, root], spot });
     const place = units.toStage(hit.point);
     const angle = below(place && heading(place, model.ray.direction, projection));
     const said = hit.words === undefined ? name : { ...name, letter: hit.words, sub: '' };

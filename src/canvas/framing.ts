@@ -75,8 +75,8 @@ const inside = ({ width, height }: Frame): Box => ({
   bottom: height - EDGE,
 });
 
-/** The important points: E, the hits with their normals, and the shape's anchor. */
-function points({ ray, hits, drawing }: SceneModel, units: StageUnits): Point[] {
+/** The important points: E, the hits with their normals, the shape's, and what the model adds. */
+function points({ ray, hits, drawing, framed = [] }: SceneModel, units: StageUnits): Point[] {
   const found: Point[] = [];
   const add = (p: Vec3): Point | null => {
     const place = units.toStage(p);
@@ -84,7 +84,7 @@ function points({ ray, hits, drawing }: SceneModel, units: StageUnits): Point[] 
     return place;
   };
   if (ray.originDrawn) add(ray.origin);
-  for (const { at } of drawing.marks) add(at);
+  for (const at of [...drawing.marks.map((mark) => mark.at), ...framed]) add(at);
   for (const { point, drawn, normal } of hits) {
     const place = drawn ? add(point) : null;
     const n = normal && unit(normal);

@@ -2,7 +2,7 @@ import { html, nothing, svg, type TemplateResult } from 'lit';
 import { askedOf } from '../check/asked.ts';
 import type { Posed } from '../check/compose.ts';
 import type { Pixel } from '../check/exercises/define.ts';
-import { turnOf } from '../check/exercises/graph.ts';
+import { shownOf, stepOf, turnOf } from '../check/exercises/graph.ts';
 import './check-drawing.css';
 
 /** What stands beside a question in place of the scene, on the page and on paper. */
@@ -32,17 +32,12 @@ const CELL = 40;
 const GRAPH_HEIGHT = 280;
 const MARGIN = { left: 40, right: 26, top: 14, bottom: 30 };
 
-/** Steps between the grid's lines of f, so that the lines can be counted. */
-const STEPS = [1, 2, 5, 10, 20];
-const MOST_LINES = 14;
-
-function graphOf({ t, F, A }: ReturnType<typeof turnOf>): Picture {
+function graphOf(turn: ReturnType<typeof turnOf>): Picture {
+  const { t, F, A } = turn;
   const [from, to] = [Math.floor(t) - 3, Math.ceil(t) + 3];
   const f = (x: number): number => F + A * (x - t) ** 2;
-  // Two steps to each side of where f turns, and the axis.
-  const ends = [F, f(t + 2), 0, F + Math.sign(A) * -1];
-  const [least, most] = [Math.min(...ends), Math.max(...ends)];
-  const step = STEPS.find((size) => (most - least) / size <= MOST_LINES) ?? 50;
+  const [least, most] = shownOf(turn);
+  const step = stepOf(turn) ?? 1;
   const [low, high] = [Math.floor(least / step) * step, Math.ceil(most / step) * step];
   const width = MARGIN.left + (to - from) * CELL + MARGIN.right;
   const scale = (GRAPH_HEIGHT - MARGIN.top - MARGIN.bottom) / (high - low);

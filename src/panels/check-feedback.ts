@@ -196,7 +196,7 @@ export function solution(posed: Posed): TemplateResult {
   const answers = posed.fields.map(
     (field, i) =>
       html`${i > 0 ? ', ' : nothing}${field.label} ${
-        field.kind === 'choice' ? '' : '= '
+        field.kind === 'choice' || posed.truth[field.id] === undefined ? '' : '= '
       }${solved(field, posed.truth[field.id])}`,
   );
   return html`<section class="solution" aria-label="Solution">

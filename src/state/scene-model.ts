@@ -23,6 +23,8 @@ export type HitRole = 'first' | 'other' | 'behind' | 'outside' | 'cut';
 export interface HitMark {
   /** Subscript of t, P and N: 1 or 2. */
   readonly index: number;
+  /** In place of t, for a root of a second surface. */
+  readonly letter?: 's';
   /** What stands beside it in place of its t: of a cap, or of a root that is cut off. */
   readonly words?: string;
   readonly role: HitRole;
@@ -94,6 +96,8 @@ export interface SceneModel {
     readonly originDrawn: boolean;
   };
   readonly hits: readonly HitMark[];
+  /** Points that the camera has in the frame beside E, hits and the shape's own. */
+  readonly framed?: readonly Vec3[];
   /** A ray that was kept to compare with, and where it hit; drawn faintly. */
   readonly ghost: GhostModel | null;
   /** What a step of the derivation draws into the scene, and where the hits of a slider were. */

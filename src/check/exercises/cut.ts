@@ -1,3 +1,4 @@
+import { capsOf } from '../../math/drawing.ts';
 import { pick, type Random } from '../../math/rng.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import { display } from '../../text/format.ts';
@@ -106,7 +107,8 @@ export const cut: Exercise = {
     if (!input || !found) return null;
     const wanted = CUT.find(({ id }) => id === asked)?.id ?? pick(random, IDS);
     const between = heightsFor(random, wanted, rootsOf(found));
-    if (!between) return null;
+    // Beyond both roots there may be nothing of a sphere or a paraboloid.
+    if (!between || (wanted === 'both' && capsOf(input.shape, between).length === 0)) return null;
     const forgotten = wanted === 'none' ? [] : ['ends-forgotten'];
     return { ...input, between, watch: ['ends-by-t', ...forgotten] };
   },

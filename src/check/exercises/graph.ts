@@ -39,18 +39,41 @@ export function turnOf(draft: Draft): Turn {
   return { t, F: value(t), G: value(t + 1), A: a };
 }
 
+/** The values of f that the graph shows: two steps to each side of where f turns, and the axis. */
+export function shownOf({ F: low, A: a }: Turn): readonly [least: number, most: number] {
+  const ends = [low, low + 4 * a, 0, low - Math.sign(a)];
+  return [Math.min(...ends), Math.max(...ends)];
+}
+
+/** Steps between its numbered lines; there is a thin one in the middle between two. */
+const STEPS = [1, 2] as const;
+const MOST_LINES = 14;
+
+/** The step with which f can be read; undefined if lines would be too many. */
+export const stepOf = (turn: Turn): number | undefined => {
+  const [least, most] = shownOf(turn);
+  return STEPS.find((step) => (most - least) / step <= MOST_LINES);
+};
+
 const isHalf = (x: number): boolean => Number.isInteger(2 * x);
 
-/** Largest |t| and |f| of what is read, so that the grid's lines can be counted. */
+/** Largest |t| and |f| of what is read. */
 const MOST_T = 6;
 const MOST_F = 10;
 
-const isReadable = ({ t, F: low, G: next, A: a }: Turn): boolean =>
-  [t, low, next].every(isHalf) &&
-  Math.abs(t) <= MOST_T &&
-  Math.abs(low) <= MOST_F &&
-  Math.abs(a) >= 0.5 &&
-  Math.abs(a) <= 6;
+/** Whether what is read lies on lines of the grid. */
+function isReadable(turn: Turn): boolean {
+  const { t, F: low, G: next, A: a } = turn;
+  const step = stepOf(turn);
+  return (
+    step !== undefined &&
+    isHalf(t) &&
+    [low, next].every((f) => isHalf(f / step)) &&
+    Math.abs(t) <= MOST_T &&
+    Math.abs(low) <= MOST_F &&
+    Math.abs(a) >= 0.5
+  );
+}
 
 const COUNTED = { '-1': 'none', '0': 'tangent', '1': 'two' } as const;
 const caseOf = (D: number): string => COUNTED[String(Math.sign(D)) as keyof typeof COUNTED];

@@ -1,4 +1,5 @@
 import { type Arithmetic, evaluateTriple, valuesOf, withScalars } from '../../math/formula.ts';
+import type { Shape } from '../../math/index.ts';
 import { pick } from '../../math/rng.ts';
 import { type CurvedDetails, definitionOf, findMethod } from '../../math/shapes.ts';
 import { type Answers, choiceField, type Input } from '../types.ts';
@@ -9,7 +10,7 @@ import { drawUntil, kindsOf } from './draw.ts';
 const METHODS = [
   { id: 'textbook', title: 'textbook: (−B ± √D)/2A' },
   { id: 'stable', title: 'stable: another formula for the smaller root' },
-  { id: 'moment', title: 'moment: D from d × (E − C)' },
+  { id: 'moment', title: 'moment: D in its other form' },
   { id: 'compensated', title: 'compensated: pairs of doubles on every line' },
 ] as const;
 
@@ -103,6 +104,10 @@ function lostWords(input: Input): string {
     .join(', ');
 }
 
+/** C, or V, where the shape's point is its vertex. */
+const pointOf = (shape: Shape): string =>
+  definitionOf(shape).params.find(({ type }) => type === 'vector')?.symbol ?? '';
+
 const raysOf = (draft: Draft): readonly Input[] => [draft, ...(draft.more ?? [])];
 
 function told(draft: Draft): Told[] {
@@ -137,9 +142,10 @@ export const method: Exercise = {
     if (!second) return null;
     return { ...first, more: [second], watch: answer.reason === 't' ? [] : ['loss-always-t'] };
   },
-  ask: () =>
+  ask: ({ shape }) =>
     'Two rays of one kind; the first is shown. The lists say how many of 16 digits each line of ' +
-    'the textbook method loses there, and D in its other form, from the moment d × (E − C). ' +
+    'the textbook method loses there, and D in its other form, from the moment ' +
+    `d × (E − ${pointOf(shape)}). ` +
     `Which method keeps ${WANTED} digits of the roots of both with the fewest operations, and why?`,
   given: [],
   told,

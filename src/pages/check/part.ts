@@ -63,11 +63,6 @@ export function element(className: string, into: Element): HTMLElement {
 }
 
 /**
- * Like 'iso' but from farther away, since E may lie low in front, outside of the frame of 'iso'.
- */
-const ROOMY: View = { azimuth: 16, elevation: 14, zoom: 0.72 };
-
-/**
  * A scene that can be turned, with a view of its own. Its code is loaded when it is first shown.
  */
 export function turnablePicture(
@@ -75,7 +70,7 @@ export function turnablePicture(
   changed: () => void,
 ): { render(shown: Shown): void } {
   const picture = createPicture();
-  let view: View = ROOMY;
+  let view: View = 'iso';
   let scene: ReturnType<typeof lateScene> | null = null;
   return {
     render(shown) {

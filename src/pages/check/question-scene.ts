@@ -2,6 +2,7 @@ import type { Answers, Input } from '../../check/types.ts';
 import { evaluateTriple, float64, POINT, valuesOf, withScalars } from '../../math/formula.ts';
 import { intersect, type Shape, type Vec3 } from '../../math/index.ts';
 import { closerLook } from '../../state/closer-look.ts';
+import { endPoints } from '../../state/cut-drawing.ts';
 import { createDerive } from '../../state/derive.ts';
 import { sceneBefore } from '../../state/scene-before.ts';
 import type { GhostModel, HitMark, SceneModel } from '../../state/scene-model.ts';
@@ -52,6 +53,7 @@ export interface Wanted {
 /** Makes the scene of one picture, with a cache of its own. */
 export function createPicture(): (wanted: Wanted) => SceneModel {
   const derive = createDerive(() => closerLook);
+  const framed = ({ shape, between }: Input) => (between ? endPoints(shape, between) : []);
   let last: Wanted | null = null;
   let before: SceneModel | null = null;
   let state = INITIAL;
@@ -66,7 +68,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
     if (!same) before = null;
     last = wanted;
     if (!results) {
-      before ??= unsolved(wanted);
+      before ??= { ...unsolved(wanted), framed: framed(input) };
       return { ...before, view };
     }
     if (input.other) {
@@ -74,7 +76,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
       return { ...before, view };
     }
     const { scene } = derive({ ...state, view, revealed: null });
-    return { ...scene, handles: [], ghost: ghostOf(wanted, scene) };
+    return { ...scene, handles: [], framed: framed(input), ghost: ghostOf(wanted, scene) };
   };
 }
 
@@ -101,9 +103,12 @@ function unsolved(wanted: Wanted): SceneModel {
 /** The scene of two surfaces with the hits of both: t₁, t₂ of the first, s₁, s₂ of the second. */
 function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
   const { ray } = input;
-  const met = [input.shape, other].flatMap((shape, k) =>
-    intersect(shape, ray).hits.map((hit, i) => ({ ...hit, letter: 'ts'[k] ?? '', index: i + 1 })),
-  );
+  const rootsOf = (shape: Shape) =>
+    intersect(shape, ray).hits.map(({ t, point }, i) => ({ t, point, index: i + 1 }));
+  const met = [
+    ...rootsOf(input.shape),
+    ...rootsOf(other).map((root) => ({ ...root, letter: 's' as const })),
+  ];
   const first = Math.min(...met.filter(({ t }) => t >= 0).map(({ t }) => t));
   const scene = sceneBefore(
     input,
@@ -111,15 +116,14 @@ function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
     view,
   );
   const hits = met.map(
-    ({ t, point, letter, index }): HitMark => ({
-      ...{ index, t, point, normal: null, words: `${letter}${subscript(index)}` },
-      role: t < 0 ? 'behind' : Object.is(t, first) ? 'first' : 'other',
-      drawn: isDrawn(point, scene.stage),
+    (root): HitMark => ({
+      ...{ ...root, normal: null, drawn: isDrawn(root.point, scene.stage) },
+      role: root.t < 0 ? 'behind' : Object.is(root.t, first) ? 'first' : 'other',
     }),
   );
   const said = [...hits]
     .sort((a, b) => a.t - b.t)
-    .map(({ words, t }) => `${words} = ${display(t, 4)}`);
+    .map(({ letter = 't', index, t }) => `${letter}${subscript(index)} = ${display(t, 4)}`);
   return { ...scene, hits, description: `${scene.description} Hits: ${said.join(', ')}.` };
 }
 

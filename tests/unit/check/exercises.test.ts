@@ -4,6 +4,7 @@ import type { Draft, Level } from '../../../src/check/exercises/define.ts';
 import { digitsRight } from '../../../src/check/exercises/digits.ts';
 import { isClean } from '../../../src/check/exercises/draw.ts';
 import { slug } from '../../../src/check/exercises/effect.ts';
+import { stepOf, turnOf } from '../../../src/check/exercises/graph.ts';
 import { EARLIER, EXERCISES } from '../../../src/check/exercises/index.ts';
 import { OF_PAIRS } from '../../../src/check/exercises/method.ts';
 import { alike, type Texts } from '../../../src/check/grade.ts';
@@ -14,8 +15,11 @@ import type { Answer, Answers, Field } from '../../../src/check/types.ts';
 import { doubleDoubleOver } from '../../../src/math/arithmetic/double-double.ts';
 import { doubles } from '../../../src/math/float/floats.ts';
 import { type Intersection, intersect } from '../../../src/math/index.ts';
+import { definitionOf } from '../../../src/math/shapes.ts';
 import { planEffects } from '../../../src/scene/effects/plan.ts';
 import { findPreset } from '../../../src/scene/presets/index.ts';
+import { cutDrawing, endPoints } from '../../../src/state/cut-drawing.ts';
+import { stageAround } from '../../../src/state/stage.ts';
 import { shortest } from '../../../src/text/format.ts';
 import { cameraAxes, fireCamera } from '../../../src/tracer/camera.ts';
 import { createWave } from '../../../src/tracer/wave.ts';
@@ -340,6 +344,38 @@ describe('a session', () => {
     expect(again).toEqual(a);
     expect(a.filter((draft, i) => draft === b[i])).toEqual([]);
   });
+});
+
+const drawn = (id: string): Draft[] => {
+  const exercise = EXERCISES.find((one) => one.id === id);
+  return Array.from({ length: SEEDS }, (_, i) => {
+    const kind = exercise?.kinds[i % exercise.kinds.length];
+    if (!exercise || !kind) throw new RangeError(id);
+    return pose(exercise, kind, i + 1, 2).draft;
+  });
+};
+
+test('heights that cut both roots off leave something of the shape', () => {
+  for (const { shape, between } of drawn('cut')) {
+    if (!between) throw new RangeError('cut');
+    const stage = stageAround(shape, endPoints(shape, between));
+    const { patches } = cutDrawing(
+      definitionOf(shape).draw(shape, stage),
+      shape,
+      stage,
+      between,
+      false,
+    );
+    expect(patches.length, JSON.stringify([shape, between])).toBeGreaterThan(0);
+  }
+});
+
+test('what is read off a graph lies on its lines', () => {
+  for (const draft of drawn('graph')) {
+    const turn = turnOf(draft);
+    const half = (stepOf(turn) ?? Number.NaN) / 2;
+    expect([turn.F / half, turn.G / half].every(Number.isInteger), JSON.stringify(turn)).toBe(true);
+  }
 });
 
 describe('which method', () => {
