@@ -35,6 +35,7 @@ export async function collisions(page: Page): Promise<string[]> {
       '.step .result',
       '.step .in-symbols',
       '.step .in-numbers',
+      '.normal-value',
       '.verdict',
       '.condition > *',
       '.group > *',
