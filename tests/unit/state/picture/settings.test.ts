@@ -216,8 +216,8 @@ test('a comparison with what the picture is already says so', () => {
   }
   expect(cause('off:refraction')).toBe(same);
   expect(cause('off:shadow', { forced: { shadow: 'off' } })).toBe(same);
-  expect(cause('off:shadow')).toContain('only shadows is missing on the left');
-  expect(cause('on:reflection')).toContain('only reflection is forced on on the left');
+  expect(cause('off:shadow')).toContain('only the left one is without shadows');
+  expect(cause('on:reflection')).toContain('only the left one has reflection forced on');
   expect(cause('whole', { bounces: 3 })).toBe('Left: the whole picture. Right: at most 3 bounces.');
   for (const text of ['off:boxes', 'bounces:2', 'start:none', 'method:textbook32']) {
     expect(cause(text), text).not.toBe(same);
