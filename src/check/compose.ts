@@ -59,7 +59,7 @@ const MOST_NUMBERS = 3_000_000;
  * Largest count of random numbers for a question of a wanted class; a shape may have no such
  * question. About half a second.
  */
-const MOST_FOR_A_CLASS = 150_000;
+const MOST_FOR_A_CLASS = 1_500_000;
 
 /**
  * The question of a seed, the same on every machine.

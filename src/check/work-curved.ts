@@ -2,6 +2,7 @@ import {
   type Arithmetic,
   evaluate,
   evaluateTriple,
+  float64,
   type Values,
   withPoint,
   withScalars,
@@ -22,16 +23,15 @@ export function curvedWork<T>(
   own: Answers,
   ar: Arithmetic<T>,
 ): Answers {
-  const coefficient = (id: 'A' | 'B' | 'C'): T =>
-    ownNumber(own, id, ar) ?? evaluate(course[id], ar, values);
-  const letters = { A: coefficient('A'), B: coefficient('B'), C: coefficient('C') };
-  const D = ownNumber(own, 'D', ar) ?? evaluate(course.D, ar, withScalars(values, letters));
-  const all = withScalars(values, { ...letters, D });
-  const solved = solve(course, all, ar);
-  const ordered = course.rules.order === 'ascending' ? solved.roots : [...solved.roots].reverse();
+  const letters = lettersOf(course, values, own, ar);
+  const { D } = letters;
+  const all = withScalars(values, letters);
+  const solved = caseOf(course, letters, ar);
+  const roots = rootsOf(course, solved, all, ar);
+  const ordered = course.rules.order === 'ascending' ? roots : [...roots].reverse();
   const known = ordered.map((t) => onKnownNappe(course, values, t, ar));
   const count = known.filter(Boolean).length;
-  const verdict = count < ordered.length ? (COUNTED[count] ?? '') : solved.case;
+  const verdict = count < ordered.length ? (COUNTED[count] ?? '') : solved;
   const { toNumber } = ar;
   const found: Record<string, Answer> = {
     ...{ A: toNumber(letters.A), B: toNumber(letters.B), C: toNumber(letters.C), D: toNumber(D) },
@@ -60,6 +60,27 @@ export function curvedWork<T>(
   return { ...found, ...seen, P: roundedTriple(point, ar), N };
 }
 
+type Letters<T> = Readonly<Record<'A' | 'B' | 'C' | 'D', T>>;
+
+function lettersOf<T>(
+  course: CurvedCourse,
+  values: Values<T>,
+  own: Answers,
+  ar: Arithmetic<T>,
+): Letters<T> {
+  const coefficient = (id: 'A' | 'B' | 'C'): T =>
+    ownNumber(own, id, ar) ?? evaluate(course[id], ar, values);
+  const ABC = { A: coefficient('A'), B: coefficient('B'), C: coefficient('C') };
+  const D = ownNumber(own, 'D', ar) ?? evaluate(course.D, ar, withScalars(values, ABC));
+  return { ...ABC, D };
+}
+
+/** A, B, C, D and the case alone: what most inputs of a search are dropped by. */
+export function curvedCase(course: CurvedCourse, values: Values<number>): Answers {
+  const letters = lettersOf(course, values, {}, float64);
+  return { ...letters, case: caseOf(course, letters, float64) };
+}
+
 /** The student's root if there is one or it was said not to exist, else that of the formula. */
 function ownRoot<T>(own: Answers, i: 1 | 2, root: T | undefined, ar: Arithmetic<T>): T | undefined {
   return own[`t${i}`] === ABSENT ? undefined : (ownNumber(own, `t${i}`, ar) ?? root);
@@ -81,29 +102,37 @@ interface Hit extends Place {
 
 type Met = Hit & { readonly t: number };
 
+type Case = 'none' | 'tangent' | 'one' | 'two' | 'contained';
+
 const COUNTED = ['none', 'one', 'two'];
 
 /** The absolute threshold of the misconceptions about epsilons, as in many programs. */
 const EPSILON = 1e-6;
 
-function solve<T>(
-  { rules, linear, double, roots }: CurvedCourse,
-  values: Values<T>,
-  ar: Arithmetic<T>,
-): { readonly case: string; readonly roots: readonly T[] } {
-  const { A, B, C, D } = values.scalars as Readonly<Record<'A' | 'B' | 'C' | 'D', T>>;
+function caseOf<T>({ rules }: CurvedCourse, { A, B, C, D }: Letters<T>, ar: Arithmetic<T>): Case {
   const isZero = (x: T, epsilon: boolean): boolean =>
     ar.sign(x) === 0 || (epsilon && Math.abs(ar.toNumber(x)) < EPSILON);
   if (rules.linear !== 'ignored' && isZero(A, rules.linear === 'epsilon')) {
-    if (ar.sign(B) !== 0) return { case: 'one', roots: [evaluate(linear, ar, values)] };
-    return { case: ar.sign(C) === 0 ? 'contained' : 'none', roots: [] };
+    if (ar.sign(B) !== 0) return 'one';
+    return ar.sign(C) === 0 ? 'contained' : 'none';
   }
   const sign = isZero(D, rules.tangent === 'epsilon') ? 0 : ar.sign(D);
-  if (sign < 0 || (sign === 0 && rules.tangent === 'lost')) return { case: 'none', roots: [] };
-  if (sign === 0) return { case: 'tangent', roots: [evaluate(double, ar, values)] };
+  if (sign < 0 || (sign === 0 && rules.tangent === 'lost')) return 'none';
+  return sign === 0 ? 'tangent' : 'two';
+}
+
+/** The roots of a case, in ascending order. */
+function rootsOf<T>(
+  { linear, double, roots }: CurvedCourse,
+  verdict: Case,
+  values: Values<T>,
+  ar: Arithmetic<T>,
+): readonly T[] {
+  if (verdict === 'none' || verdict === 'contained') return [];
+  if (verdict !== 'two') return [evaluate(verdict === 'one' ? linear : double, ar, values)];
   const pair = [evaluate(roots, ar, values, -1), evaluate(roots, ar, values, 1)] as const;
   const swapped = ar.toNumber(pair[0]) > ar.toNumber(pair[1]);
-  return { case: 'two', roots: swapped ? [pair[1], pair[0]] : pair };
+  return swapped ? [pair[1], pair[0]] : pair;
 }
 
 /** Whether a root is on the upper nappe, or both nappes count. */

@@ -2,7 +2,7 @@ import type { Surd } from '../math/exact.ts';
 import { type Arithmetic, exact, float64, mapped, type Values, valuesOf } from '../math/formula.ts';
 import type { Course } from './course.ts';
 import type { Answers, Input } from './types.ts';
-import { curvedWork } from './work-curved.ts';
+import { curvedCase, curvedWork } from './work-curved.ts';
 import { flatWork } from './work-flat.ts';
 
 /** The student's values, right or wrong, from which later lines are computed; finite ones only. */
@@ -35,6 +35,10 @@ const numbersOf = <T>({ shape, ray }: Input, ar: Arithmetic<T>): Values<T> =>
 /** All answers computed in doubles, which is faster, for searching among many inputs. */
 export const roughWork = (course: Course, input: Input): Answers =>
   workIn(course, numbersOf(input, float64), NOTHING, float64);
+
+/** A, B, C, D and the case of these, if the formulas are of a curved shape; faster still. */
+export const roughCase = (course: Course, input: Input): Answers =>
+  course.family === 'curved' ? curvedCase(course, numbersOf(input, float64)) : {};
 
 function workIn<T>(course: Course, values: Values<T>, own: Own, ar: Arithmetic<T>): Answers {
   return course.family === 'curved'

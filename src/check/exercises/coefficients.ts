@@ -1,6 +1,6 @@
 import { courseOf } from '../course.ts';
 import { numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, work } from '../work.ts';
 import type { Exercise } from './define.ts';
 import { allClean, chosen, drawInput, kindsOf } from './draw.ts';
 
@@ -13,7 +13,7 @@ export const coefficients: Exercise = {
   kinds: kindsOf('curved'),
   draw(random, kind, level) {
     const input = drawInput(random, kind, level);
-    if (!allClean(roughWork(courseOf(input.shape), input), IDS)) return null;
+    if (!allClean(roughCase(courseOf(input.shape), input), IDS)) return null;
     return {
       ...input,
       watch: [

@@ -2,7 +2,7 @@ import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, choiceField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, work } from '../work.ts';
 import { byParam, quadraticWords } from './by-param.ts';
 import { CASES, type Draft, type Exercise } from './define.ts';
 import { drawInput, drawUntil, kindsOf, mayBeStraight, numberOf } from './draw.ts';
@@ -18,12 +18,13 @@ export const crossing: Exercise = {
   topic: 'a parameter crosses a value',
   paper: true,
   kinds: kindsOf('curved'),
-  draw(random, kind, level) {
-    const bySlope = random() < 0.5 && mayBeStraight(kind);
+  draw(random, kind, level, wanted) {
+    const bySlope =
+      wanted === undefined ? random() < 0.5 && mayBeStraight(kind) : wanted === 'A = 0';
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => {
-        const found = roughWork(courseOf(drawn.shape), drawn);
+        const found = roughCase(courseOf(drawn.shape), drawn);
         return bySlope ? numberOf(found, 'A') === 0 : found.case === 'tangent';
       },
     );
@@ -111,7 +112,7 @@ export const passing: Exercise = {
     const stays = wanted === undefined ? random() >= 0.85 : /always|never/.test(wanted);
     if (!stays) {
       return drawUntil(
-        () => crossing.draw(random, kind, level),
+        () => crossing.draw(random, kind, level, wanted),
         (drawn) => drawn !== null,
       );
     }

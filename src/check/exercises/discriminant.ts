@@ -1,7 +1,7 @@
 import { pick } from '../../math/rng.ts';
 import { courseOf } from '../course.ts';
 import { choiceField, numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, work } from '../work.ts';
 import { CASES, type Exercise, spreadOver } from './define.ts';
 import { allClean, chosen, drawInput, drawUntil, kindsOf, numberOf } from './draw.ts';
 import { caseWords } from './words.ts';
@@ -12,12 +12,12 @@ export const discriminant: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   spread: spreadOver('case', ['none', 'tangent', 'two']),
-  draw(random, kind, level) {
-    const wanted = pick(random, ['none', 'tangent', 'two']);
+  draw(random, kind, level, asked) {
+    const wanted = asked ?? pick(random, ['none', 'tangent', 'two']);
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => {
-        const found = roughWork(courseOf(drawn.shape), drawn);
+        const found = roughCase(courseOf(drawn.shape), drawn);
         if (found.case !== wanted || numberOf(found, 'A') === 0) return false;
         return allClean(found, ['A', 'B', 'C', 'D']);
       },

@@ -1,4 +1,3 @@
-import { evaluateTriple, float64, valuesOf } from '../../math/formula.ts';
 import { SHAPES, type Shape, type Vec3 } from '../../math/index.ts';
 import { integer, pick, type Random, seeded } from '../../math/rng.ts';
 import {
@@ -11,7 +10,7 @@ import {
 } from '../../math/shapes.ts';
 import { courseOf } from '../course.ts';
 import type { Answers, Input } from '../types.ts';
-import { roughWork } from '../work.ts';
+import { roughCase, roughWork } from '../work.ts';
 import type { Level } from './define.ts';
 
 /** A whole number, or from level 3 on sometimes a half. */
@@ -132,11 +131,9 @@ export const hasUnitLength = ([x, y, z]: Vec3): boolean => x * x + y * y + z * z
 /** All answers for an input with two clean roots; null for others, mostly by A, B and C alone. */
 export function withTwoCleanRoots(input: Input): Answers | null {
   const course = courseOf(input.shape);
-  if (course.family === 'flat') return null;
-  const values = valuesOf(input.shape, input.ray, float64);
-  const [A, B, C] = evaluateTriple([course.A, course.B, course.C], float64, values);
-  const D = B * B - 4 * A * C;
-  if (A === 0 || !(D > 0)) return null;
+  const letters = roughCase(course, input);
+  if (letters.case !== 'two') return null;
+  const [A, B, D] = [numberOf(letters, 'A'), numberOf(letters, 'B'), numberOf(letters, 'D')];
   const root = Math.sqrt(D);
   if (!isClean((-B - root) / (2 * A)) || !isClean((root - B) / (2 * A))) return null;
   const found = roughWork(course, input);

@@ -16,8 +16,15 @@ const WHY = [
   { id: 'behind', title: 'what is left out is behind E' },
 ];
 
+/** Where the roots lie for each answer. */
+const WHERE = [
+  { first: 't1', roots: 'in front' },
+  { first: 't2', roots: 'around' },
+  { first: 'none', roots: 'behind' },
+] as const;
+
 /** Where two clean roots lie; null for other inputs. */
-function whereRootsAre(input: Input): 'in front' | 'around' | 'behind' | null {
+function whereRootsAre(input: Input): (typeof WHERE)[number]['roots'] | null {
   const found = withTwoCleanRoots(input);
   if (!found) return null;
   const [t1, t2] = [numberOf(found, 't1'), numberOf(found, 't2')];
@@ -31,8 +38,10 @@ export const first: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   spread: spreadOver('first', ['t1', 't2', 'none']),
-  draw(random, kind, level) {
-    const wanted = pick(random, ['in front', 'in front', 'around', 'around', 'behind']);
+  draw(random, kind, level, asked) {
+    const wanted =
+      WHERE.find(({ first: one }) => one === asked)?.roots ??
+      pick(random, ['in front', 'in front', 'around', 'around', 'behind']);
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => whereRootsAre(drawn) === wanted,

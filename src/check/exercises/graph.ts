@@ -11,7 +11,7 @@ import {
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { choiceField, numberField } from '../types.ts';
-import { roughWork } from '../work.ts';
+import { roughCase } from '../work.ts';
 import { CASES, type Draft, type Exercise, spreadOver } from './define.ts';
 import { drawInput, kindsOf, numberOf } from './draw.ts';
 import { withSign } from './words.ts';
@@ -32,7 +32,7 @@ interface Turn {
 }
 
 export function turnOf(draft: Draft): Turn {
-  const found = roughWork(courseOf(draft.shape), draft);
+  const found = roughCase(courseOf(draft.shape), draft);
   const [a, b, c] = [numberOf(found, 'A'), numberOf(found, 'B'), numberOf(found, 'C')];
   const t = -b / (2 * a);
   const value = (x: number): number => (a * x + b) * x + c;
@@ -86,10 +86,10 @@ export const graph: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   spread: spreadOver('case', ['none', 'tangent', 'two']),
-  draw(random, kind, level) {
+  draw(random, kind, level, wanted) {
     const input = drawInput(random, kind, level);
-    const found = roughWork(courseOf(input.shape), input);
-    if (numberOf(found, 'A') === 0) return null;
+    const found = roughCase(courseOf(input.shape), input);
+    if (numberOf(found, 'A') === 0 || (wanted !== undefined && found.case !== wanted)) return null;
     const draft: Draft = { ...input, watch: [] };
     const turn = turnOf(draft);
     if (!isReadable(turn)) return null;

@@ -3,7 +3,7 @@ import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { findMisconception } from '../misconceptions/index.ts';
 import { choiceField, mayBeAbsent, numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, roughWork, work } from '../work.ts';
 import { CASES, type Exercise, spreadOver } from './define.ts';
 import {
   allClean,
@@ -63,8 +63,8 @@ export const allNappes: Exercise = {
   ...nappes,
   id: 'nappes.2',
   spread: spreadOver('case', COUNTS),
-  draw(random, kind, level) {
-    const wanted = pick(random, [...COUNTS]);
+  draw(random, kind, level, asked) {
+    const wanted = asked ?? pick(random, [...COUNTS]);
     if (wanted === 'two') {
       return drawUntil(
         () => nappes.draw(random, kind, level),
@@ -74,9 +74,12 @@ export const allNappes: Exercise = {
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => {
-        const found = roughWork(courseOf(drawn.shape), drawn);
-        if (found.case !== wanted || !allClean(found, ['A', 'B', 'C'])) return false;
-        return wanted === 'none' || (numberOf(found, 't1') > 0 && allClean(found, ['t1']));
+        const course = courseOf(drawn.shape);
+        const letters = roughCase(course, drawn);
+        if (letters.case !== wanted || !allClean(letters, ['A', 'B', 'C'])) return false;
+        if (wanted === 'none') return true;
+        const found = roughWork(course, drawn);
+        return numberOf(found, 't1') > 0 && allClean(found, ['t1']);
       },
     );
     return input && { ...input, watch: [] };

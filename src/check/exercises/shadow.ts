@@ -10,6 +10,13 @@ const SHADOW = [
   { id: 'dark', title: 'E is in the shadow' },
 ];
 
+/** Misconceptions that take the other answer for right. */
+const TEMPTING = [
+  { for: 'lit', id: 'behind' },
+  { for: 'lit', id: 'no-light-bound' },
+  { for: 'dark', id: 'far-root' },
+] as const;
+
 /** Id of the misconception that this input reveals; null if the numbers are not clean. */
 function tempting(input: Input): string | null {
   const found = withTwoCleanRoots(input);
@@ -27,8 +34,10 @@ export const shadow: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   spread: spreadOver('shadow', ['lit', 'dark']),
-  draw(random, kind, level) {
-    const watched = pick(random, ['behind', 'no-light-bound', 'far-root']);
+  draw(random, kind, level, wanted) {
+    const [any, ...others] = TEMPTING;
+    const [first = any, ...more] = TEMPTING.filter((one) => one.for === wanted);
+    const { id: watched } = pick(random, wanted ? [first, ...more] : [any, ...others]);
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => tempting(drawn) === watched,

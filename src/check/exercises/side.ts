@@ -1,7 +1,7 @@
 import { definitionOf } from '../../math/shapes.ts';
 import { courseOf } from '../course.ts';
 import { type Answers, choiceField, numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, work } from '../work.ts';
 import { type Exercise, spreadOver } from './define.ts';
 import { allClean, chosen, drawInput, kindsOf, numberOf } from './draw.ts';
 import { withSign } from './words.ts';
@@ -21,12 +21,14 @@ export const side: Exercise = {
   paper: true,
   kinds: kindsOf('curved'),
   spread: spreadOver('side', ['inside', 'on', 'outside']),
-  draw(random, kind, level) {
+  draw(random, kind, level, wanted) {
     const input = drawInput(random, kind, level);
-    const found = roughWork(courseOf(input.shape), input);
+    const found = roughCase(courseOf(input.shape), input);
     if (!allClean(found, ['C'])) return null;
+    const C = numberOf(found, 'C');
+    if (wanted !== undefined && sideOf(C) !== wanted) return null;
     // On the surface is rare among the draws, and outside usual.
-    if (numberOf(found, 'C') > 0 && random() < 0.7) return null;
+    if (wanted === undefined && C > 0 && random() < 0.7) return null;
     return { ...input, watch: ['r-for-r2', 'c-for-c2', 'a2-for-a', 'plus-r2'] };
   },
   ask: ({ shape }) =>

@@ -2,7 +2,7 @@ import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { courseOf } from '../course.ts';
 import { type Answers, choiceField, type Input, mayBeAbsent, numberField } from '../types.ts';
-import { roughWork, work } from '../work.ts';
+import { roughCase, roughWork, work } from '../work.ts';
 import { CASES, type Exercise, spreadOver } from './define.ts';
 import {
   allClean,
@@ -15,12 +15,12 @@ import {
 } from './draw.ts';
 import { caseWords } from './words.ts';
 
-const foundOf = (input: Input): Answers => roughWork(courseOf(input.shape), input);
+const foundOf = (input: Input): Answers => roughCase(courseOf(input.shape), input);
 
 function isFit(input: Input): boolean {
   const found = foundOf(input);
   if (numberOf(found, 'A') !== 0 || !allClean(found, ['B', 'C'])) return false;
-  return found.case !== 'one' || allClean(found, ['t1']);
+  return found.case !== 'one' || allClean(roughWork(courseOf(input.shape), input), ['t1']);
 }
 
 /** A = 0 for a curved shape: a line, with one root or none. */
@@ -46,7 +46,7 @@ export const linear: Exercise = {
         straight &&
         drawUntil(
           () => aimed(straight),
-          (drawn) => isFit(drawn) && foundOf(drawn).case === wanted,
+          (drawn) => foundOf(drawn).case === wanted && isFit(drawn),
         );
       return found && { ...found, watch: ['a-zero'] };
     }
@@ -128,8 +128,8 @@ export const position: Exercise = {
   ...parallel,
   id: 'parallel.2',
   spread: spreadOver('place', ['meets', 'beside', 'in']),
-  draw(random, kind, level) {
-    const wanted = pick(random, ['meets', 'beside', 'in']);
+  draw(random, kind, level, asked) {
+    const wanted = asked ?? pick(random, ['meets', 'beside', 'in']);
     const input = drawUntil(
       () => drawInput(random, kind, level),
       (drawn) => roughWork(courseOf(drawn.shape), drawn).place === wanted,

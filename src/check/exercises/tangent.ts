@@ -3,7 +3,7 @@ import { pick } from '../../math/rng.ts';
 import { display } from '../../text/format.ts';
 import { type Course, courseOf } from '../course.ts';
 import { type Answers, type Input, numberField } from '../types.ts';
-import { roughWork } from '../work.ts';
+import { roughCase } from '../work.ts';
 import { byParam, quadraticWords } from './by-param.ts';
 import type { Draft, Exercise } from './define.ts';
 import { drawInput, kindsOf, numberOf } from './draw.ts';
@@ -19,7 +19,7 @@ export const tangent: Exercise = {
   draw(random, kind, level) {
     const { shape, ray } = drawInput(random, kind, level);
     const course = courseOf(shape);
-    const found = roughWork(course, { shape, ray });
+    const found = roughCase(course, { shape, ray });
     if (found.case !== 'tangent' || numberOf(found, 'C') === 0) return null;
     const [first, ...others] = numberParams(shape).filter(({ value }) => value > 0);
     const param = first && pick(random, [first, ...others]);
