@@ -14,6 +14,8 @@ import type { Vec3 } from './vec3.ts';
  *
  * @param shape as for `intersect`, and so is the ray.
  * @param t in lengths of d.
+ * @returns the point in units of length, f in the unit of C.
+ * @see NUMERICS.md, section 1: R(t), A, B and C.
  * @example
  * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;
  * alongRay(sphere, { origin: [4, 0, 0], direction: [-1, 0, 0] }, 1);

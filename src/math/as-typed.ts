@@ -27,6 +27,7 @@ const TYPED_METHOD: MethodParts<TypedNumber> = {
  *
  * @param shape and `ray`: the doubles that store the numbers.
  * @param values the same numbers as typed, by symbol, E and d among the vectors.
+ * @see NUMERICS.md, section 1: formulas; section 4: P1 and P4, of the numbers as typed.
  * @example
  * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 1 } as const;
  * const ray = { origin: [4, 0.1, 0], direction: [-1, 0, 0] } as const;

@@ -77,6 +77,8 @@ const TURN = over(B, times(num(-2), A));
  * −D/4A. Null for other surfaces, and for a line along the axis.
  *
  * @param shape as for `intersect`, and so is the ray.
+ * @returns t in lengths of d; points, distance and radius in units of length.
+ * @see NUMERICS.md, section 1: f(t) and D.
  * @example
  * const cylinder = { kind: 'cylinder', center: [0, 0, 0], radius: 5 } as const;
  * const ray = { origin: [-10, 0, 3], direction: [1, 0, 0] } as const;

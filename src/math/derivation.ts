@@ -31,6 +31,7 @@ export interface Step {
  * How many steps the walk of a shape has, without making them.
  *
  * @param shape its present parameters decide which trees it has.
+ * @returns a whole number.
  * @example
  * walkLength({ kind: 'plane', normal: [1, 0, 0], point: [0, 0, 0] }); // → 4
  */

@@ -23,6 +23,8 @@ export interface Span {
  *
  * @param shape as for `intersect`, and so is the ray.
  * @param given its numbers as typed, by symbol; the stored ones where there are none.
+ * @returns a whole number.
+ * @see NUMERICS.md, section 1: the conditions of circle and square.
  * @example
  * const square = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' } as const;
  * borderConditions(square, { origin: [1, 1, 2], direction: [0, 0, -1] }); // → 2
@@ -46,8 +48,10 @@ export function borderConditions(shape: Shape, ray: Ray, given?: Values<TypedNum
  * Where a line in the figure's plane is in the figure; null where it is not in that plane, or
  * passes beside.
  *
- * @param shape as for `intersect`, and so is the ray. t counts in lengths of d.
+ * @param shape as for `intersect`, and so is the ray.
  * @param given its numbers as typed, by symbol; the stored ones where there are none.
+ * @returns t in lengths of d.
+ * @see NUMERICS.md, section 1: the conditions of circle and square.
  * @example
  * const square = { kind: 'square', corner: [0, 0, 0], side: 1, axis: 'z' } as const;
  * spanInFigure(square, { origin: [-1, 0.5, 0], direction: [1, 0, 0] });

@@ -42,6 +42,7 @@ interface IntersectOptions {
  * @param options `from`: the shape that the ray starts on, whose root there is no hit.
  * @throws InvalidInput on NaN, infinity, a zero direction or normal, a negative radius or side, an
  *   unknown kind or method, and on a field that is not the shape's, the ray's or an option.
+ * @see NUMERICS.md, section 1: formulas; section 4: what is promised of the answer.
  * @example
  * const cylinder = { kind: 'cylinder', center: [0, 0, 0], radius: 5 } as const;
  * const ray = { origin: [-10, 0, 3], direction: [1, 0, 0] } as const;
@@ -91,6 +92,7 @@ const parts = (solid: Given<Solid>): { readonly shape: Shape; readonly cut: Cut 
  * @param ray as for `intersect`. f counts t in lengths of d.
  * @param method the `id` of one of METHODS.
  * @throws InvalidInput as `intersect` does.
+ * @see NUMERICS.md, section 1: A, B and C; section 4: what is rounded and how.
  * @example
  * coefficients(
  *   { kind: 'cylinder', center: [0, 0, 0], radius: 5 },

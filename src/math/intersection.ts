@@ -36,7 +36,8 @@ export interface Hit {
 }
 
 /**
- * A t² + B t + C and its discriminant. The signs are the method's own; null where it cannot tell.
+ * A t² + B t + C, in units as in `Coefficients`, and its discriminant, in the square of that unit.
+ * The signs are the method's own; null where it cannot tell.
  */
 export interface CurvedDetails {
   readonly family: 'curved';
@@ -54,7 +55,8 @@ export interface PlaneHit extends Hit {
   /** Rim and edge are inside; null where the method cannot tell. Always true for a plane. */
   readonly inside: boolean | null;
   /**
-   * Euclidean distance from the figure; 0 inside, Infinity where the method cannot count so far.
+   * Euclidean distance from the figure in units of length; 0 inside, Infinity where the method
+   * cannot count so far.
    */
   readonly distance: number;
 }
@@ -62,7 +64,7 @@ export interface PlaneHit extends Hit {
 /** What decides about a flat shape: t = −N·(E − P) / (N·d), and the figure's conditions there. */
 export interface FlatDetails {
   readonly family: 'flat';
-  /** N·(E − P) and N·d. */
+  /** N·(E − P) and N·d, in lengths of N times units of length. */
   readonly offset: number;
   readonly rate: number;
   readonly signs: Readonly<Record<'offset' | 'rate', Sign | null>>;
@@ -92,7 +94,10 @@ export interface Intersection {
   readonly dropped?: Hit;
 }
 
-/** Of f(t) = A t² + B t + C. */
+/**
+ * Of f(t) = A t² + B t + C, all in the unit of f: lengths squared, for a flat shape lengths of N
+ * times units of length.
+ */
 export interface Coefficients {
   readonly A: number;
   readonly B: number;
@@ -103,6 +108,6 @@ export interface Coefficients {
 export interface QuadraticAnswer {
   /** As for a line: 'one' where A = 0, 'contained' where all three are 0. */
   readonly class: Verdict;
-  /** Ascending; a tangent has one root. */
+  /** Ascending, in the unit of B / A; a tangent has one root. */
   readonly roots: readonly number[];
 }

@@ -25,6 +25,7 @@ export interface Level {
  * whatever the conditions of its figure.
  *
  * @param shape as for `intersect`.
+ * @see NUMERICS.md, section 1: surfaces, and A, B and C.
  * @example
  * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;
  * levelOf(sphere).along([3, 0, 0], [1, 0, 0]); // → { A: 1, B: 6, C: 5 }

@@ -32,6 +32,7 @@ export interface PrepareAnyOptions extends PrepareOptions<Shape> {
  *   given, both included; `from`: the shape that every ray starts on, as for `intersect`; `method`:
  *   the `id` of one of METHODS.
  * @throws InvalidInput as `intersect` does, and where tMin or tMax is NaN.
+ * @see NUMERICS.md, section 5, the end: one ray after the other.
  * @example
  * const can = prepare(
  *   { kind: 'cylinder', center: [0, 0, 0], radius: 5, between: [-1, 1], caps: true },

@@ -31,6 +31,7 @@ export function seeded(seed: number): Random {
  *
  * @param random where chance comes from.
  * @param low and `high` have one unit; low < high.
+ * @returns in the unit of `low` and `high`.
  * @example
  * const x = uniform(seeded(7), 2, 3);
  * x >= 2 && x < 3; // → true
@@ -42,7 +43,8 @@ export const uniform = (random: Random, low: number, high: number): number =>
  * A whole number from low to high, both included.
  *
  * @param random where chance comes from.
- * @param low and `high` are whole numbers.
+ * @param low and `high` are whole numbers; low ≤ high.
+ * @returns a whole number.
  * @example
  * const faces = Array.from({ length: 50 }, ((random) => () => integer(random, 1, 6))(seeded(7)));
  * [Math.min(...faces), Math.max(...faces)]; // → [1, 6]
@@ -54,6 +56,7 @@ export const integer = (random: Random, low: number, high: number): number =>
  * −1 or 1.
  *
  * @param random where chance comes from.
+ * @returns no unit: −1 or 1.
  * @example
  * Math.abs(randomSign(seeded(7))); // → 1
  */
@@ -76,7 +79,8 @@ export function pick<T>(random: Random, from: readonly [T, ...T[]]): T {
  * finite double, subnormals included (those then carry fewer bits).
  *
  * @param random where chance comes from.
- * @param low and `high` are exponents of two.
+ * @param low and `high` are exponents of two: whole numbers from −1074 to 1023, low ≤ high.
+ * @returns no unit; any finite double of the range.
  * @example
  * const x = Math.abs(wide(seeded(7), 3, 3));
  * x >= 8 && x < 16; // → true

@@ -10,6 +10,8 @@ import type { Vec3 } from './vec3.ts';
  *
  * @param shape as for `intersect`.
  * @param at a point, in units of length.
+ * @returns no unit: −1, 0, 1, or null.
+ * @see NUMERICS.md, section 1: C.
  * @example
  * const sphere = { kind: 'sphere', center: [0, 0, 0], radius: 2 } as const;
  * [sideOf(sphere, [0, 1, 0]), sideOf(sphere, [0, 2, 0]), sideOf(sphere, [0, 3, 0])];

@@ -6,10 +6,13 @@ import { SOLVING } from './methods/solving.ts';
  * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every
  * t is a root.
  *
- * @param A any finite number, as B and C; 0 makes the equation linear.
+ * @param A any finite number, as B and C; 0 makes the equation linear. A t², B t and C have one
+ *   unit.
  * @param solver the `id` of one of METHODS, whose own solver is used. By 'certified' and 'exact'
  *   the roots are correctly rounded for every finite triple.
+ * @returns roots in the unit of B/A.
  * @throws InvalidInput on NaN, infinity and an unknown method.
+ * @see NUMERICS.md, section 1: t = (−B ± √D) / 2A; section 4: what is promised of it.
  * @example
  * solveQuadratic(1, -3, 2); // → { class: 'two', roots: [1, 2] }
  * solveQuadratic(1, -2e8, 1).roots; // → [5e-9, 200000000]

@@ -9,8 +9,10 @@ const UNIT: ExprTriple = alongAxes((axis) => over(comp('d', axis), norm(vec('d')
  * d / |d|, each component correctly rounded, at any scale; d must not be zero. What comes out is
  * not exactly of length 1: the components are doubles.
  *
- * @param d of any unit; the result has none.
+ * @param d any but 0, of any unit.
+ * @returns no unit; components from −1 to 1.
  * @throws RangeError for d = 0.
+ * @see NUMERICS.md, section 4: correctly rounded (u + v√D)/w.
  * @example
  * unitVector([3, 0, -4]); // → [0.6, 0, -0.8]
  */

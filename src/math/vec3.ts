@@ -22,8 +22,10 @@ export const AXES: readonly Axis[] = ['x', 'y', 'z'];
 /**
  * `v` with its component at this index replaced.
  *
- * @param index 0, 1 or 2.
+ * @param v of any unit.
+ * @param index a whole number: 0, 1 or 2.
  * @param x in the unit of v.
+ * @returns in the unit of v.
  * @example
  * withComponent([1, 2, 3], 1, 9); // → [1, 9, 3]
  */
@@ -35,6 +37,7 @@ export function withComponent(v: Vec3, index: number, x: number): Vec3 {
  * The place of an axis among components.
  *
  * @param axis x, y or z.
+ * @returns a whole number.
  * @example
  * ['x', 'y', 'z'].map((axis) => axisIndex(axis as 'x')); // → [0, 1, 2]
  */

@@ -23,6 +23,7 @@ export const DEFAULT_METHOD = 'certified';
  * @param ray as for `intersect`.
  * @param method the `id` of one of METHODS.
  * @throws InvalidInput as `intersect` does, and for ends.
+ * @see NUMERICS.md, section 1: formulas; section 4: what is promised of the answer.
  * @example
  * const ray = { origin: [-5, 0, 0], direction: [1, 0, 0] } as const;
  * intersectWhole({ kind: 'sphere', center: [0, 0, 0], radius: 2 }, ray).class; // → 'two'

@@ -48,7 +48,7 @@ export const ratios: Arithmetic<Ratio> = {
 /**
  * The same number among those that the exact method has.
  *
- * @param ratio any; d > 0.
+ * @param ratio n/d · 10^e of any unit, d > 0.
  * @example
  * toNumber(asSurd({ n: 1n, d: 4n, e: 0 })); // → 0.25
  */

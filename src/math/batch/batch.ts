@@ -206,8 +206,8 @@ export function list(out: Answers, i: number, verdict: number): void {
  * The verdicts of the first `count` rays after `classes`.
  *
  * @param out what a kernel wrote.
- * @param count how many rays were asked.
- * @param met the kernel's own.
+ * @param count how many rays were asked: a whole number ≥ 0.
+ * @param met the kernel's `met`: the class of a ray whose margin is ≥ 0.
  * @example
  * const out = createAnswers(3);
  * out.margin.set([1, -1]);
@@ -225,7 +225,7 @@ export function verdictsOfClasses(out: Answers, count: number, met: 'two' | 'one
  * The verdicts of the first `count` rays after `both`.
  *
  * @param out what a kernel wrote.
- * @param count how many rays were asked.
+ * @param count how many rays were asked: a whole number ≥ 0.
  * @example
  * const out = createAnswers(3);
  * out.t0.set([6, 2, Number.NaN]);

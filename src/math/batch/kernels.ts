@@ -19,6 +19,8 @@ import { treeKernel } from './trees.ts';
  * @param shape as for `intersect`, checked before.
  * @param target TypeScript, or SIMD where there is such a kernel and `accelerate()` has succeeded;
  *   absent: SIMD as long as the module is accelerated. `targetOf` tells which one it is.
+ * @see NUMERICS.md, section 5 for `certified`, section 3 for the others; each method names its
+ *   `source`.
  * @example
  * const certified = METHODS.find(({ id }) => id === 'certified')!;
  * const kernel = batchOf(certified, { kind: 'cylinder', center: [0, 0, 0], radius: 5 });

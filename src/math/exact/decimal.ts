@@ -16,8 +16,8 @@ interface Decimal {
  * The first n significant decimal digits of a, rounded to nearest, a half away from zero: all of
  * them are right, however many.
  *
- * @param a any.
- * @param n how many, from 1.
+ * @param a a number of any unit.
+ * @param n how many: a whole number from 1 on.
  * @example
  * decimalDigits(fromNumber(0.1), 20);
  * // → { negative: false, digits: '10000000000000000555', exponent: -1 }

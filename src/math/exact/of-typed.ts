@@ -15,6 +15,8 @@ const ONE = surd.fromNumber(1);
  * sin(1), √2 + √3.
  *
  * @param tree what the parser of typed numbers makes of a text.
+ * @returns a number in the unit of the text; angles in radians.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * const third = exactOf({ op: 'number', text: '0.25' });
  * toNumber(third!); // → 0.25

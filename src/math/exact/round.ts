@@ -26,7 +26,9 @@ const HALVES = lazily(() =>
  * come has no useful bound (and ties happen), so within the quotient's error of a midpoint the
  * exact sign of surd − midpoint decides.
  *
- * @param a any.
+ * @param a of any unit.
+ * @returns in the unit of a.
+ * @see NUMERICS.md, section 4: correctly rounded.
  * @example
  * toNumber(div(fromNumber(1), fromNumber(3))) === 1 / 3; // → true
  */

@@ -13,9 +13,11 @@ export function signOfSum(u: Dyadic, v: Dyadic, D: Dyadic): Sign {
 }
 
 /**
- * −1, 0 or 1, decided by whole numbers.
+ * The sign of a, decided by whole numbers.
  *
- * @param a any.
+ * @param a of any unit.
+ * @returns no unit: −1, 0 or 1.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * sign(sub(fromNumber(2), fromNumber(3))); // → -1
  */
@@ -27,7 +29,7 @@ export function sign(a: Surd): Sign {
 /**
  * Whether it is 0, exactly.
  *
- * @param a any.
+ * @param a of any unit.
  * @example
  * isZero(fromNumber(-0)); // → true
  */

@@ -20,8 +20,10 @@ export const fromDyadic = (u: Dyadic): Surd => ({ u, v: dy.ZERO, w: dy.ONE, D: d
 /**
  * The double itself, m · 2^e.
  *
- * @param x finite.
+ * @param x finite, of any unit.
+ * @returns in the unit of x.
  * @throws RangeError for NaN and the infinities.
+ * @see NUMERICS.md, section 4: a double is a whole number times a power of two.
  * @example
  * sign(fromNumber(-0.1)); // → -1
  */
@@ -30,8 +32,11 @@ export const fromNumber = (x: number): Surd => fromDyadic(dy.fromNumber(x));
 /**
  * a + b, exactly.
  *
- * @param a any, as b; both may hold a root, if it is the same one, as in one quadratic.
+ * @param a of any unit, and b of the same one; both may hold a root, if it is the same one, as in
+ *   one quadratic.
+ * @returns in the unit of a.
  * @throws RangeError where two different roots meet.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * toNumber(add(fromNumber(0.5), fromNumber(0.25))); // → 0.75
  */
@@ -46,7 +51,9 @@ export function add(a: Surd, b: Surd): Surd {
 /**
  * −a, exactly.
  *
- * @param a any.
+ * @param a of any unit.
+ * @returns in the unit of a.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * toNumber(neg(fromNumber(2))); // → -2
  */
@@ -56,7 +63,9 @@ export const neg = (a: Surd): Surd => ({ ...a, u: dy.neg(a.u), v: dy.neg(a.v) })
  * a − b, exactly.
  *
  * @param a as for `add`, and so is b.
+ * @returns in the unit of a.
  * @throws RangeError where two different roots meet.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * toNumber(sub(fromNumber(1), fromNumber(2 ** -60))) === 1; // → true
  * isZero(sub(fromNumber(1), fromNumber(1))); // → true
@@ -66,8 +75,10 @@ export const sub = (a: Surd, b: Surd): Surd => add(a, neg(b));
 /**
  * a · b, exactly.
  *
- * @param a as for `add`, and so is b.
+ * @param a of any unit, and so is b; roots as for `add`.
+ * @returns in the product of the units of a and b, which need not be the same.
  * @throws RangeError where two different roots meet.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * toNumber(mul(fromNumber(3), fromNumber(0.5))); // → 1.5
  */
@@ -85,9 +96,11 @@ export const sqr = (a: Surd): Surd => mul(a, a);
 /**
  * a / b, exactly.
  *
- * @param a as for `add`.
- * @param b likewise, and not 0.
+ * @param a of any unit; roots as for `add`.
+ * @param b of any unit, and not 0.
+ * @returns in the unit of a over that of b, which need not be the same.
  * @throws RangeError for b = 0, and where two different roots meet.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * const third = div(fromNumber(1), fromNumber(3));
  * compare(mul(third, fromNumber(3)), fromNumber(1)); // → 0
@@ -117,10 +130,12 @@ export function sqrt(a: Surd): Surd {
 }
 
 /**
- * The sign of a − b, decided exactly: −1, 0 or 1.
+ * The sign of a − b, decided exactly.
  *
  * @param a as for `add`, and so is b.
+ * @returns no unit: −1, 0 or 1.
  * @throws RangeError where two different roots meet.
+ * @see NUMERICS.md, section 4: sums, products, quotients and signs of (u + v√D)/w.
  * @example
  * compare(fromNumber(0.1), div(fromNumber(1), fromNumber(10))); // → 1
  */

@@ -7,9 +7,11 @@ const LARGEST = 0x7fefffffffffffffn;
  * The double that is `count` steps from double to double above x, or below it for a negative count.
  * Both zeros are one place, as for `ulpDistance`; what would lie beyond the largest double is that.
  *
- * @param x any finite double; with a count of 0 it comes back as it is.
+ * @param x any finite double, of any unit; with a count of 0 it comes back as it is.
  * @param count a whole number up to 2^53 in size.
+ * @returns in the unit of x.
  * @throws RangeError for an x that is not finite, or a count that is no such number.
+ * @see IEEE 754
  * @example
  * stepped(1, 3) - 1; // → 3 * 2 ** -52
  * stepped(0, -1); // → -5e-324

@@ -14,7 +14,9 @@ function stepMagnitude(x: number, by: 1 | -1): number {
  * The least double above x, as IEEE 754's nextUp: MAX_VALUE gives Infinity, the negative number
  * nearest 0 gives −0, either zero the smallest subnormal, Infinity and NaN themselves.
  *
- * @param x any double.
+ * @param x any double, of any unit.
+ * @returns in the unit of x.
+ * @see IEEE 754
  * @example
  * nextUp(1) - 1; // → 2 ** -52
  */
@@ -27,7 +29,9 @@ export function nextUp(x: number): number {
 /**
  * The greatest double below x: −nextUp(−x).
  *
- * @param x any double.
+ * @param x any double, of any unit.
+ * @returns in the unit of x.
+ * @see IEEE 754
  * @example
  * 1 - nextDown(1); // → 2 ** -53
  */
@@ -39,7 +43,9 @@ export const nextDown = (x: number): number => -nextUp(-x);
  * beyond MAX_VALUE. Exact up to 2^53; beyond that (opposite ends of the line: 1.8e19) the nearest
  * double to the count.
  *
- * @param a any double, as b; NaN gives NaN.
+ * @param a any double, as b, of one unit; NaN gives NaN.
+ * @returns steps: a whole number, or NaN.
+ * @see IEEE 754
  * @example
  * ulpDistance(0.1 + 0.2, 0.3); // → 1
  * ulpDistance(-0, 0); // → 0

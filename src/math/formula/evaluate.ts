@@ -167,8 +167,9 @@ export function squaredNorm<T>(a: Triple<T>, ar: Arithmetic<T>): T {
 /**
  * Evaluates one tree per component.
  *
- * @param exprs trees, of x, y and z.
+ * @param exprs trees, of x, y and z, of one unit.
  * @param ar as for `evaluate`, and so are the values.
+ * @returns in the unit of the trees.
  * @throws as `evaluate` does.
  * @example
  * const values = { scalars: { t: 2 }, vectors: { E: [4, 1, 0], d: [-1, 0, 0.5] } } as const;
@@ -186,7 +187,8 @@ export function evaluateTriple<T>(
 /**
  * The three components of a formula that is the same along each axis.
  *
- * @param f asked for x, y and z in turn.
+ * @param f asked for x, y and z in turn; all of one unit.
+ * @returns what f says, in its unit.
  * @example
  * alongAxes((axis) => axis.toUpperCase()); // → ['X', 'Y', 'Z']
  */

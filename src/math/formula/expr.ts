@@ -51,7 +51,7 @@ export type ExprTriple = readonly [Expr, Expr, Expr];
 /**
  * A number of the formula itself, as the 4 of 4AC.
  *
- * @param value any double; in another arithmetic it is taken over by `of`.
+ * @param value any double, of any unit; in another arithmetic it is taken over by `of`.
  * @example
  * evaluate(num(4), float64, { scalars: {}, vectors: {} }); // → 4
  */

@@ -22,9 +22,9 @@ const RESULT_DIGITS = 6;
  * rounding, gets the printed result in all its digits. False also where the line has no value.
  *
  * @param expr the line, a tree.
- * @param values doubles by symbol: what is rounded for print.
+ * @param values doubles by symbol, in the units of the formula: what is rounded for print.
  * @param written how the line stands there.
- * @param result the result in doubles, of which six digits are printed.
+ * @param result a double, in the unit of the line; six digits of it are printed.
  * @param branch the sign taken at ±.
  * @example
  * const values = { scalars: { B: 1.23456, A: 1, C: 0.25 }, vectors: {} };
@@ -52,8 +52,9 @@ export function reproduces(
  * no value.
  *
  * @param expr the line, a tree.
- * @param values doubles by symbol.
+ * @param values doubles by symbol, in the units of the formula.
  * @param written how the line stands there; `branch` is the sign taken at ±.
+ * @returns in the unit of the line.
  * @example
  * const half = over(scalar('a'), num(2));
  * recomputed(half, { scalars: { a: 1.25 }, vectors: {} }, { worked: false, digits: 2 });
@@ -86,7 +87,7 @@ export function recomputed(
  * Whether every number that is put in is finite.
  *
  * @param expr the line, a tree.
- * @param values doubles by symbol.
+ * @param values doubles by symbol, in the units of the formula.
  * @param worked whether −B, √D, 2A and N·d stand there worked out.
  * @example
  * isWritable(scalar('D'), { scalars: { D: Infinity }, vectors: {} }, false); // → false
@@ -135,10 +136,11 @@ function workedOut(
 }
 
 /**
- * The decimal number that is printed for x, exactly. Throws RangeError where x is not finite.
+ * The decimal number that is printed for x, exactly.
  *
- * @param x a finite double.
- * @param digits significant digits.
+ * @param x a finite double, of any unit.
+ * @param digits significant digits, a whole number from 1 on.
+ * @returns in the unit of x.
  * @throws RangeError where x is not finite.
  * @example
  * asPrinted(0.1, 6); // → { n: 1n, d: 1n, e: -1 }

@@ -76,6 +76,7 @@ export interface Prepared {
  * exact arithmetic here, which is slow.
  *
  * @param entries shapes of SHAPES, by their own names.
+ * @see NUMERICS.md, section 5, the end: one ray after the other.
  * @example
  * const prepareBall = prepareWith(sphere);
  * const ball = prepareBall({ kind: 'sphere', center: [0, 0, 0], radius: 2 });
@@ -328,6 +329,8 @@ function roundedSide(q: Quadric, at: Vec3): Sign {
  *
  * @param list prepared shapes, each with its own tMin and tMax.
  * @param ray as for `intersect`.
+ * @returns the place in the list, a whole number ≥ 0, and the hit; null where nothing is hit.
+ * @see NUMERICS.md, section 5, the end: one ray after the other.
  * @example
  * const ball = prepare({ kind: 'sphere', center: [0, 0, 0], radius: 1 });
  * const floor = prepare({ kind: 'plane', normal: [0, 1, 0], point: [0, -1, 0] });

@@ -3,8 +3,9 @@ import type { Vec3 } from '../vec3.ts';
 /**
  * x rounded to so many significant bits.
  *
- * @param x any double.
+ * @param x any double, of any unit.
  * @param bits from 1 to 53.
+ * @returns in the unit of x.
  * @example
  * [short(0.3, 2), short(100, 3)]; // → [0.25, 96]
  */

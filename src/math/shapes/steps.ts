@@ -2,6 +2,7 @@
  * The largest of 1, 2, 5 times a power of ten that is not above x > 0.
  *
  * @param x above 0, in any unit.
+ * @returns in the unit of x.
  * @example
  * [0.3, 7, 12].map(roundStep); // → [0.2, 5, 10]
  */
@@ -17,6 +18,7 @@ export function roundStep(x: number): number {
  * Multiples of `step` strictly between `from` and `to`; at most 200 of them.
  *
  * @param from and `to` and `step` have one unit; step > 0.
+ * @returns in the unit of `step`, ascending.
  * @example
  * multiplesWithin(0, 1, 0.25); // → [0.25, 0.5, 0.75]
  */

@@ -1,6 +1,7 @@
 import { posix } from 'node:path';
+import { parseSync } from 'vite';
 import { describe, expect, test } from 'vitest';
-import { codeSpans, filesIn, ROOT, read, section } from './documents.ts';
+import { codeSpans, filesIn, flowing, ROOT, read, section } from './documents.ts';
 import { runExample } from './examples.ts';
 
 /** The doors of the math module: all that other rooms and other programs import of it. */
@@ -16,6 +17,13 @@ interface Docstring {
   /** Without the stars. */
   readonly text: string;
   readonly name: string;
+  readonly signature: Signature;
+}
+
+/** The types of a function as they are written: of its parameters, by name, and of its result. */
+interface Signature {
+  readonly parameters: ReadonlyMap<string, string>;
+  readonly result: string;
 }
 
 /** Exported things of a file with what stands before them, '' where nothing does. */
@@ -24,10 +32,47 @@ function docstringsIn(path: string): readonly Docstring[] {
   const found = source.matchAll(
     /(?:^\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n)?^export (?:async )?\w+ (\w+)/gm,
   );
+  const signatures = signaturesIn(path, source);
   return [...found].map(([, text = '', name = '']) => ({
     text: text.replace(/^ ?\*? ?/gm, ''),
     name,
+    signature: signatures.get(name) ?? { parameters: new Map(), result: '' },
   }));
+}
+
+/** Of the functions that a file exports, by name. */
+function signaturesIn(path: string, source: string): ReadonlyMap<string, Signature> {
+  const typed = (node: Node | null | undefined): string =>
+    node ? source.slice(node.start + 1, node.end).trim() : '';
+  const { body } = parseSync(path, source).program as unknown as { readonly body: readonly Node[] };
+  return new Map(
+    body
+      .flatMap(({ declaration }) => declaration?.declarations ?? declaration ?? [])
+      .flatMap((declared) => {
+        const work = declared.init ?? declared;
+        if (!declared.id || !work.params) return [];
+        const parameters = work.params
+          .map((one) => one.left ?? one)
+          .map((one): [string, string] => [one.name ?? '', typed(one.typeAnnotation)]);
+        const result = typed(work.returnType);
+        return [[declared.id.name ?? '', { parameters: new Map(parameters), result }] as const];
+      }),
+  );
+}
+
+/** What is looked at of a syntax tree. */
+interface Node {
+  readonly start: number;
+  readonly end: number;
+  readonly name?: string;
+  readonly id?: Node;
+  readonly declaration?: Node | null;
+  readonly declarations?: readonly Node[];
+  readonly init?: Node | null;
+  readonly params?: readonly Node[];
+  readonly left?: Node;
+  readonly typeAnnotation?: Node | null;
+  readonly returnType?: Node | null;
 }
 
 /** What a file declares itself, and what it hands on from others, under its name there. */
@@ -39,7 +84,7 @@ function docstringsOf(path: string): readonly Docstring[] {
       const known = docstringsOf(posix.join(posix.dirname(path), from));
       return [...list.matchAll(/(\w+)(?: as (\w+))?(?=,|\s*$)/g)].flatMap(
         ([, name = '', alias = name]) =>
-          known.filter((one) => one.name === name).map(({ text }) => ({ text, name: alias })),
+          known.filter((one) => one.name === name).map((one) => ({ ...one, name: alias })),
       );
     }),
   ];
@@ -54,9 +99,44 @@ function parametersOf(work: unknown): readonly string[] {
     .flatMap((one) => /^\s*(?:\.\.\.)?(\w+)/.exec(one)?.[1] ?? []);
 }
 
-/** What is said of the parameters, one by one or together. */
-const parametersIn = (text: string): string =>
-  /@param[\s\S]*?(?=@throws|@example|$)/.exec(text)?.[0] ?? '';
+/** The tags of one kind in a docstring, each with its text. */
+const tagsIn = (text: string, tag: string): readonly string[] =>
+  [...text.matchAll(new RegExp(`^@${tag}\\b([\\s\\S]*?)(?=^@|(?![\\s\\S]))`, 'gm'))].map(
+    ([, said = '']) => flowing(said),
+  );
+
+/** What is said of a parameter, by itself or together with others; by its place without a name. */
+function saidOf(parameter: string, text: string, place = 0): string {
+  const tags = tagsIn(text, 'param');
+  const named = tags.find((said) => new RegExp(`\\b${parameter}\\b`).test(said));
+  return (parameter === '' ? tags[place] : named) ?? '';
+}
+
+/** Types of numbers, and of vectors and lists of them. */
+const NUMBERS = /\b(?:number|Vec3|Triple|Heights|Surd|Ratio|Sign)\b/;
+
+/** Types of answers that are computed by a formula; what their fields are stands there. */
+const ANSWERS =
+  /\b(?:Coefficients|QuadraticAnswer|Intersection|Prepared|Kernel|Closest|Span|Level)\b/;
+
+/** A unit, that there is none, a range, or the function whose words hold for it too. */
+const UNIT = /\bunits?\b|\blengths of d\b|\bwhole number\b|\bfrom \d|[<≤≥]|as for `/;
+
+/** Results that are counted, chosen or put together, with no formula to have a source. */
+const WITHOUT_FORMULA: readonly string[] = [
+  ...['alongAxes', 'evaluateTriple', 'withComponent', 'walkLength', 'asPrinted', 'recomputed'],
+  ...['multiplesWithin', 'roundStep', 'short', 'uniform', 'integer', 'randomSign', 'wide'],
+];
+
+/** Where a formula comes from: a section of NUMERICS.md, or an entry of its list of sources. */
+const NUMERICS = read('docs/NUMERICS.md');
+const SOURCES = flowing(section(NUMERICS, '## Sources')).split(/[;.] (?=[A-Z])/);
+
+function isSource(said: string): boolean {
+  const [, number] = /^NUMERICS\.md, section (\d)/.exec(said) ?? [];
+  if (number !== undefined) return NUMERICS.includes(`\n## ${number}. `);
+  return SOURCES.some((source) => said.startsWith(source.replace(/\.$/, '')));
+}
 
 /**
  * Names of the functions of the math module that refuse something, by a throw of their own or of
@@ -99,6 +179,7 @@ describe.each(DOORS)('%s', (door) => {
   const isFunction = (name: string): boolean => typeof modules[door]?.[name] === 'function';
   const exampleOf = (name: string): string =>
     exampleIn(docstrings.find((one) => one.name === name)?.text ?? '');
+  const functions = docstrings.filter(({ name }) => isFunction(name));
   const works = docstrings.filter(({ name }) => isFunction(name) || exampleOf(name) !== '');
 
   test('all that it exports is found, and has words', () => {
@@ -111,11 +192,33 @@ describe.each(DOORS)('%s', (door) => {
     const untold = docstrings.flatMap(({ text, name }) =>
       isFunction(name)
         ? parametersOf(modules[door]?.[name])
-            .filter((parameter) => !new RegExp(`\\b${parameter}\\b`).test(parametersIn(text)))
+            .filter((parameter) => saidOf(parameter, text) === '')
             .map((parameter) => `${name}: ${parameter}`)
         : [],
     );
     expect(untold).toEqual([]);
+  });
+
+  test('in which unit or range they and the result are, where these are numbers', () => {
+    const untold = functions.flatMap(({ text, name, signature: { parameters, result } }) => [
+      ...[...parameters].flatMap(([parameter, type], place) =>
+        NUMBERS.test(type) && !UNIT.test(saidOf(parameter, text, place))
+          ? [`${name}: ${parameter}`]
+          : [],
+      ),
+      ...(NUMBERS.test(result) && !UNIT.test(tagsIn(text, 'returns').join()) ? [name] : []),
+    ]);
+    expect(untold).toEqual([]);
+  });
+
+  test('and where its formula comes from, where it computes numbers', () => {
+    const untold = functions.filter(
+      ({ text, name, signature: { result } }) =>
+        !WITHOUT_FORMULA.includes(name) &&
+        (NUMBERS.test(result) || ANSWERS.test(result)) &&
+        !tagsIn(text, 'see').some(isSource),
+    );
+    expect(untold.map(({ name }) => name)).toEqual([]);
   });
 
   test('and what it throws, if it refuses anything', () => {
@@ -128,6 +231,10 @@ describe.each(DOORS)('%s', (door) => {
   test.each(works.map(({ name }) => name))('the example of %s', async (name) => {
     await runExample(exampleOf(name), names);
   });
+});
+
+test('what has no formula to have a source is still exported', () => {
+  expect(WITHOUT_FORMULA.filter((name) => !(name in names))).toEqual([]);
 });
 
 test('functions that refuse something are found', () => {

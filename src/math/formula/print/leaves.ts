@@ -23,9 +23,9 @@ export function inSymbols<M>(expr: Expr, marks: Marks<M>): M {
  *
  * @param expr the tree.
  * @param marks the medium, as for `inSymbols`.
- * @param values doubles by symbol.
+ * @param values doubles by symbol, in the units of the formula.
  * @param options `worked`: with −B, √D, 2A and N·d already worked out; `digits`: significant digits
- *   of each number.
+ *   of each number, a whole number from 1 on.
  * @example
  * const values = { scalars: { A: 1, B: -20, C: 84 }, vectors: {} };
  * inNumbers(DISCRIMINANT, LATEX, values, { worked: false, digits: 6 });
@@ -43,9 +43,9 @@ export function inNumbers<M>(
 /**
  * A number as it is typeset: true minus, powers of ten raised.
  *
- * @param x any double.
+ * @param x any double, of any unit: none is written.
  * @param marks the medium, as for `inSymbols`.
- * @param digits significant digits.
+ * @param digits significant digits, a whole number from 1 on.
  * @example
  * numberPiece(-1.5e-9, LATEX).m; // → '-1.5 \\cdot 10^{-9}'
  */
@@ -88,7 +88,7 @@ function triple<M>(parts: readonly M[], marks: Marks<M>): M {
  *
  * @param v its components, in one unit.
  * @param marks the medium, as for `inSymbols`.
- * @param digits significant digits of each.
+ * @param digits significant digits of each, a whole number from 1 on.
  * @example
  * numberTriple([3, 1, -0.5], LATEX); // → '(3, 1, -0.5)'
  */
