@@ -4,13 +4,13 @@ import { type Graded, rowOf, type Weights } from '../check/program/marks.ts';
 import { SHAPES } from '../math/index.ts';
 import './check-set.css';
 import './check-class.css';
+import { type Refusals, refusal, typedIn } from './refused-text.ts';
 
 interface GradesView {
   readonly graded: readonly Graded[];
   readonly running: { readonly done: number; readonly total: number } | null;
   readonly weights: Weights;
-  /** Why the last change was not taken; '' if it was. */
-  readonly refusal: string;
+  readonly refusals: Refusals;
   /** The shape of the cases, or 'all'. */
   readonly cases: string;
   readonly casesSeed: number;
@@ -29,7 +29,7 @@ interface GradesTools {
   saveCases(format: 'json' | 'csv'): void;
   cases(kind: string): void;
   seed(text: string): void;
-  weigh(group: GroupId, weight: number): void;
+  weigh(group: GroupId, text: string): void;
 }
 
 const FILES = [
@@ -46,11 +46,6 @@ const FILES = [
   { id: 'junit', title: 'JUnit XML', says: 'A suite for each, a test for each family of cases.' },
   { id: 'markdown', title: 'Markdown', says: 'The table and a tally of mistakes, for people.' },
 ] as const;
-
-const numberIn = (event: Event): number => {
-  const text = (event.target as HTMLInputElement).value.trim();
-  return text === '' ? Number.NaN : Number(text.replace(',', '.'));
-};
 
 /** Where programs of a class become points. */
 export function gradesPart(view: GradesView, tools: GradesTools): TemplateResult {
@@ -71,20 +66,20 @@ export function gradesPart(view: GradesView, tools: GradesTools): TemplateResult
         <option value="all" ?selected=${view.cases === 'all'}>${view.all}</option>
       </select></label>
       <label>seed of the cases <input class="set-seed" inputmode="numeric"
-        .value=${String(view.casesSeed)} @change=${(event: Event) =>
-          tools.seed((event.target as HTMLInputElement).value.trim())}
+        .value=${String(view.casesSeed)} @change=${(event: Event) => tools.seed(typedIn(event))}
       /></label>
     </div>
+    ${refusal(view.refusals, 'seed')}
     <div class="set-choices" role="group" aria-label="Weights"><span>weights</span>
       ${GROUPS.map(
         ({ id, title }) => html`<label>${title} <input class="set-pass" inputmode="decimal"
           aria-label=${`weight of ${title} cases`} .value=${String(weights[id])}
-          @change=${(event: Event) => tools.weigh(id, numberIn(event))} /></label>`,
+          @change=${(event: Event) => tools.weigh(id, typedIn(event))} /></label>`,
       )}
     </div>
+    ${GROUPS.map(({ id }) => refusal(view.refusals, id))}
     <p class="tolerance">Points out of 100: the share of right cases of each group, weighted by
       these numbers. A case without a result is not right.</p>
-    <p class="refusal" data-say="problem">${view.refusal || nothing}</p>
     <div class="buttons">
       <button type="button" class="button" @click=${() => tools.saveCases('json')}>Save the cases
         as JSON</button>

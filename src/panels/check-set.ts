@@ -1,9 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { EXERCISES } from '../check/exercises/index.ts';
 import { MOST_QUESTIONS } from '../check/sets.ts';
 import { SHAPES } from '../math/index.ts';
 import type { ShapeKind } from '../math/shapes.ts';
 import './check-set.css';
+import { type Refusals, refusal, typedIn } from './refused-text.ts';
 
 export interface SetView {
   /** How often each exercise comes, by its id. */
@@ -18,8 +20,7 @@ export interface SetView {
   /** The whole address of the set's questions. */
   readonly link: string;
   readonly count: number;
-  /** Why the last change was not taken; '' if it was. */
-  readonly refusal: string;
+  readonly refusals: Refusals;
   readonly files: readonly CourseFile[];
   readonly sheets: Sheets;
   /** Sheets that are made; null while none are. */
@@ -30,7 +31,7 @@ export interface SetView {
 }
 
 export interface SetTools {
-  times(exercise: string, times: number): void;
+  times(exercise: string, text: string): void;
   shape(kind: ShapeKind, wanted: boolean): void;
   level(level: string): void;
   hints(offered: boolean): void;
@@ -39,8 +40,10 @@ export interface SetTools {
   open(): void;
   /** Saves a file for a course system. */
   save(id: string): void;
-  packages(change: Partial<Packages>): void;
-  sheets(change: Partial<Sheets>): void;
+  own(wanted: boolean): void;
+  pass(text: string): void;
+  sheets(change: Partial<Pick<Sheets, 'paper' | 'key'>>): void;
+  sheetSeed(end: 'from' | 'to', text: string): void;
   print(): void;
 }
 
@@ -86,10 +89,11 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
     <fieldset><legend>Shapes</legend>
       <div class="set-choices">${SHAPES.map(
         ({ kind, title }) => html`<label><input type="checkbox"
-          .checked=${view.shapes.includes(kind)}
+          .checked=${live(view.shapes.includes(kind))}
           @change=${(event: Event) => tools.shape(kind, (event.target as HTMLInputElement).checked)}
         /> ${title}</label>`,
       )}</div>
+      ${refusal(view.refusals, 'shapes')}
     </fieldset>
     <fieldset><legend>Beside</legend>
       <div class="set-choices">
@@ -104,11 +108,11 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
           @change=${(event: Event) => tools.hints((event.target as HTMLInputElement).checked)}
         /> hints and solutions</label>
         <label>seed <input class="set-seed" inputmode="numeric" .value=${String(view.seed)}
-          @change=${(event: Event) => tools.seed((event.target as HTMLInputElement).value.trim())}
+          @change=${(event: Event) => tools.seed(typedIn(event))}
         /></label>
       </div>
+      ${refusal(view.refusals, 'beside')}${refusal(view.refusals, 'seed')}
     </fieldset>
-    <p class="refusal" data-say="problem">${view.refusal || nothing}</p>
     <label class="set-link">Link <input readonly .value=${view.link} /></label>
     <div class="buttons">
       <button type="button" class="button primary" @click=${tools.copy}>Copy the link</button>
@@ -132,37 +136,30 @@ export function setForm(view: SetView, tools: SetTools): TemplateResult {
       )}</ul>
       <div class="set-choices">
         <label>SCORM and xAPI: passed from <input class="set-pass" inputmode="decimal"
-          .value=${String(view.packages.pass)} @change=${(event: Event) =>
-            tools.packages({ pass: numberIn(event) })} /> % right on</label>
+          .value=${String(view.packages.pass)}
+          @change=${(event: Event) => tools.pass(typedIn(event))} /> % right on</label>
         <label><input type="checkbox" .checked=${view.packages.own}
-          @change=${(event: Event) =>
-            tools.packages({ own: (event.target as HTMLInputElement).checked })}
+          @change=${(event: Event) => tools.own((event.target as HTMLInputElement).checked)}
         /> own numbers for each student, by the id that the course system has</label>
       </div>
+      ${refusal(view.refusals, 'pass')}${refusal(view.refusals, 'file')}
       <span data-say>${view.saving || nothing}</span>
     </fieldset>
   </form>`;
 }
 
-const numberIn = (event: Event): number => {
-  const text = (event.target as HTMLInputElement).value.trim();
-  return text === '' ? Number.NaN : Number(text.replace(',', '.'));
-};
-
 function exerciseRow(id: string, topic: string, view: SetView, tools: SetTools): TemplateResult {
   const now = view.times[id] ?? 0;
   return html`<li data-exercise=${id}><label for=${`times-${id}`}>${topic}</label>
-    <input id=${`times-${id}`} type="number" min="0" max=${MOST_QUESTIONS} step="1"
-      .value=${String(now)}
-      @change=${(event: Event) => tools.times(id, Number((event.target as HTMLInputElement).value))}
-    /></li>`;
+    <input id=${`times-${id}`} inputmode="numeric" .value=${String(now)}
+      @change=${(event: Event) => tools.times(id, typedIn(event))}
+    />${refusal(view.refusals, id)}</li>`;
 }
 
-function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResult {
+function sheetFields({ sheets, making, refusals }: SetView, tools: SetTools): TemplateResult {
   const number = (key: 'from' | 'to', label: string): TemplateResult => html`<label>${label}
     <input class="set-seed" inputmode="numeric" .value=${String(sheets[key])}
-      @change=${(event: Event) =>
-        tools.sheets({ [key]: Number((event.target as HTMLInputElement).value) })}
+      @change=${(event: Event) => tools.sheetSeed(key, typedIn(event))}
     /></label>`;
   return html`<fieldset><legend>On paper</legend>
     <p class="set-about">A sheet for each seed, with space for working; then, if wanted, the key
@@ -179,6 +176,7 @@ function sheetFields({ sheets, making }: SetView, tools: SetTools): TemplateResu
           tools.sheets({ key: (event.target as HTMLInputElement).checked })}
       /> with the key</label>
     </div>
+    ${refusal(refusals, 'from')}${refusal(refusals, 'to')}
     <div class="buttons"><button type="button" class="button" ?disabled=${making !== null}
       @click=${tools.print}>Print the sheets</button>
       <span data-say>${making ? `sheet ${making.done} of ${making.total}` : nothing}</span>

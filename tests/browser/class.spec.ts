@@ -59,18 +59,33 @@ test('a set is made in the form, answered under a name, handed in and marked', a
   await openCheck(page, 'part=set&set=flat');
   await expect(form).toContainText('students give a name or number');
   await expect(form).not.toContainText('as it always was');
-  const seed = form.getByRole('textbox', { name: 'seed', exact: true });
-  for (const text of ['one', '1e400', '']) {
-    await seed.fill(text);
-    await seed.press('Enter');
-    await expect(form.locator('.refusal')).toHaveText(
-      `'${text}' is not a whole number of up to nine digits.`,
-    );
-    await expect(seed).toHaveValue(text);
+  // Each box with what it refuses and why, and a value that it takes.
+  const whole = 'is not a whole number of up to nine digits.';
+  const often = 'does not say how often: a whole number from 0 on does.';
+  for (const [name, texts, right] of [
+    ['seed', { one: whole, '1e400': whole, '': whole }, '1'],
+    ['seeds from', { '1e3': whole, '': whole, '0x1': whole }, '1'],
+    ['to', { 'two pages': whole, '400': 'makes 400 sheets: up to 200 at a time.' }, '1'],
+    ['both roots', { '-1': often, '': often, '2.5': often }, '0'],
+    [
+      'SCORM and xAPI: passed from',
+      { many: 'is not a number', '101': 'is not from 0 to 100' },
+      '50',
+    ],
+  ] as const) {
+    const box = form.getByLabel(name, { exact: name === 'seed' || name === 'to' });
+    const refused = form.locator('.refusal:not(:empty)');
+    for (const [text, why] of Object.entries(texts)) {
+      await box.fill(text);
+      await box.press('Enter');
+      await expect(refused).toHaveCount(1);
+      await expect(refused).toContainText(`'${text}' ${why}`);
+      await expect(box).toHaveValue(text);
+    }
+    await box.fill(right);
+    await box.press('Enter');
+    await expect(refused).toHaveCount(0);
   }
-  await seed.fill('1');
-  await seed.press('Enter');
-  await expect(form.locator('.refusal')).toHaveText('');
   const row = (id: string) => page.locator(`[data-exercise="${id}"] input`);
   for (const id of ['coefficients', 'roots']) {
     await row(id).fill('1');
@@ -231,7 +246,9 @@ fresh(
     const weight = page.getByLabel('weight of hard cases');
     await weight.fill('-1');
     await weight.press('Tab');
-    await expect(page.locator('.grades .refusal')).toHaveText('A weight is a number from 0 on.');
+    await expect(page.locator('.grades .refusal:not(:empty)')).toContainText([
+      "Weight of hard cases: '-1' is no weight: a number from 0 on is.",
+    ]);
     for (const group of ['ordinary', 'special', 'invalid']) {
       await page.getByLabel(`weight of ${group} cases`).fill('0');
       await page.getByLabel(`weight of ${group} cases`).press('Tab');

@@ -33,8 +33,8 @@ export function readWeights(text: string): Weights {
 /** Why these are no weights; '' if they are. */
 export function weightProblem(weights: Weights): string {
   const all = Object.values(weights);
-  const isWeight = (x: number): boolean => x >= 0 && x < Number.POSITIVE_INFINITY;
-  if (!all.every(isWeight)) return 'A weight is a number from 0 on.';
+  const wrong = all.find((x) => !(x >= 0 && x < Number.POSITIVE_INFINITY));
+  if (wrong !== undefined) return `'${wrong}' is no weight: a number from 0 on is.`;
   return all.every((weight) => weight === 0) ? 'Some group has to count.' : '';
 }
 

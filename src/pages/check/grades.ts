@@ -12,6 +12,7 @@ import {
 import { isProgram, type Submission, submissionsAmong } from '../../check/program/submissions.ts';
 import { gradesPart } from '../../panels/check-grades.ts';
 import { zipOf } from '../../state/zip.ts';
+import { parseNumber } from '../../text/parse.ts';
 import { download } from '../../ui/files.ts';
 import type { PartContext } from './part.ts';
 import { allWords, createRuns, kindsFor } from './program-run.ts';
@@ -42,7 +43,7 @@ export function createGrades(
   let graded: readonly Graded[] = [];
   let running: { readonly done: number; readonly total: number } | null = null;
   let weights = WEIGHTS;
-  let refusal = '';
+  let refusals: Record<string, string> = {};
   /** What the table is about: it stays when the link changes. */
   let about = '';
   /** Grows with each round, so that one that was ended knows it. */
@@ -121,7 +122,7 @@ export function createGrades(
     view(next) {
       settings = next;
       const view = {
-        ...{ graded, running, weights, refusal, about },
+        ...{ graded, running, weights, refusals, about },
         ...{ cases: next.cases, casesSeed: next.casesSeed, all: allWords(next.set) },
         isStale: about !== '' && about !== `${kinds().join(', ')}, seed ${next.casesSeed}`,
       };
@@ -130,19 +131,22 @@ export function createGrades(
         again: () => void work(),
         save: (id) => FILES[id]?.(),
         cases: (cases) => set({ cases }),
-        seed(seed) {
-          refusal = seedProblem('cases-seed', seed);
-          if (refusal === '') set({ casesSeed: Number(seed) });
+        seed(text) {
+          const problem = seedProblem('cases-seed', text);
+          refusals = { ...refusals, seed: problem };
+          if (problem === '') set({ casesSeed: Number(text) });
           changed();
         },
         saveCases(format) {
           download(`graze-cases.${format}`, runs.file(format, kinds()));
           say(`saved: graze-cases.${format}`);
         },
-        weigh(group: GroupId, weight: number) {
-          const wanted = { ...weights, [group]: weight };
-          refusal = weightProblem(wanted);
-          if (refusal === '') weights = wanted;
+        weigh(group: GroupId, text: string) {
+          const read = parseNumber(text);
+          const wanted = { ...weights, [group]: read.ok ? read.value : 0 };
+          const problem = read.ok ? weightProblem(wanted) : `${read.reason}.`;
+          refusals = { ...refusals, [group]: problem && `Weight of ${group} cases: ${problem}` };
+          if (problem === '') weights = wanted;
           changed();
         },
       });

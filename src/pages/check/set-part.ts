@@ -28,6 +28,8 @@ import type { Course } from '../../state/course/course.ts';
 import { pageWithCourse } from '../../state/course/package.ts';
 import { COURSE_SYSTEMS } from '../../state/course/systems.ts';
 import { zipLater, zipOf } from '../../state/zip.ts';
+import { parseNumber } from '../../text/parse.ts';
+import { quoted } from '../../text/refusal.ts';
 import { copyText } from '../../ui/clipboard.ts';
 import { download } from '../../ui/files.ts';
 import { printPage, printsAs } from '../handout/print.ts';
@@ -142,7 +144,12 @@ const FILES: readonly FileKind[] = [
 
 /** Where a set is made; all of it is in the link. */
 export function createSetPart({ set, changed, say }: PartContext): WidePart {
-  let refusal = '';
+  let refusals: Record<string, string> = {};
+  /** Whether there is nothing to refuse of what was typed into this box. */
+  const accepts = (box: string, problem: string): boolean => {
+    refusals = { ...refusals, [box]: problem };
+    return problem === '';
+  };
   let packages: Packages = { pass: 50, own: true };
   /** What is put together now; '' while nothing is. */
   let saving = '';
@@ -150,6 +157,10 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
   let making: SetView['making'] = null;
   let made: { readonly set: string; readonly sheets: readonly Sheet[] } = { set: '', sheets: [] };
   let host: HTMLElement | null = null;
+  const sheetsOf = (seed: number): void => {
+    sheets = { ...sheets, from: seed, to: seed };
+    for (const end of ['from', 'to']) accepts(end, '');
+  };
   const isShown = (): boolean => host?.isConnected === true && host.closest('[hidden]') === null;
   /** The sheet of a seed; what was made before is kept while the set is the same. */
   const sheetFor = (set: string, seed: number): Sheet => {
@@ -180,12 +191,11 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
   }, prepare);
   let now: CheckSettings | null = null;
   let link = '';
-  const put = (change: Partial<Form>): void => {
+  const put = (box: string, change: Partial<Form>): void => {
     if (!now) return;
-    const id = idOf({ ...madeOf(now.set), ...change });
-    const empty = partsOf(id).base === '';
-    refusal = empty ? 'A set has at least one question.' : words(setProblem(id));
-    if (refusal === '') {
+    const form = { ...madeOf(now.set), ...change };
+    const id = idOf(form);
+    if (accepts(box, formProblem(id, form))) {
       set({ set: id, question: 0 });
       // Another change may come before the page is drawn with this one.
       now = { ...now, set: id };
@@ -193,25 +203,23 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
     changed();
   };
   const tools: SetTools = {
-    times(exercise, count) {
+    times(exercise, text) {
       if (!now) return;
-      if (!Number.isInteger(count) || count < 0) {
-        refusal = 'How often is a whole number from 0 on.';
+      const count = /^\d{1,3}$/.test(text) ? Number(text) : null;
+      if (count === null) {
+        accepts(exercise, `${quoted(text)} does not say how often: a whole number from 0 on does.`);
         changed();
-        return;
-      }
-      put({ times: new Map([...madeOf(now.set).times, [exercise, count]]) });
+      } else put(exercise, { times: new Map([...madeOf(now.set).times, [exercise, count]]) });
     },
     shape(kind, wanted) {
       if (!now) return;
       const { shapes } = madeOf(now.set);
-      put({ shapes: wanted ? [...shapes, kind] : shapes.filter((one) => one !== kind) });
+      put('shapes', { shapes: wanted ? [...shapes, kind] : shapes.filter((one) => one !== kind) });
     },
-    level: (level) => put({ level }),
-    hints: (hints) => put({ hints }),
-    seed(seed) {
-      refusal = seedProblem('seed', seed);
-      if (refusal === '') set({ seed: Number(seed) });
+    level: (level) => put('beside', { level }),
+    hints: (hints) => put('beside', { hints }),
+    seed(text) {
+      if (accepts('seed', seedProblem('seed', text))) set({ seed: Number(text) });
       changed();
     },
     async copy() {
@@ -223,6 +231,7 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
       if (!now || !file || saving) return;
       const { set: own, seed } = now;
       saving = `${file.title} is put together …`;
+      accepts('file', '');
       changed();
       try {
         const content = await file.content({
@@ -242,31 +251,42 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
         say(`saved: ${file.name}`);
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
-        refusal = `${file.title} was not saved, for it needs Graze as one file: ${error.message}.`;
+        const words = `it needs Graze as one file: ${error.message}`;
+        accepts('file', `${file.title} was not saved, for ${words}.`);
       } finally {
         saving = '';
         changed();
       }
     },
-    packages(change) {
-      const { pass = packages.pass } = change;
-      const isPercent = Number.isFinite(pass) && pass >= 0 && pass <= 100;
-      refusal = isPercent ? '' : 'Passed is from a number of percent on, from 0 to 100.';
-      if (isPercent) packages = { ...packages, ...change };
+    own(own) {
+      packages = { ...packages, own };
+      changed();
+    },
+    pass(text) {
+      const read = parseNumber(text);
+      const isPercent = read.ok && read.value >= 0 && read.value <= 100;
+      const reason = read.ok ? `${quoted(text)} is not from 0 to 100` : read.reason;
+      if (accepts('pass', isPercent ? '' : `Passed from: ${reason}.`) && read.ok) {
+        packages = { ...packages, pass: read.value };
+      }
       changed();
     },
     sheets(change) {
-      const wanted = { ...sheets, ...change };
+      sheets = { ...sheets, ...change };
+      changed();
+    },
+    sheetSeed(end, text) {
+      const seed = Number(text);
+      const wanted: Sheets = { ...sheets, [end]: seed };
       const { from, to } = wanted;
-      const whole = [from, to].every((x) => Number.isSafeInteger(x) && Math.abs(x) < 1e9);
-      if (!whole) refusal = 'Seeds are whole numbers of up to nine digits.';
-      else if (to - from >= MOST_SHEETS) refusal = `Up to ${MOST_SHEETS} sheets at a time.`;
-      else {
-        refusal = '';
-        sheets =
-          to < from
-            ? { ...wanted, ...(from === sheets.from ? { from: to } : { to: from }) }
-            : wanted;
+      const many =
+        to - from < MOST_SHEETS
+          ? ''
+          : `${quoted(text)} makes ${to - from + 1} sheets: up to ${MOST_SHEETS} at a time.`;
+      if (accepts(end, seedProblem('seed', text) || many)) {
+        // Beyond the other end it takes that one with it.
+        if (to < from) sheetsOf(seed);
+        else sheets = wanted;
       }
       changed();
     },
@@ -276,15 +296,15 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
   return {
     render(own, settings) {
       host = own;
-      if (now && now.seed !== settings.seed && sheets.from === sheets.to) {
-        sheets = { ...sheets, from: settings.seed, to: settings.seed };
-      } else if (!now) sheets = { ...sheets, from: settings.seed, to: settings.seed };
+      const isOther = now?.seed !== settings.seed;
+      if (isOther) accepts('seed', '');
+      if (isOther && (!now || sheets.from === sheets.to)) sheetsOf(settings.seed);
       now = settings;
       link = `${location.href.split(/[?#]/)[0]}${setLink(settings.set, settings.seed)}`;
       const { times, shapes, level, hints } = madeOf(settings.set);
       const view: SetView = {
         times: Object.fromEntries(times),
-        ...{ shapes, level, hints, seed: settings.seed, link, refusal },
+        ...{ shapes, level, hints, seed: settings.seed, link, refusals },
         numbered: isNumbered(settings.set)
           ? { name: setName(settings.set), isSpread: setOf(settings.set).spread === true }
           : null,
@@ -296,5 +316,12 @@ export function createSetPart({ set, changed, say }: PartContext): WidePart {
   };
 }
 
-const words = (problem: string): string =>
+/** Why the form makes no set; '' if it does. */
+function formProblem(id: string, { shapes }: Form): string {
+  if (partsOf(id).base === '') return 'A set has at least one question.';
+  // A text without shapes is that of a set about all of them.
+  return shapes.length === 0 ? 'A set is about at least one shape.' : sentence(setProblem(id));
+}
+
+const sentence = (problem: string): string =>
   problem === '' ? '' : `${problem[0]?.toUpperCase()}${problem.slice(1)}.`;
