@@ -5,7 +5,7 @@ import type { HandlePlace } from './handle-place.ts';
 import type { Segment } from './labels.ts';
 import type { Layer } from './layer.ts';
 import { isInside } from './off-screen-pointer.ts';
-import type { Projection, Spot } from './projection.ts';
+import type { Projection, ScreenPoint } from './projection.ts';
 import { along, type Point } from './stage-units.ts';
 import type { Theme } from './theme.ts';
 
@@ -19,7 +19,7 @@ const HIDDEN_BELOW = 9;
 const START = 12;
 
 interface AxisArrow {
-  readonly from: Spot;
+  readonly from: ScreenPoint;
   readonly dx: number;
   readonly dy: number;
   readonly length: number;
@@ -94,7 +94,7 @@ export function drawAxisArrows(
 function endOf(
   place: Point,
   axis: number,
-  spot: Spot,
+  spot: ScreenPoint,
   projection: Projection,
   scale: number,
 ): { x: number; y: number } {

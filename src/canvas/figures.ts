@@ -9,7 +9,7 @@ import {
   pointerTo,
   visibleRay,
 } from './off-screen-pointer.ts';
-import type { Projection, Spot } from './projection.ts';
+import type { Projection, ScreenPoint } from './projection.ts';
 import { pointAt } from './ray.ts';
 import { along, type StageUnits, unit } from './stage-units.ts';
 
@@ -57,7 +57,7 @@ export function figures(
     captions: [] as List<Caption>,
     pointers: [] as List<Figures['pointers'][number]>,
   };
-  const see = (p: Vec3): Spot | null => seen(p, units, projection);
+  const see = (p: Vec3): ScreenPoint | null => seen(p, units, projection);
 
   addShape();
   addRay();
@@ -185,7 +185,7 @@ export function figures(
 }
 
 /** The place of a world point in the frame; null outside. */
-export function seen(p: Vec3, units: StageUnits, projection: Projection): Spot | null {
+export function seen(p: Vec3, units: StageUnits, projection: Projection): ScreenPoint | null {
   const place = units.toStage(p);
   const spot = place && projection.project(place);
   return spot && isInside(spot, projection) ? spot : null;

@@ -1,7 +1,7 @@
 import type { SceneModel } from '../state/scene-model.ts';
 import { type Caption, seen } from './figures.ts';
 import { CLEAR, type Mark } from './marks.ts';
-import type { Projection, Spot } from './projection.ts';
+import type { Projection, ScreenPoint } from './projection.ts';
 import { pointAt } from './ray.ts';
 import type { StageUnits } from './stage-units.ts';
 import { type Dash, type Stroke, straight } from './stroke.ts';
@@ -26,7 +26,7 @@ export function ghostFigures(
   if (!ghost) return { marks: [], captions: [] };
   const E = seen(ghost.origin, units, projection);
   const spots = [E, ...ghost.hits.map((hit) => seen(hit, units, projection))];
-  const marks = spots.flatMap((spot: Spot | null, k): Mark[] =>
+  const marks = spots.flatMap((spot: ScreenPoint | null, k): Mark[] =>
     spot ? [{ key: `ghost ${k}`, kind: 'ghost', symbols: [], spot }] : [],
   );
   const start = pointAt(ghost, ghost.from, units);

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
 import type { Handle, ReachHandle } from '../state/handles.ts';
-import type { Projection, Spot } from './projection.ts';
+import type { Projection, ScreenPoint } from './projection.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
 /** A handle with its place in the picture. */
@@ -8,7 +8,7 @@ export interface HandlePlace<H extends Handle = Handle> {
   readonly handle: H;
   /** Place in stage units; null outside of the picture. */
   readonly place: Point | null;
-  readonly spot: Spot | null;
+  readonly spot: ScreenPoint | null;
   /** Unit vector in which a reach grows; null for a point. */
   readonly course: Point | null;
 }

@@ -9,7 +9,7 @@ export interface Box {
 export type Segment = readonly [x1: number, y1: number, x2: number, y2: number];
 
 /** A label that wants to be near a mark, best in direction `angle` (radians, y down). */
-interface Wish {
+interface LabelRequest {
   readonly key: string;
   readonly x: number;
   readonly y: number;
@@ -55,7 +55,7 @@ const MOVE = 60;
  * wishes and memory give the same places.
  */
 export function placeLabels(
-  wishes: readonly Wish[],
+  wishes: readonly LabelRequest[],
   { boxes, labels = [], segments, width, height }: Obstacles,
   places: Map<string, string>,
 ): Box[] {
@@ -87,7 +87,7 @@ export function placeLabels(
 }
 
 /** The box that touches the circle around the mark, in a direction and at a distance. */
-function candidate({ x, y, clear, angle, w, h }: Wish, turn: number, step: number): Box {
+function candidate({ x, y, clear, angle, w, h }: LabelRequest, turn: number, step: number): Box {
   const a = angle + (turn * Math.PI) / 4;
   const [c, s] = [Math.cos(a), Math.sin(a)];
   const reach = clear + step * h + (Math.abs(c) * w + Math.abs(s) * h) / 2;

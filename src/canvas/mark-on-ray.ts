@@ -3,7 +3,7 @@ import { coordinate } from '../text/coordinate.ts';
 import { placeIn } from '../ui/zoom.ts';
 import type { Caption } from './figures.ts';
 import { isInside } from './off-screen-pointer.ts';
-import type { Projection, Spot } from './projection.ts';
+import type { Projection, ScreenPoint } from './projection.ts';
 import { pointAt } from './ray.ts';
 import type { StageUnits } from './stage-units.ts';
 
@@ -16,7 +16,7 @@ const BESIDE = 16;
 /** A click has not moved farther than this, in px; a drag has. */
 const STILL = 4;
 
-type Placed = (t: number) => Spot | null;
+type Placed = (t: number) => ScreenPoint | null;
 
 const placedOn =
   (model: SceneModel, units: StageUnits, projection: Projection): Placed =>
@@ -94,7 +94,12 @@ export function markFigures(
 ): { readonly path: string; readonly captions: readonly Caption[] } {
   const { mark, bead } = model;
   const captions: Caption[] = [];
-  const say = (key: string, letter: string, { x, y }: Pick<Spot, 'x' | 'y'>, angle: number) =>
+  const say = (
+    key: string,
+    letter: string,
+    { x, y }: Pick<ScreenPoint, 'x' | 'y'>,
+    angle: number,
+  ) =>
     captions.push({
       ...{ key, symbol: '', letter, sub: '', tone: 'words' },
       ...{ x, y, clear: 12 * scale, angle },
@@ -109,7 +114,7 @@ export function markFigures(
   // At a right angle to the ray, upwards on the screen.
   const turn = to.x >= from.x ? 1 : -1;
   const [nx, ny] = [(turn * (to.y - from.y)) / length, (-turn * (to.x - from.x)) / length];
-  const beside = (spot: Spot, by: number) =>
+  const beside = (spot: ScreenPoint, by: number) =>
     `${coordinate(spot.x + by * scale * nx)} ${coordinate(spot.y + by * scale * ny)}`;
   const path =
     `M${beside(from, BESIDE - 5)}L${beside(from, BESIDE + 5)}` +

@@ -1,6 +1,6 @@
 import { coordinate } from '../text/coordinate.ts';
 import type { Layer, Part } from './layer.ts';
-import type { Spot } from './projection.ts';
+import type { ScreenPoint } from './projection.ts';
 
 export type MarkKind =
   | 'E'
@@ -19,7 +19,7 @@ export interface Mark {
   readonly kind: MarkKind;
   /** Symbols with which it is highlighted; the first is its data-symbol. */
   readonly symbols: readonly string[];
-  readonly spot: Pick<Spot, 'x' | 'y'>;
+  readonly spot: Pick<ScreenPoint, 'x' | 'y'>;
   /** Degrees clockwise on the screen. */
   readonly turn?: number;
   readonly size?: number;
@@ -91,8 +91,8 @@ export function drawMarks(
 export interface Arrow {
   readonly key: string;
   readonly symbols: readonly string[];
-  readonly from: Pick<Spot, 'x' | 'y'>;
-  readonly to: Pick<Spot, 'x' | 'y'>;
+  readonly from: Pick<ScreenPoint, 'x' | 'y'>;
+  readonly to: Pick<ScreenPoint, 'x' | 'y'>;
 }
 
 const HEAD = 12;

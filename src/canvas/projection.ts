@@ -13,7 +13,7 @@ const WIDEST_TALL = 1.6;
  * A point in the frame: CSS pixels from the top left, and the depth that WebGL stores, −1 near to 1
  * far.
  */
-export interface Spot {
+export interface ScreenPoint {
   x: number;
   y: number;
   depth: number;
@@ -61,7 +61,7 @@ export class Projection {
   }
 
   /** Null behind the near plane. `nearer` reduces only the depth, in stage radii. */
-  project(p: Vec3, nearer = 0): Spot | null {
+  project(p: Vec3, nearer = 0): ScreenPoint | null {
     const rel = along(p, this.eye, -1);
     const w = dot(rel, this.forward);
     if (!(w >= this.near)) return null;

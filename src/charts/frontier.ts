@@ -41,7 +41,7 @@ const SCALES = 2;
 const MARGIN = 1.5;
 
 /** A mark with its position in px. */
-interface Spot {
+interface PlacedMark {
   readonly mark: FrontierMark;
   readonly x: number;
   readonly y: number;
@@ -61,7 +61,8 @@ function plot(model: FrontierModel, field: Field, choose: (id: string) => void):
   const best = new Set(front.map(({ mark }) => mark.id));
   const line = front.map((spot) => ({ cost: spot.x, worth: spot.y }));
   // The chosen method, then those on the frontier: labels that come first get the best places.
-  const rank = ({ mark }: Spot): number => (mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2);
+  const rank = ({ mark }: PlacedMark): number =>
+    mark.id === chosen ? 0 : best.has(mark.id) ? 1 : 2;
   const ordered = [...spots].sort((p, q) => rank(p) - rank(q) || p.x - q.x);
   const note = noteBox(model.worthTitle, field);
   const ratios = costTicks(x, 1, field);
@@ -122,7 +123,7 @@ function noteBox(title: string, field: Field): Box {
 const BOLD = 1.06;
 
 function names(
-  spots: readonly Spot[],
+  spots: readonly PlacedMark[],
   chosen: string,
   field: Field,
   taken: readonly Box[],

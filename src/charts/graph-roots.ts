@@ -7,7 +7,7 @@ import { clamp } from './steps.ts';
 
 type Root = GraphModel['roots'][number];
 
-interface Place {
+interface LabelPosition {
   readonly side: 'start' | 'middle' | 'end';
   readonly dx: number;
   readonly below: boolean;
@@ -81,7 +81,7 @@ export function halo(radius: number, scale: number): TemplateResult {
 
 function label(
   { index, double, role }: Root,
-  { side, dx, below }: Place,
+  { side, dx, below }: LabelPosition,
   em: number,
   isWide: boolean,
 ): TemplateResult {
@@ -95,7 +95,7 @@ function label(
 }
 
 /** Place of a root's label on the side that the curve leaves free. */
-function place(root: Root, model: GraphModel, scales: Scales): Place {
+function place(root: Root, model: GraphModel, scales: Scales): LabelPosition {
   const { frame, x, y } = scales;
   const slope = slopeAt(root, model);
   const above = y(0) - frame.top > ROOM_ABOVE * frame.em;
@@ -111,7 +111,7 @@ function place(root: Root, model: GraphModel, scales: Scales): Place {
 }
 
 /** Place for "t₁ t₂" side by side over the middle of two close roots. */
-function overBoth(slope: number, gap: number): Place {
+function overBoth(slope: number, gap: number): LabelPosition {
   const isFirst = slope < 0;
   const middle = isFirst ? gap / 2 : -gap / 2;
   return { side: isFirst ? 'end' : 'start', dx: middle + (isFirst ? -3 : 3), below: false };

@@ -135,19 +135,19 @@ function click(
   if (nearest !== undefined) actions.pick({ id: line.id, difficulty: nearest });
 }
 
-interface Place {
+interface Point {
   readonly x: number;
   readonly y: number;
 }
 
 /** How far a place is from a line's points and the way between them, in px. */
-function awayFrom({ points, end }: HardnessLine, at: Place, { x, y }: HardnessScales): number {
+function awayFrom({ points, end }: HardnessLine, at: Point, { x, y }: HardnessScales): number {
   const all = points.map(({ difficulty, digits }) => ({ x: x(difficulty), y: y(digits) }));
   if (end) all.push({ x: x(end.difficulty), y: y(0) });
   return Math.min(...all.map((a, i) => awayFromWay(a, all[i + 1] ?? a, at)));
 }
 
-function awayFromWay(a: Place, b: Place, at: Place): number {
+function awayFromWay(a: Point, b: Point, at: Point): number {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const along = ((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy || 1);
   const share = Math.min(Math.max(along, 0), 1);

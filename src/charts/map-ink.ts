@@ -5,7 +5,7 @@ import { SIDE } from '../lab/atlas/window.ts';
 
 export type Rgb = readonly [number, number, number];
 
-/** Share of ink, 0 … 1, at a place of a pattern whose motif has a side of `size` places. */
+/** Share of ink, 0 … 1, at a pixel of a pattern whose motif has a side of `size` pixels. */
 type Pattern = (x: number, y: number, size: number) => number;
 
 const isFirstHalf = (x: number, size: number): boolean => x % size < size / 2;
@@ -34,10 +34,10 @@ export const inkOfLost = (lost: number): number =>
 /** Side of a pattern's motif in CSS pixels. */
 const MOTIF = 5;
 
-interface Look {
+interface MapStyle {
   readonly paper: Rgb;
   readonly ink: Rgb;
-  /** Places per CSS pixel. */
+  /** Pixels of the image per CSS pixel. */
   readonly density: number;
 }
 
@@ -49,7 +49,7 @@ export function paintMap(
   frame: MapFrame,
   borders: readonly Border[],
   side: number,
-  { paper, ink, density }: Look,
+  { paper, ink, density }: MapStyle,
 ): Uint8ClampedArray<ArrayBuffer> {
   const rgba = new Uint8ClampedArray(4 * side * side);
   const cells = Int32Array.from({ length: side }, (_, x) => Math.floor((x * SIDE) / side));

@@ -7,7 +7,7 @@ export interface Box {
 }
 
 /** A mark that needs a label beside it. */
-export interface Wish {
+export interface LabelRequest {
   readonly x: number;
   readonly y: number;
   /** Radius of the mark in px. */
@@ -17,7 +17,7 @@ export interface Wish {
 }
 
 /** The place of a label, and whether it is so far from its mark that it needs a line to it. */
-export interface Placed extends Box {
+export interface PlacedLabel extends Box {
   readonly led: boolean;
 }
 
@@ -33,17 +33,17 @@ const STEP = 4;
  * canvas/labels.ts is used instead, which prefers small overlaps to jumps.
  */
 export function labelMarks(
-  wishes: readonly Wish[],
+  wishes: readonly LabelRequest[],
   frame: Box,
   taken: readonly Box[] = [],
-): Placed[] {
+): PlacedLabel[] {
   const marks = wishes.map(({ x, y, radius: r }) => ({
     left: x - r - 1,
     top: y - r - 1,
     width: 2 * r + 2,
     height: 2 * r + 2,
   }));
-  const placed: Placed[] = [];
+  const placed: PlacedLabel[] = [];
   for (const wish of wishes) {
     const isFree = (box: Box): boolean =>
       isWithin(box, frame) && ![...placed, ...marks, ...taken].some((other) => overlap(box, other));
@@ -55,7 +55,7 @@ export function labelMarks(
 }
 
 /** The places beside a mark: right, left, above, below, and the corners. */
-function besides({ x, y, radius, width, height }: Wish): Box[] {
+function besides({ x, y, radius, width, height }: LabelRequest): Box[] {
   const away = radius + GAP;
   const box = (left: number, top: number): Box => ({ left, top, width, height });
   const over = y - away - height + 2;
@@ -72,7 +72,7 @@ function besides({ x, y, radius, width, height }: Wish): Box[] {
   ];
 }
 
-function nearest(wish: Wish, frame: Box, isFree: (box: Box) => boolean): Box | null {
+function nearest(wish: LabelRequest, frame: Box, isFree: (box: Box) => boolean): Box | null {
   const { x, y, width, height } = wish;
   let best: Box | null = null;
   let least = Number.POSITIVE_INFINITY;
@@ -89,7 +89,7 @@ function nearest(wish: Wish, frame: Box, isFree: (box: Box) => boolean): Box | n
   return best;
 }
 
-function clamped({ x, y, radius, width, height }: Wish, frame: Box): Box {
+function clamped({ x, y, radius, width, height }: LabelRequest, frame: Box): Box {
   const within = (at: number, from: number, to: number): number => Math.max(from, Math.min(at, to));
   return {
     left: within(x + radius + GAP, frame.left, frame.left + frame.width - width),

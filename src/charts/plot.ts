@@ -1,7 +1,7 @@
 import { svg, type TemplateResult } from 'lit';
 import { coordinate } from '../text/coordinate.ts';
 import { LETTER, type Metrics } from './graph-frame.ts';
-import type { Box, Placed, Wish } from './mark-labels.ts';
+import type { Box, LabelRequest, PlacedLabel } from './mark-labels.ts';
 import './graph.css';
 import './plot.css';
 
@@ -31,7 +31,7 @@ export function fieldOf(metrics: Metrics, names = 0, scales = 1): Field {
 }
 
 /** Estimated size of a label in px, from its number of letters. */
-export const labelSize = (text: string, em: number): Pick<Wish, 'width' | 'height'> => ({
+export const labelSize = (text: string, em: number): Pick<LabelRequest, 'width' | 'height'> => ({
   width: text.length * LETTER * em + 4,
   height: 1.3 * em,
 });
@@ -86,7 +86,7 @@ export function axes(
 /** A label, with a line to its mark if it is far from it. */
 export function nameAt(
   text: string | TemplateResult,
-  { left, top, width, height, led }: Placed,
+  { left, top, width, height, led }: PlacedLabel,
   mark: { readonly x: number; readonly y: number },
   em: number,
   cls = '',

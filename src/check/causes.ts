@@ -1,5 +1,5 @@
 import type { Course } from './course.ts';
-import { type Derivation, fits, type Line, mistakesIn } from './derivation.ts';
+import { type AnswerKey, fits, mistakesIn, type WrittenLine } from './derivation.ts';
 import type { Misconception } from './misconceptions/define.ts';
 
 /** Most mistakes in one explanation: three together could explain nearly any answer. */
@@ -12,7 +12,11 @@ type Mistakes = readonly Misconception[];
  * from the start or from the student's own earlier lines. Empty if there is none, or if several
  * sets explain the lines equally well.
  */
-export function causesOf(derivation: Derivation, course: Course, lines: readonly Line[]): Mistakes {
+export function causesOf(
+  derivation: AnswerKey,
+  course: Course,
+  lines: readonly WrittenLine[],
+): Mistakes {
   for (let count = 1; count <= MOST; count++) {
     const found = search(derivation, course, lines, count, []);
     if (found.length > 0) return only(found, derivation, lines);
@@ -21,9 +25,9 @@ export function causesOf(derivation: Derivation, course: Course, lines: readonly
 }
 
 function search(
-  derivation: Derivation,
+  derivation: AnswerKey,
   course: Course,
-  lines: readonly Line[],
+  lines: readonly WrittenLine[],
   left: number,
   made: Mistakes,
 ): Mistakes[] {
@@ -40,9 +44,9 @@ function search(
 
 /** Whether these formulas give all lines up to `last`. */
 function fitsUpTo(
-  derivation: Derivation,
+  derivation: AnswerKey,
   course: Course,
-  lines: readonly Line[],
+  lines: readonly WrittenLine[],
   last: number,
 ): boolean {
   for (let i = 0; i <= last; i++) if (!fits(derivation, course, lines, i)) return false;
@@ -53,7 +57,11 @@ function fitsUpTo(
  * The only set; of several the only one that the question watches for, else the only one whose
  * mistakes are in lines that the student filled in; else none.
  */
-function only(found: readonly Mistakes[], { watch }: Derivation, lines: readonly Line[]): Mistakes {
+function only(
+  found: readonly Mistakes[],
+  { watch }: AnswerKey,
+  lines: readonly WrittenLine[],
+): Mistakes {
   const shown = new Set(lines.map(({ field }) => lineOf(field.id)));
   const wishes: readonly ((mistake: Misconception) => boolean)[] = [
     () => true,

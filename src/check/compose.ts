@@ -1,7 +1,7 @@
 import { type Random, seeded } from '../math/rng.ts';
 import type { ShapeKind } from '../math/shapes.ts';
 import { type Course, courseOf } from './course.ts';
-import { type Derivation, derivationOf } from './derivation.ts';
+import { type AnswerKey, derivationOf } from './derivation.ts';
 import type { Draft, Exercise, Level } from './exercises/define.ts';
 import { alike } from './grade.ts';
 import type { Misconception } from './misconceptions/define.ts';
@@ -29,7 +29,7 @@ export interface Posed {
 }
 
 /** The question as a derivation that starts from what is given. */
-export function derivationFor({ exercise, draft, fields, given }: Posed): Derivation {
+export function derivationFor({ exercise, draft, fields, given }: Posed): AnswerKey {
   const answers = (course: Course, own: Answers): Answers =>
     exercise.answers(course, draft, { ...given, ...own });
   return derivationOf(fields, courseFor(exercise, draft), draft.watch, answers);

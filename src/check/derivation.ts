@@ -1,18 +1,18 @@
 import type { Course } from './course.ts';
-import { agrees, type Given } from './grade.ts';
+import { agrees, type ReadAnswer } from './grade.ts';
 import type { Misconception } from './misconceptions/define.ts';
 import { ALL_MISCONCEPTIONS } from './misconceptions/index.ts';
 import { ABSENT, type Answers, type Field } from './types.ts';
 import type { Way } from './ways.ts';
 
 /** A line that a student wrote. */
-export interface Line {
+export interface WrittenLine {
   readonly field: Field;
-  readonly given: Given;
+  readonly given: ReadAnswer;
 }
 
 /** The fields of a question, and the answers that right or edited formulas give for them. */
-export interface Derivation {
+export interface AnswerKey {
   /** In the order of the derivation: a line depends on lines before it only. */
   readonly fields: readonly Field[];
   readonly course: Course;
@@ -30,7 +30,7 @@ export function derivationOf(
   course: Course,
   watch: readonly string[],
   answers: (course: Course, own: Answers) => Answers,
-): Derivation {
+): AnswerKey {
   const known = new WeakMap<Course, Answers>();
   return {
     fields,
@@ -63,7 +63,7 @@ export function mistakesIn(course: Course): ReadonlyMap<Misconception, Course> {
 const ways = new WeakMap<Course, Map<Way, Course | null>>();
 
 /** The course with a way's lines; cached, unless the way depends on what was typed. */
-export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Course | null {
+export function wayBy({ course, truth }: AnswerKey, way: Way, own: Answers): Course | null {
   if (way.isOwn) return way.edit(course, own, truth(course));
   const known = ways.get(course) ?? new Map<Way, Course | null>();
   ways.set(course, known);
@@ -74,9 +74,9 @@ export function wayBy({ course, truth }: Derivation, way: Way, own: Answers): Co
 
 /** Whether these formulas give line `i`, from the start or from the student's earlier lines. */
 export function fits(
-  { truth, next }: Derivation,
+  { truth, next }: AnswerKey,
   course: Course,
-  lines: readonly Line[],
+  lines: readonly WrittenLine[],
   i: number,
 ): boolean {
   const line = lines[i];
@@ -92,7 +92,7 @@ export function fits(
 /** Relative tolerance: below any digit that is typed, above the rounding of doubles. */
 const EXACT = 1e-12;
 
-function isSame({ field, given: { value } }: Line, answers: Answers): boolean {
+function isSame({ field, given: { value } }: WrittenLine, answers: Answers): boolean {
   const truth = answers[field.id] ?? ABSENT;
   const near = (x: number, y: number | undefined): boolean =>
     y !== undefined && Math.abs(x - y) <= EXACT * Math.abs(y);
@@ -102,5 +102,5 @@ function isSame({ field, given: { value } }: Line, answers: Answers): boolean {
 }
 
 /** The values of the lines before line `i`. */
-export const before = (lines: readonly Line[], i: number): Answers =>
+export const before = (lines: readonly WrittenLine[], i: number): Answers =>
   Object.fromEntries(lines.slice(0, i).map(({ field, given }) => [field.id, given.value]));

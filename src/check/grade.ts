@@ -8,19 +8,19 @@ import { ABSENT, type Answer, type Answers, type Field } from './types.ts';
 export type Texts = Readonly<Record<string, string>>;
 
 /** A value that was read, and for each of its numbers the unit of its last digit (0: exact). */
-export interface Given {
+export interface ReadAnswer {
   readonly value: Answer;
   readonly units: readonly number[];
 }
 
-type Read =
-  | { readonly ok: true; readonly given: Given }
+type ReadResult =
+  | { readonly ok: true; readonly given: ReadAnswer }
   | { readonly ok: false; readonly reason: string };
 
 export type Mark =
-  | ({ readonly verdict: 'correct' | 'wrong' } & Given)
+  | ({ readonly verdict: 'correct' | 'wrong' } & ReadAnswer)
   /** All its digits are right, but there are only `digits` of them. */
-  | ({ readonly verdict: 'rounded'; readonly digits: number } & Given)
+  | ({ readonly verdict: 'rounded'; readonly digits: number } & ReadAnswer)
   /** Not answered, or not readable as a number; it does not count as wrong. */
   | { readonly verdict: 'invalid'; readonly reason: string };
 
@@ -37,7 +37,7 @@ const ROUNDED = 2;
 const EVIDENCE = 3;
 
 /** The value of a text. An infinite value, as from a division by zero, is read, but never right. */
-export function readAnswer(field: Field, text: string): Read {
+export function readAnswer(field: Field, text: string): ReadResult {
   if (field.mayBeAbsent && SAYS_NONE.test(text)) return read(ABSENT);
   if (text.trim() === '') return { ok: false, reason: 'not answered' };
   if (field.kind === 'choice') {
@@ -52,7 +52,7 @@ export function readAnswer(field: Field, text: string): Read {
   return { ok: false, reason: advice ? `${parsed.reason}: ${advice}` : parsed.reason };
 }
 
-const read = (value: Answer, text = ''): Read => ({
+const read = (value: Answer, text = ''): ReadResult => ({
   ok: true,
   given: { value, units: unitsOf(text, value) },
 });
@@ -63,7 +63,7 @@ const SAYS_NONE = /^\s*(none|no|no root|does not exist|[-–—−∅])?\s*$/i;
 /** Compares a value with the right one: right, rightly rounded to too few digits, or wrong. */
 export function compared(
   field: Field,
-  { value, units }: Given,
+  { value, units }: ReadAnswer,
   truth: Answer | undefined,
 ): 'correct' | 'wrong' | { readonly digits: number } {
   if (matches(field, value, truth)) return 'correct';
@@ -72,18 +72,22 @@ export function compared(
   return digits >= ROUNDED ? { digits } : 'wrong';
 }
 
-function digitsRight(field: Field, { value, units }: Given, truth: Answer | undefined): number {
+function digitsRight(
+  field: Field,
+  { value, units }: ReadAnswer,
+  truth: Answer | undefined,
+): number {
   if (field.kind !== 'direction') return rightDigits(value, units, truth);
   if (typeof value !== 'object' || typeof truth !== 'object') return 0;
   return rightDigits(value, units, atLengthOf(value, truth));
 }
 
 /** Whether a value is right, or rightly rounded to too few digits. */
-export const roughly = (field: Field, given: Given, truth: Answer | undefined): boolean =>
+export const roughly = (field: Field, given: ReadAnswer, truth: Answer | undefined): boolean =>
   compared(field, given, truth) !== 'wrong';
 
 /** Whether a value has enough digits of `truth` to be evidence of a mistake that gives it. */
-export function agrees(field: Field, given: Given, truth: Answer | undefined): boolean {
+export function agrees(field: Field, given: ReadAnswer, truth: Answer | undefined): boolean {
   const found = compared(field, given, truth);
   return found === 'correct' || (found !== 'wrong' && found.digits >= EVIDENCE);
 }

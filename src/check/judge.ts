@@ -1,5 +1,5 @@
 import { causesOf } from './causes.ts';
-import { before, type Derivation, fits, type Line, wayBy } from './derivation.ts';
+import { type AnswerKey, before, fits, type WrittenLine, wayBy } from './derivation.ts';
 import { compared, grade, type Mark, readAnswer, roughly, type Texts } from './grade.ts';
 import type { Misconception } from './misconceptions/define.ts';
 import { ABSENT, type Answers, type Field } from './types.ts';
@@ -20,13 +20,13 @@ export interface Judged {
 }
 
 /** Marks every field by itself and by those before it, and finds misconceptions behind all. */
-export function judge(derivation: Derivation, texts: Texts): Judged {
+export function judge(derivation: AnswerKey, texts: Texts): Judged {
   const { fields } = derivation;
   const textOf = ({ id }: Field): string => texts[id] ?? '';
   // An empty box means "does not exist" only if all other fields are answered.
   const complete = fields.every((field) => readAnswer(field, textOf(field)).ok);
   const isOpen = (field: Field): boolean => !complete && textOf(field).trim() === '';
-  const lines = fields.flatMap((field): Line[] => {
+  const lines = fields.flatMap((field): WrittenLine[] => {
     const read = readAnswer(field, textOf(field));
     return read.ok && !isOpen(field) ? [{ field, given: read.given }] : [];
   });
@@ -68,16 +68,16 @@ function verdictOf(wrong: boolean, marks: readonly Mark[]): Judged['verdict'] {
 
 type Standing = 'right' | 'follows' | 'wrong';
 
-interface Found {
-  readonly course: Derivation['course'];
+interface Comparison {
+  readonly course: AnswerKey['course'];
   readonly way: Way | null;
   readonly standing: readonly Standing[];
 }
 
-const wrongIn = ({ standing }: Found): number => standing.filter((s) => s === 'wrong').length;
+const wrongIn = ({ standing }: Comparison): number => standing.filter((s) => s === 'wrong').length;
 
 /** The course, or the way by which the fewest lines are wrong, if those are fewer. */
-function bestOf(derivation: Derivation, lines: readonly Line[]): Found {
+function bestOf(derivation: AnswerKey, lines: readonly WrittenLine[]): Comparison {
   const plain = foundBy(derivation, lines, derivation.course, null);
   if (wrongIn(plain) === 0) return plain;
   const typed: Answers = Object.fromEntries(
@@ -98,7 +98,7 @@ function bestOf(derivation: Derivation, lines: readonly Line[]): Found {
 }
 
 /** Whether the course's own formula gives this line from the lines before it. */
-function isByCourse(derivation: Derivation, lines: readonly Line[], i: number): boolean {
+function isByCourse(derivation: AnswerKey, lines: readonly WrittenLine[], i: number): boolean {
   const line = lines[i];
   if (!line) return false;
   const expected = derivation.next(derivation.course, before(lines, i))[line.field.id];
@@ -106,11 +106,11 @@ function isByCourse(derivation: Derivation, lines: readonly Line[], i: number): 
 }
 
 function foundBy(
-  derivation: Derivation,
-  lines: readonly Line[],
-  course: Derivation['course'],
+  derivation: AnswerKey,
+  lines: readonly WrittenLine[],
+  course: AnswerKey['course'],
   way: Way | null,
-): Found {
+): Comparison {
   const truth = derivation.truth(course);
   const standing = lines.map(({ field, given }, i): Standing => {
     if (roughly(field, given, truth[field.id])) return 'right';
@@ -123,9 +123,9 @@ function foundBy(
 
 /** The wrong fields that a line follows from: with their right values it would be another one. */
 function sources(
-  derivation: Derivation,
-  { course, standing }: Found,
-  lines: readonly Line[],
+  derivation: AnswerKey,
+  { course, standing }: Comparison,
+  lines: readonly WrittenLine[],
   at: number,
   marks: Judged['marks'],
 ): Field[] {

@@ -19,7 +19,7 @@ import type { Answers, Input } from './types.ts';
 import { asExactly, work } from './work.ts';
 
 /** One line of a derivation, right or edited, with the numbers that go into it. */
-export interface Line {
+export interface DerivationLine {
   readonly id: string;
   /** The left side; null if the tree itself is the name (N·d). */
   readonly letter: Expr | null;
@@ -37,7 +37,7 @@ export interface Line {
 }
 
 /** From the coefficients to the first visible hit's point and normal, as far as they exist. */
-export function linesOf(course: Course, input: Input): readonly Line[] {
+export function linesOf(course: Course, input: Input): readonly DerivationLine[] {
   const found = work(course, input);
   const values = valuesOf(input.shape, input.ray, float64);
   return course.family === 'curved'
@@ -61,11 +61,15 @@ function line(
   exprs: readonly Expr[],
   values: readonly number[],
   numbers: Values<number>,
-): Line {
+): DerivationLine {
   return { id, letter, exprs, relation: null, holds: null, values, numbers, worked: id === 't' };
 }
 
-function curvedLines(course: CurvedCourse, found: Answers, values: Values<number>): Line[] {
+function curvedLines(
+  course: CurvedCourse,
+  found: Answers,
+  values: Values<number>,
+): DerivationLine[] {
   const letters = ['A', 'B', 'C', 'D'] as const;
   const scalars = Object.fromEntries(letters.map((id) => [id, number(found, id) ?? Number.NaN]));
   const numbers = withScalars(values, scalars);
@@ -84,7 +88,7 @@ function hitLines(
   N: readonly Expr[] | null,
   found: Answers,
   numbers: Values<number>,
-): Line[] {
+): DerivationLine[] {
   const [t, point, normal] = [number(found, 't'), triple(found, 'P'), triple(found, 'N')];
   if (t === undefined || !point) return [];
   const withT = withScalars(numbers, { t });
@@ -99,7 +103,7 @@ function flatLines(
   found: Answers,
   values: Values<number>,
   { shape, ray }: Input,
-): Line[] {
+): DerivationLine[] {
   const value = (id: string): number => number(found, id) ?? Number.NaN;
   const lines = [
     line('N.(E-P)', null, [course.offset], [value('N.(E-P)')], values),
@@ -115,7 +119,7 @@ function flatLines(
     const X = evaluateTriple(course.P, ar, withExactT);
     return whichHold(course.conditions, withPoint(given, X), ar);
   });
-  const conditions = course.conditions.map((relation, i): Line => {
+  const conditions = course.conditions.map((relation, i): DerivationLine => {
     const withX = withPoint(withT, point);
     const sides = [relation.left, relation.right].map((side) => evaluate(side, float64, withX));
     return { ...line('inside', null, [], sides, withX), relation, holds: holds[i] ?? null };
@@ -129,7 +133,10 @@ function flatLines(
 }
 
 /** The lines that these mistakes change, edited or in their values; at most three. */
-export function editedLines(mistakes: readonly Misconception[], input: Input): readonly Line[] {
+export function editedLines(
+  mistakes: readonly Misconception[],
+  input: Input,
+): readonly DerivationLine[] {
   const course = courseOf(input.shape);
   const edited = mistakes.reduce((made: Course, { edit }) => edit(made) ?? made, course);
   if (edited === course) return [];
@@ -144,7 +151,7 @@ export function editedLines(mistakes: readonly Misconception[], input: Input): r
     : [];
 }
 
-const differs = (a: Line, b: Line): boolean =>
+const differs = (a: DerivationLine, b: DerivationLine): boolean =>
   a.exprs.some((expr, i) => expr !== b.exprs[i]) ||
   a.relation?.left !== b.relation?.left ||
   a.relation?.right !== b.relation?.right;

@@ -6,7 +6,7 @@ import { shuffled } from './exercises/draw.ts';
 import { findExercise } from './exercises/index.ts';
 import { FIRST_SET, type QuestionSet, setOf } from './sets.ts';
 
-interface Slot {
+interface PlannedQuestion {
   readonly exercise: string;
   readonly kind: ShapeKind;
   readonly level: Level;
@@ -18,13 +18,13 @@ const levelAt = (i: number, count: number): Level =>
   i * 3 < count ? 1 : i * 3 < 2 * count ? 2 : 3;
 
 /** The questions of a session, easy ones first. The seed decides the shape of each. */
-export function plan(seed: number, set: string = FIRST_SET): readonly Slot[] {
+export function plan(seed: number, set: string = FIRST_SET): readonly PlannedQuestion[] {
   const found = setOf(set);
   const slots = found.spread ? spreadSlots(seed, found) : slotsInTurn(seed, found);
   return slots.map((slot, i) => ({ ...slot, level: found.level ?? levelAt(i, slots.length) }));
 }
 
-type Unlevelled = Omit<Slot, 'level'>;
+type Unlevelled = Omit<PlannedQuestion, 'level'>;
 
 function slotsInTurn(seed: number, { turns }: QuestionSet): Unlevelled[] {
   const random = seeded(seed);

@@ -4,7 +4,7 @@ import type { Level } from './exercises/define.ts';
 import { EXERCISES, findExercise } from './exercises/index.ts';
 
 /** An exercise of a set: how often it comes up, and for which shapes in turn. */
-interface Turn {
+interface SetEntry {
   readonly exercise: string;
   readonly times: number;
   readonly kinds: readonly ShapeKind[];
@@ -14,7 +14,7 @@ interface Turn {
 export interface QuestionSet {
   /** Shapes that "all shapes" means for own programs. */
   readonly shapes: readonly ShapeKind[];
-  readonly turns: readonly Turn[];
+  readonly turns: readonly SetEntry[];
   /** Whether topics are shuffled, and right answers spread over their classes. */
   readonly spread?: true;
   /** The level of all questions; absent: they rise from 1 to 3. */
@@ -208,7 +208,7 @@ function numbered(base: string): QuestionSet {
 const kindsOf = (exercise: string): readonly ShapeKind[] => findExercise(exercise)?.kinds ?? [];
 
 /** @throws RangeError if the exercise cannot be posed about any of these shapes. */
-function turnOf(exercise: string, times: number, shapes: readonly ShapeKind[]): Turn {
+function turnOf(exercise: string, times: number, shapes: readonly ShapeKind[]): SetEntry {
   const kinds = shapes.filter((kind) => kindsOf(exercise).includes(kind));
   if (kinds.length === 0) {
     throw new RangeError(`${exercise} cannot be asked about ${shapes.join(' or ')}`);

@@ -1,13 +1,13 @@
 import type { Posed } from './compose.ts';
 import { courseOf } from './course.ts';
 import type { Argument } from './exercises/define.ts';
-import { type Line, linesOf } from './lines.ts';
+import { type DerivationLine, linesOf } from './lines.ts';
 import { work } from './work.ts';
 
 /** Words with lines of the derivation below: in symbols, or in numbers without results. */
 interface Hint {
   readonly words: string;
-  readonly lines: readonly Line[];
+  readonly lines: readonly DerivationLine[];
   readonly layer: 'symbols' | 'numbers';
 }
 
@@ -34,12 +34,12 @@ export function hintsOf(posed: Posed): readonly [Hint, Hint, Hint] {
 /** The lines from what is given to what is asked, and the sentences before the answers. */
 export const solutionOf = (
   posed: Posed,
-): { readonly lines: readonly Line[]; readonly decision: readonly string[] } => ({
+): { readonly lines: readonly DerivationLine[]; readonly decision: readonly string[] } => ({
   lines: linesAfterGiven(posed),
   decision: argumentOf(posed).decision,
 });
 
-function linesAfterGiven({ exercise, draft, given, fields }: Posed): readonly Line[] {
+function linesAfterGiven({ exercise, draft, given, fields }: Posed): readonly DerivationLine[] {
   const all = linesOf(courseOf(draft.shape), draft);
   const isGiven = (id: string): boolean => given[id] !== undefined || given[`${id}1`] !== undefined;
   // The line P is needed only if it is asked whether the point is in a figure.

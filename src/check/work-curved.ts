@@ -87,13 +87,13 @@ function ownRoot<T>(own: Answers, i: 1 | 2, root: T | undefined, ar: Arithmetic<
 }
 
 /** t, point and normal of a hit, as far as they exist. */
-interface Place {
+interface PartialHit {
   readonly t: number | undefined;
   readonly P: Vec3 | undefined;
   readonly N: Vec3 | undefined;
 }
 
-interface Hit extends Place {
+interface Hit extends PartialHit {
   /** Index among the roots in the student's order, from 0. */
   readonly place: number;
   /** False if it is on a nappe that was forgotten. */
@@ -154,7 +154,7 @@ function hitAt<T>(
   t: T | undefined,
   own: Answer | undefined,
   ar: Arithmetic<T>,
-): Place {
+): PartialHit {
   const { toNumber } = ar;
   const computed = t === undefined ? undefined : evaluateTriple(P, ar, withScalars(values, { t }));
   const point = own === ABSENT ? undefined : (usableTriple(own, ar) ?? computed);

@@ -13,7 +13,7 @@ import { quantile, sorted } from './stats.ts';
 import { type Judgement, judge } from './verdict.ts';
 
 /** Indices of a ray: its batch, and its place in that batch. */
-interface Place {
+interface RayIndex {
   readonly batch: number;
   readonly ray: number;
 }
@@ -37,7 +37,7 @@ export interface Quality {
   /** Right digits of the worst ray. */
   readonly leastDigits: number;
   /** The first ray with the wrong verdict, else the one with the fewest digits. */
-  readonly worst: Place | null;
+  readonly worst: RayIndex | null;
 }
 
 const ONE_IN_TEN = 0.1;
@@ -53,7 +53,7 @@ export function qualityOf(method: Method, batches: readonly Batch[], kernelOf = 
   const ulps: number[] = [];
   const digits: number[] = [];
   let least = Number.POSITIVE_INFINITY;
-  let worst: Place | null = null;
+  let worst: RayIndex | null = null;
   let listed = 0;
   batches.forEach((batch, b) => {
     const { shape, rays, verdicts } = batch;

@@ -51,7 +51,7 @@ export function* sweepSession(request: SweepRequest): Generator<SweepPoint, void
 }
 
 /** A method's line through a sweep. */
-interface Line {
+interface MethodLine {
   readonly id: string;
   /** The points up to the last difficulty at which 9 of 10 rays have a right digit. */
   readonly points: readonly { readonly difficulty: number; readonly quality: Summary }[];
@@ -69,12 +69,12 @@ export interface Failure {
   readonly quality: Summary;
 }
 
-export function linesOf(points: readonly SweepPoint[]): Line[] {
+export function linesOf(points: readonly SweepPoint[]): MethodLine[] {
   const [first] = points;
   return (first?.rows ?? []).map(({ id }) => lineOf(id, points));
 }
 
-function lineOf(id: string, points: readonly SweepPoint[]): Line {
+function lineOf(id: string, points: readonly SweepPoint[]): MethodLine {
   const own = points.flatMap(({ difficulty, rows }) => {
     const row = rows.find((one) => one.id === id);
     return row ? [{ difficulty, quality: row.quality }] : [];
@@ -93,7 +93,7 @@ function lineOf(id: string, points: readonly SweepPoint[]): Line {
 
 const failureShare = ({ wrong, undecided, rays }: Summary): number => (wrong + undecided) / rays;
 
-function failureOf({ difficulty, quality }: Line['points'][number]): Failure {
+function failureOf({ difficulty, quality }: MethodLine['points'][number]): Failure {
   const { judged } = quality;
   const reasons = ['misses', 'invents', 'misnames', 'undecided'] as const;
   const reason = reasons.reduce((most, one) => (judged[one] > judged[most] ? one : most));

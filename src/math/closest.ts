@@ -26,10 +26,10 @@ interface Closest {
   readonly sign: Sign;
 }
 
-type Given = ReturnType<typeof valuesOf<Ratio>>;
+type RatioValues = ReturnType<typeof valuesOf<Ratio>>;
 
 /** Of a term k·(…)² of an equation, its sign, k as a number, and what is squared. */
-function squareIn({ sign, expr }: Term, { scalars }: Given) {
+function squareIn({ sign, expr }: Term, { scalars }: RatioValues) {
   if (expr.op === 'square') return { factor: ratios.of(sign), of: expr.of };
   const [first, second, ...more] = expr.op === 'product' ? expr.factors : [];
   const k = first?.op === 'scalar' ? scalars[first.id] : undefined;
@@ -50,7 +50,7 @@ function coordinateIn(expr: Expr) {
  * cylinder for a = 0, a sphere for a = −1): in which coordinates it is round, about what, and r;
  * null for any other surface.
  */
-function roundAbout({ left, right }: ShapeDefinition<Shape>['surface'], given: Given) {
+function roundAbout({ left, right }: ShapeDefinition<Shape>['surface'], given: RatioValues) {
   const all = [...termsOf(left, 1), ...termsOf(right, -1)].map((term) => squareIn(term, given));
   const used = all.filter((one) => one === null || ratios.sign(one.factor) !== 0);
   const isFactor = (x: Ratio, y: 1 | -1): boolean => ratios.sign(ratios.sub(x, ratios.of(y))) === 0;

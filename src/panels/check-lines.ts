@@ -1,5 +1,5 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
-import type { Line } from '../check/lines.ts';
+import type { DerivationLine } from '../check/lines.ts';
 import { type Expr, evaluate, float64, type Relation } from '../math/formula.ts';
 import { comparableDigits, type PutIn, putInSideBySide, valuesAsResults } from '../state/put-in.ts';
 import { display } from '../text/format.ts';
@@ -17,7 +17,7 @@ import './check-lines.css';
 type Layer = 'symbols' | 'numbers';
 
 /** Lines of a derivation, one under the other; each may break between its layers. */
-export function derivationLines(lines: readonly Line[], layer: Layer): TemplateResult {
+export function derivationLines(lines: readonly DerivationLine[], layer: Layer): TemplateResult {
   return html`<ul class="lines" tabindex="0"
     aria-label="Lines of the derivation">${lines.map(
       (line) => html`<li
@@ -25,7 +25,7 @@ export function derivationLines(lines: readonly Line[], layer: Layer): TemplateR
     )}</ul>`;
 }
 
-function written(line: Line, layer: Layer): TemplateResult {
+function written(line: DerivationLine, layer: Layer): TemplateResult {
   const { letter, exprs, relation, holds, values, numbers, worked } = line;
   const put = putIntoLine(line);
   const digits = put?.digits ?? 6;
@@ -68,7 +68,13 @@ function written(line: Line, layer: Layer): TemplateResult {
 const BEYOND = 'a number of it is beyond the doubles';
 
 /** The digits with which the line gives its results; a line without shown results, its value. */
-export function putIntoLine({ exprs, relation, values, numbers, worked }: Line): PutIn | null {
+export function putIntoLine({
+  exprs,
+  relation,
+  values,
+  numbers,
+  worked,
+}: DerivationLine): PutIn | null {
   const trees = relation ? [relation.left, relation.right] : exprs;
   const [only, ...others] = trees;
   const ends = values.length === 0 && !relation ? worths(trees, numbers) : values;
@@ -79,11 +85,11 @@ export function putIntoLine({ exprs, relation, values, numbers, worked }: Line):
   return putInSideBySide(lines, numbers, worked);
 }
 
-const resultsIn = (ends: readonly number[], { scalars }: Line['numbers']) =>
+const resultsIn = (ends: readonly number[], { scalars }: DerivationLine['numbers']) =>
   valuesAsResults(ends, scalars.A).filter(({ value }) => Number.isFinite(value));
 
 /** The value of each tree; for ± both, the smaller one first. */
-function worths(trees: readonly Expr[], numbers: Line['numbers']): number[] {
+function worths(trees: readonly Expr[], numbers: DerivationLine['numbers']): number[] {
   return trees.flatMap((tree) =>
     [...new Set(([1, -1] as const).map((branch) => evaluate(tree, float64, numbers, branch)))].sort(
       (a, b) => a - b,
@@ -110,7 +116,7 @@ function row(parts: readonly TemplateResult[]): TemplateResult {
     )}<mo stretchy="false">)</mo>`;
 }
 
-function result({ id, values, exprs }: Line, sign: '=' | '≈'): TemplateResult | string {
+function result({ id, values, exprs }: DerivationLine, sign: '=' | '≈'): TemplateResult | string {
   const equals = mathml`<mo form="infix">${sign}</mo>`;
   if (values.length === 0) return formula(mathml`${equals}<mtext>?</mtext>`);
   if (values.some(Number.isNaN)) return '= no value';

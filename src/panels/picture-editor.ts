@@ -4,7 +4,7 @@ import { SHAPES, type Shape } from '../math/index.ts';
 import { findShape } from '../math/shapes.ts';
 import { addLight, addThing } from '../scene/edit.ts';
 import { nameIn, wordFor } from '../scene/names.ts';
-import type { Placed, Scene } from '../scene/types.ts';
+import type { Scene, Thing } from '../scene/types.ts';
 import { ALONG, type Along } from '../state/picture/drag.ts';
 import {
   LIGHT_KINDS,
@@ -39,7 +39,7 @@ const ALONG_WORDS: Readonly<Record<Along, string>> = { floor: 'the floor', wall:
 /** The shape of Explore, and what it becomes in a scene. */
 interface Explored {
   readonly shape: Shape;
-  thing(scene: Scene): Placed;
+  thing(scene: Scene): Thing;
 }
 
 /** Ids of the forms of camera and world; @ keeps them apart from ids of things and lights. */
@@ -53,7 +53,7 @@ export function editor(
   explored: Explored,
   tools: EditorTools,
 ): TemplateResult {
-  const addOne = (make: (now: Scene) => Placed): void =>
+  const addOne = (make: (now: Scene) => Thing): void =>
     tools.add((now) => {
       const thing = make(now);
       return [addThing(now, thing), thing.id];

@@ -1,6 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { type FieldRow, fieldRows } from '../scene/effects/declared.ts';
-import { type FieldValue, type Owner, type Place, withValue } from '../scene/effects/fields.ts';
+import {
+  type FieldOwner,
+  type FieldValue,
+  type Owner,
+  withValue,
+} from '../scene/effects/fields.ts';
 import { choiceField, colourField, numberField } from './picture-fields.ts';
 
 interface Tools {
@@ -12,7 +17,7 @@ interface Tools {
 
 /** Controls for the fields that effects declare for a scene, a material or a light. */
 export function effectFields(
-  place: Place,
+  place: FieldOwner,
   owner: Owner,
   tools: Tools,
 ): TemplateResult | typeof nothing {

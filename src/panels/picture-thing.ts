@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { AXES, definitionOf } from '../math/shapes.ts';
 import { changeThing } from '../scene/edit.ts';
-import type { Glass, Material, Paint, Placed, Scene } from '../scene/types.ts';
+import type { Glass, Material, Paint, Scene, Thing } from '../scene/types.ts';
 import { applied } from '../state/actions.ts';
 import {
   canBeCapped,
@@ -29,7 +29,7 @@ const PATTERNS = [
   ['stripes', 'stripes'],
 ] as const satisfies readonly (readonly [Paint['pattern'], string])[];
 
-type Edit = (now: Placed) => Placed;
+type Edit = (now: Thing) => Thing;
 
 /**
  * `send` applies an edit to the thing when it arrives; `check` says why the drawn one refuses it.
@@ -40,7 +40,7 @@ interface Tools {
 }
 
 /** Shape, heights and material of a thing. */
-export function thingForm(scene: Scene, thing: Placed, change: ChangeScene): TemplateResult {
+export function thingForm(scene: Scene, thing: Thing, change: ChangeScene): TemplateResult {
   const tools: Tools = {
     send: (edit) => change((now) => changeThing(now, thing.id, edit)),
     check: (edit) => refusalOf(changeThing(scene, thing.id, edit)),
@@ -78,7 +78,7 @@ const numberOf = (
 ): TemplateResult =>
   numberField({ ...field, check: (x) => check(edit(x)), send: (x) => send(edit(x)) });
 
-function heights({ shape, between, capped }: Placed, tools: Tools): TemplateResult {
+function heights({ shape, between, capped }: Thing, tools: Tools): TemplateResult {
   const { send } = tools;
   return html`<div class="field-line">
     ${checkField('only between two heights', between !== undefined, (on) =>

@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { display, displayAll, shortest } from '../text/format.ts';
 import { spokenName } from '../text/spoken.ts';
 
-interface Look {
+interface ValueOptions {
   /** Largest number of characters; digits are dropped to fit. */
   readonly room?: number;
   readonly digits?: number;
@@ -19,7 +19,12 @@ interface Look {
 export function value(
   quantity: string,
   x: number,
-  { room = Number.POSITIVE_INFINITY, digits = 6, text = null, keeps = text === null }: Look = {},
+  {
+    room = Number.POSITIVE_INFINITY,
+    digits = 6,
+    text = null,
+    keeps = text === null,
+  }: ValueOptions = {},
 ): TemplateResult {
   const short = text ?? displayWithin(x, room, digits);
   const has = !Number.isNaN(x);

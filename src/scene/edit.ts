@@ -1,10 +1,10 @@
 import type { Shape, Vec3 } from '../math/index.ts';
 import { definitionOf, type Param } from '../math/shapes.ts';
-import type { Light, Placed, Scene } from './types.ts';
+import type { Light, Scene, Thing } from './types.ts';
 
 /* Edits of a scene. Each returns a new scene that shares the unchanged parts with the old one. */
 
-export const addThing = (scene: Scene, thing: Placed): Scene => ({
+export const addThing = (scene: Scene, thing: Thing): Scene => ({
   ...scene,
   things: [...scene.things, thing],
 });
@@ -21,11 +21,7 @@ export const remove = (scene: Scene, id: string): Scene => ({
   lights: scene.lights.filter((light) => light.id !== id),
 });
 
-export const changeThing = (
-  scene: Scene,
-  id: string,
-  change: (thing: Placed) => Placed,
-): Scene => ({
+export const changeThing = (scene: Scene, id: string, change: (thing: Thing) => Thing): Scene => ({
   ...scene,
   things: scene.things.map((thing) => (thing.id === id ? change(thing) : thing)),
 });
@@ -39,7 +35,7 @@ export const changeLight = (scene: Scene, id: string, change: (light: Light) => 
 export const isPlace = (param: Param): boolean => param.type === 'vector' && !param.nonZero;
 
 /** The thing somewhere else, its heights with it: from where it is, or where it was taken. */
-export function moved(thing: Placed, by: Vec3, from = thing): Placed {
+export function moved(thing: Thing, by: Vec3, from = thing): Thing {
   const { shape } = thing;
   const { between } = from;
   const given = from.shape as unknown as Readonly<Record<string, Vec3>>;

@@ -1,20 +1,20 @@
 import type { Vec3 } from '../math/index.ts';
 import { definitionOf, sideOf } from '../math/shapes.ts';
 import { nameIn } from './names.ts';
-import type { Placed, Scene } from './types.ts';
+import type { Scene, Thing } from './types.ts';
 
 /* Facts on a scene by which effects decide whether they are needed. */
 
-export const isGlass = ({ material }: Placed): boolean => material.glass !== undefined;
+export const isGlass = ({ material }: Thing): boolean => material.glass !== undefined;
 
-export const isColouredGlass = ({ material }: Placed): boolean =>
+export const isColouredGlass = ({ material }: Thing): boolean =>
   material.glass?.absorption.some((x) => x > 0) ?? false;
 
 /** Whether a thing blocks light. Glass does not: shadow rays pass it straight (docs/FAKED.md). */
-export const blocks = (thing: Placed): boolean => !isGlass(thing);
+export const blocks = (thing: Thing): boolean => !isGlass(thing);
 
 /** Whether a thing shows light on its paint or as a highlight. */
-export const isLit = ({ material }: Placed): boolean =>
+export const isLit = ({ material }: Thing): boolean =>
   material.mirror < 1 && (material.glass === undefined || material.shine.strength > 0);
 
 /**
@@ -41,7 +41,7 @@ export function whyNoShadow(
  * Whether a thing cannot cast a shadow on the parts of itself that are seen: a flat shape, or a
  * whole convex one seen from outside.
  */
-function shadesNothing({ shape, between }: Placed, eye: Vec3): boolean {
+function shadesNothing({ shape, between }: Thing, eye: Vec3): boolean {
   const side = sideOf(shape, eye);
   if (side === null) return true;
   return !between && definitionOf(shape).body.convex(shape) && side > 0;

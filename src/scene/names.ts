@@ -1,6 +1,6 @@
 import { SHAPES, type Shape } from '../math/index.ts';
 import { definitionOf, findShape } from '../math/shapes.ts';
-import type { Placed, Scene } from './types.ts';
+import type { Scene, Thing } from './types.ts';
 
 /*
  * What things are called. An id is a name that somebody gave (glass cone), or the word for a shape
@@ -42,7 +42,7 @@ const cache = new WeakMap<Scene, ReadonlyMap<string, string>>();
 function namesOf(scene: Scene): ReadonlyMap<string, string> {
   const found = cache.get(scene);
   if (found) return found;
-  const isTrue = (thing: Placed): boolean => {
+  const isTrue = (thing: Thing): boolean => {
     const word = thing.id.replace(/ \d+$/, '');
     return !words().has(word) || word === wordFor(thing.shape);
   };

@@ -4,7 +4,7 @@ import { type Axis, axisIndex, definitionOf, withComponent } from '../math/shape
 import { cameraNumbers } from './camera-ray.ts';
 import { isPlace, moved } from './edit.ts';
 import { boxOf, type Surface, surfacesOf } from './surfaces.ts';
-import type { Camera, Placed, Scene } from './types.ts';
+import type { Camera, Scene, Thing } from './types.ts';
 
 /*
  * Where a new thing goes: onto the floor, beside what is there, and where the camera sees it. The
@@ -29,12 +29,12 @@ const ASPECT = 1.4;
  * The thing where it stands on the floor beside the others; it may be anywhere before. One without
  * a box is a floor below all else, or where there is one, a wall behind all else.
  */
-export function placed(scene: Scene, thing: Placed): Placed {
+export function placed(scene: Scene, thing: Thing): Thing {
   const box = boxOf(thing);
   return box ? standing(scene, thing, box) : bounding(scene, thing);
 }
 
-function standing(scene: Scene, thing: Placed, box: Box): Placed {
+function standing(scene: Scene, thing: Thing, box: Box): Thing {
   const size = viewSize(scene);
   const foot = footOf(box, size);
   const floors = surfacesOf(scene).filter((surface) => isWide(surface, foot, size));
@@ -75,7 +75,7 @@ function standing(scene: Scene, thing: Placed, box: Box): Placed {
   return moved(thing, [at[0] - foot.x, at[1] - foot.low, at[2] - foot.z]);
 }
 
-function bounding(scene: Scene, thing: Placed): Placed {
+function bounding(scene: Scene, thing: Thing): Thing {
   const size = viewSize(scene);
   const { eye, target } = scene.camera;
   const foot: Foot = { x: 0, z: 0, low: 0, wide: 0, deep: 0, high: 0 };
@@ -97,14 +97,14 @@ function bounding(scene: Scene, thing: Placed): Placed {
   return moved(upright, minus(withComponent(target, 1, y), anchorOf(upright)));
 }
 
-const anchorOf = ({ shape }: Placed): Vec3 => definitionOf(shape).anchor(shape).at;
+const anchorOf = ({ shape }: Thing): Vec3 => definitionOf(shape).anchor(shape).at;
 
 /** The axis along which the camera looks most, of those that are level. */
 export const facingAxis = ({ eye, target }: Camera): Axis =>
   Math.abs(eye[0] - target[0]) > Math.abs(eye[2] - target[2]) ? 'x' : 'z';
 
 /** The thing with this direction in place of its own. */
-function turned(thing: Placed, direction: Vec3): Placed {
+function turned(thing: Thing, direction: Vec3): Thing {
   const own = definitionOf(thing.shape).params.filter(
     (param) => param.type === 'vector' && !isPlace(param),
   );
@@ -120,7 +120,7 @@ export function viewSize({ camera: { eye, target, angle } }: Scene): number {
 }
 
 /** The box of a thing's part between the heights; null where it has none. */
-export function boxWithin({ shape, between }: Placed, heights: Heights): Box | null {
+export function boxWithin({ shape, between }: Thing, heights: Heights): Box | null {
   const [least, most] = between ?? heights;
   const low = Math.max(least, heights[0]);
   return boxOf({ shape, between: [low, Math.max(low, Math.min(most, heights[1]))] });
@@ -242,7 +242,7 @@ const boxAt = ([x, y, z]: Vec3, { wide, deep, high }: Foot): Box => ({
 });
 
 interface Other {
-  readonly thing: Placed;
+  readonly thing: Thing;
   readonly box: Box | null;
   readonly frame: Frame | null;
 }
@@ -325,7 +325,7 @@ function edgesOf(box: Box): (readonly [Vec3, Vec3])[] {
 }
 
 /** Whether a thing's surface is met between two points. */
-function crosses({ shape, between }: Placed, from: Vec3, to: Vec3): boolean {
+function crosses({ shape, between }: Thing, from: Vec3, to: Vec3): boolean {
   const direction = minus(to, from);
   if (direction.every((x) => x === 0)) return false;
   const solid = (between ? { ...shape, between } : shape) as Solid;

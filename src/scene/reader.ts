@@ -5,10 +5,10 @@ import { AXES, type Axis, quote, refused } from '../math/shapes.ts';
  * Reads a value of an untrusted file. `path`: its place in the file, as
  * `things[2].material.mirror`. Throws InvalidInput.
  */
-export type Read<T> = (value: unknown, path: string) => T;
+export type Reader<T> = (value: unknown, path: string) => T;
 
 export const number =
-  (low: number, high: number): Read<number> =>
+  (low: number, high: number): Reader<number> =>
   (value, path) => {
     if (typeof value !== 'number' || !(value >= low && value <= high)) {
       throw refused(path, `must be a number from ${low} to ${high}`, value);
@@ -17,7 +17,7 @@ export const number =
   };
 
 export const vector =
-  (component: Read<number>): Read<Vec3> =>
+  (component: Reader<number>): Reader<Vec3> =>
   (value, path) => {
     if (!Array.isArray(value) || value.length !== 3) {
       throw refused(path, 'must have three components', value);
@@ -27,7 +27,7 @@ export const vector =
   };
 
 export const nonZero =
-  (read: Read<Vec3>): Read<Vec3> =>
+  (read: Reader<Vec3>): Reader<Vec3> =>
   (value, path) => {
     const v = read(value, path);
     if (v.every((x) => x === 0)) throw new InvalidInput(`${path} must not be zero, got (0, 0, 0)`);
@@ -35,7 +35,7 @@ export const nonZero =
   };
 
 export const text =
-  (longest: number): Read<string> =>
+  (longest: number): Reader<string> =>
   (value, path) => {
     if (typeof value !== 'string' || value === '' || value.length > longest) {
       throw refused(path, `must be a text of 1 to ${longest} characters`, value);
@@ -43,14 +43,14 @@ export const text =
     return value;
   };
 
-export const colour: Read<string> = (value, path) => {
+export const colour: Reader<string> = (value, path) => {
   if (typeof value !== 'string' || !/^#[0-9a-f]{6}$/i.test(value)) {
     throw refused(path, `must be a colour like '#8a5cc2'`, value);
   }
   return value.toLowerCase();
 };
 
-export const flag: Read<boolean> = (value, path) => {
+export const flag: Reader<boolean> = (value, path) => {
   if (typeof value !== 'boolean') {
     throw refused(path, 'must be true or false', value);
   }
@@ -58,7 +58,7 @@ export const flag: Read<boolean> = (value, path) => {
 };
 
 export const oneOf =
-  <W extends string>(words: readonly W[]): Read<W> =>
+  <W extends string>(words: readonly W[]): Reader<W> =>
   (value, path) => {
     const found = words.find((word) => word === value);
     if (found === undefined) {
@@ -67,10 +67,10 @@ export const oneOf =
     return found;
   };
 
-export const axis: Read<Axis> = oneOf(AXES);
+export const axis: Reader<Axis> = oneOf(AXES);
 
 export const listOf =
-  <T>(item: Read<T>, most: number): Read<readonly T[]> =>
+  <T>(item: Reader<T>, most: number): Reader<readonly T[]> =>
   (value, path) => {
     if (!Array.isArray(value)) throw refused(path, 'must be a list', value);
     if (value.length > most) {
@@ -79,14 +79,14 @@ export const listOf =
     return value.map((one, i) => item(one, `${path}[${i}]`));
   };
 
-type Fields<T> = { readonly [K in keyof T]-?: Read<Exclude<T[K], undefined>> };
+type Fields<T> = { readonly [K in keyof T]-?: Reader<Exclude<T[K], undefined>> };
 
 /** Reads a record with exactly these keys, of which some are optional; other keys are refused. */
 export function record<T extends object>(
   fields: Fields<T>,
   optional: readonly (keyof T)[] = [],
-): Read<T> {
-  const known = Object.entries<Read<unknown>>(fields);
+): Reader<T> {
+  const known = Object.entries<Reader<unknown>>(fields);
   return (value, path) => {
     const given = fieldsOf(value, path);
     const dot = path === '' ? '' : `${path}.`;
@@ -103,11 +103,11 @@ export function record<T extends object>(
 }
 
 /** Reads one of several records, chosen by the word under `key`. */
-export function variant<T>(key: string, variants: Readonly<Record<string, Read<T>>>): Read<T> {
+export function variant<T>(key: string, variants: Readonly<Record<string, Reader<T>>>): Reader<T> {
   const word = oneOf(Object.keys(variants));
   return (value, path) => {
     const which = word(fieldsOf(value, path)[key], `${path}.${key}`);
-    return (variants[which] as Read<T>)(value, path);
+    return (variants[which] as Reader<T>)(value, path);
   };
 }
 

@@ -1,6 +1,6 @@
 import { definitionOf } from '../math/shapes.ts';
 import { isGlass, isLit, whyNoShadow } from './facts.ts';
-import type { Placed, Scene } from './types.ts';
+import type { Scene, Thing } from './types.ts';
 
 /** Whether what is left out would be seen in a scene. */
 export type Shows = 'yes' | 'perhaps' | 'no';
@@ -19,14 +19,14 @@ interface Simplification {
 
 const yesIf = (shows: boolean): Shows => (shows ? 'yes' : 'no');
 const perhapsIf = (may: boolean): Shows => (may ? 'perhaps' : 'no');
-const isMatt = ({ material }: Placed): boolean => !material.glass && material.mirror < 1;
-const isMirror = ({ material }: Placed): boolean => material.mirror > 0;
+const isMatt = ({ material }: Thing): boolean => !material.glass && material.mirror < 1;
+const isMirror = ({ material }: Thing): boolean => material.mirror > 0;
 const hasGlass = ({ things }: Scene): boolean => things.some(isGlass);
 const bends = ({ things }: Scene): boolean =>
   things.some(({ material }) => (material.glass?.index ?? 1) > 1);
 const hasLamp = ({ lights }: Scene): boolean => lights.some(({ light }) => light === 'sphere');
 /** A whole convex thing gets no light from itself. */
-const isHollow = ({ shape, between }: Placed): boolean =>
+const isHollow = ({ shape, between }: Thing): boolean =>
   between !== undefined || !definitionOf(shape).body.convex(shape);
 
 export const SIMPLIFICATIONS: readonly Simplification[] = [

@@ -1,7 +1,7 @@
 import { type Box, capsOf, type Heights } from '../math/drawing.ts';
 import type { Shape } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
-import type { Placed, Scene } from './types.ts';
+import type { Scene, Thing } from './types.ts';
 
 type SurfacePart = 'shape' | 'low cap' | 'high cap';
 
@@ -29,7 +29,7 @@ export function surfacesOf(scene: Scene): readonly Surface[] {
 }
 
 /** The caps: two circles about the axis with outward normals. */
-function capsOfThing({ shape, between, capped }: Placed, thing: number): Surface[] {
+function capsOfThing({ shape, between, capped }: Thing, thing: number): Surface[] {
   if (!between || !capped) return [];
   return capsOf(shape, between).map(({ end, circle }) => ({
     thing,

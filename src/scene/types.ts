@@ -18,7 +18,7 @@ export interface Scene {
   readonly background: Background;
   /** Constant that replaces light from other surfaces: share of its colour that is always shown. */
   readonly ambient: number;
-  readonly things: readonly Placed[];
+  readonly things: readonly Thing[];
   readonly lights: readonly Light[];
   readonly effects?: EffectValues;
 }
@@ -37,7 +37,7 @@ export interface Background {
   readonly high: Colour;
 }
 
-export interface Placed {
+export interface Thing {
   /** Unique among things and lights. */
   readonly id: string;
   readonly shape: Shape;

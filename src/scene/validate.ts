@@ -10,7 +10,7 @@ import {
   nonZero,
   number,
   oneOf,
-  type Read,
+  type Reader,
   record,
   text,
   variant,
@@ -24,7 +24,6 @@ import type {
   Light,
   Material,
   Paint,
-  Placed,
   PlainPaint,
   PointLight,
   Scene,
@@ -32,6 +31,7 @@ import type {
   SphereLight,
   StripesPaint,
   SunLight,
+  Thing,
 } from './types.ts';
 
 /** Limits for values of a file. Squares of the largest coordinates do not overflow in float32. */
@@ -66,12 +66,12 @@ const material = record<Material>(
   ['glass', 'effects'],
 );
 
-const shape: Read<Shape> = (value, path) => {
+const shape: Reader<Shape> = (value, path) => {
   const given = fieldsOf(value, path);
   try {
     const { kind, params } = definitionOf(checkedShape(value as Shape));
     const own = params.map(({ key, type }) => {
-      const read: Read<unknown> =
+      const read: Reader<unknown> =
         type === 'vector' ? point : type === 'number' ? coordinate : (x) => x;
       return [key, read(given[key], key)] as const;
     });
@@ -82,7 +82,7 @@ const shape: Read<Shape> = (value, path) => {
   }
 };
 
-const heights: Read<readonly [number, number]> = (value, path) => {
+const heights: Reader<readonly [number, number]> = (value, path) => {
   if (!Array.isArray(value) || value.length !== 2) {
     throw refused(path, 'must be two heights', value);
   }
@@ -92,7 +92,7 @@ const heights: Read<readonly [number, number]> = (value, path) => {
   return [low, high];
 };
 
-const thing = record<Placed>({ id: name, shape, material, between: heights, capped: flag }, [
+const thing = record<Thing>({ id: name, shape, material, between: heights, capped: flag }, [
   'between',
   'capped',
 ]);

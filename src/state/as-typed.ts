@@ -6,7 +6,7 @@ import { hintOn } from '../text/parse.ts';
 import { superscript } from '../text/scripts.ts';
 import {
   allMeant,
-  type Given,
+  type EnteredInput,
   isAllowed,
   isRoot,
   isTyped,
@@ -40,7 +40,7 @@ interface Difference {
 }
 
 /** `found`: what exact arithmetic says of the stored numbers. */
-export function asTyped(given: Given, ray: Ray, found: Intersection): AsTyped {
+export function asTyped(given: EnteredInput, ray: Ray, found: Intersection): AsTyped {
   const all = allMeant(given);
   const hints = all.flatMap(({ key, symbol, text }) => {
     const hint = given.texts[key] === undefined ? null : hintOn(text);
@@ -57,7 +57,7 @@ export function asTyped(given: Given, ray: Ray, found: Intersection): AsTyped {
 
 function compared(
   all: readonly Meant[],
-  given: Given,
+  given: EnteredInput,
   ray: Ray,
   found: Intersection,
 ): Difference | 'undecided' | null {
@@ -94,7 +94,7 @@ interface Case {
   readonly words: VerdictWords;
 }
 
-function caseOf({ shape, E, d, unit }: Given, values: Values<Surd>): Case {
+function caseOf({ shape, E, d, unit }: EnteredInput, values: Values<Surd>): Case {
   const ray: Ray = { origin: E, direction: d };
   const found = intersectTyped(shape, ray, values);
   const words = verdictWords(found, shape, ray, values);

@@ -69,7 +69,7 @@ export interface Ended {
   readonly contradicted: string | null;
 }
 
-interface Met {
+interface EndHit {
   readonly root: number | null;
   readonly end: End | null;
   readonly hit: Hit;
@@ -80,7 +80,7 @@ interface Met {
 const endOf = ({ normal }: Hit): End => (normal[1] > 0 ? 'high' : 'low');
 
 /** What is met at all heights, ascending, with the sign of t: of a cap by its exact difference. */
-function metBy(hits: readonly Hit[], whole: Intersection, ray: Ray, between: Between): Met[] {
+function metBy(hits: readonly Hit[], whole: Intersection, ray: Ray, between: Between): EndHit[] {
   const sides = sidesOf(whole);
   let next = 0;
   return hits.map((hit) => {
@@ -96,7 +96,7 @@ function metBy(hits: readonly Hit[], whole: Intersection, ray: Ray, between: Bet
   });
 }
 
-const isLeft = ({ hit }: Met): boolean => hit.fate !== 'cut';
+const isLeft = ({ hit }: EndHit): boolean => hit.fate !== 'cut';
 
 /** Null for a flat shape, which has no ends. */
 export function endedOf(
@@ -150,7 +150,7 @@ function crossedAt({ origin, direction }: Ray, [low, high]: Between) {
   return [(low - origin[1]) / dy, (high - origin[1]) / dy] as const;
 }
 
-function capText({ end, side }: Met, role: HitRole, { direction }: Ray): string {
+function capText({ end, side }: EndHit, role: HitRole, { direction }: Ray): string {
   if (role === 'behind') return 'behind E';
   const outwards = direction[1] > 0 === (end === 'high');
   const start = side === 0 ? 'E itself' : role === 'first' ? 'first hit' : '';
@@ -159,8 +159,8 @@ function capText({ end, side }: Met, role: HitRole, { direction }: Ray): string 
 
 /** "t₁ is cut off, first hit at t = 1.25 on the upper cap" */
 function textOf(
-  met: readonly Met[],
-  first: Met | null,
+  met: readonly EndHit[],
+  first: EndHit | null,
   found: Intersection,
   { origin, direction }: Ray,
   between: Between,
@@ -181,13 +181,13 @@ function textOf(
 const nameOf = (root: number, { hits }: Intersection): string =>
   hits.length > 1 ? `t${subscript(root + 1)}` : 'the root';
 
-function hitClause(met: readonly Met[], first: Met | null, found: Intersection): string {
+function hitClause(met: readonly EndHit[], first: EndHit | null, found: Intersection): string {
   if (first?.end) return `first hit at ${atT(first)} on the ${CAP_NAMES[first.end]}`;
   if (first) return `first hit ${nameOf(first.root ?? 0, found)}`;
   return met.some(isLeft) ? 'all that is left is behind E' : 'nothing is hit';
 }
 
-const atT = ({ hit }: Met): string => `t = ${display(hit.t)}`;
+const atT = ({ hit }: EndHit): string => `t = ${display(hit.t)}`;
 
 /** Exact where the method's answers are, else by doubles, as the method itself. */
 function capLines(

@@ -60,7 +60,7 @@ export interface ReachHandle extends HandleBase {
 
 export type Handle = PointHandle | ReachHandle;
 
-interface Given {
+interface HandleInput {
   readonly shape: Shape;
   readonly E: Vec3;
   readonly d: Vec3;
@@ -71,7 +71,7 @@ interface Given {
 }
 
 /** Everything in the scene that can be dragged. */
-export function handlesOf({ shape, E, d, unit, ray, drawing }: Given): Handle[] {
+export function handlesOf({ shape, E, d, unit, ray, drawing }: HandleInput): Handle[] {
   const { origin, direction } = ray;
   const pointed = (to: Vec3): Ray => ({ origin, direction: unit ? unitVector(to) : to });
   const eye: PointHandle = {

@@ -12,16 +12,16 @@ import { definitionOf, type Param } from '../math/shapes.ts';
 import { shortest } from '../text/format.ts';
 import { parseTyped } from '../text/parse.ts';
 import { type AppState, RAY_PARAMS } from './state.ts';
-import { type Place, rayPlaces, shapePlaces, type TypedTexts } from './typed-texts.ts';
+import { rayPlaces, shapePlaces, type TypedNumberSlot, type TypedTexts } from './typed-texts.ts';
 
 /** Ray and shape as entered: the doubles of the state, and the texts of those that were typed. */
-export interface Given extends Pick<AppState, 'E' | 'd' | 'unit'> {
+export interface EnteredInput extends Pick<AppState, 'E' | 'd' | 'unit'> {
   readonly shape: Shape;
   readonly texts: TypedTexts;
 }
 
 /** A number of the ray or the shape, with the exact value that its text stands for. */
-export interface Meant extends Place {
+export interface Meant extends TypedNumberSlot {
   readonly text: string;
   /** The typed number; the stored one where the text has no exact value. */
   readonly exact: Surd;
@@ -32,18 +32,18 @@ export interface Meant extends Place {
   readonly computed: boolean;
 }
 
-export const allMeant = (given: Given): Meant[] =>
+export const allMeant = (given: EnteredInput): Meant[] =>
   [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
 
 /** Whether exact values differ from what the kernel gets, and none came out of a computation. */
-export const isTyped = (all: readonly Meant[], { unit }: Given): boolean =>
+export const isTyped = (all: readonly Meant[], { unit }: EnteredInput): boolean =>
   (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
 
 /**
  * The exact values, with d at unit length if `unit` is set. Null if they are the stored doubles, or
  * if they do not all lie in one field Q(√D), which exact arithmetic needs.
  */
-export function typedValues(given: Given): Values<Surd> | null {
+export function typedValues(given: EnteredInput): Values<Surd> | null {
   const all = allMeant(given);
   if (!isTyped(all, given)) return null;
   const values = valuesOf(given, all, ({ exact }) => exact);
@@ -66,7 +66,7 @@ export function typedValues(given: Given): Values<Surd> | null {
  */
 const TYPED_DIGITS = 15;
 
-function meant(place: Place, { texts }: Given): Meant {
+function meant(place: TypedNumberSlot, { texts }: EnteredInput): Meant {
   const { key, value } = place;
   const written = texts[key];
   const stored = fromNumber(value);
@@ -100,7 +100,7 @@ export const isRoot = ({ exact }: Meant): boolean => exact.v.m !== 0n;
 export const storedOf = ({ value }: Meant): Surd => fromNumber(value);
 
 export function valuesOf(
-  { shape, E, d }: Given,
+  { shape, E, d }: EnteredInput,
   all: readonly Meant[],
   exact: (one: Meant) => Surd,
 ): Values<Surd> {
@@ -126,7 +126,7 @@ function put<T>(v: Triple<T> | undefined, index: 0 | 1 | 2, x: T): Triple<T> {
  * Whether the exact values are in their parameters' domains. The stored doubles are, but the exact
  * value of 0.1 + 0.2 - 0.3 is 0, which is no direction.
  */
-export function isAllowed({ shape }: Given, { scalars, vectors }: Values<Surd>): boolean {
+export function isAllowed({ shape }: EnteredInput, { scalars, vectors }: Values<Surd>): boolean {
   return [RAY_PARAMS.d, ...definitionOf(shape).params].every((param: Param) => {
     if (param.type === 'vector') return !param.nonZero || !vectors[param.symbol]?.every(isZero);
     if (param.type === 'axis' || param.least === undefined) return true;

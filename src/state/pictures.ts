@@ -24,7 +24,7 @@ export interface Near extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
 
-interface Found {
+interface PicturesInput {
   readonly state: AppState;
   readonly shape: Shape;
   readonly title: string;
@@ -51,7 +51,9 @@ export interface Pictures {
  * What scene and graph show, with a memory of its own. `fixed`: the part of the world to show,
  * null for what the ray calls for.
  */
-export function createPictures(fixed: () => Stage | null = () => null): (given: Found) => Pictures {
+export function createPictures(
+  fixed: () => Stage | null = () => null,
+): (given: PicturesInput) => Pictures {
   const graphFor = remember(graphOf);
   // While the hits are hidden the stage must not depend on them: it would give their places away.
   const stage = keepWhile(

@@ -8,7 +8,7 @@ import type { Stretch } from './scene-model.ts';
  * has two sides and no inside: f > 0 is the side that N points to. Null if the method does not know
  * the sign.
  */
-type Place = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
+type RayRegion = 'behind' | 'outside' | 'inside' | 'on it' | 'side of N' | 'other side' | null;
 
 export interface PlacedStretch {
   readonly from: number;
@@ -16,7 +16,7 @@ export interface PlacedStretch {
   /** Its line style. */
   readonly stretch: Stretch;
   /** Its name. */
-  readonly place: Place;
+  readonly place: RayRegion;
 }
 
 interface Interval {
@@ -60,7 +60,7 @@ export const hitsLeft = ({ hits }: Intersection, ended: Ended | null): number[] 
     ? ended.fates.flatMap(({ t, fate }) => (fate === 'cut' ? [] : [t]))
     : hits.map(({ t }) => t);
 
-const isSomewhere = (place: Place): boolean => place === 'inside' || place === 'on it';
+const isSomewhere = (place: RayRegion): boolean => place === 'inside' || place === 'on it';
 
 /** Whether the stretch is between the heights, of which it crosses none. */
 function isBetween({ from, to }: Interval, { crossed, isWithin }: Ended): boolean {
@@ -79,13 +79,13 @@ function joined(before: PlacedStretch[], next: PlacedStretch, isCut: boolean): P
 }
 
 /** The line style. Outside between two hits the ray is 'before' the second one. */
-function stretchAt(visible: readonly number[], { to }: Interval, place: Place): Stretch {
+function stretchAt(visible: readonly number[], { to }: Interval, place: RayRegion): Stretch {
   if (place === 'behind') return 'behind';
   if (place === 'inside') return 'inside';
   return visible.some((t) => t >= to) || visible.length === 0 ? 'before' : 'after';
 }
 
-function placeAt(found: Intersection, interval: Interval, span: Span | null): Place {
+function placeAt(found: Intersection, interval: Interval, span: Span | null): RayRegion {
   const { details, class: verdict } = found;
   if (interval.to <= 0) return 'behind';
   if (verdict === 'undecided') return null;
@@ -99,7 +99,7 @@ function placeAt(found: Intersection, interval: Interval, span: Span | null): Pl
   return isInside(found, interval) ? 'inside' : 'outside';
 }
 
-const sideOf = (sign: Sign | null): Place =>
+const sideOf = (sign: Sign | null): RayRegion =>
   sign === null || sign === 0 ? null : sign > 0 ? 'side of N' : 'other side';
 
 /** The sign of N·(R(t) − P). */

@@ -76,14 +76,14 @@ const [WAY_MS, REST_MS] = [3200, 600];
 /** Halvings until two doubles are neighbours. */
 const HALVINGS = 1100;
 
-interface Place {
+interface SweptNumber {
   readonly param: NumberParam | VectorParam;
   readonly index: number | null;
   /** E, d, or a key of the shape. */
   readonly owner: 'E' | 'd' | null;
 }
 
-function placeOf(state: AppState, label: string): Place | null {
+function placeOf(state: AppState, label: string): SweptNumber | null {
   const [symbol, axis] = label.split('.');
   const owner = symbol === 'E' || symbol === 'd' ? symbol : null;
   const params: readonly Param[] = owner
@@ -101,7 +101,7 @@ function placeOf(state: AppState, label: string): Place | null {
   return { param, index, owner };
 }
 
-const valueIn = (state: AppState, { param, index, owner }: Place): number => {
+const valueIn = (state: AppState, { param, index, owner }: SweptNumber): number => {
   const value = owner ? state[owner] : paramValue(shapeOf(state), param.key);
   return index === null ? (value as number) : ((value as Vec3)[index] ?? 0);
 };

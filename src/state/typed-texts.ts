@@ -12,7 +12,7 @@ import { type AppState, paramValue, RAY_PARAMS } from './state.ts';
 export type TypedTexts = Readonly<Record<string, string>>;
 
 /** One number of the ray or of a shape. */
-export interface Place {
+export interface TypedNumberSlot {
   /** Its name in TypedTexts. */
   readonly key: string;
   /** The parameter's letter. */
@@ -22,16 +22,16 @@ export interface Place {
   readonly value: number;
 }
 
-export function rayPlaces({ E, d }: Pick<AppState, 'E' | 'd'>): Place[] {
+export function rayPlaces({ E, d }: Pick<AppState, 'E' | 'd'>): TypedNumberSlot[] {
   return [...places('', RAY_PARAMS.E, E), ...places('', RAY_PARAMS.d, d)];
 }
 
-export function shapePlaces(shape: Shape): Place[] {
+export function shapePlaces(shape: Shape): TypedNumberSlot[] {
   const params = findShape(shape.kind)?.params ?? [];
   return params.flatMap((param) => places(`${shape.kind}.`, param, paramValue(shape, param.key)));
 }
 
-function places(owner: string, param: Param, value: Vec3 | number | string): Place[] {
+function places(owner: string, param: Param, value: Vec3 | number | string): TypedNumberSlot[] {
   const { symbol } = param;
   if (typeof value === 'number') return [{ key: owner + symbol, symbol, index: null, value }];
   if (typeof value === 'string') return [];
@@ -109,8 +109,8 @@ export function linkedTexts(
 }
 
 function textsWhere(
-  among: readonly Place[],
-  textOf: (place: Place) => string | undefined,
+  among: readonly TypedNumberSlot[],
+  textOf: (place: TypedNumberSlot) => string | undefined,
 ): TypedTexts {
   const texts: Record<string, string> = {};
   for (const place of among) {
@@ -122,7 +122,7 @@ function textsWhere(
 
 const KINDS = SHAPES.map(({ kind }) => kind) as readonly ShapeKind[];
 
-const allPlaces = (state: AppState): Place[] => [
+const allPlaces = (state: AppState): TypedNumberSlot[] => [
   ...rayPlaces(state),
   ...KINDS.flatMap((kind) => shapePlaces(state.shapes[kind])),
 ];

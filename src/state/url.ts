@@ -28,7 +28,13 @@ import {
   shapeOf,
   stepShown,
 } from './state.ts';
-import { linkedTexts, linkNumber, type Place, rayPlaces, shapePlaces } from './typed-texts.ts';
+import {
+  linkedTexts,
+  linkNumber,
+  rayPlaces,
+  shapePlaces,
+  type TypedNumberSlot,
+} from './typed-texts.ts';
 import { isView, type View } from './view.ts';
 
 /** Writes and reads the text of one key. `read` throws InvalidInput that quotes the text. */
@@ -139,7 +145,7 @@ function rayPairs(state: AppState): [string, string][] {
     if (value !== initial) pairs.push([key, value]);
   };
   /** The numbers of one parameter, each as typed. */
-  const written = (places: readonly Place[], symbol: string): string =>
+  const written = (places: readonly TypedNumberSlot[], symbol: string): string =>
     places
       .filter((place) => place.symbol === symbol)
       .map(({ key, value }) => escaped(state.typed[key] ?? linkNumber(value)))

@@ -1,6 +1,6 @@
 import { ball, material, STONE } from '../scene/presets/define.ts';
 import { surfacesOf } from '../scene/surfaces.ts';
-import type { Light, Placed, Scene } from '../scene/types.ts';
+import type { Light, Scene, Thing } from '../scene/types.ts';
 import { BOXES_FROM } from './find.ts';
 import type { TraceSettings } from './types.ts';
 import { MOST_BOUNCES } from './weight.ts';
@@ -173,7 +173,7 @@ function shapes(
 }
 
 /** A square grid in the upright plane through what the camera looks at, side by side with it. */
-function balls({ camera: { eye, target, angle } }: Scene, side: number): Placed[] {
+function balls({ camera: { eye, target, angle } }: Scene, side: number): Thing[] {
   const [dx, dy, dz] = [0, 1, 2].map((k) => (target[k] ?? 0) - (eye[k] ?? 0)) as [
     number,
     number,

@@ -1,4 +1,4 @@
-import type { AddLight, Lit, Look, Wave, WorldLight } from '../scene/effects/body.ts';
+import type { AddLight, Lit, SurfaceMaterial, Wave, WorldLight } from '../scene/effects/body.ts';
 import type { Background } from '../scene/types.ts';
 import { linear } from './colour.ts';
 import type { TracerWorld } from './world.ts';
@@ -52,7 +52,7 @@ export function meet(wave: Wave, { targets }: TracerWorld): void {
 export function paint(wave: Wave, { looks }: TracerWorld, ambient: number): void {
   for (let h = 0; h < wave.hitCount; h++) {
     const i = wave.hits[h] as number;
-    const { colour } = looks[wave.surface[i] as number] as Look;
+    const { colour } = looks[wave.surface[i] as number] as SurfaceMaterial;
     wave.paintR[i] = colour[0];
     wave.paintG[i] = colour[1];
     wave.paintB[i] = colour[2];
@@ -71,7 +71,7 @@ export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit:
   let n = 0;
   for (let h = 0; h < wave.hitCount; h++) {
     const i = wave.hits[h] as number;
-    const look = looks[wave.surface[i] as number] as Look;
+    const look = looks[wave.surface[i] as number] as SurfaceMaterial;
     if (look.matte === 0 && (look.shine === 0 || look.glossy === 0)) continue;
     let x = ax;
     let y = ay;

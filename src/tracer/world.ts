@@ -9,9 +9,9 @@ import {
   type Vec3,
 } from '../math/index.ts';
 import { definitionOf, findMethod, quote } from '../math/shapes.ts';
-import type { CutOff, Look, World, WorldLight } from '../scene/effects/body.ts';
+import type { CutOff, SurfaceMaterial, World, WorldLight } from '../scene/effects/body.ts';
 import { declaredAt } from '../scene/effects/declared.ts';
-import { type BodyValues, type Owner, type Place, valuesOf } from '../scene/effects/fields.ts';
+import { type BodyValues, type FieldOwner, type Owner, valuesOf } from '../scene/effects/fields.ts';
 import { boxOf, type Surface, surfacesOf } from '../scene/surfaces.ts';
 import type { Light, Material, Paint, Scene } from '../scene/types.ts';
 import { linear } from './colour.ts';
@@ -132,7 +132,7 @@ type Method = NonNullable<ReturnType<typeof findMethod>>;
 const EVERYWHERE = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY] as const;
 
 /** Values of declared fields for bodies: colours are linear light. */
-function bodyValuesOf(place: Place, owner: Owner): BodyValues {
+function bodyValuesOf(place: FieldOwner, owner: Owner): BodyValues {
   const sets = declaredAt(place).map((set) => {
     const values = Object.entries(valuesOf(set, owner)).map(([key, value]) => {
       const isColour = set.fields[key]?.type === 'colour';
@@ -143,7 +143,7 @@ function bodyValuesOf(place: Place, owner: Owner): BodyValues {
   return Object.fromEntries(sets);
 }
 
-function lookOf(material: Material, shape: Shape): Look {
+function lookOf(material: Material, shape: Shape): SurfaceMaterial {
   const { paint, shine, mirror, glass } = material;
   const plain = linear(paint.colour);
   return {

@@ -26,7 +26,7 @@ const MOVES: Readonly<Record<string, Move>> = {
 };
 
 /** Where an item stands, in px. */
-export type Place = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
+export type ItemBox = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
 
 /**
  * The index that a key leads to from `at`. Along the items it goes round; so do up and down where
@@ -37,7 +37,7 @@ export function target(
   move: Move,
   at: number,
   count: number,
-  places: () => readonly Place[],
+  places: () => readonly ItemBox[],
 ): number {
   if (move === 'first') return 0;
   if (move === 'last') return count - 1;
@@ -45,15 +45,15 @@ export function target(
   const along = (at + by + count) % count;
   if (move === 'next' || move === 'previous') return along;
   const all = places();
-  const here = all[at] as Place;
+  const here = all[at] as ItemBox;
   const others = all.filter((place) => place !== here);
   if (others.every((place) => !isApart(place, here))) return along;
   if (all.every((a) => all.every((b) => a === b || isApart(a, b)))) return along;
-  const beyond = ({ top, bottom }: Place): number =>
+  const beyond = ({ top, bottom }: ItemBox): number =>
     move === 'below' ? top - here.bottom : here.top - bottom;
   const there = all.filter((place) => place !== here && beyond(place) > -SLACK);
   const nearest = Math.min(...there.map(beyond));
-  const aside = (place: Place): number => Math.abs(middle(place) - middle(here));
+  const aside = (place: ItemBox): number => Math.abs(middle(place) - middle(here));
   const row = there.filter((place) => beyond(place) < nearest + SLACK);
   const best = row.reduce((a, b) => (aside(b) < aside(a) ? b : a), row[0] ?? here);
   return all.indexOf(best);
@@ -62,10 +62,10 @@ export function target(
 /** So much items of one row may differ in height, and rows overlap, in px. */
 const SLACK = 4;
 
-const isApart = (a: Place, b: Place): boolean =>
+const isApart = (a: ItemBox, b: ItemBox): boolean =>
   a.top > b.bottom - SLACK || b.top > a.bottom - SLACK;
 
-const middle = ({ left, right }: Place): number => (left + right) / 2;
+const middle = ({ left, right }: ItemBox): number => (left + right) / 2;
 
 /** Whether an arrow leaves a box: its caret is at that end, or all of its text is selected. */
 export function leavesBox(
@@ -174,7 +174,7 @@ export function watchTabStops(main: HTMLElement, hasHeader: boolean): void {
 }
 
 /** A control that had the focus, and what it was part of. */
-interface Held {
+interface LostFocus {
   readonly control: Element;
   readonly group: Element | null;
   /** What the group had, in order. */
@@ -184,7 +184,7 @@ interface Held {
 
 /** Where a control with the focus goes away, the next of its group gets it, or what it was in. */
 function keepFocus(main: HTMLElement): void {
-  let held: Held | null = null;
+  let held: LostFocus | null = null;
   const lost = new MutationObserver(() => {
     if (!held || held.control.isConnected) return;
     const { control, group, items, around } = held;

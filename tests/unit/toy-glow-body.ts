@@ -1,8 +1,8 @@
 import type { Vec3 } from '../../src/math/vec3.ts';
-import type { Look, WayBody, World, WorldLight } from '../../src/scene/effects/body.ts';
+import type { SurfaceMaterial, WayBody, World, WorldLight } from '../../src/scene/effects/body.ts';
 
 export const body = (
-  auraOf: (look: Look) => { readonly power: number },
+  auraOf: (look: SurfaceMaterial) => { readonly power: number },
   lampOf: (light: WorldLight) => { readonly feeds: string },
 ): WayBody => {
   /** The light of all lamps that feed it. */

@@ -3,7 +3,7 @@ import { pick, type Random } from '../../math/rng.ts';
 import { definitionOf, type ShapeKind } from '../../math/shapes.ts';
 import { EFFECTS } from '../../scene/effects/index.ts';
 import { findPreset } from '../../scene/presets/index.ts';
-import type { Light, Placed, Scene } from '../../scene/types.ts';
+import type { Light, Scene, Thing } from '../../scene/types.ts';
 import { choiceField } from '../types.ts';
 import { type Exercise, spreadOver, type Told } from './define.ts';
 import { shuffled } from './draw.ts';
@@ -79,7 +79,7 @@ const without = Object.fromEntries(
   }),
 );
 
-const materialWords = ({ material, between }: Placed): string => {
+const materialWords = ({ material, between }: Thing): string => {
   const { paint, shine, mirror, glass } = material;
   const coloured = glass?.absorption.some((x) => x > 0) ?? false;
   const words = [

@@ -19,7 +19,7 @@ export function numberIn(cell: string): number | null | undefined {
   return NUMBER.test(plain) ? Number(plain) : undefined;
 }
 
-export interface Line {
+export interface CsvLine {
   /** Line number in the text, from 1. */
   readonly number: number;
   readonly cells: readonly string[];
@@ -29,8 +29,8 @@ export interface Line {
  * Splits a table into lines and cells. `separator` is a character, or ' ' for any white space; a
  * quoted cell may contain it.
  */
-export function linesOf(text: string, separator: string): Line[] {
-  const lines: Line[] = [];
+export function linesOf(text: string, separator: string): CsvLine[] {
+  const lines: CsvLine[] = [];
   let cells: string[] = [];
   let cell = '';
   let quoted = false;

@@ -1,6 +1,6 @@
 import { quote } from '../../math/shapes.ts';
 import type { Case } from './cases.ts';
-import { type Line, linesOf, numberIn } from './cells.ts';
+import { type CsvLine, linesOf, numberIn } from './cells.ts';
 import type { Output } from './judge.ts';
 import { readValue } from './protocol.ts';
 
@@ -214,13 +214,13 @@ function tableRows(text: string, known: ReadonlySet<string>): Row[] {
   return (head ? lines.all.slice(1) : lines.all).map((line) => tableRow(line, head ?? COLUMNS));
 }
 
-const cellsOfHead = ([head]: readonly Line[]): number => head?.cells.length ?? 0;
+const cellsOfHead = ([head]: readonly CsvLine[]): number => head?.cells.length ?? 0;
 
 /**
  * Refuses a table without a decimal point in any number: decimal commas have been taken for
  * separators, since true results are never all integers.
  */
-function refuseDecimalCommas(lines: readonly Line[]): void {
+function refuseDecimalCommas(lines: readonly CsvLine[]): void {
   const numbers = lines.flatMap(({ cells }) => cells.slice(1).filter((one) => /\d/.test(one)));
   const whole = numbers.filter((one) => /^[-+]?\d+$/.test(one));
   if (whole.length < 6 || whole.length < numbers.length) return;
@@ -230,7 +230,7 @@ function refuseDecimalCommas(lines: readonly Line[]): void {
 }
 
 /** The column names in lower case, if the first line has them; else null. */
-function headOf(line: Line | undefined): readonly string[] | null {
+function headOf(line: CsvLine | undefined): readonly string[] | null {
   const names = line?.cells.map((one) => one.toLowerCase()) ?? [];
   if (!names.includes('id')) return null;
   const usual = ['t1', 't', 'error'].some((name) => names.includes(name));
@@ -238,7 +238,7 @@ function headOf(line: Line | undefined): readonly string[] | null {
   return names.map((name) => (name === 't' ? 't1' : name));
 }
 
-function tableRow({ number, cells }: Line, columns: readonly string[]): Row {
+function tableRow({ number, cells }: CsvLine, columns: readonly string[]): Row {
   const where = `line ${number}`;
   const cell = (name: string): string => cells[columns.indexOf(name)] ?? '';
   const id = cell('id');

@@ -106,7 +106,7 @@ const sizeOf = (input: Input): number =>
   numbersOf(input).reduce((sum, { value }) => sum + costOf(value), 0);
 
 /** One number of an input, and the same input with another in its place. */
-interface Place {
+interface InputNumber {
   readonly value: number;
   with(x: number): Input;
 }
@@ -114,11 +114,11 @@ interface Place {
 const replaced = (v: Vec3, i: number, x: number): Vec3 =>
   v.map((old, k) => (k === i ? x : old)) as unknown as Vec3;
 
-function numbersOf(input: Input): Place[] {
+function numbersOf(input: Input): InputNumber[] {
   const { shape, ray } = input;
   const ofRay = (['origin', 'direction'] as const).flatMap((key) =>
     AXES.map(
-      (_, i): Place => ({
+      (_, i): InputNumber => ({
         value: ray[key][i] ?? 0,
         with: (x) => ({ shape, ray: { ...ray, [key]: replaced(ray[key], i, x) } }),
       }),
@@ -129,7 +129,7 @@ function numbersOf(input: Input): Place[] {
     shape: { ...shape, [key]: value } as Input['shape'],
     ray,
   });
-  const ofShape = definitionOf(shape).params.flatMap(({ key, type }: Param): Place[] => {
+  const ofShape = definitionOf(shape).params.flatMap(({ key, type }: Param): InputNumber[] => {
     const value = numbers[key];
     if (type === 'number' && typeof value === 'number') {
       return [{ value, with: (x) => put(key, x) }];

@@ -142,13 +142,13 @@ interface Member {
   readonly question: Question;
 }
 
-interface Room {
+interface MapBuffers {
   readonly rays: Rays;
   readonly own: Answers;
   readonly true: Answers;
 }
 
-const roomFor = (count: number): Room => ({
+const roomFor = (count: number): MapBuffers => ({
   rays: createRays(count, kernelArray),
   own: createAnswers(count, kernelArray),
   true: createAnswers(count, kernelArray),
@@ -174,7 +174,11 @@ function createPart(pixels: Int32Array): MapPart {
   };
 }
 
-function compare(members: readonly Member[], { rays, own, true: sure }: Room, to: MapPart): void {
+function compare(
+  members: readonly Member[],
+  { rays, own, true: sure }: MapBuffers,
+  to: MapPart,
+): void {
   const said = verdictsOfRoots(own, rays.count);
   const truth = verdictsOfRoots(sure, rays.count);
   members.forEach(({ place }, i) => {

@@ -27,12 +27,15 @@ import {
 type AnyDefinition = ShapeDefinition<Shape>;
 type Value = Vec3 | number | Axis;
 
-interface Placed extends Setting {
+interface PlacedSetting extends Setting {
   readonly at: Vec3;
   readonly size: number;
 }
 
-function shapeWith({ kind, params, anchor }: AnyDefinition, draw: (param: Param) => Value): Placed {
+function shapeWith(
+  { kind, params, anchor }: AnyDefinition,
+  draw: (param: Param) => Value,
+): PlacedSetting {
   const values = params.map((param) => [param.key, draw(param)] as const);
   const shape = { kind, ...Object.fromEntries(values) } as unknown as Shape;
   const { at, size } = anchor(shape);
@@ -40,7 +43,7 @@ function shapeWith({ kind, params, anchor }: AnyDefinition, draw: (param: Param)
 }
 
 /** Numbers within the ends of their sliders, points up to 2 from the origin. */
-const ordinaryShape = (random: Random, definition: AnyDefinition): Placed =>
+const ordinaryShape = (random: Random, definition: AnyDefinition): PlacedSetting =>
   shapeWith(definition, (param) => {
     if (param.type === 'axis') return pick(random, ['x', 'y', 'z']);
     if (param.type === 'vector') return param.nonZero ? unitDirection(random) : inBox(random, 2);
@@ -48,7 +51,7 @@ const ordinaryShape = (random: Random, definition: AnyDefinition): Placed =>
   });
 
 /** Every number is whole and small: sums, products and squares of a few are exact. */
-const wholeShape = (random: Random, definition: AnyDefinition): Placed =>
+const wholeShape = (random: Random, definition: AnyDefinition): PlacedSetting =>
   shapeWith(definition, (param) => {
     if (param.type === 'axis') return pick(random, ['x', 'y', 'z']);
     if (param.type === 'number') {
@@ -59,11 +62,11 @@ const wholeShape = (random: Random, definition: AnyDefinition): Placed =>
   });
 
 /** Towards a place up to 1.5 sizes from the shape's anchor. */
-const aimed = (random: Random, { at, size }: Placed, origin: Vec3): Vec3 =>
+const aimed = (random: Random, { at, size }: PlacedSetting, origin: Vec3): Vec3 =>
   minus(plus(at, inBox(random, 1.5 * size)), origin);
 
 /** E is near the shape, and perhaps inside it, as often as farther away. */
-function ordinaryRay(random: Random, placed: Placed): Ray {
+function ordinaryRay(random: Random, placed: PlacedSetting): Ray {
   const reach = pick(random, [placed.size, 5 * Math.max(1, placed.size)]);
   const origin = plus(placed.at, inBox(random, reach));
   return { origin, direction: aimed(random, placed, origin) };
@@ -79,7 +82,7 @@ const TRIES = 60;
  * A ray between one that meets the shape and one that does not: the direction is halved between the
  * two until they are neighbours, then moved by up to 2^k doubles.
  */
-function nearTangentRay(random: Random, placed: Placed, k: number): Ray {
+function nearTangentRay(random: Random, placed: PlacedSetting, k: number): Ray {
   const { origin, direction } = ordinaryRay(random, placed);
   const { shape } = placed;
   const met = isMet(shape, origin, direction);
@@ -105,7 +108,7 @@ const WANTED: NonEmpty<readonly Class[]> = [['tangent'], ['one', 'contained']];
  * Looked for until it is of a wanted class. If none is found, the last special one that was seen;
  * if there was none of those, any. (A flat shape's `one` is nothing special, but 'contained' is.)
  */
-function wholeRay(random: Random, { shape }: Placed): Ray {
+function wholeRay(random: Random, { shape }: PlacedSetting): Ray {
   const wanted = pick(random, WANTED);
   const draw = (): Ray => ({
     origin: wholeVector(random, 4),
@@ -124,7 +127,7 @@ function wholeRay(random: Random, { shape }: Placed): Ray {
 /** Families of rays about one shape, called after its kind. */
 export function familiesOfShape(definition: AnyDefinition): readonly Family[] {
   const { kind, title } = definition;
-  const of = (random: Random): Placed => ordinaryShape(random, definition);
+  const of = (random: Random): PlacedSetting => ordinaryShape(random, definition);
   return [
     family({
       id: kind,

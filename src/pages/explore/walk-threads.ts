@@ -19,7 +19,7 @@ interface Box {
   readonly bottom: number;
 }
 
-interface Placed {
+interface TermBox {
   readonly terms: readonly string[];
   readonly box: Box;
 }
@@ -107,7 +107,7 @@ function boxIn(board: Element, element: Element): Box {
   };
 }
 
-function placed(board: Element, step: Element): readonly Placed[] {
+function placed(board: Element, step: Element): readonly TermBox[] {
   return [...step.querySelectorAll('.term[data-terms]')].map((term) => ({
     terms: termsOf(term),
     box: boxIn(board, term.querySelector('math') ?? term),
@@ -117,13 +117,13 @@ function placed(board: Element, step: Element): readonly Placed[] {
 const middle = ({ left, right }: Box): number => (left + right) / 2;
 
 /** Those with nothing of their own line below them, or above them. */
-const lowest = (all: readonly Placed[]): readonly Placed[] =>
+const lowest = (all: readonly TermBox[]): readonly TermBox[] =>
   all.filter(({ box }) => all.every((other) => other.box.top < box.bottom));
-const highest = (all: readonly Placed[]): readonly Placed[] =>
+const highest = (all: readonly TermBox[]): readonly TermBox[] =>
   all.filter(({ box }) => all.every((other) => other.box.bottom > box.top));
 
 /** A bracket over the terms that a square was expanded to, and a stem to it from the square. */
-function squaresTo(squares: readonly Placed[], terms: readonly Placed[]): readonly Thread[] {
+function squaresTo(squares: readonly TermBox[], terms: readonly TermBox[]): readonly Thread[] {
   const free = highest(terms);
   // All brackets are at one height, clear of the highest term.
   const y = Math.min(...free.map(({ box }) => box.top)) - CLEAR - CORNER;
@@ -146,7 +146,7 @@ function squaresTo(squares: readonly Placed[], terms: readonly Placed[]): readon
 }
 
 /** From the terms of the expanded line into the rows of a column, each by a lane of its own. */
-function rowsOf(board: Element, column: Element, terms: readonly Placed[]): readonly Thread[] {
+function rowsOf(board: Element, column: Element, terms: readonly TermBox[]): readonly Thread[] {
   const rows = [...column.querySelectorAll('.walk-row')];
   const { left, top } = boxIn(board, column);
   const free = lowest(terms);

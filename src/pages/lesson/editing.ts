@@ -5,7 +5,7 @@ import { withSteps } from '../../lesson/write.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { editView } from './edit-view.ts';
 import { ownSettings } from './own-lesson.ts';
-import type { Place } from './source.ts';
+import type { LessonStep } from './source.ts';
 
 /** Editing of a step. Editing a lesson that comes with Graze makes an own lesson of it. */
 export function createEditing(dispatch: Dispatch, changed: () => void) {
@@ -14,7 +14,7 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
   const cancel = (): void => {
     draft = null;
   };
-  const put = ({ lesson }: Place, sources: readonly string[], number: number): void => {
+  const put = ({ lesson }: LessonStep, sources: readonly string[], number: number): void => {
     const title = draft?.title.trim() || lesson.title;
     cancel();
     const text = withSteps({ ...lesson, title: title.replaceAll('\n', ' ') }, sources);
@@ -28,12 +28,12 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
     });
     dispatch({ type: 'say', problems: readLesson(text, OWN).problems });
   };
-  const sourcesOf = (place: Place): string[] =>
+  const sourcesOf = (place: LessonStep): string[] =>
     place.lesson.steps.map(({ source }, i) =>
       i === place.number - 1 ? (draft?.text ?? source).trim() : source,
     );
   /** Swaps the step with the one before or after. */
-  const move = (place: Place, by: 1 | -1): void => {
+  const move = (place: LessonStep, by: 1 | -1): void => {
     const sources = sourcesOf(place);
     const at = place.number - 1;
     const [from, to] = [sources[at], sources[at + by]];
@@ -44,13 +44,13 @@ export function createEditing(dispatch: Dispatch, changed: () => void) {
   };
 
   return {
-    begin({ step, lesson }: Place): void {
+    begin({ step, lesson }: LessonStep): void {
       draft = { text: step.source, title: lesson.title };
       changed();
     },
     cancel,
     /** The form in place of the text; null while nothing is edited. */
-    view(place: Place): TemplateResult | null {
+    view(place: LessonStep): TemplateResult | null {
       if (!draft) return null;
       const now = draft;
       return editView({

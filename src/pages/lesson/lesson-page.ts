@@ -29,7 +29,7 @@ import { mountPresenter } from './presenter.ts';
 import { OPENED, projectedWindow } from './projected.ts';
 import { proseTools, valueOnPage } from './prose-tools.ts';
 import { slidersOf } from './sliders.ts';
-import { type Place, placeOf, readSettings } from './source.ts';
+import { type LessonStep, placeOf, readSettings } from './source.ts';
 import { type StepParts, stepView } from './step-view.ts';
 import { type Projected, presenterIn } from './two-windows.ts';
 import './lesson-page.css';
@@ -46,7 +46,7 @@ const firstStep = ({ id, file }: Settings): Settings => ({
 
 /** A step as it was drawn last. */
 interface Shown {
-  readonly place: Place;
+  readonly place: LessonStep;
   readonly inner: AppState;
   readonly model: FullModel | null;
   readonly asked: boolean;
@@ -187,7 +187,7 @@ export const mountLesson: MountPage = (host, context) => {
     return found ? wordsOf(found) : '';
   };
 
-  const showStep = (settings: Settings, place: Place): void => {
+  const showStep = (settings: Settings, place: LessonStep): void => {
     const before = shown;
     const { lesson, number, step } = place;
     const target = asBefore(innerState(step, settings));

@@ -16,7 +16,7 @@ import { spokenName } from '../../text/spoken.ts';
 import { next } from '../commands.ts';
 import { exploreValue } from './prose-tools.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
-import type { Place } from './source.ts';
+import type { LessonStep } from './source.ts';
 import type { Projected } from './two-windows.ts';
 
 /** What the presenter's window shows of a step or of Explore. */
@@ -39,7 +39,7 @@ const ofNext = createDerive(() => closerLook);
 /** A step with its answer and notes; `numbers` are those of another page than Explore. */
 export function stepParts(
   settings: Settings,
-  { lesson, number, step }: Place,
+  { lesson, number, step }: LessonStep,
   numbers: Projected['numbers'],
 ): PresenterParts {
   const following = lesson.steps[number];

@@ -18,14 +18,14 @@ function ownLesson(settings: Settings): ReadLesson | null {
   return last.read;
 }
 
-export interface Place {
+export interface LessonStep {
   readonly lesson: Lesson;
   readonly number: number;
   readonly step: Step;
 }
 
 /** The lesson and the step that settings name; null for the list of lessons. */
-export function placeOf(settings: Settings): Place | null {
+export function placeOf(settings: Settings): LessonStep | null {
   const lesson = safely(settings)?.lesson;
   if (!lesson) return null;
   const number = stepAt(lesson, settings.step);

@@ -6,7 +6,7 @@ import { cameraAxes } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
 /** A thing or a light that is held in the picture. */
-export interface Held {
+export interface DraggedThing {
   /** The scene as it was taken. */
   readonly scene: Scene;
   readonly id: string;
@@ -24,7 +24,7 @@ export const lensOf = ({ camera }: Scene, width: number, height: number): Lens =
 });
 
 /** What is seen at a place of the picture; null for the background. */
-export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Held | null {
+export function thingAt(scene: Scene, seen: Picture, x: number, y: number): DraggedThing | null {
   const { width, height } = seen;
   const pixel = Math.floor(y) * width + Math.floor(x);
   const surface = surfacesOf(scene)[seen.surface[pixel] ?? -1];
@@ -41,7 +41,7 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Held
 
 /** The scene's edit that drags what is held to another place of the picture. */
 export const dragTo = (
-  { scene, id, at, from, lens }: Held,
+  { scene, id, at, from, lens }: DraggedThing,
   x: number,
   y: number,
   along: Along,

@@ -20,7 +20,7 @@ import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraHand } from './camera-hand.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
-import { dragTo, type Held, thingAt } from './drags.ts';
+import { type DraggedThing, dragTo, thingAt } from './drags.ts';
 import { openScene, pictureExports } from './exports.ts';
 import { createGrowth } from './growth.ts';
 import { lateRayTree } from './late-ray-tree.ts';
@@ -137,7 +137,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   };
   /** Key of the picture for which the ledger's last column was requested; '' for none. */
   let counting = '';
-  let held: Held | null = null;
+  let held: DraggedThing | null = null;
   /** The scene in which a light was taken hold of in the view in space. */
   let taken: Scene | null = null;
   let told = '';

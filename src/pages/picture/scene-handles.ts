@@ -7,7 +7,7 @@ import { nudged, spotOf, stepIn } from '../../state/picture/drag.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import { display } from '../../text/format.ts';
 import { watchDrags } from '../../ui/drags.ts';
-import { dragTo, type Held, lensOf } from './drags.ts';
+import { type DraggedThing, dragTo, lensOf } from './drags.ts';
 import './scene-handles.css';
 
 interface HandleTools {
@@ -31,7 +31,7 @@ const EDGE = 20;
  */
 export function createSceneHandles(host: HTMLElement, tools: HandleTools): SceneHandles {
   let picture: PictureSettings | null = null;
-  let held: Held | null = null;
+  let held: DraggedThing | null = null;
 
   const lens = ({ scene, width, height }: PictureSettings) => lensOf(scene, width, height);
   const idOf = (target: EventTarget | null): string | null =>
@@ -150,7 +150,7 @@ function placeOf(scene: Scene, id: string): Vec3 | null {
 
 const isInside = (
   { x, y, depth }: ReturnType<typeof spotOf>,
-  { width, height }: Held['lens'],
+  { width, height }: DraggedThing['lens'],
 ): boolean => depth > 0 && x >= 0 && x <= width && y >= 0 && y <= height;
 
 /** Where its handle is, in percent: at the edge in its direction where it is not in the picture. */

@@ -69,7 +69,7 @@ export interface Wave {
 }
 
 /** A material as numbers; colours are linear light. */
-export interface Look {
+export interface SurfaceMaterial {
   readonly colour: Vec3;
   readonly other: Vec3;
   /**
@@ -102,7 +102,7 @@ export interface WorldLight {
 
 export interface World {
   /** Materials by surface. */
-  readonly looks: readonly Look[];
+  readonly looks: readonly SurfaceMaterial[];
   readonly lights: readonly WorldLight[];
   /** Values of the fields that effects declare for the scene. */
   readonly values: BodyValues;

@@ -1,4 +1,4 @@
-import type { LightBody, Look, World } from './body.ts';
+import type { LightBody, SurfaceMaterial, World } from './body.ts';
 import { addFeeler } from './feelers.ts';
 
 /**
@@ -22,7 +22,7 @@ export const body = (worldOf: (world: World) => { readonly light: string }): Lig
     const chords = tools.through(feelers, lit.light);
     if (!fades) return;
     for (const { surface, lengths } of chords) {
-      const { absorption } = world.looks[surface] as Look;
+      const { absorption } = world.looks[surface] as SurfaceMaterial;
       for (let j = 0; j < feelers.count; j++) {
         const chord = lengths[j] as number;
         if (chord === 0) continue;

@@ -1,5 +1,5 @@
 import { fresnel } from '../optics.ts';
-import type { BounceBody, Look, Wave } from './body.ts';
+import type { BounceBody, SurfaceMaterial, Wave } from './body.ts';
 import { bent, cosineOf, mirrored } from './bounce.ts';
 
 const COLOURS = ['red', 'green', 'blue'] as const;
@@ -8,7 +8,9 @@ const COLOURS = ['red', 'green', 'blue'] as const;
  * Fires what glass makes of red and blue, each by its own index, and takes them from the ray, so
  * that refraction, which comes next, has green alone to fire.
  */
-export const body = (glassOf: (look: Look) => { readonly spread: number }): BounceBody => ({
+export const body = (
+  glassOf: (look: SurfaceMaterial) => { readonly spread: number },
+): BounceBody => ({
   at: 'bounce',
   run(wave, { looks }, tools, all) {
     const next = tools.next(4 * wave.hitCount);
@@ -34,7 +36,7 @@ export const body = (glassOf: (look: Look) => { readonly spread: number }): Boun
     };
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const look = looks[wave.surface[i] as number] as Look;
+      const look = looks[wave.surface[i] as number] as SurfaceMaterial;
       const { index, mirror, shine } = look;
       const { spread } = glassOf(look);
       if (index === 0 || spread === 0) {

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../math/index.ts';
-import { colour, number, oneOf, type Read } from '../reader.ts';
+import { colour, number, oneOf, type Reader } from '../reader.ts';
 import type { Colour, EffectValues } from '../types.ts';
 
 /*
@@ -9,7 +9,7 @@ import type { Colour, EffectValues } from '../types.ts';
  */
 
 /** What a field is part of. */
-export type Place = 'scene' | 'material' | 'light';
+export type FieldOwner = 'scene' | 'material' | 'light';
 
 interface Common {
   /** Label in the form, with the effect's name: 'fog density'. */
@@ -46,7 +46,7 @@ export type FieldValue = number | string;
 /** All fields of one effect at one place. */
 export interface FieldSet<
   Id extends string = string,
-  P extends Place = Place,
+  P extends FieldOwner = FieldOwner,
   F extends Fields = Fields,
 > {
   readonly effect: Id;
@@ -57,7 +57,7 @@ export interface FieldSet<
 /** Keeps the literal types, from which those of the values are derived. */
 export const defineFields = <
   const Id extends string,
-  const P extends Place,
+  const P extends FieldOwner,
   const F extends Fields,
 >(
   effect: Id,
@@ -78,7 +78,7 @@ type ValueOf<F extends Field> = F extends NumberField
 
 /** The owner's values, with defaults for the fields that it leaves out. */
 export function valuesOf<F extends Fields>(
-  { effect, fields }: FieldSet<string, Place, F>,
+  { effect, fields }: FieldSet<string, FieldOwner, F>,
   { effects }: Owner,
 ): { readonly [K in keyof F]: ValueOf<F[K]> } {
   const given = effects?.[effect];
@@ -106,7 +106,7 @@ export function withValue<O extends Owner>(
 }
 
 /** Reads a field's value; throws InvalidInput that quotes it. */
-export function readerOf(field: Field): Read<FieldValue> {
+export function readerOf(field: Field): Reader<FieldValue> {
   if (field.type === 'number') return number(...field.range);
   return field.type === 'colour' ? colour : oneOf(field.options.map(([value]) => value));
 }
@@ -121,6 +121,6 @@ type BodyValueOf<F extends Field> = F extends ColourField ? Vec3 : ValueOf<F>;
  * to its body, which does not import the descriptor.
  */
 export const bodyValues =
-  <F extends Fields>({ effect }: FieldSet<string, Place, F>) =>
+  <F extends Fields>({ effect }: FieldSet<string, FieldOwner, F>) =>
   ({ values }: { readonly values: BodyValues }) =>
     values[effect] as { readonly [K in keyof F]: BodyValueOf<F[K]> };

@@ -1,11 +1,11 @@
-import type { Look, PaintBody, Wave } from './body.ts';
+import type { PaintBody, SurfaceMaterial, Wave } from './body.ts';
 
 export const body: PaintBody = {
   at: 'paint',
   run(wave, { looks }, all) {
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const look = looks[wave.surface[i] as number] as Look;
+      const look = looks[wave.surface[i] as number] as SurfaceMaterial;
       if (look.pattern.length === 0 && !all) continue;
       const colour = isOdd(wave, i, look) ? look.other : look.colour;
       wave.paintR[i] = colour[0];
@@ -16,7 +16,7 @@ export const body: PaintBody = {
 };
 
 /** Whether the hit is in an odd cube or slice of the pattern. */
-function isOdd(wave: Wave, i: number, { pattern, size }: Look): boolean {
+function isOdd(wave: Wave, i: number, { pattern, size }: SurfaceMaterial): boolean {
   let sum = 0;
   for (const axis of pattern) {
     const at = axis === 0 ? wave.Px[i] : axis === 1 ? wave.Py[i] : wave.Pz[i];

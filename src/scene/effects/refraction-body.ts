@@ -1,5 +1,5 @@
 import { fresnel } from '../optics.ts';
-import type { BounceBody, Look } from './body.ts';
+import type { BounceBody, SurfaceMaterial } from './body.ts';
 import { bent, cosineOf, mirrored, weightOf } from './bounce.ts';
 
 export const body: BounceBody = {
@@ -10,7 +10,7 @@ export const body: BounceBody = {
     let refracted = 0;
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const { index, mirror, shine } = looks[wave.surface[i] as number] as Look;
+      const { index, mirror, shine } = looks[wave.surface[i] as number] as SurfaceMaterial;
       const forced = index === 0 && all && wave.depth === 0;
       if (index === 0 && !forced) continue;
       const share = forced ? 0 : (1 - mirror) * (1 - shine);

@@ -5,10 +5,10 @@ import type {
   Glass,
   Material,
   Paint,
-  Placed,
   Scene,
   Shine,
   SunLight,
+  Thing,
 } from '../types.ts';
 
 /** A scene that comes with Graze. */
@@ -62,14 +62,14 @@ export const DAYLIGHT: SunLight = {
 };
 
 /** A round table, whose top is at height 0. */
-export const table = (radius: number, paint: Colour | Paint = '#e2dbce'): Placed => ({
+export const table = (radius: number, paint: Colour | Paint = '#e2dbce'): Thing => ({
   id: 'table',
   shape: { kind: 'circle', normal: [0, 1, 0], center: [0, 0, 0], radius },
   material: material(paint),
 });
 
 /** A floor at height y. */
-export const floor = (paint: Colour | Paint, y = 0): Placed => ({
+export const floor = (paint: Colour | Paint, y = 0): Thing => ({
   id: 'floor',
   shape: { kind: 'plane', normal: [0, 1, 0], point: [0, y, 0] },
   material: material(paint),
@@ -80,4 +80,4 @@ export const ball = (
   center: readonly [number, number, number],
   radius: number,
   of: Material,
-): Placed => ({ id, shape: { kind: 'sphere', center, radius }, material: of });
+): Thing => ({ id, shape: { kind: 'sphere', center, radius }, material: of });

@@ -1,4 +1,4 @@
-import type { Placed } from '../types.ts';
+import type { Thing } from '../types.ts';
 import {
   BLUE,
   ball,
@@ -15,11 +15,11 @@ import {
 const COLOURS = [VIOLET, SAND, BLUE, TEAL];
 
 /** Thing k of a grid of ten by ten, with kinds in turn. */
-export function thing(k: number): Placed {
+export function thing(k: number): Thing {
   const x = (k % 10) * 1.2 - 5.4;
   const z = Math.floor(k / 10) * -1.2;
   const paint = material(COLOURS[(k + Math.floor(k / 10)) % 4] ?? VIOLET);
-  const kinds: readonly Placed[] = [
+  const kinds: readonly Thing[] = [
     ball(`ball ${k}`, [x, 0.4, z], 0.4, paint),
     {
       id: `cone ${k}`,

@@ -230,7 +230,7 @@ export async function connectXapi(
       ...(isNews ? completedStatements(report, launch, around) : []),
     ];
   };
-  const stateFor = ({ state, place, complete }: CourseReport): Kept => ({
+  const stateFor = ({ state, place, complete }: CourseReport): StoredSession => ({
     ...{ state, place, complete, told },
   });
   /** Statements that were not taken yet: they go first the next time. */
@@ -261,16 +261,16 @@ export async function connectXapi(
 }
 
 /** What a record store keeps of a session. */
-interface Kept {
+interface StoredSession {
   readonly state: string;
   readonly place: number;
   readonly complete: boolean;
   readonly told: string;
 }
 
-const NOTHING_KEPT: Kept = { state: '', place: 0, complete: false, told: '' };
+const NOTHING_KEPT: StoredSession = { state: '', place: 0, complete: false, told: '' };
 
-function stateIn(text: string): Kept {
+function stateIn(text: string): StoredSession {
   let value: unknown;
   try {
     value = JSON.parse(text);

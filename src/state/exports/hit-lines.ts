@@ -5,10 +5,13 @@ import type { ExploreModel } from '../derive.ts';
 import type { CapHit } from '../ended.ts';
 import { CAP_NAMES } from '../ends.ts';
 import type { HitWords } from '../words.ts';
-import { DIGITS, equation, type Line, number } from './line.ts';
+import { DIGITS, type ExportLine, equation, number } from './line.ts';
 
 /** Lines for every root on the page, with its point and normal; also for a rejected one. */
-export function hitLines<M>({ hits, found, ended }: ExploreModel, marks: Marks<M>): Line<M>[] {
+export function hitLines<M>(
+  { hits, found, ended }: ExploreModel,
+  marks: Marks<M>,
+): ExportLine<M>[] {
   const { details } = found;
   const plane = details.family === 'flat' ? details.plane : null;
   const roots = hits.flatMap((words, i) =>
@@ -20,7 +23,7 @@ export function hitLines<M>({ hits, found, ended }: ExploreModel, marks: Marks<M
 }
 
 /** Lines for a way through a cap. */
-function capLines<M>({ end, hit, text }: CapHit, marks: Marks<M>): Line<M>[] {
+function capLines<M>({ end, hit, text }: CapHit, marks: Marks<M>): ExportLine<M>[] {
   return [
     equation(
       marks.symbol('t', 'scalar'),
@@ -36,7 +39,7 @@ function rootLines<M>(
   { index, t, text }: HitWords,
   hit: Hit | undefined,
   marks: Marks<M>,
-): Line<M>[] {
+): ExportLine<M>[] {
   const root = marks.indexed('t', index);
   const lines = [equation(root, number(t, marks), text)];
   if (!hit) return lines;
@@ -54,7 +57,11 @@ function rootLines<M>(
 }
 
 /** Lines for a point X of the plane outside of the figure, which is no hit. */
-function rejectedLines<M>({ t, text }: HitWords, hit: PlaneHit | null, marks: Marks<M>): Line<M>[] {
+function rejectedLines<M>(
+  { t, text }: HitWords,
+  hit: PlaneHit | null,
+  marks: Marks<M>,
+): ExportLine<M>[] {
   return [
     equation(marks.symbol('t', 'scalar'), number(t, marks), text),
     ...(hit ? [equation(marks.symbol('X', 'vector'), numberTriple(hit.point, marks, DIGITS))] : []),

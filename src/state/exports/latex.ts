@@ -1,7 +1,7 @@
 import { LATEX, latexText } from '../../math/formula.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { Export } from './define.ts';
-import type { Line } from './line.ts';
+import type { ExportLine } from './line.ts';
 import { derivationLines } from './lines.ts';
 
 /** The derivation as one display; needs amsmath and nothing else. */
@@ -19,7 +19,7 @@ export function derivationLatex(model: ExploreModel): string {
 }
 
 /** Lines as one display, aligned at their relations; `what` they are, in a comment above. */
-export function latexDisplay(what: string, lines: readonly Line<string>[]): string {
+export function latexDisplay(what: string, lines: readonly ExportLine<string>[]): string {
   return [
     `% ${what}: \\usepackage{amsmath}`,
     '\\[',
@@ -31,7 +31,7 @@ export function latexDisplay(what: string, lines: readonly Line<string>[]): stri
 }
 
 /** A line of the `align` environment, aligned at its relation. */
-function row({ left, relation, right, words }: Line<string>): string {
+function row({ left, relation, right, words }: ExportLine<string>): string {
   const sign = relation === null ? '' : LATEX.operator(relation).trimStart();
   const said = words && latexText(words);
   return [left ?? '', ' &', sign, [right, said].filter(Boolean).join(' \\quad ')].join('').trim();

@@ -1,7 +1,7 @@
 import { type Marks, numberPiece, type PrintedSign as Sign } from '../../math/formula.ts';
 
 /** One line of the derivation: left, a relation, right, and what it means in words. */
-export interface Line<M> {
+export interface ExportLine<M> {
   /** Null if the line continues the one before, or has nothing to align. */
   readonly left: M | null;
   readonly relation: Sign | null;
@@ -14,6 +14,6 @@ export const DIGITS = 6;
 
 export const number = <M>(x: number, marks: Marks<M>): M => numberPiece(x, marks, DIGITS).m;
 
-export function equation<M>(left: M | null, right: M, words = ''): Line<M> {
+export function equation<M>(left: M | null, right: M, words = ''): ExportLine<M> {
   return { left, relation: '=', right, words };
 }

@@ -13,10 +13,10 @@ import type { ExploreModel } from '../derive.ts';
 import { exactParts, rangeNote, shownResult } from '../exact-digits.ts';
 import { putIn, resultsOf } from '../put-in.ts';
 import { hitLines } from './hit-lines.ts';
-import { DIGITS, equation, type Line, number } from './line.ts';
+import { DIGITS, type ExportLine, equation, number } from './line.ts';
 
 /** The page's algebra from the ray to the hits: symbols, numbers, value, in the page's digits. */
-export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M>[] {
+export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): ExportLine<M>[] {
   const { derivation, contradicted, ended, found, exactly } = model;
   const range = rangeNote(derivation, found, exactly);
   return [
@@ -39,7 +39,7 @@ export function derivationLines<M>(model: ExploreModel, marks: Marks<M>): Line<M
   ];
 }
 
-const wordsLine = <M>(words: string): Line<M> => ({
+const wordsLine = <M>(words: string): ExportLine<M> => ({
   left: null,
   relation: null,
   right: null,
@@ -50,27 +50,28 @@ const wordsLine = <M>(words: string): Line<M> => ({
  * Lines for E, d and the shape's parameters. The derivation's numbers also hold A, B, C and D,
  * which are results and are left out here.
  */
-function given<M>({ derivation }: ExploreModel, marks: Marks<M>): Line<M>[] {
+function given<M>({ derivation }: ExploreModel, marks: Marks<M>): ExportLine<M>[] {
   const { scalars, vectors } = derivation.numbers;
   const results = new Set(derivation.steps.map(({ id }) => id));
   const { E, d, X: _, ...shape } = vectors;
   const inOrder = Object.entries({ ...(E && { E }), ...(d && { d }), ...shape });
   return [
     ...inOrder.map(
-      ([id, v]): Line<M> => equation(marks.symbol(id, 'vector'), numberTriple(v, marks, DIGITS)),
+      ([id, v]): ExportLine<M> =>
+        equation(marks.symbol(id, 'vector'), numberTriple(v, marks, DIGITS)),
     ),
     ...Object.entries(scalars)
       .filter(([id]) => !results.has(id) && !/^[xyz]$/.test(id))
-      .map(([id, x]): Line<M> => equation(marks.symbol(id, 'scalar'), number(x, marks))),
+      .map(([id, x]): ExportLine<M> => equation(marks.symbol(id, 'scalar'), number(x, marks))),
   ];
 }
 
-function relationLine<M>({ left, relation, right }: Relation, marks: Marks<M>): Line<M> {
+function relationLine<M>({ left, relation, right }: Relation, marks: Marks<M>): ExportLine<M> {
   return { left: inSymbols(left, marks), relation, right: inSymbols(right, marks), words: '' };
 }
 
 /** Lines of a step. A quantity without a letter has its symbols on the left. */
-function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): Line<M>[] {
+function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): ExportLine<M>[] {
   const { id, letter, expr, value, worked } = step;
   const { derivation, found, exactly } = model;
   const symbols = inSymbols(expr, marks);
@@ -82,7 +83,7 @@ function stepLines<M>(step: Step, model: ExploreModel, marks: Marks<M>): Line<M>
   const right = marks.join(parts.flatMap((m, i) => (i > 0 ? [marks.operator(sign), m] : [m])));
   // A line without a result leads to the roots in the lines below it.
   const relation = result === null ? sign : '=';
-  const lines: Line<M>[] = letter ? [equation(inSymbols(letter, marks), symbols)] : [];
+  const lines: ExportLine<M>[] = letter ? [equation(inSymbols(letter, marks), symbols)] : [];
   if (parts.length === 0) return lines;
   return [...lines, { left: letter ? null : symbols, relation, right, words: '' }];
 }
@@ -106,7 +107,7 @@ function conditionLines<M>(
   { relation, left, right, holds }: ConditionStep,
   { derivation }: ExploreModel,
   marks: Marks<M>,
-): Line<M>[] {
+): ExportLine<M>[] {
   const put = (expr: Expr, value: number): M =>
     relation.left.op === 'norm'
       ? number(value, marks)
@@ -122,7 +123,7 @@ function conditionLines<M>(
   ];
 }
 
-function verdictLine<M>({ verdict, derivation }: ExploreModel, marks: Marks<M>): Line<M> {
+function verdictLine<M>({ verdict, derivation }: ExploreModel, marks: Marks<M>): ExportLine<M> {
   const comparisons = verdict.relations.flatMap(({ left, relation, right }, i) => [
     ...(i > 0 ? [marks.operator(',')] : []),
     quantity(left, derivation.steps, marks),

@@ -30,7 +30,7 @@ import {
 } from '../../scene/camera-ray.ts';
 import type { Camera } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
-import { equation, type Line, number } from '../exports/line.ts';
+import { type ExportLine, equation, number } from '../exports/line.ts';
 import { type PutIn, putInSideBySide, valuesAsResults } from '../put-in.ts';
 
 /** A pixel, and which of its rays. */
@@ -261,13 +261,13 @@ export function givenPiece<M>(id: string, { numbers }: CameraSteps, marks: Marks
 }
 
 /** All of it as lines to copy, in the same digits as on the page. */
-export function cameraLines<M>(ray: PixelRay, marks: Marks<M>): readonly Line<M>[] {
+export function cameraLines<M>(ray: PixelRay, marks: Marks<M>): readonly ExportLine<M>[] {
   const steps = cameraSteps(ray);
   return (['camera', 'pixel'] as const).flatMap((of) => [
     ...givenOf(of, steps).map((id) =>
       equation(symbolOf(id, steps.numbers, marks), givenPiece(id, steps, marks)),
     ),
-    ...steps.lines.flatMap((line): Line<M>[] => {
+    ...steps.lines.flatMap((line): ExportLine<M>[] => {
       if (line.of !== of) return [];
       const { letter, symbols, numbers, isTriple, isFaithful } = writeLine(line, steps, marks);
       const value = listed(

@@ -14,8 +14,8 @@ import {
   type Light,
   type Material,
   type Paint,
-  type Placed,
   type Scene,
+  type Thing,
 } from '../../scene/types.ts';
 import { validateScene } from '../../scene/validate.ts';
 import { initialShape } from '../state.ts';
@@ -34,7 +34,7 @@ export function refusalOf(scene: Scene): string | null {
 }
 
 /** A thing with one parameter of its shape changed. If it moves, its heights move with it. */
-export function withParam(thing: Placed, param: Param, value: Vec3 | number | string): Placed {
+export function withParam(thing: Thing, param: Param, value: Vec3 | number | string): Thing {
   const shape = { ...thing.shape, [param.key]: value } as Shape;
   const before = (thing.shape as unknown as Readonly<Record<string, Vec3>>)[param.key];
   const up = isPlace(param) ? (value as Vec3)[1] - (before?.[1] ?? 0) : 0;
@@ -44,7 +44,7 @@ export function withParam(thing: Placed, param: Param, value: Vec3 | number | st
 }
 
 /** The thing cut off at two heights about its anchor, or no longer cut off. */
-export function withHeights(thing: Placed, on: boolean): Placed {
+export function withHeights(thing: Thing, on: boolean): Thing {
   const { between: _, capped: __, ...whole } = thing;
   if (!on) return whole;
   const { at, size } = definitionOf(thing.shape).anchor(thing.shape);
@@ -71,7 +71,7 @@ export function withGlass(material: Material, on: boolean): Material {
 }
 
 /** A new grey thing on the floor beside the others; an endless flat one is a floor or a wall. */
-export function newThing(scene: Scene, kind: ShapeKind): Placed {
+export function newThing(scene: Scene, kind: ShapeKind): Thing {
   const unit = viewSize(scene);
   const { target } = scene.camera;
   // Flat things face the camera.
@@ -92,14 +92,14 @@ export function newThing(scene: Scene, kind: ShapeKind): Placed {
 export function exploredThing(
   scene: Scene,
   shape: Shape,
-  between: Placed['between'] | null,
+  between: Thing['between'] | null,
   caps: boolean,
-): Placed {
+): Thing {
   const ends = between && canBeCapped(shape) ? { between, capped: caps } : {};
   return addedTo(scene, { shape, ...ends });
 }
 
-function addedTo(scene: Scene, thing: Pick<Placed, 'shape' | 'between' | 'capped'>): Placed {
+function addedTo(scene: Scene, thing: Pick<Thing, 'shape' | 'between' | 'capped'>): Thing {
   const id = freeId(scene, wordFor(thing.shape));
   return placed(scene, { id, ...thing, material: GREY });
 }
@@ -108,7 +108,7 @@ function addedTo(scene: Scene, thing: Pick<Placed, 'shape' | 'between' | 'capped
  * Heights for what is unbounded and round: about its anchor, or to the one side of it where its
  * circles begin there. It is no wider than high.
  */
-function endsFor(shape: Shape, unit: number): Pick<Placed, 'between' | 'capped'> {
+function endsFor(shape: Shape, unit: number): Pick<Thing, 'between' | 'capped'> {
   const { box, circleAt } = definitionOf(shape).body;
   if (!circleAt || box(shape, null)) return {};
   const y = definitionOf(shape).anchor(shape).at[1];
@@ -163,7 +163,7 @@ export function asLight(light: Light, kind: Light['light'], target: Vec3): Light
 }
 
 /** What a thing is, in a few words, as far as its name does not say it. */
-export function thingWords(scene: Scene, { id, shape, material }: Placed): string {
+export function thingWords(scene: Scene, { id, shape, material }: Thing): string {
   const word = wordFor(shape);
   const { name } = definitionOf(shape).named(shape);
   const isSaid = nameIn(scene, id).split(' ').includes(word);

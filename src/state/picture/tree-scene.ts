@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import { nameIn } from '../../scene/names.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
-import type { Light, Placed, Scene } from '../../scene/types.ts';
+import type { Light, Scene, Thing } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';
 
 /** A ray of the tree in space, clipped to what the space view shows. */
@@ -85,7 +85,7 @@ const flat = (node: RayNode, path: string): Named[] => [
  * A stage about the hit points. It holds the hit shapes whole if they are no larger than a few
  * times the spread of the points.
  */
-function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Placed[]): Stage {
+function stageOf(scene: Scene, nodes: readonly Named[], near: readonly Thing[]): Stage {
   const hits = nodes.flatMap(({ node: { end, ray } }) =>
     end.end === 'hit' ? [end.point] : end.end === 'blocked' ? [along(ray, end.t)] : [],
   );
@@ -152,7 +152,7 @@ function nearest(origin: Vec3, unit: Vec3, { center, radius }: Stage): Vec3 {
   return plus(origin, unit, t - LONG * radius);
 }
 
-function figureOf(things: readonly Placed[], stage: Stage): Figure {
+function figureOf(things: readonly Thing[], stage: Stage): Figure {
   const patches = things.flatMap(({ shape, between }) => {
     const own = between ? { ...stage, low: between[0], high: between[1] } : stage;
     const drawn = definitionOf(shape).draw(shape, own).patches;

@@ -1,18 +1,24 @@
 import { describe, expect, test } from 'vitest';
 import {
   type Box,
+  type LabelRequest,
   labelMarks,
   overlap,
   spread,
-  type Wish,
 } from '../../../src/charts/mark-labels.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import { many } from '../many.ts';
 
 const FRAME: Box = { left: 40, top: 10, width: 540, height: 280 };
-const wish = (x: number, y: number, width = 80): Wish => ({ x, y, radius: 5, width, height: 16 });
+const wish = (x: number, y: number, width = 80): LabelRequest => ({
+  x,
+  y,
+  radius: 5,
+  width,
+  height: 16,
+});
 
-function collisions(wishes: readonly Wish[], taken: readonly Box[] = []): string[] {
+function collisions(wishes: readonly LabelRequest[], taken: readonly Box[] = []): string[] {
   const placed = labelMarks(wishes, FRAME, taken);
   const marks = wishes.map(({ x, y, radius: r }) => ({
     left: x - r,

@@ -3,7 +3,10 @@ import { describe, expect, test } from 'vitest';
 import { pose } from '../../../src/check/compose.ts';
 import { courseOf } from '../../../src/check/course.ts';
 import { EXERCISES } from '../../../src/check/exercises/index.ts';
-import { type Line as CheckLine, linesOf as linesOfCheck } from '../../../src/check/lines.ts';
+import {
+  type DerivationLine as CheckLine,
+  linesOf as linesOfCheck,
+} from '../../../src/check/lines.ts';
 import { hintsOf, solutionOf } from '../../../src/check/solution.ts';
 import type { Expr } from '../../../src/math/formula/expr.ts';
 import { inNumbers } from '../../../src/math/formula/print/leaves.ts';

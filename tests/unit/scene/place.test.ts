@@ -5,7 +5,7 @@ import { addThing } from '../../../src/scene/edit.ts';
 import { boxWithin, viewSize } from '../../../src/scene/place.ts';
 import { PRESETS } from '../../../src/scene/presets/index.ts';
 import { boxOf } from '../../../src/scene/surfaces.ts';
-import type { Placed, Scene } from '../../../src/scene/types.ts';
+import type { Scene, Thing } from '../../../src/scene/types.ts';
 import { newThing } from '../../../src/state/picture/edits.ts';
 import { cameraAxes } from '../../../src/tracer/camera.ts';
 
@@ -21,23 +21,23 @@ const FLOORS: Readonly<Record<string, number>> = Object.fromEntries(
   }),
 );
 
-const bounded = (thing: Placed) => {
+const bounded = (thing: Thing) => {
   const box = boxOf(thing);
   if (!box) throw new Error(`${thing.id} has no box`);
   return box;
 };
 
 /** Things stand on round floors, whose boxes they are in. */
-const isFloor = (other: Placed, { low, high }: ReturnType<typeof bounded>): boolean => {
+const isFloor = (other: Thing, { low, high }: ReturnType<typeof bounded>): boolean => {
   const box = boxOf(other);
   return !box || box.high[0] - box.low[0] > 20 * (high[0] - low[0]);
 };
 
 /** Each kind of shape that ends, one after the other, twice. */
-function filled(scene: Scene): { readonly scene: Scene; readonly added: readonly Placed[] } {
+function filled(scene: Scene): { readonly scene: Scene; readonly added: readonly Thing[] } {
   const kinds = SHAPES.map(({ kind }) => kind).filter((kind) => boxOf(newThing(scene, kind)));
   let now = scene;
-  const added: Placed[] = [];
+  const added: Thing[] = [];
   for (const kind of [...kinds, ...kinds]) {
     const thing = newThing(now, kind);
     added.push(thing);

@@ -4,7 +4,7 @@ import { pick, seeded, uniform } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { plain } from '../../../src/scene/presets/plain.ts';
-import type { Material, Placed, Scene } from '../../../src/scene/types.ts';
+import type { Material, Scene, Thing } from '../../../src/scene/types.ts';
 import { validateScene } from '../../../src/scene/validate.ts';
 import { picture } from './tracing.ts';
 
@@ -16,13 +16,13 @@ const material = (mirror: number, glass: boolean): Material => ({
   mirror,
   ...(glass ? { glass: { index: 1.5, absorption: [0.1, 0.2, 0.3] } } : {}),
 });
-const placed = (id: string, shape: Shape, more: Partial<Placed> = {}): Placed => ({
+const placed = (id: string, shape: Shape, more: Partial<Thing> = {}): Thing => ({
   id,
   shape,
   material: material(0, false),
   ...more,
 });
-const sceneOf = (things: readonly Placed[], more: Partial<Scene> = {}): Scene =>
+const sceneOf = (things: readonly Thing[], more: Partial<Scene> = {}): Scene =>
   validateScene({
     ...plain.scene,
     things,
@@ -105,7 +105,7 @@ function randomScene(seed: number): Scene {
     () => ({ kind: 'square', corner: at(), side: size(), axis: pick(random, ['x', 'y', 'z']) }),
     () => ({ kind: 'plane', normal: [0, 1, 0], point: [0, uniform(random, -1, 0), 0] }),
   ];
-  const things = Array.from({ length: 3 + (seed % 7) }, (_, k): Placed => {
+  const things = Array.from({ length: 3 + (seed % 7) }, (_, k): Thing => {
     const shape = (shapes[Math.floor(random() * shapes.length)] ?? shapes[0])?.() ?? cylinder;
     const cut = random() < 0.8 ? { between: [0, uniform(random, 0.5, 2)] as const } : {};
     const capped = random() < 0.5 ? { capped: true } : {};

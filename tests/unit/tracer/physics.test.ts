@@ -5,7 +5,7 @@ import { coneOnMirror } from '../../../src/scene/presets/cone-on-mirror.ts';
 import { everything } from '../../../src/scene/presets/everything.ts';
 import { facingMirrors } from '../../../src/scene/presets/facing-mirrors.ts';
 import { glass as glassPreset } from '../../../src/scene/presets/glass.ts';
-import type { Material, Placed, Scene } from '../../../src/scene/types.ts';
+import type { Material, Scene, Thing } from '../../../src/scene/types.ts';
 import { encoded, level, linear } from '../../../src/tracer/colour.ts';
 import type { RayNode } from '../../../src/tracer/types.ts';
 import { HALF_A_LEVEL, MOST_BOUNCES } from '../../../src/tracer/weight.ts';
@@ -25,7 +25,7 @@ const glassOf = (index: number, sigma = 0): Material => ({
  * Everything white and equally bright: whatever is put in, every pixel stays white if no energy is
  * gained or lost.
  */
-const furnace = (things: readonly Placed[], camera: Scene['camera']): Scene => ({
+const furnace = (things: readonly Thing[], camera: Scene['camera']): Scene => ({
   title: 'furnace',
   camera,
   background: { low: '#ffffff', high: '#ffffff' },
@@ -34,17 +34,17 @@ const furnace = (things: readonly Placed[], camera: Scene['camera']): Scene => (
   lights: [],
 });
 
-const plane = (id: string, y: number, up: 1 | -1, material: Material): Placed => ({
+const plane = (id: string, y: number, up: 1 | -1, material: Material): Thing => ({
   id,
   shape: { kind: 'plane', normal: [0, up, 0], point: [0, y, 0] },
   material,
 });
 /** Glass between y = 0 and y = `thick`. */
-const slab = (index: number, thick: number, sigma = 0): Placed[] => [
+const slab = (index: number, thick: number, sigma = 0): Thing[] => [
   plane('top', thick, 1, glassOf(index, sigma)),
   plane('bottom', 0, -1, glassOf(index, sigma)),
 ];
-const ball = (material: Material, radius = 1): Placed => ({
+const ball = (material: Material, radius = 1): Thing => ({
   id: 'ball',
   shape: { kind: 'hyperboloid', center: [0, 0, 0], flare: -1, radius },
   material,
@@ -221,7 +221,7 @@ test('each colour fades by its own σ', async () => {
 describe('light on its way', () => {
   const floorSeen: Scene['camera'] = { eye: [0, 1, 1e-6], target: [0, 0, 0], angle: 1 };
   const under = (
-    things: readonly Placed[],
+    things: readonly Thing[],
     light: Partial<Scene['lights'][number]> = {},
   ): Scene => ({
     ...furnace([plane('floor', 0, 1, white), ...things], floorSeen),
@@ -250,13 +250,13 @@ describe('light on its way', () => {
   });
 
   test('fades in glass as e^(−σ · chord): a ball, a closed cylinder, planes', async () => {
-    const ball: Placed = {
+    const ball: Thing = {
       id: 'ball',
       shape: { kind: 'sphere', center: [2, 1.5, 0], radius: 0.5 },
       material: coloured,
     };
     expect(await seen(under([ball]))).toEqual(afterGlass(1));
-    const drum: Placed = {
+    const drum: Thing = {
       id: 'drum',
       shape: { kind: 'cylinder', center: [2, 0, 0], radius: 1 },
       between: [1.2, 1.8],
@@ -267,7 +267,7 @@ describe('light on its way', () => {
     expect(await seen(under([drum]))).toEqual(afterGlass(1));
     const planes = [plane('top', 2, 1, coloured), plane('bottom', 1.4, -1, coloured)];
     expect(await seen(under(planes))).toEqual(afterGlass(1));
-    const higher = planes.map((one, k): Placed => {
+    const higher = planes.map((one, k): Thing => {
       const point: Vec3 = [0, k ? 2.2 : 2.5, 0];
       return { ...one, shape: { kind: 'plane', normal: [0, k ? -1 : 1, 0], point } };
     });
@@ -275,7 +275,7 @@ describe('light on its way', () => {
   });
 
   test('from within glass the rest of the way counts', async () => {
-    const around: Placed = {
+    const around: Thing = {
       id: 'around',
       shape: { kind: 'sphere', center: [0, 0, 0], radius: 2 },
       material: coloured,
@@ -301,7 +301,7 @@ describe('energy', () => {
 
   test('in a white furnace nothing white is seen: paint, mirrors, clear glass', async () => {
     const camera: Scene['camera'] = { eye: [0.3, 2, 6], target: [0, 0.2, 0], angle: 40 };
-    const things: Placed[] = [
+    const things: Thing[] = [
       plane('floor', -1, 1, white),
       { ...ball(glassOf(1.5)), id: 'glass' },
       {
@@ -419,18 +419,18 @@ describe('pixels against analytic values, to a level', () => {
 
   test('a mirror shows what stands at the mirrored place', async () => {
     const camera: Scene['camera'] = { eye: [0, 1, 6], target: [0, 1, 0], angle: 40 };
-    const things = (z: number): Placed[] => [
+    const things = (z: number): Thing[] => [
       {
         ...ball(painted, 0.6),
         shape: { kind: 'hyperboloid', center: [1, 1, z], flare: -1, radius: 0.6 },
       },
     ];
-    const mirror: Placed = {
+    const mirror: Thing = {
       id: 'mirror',
       shape: { kind: 'square', corner: [-20, -20, 0], side: 40, axis: 'z' },
       material: { ...white, mirror: 1 },
     };
-    const scene = (list: readonly Placed[]): Scene => ({
+    const scene = (list: readonly Thing[]): Scene => ({
       ...furnace(list, camera),
       background: { low: '#000000', high: '#ffffff' },
       ambient: 0.5,

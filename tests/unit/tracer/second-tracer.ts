@@ -1,5 +1,5 @@
 import { seeded } from '../../../src/math/rng.ts';
-import type { Light, Placed, Scene } from '../../../src/scene/types.ts';
+import type { Light, Scene, Thing } from '../../../src/scene/types.ts';
 
 /*
  * A second tracer, plain and slow: one ray at a time, by recursion, with formulas of its own, in
@@ -38,7 +38,7 @@ const byte = (x: number): number => {
 
 /** A round shape, or a part of a plane. */
 interface Surface {
-  readonly thing: Placed;
+  readonly thing: Thing;
   /** Roots in ascending order. */
   roots(E: V, d: V): readonly number[];
   normal(p: V): V;
@@ -48,7 +48,7 @@ interface Surface {
 }
 
 /** x² + z² + ky² + ly = c about a point: every round shape of the course. */
-function round(thing: Placed, C: V, k: number, l: number, c: number): Surface {
+function round(thing: Thing, C: V, k: number, l: number, c: number): Surface {
   return {
     thing,
     flat: false,
@@ -70,7 +70,7 @@ function round(thing: Placed, C: V, k: number, l: number, c: number): Surface {
   };
 }
 
-function flat(thing: Placed, N: V, P: V, inside: (p: V) => boolean): Surface {
+function flat(thing: Thing, N: V, P: V, inside: (p: V) => boolean): Surface {
   const n = norm(N);
   return {
     thing,
@@ -86,7 +86,7 @@ function flat(thing: Placed, N: V, P: V, inside: (p: V) => boolean): Surface {
 
 const UNIT: Readonly<Record<string, V>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
-function surfacesOf(thing: Placed): Surface[] {
+function surfacesOf(thing: Thing): Surface[] {
   const s = thing.shape as unknown as Fields & { kind: string; axis: 'x' | 'y' | 'z' };
   const disc = (N: V, C: V, r: number): Surface =>
     flat(thing, N, C, (p) => dot(add(p, C, -1), add(p, C, -1)) <= r * r);

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { leavesBox, type Move, type Place, target } from '../../../src/ui/tab-stops.ts';
+import { type ItemBox, leavesBox, type Move, target } from '../../../src/ui/tab-stops.ts';
 
 /** Items of 30 × 20 px in rows of these lengths, 10 px apart. */
-const rows = (...lengths: readonly number[]): Place[] =>
+const rows = (...lengths: readonly number[]): ItemBox[] =>
   lengths.flatMap((length, row) =>
     Array.from({ length }, (_, i) => ({
       left: 40 * i,
@@ -12,7 +12,7 @@ const rows = (...lengths: readonly number[]): Place[] =>
     })),
   );
 
-const go = (move: Move, at: number, places: readonly Place[]): number =>
+const go = (move: Move, at: number, places: readonly ItemBox[]): number =>
   target(move, at, places.length, () => places);
 
 describe('where a key leads to', () => {

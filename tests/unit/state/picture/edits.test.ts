@@ -4,7 +4,7 @@ import { definitionOf } from '../../../../src/math/shapes.ts';
 import { addLight, addThing } from '../../../../src/scene/edit.ts';
 import { sceneFromJson, sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
-import type { Light, Placed } from '../../../../src/scene/types.ts';
+import type { Light, Thing } from '../../../../src/scene/types.ts';
 import { validateScene } from '../../../../src/scene/validate.ts';
 import {
   asLight,
@@ -20,7 +20,7 @@ import {
   withPattern,
 } from '../../../../src/state/picture/edits.ts';
 
-const CONE: Placed = {
+const CONE: Thing = {
   id: 'cone',
   shape: { kind: 'cone', vertex: [1, 2, 3], slope: 0.5 },
   material: {
@@ -31,7 +31,7 @@ const CONE: Placed = {
   between: [0, 2],
   capped: true,
 };
-const param = (thing: Placed, key: string) => {
+const param = (thing: Thing, key: string) => {
   const found = definitionOf(thing.shape).params.find((p) => p.key === key);
   if (!found) throw new Error(key);
   return found;
@@ -81,7 +81,7 @@ describe('a thing', () => {
   });
 
   test('a normal is no place', () => {
-    const circle: Placed = {
+    const circle: Thing = {
       ...CONE,
       shape: { kind: 'circle', normal: [0, 1, 0], center: [0, 0, 0], radius: 1 },
     };
