@@ -44,7 +44,7 @@ const lengthOf = (vector: string): Expr =>
 export const DISTANCE = lengthOf('F');
 
 /** g, the direction of view. */
-export const GAZE: ExprTriple = alongAxes((axis) => over(comp('F', axis), scalar('λ')));
+export const VIEW_DIRECTION: ExprTriple = alongAxes((axis) => over(comp('F', axis), scalar('λ')));
 
 const level = root(plus(squared(comp('g', 'z')), squared(comp('g', 'x'))));
 
@@ -87,12 +87,12 @@ export const upwards = (alone: boolean): Expr =>
   minus(num(1), over(times(num(2), plus(scalar('y'), middle('j', alone))), H));
 
 /** D, from the eye to the ray's point of the picture at distance 1. */
-export const THROUGH: ExprTriple = alongAxes((axis) =>
+export const TO_PIXEL: ExprTriple = alongAxes((axis) =>
   plus(comp('g', axis), times(u, comp('R', axis)), times(v, comp('U', axis))),
 );
 
 /** μ = |D| */
-export const STRETCH = lengthOf('D');
+export const PIXEL_DISTANCE = lengthOf('D');
 
 /** d, of length 1. */
 export const DIRECTION: ExprTriple = alongAxes((axis) => over(comp('D', axis), scalar('μ')));
@@ -114,7 +114,7 @@ export function cameraNumbers(
   const F = evaluateTriple(TO_TARGET, float64, given);
   const { near, scale } = inRange(F);
   const λ = Math.sqrt(squaredNorm(near, float64));
-  const g = evaluateTriple(GAZE, float64, { scalars: { λ }, vectors: { F: near } });
+  const g = evaluateTriple(VIEW_DIRECTION, float64, { scalars: { λ }, vectors: { F: near } });
   const seen = withVector(withScalars(withVector(given, 'F', F), { λ: λ / scale }), 'g', g);
   const flat = { scalars: {}, vectors: { g: inRange([g[0], 0, g[2]]).near } };
   const s = evaluateTriple(isSteep(seen) ? STEEP_SIDE : SIDE, float64, flat);
@@ -146,7 +146,7 @@ export function pixelNumbers(
     u: evaluate(across(alone), float64, values),
     v: evaluate(upwards(alone), float64, values),
   });
-  const D = withVector(shifted, 'D', evaluateTriple(THROUGH, float64, shifted));
-  const stretched = withScalars(D, { μ: evaluate(STRETCH, float64, D) });
+  const D = withVector(shifted, 'D', evaluateTriple(TO_PIXEL, float64, shifted));
+  const stretched = withScalars(D, { μ: evaluate(PIXEL_DISTANCE, float64, D) });
   return withVector(stretched, 'd', evaluateTriple(DIRECTION, float64, stretched));
 }

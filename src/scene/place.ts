@@ -31,16 +31,16 @@ const ASPECT = 1.4;
  */
 export function placed(scene: Scene, thing: Thing): Thing {
   const box = boxOf(thing);
-  return box ? standing(scene, thing, box) : bounding(scene, thing);
+  return box ? placedOnFloor(scene, thing, box) : asFloorOrWall(scene, thing);
 }
 
-function standing(scene: Scene, thing: Thing, box: Box): Thing {
+function placedOnFloor(scene: Scene, thing: Thing, box: Box): Thing {
   const size = viewSize(scene);
-  const foot = footOf(box, size);
+  const foot = footprintOf(box, size);
   const floors = surfacesOf(scene).filter((surface) => isWide(surface, foot, size));
-  const sight = sightOf(scene.camera);
+  const frameFor = frameIn(scene.camera);
   const boxes = scene.things.map((one) => boxOf(one));
-  const frames = boxes.map((one) => one && sight(one));
+  const frames = boxes.map((one) => one && frameFor(one));
   const places = placesAbout(scene, size);
   const { target } = scene.camera;
   let best = { at: target, cost: Number.POSITIVE_INFINITY };
@@ -63,7 +63,7 @@ function standing(scene: Scene, thing: Thing, box: Box): Thing {
           },
     );
     if (others.some((other) => overlaps(other, there, scene.camera, size))) continue;
-    const frame = sight(there);
+    const frame = frameFor(there);
     const hides = ({ frame: other, thing: one }: Other): boolean =>
       isOver(frame, other) || (!other && crosses(one, scene.camera.eye, middleOf(there)));
     const lacks =
@@ -75,10 +75,10 @@ function standing(scene: Scene, thing: Thing, box: Box): Thing {
   return moved(thing, [at[0] - foot.x, at[1] - foot.low, at[2] - foot.z]);
 }
 
-function bounding(scene: Scene, thing: Thing): Thing {
+function asFloorOrWall(scene: Scene, thing: Thing): Thing {
   const size = viewSize(scene);
   const { eye, target } = scene.camera;
-  const foot: Foot = { x: 0, z: 0, low: 0, wide: 0, deep: 0, high: 0 };
+  const foot: Footprint = { x: 0, z: 0, low: 0, wide: 0, deep: 0, high: 0 };
   const surfaces = surfacesOf(scene);
   const floors = surfaces.filter((surface) => isWide(surface, foot, size));
   const floor = floorAt(scene, floors, [target[0], target[2]], foot, size);
@@ -129,7 +129,7 @@ export function boxWithin({ shape, between }: Thing, heights: Heights): Box | nu
 const heightsOf = ({ low, high }: Box): Heights => [low[1], high[1]];
 
 /** What a thing takes up: the middle of its box, its lowest height, and half its extents. */
-interface Foot {
+interface Footprint {
   readonly x: number;
   readonly z: number;
   readonly low: number;
@@ -139,7 +139,7 @@ interface Foot {
 }
 
 /** Numbers of a box are a little larger than the thing: each is the shortest one that is near. */
-function footOf({ low, high }: Box, size: number): Foot {
+function footprintOf({ low, high }: Box, size: number): Footprint {
   const all = [...low, ...high].map(Math.abs);
   const short = (x: number): number => shortest(x, Math.max(size, ...all));
   return {
@@ -187,12 +187,12 @@ interface Floor {
   readonly thing: number;
 }
 
-/** The highest floor below the eye that is under all of a foot. */
+/** The highest floor below the eye that is under all of a footprint. */
 function floorAt(
   { camera: { eye, target } }: Scene,
   floors: readonly Surface[],
   [x, z]: readonly [number, number],
-  foot: Foot,
+  foot: Footprint,
   size: number,
 ): Floor | null {
   let best: Floor | null = null;
@@ -205,14 +205,14 @@ function floorAt(
 }
 
 /** Whether a surface could be a floor: wide, or endless. */
-function isWide(surface: Surface, { wide, deep }: Foot, size: number): boolean {
+function isWide(surface: Surface, { wide, deep }: Footprint, size: number): boolean {
   const box = boxOf(surface);
   const least = WIDE * 2 * Math.max(wide, deep, size);
   return !box || (box.high[0] - box.low[0] >= least && box.high[2] - box.low[2] >= least);
 }
 
-/** The height of a level surface under a foot: where it is highest; null where it is not level. */
-function heightUnder({ shape, between }: Surface, x: number, z: number, foot: Foot) {
+/** The largest height of a level surface under a footprint; null where it is not level. */
+function heightUnder({ shape, between }: Surface, x: number, z: number, foot: Footprint) {
   const solid = (between ? { ...shape, between } : shape) as Solid;
   const { wide, deep } = foot;
   let most = -Infinity;
@@ -236,7 +236,7 @@ function heightUnder({ shape, between }: Surface, x: number, z: number, foot: Fo
 
 const isLevel = (normal: Vec3): boolean => Math.abs(normal[1]) >= LEVEL * Math.hypot(...normal);
 
-const boxAt = ([x, y, z]: Vec3, { wide, deep, high }: Foot): Box => ({
+const boxAt = ([x, y, z]: Vec3, { wide, deep, high }: Footprint): Box => ({
   low: [x - wide, y, z - deep],
   high: [x + wide, y + high, z + deep],
 });
@@ -268,7 +268,7 @@ interface Frame {
 }
 
 /** Where a box is seen by the camera; null if it is not all ahead. */
-function sightOf(camera: Camera): (box: Box) => Frame | null {
+function frameIn(camera: Camera): (box: Box) => Frame | null {
   const { g = [], R = [], U = [] } = cameraNumbers(camera, 1, 1).vectors;
   return (box) => {
     const spots = cornersOf(box).map((corner) => {

@@ -1,4 +1,4 @@
-import type { Feelers } from '../scene/effects/body.ts';
+import type { ShadowRays } from '../scene/effects/body.ts';
 import { askBoxed, type Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';
 import type { Scratch } from './scratch.ts';
@@ -10,17 +10,17 @@ import type { Target } from './world.ts';
  * whole line misses a surface are sorted out first, for which no root has to be computed.
  */
 export function findBlocked(
-  feelers: Feelers,
+  shadowRays: ShadowRays,
   groups: Groups,
   targets: readonly Target[],
   tMin: number,
   scratch: Scratch,
   tally: Tally,
 ): void {
-  const { count, rays, from, blocker, limit, t } = feelers;
+  const { count, rays, from, blocker, limit, t } = shadowRays;
   scratch.need(count);
   const asker = scratch.asker();
-  asker.begin(feelers, count);
+  asker.begin(shadowRays, count);
   blocker.fill(NOTHING, 0, count);
   t.set(limit.subarray(0, count));
 
@@ -57,7 +57,7 @@ export function findBlocked(
 
   askBoxed(
     groups,
-    feelers,
+    shadowRays,
     scratch,
     (k, list, n) => ask(targets[k] as Target, list, n),
     (list, n) => free(list, n, list),

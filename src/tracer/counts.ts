@@ -1,4 +1,4 @@
-import type { EffectBody, Feelers, Wave } from '../scene/effects/body.ts';
+import type { EffectBody, ShadowRays, Wave } from '../scene/effects/body.ts';
 import type { EffectId } from '../scene/effects/index.ts';
 import { newKinds, newTally, type Tally } from './ledger.ts';
 import type { Cost, Ledger, PixelWork, RayKind } from './types.ts';
@@ -10,7 +10,7 @@ export interface Part<B extends EffectBody = EffectBody> {
   readonly all: boolean;
 }
 
-type Asked = Pick<Wave | Feelers, 'count' | 'sample' | 'asked' | 'found'>;
+type Asked = Pick<Wave | ShadowRays, 'count' | 'sample' | 'asked' | 'found'>;
 
 /** Counters while rays are traced. */
 export interface Counts {

@@ -1,4 +1,4 @@
-import type { Chords, Feelers, Wave } from '../scene/effects/body.ts';
+import type { Chords, ShadowRays, Wave } from '../scene/effects/body.ts';
 import { type HeightsEffect, startOf } from './ask.ts';
 import { findBlocked } from './blocked.ts';
 import { groupsOf } from './groups.ts';
@@ -13,9 +13,9 @@ interface Finder {
   /** Puts the nearest hit of each ray of the wave into t and surface. */
   nearest(wave: Wave, tally: Tally): void;
   /** Puts a surface that blocks light before the limit into blocker. */
-  blocked(feelers: Feelers, tally: Tally): void;
-  /** How far each feeler runs through the glass of each coloured surface before its limit. */
-  through(feelers: Feelers, tally: Tally): readonly Chords[];
+  blocked(shadowRays: ShadowRays, tally: Tally): void;
+  /** How far each shadow ray runs through the glass of each coloured surface before its limit. */
+  through(shadowRays: ShadowRays, tally: Tally): readonly Chords[];
 }
 
 /**
@@ -50,6 +50,7 @@ export function createFinder(
       targets,
       scratch,
     ),
-    blocked: (feelers, tally) => findBlocked(feelers, blocking, targets, tMin, scratch, tally),
+    blocked: (shadowRays, tally) =>
+      findBlocked(shadowRays, blocking, targets, tMin, scratch, tally),
   };
 }

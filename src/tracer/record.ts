@@ -39,7 +39,7 @@ export function createRecorder({ lights }: Scene): TreeRecorder {
         wave.node[i] = nodes.push(node) - 1;
       }
     },
-    feelers({ count, rays, from, blocker, t, node }, light) {
+    shadowRays({ count, rays, from, blocker, t, node }, light) {
       const id = lights[light.index]?.id ?? '';
       for (let k = 0; k < count; k++) {
         const surface = blocker[k] as number;

@@ -49,10 +49,10 @@ export function meet(wave: Wave, { targets }: TracerWorld): void {
 }
 
 /** Sets the paint's colour, and the ambient light. */
-export function paint(wave: Wave, { looks }: TracerWorld, ambient: number): void {
+export function paint(wave: Wave, { materials }: TracerWorld, ambient: number): void {
   for (let h = 0; h < wave.hitCount; h++) {
     const i = wave.hits[h] as number;
-    const { colour } = looks[wave.surface[i] as number] as SurfaceMaterial;
+    const { colour } = materials[wave.surface[i] as number] as SurfaceMaterial;
     wave.paintR[i] = colour[0];
     wave.paintG[i] = colour[1];
     wave.paintB[i] = colour[2];
@@ -66,13 +66,13 @@ export function paint(wave: Wave, { looks }: TracerWorld, ambient: number): void
 }
 
 /** Lists the hits that face the light and whose material shows light. */
-export function face(wave: Wave, { looks }: TracerWorld, light: WorldLight, lit: Lit): void {
+export function face(wave: Wave, { materials }: TracerWorld, light: WorldLight, lit: Lit): void {
   const [ax, ay, az] = light.at;
   let n = 0;
   for (let h = 0; h < wave.hitCount; h++) {
     const i = wave.hits[h] as number;
-    const look = looks[wave.surface[i] as number] as SurfaceMaterial;
-    if (look.matte === 0 && (look.shine === 0 || look.glossy === 0)) continue;
+    const material = materials[wave.surface[i] as number] as SurfaceMaterial;
+    if (material.matte === 0 && (material.shine === 0 || material.glossy === 0)) continue;
     let x = ax;
     let y = ay;
     let z = az;
@@ -133,7 +133,7 @@ export const adderOf =
 /** Adds each ray's light to its sample, in the order of the wave. */
 export function gather(
   wave: Wave,
-  { looks }: TracerWorld,
+  { materials }: TracerWorld,
   { low, high }: Background,
   film: Film,
 ): void {
@@ -141,12 +141,12 @@ export function gather(
   const above = linear(high);
   for (let i = 0; i < wave.count; i++) {
     const at = 3 * (wave.sample[i] as number);
-    const look = looks[wave.surface[i] as number];
+    const material = materials[wave.surface[i] as number];
     let r: number;
     let g: number;
     let b: number;
-    if (look) {
-      const { matte } = look;
+    if (material) {
+      const { matte } = material;
       r =
         matte * (wave.paintR[i] as number) * (wave.lightR[i] as number) +
         (wave.glossR[i] as number);

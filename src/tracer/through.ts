@@ -1,5 +1,5 @@
 import { createAnswers, createRays, kernelArray } from '../math/batch.ts';
-import type { Chords, Feelers } from '../scene/effects/body.ts';
+import type { Chords, ShadowRays } from '../scene/effects/body.ts';
 import { dropStart } from '../scene/start.ts';
 import { copyRay } from './ask.ts';
 import { askBoxed, type Groups } from './groups.ts';
@@ -23,9 +23,9 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
   let rays = createRays(0, kernelArray);
   let out = createAnswers(0, kernelArray);
 
-  return (feelers: Feelers, tally: Tally): readonly Chords[] => {
-    const { count, from, limit, asked, found } = feelers;
-    feelers.rays.count = count;
+  return (shadowRays: ShadowRays, tally: Tally): readonly Chords[] => {
+    const { count, from, limit, asked, found } = shadowRays;
+    shadowRays.rays.count = count;
     asked.fill(0, 0, count);
     found.fill(0, 0, count);
     scratch.need(count);
@@ -46,7 +46,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
           const y = (rays.Ey[k] as number) + t * (rays.dy[k] as number);
           // A missing root is NaN, for which each comparison is false.
           if (!(t > 0 && t < (limit[j] as number) && y >= low && y <= high)) continue;
-          crossings[j]?.push({ t, surface, leaves: leavesAt(target, feelers, j, t) });
+          crossings[j]?.push({ t, surface, leaves: leavesAt(target, shadowRays, j, t) });
           found[j] = (found[j] as number) + 1;
           tally.roots += 1;
         }
@@ -57,7 +57,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
       let starts = false;
       for (let k = 0; k < n; k++) {
         const j = list[k] as number;
-        copyRay(feelers.rays, j, rays, k);
+        copyRay(shadowRays.rays, j, rays, k);
         asked[j] = (asked[j] as number) + 1;
         starts ||= from[j] === target.surface;
       }
@@ -72,7 +72,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
     }
 
     for (const target of groups.open) ask(target, scratch.everyone(), count);
-    askBoxed(groups, feelers, scratch, (k, list, n) => ask(targets[k] as Target, list, n));
+    askBoxed(groups, shadowRays, scratch, (k, list, n) => ask(targets[k] as Target, list, n));
     const lengths = new Map<number, Float64Array>();
     crossings.forEach((of, j) => {
       let before = 0;
@@ -95,7 +95,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
 }
 
 /** Whether a ray runs along the surface's normal at t, which points out of its glass. */
-function leavesAt({ gradient }: Target, { rays }: Feelers, j: number, t: number): boolean {
+function leavesAt({ gradient }: Target, { rays }: ShadowRays, j: number, t: number): boolean {
   const [dx, dy, dz] = [rays.dx[j] as number, rays.dy[j] as number, rays.dz[j] as number];
   const [nx, ny, nz] = gradient.at(
     (rays.Ex[j] as number) + t * dx,

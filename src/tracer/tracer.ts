@@ -1,11 +1,18 @@
-import type { EffectBody, Feelers, Lit, Tools, Wave, WorldLight } from '../scene/effects/body.ts';
+import type {
+  EffectBody,
+  Lit,
+  ShadowRays,
+  Tools,
+  Wave,
+  WorldLight,
+} from '../scene/effects/body.ts';
 import type { Scene } from '../scene/types.ts';
 import { type Counts, createCounts, type Part } from './counts.ts';
 import { createFinder } from './find.ts';
 import type { Tally } from './ledger.ts';
 import { adderOf, type Film, face, gather, light, meet, paint } from './shade.ts';
 import { type Ledger, NOTHING, type PixelWork, type RayKind, type TraceSettings } from './types.ts';
-import { capacityOf, clear, createFeelers, createLit, createWave, withRoom } from './wave.ts';
+import { capacityOf, clear, createLit, createShadowRays, createWave, withRoom } from './wave.ts';
 import { brightest, HALF_A_LEVEL, MOST_BOUNCES } from './weight.ts';
 import { worldOf } from './world.ts';
 
@@ -16,7 +23,7 @@ export interface Recorder {
    * own.
    */
   wave(wave: Wave): void;
-  feelers(feelers: Feelers, light: WorldLight): void;
+  shadowRays(shadowRays: ShadowRays, light: WorldLight): void;
 }
 
 export interface Engine {
@@ -57,7 +64,7 @@ export function createEngine(
   const those = <K extends EffectBody['at']>(at: K): Part<At<K>>[] =>
     parts.filter((part): part is Part<At<K>> => part.body.at === at);
   const [heights] = those('roots');
-  const ways = those('way');
+  const ways = those('medium');
   const paints = those('paint');
   const lights = those('light');
   const glosses = those('gloss');
@@ -83,7 +90,7 @@ export function createEngine(
     settings.boxless ? Number.POSITIVE_INFINITY : undefined,
   );
   const bounces = Math.min(settings.bounces ?? MOST_BOUNCES, MOST_BOUNCES);
-  let feelers = createFeelers(4096);
+  let shadowRays = createShadowRays(4096);
   let lits: Lit[] = [];
   let first = createWave(0);
   let generation = 0;
@@ -107,18 +114,18 @@ export function createEngine(
     return {
       lightSamples: settings.lightSamples,
       next,
-      feelers(count) {
-        if (feelers.limit.length < count) feelers = createFeelers(2 * count);
-        feelers.count = 0;
-        return feelers;
+      shadowRays(count) {
+        if (shadowRays.limit.length < count) shadowRays = createShadowRays(2 * count);
+        shadowRays.count = 0;
+        return shadowRays;
       },
-      feel(asked, about) {
+      findBlockers(asked, about) {
         const tally = counts.tallyOf(id);
         asked.rays.count = asked.count;
         counts.fire(id, 'shadow', asked.count);
         finder.blocked(asked, tally);
         counts.spent(asked, shadowKind);
-        watching?.feelers(asked, about);
+        watching?.shadowRays(asked, about);
       },
       through(asked, about) {
         const tally = counts.tallyOf(id);
@@ -127,7 +134,7 @@ export function createEngine(
         counts.spent(asked, shadowKind);
         asked.blocker.fill(NOTHING, 0, asked.count);
         asked.t.set(asked.limit.subarray(0, asked.count));
-        watching?.feelers(asked, about);
+        watching?.shadowRays(asked, about);
         return chords;
       },
       worth(weight) {

@@ -1,5 +1,5 @@
 import { createRays, kernelArray } from '../math/batch.ts';
-import type { Feelers, Lit, Wave, WorldLight } from '../scene/effects/body.ts';
+import type { Lit, ShadowRays, Wave, WorldLight } from '../scene/effects/body.ts';
 
 const doubles = (n: number): Float64Array => new Float64Array(n);
 const whole = (n: number): Int32Array => new Int32Array(n);
@@ -82,7 +82,7 @@ export function clear(wave: Wave, depth: number): void {
   wave.depth = depth;
 }
 
-export function createFeelers(capacity: number): Feelers {
+export function createShadowRays(capacity: number): ShadowRays {
   return {
     count: 0,
     rays: createRays(capacity, kernelArray),

@@ -1,4 +1,4 @@
-import type { WayBody, World } from '../scene/effects/body.ts';
+import type { MediumBody, World } from '../scene/effects/body.ts';
 import { STEEPEST } from './colour.ts';
 
 /*
@@ -28,10 +28,10 @@ export const MOST_BOUNCES = 64;
  * ray of the last generation shows at most s(L), one before it s(s(L)), and so on. The first body's
  * light is the nearest, so it comes last.
  */
-export function brightest(world: World, ambient: number, ways: readonly WayBody[]): number {
-  const { looks, lights } = world;
+export function brightest(world: World, ambient: number, ways: readonly MediumBody[]): number {
+  const { materials, lights } = world;
   const light = lights.reduce((sum, { colour }) => sum + Math.max(...colour), 0);
-  const shine = looks.reduce((most, look) => Math.max(most, look.shine), 0);
+  const shine = materials.reduce((most, material) => Math.max(most, material.shine), 0);
   let most = Math.max(1, ambient + (1 + shine) * light);
   for (let generation = 0; generation <= MOST_BOUNCES; generation++) {
     for (const way of ways.toReversed()) most = way.brightest(world, most);

@@ -57,7 +57,9 @@ export function worldOf(
   const materials = surfaces.map(({ thing }) => scene.things[thing]?.material as Material);
   return {
     surfaces,
-    looks: materials.map((material, k) => lookOf(material, surfaces[k]?.shape as Shape)),
+    materials: materials.map((material, k) =>
+      materialNumbers(material, surfaces[k]?.shape as Shape),
+    ),
     lights: scene.lights.map(lightOf),
     values: bodyValuesOf('scene', scene),
     targets: surfaces.map((surface, k): Target => {
@@ -143,7 +145,7 @@ function bodyValuesOf(place: FieldOwner, owner: Owner): BodyValues {
   return Object.fromEntries(sets);
 }
 
-function lookOf(material: Material, shape: Shape): SurfaceMaterial {
+function materialNumbers(material: Material, shape: Shape): SurfaceMaterial {
   const { paint, shine, mirror, glass } = material;
   const plain = linear(paint.colour);
   return {

@@ -3,7 +3,7 @@ import { pictureActions } from '../../src/pages/picture/page-actions.ts';
 import { lightForm } from '../../src/panels/picture-light.ts';
 import { thingForm } from '../../src/panels/picture-thing.ts';
 import { worldForm } from '../../src/panels/picture-world.ts';
-import type { WayBody, WorldLight } from '../../src/scene/effects/body.ts';
+import type { MediumBody, WorldLight } from '../../src/scene/effects/body.ts';
 import { fieldRows } from '../../src/scene/effects/declared.ts';
 import { readerOf, valuesOf, withValue } from '../../src/scene/effects/fields.ts';
 import { EFFECTS } from '../../src/scene/effects/index.ts';
@@ -333,8 +333,8 @@ describe('what is not worth a ray', () => {
   test('the bound holds for as many generations as there can be', async () => {
     const values = { fog: { density: 1, colour: [2, 3, 5] }, glow: { feeds: 'glow', power: 7 } };
     const light = { colour: [0.5, 0.25, 0.5], values } as never as WorldLight;
-    const world = { looks: [{ shine: 0.5, values }], lights: [light], values } as never;
-    const ways = (await Promise.all([fog.load(), glow.load()])) as WayBody[];
+    const world = { materials: [{ shine: 0.5, values }], lights: [light], values } as never;
+    const ways = (await Promise.all([fog.load(), glow.load()])) as MediumBody[];
     const bound = brightest(world, 0.25, ways);
     for (const through of [0, 0.5, 1]) {
       // Perfect mirrors: what a ray shows at its start is what the one before it gets.

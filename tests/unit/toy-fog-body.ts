@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../src/math/vec3.ts';
-import type { WayBody, World } from '../../src/scene/effects/body.ts';
+import type { MediumBody, World } from '../../src/scene/effects/body.ts';
 
 /** Density in 1/length; the colour is linear light. */
 interface Air {
@@ -7,8 +7,8 @@ interface Air {
   readonly colour: Vec3;
 }
 
-export const body = (airOf: (world: World) => Air): WayBody => ({
-  at: 'way',
+export const body = (airOf: (world: World) => Air): MediumBody => ({
+  at: 'medium',
   run(wave, world, _all, add) {
     const { density, colour } = airOf(world);
     for (let i = 0; i < wave.count; i++) {

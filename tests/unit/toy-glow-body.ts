@@ -1,10 +1,15 @@
 import type { Vec3 } from '../../src/math/vec3.ts';
-import type { SurfaceMaterial, WayBody, World, WorldLight } from '../../src/scene/effects/body.ts';
+import type {
+  MediumBody,
+  SurfaceMaterial,
+  World,
+  WorldLight,
+} from '../../src/scene/effects/body.ts';
 
 export const body = (
-  auraOf: (look: SurfaceMaterial) => { readonly power: number },
+  auraOf: (material: SurfaceMaterial) => { readonly power: number },
   lampOf: (light: WorldLight) => { readonly feeds: string },
-): WayBody => {
+): MediumBody => {
   /** The light of all lamps that feed it. */
   const fed = ({ lights }: World): Vec3 =>
     lights
@@ -12,12 +17,12 @@ export const body = (
       .map(({ colour }) => colour)
       .reduce<Vec3>(([r, g, b], [x, y, z]) => [r + x, g + y, b + z], [0, 0, 0]);
   return {
-    at: 'way',
+    at: 'medium',
     run(wave, world, _all, add) {
       const [r, g, b] = fed(world);
       for (let i = 0; i < wave.count; i++) {
-        const look = world.looks[wave.surface[i] as number];
-        const power = look ? auraOf(look).power : 0;
+        const material = world.materials[wave.surface[i] as number];
+        const power = material ? auraOf(material).power : 0;
         const red = power * (wave.red[i] as number);
         const green = power * (wave.green[i] as number);
         const blue = power * (wave.blue[i] as number);
@@ -25,7 +30,7 @@ export const body = (
       }
     },
     brightest(world, behind) {
-      const powers = world.looks.map((look) => auraOf(look).power);
+      const powers = world.materials.map((material) => auraOf(material).power);
       return behind + Math.max(0, ...powers) * Math.max(...fed(world));
     },
   };

@@ -28,8 +28,8 @@ export interface CurvedFormula {
 }
 
 /**
- * All three curved shapes are (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ about an axis parallel to y. They
- * differ in the symbol of the centre, in a (none for the cylinder, c² for the cone, a for the
+ * Cylinder, cone and hyperboloid are (x−Cx)² + (z−Cz)² = a(y−Cy)² + ρ about an axis parallel to y.
+ * They differ in the symbol of the centre, in a (none for the cylinder, c² for the cone, a for the
  * hyperboloid) and in ρ (none for the cone).
  */
 export interface AxialQuadric {

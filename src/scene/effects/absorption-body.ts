@@ -1,12 +1,13 @@
-import type { WayBody } from './body.ts';
+import type { MediumBody } from './body.ts';
 
-export const body: WayBody = {
-  at: 'way',
-  run(wave, { looks }, all) {
+export const body: MediumBody = {
+  at: 'medium',
+  run(wave, { materials }, all) {
     for (let i = 0; i < wave.count; i++) {
       const medium = wave.medium[i] as number;
-      const look = looks[medium];
-      if (look) fade(wave.red, wave.green, wave.blue, i, look.absorption, chordOf(wave.t, i));
+      const material = materials[medium];
+      if (material)
+        fade(wave.red, wave.green, wave.blue, i, material.absorption, chordOf(wave.t, i));
       else if (all) fade(wave.red, wave.green, wave.blue, i, CLEAR, chordOf(wave.t, i));
     }
   },

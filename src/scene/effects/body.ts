@@ -102,7 +102,7 @@ export interface WorldLight {
 
 export interface World {
   /** Materials by surface. */
-  readonly looks: readonly SurfaceMaterial[];
+  readonly materials: readonly SurfaceMaterial[];
   readonly lights: readonly WorldLight[];
   /** Values of the fields that effects declare for the scene. */
   readonly values: BodyValues;
@@ -129,7 +129,7 @@ export interface Lit {
 }
 
 /** Shadow rays: is anything hit before t = limit? */
-export interface Feelers {
+export interface ShadowRays {
   count: number;
   readonly rays: Rays;
   readonly limit: Float64Array;
@@ -147,22 +147,22 @@ export interface Feelers {
   readonly found: Int32Array;
 }
 
-/** By feeler, the length that ends where it leaves the surface's glass. */
+/** By shadow ray, the length that ends where it leaves the surface's glass. */
 export interface Chords {
   readonly surface: number;
   readonly lengths: Float64Array;
 }
 
 export interface Tools {
-  /** Empty arrays for so many feelers. */
-  feelers(count: number): Feelers;
-  /** Sets their blockers, and counts them as shadow rays of the effect (feelers.ts fills them). */
-  feel(feelers: Feelers, light: WorldLight): void;
+  /** Empty arrays for so many shadow rays. */
+  shadowRays(count: number): ShadowRays;
+  /** Sets their blockers, and counts them for the effect; shadow-rays.ts fills them. */
+  findBlockers(shadowRays: ShadowRays, light: WorldLight): void;
   /**
-   * How far each feeler runs, before its limit, through the glass of each coloured surface. Counts
-   * them as shadow rays of the effect.
+   * How far each shadow ray runs, before its limit, through the glass of each coloured surface.
+   * Counts them for the effect.
    */
-  through(feelers: Feelers, light: WorldLight): readonly Chords[];
+  through(shadowRays: ShadowRays, light: WorldLight): readonly Chords[];
   /** The wave for the effect's rays of the next generation, with room for `count` more. */
   next(count: number): Wave;
   /**
@@ -179,7 +179,7 @@ export interface Tools {
  * `all` in the functions below: the effect was forced on, so it is simulated everywhere, with a
  * share of 0 if the material does not have it. This takes time and changes no bit of the picture.
  */
-export type EffectBody = RootsBody | WayBody | PaintBody | LightBody | GlossBody | BounceBody;
+export type EffectBody = RootsBody | MediumBody | PaintBody | LightBody | GlossBody | BounceBody;
 
 /** Chooses between both roots: puts the first that counts into t0, NaN if none does. */
 export interface RootsBody {
@@ -207,8 +207,8 @@ export interface CutOff {
 export type AddLight = (i: number, red: number, green: number, blue: number) => void;
 
 /** Changes the light between the ray's start and its hit. */
-export interface WayBody {
-  readonly at: 'way';
+export interface MediumBody {
+  readonly at: 'medium';
   /** Multiplies each ray's weight by the share that passes, and adds light from along the ray. */
   run(wave: Wave, world: World, all: boolean, add: AddLight): void;
   /**

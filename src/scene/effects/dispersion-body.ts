@@ -9,10 +9,10 @@ const COLOURS = ['red', 'green', 'blue'] as const;
  * that refraction, which comes next, has green alone to fire.
  */
 export const body = (
-  glassOf: (look: SurfaceMaterial) => { readonly spread: number },
+  glassOf: (material: SurfaceMaterial) => { readonly spread: number },
 ): BounceBody => ({
   at: 'bounce',
-  run(wave, { looks }, tools, all) {
+  run(wave, { materials }, tools, all) {
     const next = tools.next(4 * wave.hitCount);
     const fired = { reflected: 0, refracted: 0 };
     /** Leaves a ray nothing but the colour; its weight was that of the whole ray. */
@@ -36,9 +36,9 @@ export const body = (
     };
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const look = looks[wave.surface[i] as number] as SurfaceMaterial;
-      const { index, mirror, shine } = look;
-      const { spread } = glassOf(look);
+      const material = materials[wave.surface[i] as number] as SurfaceMaterial;
+      const { index, mirror, shine } = material;
+      const { spread } = glassOf(material);
       if (index === 0 || spread === 0) {
         // Forced where nothing disperses: one ray of weight 0 for each camera ray that hits.
         if (all && wave.depth === 0) {

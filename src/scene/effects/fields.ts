@@ -117,8 +117,8 @@ export type BodyValues = Readonly<Record<string, Readonly<Record<string, number 
 type BodyValueOf<F extends Field> = F extends ColourField ? Vec3 : ValueOf<F>;
 
 /**
- * Reads an effect's own values from a world, a look or a light. The descriptor passes this function
- * to its body, which does not import the descriptor.
+ * Reads an effect's own values from a world, a material or a light. The descriptor passes this
+ * function to its body, which does not import the descriptor.
  */
 export const bodyValues =
   <F extends Fields>({ effect }: FieldSet<string, FieldOwner, F>) =>

@@ -3,11 +3,11 @@ import type { GlossBody, SurfaceMaterial } from './body.ts';
 /** Phong 1975: the cosine between the mirrored light and the way back along the ray, to a power. */
 export const body: GlossBody = {
   at: 'gloss',
-  run(wave, lit, { looks }, all) {
+  run(wave, lit, { materials }, all) {
     const [red, green, blue] = lit.light.colour;
     for (let k = 0; k < lit.count; k++) {
       const i = lit.ray[k] as number;
-      const { shine, exponent, glossy } = looks[wave.surface[i] as number] as SurfaceMaterial;
+      const { shine, exponent, glossy } = materials[wave.surface[i] as number] as SurfaceMaterial;
       const reach = lit.reach[k] as number;
       if ((shine === 0 && !all) || reach === 0) continue;
       const twice = 2 * (lit.cosine[k] as number);

@@ -2,12 +2,12 @@ import type { PaintBody, SurfaceMaterial, Wave } from './body.ts';
 
 export const body: PaintBody = {
   at: 'paint',
-  run(wave, { looks }, all) {
+  run(wave, { materials }, all) {
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const look = looks[wave.surface[i] as number] as SurfaceMaterial;
-      if (look.pattern.length === 0 && !all) continue;
-      const colour = isOdd(wave, i, look) ? look.other : look.colour;
+      const material = materials[wave.surface[i] as number] as SurfaceMaterial;
+      if (material.pattern.length === 0 && !all) continue;
+      const colour = isOdd(wave, i, material) ? material.other : material.colour;
       wave.paintR[i] = colour[0];
       wave.paintG[i] = colour[1];
       wave.paintB[i] = colour[2];

@@ -4,13 +4,13 @@ import { bent, cosineOf, mirrored, weightOf } from './bounce.ts';
 
 export const body: BounceBody = {
   at: 'bounce',
-  run(wave, { looks }, tools, all) {
+  run(wave, { materials }, tools, all) {
     const next = tools.next(2 * wave.hitCount);
     let reflected = 0;
     let refracted = 0;
     for (let h = 0; h < wave.hitCount; h++) {
       const i = wave.hits[h] as number;
-      const { index, mirror, shine } = looks[wave.surface[i] as number] as SurfaceMaterial;
+      const { index, mirror, shine } = materials[wave.surface[i] as number] as SurfaceMaterial;
       const forced = index === 0 && all && wave.depth === 0;
       if (index === 0 && !forced) continue;
       const share = forced ? 0 : (1 - mirror) * (1 - shine);

@@ -1,8 +1,8 @@
 import { seeded } from '../../math/rng.ts';
-import type { Feelers, LightBody, Lit, Wave } from './body.ts';
-import { addFeeler } from './feelers.ts';
+import type { LightBody, Lit, ShadowRays, Wave } from './body.ts';
+import { addShadowRay } from './shadow-rays.ts';
 
-/** Feelers per call: enough for fast kernels, few enough to stay in the cache. */
+/** Shadow rays per call: enough for fast kernels, few enough to stay in the cache. */
 const AT_ONCE = 4096;
 
 /** Number of random point sets that are drawn once; a hit uses one, rotated by a random angle. */
@@ -43,10 +43,10 @@ export const body: LightBody = {
     const askedBy = new Int32Array(hits * each);
     for (let first = 0; first < lit.count; first += hits) {
       const last = Math.min(first + hits, lit.count);
-      const feelers = tools.feelers((last - first) * each);
-      for (let k = first; k < last; k++) aim(wave, lit, k, side, feelers, askedBy);
-      tools.feel(feelers, lit.light);
-      count(lit, first, last, each, feelers, askedBy);
+      const shadowRays = tools.shadowRays((last - first) * each);
+      for (let k = first; k < last; k++) aim(wave, lit, k, side, shadowRays, askedBy);
+      tools.findBlockers(shadowRays, lit.light);
+      count(lit, first, last, each, shadowRays, askedBy);
     }
   },
 };
@@ -56,7 +56,7 @@ function aim(
   lit: Lit,
   k: number,
   side: number,
-  feelers: Feelers,
+  shadowRays: ShadowRays,
   askedBy: Int32Array,
 ): void {
   const i = lit.ray[k] as number;
@@ -81,14 +81,14 @@ function aim(
     const v = points[at + 1] as number;
     const p = c * u - w * v;
     const q = w * u + c * v;
-    askedBy[feelers.count] = k;
-    if (radius === 0) put(wave, i, feelers, x, y, z, distance);
+    askedBy[shadowRays.count] = k;
+    if (radius === 0) put(wave, i, shadowRays, x, y, z, distance);
     else {
       const dx = x * distance + p * (1 + s * x * x * a) + q * b;
       const dy = y * distance + p * s * b + q * (s + y * y * a);
       const dz = z * distance - p * s * x - q * y;
       const length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-      put(wave, i, feelers, dx / length, dy / length, dz / length, length);
+      put(wave, i, shadowRays, dx / length, dy / length, dz / length, length);
     }
   }
 }
@@ -105,7 +105,7 @@ function mixed(bits: number): number {
 function put(
   wave: Wave,
   i: number,
-  feelers: Feelers,
+  shadowRays: ShadowRays,
   x: number,
   y: number,
   z: number,
@@ -114,7 +114,7 @@ function put(
   const above =
     x * (wave.Nx[i] as number) + y * (wave.Ny[i] as number) + z * (wave.Nz[i] as number);
   if (!(above > 0)) return;
-  addFeeler(wave, i, feelers, x, y, z, limit);
+  addShadowRay(wave, i, shadowRays, x, y, z, limit);
 }
 
 /** Sets the share of the points that are visible. */
@@ -123,14 +123,14 @@ function count(
   first: number,
   last: number,
   each: number,
-  feelers: Feelers,
+  shadowRays: ShadowRays,
   askedBy: Int32Array,
 ): void {
   let j = 0;
   for (let k = first; k < last; k++) {
     let free = 0;
-    for (; j < feelers.count && askedBy[j] === k; j++) {
-      if ((feelers.blocker[j] as number) < 0) free += 1;
+    for (; j < shadowRays.count && askedBy[j] === k; j++) {
+      if ((shadowRays.blocker[j] as number) < 0) free += 1;
     }
     lit.reach[k] = (lit.reach[k] as number) * (free / each);
   }

@@ -15,18 +15,18 @@ import {
   cameraNumbers,
   DIRECTION,
   DISTANCE,
-  GAZE,
   isSteep,
+  PIXEL_DISTANCE,
   pixelNumbers,
   RIGHT,
   SIDE,
   STEEP_SIDE,
-  STRETCH,
-  THROUGH,
+  TO_PIXEL,
   TO_TARGET,
   UP,
   UPRIGHT,
   upwards,
+  VIEW_DIRECTION,
 } from '../../scene/camera-ray.ts';
 import type { Camera } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
@@ -84,7 +84,7 @@ export function cameraSteps(ray: PixelRay): CameraSteps {
     lines: [
       line('camera', 'F', TO_TARGET, 'From the eye E to the target T.'),
       line('camera', 'λ', DISTANCE, 'The distance to the target.'),
-      line('camera', 'g', GAZE, 'The direction of view, with length 1.'),
+      line('camera', 'g', VIEW_DIRECTION, 'The direction of view, with length 1.'),
       line(
         'camera',
         's',
@@ -109,8 +109,8 @@ export function cameraSteps(ray: PixelRay): CameraSteps {
         `x counts pixels from the left, and ${share}; u goes from −1 to 1.`,
       ),
       line('pixel', 'v', upwards(alone), 'y counts from the top: there v is 1, at the bottom −1.'),
-      line('pixel', 'D', THROUGH, 'From the eye to the ray’s point of the picture at distance 1.'),
-      line('pixel', 'μ', STRETCH, 'How far that is.'),
+      line('pixel', 'D', TO_PIXEL, 'From the eye to the ray’s point of the picture at distance 1.'),
+      line('pixel', 'μ', PIXEL_DISTANCE, 'How far that is.'),
       line('pixel', 'd', DIRECTION, 'The same direction with length 1, so that t is a length.'),
     ],
   };

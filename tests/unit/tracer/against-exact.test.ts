@@ -12,7 +12,7 @@ import type { Scene } from '../../../src/scene/types.ts';
 import { createFinder } from '../../../src/tracer/find.ts';
 import { newTally } from '../../../src/tracer/ledger.ts';
 import { NOTHING, type RayNode } from '../../../src/tracer/types.ts';
-import { createFeelers, createWave } from '../../../src/tracer/wave.ts';
+import { createShadowRays, createWave } from '../../../src/tracer/wave.ts';
 import { worldOf } from '../../../src/tracer/world.ts';
 import { someRays } from './tracing.ts';
 
@@ -102,39 +102,39 @@ describe('boxes', () => {
     const { targets } = worldOf(scene, 'certified', 'needed');
     const random = seeded(3);
     const wave = createWave(2000);
-    const feelers = createFeelers(2000);
+    const shadowRays = createShadowRays(2000);
     const [tx, ty, tz] = scene.camera.target;
     for (let i = 0; i < 2000; i++) {
       // From anywhere about what the camera looks at, some along an axis exactly.
       const d = [0, 1, 2].map(() => (random() < 0.1 ? 0 : uniform(random, -1, 1)));
       const length = Math.hypot(...d) || 1;
       const origin = [tx, ty, tz].map((x) => x + uniform(random, -6, 6));
-      for (const rays of [wave.rays, feelers.rays]) {
+      for (const rays of [wave.rays, shadowRays.rays]) {
         [rays.Ex[i], rays.Ey[i], rays.Ez[i]] = origin as [number, number, number];
         rays.dx[i] = (d[0] as number) / length;
         rays.dy[i] = (d[1] as number) / length;
         rays.dz[i] = length === 1 && d.every((x) => x === 0) ? 1 : (d[2] as number) / length;
       }
       wave.from[i] = NOTHING;
-      feelers.from[i] = NOTHING;
-      feelers.limit[i] = random() < 0.5 ? Number.POSITIVE_INFINITY : uniform(random, 0, 8);
+      shadowRays.from[i] = NOTHING;
+      shadowRays.limit[i] = random() < 0.5 ? Number.POSITIVE_INFINITY : uniform(random, 0, 8);
     }
     wave.count = 2000;
     wave.depth = 1;
     wave.rays.count = 2000;
-    feelers.count = 2000;
-    feelers.rays.count = 2000;
+    shadowRays.count = 2000;
+    shadowRays.rays.count = 2000;
     const effect = { body: heights, clock: () => 0, spend: () => {} };
     const answers = [0, Number.POSITIVE_INFINITY].map((least) => {
       const finder = createFinder(targets, { rule: 'from' }, effect, least);
       finder.nearest(wave, newTally());
       const surface = [...wave.surface];
       const t = [...wave.t];
-      finder.blocked(feelers, newTally());
-      const blocked = [...feelers.blocker].map((k) => k !== NOTHING);
+      finder.blocked(shadowRays, newTally());
+      const blocked = [...shadowRays.blocker].map((k) => k !== NOTHING);
       const asked = newTally();
-      const chords = finder.through(feelers, asked);
-      expect(asked.questions).toBe(feelers.asked.reduce((sum, n) => sum + n, 0));
+      const chords = finder.through(shadowRays, asked);
+      expect(asked.questions).toBe(shadowRays.asked.reduce((sum, n) => sum + n, 0));
       return { surface, t, blocked, chords, roots: asked.roots, questions: asked.questions };
     });
     const [boxed, every] = answers.map(({ questions }) => questions);

@@ -96,7 +96,10 @@ describe('what an effect costs if it is forced on where nothing needs it', () =>
 
   test.each<EffectId>(['absorption', 'pattern', 'highlights'])('%s: its code runs', async (id) => {
     const effect = EFFECTS.find((one) => one.id === id);
-    const body = (await effect?.load()) as Extract<EffectBody, { at: 'way' | 'paint' | 'gloss' }>;
+    const body = (await effect?.load()) as Extract<
+      EffectBody,
+      { at: 'medium' | 'paint' | 'gloss' }
+    >;
     const run = vi.spyOn(body, 'run');
     await picture(plain);
     expect(run).not.toHaveBeenCalled();
