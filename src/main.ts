@@ -2,9 +2,9 @@ import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
 import { lateEmbed } from './pages/embed/late-embed.ts';
+import type { Player } from './pages/explore/bead-player.ts';
 import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
-import type { Hearing } from './pages/explore/hear.ts';
-import type { Player } from './pages/explore/player.ts';
+import type { Sonification } from './pages/explore/sonification.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
 import type { PageView } from './pages/page.ts';
 import { createPageSwitcher } from './pages/page-switcher.ts';
@@ -44,12 +44,12 @@ let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
 let closerLook: CloserLook | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
-let story: ExploreTools['story'] = null;
+let exampleQuestion: ExploreTools['exampleQuestion'] = null;
 let normalLine: ExploreTools['normalLine'] = null;
 let ends: ExploreTools['ends'] = null;
 let secondView: ExploreTools['secondView'] = null;
 let followExplore: ((state: AppState) => void) | null = null;
-let hearing: Hearing | null = null;
+let sonification: Sonification | null = null;
 const derive = createDerive(() => closerLook);
 const voice = late(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
   createAnnouncer(document.body),
@@ -120,13 +120,13 @@ const tools: PageActions = {
       announce(player.playing ? 'The bead plays.' : 'The bead has stopped.', 'deed');
     }),
   hear: () => {
-    const code = late(() => import('./pages/explore/hear.ts'));
-    withCode(Promise.all([code, theRest()]), ([{ createHearing }]) => {
+    const code = late(() => import('./pages/explore/sonification.ts'));
+    withCode(Promise.all([code, theRest()]), ([{ createSonification }]) => {
       if (areHidden()) return;
       const move = (t: number) => store.dispatch({ type: 'bead', t });
-      hearing ??= createHearing(move, requestRender, announce);
+      sonification ??= createSonification(move, requestRender, announce);
       const now = modelNow();
-      if (isFull(now)) hearing.toggle(now.graph);
+      if (isFull(now)) sonification.toggle(now.graph);
     });
   },
   second: () => withCode(theRest(), () => secondView?.toggle()),
@@ -196,7 +196,7 @@ function theRest(): NonNullable<typeof rest> {
   rest = late(() => import('./pages/explore/after-first-frame.ts'));
   rest.then(
     (code) => {
-      ({ closerLook, announcement, followExplore, story, normalLine, ends } = code);
+      ({ closerLook, announcement, followExplore, exampleQuestion, normalLine, ends } = code);
       provideExamples(code.GALLERY);
       code.keepLines(store);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);
@@ -280,17 +280,17 @@ function renderExplore(state: AppState): void {
   model = derive(state);
   heard ??= model;
   theRest();
-  if (before !== model && !player?.playing && !hearing?.on) announce(tellNews);
+  if (before !== model && !player?.playing && !sonification?.on) announce(tellNews);
   embedded?.render(model);
   explore?.render(motion && isFull(model) ? motion(model) : model, {
     command,
-    story,
+    exampleQuestion,
     normalLine,
     ends,
     secondView,
     second: secondView?.on === true,
     playing: player?.playing === true,
-    hearing: hearing?.on === true,
+    hearing: sonification?.on === true,
     large: theme.applied() === 'projector',
   });
 }
@@ -307,7 +307,7 @@ function renderAll(): void {
   theme.ask(state.theme);
   if (state.page !== 'explore' || !derive(state).shown.hits) {
     player?.stop();
-    hearing?.stop();
+    sonification?.stop();
   }
   const title = PAGES.find(({ id }) => id === state.page)?.title;
   if (shownPage && state.page !== shownPage) announce(`${title}.`, 'page');

@@ -65,7 +65,9 @@ function roundAbout({ left, right }: ShapeDefinition<Shape>['surface'], given: R
   if (radii.length + found.length !== used.length || radii.length > 1) return null;
   if (!found.every(({ vector }) => vector === first.vector)) return null;
   const round = AXES.filter((axis) => found.some((one) => one.axis === axis));
-  return round.length === found.length ? { center: first.vector, round, radius: radius.of } : null;
+  return round.length === found.length
+    ? { center: first.vector, axes: round, radius: radius.of }
+    : null;
 }
 
 const [A, B, D] = ['A', 'B', 'D'].map(scalar) as [Expr, Expr, Expr];
@@ -89,8 +91,8 @@ export function closestApproach(shape: Shape, ray: Ray): Closest | null {
   const definition = definitionOf(shape);
   const formula = definition.formula(shape);
   const given = valuesOf(shape, ray, ratios);
-  const story = roundAbout(definition.surface, given);
-  if (!story || formula.family !== 'curved') return null;
+  const circle = roundAbout(definition.surface, given);
+  if (!circle || formula.family !== 'curved') return null;
   const { toNumber, sign } = ratios;
   const own = (expr: Expr) => evaluate(expr, ratios, given);
   const [a, b, c] = [own(formula.A), own(formula.B), own(formula.C)];
@@ -99,7 +101,7 @@ export function closestApproach(shape: Shape, ray: Ray): Closest | null {
   const d = evaluate(DISCRIMINANT, ratios, abc);
   const values = { ...abc, scalars: { ...abc.scalars, D: d } };
   const at = evaluate(TURN, ratios, values);
-  const center = given.vectors[story.center];
+  const center = given.vectors[circle.center];
   const along = AXES.map((axis) => {
     const i = axisIndex(axis);
     const [E, step] = [ray.origin[i], ray.direction[i]].map(ratios.of);
@@ -108,16 +110,16 @@ export function closestApproach(shape: Shape, ray: Ray): Closest | null {
   const point = along.map(toNumber) as unknown as Vec3;
   const foot = AXES.map((axis) => {
     const i = axisIndex(axis);
-    return story.round.includes(axis) && center ? toNumber(center[i]) : point[i];
+    return circle.axes.includes(axis) && center ? toNumber(center[i]) : point[i];
   }) as unknown as Vec3;
-  const height = minus(squared(story.radius), over(D, times(num(4), A)));
+  const height = minus(squared(circle.radius), over(D, times(num(4), A)));
   return {
     t: toNumber(at),
     point,
     foot,
-    round: story.round,
+    round: circle.axes,
     distance: Math.sqrt(toNumber(evaluate(height, ratios, values))),
-    radius: Math.abs(toNumber(evaluate(story.radius, ratios, values))),
+    radius: Math.abs(toNumber(evaluate(circle.radius, ratios, values))),
     sign: sign(d) as Sign,
   };
 }

@@ -5,15 +5,15 @@ import { intersectTyped } from '../math/shapes.ts';
 import { hintOn } from '../text/parse.ts';
 import { superscript } from '../text/scripts.ts';
 import {
-  allMeant,
   type EnteredInput,
   isAllowed,
   isRoot,
   isTyped,
-  type Meant,
   storedOf,
+  type TypedValue,
+  typedNumbers,
   valuesOf,
-} from './meant.ts';
+} from './typed-values.ts';
 import type { Piece } from './verdict-parts.ts';
 import { textOf, type VerdictWords, verdictWords } from './words.ts';
 
@@ -41,7 +41,7 @@ interface Difference {
 
 /** `found`: what exact arithmetic says of the stored numbers. */
 export function asTyped(given: EnteredInput, ray: Ray, found: Intersection): AsTyped {
-  const all = allMeant(given);
+  const all = typedNumbers(given);
   const hints = all.flatMap(({ key, symbol, text }) => {
     const hint = given.texts[key] === undefined ? null : hintOn(text);
     return hint === null ? [] : [`${symbol}: ${hint}.`];
@@ -56,7 +56,7 @@ export function asTyped(given: EnteredInput, ray: Ray, found: Intersection): AsT
 }
 
 function compared(
-  all: readonly Meant[],
+  all: readonly TypedValue[],
   given: EnteredInput,
   ray: Ray,
   found: Intersection,
@@ -69,7 +69,7 @@ function compared(
     )
   )
     return 'undecided';
-  const of = (exact: (one: Meant) => Surd): Case => caseOf(given, valuesOf(given, all, exact));
+  const of = (exact: (one: TypedValue) => Surd): Case => caseOf(given, valuesOf(given, all, exact));
   const asTyped = of(({ exact }) => exact);
   if (asTyped.found.class === 'undecided') return 'undecided';
   const stored = verdictWords(found, shape, ray);
@@ -123,7 +123,7 @@ function sameCase(a: VerdictWords, b: VerdictWords): boolean {
 const STORED_DIGITS = 20;
 const MOST_NUMBERS = 3;
 
-function storedWords(numbers: readonly Meant[]): string {
+function storedWords(numbers: readonly TypedValue[]): string {
   const each = [...new Set(numbers.map(({ text, value }) => `${text} is ${expansion(value)}`))];
   const more = each.length - MOST_NUMBERS;
   const listed = each.slice(0, MOST_NUMBERS).join(', ');
@@ -141,7 +141,7 @@ function expansion(x: number): string {
   return `${sign}${digits.charAt(0)}.${digits.slice(1)} · 10${superscript(exponent)}`;
 }
 
-function roundingNote(numbers: readonly Meant[]): string[] {
+function roundingNote(numbers: readonly TypedValue[]): string[] {
   if (numbers.length === 0) return [];
   return [`Rounded to doubles: ${storedWords(numbers)}.`];
 }

@@ -2,13 +2,13 @@ import { asTyped } from './as-typed.ts';
 import { endedOf } from './ended.ts';
 import { exactBeside, rangeNote, rootGap, shownResult } from './exact-digits.ts';
 import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
-import { createPictures } from './pictures.ts';
 import { conditionDigits, putIn, resultsOf } from './put-in.ts';
+import { createSceneAndGraph } from './scene-and-graph.ts';
 
 /** Everything about a ray that is loaded after the first frame: what its verdict does not need. */
 export const closerLook = {
   asTyped,
-  createPictures,
+  createSceneAndGraph,
   /** What a shape's ends leave of the roots. */
   endedOf,
   /** How many digits the page shows, and the exact ones beside them. */

@@ -7,9 +7,9 @@ import type { Ended } from './ended.ts';
 import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
 import type { GraphModel } from './graph-model.ts';
-import type { Near, Pictures } from './pictures.ts';
 import { remember } from './remember.ts';
 import { knownLines, shownLines } from './reveal.ts';
+import type { Near, SceneAndGraph } from './scene-and-graph.ts';
 import type { SceneModel } from './scene-model.ts';
 import { type AppState, type Ghost, rayOf, shapeOf } from './state.ts';
 import { type HitWords, hitWords, type VerdictWords, verdictWords } from './words.ts';
@@ -54,7 +54,7 @@ export interface ExploreModel {
 }
 
 /** The same, where the code of a closer look is loaded. */
-export type FullModel = ExploreModel & Pick<Pictures, 'graph' | 'scene'>;
+export type FullModel = ExploreModel & Pick<SceneAndGraph, 'graph' | 'scene'>;
 
 export const isFull = (model: ExploreModel): model is FullModel => model.scene !== null;
 
@@ -102,7 +102,7 @@ export function createDerive(
     ) => closer?.endedOf(shape, ray, found, exactly, between, caps) ?? null,
   );
   const steps = remember(derivation);
-  let pictures: ReturnType<CloserLook['createPictures']> | undefined;
+  let sceneAndGraph: ReturnType<CloserLook['createSceneAndGraph']> | undefined;
   const ghostly = remember((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
   return (state) => {
     const closer = look();
@@ -121,8 +121,8 @@ export function createDerive(
     const lines = shownLines({ derivation: derived }, state.revealed);
     const shown = waiting ? { ...lines, verdict: false, hits: false } : lines;
     const whole = verdictWords(found, shape, r);
-    pictures ??= closer?.createPictures();
-    const seen = pictures?.({
+    sceneAndGraph ??= closer?.createSceneAndGraph();
+    const seen = sceneAndGraph?.({
       state,
       shape,
       title,

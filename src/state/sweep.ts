@@ -69,7 +69,7 @@ const SAMPLES = 120;
 const FINE = 10;
 /** Beyond a boundary: this part of the way there, and steps of the slider at least. */
 const BEYOND = { share: 0.4, steps: 4 };
-/** A boundary so many times farther off than the one on the other side is another story. */
+/** So many times farther than the boundary on the other side is too far to play to. */
 const FARTHER = 4;
 /** From one end of the way to the other, and a rest at each boundary. */
 const [WAY_MS, REST_MS] = [3200, 600];

@@ -13,7 +13,7 @@ const below = (page: Page): Promise<(string | null)[]> =>
   page.evaluate(() =>
     [
       ...document.querySelectorAll(
-        '.panel-area :is(.value, .verdict, .chip), .story p, .graph-area',
+        '.panel-area :is(.value, .verdict, .chip), .example-question p, .graph-area',
       ),
     ]
       .filter((element) => element.getBoundingClientRect().bottom > innerHeight)
@@ -86,10 +86,15 @@ test('in full screen the controls withdraw, and what is left fills it', async ({
   await page.keyboard.press('f');
   await expect(page.locator('.header')).toBeHidden();
   await settle(page);
-  for (const away of ['.picker-area', '.ray-tools', '.example-name', '.story button']) {
+  for (const away of ['.picker-area', '.ray-tools', '.example-name', '.example-question button']) {
     await expect(page.locator(away).first()).toBeHidden();
   }
-  for (const stays of ['.story .asks', '.verdict', '.compact-controls', '.explore > .graph-area']) {
+  for (const stays of [
+    '.example-question .asks',
+    '.verdict',
+    '.compact-controls',
+    '.explore > .graph-area',
+  ]) {
     await expect(page.locator(stays)).toBeVisible();
   }
   const size = await page.evaluate(() => ({ width: innerWidth, height: innerHeight }));

@@ -3,7 +3,7 @@ import { commandsOf } from '../../src/pages/commands.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import type { GraphModel } from '../../src/state/graph-model.ts';
-import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/hearing.ts';
+import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/sonification.ts';
 import { INITIAL, PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { box, expectInLink, typeInto } from './support/controls.ts';

@@ -7,8 +7,8 @@ import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
-import { typedValues } from '../../state/meant.ts';
 import { type AppState, rayOf, shapeOf } from '../../state/state.ts';
+import { typedValues } from '../../state/typed-values.ts';
 import type { LeftPart, PartContext } from './part.ts';
 
 /** A student's own derivation for the ray and shape of the link, which are Explore's. */

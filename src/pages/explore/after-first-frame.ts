@@ -8,12 +8,12 @@ export { normalLine } from '../../panels/normal-line.ts';
 export { announcement } from '../../state/announce.ts';
 export { closerLook } from '../../state/closer-look.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
-export { followExplore, presentExplore } from '../lesson/projected.ts';
+export { followExplore, presentExplore } from '../lesson/projected-window.ts';
+export { createPlayer } from './bead-player.ts';
+export { exampleQuestion } from './example-question.ts';
 export { keepLines } from './kept-lines.ts';
 export { createMotion } from './motion.ts';
-export { createPlayer } from './player.ts';
 export { createSecondView } from './second-view.ts';
-export { story } from './story.ts';
 
 export const NOT_KEPT =
   'this browser keeps nothing here (its storage is full or denied): what is typed on Check lasts ' +

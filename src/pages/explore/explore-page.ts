@@ -12,11 +12,11 @@ import type { Announce } from '../../ui/announcer.ts';
 import { late } from '../../ui/late.ts';
 import { lateScene, type Scene } from '../late-scene.ts';
 import { lateView } from '../late-view.ts';
+import type { exampleQuestion as ExampleQuestion } from './example-question.ts';
 import { lateGraph } from './late-graph.ts';
 import type { Marked } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { SecondView } from './second-view.ts';
-import type { story as Story } from './story.ts';
 import type { MountedWalk } from './walk.ts';
 import './explore-page.css';
 import './projector.css';
@@ -26,7 +26,7 @@ const KEPT_MEASURES = 200;
 
 export interface ExploreTools extends SceneBarTools {
   /** What the example asks; null before the gallery is there. */
-  readonly story: typeof Story | null;
+  readonly exampleQuestion: typeof ExampleQuestion | null;
   /** The line of N; null until it is loaded. */
   readonly normalLine: typeof NormalLine | null;
   /** What is shown of a shape's ends; null until it is loaded. */
@@ -57,8 +57,8 @@ export function mountExplore(
   host.classList.add('explore');
   const picker = section(host, 'picker-area');
   const stage = section(host, 'scene-area');
-  const story = section(host, 'story');
-  story.hidden = true;
+  const question = section(host, 'example-question');
+  question.hidden = true;
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const walkArea = section(host, 'walk-area');
@@ -116,7 +116,7 @@ export function mountExplore(
       untouched &&= isFirst && model.example === null;
       challenges.render(model, visit && !untouched);
       render(sceneBar(model, tools, untouched, challenges.host), bar);
-      tools.story?.(story, model, dispatch);
+      tools.exampleQuestion?.(question, model, dispatch);
       if (!isFull(model)) return;
       const beside = walking ? walk?.view() : null;
       const shown = beside?.scene(model) ?? marked?.scene ?? model.scene;

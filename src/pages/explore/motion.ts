@@ -1,7 +1,7 @@
 import type { Dispatch } from '../../state/actions.ts';
 import type { FullModel } from '../../state/derive.ts';
+import { createExampleTransition } from './example-transition.ts';
 import { createSweep } from './sweep.ts';
-import { createTravel } from './travel.ts';
 
 /** What Explore draws of a model: itself, or what is on its way, from an example or by play. */
 export function createMotion(
@@ -10,7 +10,7 @@ export function createMotion(
   dispatch: Dispatch,
   announce: (words: string) => void,
 ): (model: FullModel) => FullModel {
-  const travel = createTravel(host, changed);
+  const travel = createExampleTransition(host, changed);
   const sweep = createSweep(host, changed, dispatch, announce);
   return (model) => {
     const way = travel(model);

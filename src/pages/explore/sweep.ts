@@ -1,7 +1,7 @@
 import type { Dispatch } from '../../state/actions.ts';
 import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
-import { createPictures } from '../../state/pictures.ts';
+import { createSceneAndGraph } from '../../state/scene-and-graph.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import {
   playedAt,
@@ -56,7 +56,7 @@ export function createSweep(
   /** Asked for, and begun with the next frame: by then what stopped the last one has arrived. */
   let wanted: string | null = null;
   let fixed: Held['stage'] | null = null;
-  const look = { ...closerLook, createPictures: () => createPictures(() => fixed) };
+  const look = { ...closerLook, createSceneAndGraph: () => createSceneAndGraph(() => fixed) };
   const derive = createDerive(() => look);
   const isRunning = (): boolean => playing !== null && playing.began !== null;
 

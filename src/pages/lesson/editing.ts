@@ -5,7 +5,7 @@ import { withSteps } from '../../lesson/write.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { editView } from './edit-view.ts';
 import { ownSettings } from './own-lesson.ts';
-import type { LessonStep } from './source.ts';
+import type { LessonStep } from './shown-step.ts';
 
 /** Editing of a step. Editing a lesson that comes with Graze makes an own lesson of it. */
 export function createEditing(dispatch: Dispatch, changed: () => void) {

@@ -12,7 +12,7 @@ import type { Settings } from '../../state/state.ts';
 import { update } from '../../state/update.ts';
 import { decode } from '../../state/url.ts';
 import type { GuessTools } from './guess-view.ts';
-import { placeOf } from './source.ts';
+import { placeOf } from './shown-step.ts';
 
 export interface HandIn {
   /** Dispatch for the page that the step shows. */

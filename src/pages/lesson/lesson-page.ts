@@ -24,12 +24,12 @@ import { createHandIn } from './hand-in.ts';
 import { listView } from './list-view.ts';
 import { createOtherPages } from './other-pages.ts';
 import { openedLesson, withCollected } from './own-lesson.ts';
-import { createPaper } from './paper.ts';
+import { createPageSnapshots } from './page-snapshots.ts';
 import { mountPresenter } from './presenter.ts';
-import { OPENED, projectedWindow } from './projected.ts';
+import { OPENED, projectedWindow } from './projected-window.ts';
 import { proseTools, valueOnPage } from './prose-tools.ts';
+import { type LessonStep, placeOf, readSettings } from './shown-step.ts';
 import { slidersOf } from './sliders.ts';
-import { type LessonStep, placeOf, readSettings } from './source.ts';
 import { type StepParts, stepView } from './step-view.ts';
 import { type Projected, presenterIn } from './two-windows.ts';
 import './lesson-page.css';
@@ -89,7 +89,7 @@ export const mountLesson: MountPage = (host, context) => {
 
   /** The step that is shown for paper alone, in place of the one that the state names. */
   let forPaper: Settings | null = null;
-  const paper = createPaper(other, (settings) => {
+  const paper = createPageSnapshots(other, (settings) => {
     forPaper = settings;
     changed();
   });

@@ -16,7 +16,7 @@ import { spokenName } from '../../text/spoken.ts';
 import { next } from '../commands.ts';
 import { exploreValue } from './prose-tools.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
-import type { LessonStep } from './source.ts';
+import type { LessonStep } from './shown-step.ts';
 import type { Projected } from './two-windows.ts';
 
 /** What the presenter's window shows of a step or of Explore. */

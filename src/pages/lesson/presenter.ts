@@ -8,7 +8,7 @@ import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import type { PageContext, PageView } from '../page.ts';
 import { exploreParts, type PresenterParts, stepParts } from './presenter-parts.ts';
-import { placeOf, readSettings } from './source.ts';
+import { placeOf, readSettings } from './shown-step.ts';
 import {
   type Channel,
   CLICKER_KEYS,

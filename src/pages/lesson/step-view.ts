@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Lesson, Step } from '../../lesson/lesson.ts';
-import type { Problem } from './projected.ts';
+import type { Problem } from './projected-window.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
 
 export interface StepParts {

@@ -17,7 +17,7 @@ import {
 } from '../../state/picture/settings.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
 import { createBudgetSearch } from './budget.ts';
-import { atRest, createCameraHand } from './camera-hand.ts';
+import { atRest, createCameraMotion } from './camera-motion.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
 import { type DraggedThing, dragTo, thingAt } from './drags.ts';
@@ -59,7 +59,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const refiner = createRefiner();
   const growth = createGrowth();
   const budgets = createBudgetSearch();
-  const hand = createCameraHand({
+  const hand = createCameraMotion({
     changed,
     rest(edit) {
       landed = true;

@@ -4,8 +4,8 @@ import { courseOf } from '../../../src/check/course.ts';
 import { checkOwn, ownFields } from '../../../src/check/own-numbers.ts';
 import { ABSENT, type Answer, type Input } from '../../../src/check/types.ts';
 import { work } from '../../../src/check/work.ts';
-import { typedValues } from '../../../src/state/meant.ts';
 import { rayOf, shapeOf } from '../../../src/state/state.ts';
+import { typedValues } from '../../../src/state/typed-values.ts';
 import { decode } from '../../../src/state/url.ts';
 import {
   dot,

@@ -21,7 +21,7 @@ export interface EnteredInput extends Pick<AppState, 'E' | 'd' | 'unit'> {
 }
 
 /** A number of the ray or the shape, with the exact value that its text stands for. */
-export interface Meant extends TypedNumberSlot {
+export interface TypedValue extends TypedNumberSlot {
   readonly text: string;
   /** The typed number; the stored one where the text has no exact value. */
   readonly exact: Surd;
@@ -32,11 +32,11 @@ export interface Meant extends TypedNumberSlot {
   readonly computed: boolean;
 }
 
-export const allMeant = (given: EnteredInput): Meant[] =>
+export const typedNumbers = (given: EnteredInput): TypedValue[] =>
   [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
 
 /** Whether exact values differ from what the kernel gets, and none came out of a computation. */
-export const isTyped = (all: readonly Meant[], { unit }: EnteredInput): boolean =>
+export const isTyped = (all: readonly TypedValue[], { unit }: EnteredInput): boolean =>
   (unit || !all.every(({ isStored }) => isStored)) && !all.some(({ computed }) => computed);
 
 /**
@@ -44,7 +44,7 @@ export const isTyped = (all: readonly Meant[], { unit }: EnteredInput): boolean 
  * if they do not all lie in one field Q(√D), which exact arithmetic needs.
  */
 export function typedValues(given: EnteredInput): Values<Surd> | null {
-  const all = allMeant(given);
+  const all = typedNumbers(given);
   if (!isTyped(all, given)) return null;
   const values = valuesOf(given, all, ({ exact }) => exact);
   if (!isAllowed(given, values)) return null;
@@ -66,7 +66,7 @@ export function typedValues(given: EnteredInput): Values<Surd> | null {
  */
 const TYPED_DIGITS = 15;
 
-function meant(place: TypedNumberSlot, { texts }: EnteredInput): Meant {
+function meant(place: TypedNumberSlot, { texts }: EnteredInput): TypedValue {
   const { key, value } = place;
   const written = texts[key];
   const stored = fromNumber(value);
@@ -95,14 +95,14 @@ function meant(place: TypedNumberSlot, { texts }: EnteredInput): Meant {
 /** A multiple of 2^-10 below 10^9: its shortest decimal is exactly the double. */
 const isShort = (x: number): boolean => Number.isInteger(x * 1024) && Math.abs(x) < 1e9;
 
-export const isRoot = ({ exact }: Meant): boolean => exact.v.m !== 0n;
+export const isRoot = ({ exact }: TypedValue): boolean => exact.v.m !== 0n;
 
-export const storedOf = ({ value }: Meant): Surd => fromNumber(value);
+export const storedOf = ({ value }: TypedValue): Surd => fromNumber(value);
 
 export function valuesOf(
   { shape, E, d }: EnteredInput,
-  all: readonly Meant[],
-  exact: (one: Meant) => Surd,
+  all: readonly TypedValue[],
+  exact: (one: TypedValue) => Surd,
 ): Values<Surd> {
   const own = definitionOf(shape).values(shape);
   const vectors = { ...own.vectors, E, d };

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
-import { pitchOf, REFERENCE_HZ, type Score, scoreOf } from '../../../src/state/hearing.ts';
+import { pitchOf, REFERENCE_HZ, type Score, scoreOf } from '../../../src/state/sonification.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
 import { many } from '../many.ts';

@@ -2,10 +2,10 @@ import { html, nothing, render, type TemplateResult } from 'lit';
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import type { ShownExample } from '../../state/example.ts';
-import './story.css';
+import './example-question.css';
 
 /** Below the scene: the example's question, and its answer on demand. */
-export function story(
+export function exampleQuestion(
   host: HTMLElement,
   { example, state }: ExploreModel,
   dispatch: Dispatch,

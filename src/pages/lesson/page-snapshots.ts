@@ -16,7 +16,7 @@ const LEAST_HEIGHT = 60;
  * What steps on other pages than Explore have shown, for paper. `show` puts a step into `page` for
  * as long as that takes; null ends it.
  */
-export function createPaper(page: HTMLElement, show: (settings: Settings | null) => void) {
+export function createPageSnapshots(page: HTMLElement, show: (settings: Settings | null) => void) {
   const seen = new Map<string, SeenPage>();
   let waiting: { readonly step: Step; readonly done: () => void } | null = null;
   let progress = '';

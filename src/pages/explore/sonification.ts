@@ -1,5 +1,5 @@
 import type { GraphModel } from '../../state/graph-model.ts';
-import { REFERENCE_HZ, type Score, scoreOf } from '../../state/hearing.ts';
+import { REFERENCE_HZ, type Score, scoreOf } from '../../state/sonification.ts';
 import { display } from '../../text/format.ts';
 import type { Announce } from '../../ui/announcer.ts';
 import { volume } from '../../ui/volume.ts';
@@ -12,7 +12,7 @@ const CLICK = { seconds: 0.03, hertz: 1800 } as const;
 /** Parts of the volume. */
 const LOUD = { reference: 0.3, pitch: 0.4, click: 0.9 } as const;
 
-export interface Hearing {
+export interface Sonification {
   readonly on: boolean;
   /** Lets the ray be heard once, or stops that. */
   toggle(graph: GraphModel): void;
@@ -24,11 +24,11 @@ export interface Hearing {
  * key ends it and does nothing else; so does leaving the window or the tab. `changed` is called
  * when it begins or ends. Nothing runs while it is silent.
  */
-export function createHearing(
+export function createSonification(
   move: (t: number) => void,
   changed: () => void,
   announce: Announce,
-): Hearing {
+): Sonification {
   let context: AudioContext | null = null;
   let ends = new AbortController();
   const stop = (): void => {

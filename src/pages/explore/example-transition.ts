@@ -12,7 +12,7 @@ const APART = 20;
  * state, and what is announced and saved, change at once; only the drawn model is interpolated. Any
  * input ends it. Meanwhile `host` has `data-moving`; `changed` asks for the next frame.
  */
-export function createTravel(
+export function createExampleTransition(
   host: HTMLElement,
   changed: () => void,
 ): (model: FullModel) => FullModel {

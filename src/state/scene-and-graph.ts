@@ -24,7 +24,7 @@ export interface Near extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
 
-interface PicturesInput {
+interface SceneAndGraphInput {
   readonly state: AppState;
   readonly shape: Shape;
   readonly title: string;
@@ -38,7 +38,7 @@ interface PicturesInput {
   readonly verdict: VerdictWords;
 }
 
-export interface Pictures {
+export interface SceneAndGraph {
   readonly graph: GraphModel;
   readonly scene: SceneModel;
   /** Where the numbers cannot be set any nearer to tangency. */
@@ -51,9 +51,9 @@ export interface Pictures {
  * What scene and graph show, with a memory of its own. `fixed`: the part of the world to show,
  * null for what the ray calls for.
  */
-export function createPictures(
+export function createSceneAndGraph(
   fixed: () => Stage | null = () => null,
-): (given: PicturesInput) => Pictures {
+): (given: SceneAndGraphInput) => SceneAndGraph {
   const graphFor = remember(graphOf);
   // While the hits are hidden the stage must not depend on them: it would give their places away.
   const stage = keepWhile(

@@ -3,7 +3,7 @@ import type { PictureSettings } from '../../state/picture/settings.ts';
 import { totalOf } from '../../tracer/ledger.ts';
 import type { TraceProgress } from '../../workers/trace-job.ts';
 
-interface CameraHand {
+interface CameraMotion {
   /** Moves the camera; without `hold` it is at rest a moment after the last move. */
   move(edit: CameraEdit): void;
   hold(): void;
@@ -27,7 +27,7 @@ interface Moving {
   readonly shown: PictureSettings | null;
 }
 
-interface HandTools {
+interface CameraMotionTools {
   readonly changed: () => void;
   /** The camera is at rest: takes over what was done to it. */
   readonly rest: (edit: CameraEdit) => void;
@@ -52,7 +52,7 @@ const LAST = 0.3;
 /** Rays to a light with a size while the camera moves. */
 const LIGHT_SAMPLES = 4;
 
-export function createCameraHand({ changed, rest }: HandTools): CameraHand {
+export function createCameraMotion({ changed, rest }: CameraMotionTools): CameraMotion {
   let edits: CameraEdit[] = [];
   let held = false;
   let timer = 0;

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { createCameraHand } from '../../../../src/pages/picture/camera-hand.ts';
+import { createCameraMotion } from '../../../../src/pages/picture/camera-motion.ts';
 import { turned } from '../../../../src/state/picture/camera-edits.ts';
 import { type PictureSettings, pictureSettings } from '../../../../src/state/picture/settings.ts';
 import { EMPTY_LEDGER } from '../../../../src/tracer/ledger.ts';
@@ -18,7 +18,7 @@ const tracedIn = (ms: number) => ({
  * intervals from each picture to the next, and their pixels.
  */
 function drag(frames: number, fixed: number, price: number) {
-  const hand = createCameraHand({ changed: () => {}, rest: () => {} });
+  const hand = createCameraMotion({ changed: () => {}, rest: () => {} });
   const finished = new Map<PictureSettings, number>();
   const seen = (one: PictureSettings) =>
     ({
@@ -72,7 +72,7 @@ describe('while the hand goes on', () => {
   });
 
   test('a pause of the hand is not taken for a slow device', () => {
-    const hand = createCameraHand({ changed: () => {}, rest: () => {} });
+    const hand = createCameraMotion({ changed: () => {}, rest: () => {} });
     const seen = () => ({ state: 'finished', ...tracedIn(20) }) as TraceProgress;
     hand.hold();
     hand.move(turned(0.01, 0));
