@@ -15,11 +15,15 @@ interface CourseView {
   readonly pass: number;
   /** Why the last report was not taken; '' if it was. */
   readonly problem: string;
+  /** Statements that were not taken, and whether this device keeps them. */
+  readonly untaken: { readonly count: number; readonly isKept: boolean };
 }
 
 interface CourseTools {
   handIn(): void;
   again(): void;
+  /** Saves the statements that were not taken. */
+  save(): void;
   back(): void;
 }
 
@@ -29,7 +33,7 @@ export function courseBox(view: CourseView, tools: CourseTools): TemplateResult 
 }
 
 function content(view: CourseView, tools: CourseTools): TemplateResult {
-  const { name, why, isShown, readOnly, report, problem } = view;
+  const { name, why, isShown, readOnly, report, problem, untaken } = view;
   if (!report) {
     return html`<p data-say="problem">No answer is reported: ${name} was not reached, ${why}.
       Whoever marks this set can take the code under “Hand in” instead.</p>`;
@@ -47,6 +51,7 @@ function content(view: CourseView, tools: CourseTools): TemplateResult {
         ? html`<p data-say="problem">The course system did not take the last report: ${problem}.
             Nothing is lost on this page: it goes with the next answer, or now.
             <button type="button" class="button small" @click=${tools.again}>Report again</button>
+            ${untaken.count > 0 ? untakenWords(untaken, tools) : nothing}
           </p>`
         : nothing
     }
@@ -60,6 +65,15 @@ function content(view: CourseView, tools: CourseTools): TemplateResult {
       answer that is checked what stood in its boxes and whether it was right; and the code under
       “Hand in”, from which this page goes on where it was left.</p>`;
 }
+
+const untakenWords = (
+  { count, isKept }: CourseView['untaken'],
+  { save }: CourseTools,
+): TemplateResult =>
+  html`${count === 1 ? 'One statement waits' : `${count} statements wait`}${
+    isKept ? ', also for your next visit on this device' : ' until this page is left'
+  }. As a file, whoever marks can take what waits:
+    <button type="button" class="button small" @click=${save}>Save it</button>`;
 
 function stateWords({ pass, problem }: CourseView, report: CourseReport): string {
   const { right, total, done, complete, passed } = report;

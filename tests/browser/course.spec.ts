@@ -196,7 +196,9 @@ test('where no course system is reached, the page says why, and the code has eve
 
 test.describe('a record store', () => {
   // It answers so where nothing is kept yet, which the browser says by itself.
-  test.use({ provoked: new RegExp(`${PROVOKED.source}|^Failed to load resource: .* 404`) });
+  test.use({
+    provoked: new RegExp(`${PROVOKED.source}|^Failed to load resource: .* 40[34]`),
+  });
 
   test('gets statements of a package that is launched with its address', async ({
     page,
@@ -245,5 +247,58 @@ test.describe('a record store', () => {
     await page.evaluate(() => localStorage.clear());
     await page.reload();
     await expect(course).toContainText('Handed in: 1 of 2 right, passed');
+  });
+
+  test('that refuses statements gets them by hand, as a file or on the next visit', async ({
+    page,
+    baseURL,
+  }) => {
+    await withoutScene(page);
+    await serve(page, {
+      ...{ html: pageFor('xapi', baseURL), script: 'scorm12.min.js', api: 'API' },
+      sandbox: 'allow-scripts',
+    });
+    const heard: { readonly verb: { readonly id: string } }[] = [];
+    let kept = '';
+    let status = 403;
+    await page.route('**/store/**', async (route) => {
+      const request = route.request();
+      if (request.url().includes('/activities/state')) {
+        if (request.method() === 'PUT') kept = request.postData() ?? '';
+        await route.fulfill({ status: kept === '' ? 404 : 200, body: kept });
+        return;
+      }
+      if (status === 200) heard.push(...request.postDataJSON());
+      await route.fulfill({ status, body: '[]' });
+    });
+    const actor = { account: { homePage: 'https://school.example', name: 'Zoë' } };
+    const launch = new URLSearchParams({
+      endpoint: `${baseURL}store`,
+      actor: JSON.stringify(actor),
+    });
+    await page.goto(`./system/package/index.html?${launch}`);
+    const course = page.locator('main .course');
+    await expect(course).toContainText('0 of 2 right');
+    await answer(page.locator('body'), studentSeed(41, 'Zoë'), 0);
+    await expect(course).toContainText('One statement waits, also for your next visit');
+    await course.getByRole('button', { name: 'Hand in as it is' }).click();
+    await expect(course).toContainText('did not take the last report: it answers 403');
+    await expect(course).toContainText('3 statements wait');
+    expect(await violationsInThemes(page, '.course')).toEqual([]);
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      course.getByRole('button', { name: 'Save it' }).click(),
+    ]);
+    const saved = JSON.parse(readFileSync(await file.path(), 'utf8'));
+    await page.reload();
+    await expect(course).toContainText('3 statements wait');
+    status = 200;
+    await course.getByRole('button', { name: 'Report again' }).click();
+    await expect(course).toContainText('Handed in: 1 of 2 right, passed');
+    await expect(course).not.toContainText('wait');
+    expect(heard).toEqual(saved);
+    expect(heard.map(({ verb }) => verb.id.replace(/^.*\//, ''))).toEqual([
+      ...['answered', 'completed', 'passed'],
+    ]);
   });
 });

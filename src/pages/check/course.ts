@@ -13,14 +13,29 @@ import { connectScorm } from '../../state/course/scorm.ts';
 import { COURSE_SYSTEMS, type CourseSystem } from '../../state/course/systems.ts';
 import { connectXapi, type Request, readLaunch } from '../../state/course/xapi.ts';
 import { readHandIn } from '../../state/hand-in.ts';
+import { download } from '../../ui/files.ts';
 import { recall, remember } from '../../ui/storage.ts';
 import type { CourseSession, PartContext } from './part.ts';
 import { findApi } from './scorm-window.ts';
 import { LONGEST_NAME } from './settings.ts';
 import { SURROUNDINGS } from './surroundings.ts';
 
-/** What could not be handed over: the student's id and the state, until it is taken. */
+/** What could not be handed over, until it is taken. */
 const UNTAKEN = 'graze.check.course';
+
+interface Untold {
+  /** The student's id. */
+  readonly learner: string;
+  /** '' where it was taken. */
+  readonly state: string;
+  readonly statements: readonly unknown[];
+}
+
+/** Most students of whom something is kept on a device, the latest. */
+const MOST_STUDENTS = 20;
+
+/** ms after which a record store that says nothing does not answer. */
+const PATIENCE = 30_000;
 
 /** Takes up the session of a package's set where the course system has it. */
 export async function joinCourse(
@@ -42,7 +57,10 @@ export async function joinCourse(
   const open = (): void =>
     set({ part: 'questions', set: course.set, seed: course.seed, who, question: place });
   if (connection) {
-    latest = untaken(learner, course, who) ?? sessionIn(connection.state, course, who) ?? latest;
+    const kept = untoldOf(learner);
+    connection.untaken?.restore(kept.statements);
+    latest =
+      sessionIn(kept.state, course, who) ?? sessionIn(connection.state, course, who) ?? latest;
     const { total } = reportNow(connection);
     place = Math.min(connection.place, Math.max(0, total - 1));
     memory.keep(latest);
@@ -56,17 +74,26 @@ export async function joinCourse(
     untold = false;
     const report = reportNow(connection);
     problem = await connection.send(report, answered);
-    if (problem) remember(UNTAKEN, JSON.stringify([learner, report.state]));
-    else if (recall(UNTAKEN)) remember(UNTAKEN, '');
+    keep(problem ? report.state : '');
     changed();
   };
+  const waiting = (): readonly unknown[] => connection?.untaken?.now() ?? [];
+  const untakenNow = () => {
+    const { length: count } = waiting();
+    return { count, isKept: untoldOf(learner).statements.length === count };
+  };
+  const keep = (state: string): void => keepUntold({ learner, state, statements: waiting() });
   if (connection) {
+    if (connection.untaken?.owed(reportNow(connection))) void tell(null);
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden' && untold) void tell(null);
     });
     window.addEventListener('pagehide', () => {
-      if (!ended) connection.end(reportNow(connection));
+      if (ended) return;
+      connection.end(reportNow(connection));
       ended = true;
+      // Whether it takes them will not be heard.
+      if (waiting().length > 0) keep(untoldOf(learner).state);
     });
     // A session that has ended cannot go on: a page that comes back begins another.
     window.addEventListener('pageshow', ({ persisted }) => {
@@ -81,6 +108,10 @@ export async function joinCourse(
       void tell(null);
     },
     again: () => void tell(null),
+    save() {
+      const text = `${JSON.stringify(waiting(), null, 2)}\n`;
+      download(`graze-statements-${latest.seed}.json`, text, 'application/json');
+    },
     back: open,
   };
   return {
@@ -106,7 +137,7 @@ export async function joinCourse(
           isShown: isOf(progress),
           readOnly: connection?.readOnly === true,
           report: connection && reportNow(connection),
-          ...{ pass: course.pass, problem },
+          ...{ pass: course.pass, problem, untaken: untakenNow() },
         },
         tools,
       ),
@@ -127,14 +158,32 @@ function sessionIn(code: string, course: Course, who: string): Progress | null {
   }
 }
 
-/** What a course system has not taken before, kept on this device for the same student. */
-function untaken(learner: string, course: Course, who: string): Progress | null {
+function allUntold(): readonly Untold[] {
   try {
-    const [whose, code]: unknown[] = JSON.parse(recall(UNTAKEN) || '[]');
-    return whose === learner && typeof code === 'string' ? sessionIn(code, course, who) : null;
+    const all: unknown = JSON.parse(recall(UNTAKEN) || '[]');
+    return Array.isArray(all) ? all.flatMap(readUntold) : [];
   } catch {
-    return null;
+    return [];
   }
+}
+
+function readUntold(value: unknown): Untold[] {
+  const { learner, state, statements } = (value ?? {}) as Partial<Untold>;
+  if (typeof learner !== 'string' || typeof state !== 'string') return [];
+  return [{ learner, state, statements: Array.isArray(statements) ? statements : [] }];
+}
+
+const untoldOf = (learner: string): Untold =>
+  allUntold().find((one) => one.learner === learner) ?? { learner, state: '', statements: [] };
+
+/** Keeps it for the student's next visit on this device. */
+function keepUntold(own: Untold): void {
+  const before = allUntold();
+  const isEmpty = own.state === '' && own.statements.length === 0;
+  const others = before.filter(({ learner }) => learner !== own.learner);
+  if (isEmpty && others.length === before.length) return;
+  const all = isEmpty ? others : [...others, own].slice(-MOST_STUDENTS);
+  remember(UNTAKEN, JSON.stringify(all));
 }
 
 async function connect(
@@ -156,6 +205,7 @@ async function connect(
 const request: Request = async (url, { method, headers, body, last }) => {
   const response = await fetch(url, {
     ...{ method, headers, keepalive: last, credentials: 'omit', cache: 'no-store' },
+    signal: AbortSignal.timeout(PATIENCE),
     ...(body === null ? {} : { body }),
   });
   return { status: response.status, text: await response.text() };

@@ -163,6 +163,15 @@ export interface Surroundings {
   readonly uuid: () => string;
 }
 
+/** Statements that a course system has not taken. */
+interface Untaken {
+  now(): readonly unknown[];
+  /** Takes up those of an earlier visit that are this student's and set's. */
+  restore(kept: readonly unknown[]): void;
+  /** Whether some wait, or the outcome was never taken. */
+  owed(report: CourseReport): boolean;
+}
+
 /** A course system that answers. */
 export interface Connection {
   /** Whom it knows the student as; '' if it does not say. */
@@ -176,7 +185,9 @@ export interface Connection {
   readonly readOnly: boolean;
   /** Most characters of a state. */
   readonly most: number;
-  /** Gives why it was not taken; '' if it was. The first part of it happens at once. */
+  /** Absent where each report says all. */
+  readonly untaken?: Untaken;
+  /** Gives why it was not taken; '' if it was. */
   send(report: CourseReport, answered: Answered | null): Promise<string>;
   /** The page is left. */
   end(report: CourseReport): void;

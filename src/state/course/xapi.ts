@@ -219,46 +219,88 @@ export async function connectXapi(
   } catch {
     return 'it does not answer';
   }
-  /** The outcome that was told last, on this visit or one before. */
+  /** The outcome that was taken last, on this visit or one before. */
   let { told } = kept;
-  const newsOf = (report: CourseReport, answered: Answered | null): Statement[] => {
-    const score = `${report.right} ${report.passed}`;
-    const isNews = report.complete && score !== told;
-    if (isNews) told = score;
-    return [
+  /** Statements that were not taken yet. They keep their ids, so that none counts twice. */
+  let waiting: readonly Statement[] = [];
+  const outcomeWaiting = (): string | undefined => outcomeIn(waiting, launch.registration);
+  const isNews = (report: CourseReport): boolean =>
+    report.complete && outcomeOf(report) !== (outcomeWaiting() ?? told);
+  const add = (report: CourseReport, answered: Answered | null): void => {
+    waiting = [
+      ...waiting,
       ...(answered ? [answeredStatement(answered, launch, around)] : []),
-      ...(isNews ? completedStatements(report, launch, around) : []),
+      ...(isNews(report) ? completedStatements(report, launch, around) : []),
     ];
   };
-  const stateFor = ({ state, place, complete }: CourseReport): StoredSession => ({
-    ...{ state, place, complete, told },
-  });
-  /** Statements that were not taken yet: they go first the next time. */
-  let waiting: Statement[] = [];
-  const send = async (
-    report: CourseReport,
-    answered: Answered | null,
-    last = false,
-  ): Promise<string> => {
-    const news = [...waiting, ...newsOf(report, answered)];
-    waiting = [];
-    const [refused, other] = await Promise.all([
-      news.length === 0 ? '' : ask(`${launch.endpoint}statements`, 'POST', news, last),
-      ask(stateUrl, 'PUT', stateFor(report), last),
-    ]);
-    if (refused) waiting = [...news, ...waiting];
-    return refused || other;
+  const post = async (some: readonly Statement[], last = false): Promise<string> => {
+    const refused =
+      some.length === 0 ? '' : await ask(`${launch.endpoint}statements`, 'POST', some, last);
+    if (refused === HAS_SOME && some.length > 1) {
+      let why = '';
+      for (const one of some) why ||= await post([one]);
+      return why;
+    }
+    if (refused && refused !== HAS_SOME) return refused;
+    waiting = waiting.filter((one) => !some.includes(one));
+    told = outcomeIn(some, launch.registration) ?? told;
+    return '';
   };
+  const keep = ({ state, place, complete }: CourseReport, last = false): Promise<string> =>
+    ask(stateUrl, 'PUT', { state, place, complete, told } satisfies StoredSession, last);
+  let before: Promise<unknown> = Promise.resolve();
   const { state, place, complete } = kept;
   return {
     ...{ state, place, complete },
     learner: learnerOf(launch.actor),
     readOnly: false,
     most: MOST_STATE,
-    send: (report, answered) => send(report, answered),
-    end: (report) => void send(report, null, true),
+    untaken: {
+      now: () => waiting,
+      restore(statements) {
+        waiting = [...statements.filter((one) => isOf(launch, one)), ...waiting];
+      },
+      owed: (report) => waiting.length > 0 || isNews(report),
+    },
+    send(report, answered) {
+      add(report, answered);
+      const sent = before.then(async () => {
+        const refused = await post(waiting);
+        const other = await keep(report);
+        return refused || other;
+      });
+      before = sent;
+      return sent;
+    },
+    end(report) {
+      add(report, null);
+      void post(waiting, true);
+      void keep(report, true);
+    },
   };
 }
+
+/** What a store answers that has a statement of this id, perhaps among others. */
+const HAS_SOME = 'it answers 409';
+
+const outcomeOf = ({ right, passed }: CourseReport): string => `${right} ${passed}`;
+
+/** The outcome that the last of these statements on an attempt's end has. */
+function outcomeIn(statements: readonly Statement[], registration: string): string | undefined {
+  const outcomes = statements.flatMap(({ result, context }) => {
+    const own = isRecord(context) ? (context.registration ?? '') : '';
+    if (own !== registration || !isRecord(result) || !isRecord(result.score)) return [];
+    return [`${result.score.raw} ${result.success}`];
+  });
+  return outcomes.at(-1);
+}
+
+/** Whether something that was kept is a statement of this student on this set. */
+const isOf = ({ actor, activity }: Launch, kept: unknown): kept is Statement =>
+  isRecord(kept) &&
+  JSON.stringify(kept.actor) === JSON.stringify(actor) &&
+  isRecord(kept.object) &&
+  String(kept.object.id).startsWith(activity);
 
 /** What a record store keeps of a session. */
 interface StoredSession {

@@ -413,6 +413,85 @@ describe('statements', () => {
     expect(sent.map(({ method }) => method)).toEqual(['PUT']);
   });
 
+  test('come to the store once each, whatever it does meanwhile', async () => {
+    const launch = launchWith({ ...launched, registration: UUID });
+    if (typeof launch === 'string') throw new Error(launch);
+    const step = fc.record({
+      does: fc.constantFrom('wrong', 'right', 'leave', 'hand in'),
+      // A store may take what it is asked for, refuse all or one of both, or be heard no more.
+      store: fc.constantFrom('takes', 'refuses', 'takes states', 'takes statements', 'is unheard'),
+    });
+    await fc.assert(
+      fc.asyncProperty(fc.array(step, { maxLength: 8 }), async (steps) => {
+        let ids = 0;
+        const around = { ...AROUND, uuid: () => `id-${++ids}` };
+        let store: string = 'takes';
+        let state = '';
+        const had = new Map<string, Readonly<Record<string, unknown>>>();
+        const request: Request = async (url, { method, body }) => {
+          if (method === 'GET') return { status: state ? 200 : 404, text: state };
+          const isState = url.includes('/activities/state');
+          if (store === 'refuses') return { status: 500, text: '' };
+          if (store === (isState ? 'takes statements' : 'takes states')) {
+            return { status: 403, text: '' };
+          }
+          if (isState) state = body ?? '';
+          else {
+            const all: { readonly id: string }[] = JSON.parse(body ?? '[]');
+            // A strict store takes nothing of what it has partly.
+            if (all.some(({ id }) => had.has(id))) return { status: 409, text: '' };
+            for (const one of all) had.set(one.id, one);
+          }
+          if (store === 'is unheard') throw new Error('no network');
+          return { status: 200, text: '' };
+        };
+        let kept = '[]';
+        const visit = async (): Promise<Connection> => {
+          const found = await connectXapi(launch, request, around);
+          if (typeof found === 'string') throw new Error(found);
+          found.untaken?.restore(JSON.parse(kept));
+          return found;
+        };
+        let connection = await visit();
+        let progress = started(41, SET);
+        let [handedIn, tries] = [false, 0];
+        const report = () => reportOf(progress, 4096, handedIn);
+        for (const { does, store: next } of steps) {
+          store = next;
+          if (does === 'leave') {
+            connection.end(report());
+            kept = JSON.stringify(connection.untaken?.now());
+            connection = await visit();
+          } else if (does === 'hand in') {
+            handedIn = true;
+            await connection.send(report(), null);
+          } else {
+            const [later, answered] = answer(progress, tries % 4, does === 'right');
+            progress = later;
+            if (answered) tries++;
+            await connection.send(report(), answered);
+          }
+        }
+        store = 'takes';
+        if (connection.untaken?.owed(report())) await connection.send(report(), null);
+        const verbs = [...had.values()].map(({ verb }) => String((verb as { id: string }).id));
+        const count = (verb: string) => verbs.filter((one) => one.endsWith(verb)).length;
+        expect(connection.untaken?.now()).toEqual([]);
+        expect(count('/answered')).toBe(tries);
+        expect(count('/completed') > 0).toBe(report().complete);
+        expect(count('/completed')).toBe(count('/passed') + count('/failed'));
+        const outcome = [...had.values()].findLast(
+          ({ verb }) => !(verb as { id: string }).id.endsWith('/answered'),
+        );
+        if (outcome) {
+          const { right, passed } = report();
+          expect(outcome.result).toMatchObject({ score: { raw: right }, success: passed });
+        }
+      }),
+      { numRuns: many(200) },
+    );
+  });
+
   test('need an address and a name, and none is sent without', async () => {
     expect(launchWith({})).toContain('endpoint');
     expect(launchWith({ ...launched, endpoint: 'javascript:alert(1)' })).toContain('endpoint');
