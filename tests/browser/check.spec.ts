@@ -1,4 +1,4 @@
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { casesFor, GROUPS } from '../../src/check/program/cases.ts';
 import { plan, question } from '../../src/check/session.ts';
 import { LATEST_SET } from '../../src/check/sets.ts';
@@ -124,31 +124,43 @@ test.describe('questions', () => {
     },
   );
 
-  test('with the keyboard alone', async ({ page }) => {
-    const posed = question(SEED, indexOf('first'));
-    await openCheck(page, link('first'));
-    const selects = page.locator('.answer select');
+  const NEWEST = ['pixel', 'graph', 'cut', 'order', 'effect', 'method'] as const;
+  const BY_KEYS = `first,${NEWEST.join(',')};shapes=cone,cylinder`;
+
+  test('with the keyboard alone, from the start to the last verdict', async ({ page }) => {
+    const slots = plan(SEED, BY_KEYS);
+    expect(slots.map(({ exercise }) => exercise).sort()).toEqual(['first', ...NEWEST].sort());
+    const focused = (target: Locator) => () =>
+      target.evaluate((element) => element === document.activeElement);
     const press = async (key: string, until: () => Promise<boolean>): Promise<void> => {
       for (let i = 0; i < 80 && !(await until()); i++) await page.keyboard.press(key);
       expect(await until()).toBe(true);
     };
-    for (const [i, { id, options }] of posed.fields.entries()) {
-      await press('Tab', () =>
-        selects.nth(i).evaluate((element) => element === document.activeElement),
-      );
-      const title = options.find((option) => option.id === posed.truth[id])?.title ?? '';
-      await page.keyboard.type(title.slice(0, 12));
-      await expect(selects.nth(i)).toHaveValue(String(posed.truth[id]));
+    await openCheck(page, `set=${BY_KEYS.replace(';', '&')}&seed=${SEED}`);
+    for (const [index, { exercise }] of slots.entries()) {
+      const heading = page.getByRole('heading', { name: `Question ${index + 1} of` });
+      await expect(heading, exercise).toBeVisible();
+      const { fields, truth } = question(SEED, index, BY_KEYS);
+      for (const { id, kind, options } of fields) {
+        const control = page.locator(`.answer[data-field="${id}"] :is(input, select)`);
+        await press('Tab', focused(control));
+        const wanted = asText(truth[id]);
+        if (kind === 'choice') {
+          const at = options.findIndex((option) => option.id === truth[id]);
+          for (let i = 0; i <= at; i++) await page.keyboard.press('ArrowDown');
+        } else await page.keyboard.type(wanted);
+        await expect(control, `${exercise}, ${id}`).toHaveValue(wanted);
+      }
+      await press('Tab', focused(page.getByRole('button', { name: 'Check', exact: true })));
+      await page.keyboard.press('Enter');
+      await expect(feedback(page), exercise).toHaveAttribute('data-verdict', 'correct');
+      if (index === slots.length - 1) break;
+      await press('Tab', focused(page.getByRole('button', { name: 'Next question' })));
+      await page.keyboard.press('Enter');
     }
-    await page.keyboard.press('Tab');
-    await page.keyboard.press('Enter');
-    await expect(feedback(page)).toHaveAttribute('data-verdict', 'correct');
-    await page.keyboard.press('Tab');
-    await page.keyboard.press('Enter');
-    await expect(
-      page.getByRole('heading', { name: `Question ${indexOf('first') + 2} of` }),
-    ).toBeVisible();
-    await expect(page.locator('.answer :is(input, select)').first()).toBeFocused();
+    await expect(page.locator('.summary summary')).toContainText(
+      `${slots.length} of ${slots.length} right`,
+    );
   });
 
   test('a broken link says what was wrong and opens the nearest', async ({ page }) => {
