@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/index.ts';
 import { cameraNumbers } from '../scene/camera-ray.ts';
 import { CAMERA, type Wave } from '../scene/effects/body.ts';
 import type { Camera } from '../scene/types.ts';
-import type { Tile, TraceSettings } from './types.ts';
+import type { PicturePart, Tile, TraceSettings } from './types.ts';
 
 /** The camera's axes; `right` and `up` are half the picture's width and height at distance 1. */
 interface CameraAxes {
@@ -20,13 +20,19 @@ export function cameraAxes(camera: Camera, aspect: number, medium = -1): CameraA
   return { eye: camera.eye, ahead: g as Vec3, right: R as Vec3, up: U as Vec3, medium };
 }
 
-/** The pixels of a tile as y · width + x, row by row. */
-export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32Array {
+/** The pixels of a tile as y · width + x, row by row; with `part` those of its pixels alone. */
+export function pixelsOf(
+  { y0, y1, step, refines }: Tile,
+  width: number,
+  part?: PicturePart,
+): Int32Array {
   const found: number[] = [];
   for (let y = Math.ceil(y0 / step) * step; y < y1; y += step) {
     const known = refines && y % (2 * step) === 0;
-    for (let x = known ? step : 0; x < width; x += known ? 2 * step : step)
-      found.push(y * width + x);
+    for (let x = known ? step : 0; x < width; x += known ? 2 * step : step) {
+      const pixel = y * width + x;
+      if (part?.pixels[pixel] !== 0) found.push(pixel);
+    }
   }
   return Int32Array.from(found);
 }
@@ -37,21 +43,20 @@ export function pixelsOf({ y0, y1, step, refines }: Tile, width: number): Int32A
  */
 export function fireCamera(
   axes: CameraAxes,
-  { width, height, samples, only }: TraceSettings,
+  { width, height, samples, part }: TraceSettings,
   pixels: ArrayLike<number>,
   wave: Wave,
 ): void {
   const { eye, ahead, right, up, medium } = axes;
   const side = Math.round(Math.sqrt(samples));
+  const fired = part?.samples ?? Array.from({ length: side * side }, (_, s) => s);
   const { rays } = wave;
   let j = 0;
   for (let k = 0; k < pixels.length; k++) {
     const pixel = pixels[k] as number;
     const x = pixel % width;
     const y = (pixel - x) / width;
-    const first = only ?? 0;
-    const last = only === undefined ? side * side : only + 1;
-    for (let s = first; s < last; s++) {
+    for (const s of fired) {
       const u = (2 * (x + ((s % side) + 0.5) / side)) / width - 1;
       const v = 1 - (2 * (y + (Math.floor(s / side) + 0.5) / side)) / height;
       const dx = ahead[0] + u * right[0] + v * up[0];

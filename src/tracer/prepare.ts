@@ -69,9 +69,10 @@ function traceTile(
   settings: TraceSettings,
   tile: Tile,
 ): TileResult {
-  const pixels = pixelsOf(tile, settings.width);
-  const samples = settings.only === undefined ? settings.samples : 1;
-  const wantsFilm = settings.film === true || settings.only !== undefined;
+  const { part } = settings;
+  const pixels = pixelsOf(tile, settings.width, part);
+  const samples = part?.samples.length ?? settings.samples;
+  const wantsFilm = settings.film === true || part !== undefined;
   const light = wantsFilm ? new Float64Array(3 * pixels.length) : undefined;
   const rgba = new Uint8ClampedArray(4 * pixels.length);
   const surface = new Int32Array(pixels.length);
@@ -96,7 +97,11 @@ function traceTile(
       for (let s = k * samples; s < (k + 1) * samples; s++) addWork(work, first + k, spent, s);
     }
   }
-  return { tile, rgba, surface, t, work, ledger, ...(light ? { film: light } : {}) };
+  // A part of a pixel's rays is added to others: a mean would round.
+  if (light && !part) {
+    for (let k = 0; k < light.length; k++) light[k] = (light[k] as number) / samples;
+  }
+  return { tile, pixels, rgba, surface, t, work, ledger, ...(light ? { film: light } : {}) };
 }
 
 const newWork = (n: number): PixelWork => ({
@@ -111,7 +116,7 @@ function addWork(to: PixelWork, at: number, from: PixelWork, s: number): void {
   to.roots[at] = (to.roots[at] as number) + (from.roots[s] as number);
 }
 
-/** Writes pixels as sRGB bytes, and as `light`: the mean of their samples in linear light. */
+/** Writes pixels as sRGB bytes, the mean of their samples, and as `light`: the samples' sum. */
 function develop(
   film: Film,
   samples: number,
@@ -124,7 +129,7 @@ function develop(
       let sum = 0;
       for (let s = 0; s < samples; s++) sum += film[3 * (k * samples + s) + channel] as number;
       rgba[4 * k + channel] = level(sum / samples);
-      if (light) light[3 * k + channel] = sum / samples;
+      if (light) light[3 * k + channel] = sum;
     }
     rgba[4 * k + 3] = 255;
   }

@@ -33,8 +33,8 @@ export interface TraceSettings {
   readonly height: number;
   /** Camera rays a pixel, on a square grid: 1, 4, 9 or 16. */
   readonly samples: number;
-  /** If given, the one of these that is traced, alone; the result then has its film. */
-  readonly only?: number;
+  /** If given, all that is traced; the result then has its film. */
+  readonly part?: PicturePart;
   /** Whether the result has the pixels' linear light too. */
   readonly film?: boolean;
   /** Shadow rays to a light with a size, on a square grid with seeded jitter: 4, 9, 16, 25, … */
@@ -47,6 +47,14 @@ export interface TraceSettings {
   readonly bounces?: number;
   /** Whether every surface is asked about every ray, without boxes around them. */
   readonly boxless?: boolean;
+}
+
+/** Some rays of some pixels of a picture. */
+export interface PicturePart {
+  /** Those of a pixel's camera rays, in the order in which their light is added. */
+  readonly samples: readonly number[];
+  /** 1 for each pixel that is traced, else 0. */
+  readonly pixels: Uint8Array;
 }
 
 export const DEFAULT_SETTINGS: TraceSettings = {
@@ -75,13 +83,15 @@ export const NOTHING = -1;
 
 export interface TileResult {
   readonly tile: Tile;
+  /** The pixels of the tile that were traced, as y · width + x. */
+  readonly pixels: Int32Array;
   /** sRGB, opaque, four bytes a pixel of the tile. */
   readonly rgba: Uint8ClampedArray;
   /** Surface that the middle one of a pixel's camera rays hits. */
   readonly surface: Int32Array;
   /** t of that hit; NaN without one. */
   readonly t: Float64Array;
-  /** Linear light of the pixels, three doubles each: of one sample, or the mean of all. */
+  /** Linear light of the pixels, three doubles each: the mean of the rays; of a part, their sum. */
   readonly film?: Float64Array;
   /** What each pixel needed, with all that its camera rays caused. */
   readonly work: PixelWork;

@@ -1,4 +1,3 @@
-import { pixelsOf } from '../tracer/camera.ts';
 import { NOTHING, type PixelWork, type TileResult } from '../tracer/types.ts';
 
 /**
@@ -43,12 +42,14 @@ export function newFrame(width: number, height: number, film = false): Frame {
  * Puts a tile into the picture. A pixel of a coarse pass fills its block. Tiles may arrive in any
  * order, so pixels that already have a finer colour are kept.
  */
-export function paintTile(frame: Frame, { tile, rgba, surface, t, work, film }: TileResult): void {
+export function paintTile(
+  frame: Frame,
+  { tile, pixels, rgba, surface, t, work, film }: TileResult,
+): void {
   const { width, height, block } = frame;
   const { step } = tile;
   const colours = new Uint32Array(frame.rgba.buffer);
   const given = new Uint32Array(rgba.buffer, rgba.byteOffset, rgba.length / 4);
-  const pixels = pixelsOf(tile, width);
   for (let k = 0; k < pixels.length; k++) {
     const pixel = pixels[k] as number;
     frame.surface[pixel] = surface[k] as number;

@@ -1,5 +1,5 @@
 import { pixelsOf } from '../tracer/camera.ts';
-import type { Tile } from '../tracer/types.ts';
+import type { PicturePart, Tile } from '../tracer/types.ts';
 
 /** Block sizes of the passes in px, coarse to fine. */
 export const STEPS: readonly number[] = [8, 4, 2, 1];
@@ -21,13 +21,23 @@ interface Tiles {
   step(): number;
 }
 
-/** Cuts a picture into bands of rows, pass after pass; each pixel is in exactly one tile. */
-export function createTiles(width: number, height: number, workers: number, steps = STEPS): Tiles {
+/**
+ * Cuts a picture, or a part of it, into bands of rows, pass after pass; each pixel is in exactly
+ * one tile.
+ */
+export function createTiles(
+  width: number,
+  height: number,
+  workers: number,
+  steps = STEPS,
+  part?: PicturePart,
+): Tiles {
+  const total = part ? part.pixels.reduce((sum, one) => sum + one, 0) : width * height;
   let pass = 0;
   let row = 0;
   let pixels = FIRST_PIXELS;
   return {
-    total: width * height,
+    total,
     step: () => steps[Math.min(pass, steps.length - 1)] as number,
     took(count, ms) {
       const fitting = (count / Math.max(ms, 0.1)) * MS_A_TILE;
@@ -39,7 +49,7 @@ export function createTiles(width: number, height: number, workers: number, step
       if (step === undefined) return undefined;
       const refines = pass > 0;
       // In a refining pass every other row is already half traced.
-      const aRow = (width / step) * (refines ? 0.75 : 1);
+      const aRow = (total / height / step) * (refines ? 0.75 : 1);
       const fair = (aRow * Math.ceil(height / step)) / workers;
       const rows = Math.max(1, Math.floor(Math.min(pixels, fair) / aRow));
       const y0 = row;
@@ -50,7 +60,7 @@ export function createTiles(width: number, height: number, workers: number, step
         pass += 1;
       }
       const tile: Tile = { y0, y1, step, refines };
-      return pixelsOf(tile, width).length > 0 ? tile : this.next();
+      return pixelsOf(tile, width, part).length > 0 ? tile : this.next();
     },
   };
 }

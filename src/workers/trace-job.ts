@@ -240,9 +240,15 @@ export function createTracePool({ spawn, workers, clock }: TracePoolOptions): Tr
         frame: newFrame(
           settings.width,
           settings.height,
-          settings.film === true || settings.only !== undefined,
+          settings.film === true || settings.part !== undefined,
         ),
-        tiles: createTiles(settings.width, settings.height, members.length, atOnce ? [1] : STEPS),
+        tiles: createTiles(
+          settings.width,
+          settings.height,
+          members.length,
+          atOnce ? [1] : STEPS,
+          settings.part,
+        ),
         started: clock(),
         ledger: EMPTY_LEDGER,
         done: 0,

@@ -34,8 +34,8 @@ async function answer(asked: ToTraceWorker): Promise<void> {
   }
   const before = clock();
   const result = tracer.trace(asked.tile);
-  const { rgba, surface, t, work, film } = result;
-  const arrays = [rgba, surface, t, ...Object.values(work), ...(film ? [film] : [])];
+  const { pixels, rgba, surface, t, work, film } = result;
+  const arrays = [pixels, rgba, surface, t, ...Object.values(work), ...(film ? [film] : [])];
   const owned = arrays.map(({ buffer }) => buffer as ArrayBuffer);
   post({ type: 'tile', job, result, ms: clock() - before }, owned);
 }

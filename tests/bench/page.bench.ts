@@ -1,8 +1,11 @@
 // What the page costs: the size of each built chunk, the script time of one slider step in a real
-// browser, and pictures a second while a hand turns the camera of Picture.
+// browser, pictures a second while a hand turns the camera of Picture, and how long after a scene
+// was opened its picture has stairs.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium, type Page } from '@playwright/test';
+import { EDGE_RAYS, EDGES } from '../../src/pages/picture/refiner.ts';
+import { PRESETS } from '../../src/scene/presets/index.ts';
 import { firstLoad, packed } from '../first-load.ts';
 import { serveSite } from '../serve-site.ts';
 
@@ -15,6 +18,7 @@ const browser = await launch();
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
 await sliderSteps(page, site.url);
 await cameraDrag(await browser.newPage({ viewport: { width: 1280, height: 720 } }), site.url);
+await stairs(site.url);
 await browser.close();
 site.close();
 
@@ -115,6 +119,44 @@ async function cameraDrag(target: Page, url: string): Promise<void> {
     '\n| turning the camera of everything, 752 × 424 | pictures a second | sizes | ledger |\n' +
       `|---|---:|---|---|\n| ${DRAG_MS / 1000} s | ${rate.toFixed(1)} | ${sizes} | ${says} |`,
   );
+}
+
+/** Steep edges have got more rays when the line over the picture names some for them. */
+async function stairs(url: string): Promise<void> {
+  console.log(
+    '\n| scene, 752 × 424 | its picture stands after ms | pixels that differ by more than ' +
+      `${EDGES[0]} levels from one beside them have ${EDGE_RAYS} rays after ms |\n|---|---:|---:|`,
+  );
+  for (const { id } of PRESETS) {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+    const target = await context.newPage();
+    await target.addInitScript(() => {
+      const seen: Partial<Seen> = {};
+      const stamp = (key: keyof Seen, selector: string): void => {
+        if (document.querySelector(selector)) seen[key] ??= performance.now();
+      };
+      new MutationObserver(() => {
+        stamp('begun', '.picture[data-trace]:not([data-trace="waiting"])');
+        stamp('stands', '.picture[data-trace="finished"]');
+        stamp('smooth', '[data-quantity="rest"][data-edges]');
+      }).observe(document, { subtree: true, childList: true, attributes: true });
+      Object.assign(globalThis, { seen });
+    });
+    await target.goto(`${url}#/picture?scene=${id}`);
+    await target.locator('[data-quantity="rest"]').waitFor({ timeout: 600_000 });
+    const { begun, stands, smooth } = await target.evaluate(
+      () => (globalThis as unknown as { seen: Seen }).seen,
+    );
+    console.log(`| ${id} | ${(stands - begun).toFixed()} | ${(smooth - begun).toFixed()} |`);
+    await context.close();
+  }
+}
+
+/** When in ms of the page. */
+interface Seen {
+  begun: number;
+  stands: number;
+  smooth: number;
 }
 
 interface Painted {

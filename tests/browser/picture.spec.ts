@@ -156,6 +156,18 @@ test('built up by one key, taken away by another; both ledgers of a comparison',
   );
 });
 
+test('at rest the picture on the screen becomes the one with sixteen rays a pixel', async ({
+  page,
+}) => {
+  await openPicture(page, `${SMALL}&scene=shadows&samples=16`);
+  const whole = await pixels(page);
+  for (const samples of [1, 9]) {
+    await openPicture(page, `${SMALL}&scene=shadows&samples=${samples}`);
+    await expect(page.locator('[data-quantity="rest"]')).toHaveText('16 rays a pixel');
+    expect(await pixels(page)).toBe(whole);
+  }
+});
+
 test('the camera is moved by drag, wheel and keys; one drag is one step of undo', async ({
   page,
 }) => {

@@ -39,7 +39,6 @@ export function compareViewModel(
         requests.other?.key,
         other?.done,
         other?.state,
-        finer?.rgba.length,
       ],
     ].join('|'),
   };

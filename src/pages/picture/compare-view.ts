@@ -12,7 +12,7 @@ export interface CompareViewModel {
   /** Percent of the width that the left picture takes. */
   readonly split: number;
   readonly pixel: readonly [number, number] | null;
-  /** Counts up when the pictures' pixels have changed. */
+  /** Is another one when the pixels of the same pictures have changed. */
   readonly version: string;
 }
 
@@ -70,7 +70,6 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   divider.setAttribute('aria-valuenow', '50');
   element('span', 'split-grip', divider).setAttribute('aria-hidden', 'true');
   let model: CompareViewModel | null = null;
-  let drawn = '';
   let cursor: readonly [number, number] | null = null;
 
   const place = (): void => {
@@ -180,7 +179,8 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
   return {
     over,
     render(next) {
-      const same = model?.width === next.width && model.height === next.height;
+      const before = model;
+      const same = before?.width === next.width && before.height === next.height;
       if (!same) cursor = null;
       model = next;
       const { width, height, comparing, split } = next;
@@ -197,11 +197,9 @@ export function createCompareView(host: HTMLElement, actions: CompareViewActions
       left.hidden = !comparing;
       divider.setAttribute('aria-valuenow', String(split));
       divider.setAttribute('aria-valuetext', `${split} % left picture`);
-      if (next.version !== drawn) {
-        drawn = next.version;
-        paint(right, next.right);
-        paint(left, next.left);
-      }
+      const changed = next.version !== before?.version;
+      if (changed || next.right !== before.right) paint(right, next.right);
+      if (changed || next.left !== before.left) paint(left, next.left);
       place();
     },
   };

@@ -318,7 +318,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       const { requests, uncounted, main } = modelNow();
       if (!repeats.isOf(requests.main)) repeats.stop();
       const stands = !moves && main?.state === 'finished';
-      refiner.of(stands && isRefined(picture) ? requests.main : null);
+      refiner.of(stands && isRefined(picture) ? requests.main : null, main?.frame ?? null);
       // While the camera moves they wait, and keep what they know until it is at rest.
       growth.rests(!stands);
       budgets.rests(!stands);

@@ -1,6 +1,7 @@
-import { level } from '../../tracer/colour.ts';
+import { decoded, level } from '../../tracer/colour.ts';
 import type { Picture } from '../../tracer/compare.ts';
-import type { TraceProgress } from '../../workers/trace-job.ts';
+import { differencesBeside } from '../../tracer/edges.ts';
+import type { PicturePart } from '../../tracer/types.ts';
 import type { Background } from './trace-queue.ts';
 import type { TraceRequest } from './trace-request.ts';
 
@@ -10,70 +11,153 @@ export const MOST_SAMPLES = 16;
 /** The grid's points in such an order that those that have been traced are spread out (Bayer). */
 const ORDER = [0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12] as const;
 
-/** The picture is shown anew after so many: each takes time to be written as bytes. */
+/**
+ * Where stairs may be seen: pixels that differ from one beside them by more levels than these, the
+ * highest ones first. With the ray that they stand with they have so many before others get any.
+ */
+export const EDGES = [32, 8] as const;
+export const EDGE_RAYS = 4;
+
+/** What is traced in turn: rays `from` ≤ n < `to` of pixels that differ by more than `beyond`. */
+const PASSES: readonly Pass[] = [
+  ...EDGES.map((beyond) => ({ from: 0, to: EDGE_RAYS - 1, beyond })),
+  ...ORDER.map((_, n) => ({ from: n, to: n + 1, beyond: -1 })),
+];
+
+interface Pass {
+  readonly from: number;
+  readonly to: number;
+  readonly beyond: number;
+}
+
+/** The whole picture is shown anew after so many: each takes time to be written as bytes. */
 const SHOWN_AT = [2, 4, 8, 16] as const;
 
-/** While nothing else is to be traced the picture gets more rays a pixel, one after another. */
+/** While nothing else is to be traced the picture gets more rays a pixel, edges first. */
 interface Refiner extends Background {
   /** The picture that stands, which is refined; null for none. */
-  of(request: TraceRequest | null): void;
+  of(request: TraceRequest | null, stands: Picture | null): void;
   stop(): void;
   /** The finer picture; null before there is one. */
   frame(request: TraceRequest): Picture | null;
-  /** Rays a pixel that have been traced; null if the picture is not refined. */
-  done(request: TraceRequest): number | null;
+  /** How far it is; null if the picture is not refined. */
+  done(request: TraceRequest): Refined | null;
 }
+
+/** Rays of the grid that have been traced. */
+export interface Refined {
+  /** Of every pixel. */
+  readonly everywhere: number;
+  /** Of those at edges; no fewer. */
+  readonly edges: number;
+}
+
+/** Linear light of each level. */
+const LIGHT = Float64Array.from({ length: 256 }, (_, n) => decoded(n / 255));
+
+const NOTHING: Refined = { everywhere: 0, edges: 0 };
 
 export function createRefiner(): Refiner {
   let request: TraceRequest | null = null;
+  /** The picture that stands, and by how much its pixels differ. */
+  let coarse: Picture | null = null;
+  let differences = new Uint8Array(0);
+  /** The light of each pixel's rays, and the number of them. */
   let sums = new Float64Array(0);
-  let passes = 0;
+  let counts = new Uint8Array(0);
+  let at = 0;
+  let part: PicturePart | null = null;
+  let refined = NOTHING;
   let stopped = '';
   let shown: Picture | null = null;
 
   const is = ({ key }: TraceRequest): boolean => request?.key === key;
 
-  const develop = ({ frame }: TraceProgress): Picture => {
-    const { width, height, surface, t } = frame;
-    const rgba = new Uint8ClampedArray(4 * width * height);
-    for (let i = 0; i < width * height; i++) {
-      for (let k = 0; k < 3; k++) {
-        rgba[4 * i + k] = level((sums[3 * i + k] as number) / passes);
+  /** Goes on to the next pass that has pixels. */
+  const plan = (): void => {
+    for (part = null; request && at < PASSES.length; at++) {
+      const { from, to, beyond } = PASSES[at] as Pass;
+      const pixels = counts.map((n, i) => +(n === from && (differences[i] as number) > beyond));
+      if (pixels.includes(1)) {
+        part = { samples: ORDER.slice(from, to), pixels };
+        return;
       }
-      rgba[4 * i + 3] = 255;
+      if (beyond < 0) refined = { ...refined, everywhere: to };
+    }
+  };
+
+  /**
+   * Of each pixel the mean of all its rays, or of the grid once that is whole; those that it stands
+   * with are `rays`.
+   */
+  const develop = ({ width, height, rgba: before, surface, t }: Picture, rays: number): Picture => {
+    const rgba = new Uint8ClampedArray(before);
+    for (let i = 0; i < width * height; i++) {
+      const count = counts[i] as number;
+      if (count === 0) continue;
+      const others = count < MOST_SAMPLES ? rays : 0;
+      for (let k = 4 * i; k < 4 * i + 3; k++) {
+        const light = others * (LIGHT[before[k] as number] as number);
+        rgba[k] = level(((sums[k - i] as number) + light) / (count + others));
+      }
     }
     return { width, height, rgba, surface, t };
   };
 
   return {
-    of(next) {
-      if (next?.key === request?.key) return;
-      request = next;
-      passes = 0;
+    of(now, stands) {
+      if (now?.key === request?.key) return;
+      request = stands && now;
+      coarse = stands;
+      const pixels = request ? request.settings.width * request.settings.height : 0;
+      differences = stands && request ? differencesBeside(stands) : new Uint8Array(0);
+      sums = new Float64Array(3 * pixels);
+      counts = new Uint8Array(pixels);
+      refined = NOTHING;
       shown = null;
-      sums = new Float64Array(next ? 3 * next.settings.width * next.settings.height : 0);
+      // A picture that was asked for with as many rays has no such edges.
+      at = request && request.settings.samples >= EDGE_RAYS ? EDGES.length : 0;
+      plan();
     },
     stop() {
       stopped = request?.key ?? '';
+      if (!coarse || !request || refined.edges === 0) return;
+      const { samples } = request.settings;
+      shown = develop(coarse, samples);
+      refined = { everywhere: refined.everywhere + samples, edges: refined.edges + samples };
     },
     next() {
-      const only = ORDER[passes];
-      if (!request || only === undefined || request.key === stopped) return null;
-      const settings = { ...request.settings, samples: MOST_SAMPLES, only };
-      return { ...request, key: `${request.key} at ${only}`, settings, atOnce: true };
+      if (!request || !part || request.key === stopped) return null;
+      const settings = { ...request.settings, samples: MOST_SAMPLES, part };
+      return { ...request, key: `${request.key} pass ${at}`, settings, atOnce: true };
     },
     took(_, progress) {
       const { film } = progress.frame;
-      if (progress.state === 'failed' || !film) {
+      const pass = PASSES[at];
+      if (progress.state === 'failed' || !film || !part || !pass || !coarse || !request) {
         stopped = request?.key ?? '';
         return;
       }
-      for (let i = 0; i < sums.length; i++) sums[i] = (sums[i] as number) + (film[i] as number);
-      passes += 1;
-      if (SHOWN_AT.some((n) => n === passes)) shown = develop(progress);
+      part.pixels.forEach((traced, i) => {
+        if (traced === 0) return;
+        counts[i] = pass.to;
+        for (let k = 3 * i; k < 3 * i + 3; k++) {
+          sums[k] = (sums[k] as number) + (film[k] as number);
+        }
+      });
+      const isOfEdges = pass.beyond >= 0;
+      refined = {
+        everywhere: isOfEdges ? 0 : pass.to,
+        edges: Math.max(pass.to, refined.edges),
+      };
+      at += 1;
+      plan();
+      if (isOfEdges || SHOWN_AT.some((n) => n === refined.everywhere)) {
+        shown = develop(coarse, request.settings.samples);
+      }
     },
     frame: (of) => (is(of) ? shown : null),
-    done: (of) => (is(of) ? passes : null),
+    done: (of) => (is(of) ? refined : null),
   };
 }
 

@@ -56,6 +56,9 @@ export const coresOf = ({
   readonly hardwareConcurrency?: number;
 }): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
 
+/** ms from one look at a picture that is traced to the next: drawing takes time from tracing. */
+const MS_A_LOOK = 100;
+
 const isUnderWay = ({ state }: TraceProgress): boolean =>
   state === 'loading' || state === 'tracing';
 
@@ -130,6 +133,7 @@ export function createTraceQueue({
   };
 
   const start = (request: TraceRequest): void => {
+    let looked = Number.NEGATIVE_INFINITY;
     const progress = (state: TraceProgress): void => {
       // A job that was replaced may still post a message.
       if (running !== null && running.request !== request) return;
@@ -137,7 +141,8 @@ export function createTraceQueue({
       if (!isUnderWay(state)) {
         running = null;
         forget();
-      }
+      } else if (performance.now() - looked < MS_A_LOOK) return;
+      looked = performance.now();
       changed();
     };
     const job = open().start(request.scene, request.settings, { progress }, request.atOnce);

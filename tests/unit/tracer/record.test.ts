@@ -70,8 +70,10 @@ describe('a ray tree is what the picture did', () => {
       const whole = { y0: 0, y1: TINY.height, step: 1, refines: false };
       const all = (await picture(scene, { samples: 16 })).rgba;
       const sums = new Float64Array(3 * TINY.width * TINY.height);
-      for (let only = 0; only < 16; only++) {
-        const { film } = (await tracerFor(scene, { samples: 16, only })).trace(whole);
+      const pixels = new Uint8Array(TINY.width * TINY.height).fill(1);
+      for (let s = 0; s < 16; s++) {
+        const part = { samples: [s], pixels };
+        const { film } = (await tracerFor(scene, { samples: 16, part })).trace(whole);
         film?.forEach((x, k) => {
           sums[k] = (sums[k] ?? 0) + x;
         });
@@ -80,6 +82,28 @@ describe('a ray tree is what the picture did', () => {
       expect(mean).toEqual([...all].filter((_, k) => k % 4 !== 3));
     },
   );
+
+  test('a part of a picture is those rays of those pixels, light added in order', async () => {
+    const whole = { y0: 0, y1: TINY.height, step: 1, refines: false };
+    const count = TINY.width * TINY.height;
+    const every = new Uint8Array(count).fill(1);
+    const some = every.map((_, i) => +(i % 7 === 2));
+    const order = [13, 2, 7];
+    const trace = async (samples: readonly number[], pixels: Uint8Array) =>
+      (await tracerFor(everything.scene, { samples: 16, part: { samples, pixels } })).trace(whole);
+    const sums = new Float64Array(3 * count);
+    for (const s of order) {
+      (await trace([s], every)).film?.forEach((x, k) => {
+        sums[k] = (sums[k] ?? 0) + x;
+      });
+    }
+    const { pixels, film, ledger } = await trace(order, some);
+    expect([...pixels]).toEqual([...every.keys()].filter((i) => some[i] === 1));
+    expect([...(film ?? [])]).toEqual(
+      [...pixels].flatMap((i) => [...sums.slice(3 * i, 3 * i + 3)]),
+    );
+    expect(ledger.kinds.camera.rays).toBe(order.length * pixels.length);
+  });
 
   test('recording does not disturb the picture', async () => {
     const tracer = await tracerFor(everything.scene);

@@ -3,7 +3,13 @@ import { createBudgetSearch } from '../../../../src/pages/picture/budget.ts';
 import { createGrowth } from '../../../../src/pages/picture/growth.ts';
 import { pictureModel } from '../../../../src/pages/picture/picture-model.ts';
 import { createRayRecorder } from '../../../../src/pages/picture/ray-recorder.ts';
-import { createRefiner, oneAfterAnother } from '../../../../src/pages/picture/refiner.ts';
+import {
+  createRefiner,
+  EDGE_RAYS,
+  EDGES,
+  oneAfterAnother,
+  type Refined,
+} from '../../../../src/pages/picture/refiner.ts';
 import { createRepeats } from '../../../../src/pages/picture/repeats.ts';
 import {
   type Background,
@@ -15,8 +21,10 @@ import { type TraceRequest, traceRequests } from '../../../../src/pages/picture/
 import { BUDGET } from '../../../../src/state/picture/budget.ts';
 import { pictureSettings } from '../../../../src/state/picture/settings.ts';
 import { type AppState, INITIAL, type Settings } from '../../../../src/state/state.ts';
+import type { Picture } from '../../../../src/tracer/compare.ts';
+import { differencesBeside } from '../../../../src/tracer/edges.ts';
 import { totalOf } from '../../../../src/tracer/ledger.ts';
-import type { TraceProgress } from '../../../../src/workers/trace-job.ts';
+import type { Frame, TraceProgress } from '../../../../src/workers/trace-job.ts';
 import { type FakeWorker, fakeWorker } from '../../tracer/fake-worker.ts';
 
 const SMALL: Settings = { size: '32x18', light: '4' };
@@ -216,24 +224,89 @@ describe('behind what is wanted', () => {
     expect([state(the.room, other), repeats.times(main)]).toEqual(['finished', null]);
   });
 
-  test('a picture at rest becomes the one with sixteen rays a pixel', async () => {
+  const rgbaOf = (picture: Picture | null | undefined) => [...(picture?.rgba ?? [])];
+
+  test.each([
+    ['1', 'shadows.2'],
+    ['1', 'everything.2'],
+    ['9', 'shadows.2'],
+  ])(
+    'at rest, a picture of %s rays a pixel becomes the one with sixteen: %s',
+    async (samples, scene) => {
+      const refiner = createRefiner();
+      const the = bench(2, oneAfterAnother(createRepeats(), refiner));
+      const main = requests({ samples, scene }).main;
+      const fine = requests({ samples: '16', scene }).main;
+      const refine = (): void => refiner.of(main, the.room.seen(main)?.frame ?? null);
+      await rest(the, [main]);
+      refine();
+      await rest(the, [main]);
+      expect(refiner.done(main)).toEqual({ everywhere: 16, edges: 16 });
+      expect(refiner.next()).toBeNull();
+      refiner.of(null, null);
+      await rest(the, [fine]);
+      refine();
+      expect(refiner.frame(main)).toBeNull();
+      await rest(the, [main]);
+      expect(rgbaOf(refiner.frame(main))).toEqual(rgbaOf(the.room.seen(fine)?.frame));
+    },
+  );
+
+  test.each(['1', '4'])(
+    'edges first, each pixel in the same order, from %s rays a pixel',
+    async (samples) => {
+      const refiner = createRefiner();
+      const rays = new Map<number, number[]>();
+      const seen: { everywhere: number; edges: number; least: number; at32: number }[] = [];
+      const main = requests({ samples, scene: 'everything.2' }).main;
+      let differences = new Uint8Array(0);
+      const the = bench(2, {
+        ...refiner,
+        took(request, progress) {
+          const { samples: order = [], pixels } = request.settings.part ?? {};
+          pixels?.forEach((one, i) => {
+            if (one) rays.set(i, [...(rays.get(i) ?? []), ...order]);
+          });
+          refiner.took(request, progress);
+          const counts = [...differences.keys()].map((i) => rays.get(i)?.length ?? 0);
+          const steep = counts.filter((_, i) => (differences[i] ?? 0) > EDGES[0]);
+          const [least, at32] = [Math.min(...counts), Math.min(...steep)];
+          seen.push({ ...(refiner.done(main) as Refined), least, at32 });
+        },
+      });
+      await rest(the, [main]);
+      const stands = the.room.seen(main)?.frame as Frame;
+      differences = differencesBeside(stands);
+      const before = [...stands.rgba];
+      refiner.of(main, stands);
+      await rest(the, [main]);
+      for (const order of rays.values()) expect(order).toEqual(rays.get(0));
+      expect([...(rays.get(0) ?? [])].sort((a, b) => a - b)).toEqual([...Array(16).keys()]);
+      for (const { everywhere, least } of seen) expect(everywhere).toBe(least);
+      if (samples === '1')
+        expect(seen[0]).toMatchObject({ everywhere: 0, edges: EDGE_RAYS - 1, at32: 3 });
+      else expect(seen[0]).toEqual({ everywhere: 1, edges: 1, least: 1, at32: 1 });
+      // What was asked for is what the ledger is of: it stays.
+      expect([...stands.rgba]).toEqual(before);
+    },
+  );
+
+  test('stopped, it says how many rays the picture has that it shows', async () => {
     const refiner = createRefiner();
-    const the = bench(2, oneAfterAnother(createRepeats(), refiner));
-    const { main } = requests();
-    const fine = requests({ samples: '16' }).main;
+    let passes = 0;
+    const the = bench(1, {
+      ...refiner,
+      took(request, progress) {
+        refiner.took(request, progress);
+        passes += 1;
+        if (passes === 1) refiner.stop();
+      },
+    });
+    const main = requests({ scene: 'everything.2' }).main;
     await rest(the, [main]);
-    refiner.of(main);
+    refiner.of(main, the.room.seen(main)?.frame ?? null);
     await rest(the, [main]);
-    expect(refiner.done(main)).toBe(16);
-    expect(refiner.next()).toBeNull();
-    refiner.of(null);
-    await rest(the, [fine]);
-    refiner.of(main);
-    expect(refiner.frame(main)).toBeNull();
-    await rest(the, [main]);
-    expect([...(refiner.frame(main)?.rgba ?? [])]).toEqual([
-      ...(the.room.seen(fine)?.frame.rgba ?? []),
-    ]);
+    expect([passes, refiner.done(main)]).toEqual([1, { everywhere: 1, edges: EDGE_RAYS }]);
   });
 
   test('how the price grows: all work, then the times; it waits, stops, begins anew', async () => {
