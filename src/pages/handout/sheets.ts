@@ -71,7 +71,8 @@ const asked = (posed: Posed, i: number, seed: number): TemplateResult =>
 const answerPlace = ({ kind, label, options }: Field): TemplateResult =>
   kind === 'choice'
     ? html`<span class="sheet-answer">${label}: ${options.map(
-        ({ title }) => html`<span><span class="sheet-box"></span> ${title}</span>`,
+        ({ title }) =>
+          html`<span class="sheet-option"><span class="sheet-box"></span> ${title}</span>`,
       )}</span>`
     : html`<span class="sheet-answer">${label} = <span class="sheet-line"></span></span>`;
 
