@@ -38,7 +38,7 @@ import { validateScene } from '../../src/scene/validate.ts';
 import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
-import { newThing } from '../../src/state/picture/edits.ts';
+import { newThing, thingWords } from '../../src/state/picture/edits.ts';
 import { initialShape, shapeOf } from '../../src/state/state.ts';
 import { decode, encode } from '../../src/state/url.ts';
 import { shortest } from '../../src/text/format.ts';
@@ -189,7 +189,9 @@ describe('Picture', () => {
     expect(() => validateScene(JSON.parse(JSON.stringify(scene)))).not.toThrow();
     const added = newThing(scene, KIND);
     expect(added.shape.kind).toBe(KIND);
-    expect(() => validateScene({ ...scene, things: [...scene.things, added] })).not.toThrow();
+    const both = { ...scene, things: [...scene.things, added] };
+    expect(() => validateScene(both)).not.toThrow();
+    expect(thingWords(both, added), 'a name of two words says what it is').toBe('');
   });
 
   test.each(['certified', METHOD])('traced by %s: every ray ends where exact says', async (id) => {

@@ -23,7 +23,7 @@ import type { Axis, Vec3 } from '../../src/math/vec3.ts';
  */
 
 /** (x − Cx)² + 4(z − Cz)² = r². */
-export interface EllipticCylinder {
+interface EllipticCylinder {
   readonly kind: 'elliptic-cylinder';
   readonly center: Vec3;
   readonly radius: number;

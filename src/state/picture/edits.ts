@@ -166,7 +166,7 @@ export function asLight(light: Light, kind: Light['light'], target: Vec3): Light
 export function thingWords(scene: Scene, { id, shape, material }: Thing): string {
   const word = wordFor(shape);
   const { name } = definitionOf(shape).named(shape);
-  const isSaid = nameIn(scene, id).split(' ').includes(word);
+  const isSaid = ` ${nameIn(scene, id)} `.includes(` ${word} `);
   return [...(isSaid ? [] : [name]), materialWords(material)].filter(Boolean).join('; ');
 }
 
