@@ -19,11 +19,13 @@ export interface Asked {
  * @throws InvalidInput for an id that there is not.
  */
 export function familiesFrom(ids: string): readonly Family[] {
-  if (ids === 'all') return FAMILIES;
+  if (ids === 'all') return FAMILIES();
   return ids.split(',').map((id) => {
-    const found = FAMILIES.find((family) => family.id === id);
+    const found = FAMILIES().find((family) => family.id === id);
     if (found) return found;
-    const known = FAMILIES.map((family) => family.id).join(', ');
+    const known = FAMILIES()
+      .map((family) => family.id)
+      .join(', ');
     throw new InvalidInput(`unknown family '${id}': there are all, ${known}`);
   });
 }

@@ -5,6 +5,7 @@ import {
   evaluateTriple,
   exact as exactly,
   POINT,
+  solveBy,
   type Triple,
   textbookSolver,
   valuesOf,
@@ -42,5 +43,5 @@ function rootsOf(shape: Shape, values: ReturnType<typeof valuesOf<Surd>>): reado
   if (formula.family === 'flat') return [evaluate(formula.t, exactly, values)];
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], exactly, values);
   const D = evaluate(DISCRIMINANT, exactly, withScalars(values, { A, B, C }));
-  return textbookSolver(A, B, C, D, exactly).roots;
+  return solveBy(textbookSolver, A, B, C, D, exactly).roots;
 }

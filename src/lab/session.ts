@@ -128,7 +128,7 @@ const noSimdWords = (whyNot: string | null): string =>
     : (whyNot ?? 'WebAssembly with SIMD is not in use here.');
 
 export function familyOf(id: string): Family {
-  const found = FAMILIES.find((family) => family.id === id);
+  const found = FAMILIES().find((family) => family.id === id);
   if (!found) throw new InvalidInput(`unknown family ${quote(id)}`);
   return found;
 }

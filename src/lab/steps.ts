@@ -20,6 +20,7 @@ import {
   STABLE_Q,
   STABLE_ROOTS,
   scalar,
+  solveBy,
   type Triple,
   type Values,
   withScalars,
@@ -37,13 +38,13 @@ import { type Operation, type Trace, type Traced, traceIn } from './trace.ts';
 export function operationsOf(method: Method, shape: Shape, ray: Ray): readonly Operation[] {
   const parts = method.parts ?? exact.parts;
   return parts
-    ? parts((arithmetic, form, solver) => run(arithmetic, form, solver, shape, ray))
+    ? parts(({ arithmetic, form, solver }) => run(arithmetic, form, solver, shape, ray))
     : [];
 }
 
 /** The arithmetic of those operations. */
 export const formatOf = (method: Method): string =>
-  (method.parts ?? exact.parts)?.(({ id }) => id) ?? exact.id;
+  (method.parts ?? exact.parts)?.(({ arithmetic }) => arithmetic.id) ?? exact.id;
 
 function run<T>(
   own: Arithmetic<T>,
@@ -91,7 +92,7 @@ function curved<T>(
   trace.name(scalar('t'), ROOTS, named, -1);
   const [a, b, c] = evaluateTriple([A, B, C], ar, values);
   const withABC = withScalars(values, { A: a, B: b, C: c });
-  solver(a, b, c, form.discriminant(formula, withABC, ar), ar);
+  solveBy(solver, a, b, c, form.discriminant(formula, withABC, ar), ar);
 }
 
 function nameVector<T>(

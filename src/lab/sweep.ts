@@ -23,7 +23,7 @@ interface DialFamily extends Family {
 }
 
 /** The families that have a dial. */
-export const DIAL_FAMILIES: readonly DialFamily[] = FAMILIES.filter(
+export const DIAL_FAMILIES: readonly DialFamily[] = FAMILIES().filter(
   (family): family is DialFamily => family.dial !== null,
 );
 

@@ -1,5 +1,5 @@
 import { type Ratio, ratios } from './arithmetic/ratios.ts';
-import { DISCRIMINANT } from './formula/common.ts';
+import { DISCRIMINANT, DOUBLE_ROOT } from './formula/common.ts';
 import { evaluate } from './formula/evaluate.ts';
 import { type Expr, minus, num, over, scalar, squared, type Term, times } from './formula/expr.ts';
 import { termsOf } from './formula/ray-put-in.ts';
@@ -70,9 +70,6 @@ function roundAbout({ left, right }: ShapeDefinition<Shape>['surface'], given: R
     : null;
 }
 
-const [A, B, D] = ['A', 'B', 'D'].map(scalar) as [Expr, Expr, Expr];
-const TURN = over(B, times(num(-2), A));
-
 /**
  * The line's closest approach to the axis of a cylinder or the centre of a sphere, or of whatever
  * surface says by its tree that it is round: f at its lowest is distance² − radius², which is
@@ -100,7 +97,7 @@ export function closestApproach(shape: Shape, ray: Ray): Closest | null {
   const abc = { scalars: { ...given.scalars, A: a, B: b, C: c }, vectors: given.vectors };
   const d = evaluate(DISCRIMINANT, ratios, abc);
   const values = { ...abc, scalars: { ...abc.scalars, D: d } };
-  const at = evaluate(TURN, ratios, values);
+  const at = evaluate(DOUBLE_ROOT, ratios, values);
   const center = given.vectors[circle.center];
   const along = AXES.map((axis) => {
     const i = axisIndex(axis);
@@ -112,7 +109,7 @@ export function closestApproach(shape: Shape, ray: Ray): Closest | null {
     const i = axisIndex(axis);
     return circle.axes.includes(axis) && center ? toNumber(center[i]) : point[i];
   }) as unknown as Vec3;
-  const height = minus(squared(circle.radius), over(D, times(num(4), A)));
+  const height = minus(squared(circle.radius), over(scalar('D'), times(num(4), scalar('A'))));
   return {
     t: toNumber(at),
     point,

@@ -1,5 +1,11 @@
 import { linearCancellation, nearAxis } from './families/asymptotes.ts';
-import type { Family, Hardness } from './families/define.ts';
+import {
+  type Family,
+  type FamilyParts,
+  family,
+  type Hardness,
+  type Setting,
+} from './families/define.ts';
 import { circle, circleRim, square, squareEdge } from './families/figures.ts';
 import { generator, linear, nearGenerator } from './families/generators.ts';
 import { mix } from './families/mix.ts';
@@ -11,7 +17,7 @@ import { cancellation, nearSurface, onSurface } from './families/starts.ts';
 import { exactTangent, nearTangent, nearTangentFar } from './families/tangents.ts';
 import { vertex } from './families/vertex.ts';
 import { degenerate, flatDegenerate } from './families/whole.ts';
-
+import { lazily } from './lazily.ts';
 import type { ShapeDefinition } from './shapes/define.ts';
 import { SHAPES, type Shape } from './shapes/index.ts';
 
@@ -21,12 +27,10 @@ export { type Random, seeded } from './rng.ts';
 const DEFINITIONS = SHAPES as unknown as readonly ShapeDefinition<Shape>[];
 
 /** By kind, of the shapes that have no families written for them. */
-const OF_SHAPE: ReadonlyMap<string, readonly Family[]> = new Map(
-  DEFINITIONS.filter(({ ownFamilies }) => !ownFamilies).map((definition) => [
-    definition.kind,
-    familiesOfShape(definition),
-  ]),
-);
+const ofShape = lazily((): ReadonlyMap<string, readonly Family[]> => {
+  const without = DEFINITIONS.filter(({ ownFamilies }) => !ownFamilies);
+  return new Map(without.map((definition) => [definition.kind, familiesOfShape(definition)]));
+});
 
 /**
  * Families made for one shape: those of that hardness; none for the shapes that have their own.
@@ -38,16 +42,18 @@ const OF_SHAPE: ReadonlyMap<string, readonly Family[]> = new Map(
  * madeFamilies('cone', 'hard'); // → []
  */
 export const madeFamilies = (kind: string, hardness: Hardness | 'invalid'): readonly Family[] =>
-  (OF_SHAPE.get(kind) ?? []).filter((family) => family.hardness === hardness);
+  (ofShape().get(kind) ?? []).filter((family) => family.hardness === hardness);
 
 /**
  * The families that are not made from a shape's parameters: curved shapes easy ones first, then
  * flat ones. A new one is one word.
  *
  * @example
- * WRITTEN_FAMILIES.includes(findFamily('vertex')!); // → true
+ * WRITTEN_FAMILIES().includes(findFamily('vertex')!); // → true
  */
-export const WRITTEN_FAMILIES: readonly Family[] = [
+export const WRITTEN_FAMILIES = lazily((): readonly Family[] => WRITTEN.map(family));
+
+const WRITTEN: readonly FamilyParts<Setting>[] = [
   typical,
   mix,
   farOrigin,
@@ -82,11 +88,14 @@ export const WRITTEN_FAMILIES: readonly Family[] = [
  * Every family there is: the written ones, then those made for single shapes.
  *
  * @example
- * const { shape, rays } = FAMILIES[0]!.batch(seeded(7), 100);
+ * const { shape, rays } = FAMILIES()[0]!.batch(seeded(7), 100);
  * rays.length; // → 100
  * intersect(shape, rays[0]!).method; // → 'certified'
  */
-export const FAMILIES: readonly Family[] = [...WRITTEN_FAMILIES, ...[...OF_SHAPE.values()].flat()];
+export const FAMILIES = lazily((): readonly Family[] => [
+  ...WRITTEN_FAMILIES(),
+  ...[...ofShape().values()].flat(),
+]);
 
 /**
  * The family with this `id`, or undefined.
@@ -98,4 +107,4 @@ export const FAMILIES: readonly Family[] = [...WRITTEN_FAMILIES, ...[...OF_SHAPE
  * findFamily('easy'); // → undefined
  */
 export const findFamily = (id: string): Family | undefined =>
-  FAMILIES.find((family) => family.id === id);
+  FAMILIES().find((family) => family.id === id);

@@ -76,7 +76,13 @@ export {
 } from './formula/recompute.ts';
 export { type Level, levelOf } from './level.ts';
 export { courseForm, type Form } from './methods/forms.ts';
-export { type Solver, STABLE_Q, STABLE_ROOTS, textbookSolver } from './methods/solvers.ts';
+export {
+  type Solver,
+  STABLE_Q,
+  STABLE_ROOTS,
+  solveBy,
+  textbookSolver,
+} from './methods/solvers.ts';
 export { valuesOf } from './methods/tree-method.ts';
 export type { CurvedFormula } from './shapes/axial-quadric.ts';
 export { all, type FlatFormula, whichHold, withPoint } from './shapes/planar.ts';

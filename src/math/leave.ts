@@ -35,7 +35,7 @@ const sameShape = (a: Shape, b: Shape): boolean => isSameSurface(definitionOf(a)
 
 function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
   const oneIsACap = first.fate === 'cap' || second.fate === 'cap';
-  const known = KNOWS_SIGNS.has(found.method) && !oneIsACap;
+  const known = KNOWS_SIGNS.includes(found.method) && !oneIsACap;
   return isSecondNearer(first.t, second.t, () => {
     const { details } = found;
     return known && details.family === 'curved' ? details.signs : null;
@@ -43,4 +43,4 @@ function secondIsNearer(found: Intersection, first: Hit, second: Hit): boolean {
 }
 
 /** The methods whose details hold exact signs. */
-const KNOWS_SIGNS: ReadonlySet<string> = new Set(['certified', 'exact']);
+const KNOWS_SIGNS: readonly string[] = ['certified', 'exact'];

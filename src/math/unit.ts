@@ -1,9 +1,10 @@
 import { exact } from './arithmetic/exact.ts';
 import { alongAxes, evaluateTriple } from './formula/evaluate.ts';
-import { comp, type ExprTriple, norm, over, vec } from './formula/expr.ts';
+import { comp, norm, over, vec } from './formula/expr.ts';
+import { lazily } from './lazily.ts';
 import type { Vec3 } from './vec3.ts';
 
-const UNIT: ExprTriple = alongAxes((axis) => over(comp('d', axis), norm(vec('d'))));
+const unit = lazily(() => alongAxes((axis) => over(comp('d', axis), norm(vec('d')))));
 
 /**
  * d / |d|, each component correctly rounded, at any scale; d must not be zero. What comes out is
@@ -18,6 +19,6 @@ const UNIT: ExprTriple = alongAxes((axis) => over(comp('d', axis), norm(vec('d')
  */
 export function unitVector(d: Vec3): Vec3 {
   const lifted = [exact.of(d[0]), exact.of(d[1]), exact.of(d[2])] as const;
-  const [x, y, z] = evaluateTriple(UNIT, exact, { scalars: {}, vectors: { d: lifted } });
+  const [x, y, z] = evaluateTriple(unit(), exact, { scalars: {}, vectors: { d: lifted } });
   return [exact.toNumber(x), exact.toNumber(y), exact.toNumber(z)];
 }

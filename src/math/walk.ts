@@ -1,4 +1,4 @@
-import { DISCRIMINANT, F_OF_T, LINEAR_ROOT, ROOTS } from './formula/common.ts';
+import { A, B, C, D, DISCRIMINANT, F_OF_T, LINEAR_ROOT, ROOTS, T as t } from './formula/common.ts';
 import { derivative, halved } from './formula/derivative.ts';
 import { comp, type Expr, minus, num, over, plus, scalar, squared, times } from './formula/expr.ts';
 import {
@@ -63,17 +63,13 @@ export interface WalkStep {
   readonly columns?: readonly WalkColumn[];
 }
 
-const ZERO = num(0);
-const t = scalar('t');
-const T2 = squared(t);
-const [A, B, C, D] = ['A', 'B', 'C', 'D'].map(scalar) as [Expr, Expr, Expr, Expr];
+const ZERO: Expr = { op: 'number', value: 0 };
+const T2: Expr = { op: 'square', of: t };
 const LETTERS = ['C', 'B', 'A'] as const;
 
 /** f(t) = A(t + B/2A)² − D/4A, for A ≠ 0. */
-export const SQUARE_COMPLETED: Expr = minus(
-  times(A, squared(plus(t, over(B, times(num(2), A))))),
-  over(D, times(num(4), A)),
-);
+export const squareCompleted = (): Expr =>
+  minus(times(A, squared(plus(t, over(B, times(num(2), A))))), over(D, times(num(4), A)));
 
 /**
  * A side of a line as one tree.
@@ -197,7 +193,7 @@ function curved(
     : {
         name: 'square',
         why: 'Completed to a square: f turns at t = −B/2A, at the height −D/4A.',
-        lines: [is(F_OF_T, SQUARE_COMPLETED), is(D, DISCRIMINANT)],
+        lines: [is(F_OF_T, squareCompleted()), is(D, DISCRIMINANT)],
       };
   return [
     {

@@ -1,6 +1,7 @@
 import { checkedRay } from './given-ray.ts';
 import type { Intersection } from './intersection.ts';
 import { InvalidInput, quote } from './invalid-input.ts';
+import { lazily } from './lazily.ts';
 import type { Method } from './methods/define.ts';
 import { METHODS } from './methods/index.ts';
 import type { Ray } from './ray.ts';
@@ -43,11 +44,11 @@ export const intersectWhole = (
  * findMethod('newton'); // → undefined
  */
 export function findMethod(id: string): Method | undefined {
-  return BY_ID.get(id);
+  return byId().get(id);
 }
 
-const BY_ID: ReadonlyMap<string, Method> = /* @__PURE__ */ new Map(
-  METHODS.map((method) => [method.id, method]),
+const byId = lazily(
+  (): ReadonlyMap<string, Method> => new Map(METHODS.map((method) => [method.id, method])),
 );
 
 /** The same; an id that there is not is refused. */

@@ -44,5 +44,5 @@ export function whyNoShadow(
 function shadesNothing({ shape, between }: Thing, eye: Vec3): boolean {
   const side = sideOf(shape, eye);
   if (side === null) return true;
-  return !between && definitionOf(shape).body.convex(shape) && side > 0;
+  return !between && definitionOf(shape).body().convex(shape) && side > 0;
 }

@@ -27,7 +27,7 @@ const bends = ({ things }: Scene): boolean =>
 const hasLamp = ({ lights }: Scene): boolean => lights.some(({ light }) => light === 'sphere');
 /** A whole convex thing gets no light from itself. */
 const isHollow = ({ shape, between }: Thing): boolean =>
-  between !== undefined || !definitionOf(shape).body.convex(shape);
+  between !== undefined || !definitionOf(shape).body().convex(shape);
 
 export const SIMPLIFICATIONS: readonly Simplification[] = [
   {

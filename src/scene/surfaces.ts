@@ -17,7 +17,9 @@ export interface Surface {
 
 /** A box slightly larger than the surface, or than all of a thing; null for an unbounded one. */
 export const boxOf = ({ shape, between }: Pick<Surface, 'shape' | 'between'>): Box | null =>
-  definitionOf(shape).body.box(shape, between ?? null);
+  definitionOf(shape)
+    .body()
+    .box(shape, between ?? null);
 
 /** All surfaces of a scene, in the order to which indices in hits, ray trees and frames refer. */
 export function surfacesOf(scene: Scene): readonly Surface[] {

@@ -1,10 +1,10 @@
 import type { Typed, TypedUnary } from './typed.ts';
 
-const OF_ANGLES: ReadonlySet<string> = new Set(['sin', 'cos', 'tan']);
+const OF_ANGLES: readonly string[] = ['sin', 'cos', 'tan'];
 
 /** The argument in degrees of a sine, cosine or tangent; null if it was not typed in degrees. */
 export function degreesIn({ name, of }: TypedUnary): Typed | null {
-  return OF_ANGLES.has(name) ? withoutDegrees(of) : null;
+  return OF_ANGLES.includes(name) ? withoutDegrees(of) : null;
 }
 
 /** The tree without its unit: -30 for -(30 deg). */
@@ -23,13 +23,7 @@ interface SpecialValue {
 }
 
 /** 4 sin² of the angles in degrees of the first quadrant whose sine is the root of a fraction. */
-const FOUR_SINES = new Map([
-  [0, 0],
-  [30, 1],
-  [45, 2],
-  [60, 3],
-  [90, 4],
-]);
+const FOUR_SINES: Readonly<Record<number, number>> = { 0: 0, 30: 1, 45: 2, 60: 3, 90: 4 };
 
 /** The exact sine, cosine or tangent at a multiple of 30 or 45 degrees; null at other angles. */
 export function atSpecialAngle(name: string, degrees: number): SpecialValue | null {
@@ -45,7 +39,7 @@ export function atSpecialAngle(name: string, degrees: number): SpecialValue | nu
 function sineAt(degrees: number): SpecialValue | null {
   const turned = ((degrees % 360) + 360) % 360;
   const half = turned % 180;
-  const over = FOUR_SINES.get(half > 90 ? 180 - half : half);
+  const over = FOUR_SINES[half > 90 ? 180 - half : half];
   if (over === undefined) return null;
   return { sign: turned >= 180 && over > 0 ? -1 : 1, over, under: 4 };
 }
@@ -57,7 +51,7 @@ function sineAt(degrees: number): SpecialValue | null {
 export function angleHint(tree: Typed): string | null {
   if (tree.op === 'number' || tree.op === 'constant') return null;
   if (tree.op === 'binary') return angleHint(tree.left) ?? angleHint(tree.right);
-  if (tree.op === 'unary' && OF_ANGLES.has(tree.name) && !saysUnit(tree.of)) {
+  if (tree.op === 'unary' && OF_ANGLES.includes(tree.name) && !saysUnit(tree.of)) {
     const { name, argument } = tree;
     return `${name} is taken in radians; ${name}(${argument} deg) in degrees`;
   }

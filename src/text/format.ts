@@ -53,7 +53,7 @@ export function displayTriple(v: readonly [number, number, number], digits = 6):
 }
 
 /** Cache: the same number is written in many places and at every frame. */
-const written = new Map<number, Map<number, DisplayParts>>();
+let written: Map<number, Map<number, DisplayParts>> | undefined;
 const MOST_KEPT = 2000;
 let kept = 0;
 
@@ -62,6 +62,7 @@ let kept = 0;
  * '0'.
  */
 export function displayParts(x: number, digits = 6): DisplayParts {
+  written ??= new Map();
   const before = written.get(x)?.get(digits);
   if (before !== undefined) return before;
   if (++kept > MOST_KEPT) {

@@ -96,7 +96,7 @@ const ROUNDINGS = 16;
 function unitOf({ parts }: Method): number {
   const double = 2 ** -52;
   if (!parts) return double;
-  return parts(({ of, toNumber }) => {
+  return parts(({ arithmetic: { of, toNumber } }) => {
     let unit = double;
     while (toNumber(of(1 + unit)) === 1) unit *= 2;
     return unit;
@@ -124,7 +124,7 @@ function keptBy(shape: Shape, between: Heights, method: Method): CutOff['isKept'
 /** E.y + t d.y as the method rounds it; null if its t is more than the double that a root is. */
 function roundedHeight({ parts }: Method): ((e: number, d: number, t: number) => number) | null {
   if (!parts) return null;
-  return parts(({ of, add, mul, toNumber }) =>
+  return parts(({ arithmetic: { of, add, mul, toNumber } }) =>
     typeof of(1) === 'number' ? (e, d, t) => toNumber(add(of(e), mul(of(t), of(d)))) : null,
   );
 }

@@ -46,7 +46,9 @@ function numberOf(name: string, usual: number): number {
   return given;
 }
 const chosen = option('families');
-const families = chosen ? FAMILIES.filter(({ id }) => chosen.split(',').includes(id)) : FAMILIES;
+const families = chosen
+  ? FAMILIES().filter(({ id }) => chosen.split(',').includes(id))
+  : FAMILIES();
 const rounds = numberOf('rounds', 15);
 const many = numberOf('rays', MANY);
 const whole = (!chosen && rounds >= 15 && many >= MANY) || process.argv.includes('--write');
@@ -59,7 +61,7 @@ const ask = (methods: readonly (typeof METHODS)[number][], form: Form): Asked[] 
   methods.flatMap((method) => TARGETS.map((target) => ({ method, target, form })));
 const named = (...ids: readonly string[]): readonly (typeof METHODS)[number][] =>
   METHODS.filter(({ id }) => ids.includes(id));
-const find = (id: string): Family => FAMILIES.find((family) => family.id === id) as Family;
+const find = (id: string): Family => FAMILIES().find((family) => family.id === id) as Family;
 
 const BIG = { seed: SEED, shapes: SHAPES, count: many };
 const typical = pricesOf(

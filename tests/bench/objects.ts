@@ -41,7 +41,7 @@ function handTyped(random: Random): Question {
   };
 }
 
-const findFamily = (id: string): Family => FAMILIES.find((family) => family.id === id) as Family;
+const findFamily = (id: string): Family => FAMILIES().find((family) => family.id === id) as Family;
 const typical = findFamily('typical');
 
 /** Rays of six shapes, one shape after the other. */

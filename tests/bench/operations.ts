@@ -34,7 +34,7 @@ function cone() {
 /** How many of each kind; null for a method without such a program. */
 function countsOf(method: Method): readonly number[] | null {
   let counts: readonly number[] | null = null;
-  method.parts?.(({ id }, form, solver) => {
+  method.parts?.(({ arithmetic: { id }, form, solver }) => {
     const system = SYSTEMS[id];
     if (!system) return;
     const [ask] = asksOf(system);

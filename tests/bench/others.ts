@@ -124,7 +124,7 @@ export function besideOthers(seed: number, count: number, plan: Plan): Beside[] 
   const mesh = new Mesh(new SphereGeometry(radius, WIDTH, HEIGHT).translate(...center.toArray()));
   const tree = new MeshBVH(mesh.geometry);
   const rays = inThree(round.rays);
-  const flat = (FAMILIES.find(({ id }) => id === 'plane') as Family).batch(random, count);
+  const flat = (FAMILIES().find(({ id }) => id === 'plane') as Family).batch(random, count);
   if (flat.shape.kind !== 'plane') throw new Error('the family is not of planes');
   const plane = new Plane().setFromNormalAndCoplanarPoint(
     new Vector3(...flat.shape.normal).normalize(),

@@ -13,7 +13,8 @@ import type { Question } from '../../src/math/families.ts';
 import type { Intersection } from '../../src/math/intersection.ts';
 import type { Method } from '../../src/math/methods/define.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
-import { treeMethod } from '../../src/math/methods/tree-method.ts';
+import { intersectBy } from '../../src/math/methods/tree-method.ts';
+import type { MethodParts } from '../../src/math/methods/tree-parts.ts';
 import type { Ray } from '../../src/math/ray.ts';
 import { integer, pick, type Random } from '../../src/math/rng.ts';
 import type { Shape } from '../../src/math/shapes/index.ts';
@@ -33,6 +34,11 @@ const WINDOWS = [
   [-1, 2],
 ] as const;
 
+const walking = <T>(parts: MethodParts<T>, method: Method): Method => ({
+  ...method,
+  intersect: (shape, ray) => intersectBy(parts, shape, ray),
+});
+
 /** The methods, each with its tree. */
 const WALKED: readonly { readonly method: Method; readonly tree: Method }[] = METHODS.flatMap(
   (method: Method) =>
@@ -40,8 +46,8 @@ const WALKED: readonly { readonly method: Method; readonly tree: Method }[] = ME
       ? [
           {
             method,
-            tree: method.parts((arithmetic, form, solver) =>
-              treeMethod(method, arithmetic, solver, 'formula', form),
+            tree: method.parts(({ arithmetic, form, solver }) =>
+              walking({ arithmetic, form, solver, decidedBy: 'formula', id: method.id }, method),
             ),
           },
         ]

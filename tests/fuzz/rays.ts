@@ -71,7 +71,7 @@ let failures = 0;
 let told = start;
 let asked = 0;
 for (; asked < count && failures < 10; asked++) {
-  const family = FAMILIES[Math.floor(asked / only.length) % FAMILIES.length] as Family;
+  const family = FAMILIES()[Math.floor(asked / only.length) % FAMILIES().length] as Family;
   const name = only[asked % only.length] as string;
   const { make, wrong } = KINDS[name] as Kind;
   const question = make(family.make(random), random);

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { EXERCISES } from '../../src/check/exercises/index.ts';
 import { ALL_MISCONCEPTIONS, MISCONCEPTIONS } from '../../src/check/misconceptions/index.ts';
+import { family } from '../../src/math/families/define.ts';
 import { FAMILIES, WRITTEN_FAMILIES } from '../../src/math/families.ts';
 import { intersect } from '../../src/math/index.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
@@ -22,7 +23,8 @@ const put = <T>(list: readonly T[], entry: T): void => {
   (list as T[]).push(entry);
 };
 put(EXERCISES, laterRoot);
-for (const list of [WRITTEN_FAMILIES, FAMILIES]) put(list, level);
+const added = family(level);
+for (const list of [WRITTEN_FAMILIES(), FAMILIES()]) put(list, added);
 put(PRESETS, column);
 put(MISCONCEPTIONS, aForgottenInD);
 // In the same file, made of the list above.
@@ -70,9 +72,9 @@ describe('a family', async () => {
   const { readAccuracy } = await import('../../src/state/accuracy/settings.ts');
 
   test('is opened by a link, and every method is judged on it', () => {
-    expect(findFamily(level.id)).toBe(level);
+    expect(findFamily(level.id)).toBe(added);
     expect(readAccuracy({ family: level.id }).problems).toEqual([]);
-    const batches = batchesOf(level, { seed: 3, shapes: 4, count: 25 });
+    const batches = batchesOf(added, { seed: 3, shapes: 4, count: 25 });
     for (const method of METHODS) expect(qualityOf(method, batches).rays).toBe(100);
     const exact = METHODS.find(({ id }) => id === 'exact');
     expect(exact && qualityOf(exact, batches).judged.right).toBe(100);

@@ -394,6 +394,68 @@ const LIVE = [
 const liveRegions = (sources: Sources): string[] =>
   Object.keys(sources).filter((path) => LIVE.some((live) => live.test(sources[path] ?? '')));
 
+/** What a value may be written with so that nothing is made when its module is imported. */
+const LITERAL = new Set([
+  ...['Literal', 'TemplateLiteral', 'TemplateElement', 'Identifier', 'MemberExpression'],
+  ...['UnaryExpression', 'BinaryExpression', 'ArrayExpression', 'ObjectExpression', 'Property'],
+  ...['TSAsExpression', 'TSSatisfiesExpression', 'ParenthesizedExpression'],
+]);
+/** What a module may hold beside values. */
+const DECLARED = /^(Import|Export|TS)\w*Declaration$|^VariableDeclaration$/;
+/** Parts of these that are types only, or names that are given. */
+const NOT_RUN = new Set(['typeAnnotation', 'typeArguments', 'specifiers', 'attributes', 'source']);
+
+/**
+ * What is below the node and no literal, as it is written: a call, `new`, a loop, a spread of a
+ * list … Functions are not looked into. A call of `lazily` makes one, and is looked at as a list.
+ */
+function madeIn(node: AnyNode, source: string): string[] {
+  const into = (parts: readonly AnyNode[]) => parts.flatMap((part) => madeIn(part, source));
+  const below = () =>
+    into(Object.entries(node).flatMap(([key, value]) => (NOT_RUN.has(key) ? [] : nodesIn(value))));
+  const { type, callee, properties } = node as AnyNode & Readonly<Record<string, never>>;
+  if (/Function/.test(type) || /^TS(Interface|TypeAlias)/.test(type)) return [];
+  if (LITERAL.has(type) || DECLARED.test(type)) {
+    // { ...LENGTH, title: 'radius' } has the fields of another literal.
+    const spread = nodesIn(properties).filter((part) => part.type === 'SpreadElement');
+    return spread.length === 0
+      ? below()
+      : into(nodesIn(properties).map((part) => (part.argument ?? part) as AnyNode));
+  }
+  if (type === 'VariableDeclarator') return into(nodesIn([node.init, ...defaultsOf(node.id)]));
+  if (type === 'ClassDeclaration' || type === 'ClassBody') {
+    return into(nodesIn([node.superClass, node.body].flat()));
+  }
+  if (type === 'MethodDefinition') return into(node.computed ? nodesIn(node.key) : []);
+  if (type === 'PropertyDefinition') {
+    return into(nodesIn([node.computed && node.key, node.static && node.value]));
+  }
+  if (type === 'CallExpression' && textOf(callee) === 'lazily')
+    return into(nodesIn(node.arguments));
+  return [source.slice(node.start as number, node.end as number)];
+}
+
+const nodesIn = (value: unknown): AnyNode[] => [value].flat().filter(isNode);
+/** { a = f() } of a pattern. */
+const defaultsOf = (pattern: unknown): AnyNode[] =>
+  nodesIn(pattern).flatMap((one) => within(one).filter(({ type }) => type === 'AssignmentPattern'));
+
+/** What the math module makes when it is imported, and what it imports of other rooms. */
+function madeAtImport(sources: Sources): string[] {
+  const reached = new Set(Object.keys(sources).filter((path) => roomOf(path) === 'math'));
+  for (const path of reached) {
+    for (const { from, typesOnly } of importsOf(path, sources[path] ?? '')) {
+      if (!typesOnly) reached.add(posix.join(posix.dirname(path), from));
+    }
+  }
+  return [...reached].flatMap((path) => {
+    const source = sources[path] ?? '';
+    return bodyOf(path, source).flatMap((node) =>
+      madeIn(node, source).map((one) => `${path}: ${one}`),
+    );
+  });
+}
+
 function sourcesUnder(folder: string): Sources {
   const files = readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' });
   const paths = files.filter((name) => /\.ts$/.test(name)).map((name) => `${folder}/${name}`);
@@ -481,6 +543,49 @@ describe('src', () => {
 
   test('acts at import only in main, custom elements and workers', () => {
     expect(wrongActs(SRC)).toEqual([]);
+  });
+});
+
+describe('the math module', () => {
+  test('makes nothing at import: every value is a literal, or asked for by `lazily`', () => {
+    expect(madeAtImport(SRC)).toEqual([]);
+  });
+
+  test.each([
+    'const tree = plus(a, b);',
+    'export const known = new Map();',
+    'const list = [1, ...others];',
+    'const both = { ...first, made: make() };',
+    'const deep = { a: [{ b: -f() }] };',
+    'const later = lazily(make());',
+    'const { a = f() } = b;',
+    'class A { static readonly x = f(); }',
+    'class A extends f() {}',
+    'class A { static { f(); } }',
+    'class A { [f()]() {} }',
+    'export default f();',
+    // biome-ignore lint/suspicious/noTemplateCurlyInString: source text.
+    'const text = `${f()}`;',
+    'const text = tag`x`;',
+    'for (const x of list) x.y = 1;',
+    'if (a) f();',
+    'a.b = 1;',
+    'let n = 0; n++;',
+    'const x = (() => 1)();',
+    "const x = await import('./x.ts');",
+  ])('would notice %s', (source) => {
+    expect(madeAtImport({ 'src/math/wrong.ts': source })).toHaveLength(1);
+  });
+
+  test.each([
+    'const tree: Expr = { op: "square", of: B }; export const list: number[] = [-1, 2 ** 9];',
+    'export const f = () => g(); function g() { return new Map(); } const { fround } = Math;',
+    'const later = lazily(() => new Map()); let last: number | undefined; const key = `a`;',
+    'class A extends Error { name = f(); static x = { get() { return f(); } }; #y = new Map(); }',
+    'export const cone = { ...POINT, get x() { return f(); }, y } satisfies Cone as const;',
+    'export * from "./a.ts"; export { b } from "./b.ts"; interface C { d(): void } type E = C;',
+  ])('and let pass %s', (source) => {
+    expect(madeAtImport({ 'src/math/fine.ts': source })).toEqual([]);
   });
 });
 

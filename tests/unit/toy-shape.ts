@@ -14,7 +14,7 @@ import { UNKNOWN_BODY } from '../../src/math/shapes/body.ts';
 import type { ShapeDefinition } from '../../src/math/shapes/define.ts';
 import type { Patch, Stage } from '../../src/math/shapes/drawing.ts';
 import { pointGrip } from '../../src/math/shapes/grips.ts';
-import { lengthParam, pointParam } from '../../src/math/shapes/params.ts';
+import { LENGTH, POINT } from '../../src/math/shapes/params.ts';
 import type { Axis, Vec3 } from '../../src/math/vec3.ts';
 
 /*
@@ -45,8 +45,8 @@ export const ellipticCylinder: ShapeDefinition<EllipticCylinder> = {
   }),
   icon: 'M6 6v12a6 2.4 0 0 0 12 0V6',
   params: [
-    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
-    lengthParam({ key: 'radius', symbol: 'r', title: 'half width', initial: 1.5 }),
+    { ...POINT, key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] },
+    { ...LENGTH, key: 'radius', symbol: 'r', title: 'half width', initial: 1.5 },
   ],
   surface: {
     left: plus(squared(n('x')), times(num(4), squared(n('z')))),
@@ -56,7 +56,7 @@ export const ellipticCylinder: ShapeDefinition<EllipticCylinder> = {
   formula: () => FORMULA,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: null,
-  body: UNKNOWN_BODY,
+  body: () => UNKNOWN_BODY,
   ownFamilies: false,
   meaning: () => '',
   anchor: ({ center, radius }) => ({ at: center, size: radius }),

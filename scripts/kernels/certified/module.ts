@@ -50,8 +50,8 @@ const scaled = (key: string): number =>
 const surface = (key: string): number =>
   SURFACE_NUMBERS + 8 * AT_SURFACE[key as keyof typeof AT_SURFACE];
 
-/** The numbers by name that inSlots made doubles of. */
-const named = (at: Readonly<Record<string, number>>, doubles: Float64Array) =>
+/** A stage's bounds by name. */
+const named = (at: Readonly<Record<string, number>>, doubles: readonly number[]) =>
   Object.fromEntries(Object.entries(at).map(([name, k]) => [name, doubles[k] as number]));
 
 const numbersOf = (known: Numbers['known']): Numbers => ({

@@ -6,7 +6,7 @@ import {
   withScalars,
 } from '../../../src/math/formula/evaluate.ts';
 import type { Verdict } from '../../../src/math/intersection.ts';
-import type { Solver } from '../../../src/math/methods/solvers.ts';
+import { type Solver, solveBy } from '../../../src/math/methods/solvers.ts';
 import { withPoint } from '../../../src/math/shapes/planar.ts';
 import { local, roundedTo, usesOf, writer } from './emit-typescript.ts';
 import { Graph, type Node } from './graph.ts';
@@ -169,7 +169,7 @@ function treeOf(g: Graph, solver: Solver, system: System, known: readonly number
   };
   const [A, B, C, D] = ['A', 'B', 'C', 'D'].map((name) => r.lift(g.input(name)));
   try {
-    const found = solver(A, B, C, D, ar);
+    const found = solveBy(solver, A, B, C, D, ar);
     return { class: found.class, roots: found.roots.map(r.shown) };
   } catch (asked) {
     if (!(asked instanceof Asked)) throw asked;

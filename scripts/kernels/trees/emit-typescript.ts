@@ -395,7 +395,7 @@ export function loopOf(
   scratch.count = Math.max(scratch.count, places.count);
   scratch.handed = Math.max(scratch.handed, places.handed);
   return [
-    `export const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, ` +
+    `const ${name}: Loop = (n, { count, ${used.join(', ')} }, out, ` +
       `marked${classes ? ', roots' : ''}) => {`,
     `const { ${[...Object.keys(outputs), ...(classes ? ['margin'] : [])].join(', ')} } = out;`,
     ...before,

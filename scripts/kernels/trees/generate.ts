@@ -72,7 +72,7 @@ export function generate({
   const all = surfaces(kinds);
   const [sharedForm, sharedRoots] = [sharing(), sharing()];
   for (const { id, title, parts } of METHODS.filter((method) => methods.includes(method.id))) {
-    parts?.(({ id: arithmetic }, form, solver) => {
+    parts?.(({ arithmetic: { id: arithmetic }, form, solver }) => {
       const system = SYSTEMS[arithmetic];
       if (!system) return;
       ids.push([id, arithmetic]);
@@ -96,7 +96,7 @@ export function generate({
         files.push({ path: `${id}-one.ts`, text });
       }
       files.push(
-        { path: `${id}.ts`, text: typescript(title, arithmetic, scratch, loops) },
+        { path: `${id}.ts`, text: typescript({ title, arithmetic, scratch, loops, kinds: all }) },
         { path: `${id}-simd.ts`, text: wasm(title, moduleOf(functions)) },
       );
     });
@@ -104,12 +104,20 @@ export function generate({
   return [...files, { path: 'index.ts', text: index(ids, all) }];
 }
 
-function typescript(
-  title: string,
-  arithmetic: string,
-  { count, handed }: Scratch,
-  loops: string[],
-): string {
+interface Loops {
+  readonly title: string;
+  readonly arithmetic: string;
+  readonly scratch: Scratch;
+  readonly loops: readonly string[];
+  readonly kinds: readonly Surface[];
+}
+
+/**
+ * The loops are closures over arrays that are made with them, so that V8 knows the arrays when it
+ * compiles the loops; nothing is made before a loop is asked for.
+ */
+function typescript({ title, arithmetic, scratch, loops, kinds }: Loops): string {
+  const { count, handed } = scratch;
   const text = loops.join('\n\n');
   const constants = [
     ...(text.includes('fround(') ? ['const { fround } = Math;'] : []),
@@ -121,11 +129,21 @@ function typescript(
   ];
   return [
     `${header(`The method ${title} over arrays, in ${arithmetic}.`)}
-import type { Loop } from '../straight-loop.ts';`,
-    constants.join('\n'),
-    wrapped(text),
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';`,
+    ['export const LOOPS = lazily((): LoopsByKind => {', ...constants].join('\n'),
+    wrapped(text).trimEnd(),
+    `return {
+${kinds.map(({ kind }) => `${keyOf(kind)}: ${loopsOf(kind, arithmetic)},`).join('\n')}
+};
+});
+`,
   ].join('\n\n');
 }
+
+const loopsOf = (kind: string, arithmetic: string): string =>
+  `{ both: ${nameOf(kind)}Both, ` +
+  `classes: ${nameOf(kind)}${isPlain(arithmetic) ? 'Classes' : 'Both'} }`;
 
 function wasm(title: string, bytes: Uint8Array): string {
   const lines = Buffer.from(bytes)
@@ -142,7 +160,7 @@ const isPlain = (arithmetic: string): boolean => SYSTEMS[arithmetic]?.isPlain ==
 
 function index(ids: readonly (readonly [string, string])[], all: readonly Surface[]): string {
   return `${header('Which loops there are, by method and kind of shape.')}${ids
-    .map(([id]) => `import * as ${nameOf(id)} from './${id}.ts';`)
+    .map(([id]) => `import { LOOPS as ${nameOf(id)} } from './${id}.ts';`)
     .join('\n')}
 ${ids
   .filter(([, arithmetic]) => isPlain(arithmetic))
@@ -170,16 +188,7 @@ ${ids
     simd: ${nameOf(id)}Simd,
     arithmetic: '${arithmetic}',
     alone: ${isPlain(arithmetic) ? `${nameOf(id)}One` : 'null'},
-    loops: {
-${all
-  .map(
-    ({ kind }) =>
-      `      ${keyOf(kind)}: ` +
-      `{ both: ${nameOf(id)}.${nameOf(kind)}Both, ` +
-      `classes: ${nameOf(id)}.${nameOf(kind)}${isPlain(arithmetic) ? 'Classes' : 'Both'} },`,
-  )
-  .join('\n')}
-    },
+    loops: ${nameOf(id)},
   },`,
   )
   .join('\n')}

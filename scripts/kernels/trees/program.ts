@@ -139,7 +139,7 @@ function curved(
     const { rare, elsewhere, inside, clear, areInside } = limits;
     const special = specialOf(g, r, { A, B, C, D }, { elsewhere, lost: null, inside });
     const missed = r.isNegative(D);
-    const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+    const [t, s] = solver({ scalars: { A, B, C, D }, vectors: {} }, ar);
     const [t0, t1] = r.sorted(t, s).map(g.unsigned) as [Node, Node];
     return {
       format,
@@ -184,7 +184,7 @@ function curved(
       classes: null,
     };
   }
-  const [t, s] = solver.pair({ scalars: { A, B, C, D }, vectors: {} }, ar);
+  const [t, s] = solver({ scalars: { A, B, C, D }, vectors: {} }, ar);
   const [t0, t1] = r.sorted(t, s);
   const ends = t0.op === 'min' ? t0.args : [t0, t1];
   const size = ends.map(g.abs).reduce((x, y) => g.add(x, y));

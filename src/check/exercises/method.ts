@@ -1,4 +1,10 @@
-import { type Arithmetic, evaluateTriple, valuesOf, withScalars } from '../../math/formula.ts';
+import {
+  type Arithmetic,
+  evaluateTriple,
+  solveBy,
+  valuesOf,
+  withScalars,
+} from '../../math/formula.ts';
 import type { Shape } from '../../math/index.ts';
 import { pick } from '../../math/rng.ts';
 import { type CurvedDetails, definitionOf, findMethod } from '../../math/shapes.ts';
@@ -58,7 +64,7 @@ type Counted = keyof typeof OF_PAIRS;
 /** The method's price: operations on doubles for both roots, the same on every machine. */
 function priceOf(id: string, { shape, ray }: Input): number {
   let count = 0;
-  findMethod(id)?.parts?.((own, form, solver) => {
+  findMethod(id)?.parts?.(({ arithmetic: own, form, solver }) => {
     const arithmetic = counting(own, (operation) => {
       count += own.id === 'double-double' ? OF_PAIRS[operation] : 1;
     });
@@ -68,7 +74,7 @@ function priceOf(id: string, { shape, ray }: Input): number {
     const trees = [formula.A, formula.B, formula.C] as const;
     const [A, B, C] = evaluateTriple(trees, arithmetic, values);
     const D = form.discriminant(formula, withScalars(values, { A, B, C }), arithmetic);
-    solver(A, B, C, D, arithmetic);
+    solveBy(solver, A, B, C, D, arithmetic);
   });
   return count;
 }

@@ -85,14 +85,16 @@ const sourceOf = ({ id, title, make }: Family): Source => ({
 
 /** Families of this group that are not made for one shape, and the borders of others. */
 function sourcesOf(group: GroupId): readonly Source[] {
-  const borders = WRITTEN_FAMILIES.filter(({ border }) => border !== undefined);
+  const borders = WRITTEN_FAMILIES().filter(({ border }) => border !== undefined);
   const exactly = ({ id, title, make, border }: Family): Source => ({
     id: `${id} exactly`,
     title: `${title}, exactly`,
     draw: (random) => make(random, border),
   });
   return [
-    ...WRITTEN_FAMILIES.filter(({ hardness }) => hardness === group).map(sourceOf),
+    ...WRITTEN_FAMILIES()
+      .filter(({ hardness }) => hardness === group)
+      .map(sourceOf),
     ...(group === 'special' ? borders.map(exactly) : []),
   ];
 }

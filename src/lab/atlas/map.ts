@@ -224,7 +224,7 @@ function leadingOf(x: MapAxis, y: MapAxis): (column: number, row: number, at: Qu
 
 /** The exact sign: by intervals where these tell it, else in whole numbers. */
 export function signAt(tree: Expr, shape: Shape, ray: Ray): number {
-  const quick = findMethod('interval')?.parts?.((ar) =>
+  const quick = findMethod('interval')?.parts?.(({ arithmetic: ar }) =>
     ar.sign(evaluate(tree, ar, valuesOf(shape, ray, ar))),
   );
   if (quick !== undefined && !Number.isNaN(quick)) return quick;

@@ -1,4 +1,5 @@
 import { doubles, errorsOver, type Floats } from '../float/floats.ts';
+import { lazily } from '../lazily.ts';
 import type { Arithmetic } from './arithmetic.ts';
 
 /** hi + lo, |lo| ≤ ulp(hi)/2; see src/math/float/double-double.ts for errors and range. */
@@ -72,10 +73,12 @@ export function doubleDoubleOver<F, M>(f: Floats<F, M>): Operations<Pair<F>> {
 /**
  * Twice the digits of a double, and no more range: an overflow becomes NaN, whose sign is unknown.
  */
-export const doubleDouble: Arithmetic<DoubleDouble> = {
-  id: 'double-double',
-  ...doubleDoubleOver(doubles),
-  sign: ({ hi }) => (Number.isFinite(hi) ? Math.sign(hi) + 0 : Number.NaN),
-  /** −0 comes out as 0: which zero it is depends on operations that a kernel need not do. */
-  toNumber: ({ hi }) => hi + 0,
-};
+export const doubleDouble = lazily(
+  (): Arithmetic<DoubleDouble> => ({
+    id: 'double-double',
+    ...doubleDoubleOver(doubles),
+    sign: ({ hi }) => (Number.isFinite(hi) ? Math.sign(hi) + 0 : Number.NaN),
+    /** −0 comes out as 0: which zero it is depends on operations that a kernel need not do. */
+    toNumber: ({ hi }) => hi + 0,
+  }),
+);

@@ -1,5 +1,6 @@
 import * as directed from '../float/directed.ts';
 import { doubles, type Floats } from '../float/floats.ts';
+import { lazily } from '../lazily.ts';
 import type { Arithmetic } from './arithmetic.ts';
 
 /** Every real from lo to hi, lo ≤ hi. An end may be infinite, the numbers in between are finite. */
@@ -105,22 +106,24 @@ export function intervalOver<F, M>(f: Floats<F, M>, d: Directed<F>): Operations<
  * Enclosures (Moore 1966, Interval analysis). A sign is known where no number of the interval says
  * otherwise: 0 only for [0, 0].
  */
-export const interval: Arithmetic<Interval> = {
-  id: 'interval',
-  ...intervalOver(doubles, directed),
-  sign({ lo, hi }) {
-    if (lo > 0) return 1;
-    if (hi < 0) return -1;
-    return lo === 0 && hi === 0 ? 0 : Number.NaN;
-  },
-  /** Bounds of the lesser and of the greater; where they overlap nobody knows which is which. */
-  sorted: (a, b) => [
-    { lo: Math.min(a.lo, b.lo), hi: Math.min(a.hi, b.hi) },
-    { lo: Math.max(a.lo, b.lo), hi: Math.max(a.hi, b.hi) },
-  ],
-  /**
-   * The middle. Halved before they are added: the sum of two ends may overflow. −0 comes out as 0,
-   * [−∞, ∞] as NaN.
-   */
-  toNumber: ({ lo, hi }) => (lo === hi ? lo : lo / 2 + hi / 2) + 0,
-};
+export const interval = lazily(
+  (): Arithmetic<Interval> => ({
+    id: 'interval',
+    ...intervalOver(doubles, directed),
+    sign({ lo, hi }) {
+      if (lo > 0) return 1;
+      if (hi < 0) return -1;
+      return lo === 0 && hi === 0 ? 0 : Number.NaN;
+    },
+    /** Bounds of the lesser and of the greater; where they overlap nobody knows which is which. */
+    sorted: (a, b) => [
+      { lo: Math.min(a.lo, b.lo), hi: Math.min(a.hi, b.hi) },
+      { lo: Math.max(a.lo, b.lo), hi: Math.max(a.hi, b.hi) },
+    ],
+    /**
+     * The middle. Halved before they are added: the sum of two ends may overflow. −0 comes out as
+     * 0, [−∞, ∞] as NaN.
+     */
+    toNumber: ({ lo, hi }) => (lo === hi ? lo : lo / 2 + hi / 2) + 0,
+  }),
+);

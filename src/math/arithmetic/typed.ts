@@ -29,17 +29,16 @@ function tried(exactly: () => TypedNumber): TypedNumber | null {
   }
 }
 
-function unary(exactly: Unary<Surd>, roughly: Unary<Interval>): Unary<TypedNumber> {
-  return (a) => (isExact(a) ? tried(() => exactly(a)) : null) ?? roughly(bounds(a));
-}
+const unary = (exactly: Unary<Surd>, roughly: Unary<Interval>, a: TypedNumber): TypedNumber =>
+  (isExact(a) ? tried(() => exactly(a)) : null) ?? roughly(bounds(a));
 
-function binary(
+const binary = (
   exactly: (a: Surd, b: Surd) => TypedNumber,
   roughly: Binary<Interval>,
-): Binary<TypedNumber> {
-  return (a, b) =>
-    (isExact(a) && isExact(b) ? tried(() => exactly(a, b)) : null) ?? roughly(bounds(a), bounds(b));
-}
+  a: TypedNumber,
+  b: TypedNumber,
+): TypedNumber =>
+  (isExact(a) && isExact(b) ? tried(() => exactly(a, b)) : null) ?? roughly(bounds(a), bounds(b));
 
 /**
  * √p − √q = (p − q)/(√p + √q), whose numerator is exact: bounds that are as narrow for roots that
@@ -49,9 +48,9 @@ function difference(a: Surd, b: Surd): TypedNumber {
   const known = tried(() => exact.sub(a, b));
   if (known) return known;
   const areRoots = a.u.m === 0n && b.u.m === 0n && exact.sign(a) === exact.sign(b);
-  if (!areRoots) return interval.sub(bounds(a), bounds(b));
+  if (!areRoots) return interval().sub(bounds(a), bounds(b));
   const over = exact.sub(exact.sqr(a), exact.sqr(b));
-  return interval.div(bounds(over), interval.add(bounds(a), bounds(b)));
+  return interval().div(bounds(over), interval().add(bounds(a), bounds(b)));
 }
 
 /**
@@ -61,13 +60,13 @@ function difference(a: Surd, b: Surd): TypedNumber {
 export const typed: Arithmetic<TypedNumber> = {
   id: 'typed',
   of: surd.fromNumber,
-  add: binary(exact.add, interval.add),
-  sub: binary(difference, interval.sub),
-  mul: binary(exact.mul, interval.mul),
-  div: binary(exact.div, interval.div),
-  neg: unary(exact.neg, interval.neg),
-  sqr: unary(exact.sqr, interval.sqr),
-  sqrt: unary(exact.sqrt, interval.sqrt),
-  sign: (a) => (isExact(a) ? exact.sign(a) : interval.sign(a)),
-  toNumber: (a) => (isExact(a) ? exact.toNumber(a) : interval.toNumber(a)),
+  add: (a, b) => binary(exact.add, interval().add, a, b),
+  sub: (a, b) => binary(difference, interval().sub, a, b),
+  mul: (a, b) => binary(exact.mul, interval().mul, a, b),
+  div: (a, b) => binary(exact.div, interval().div, a, b),
+  neg: (a) => unary(exact.neg, interval().neg, a),
+  sqr: (a) => unary(exact.sqr, interval().sqr, a),
+  sqrt: (a) => unary(exact.sqrt, interval().sqrt, a),
+  sign: (a) => (isExact(a) ? exact.sign(a) : interval().sign(a)),
+  toNumber: (a) => (isExact(a) ? exact.toNumber(a) : interval().toNumber(a)),
 };

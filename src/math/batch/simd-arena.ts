@@ -1,3 +1,4 @@
+import { lazily } from '../lazily.ts';
 import type { Allocate } from './memory.ts';
 
 /** Arrays that begin a power of two apart would fall into the same lines of the cache. */
@@ -5,13 +6,13 @@ const GAP = 192;
 const LINE = 64;
 
 /** What a view of a part belongs to: as long as the view is reached, so is the array. */
-const wholes = new WeakMap<ArenaArray, ArenaArray>();
+const wholes = lazily(() => new WeakMap<ArenaArray, ArenaArray>());
 
 class ArenaArray extends Float64Array<ArrayBuffer> {
   override subarray(begin?: number, end?: number): ArenaArray {
     // Made by this class, as JavaScript does it, so that a view of a view counts as well.
     const view = super.subarray(begin, end) as ArenaArray;
-    wholes.set(view, this);
+    wholes().set(view, this);
     return view;
   }
 }

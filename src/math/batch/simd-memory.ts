@@ -21,17 +21,23 @@ export const GAP = 192;
 export const NUMBERS = 0;
 const NUMBERS_BYTES = 1024;
 
-export const BLOCK_ARRAYS = [
-  ...(['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const),
-  ...(['t0', 't1', 'margin'] as const),
-] as const;
+export const BLOCK_ARRAYS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz', 't0', 't1', 'margin'] as const;
 type BlockArray = (typeof BLOCK_ARRAYS)[number];
 
 const STRIDE = 8 * CAPACITY + GAP;
+const START = NUMBERS + NUMBERS_BYTES;
 /** Where each array of the block begins. */
-export const BLOCK = Object.fromEntries(
-  BLOCK_ARRAYS.map((name, k) => [name, NUMBERS + NUMBERS_BYTES + k * STRIDE]),
-) as Readonly<Record<BlockArray, number>>;
+export const BLOCK: Readonly<Record<BlockArray, number>> = {
+  Ex: START,
+  Ey: START + STRIDE,
+  Ez: START + 2 * STRIDE,
+  dx: START + 3 * STRIDE,
+  dy: START + 4 * STRIDE,
+  dz: START + 5 * STRIDE,
+  t0: START + 6 * STRIDE,
+  t1: START + 7 * STRIDE,
+  margin: START + 8 * STRIDE,
+};
 
 const PAGE = 65536;
 export const SCRATCH = NUMBERS + NUMBERS_BYTES + BLOCK_ARRAYS.length * STRIDE;

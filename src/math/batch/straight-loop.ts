@@ -27,6 +27,7 @@ export const PLACE = 2 ** CLASS_BIT - 1;
 
 export type Ask = 'both' | 'classes';
 export type Loops = Readonly<Record<Ask, Loop>>;
+export type LoopsByKind = Readonly<Record<string, Loops>>;
 
 /** The loops of a method that are made of its trees: scripts/kernels/trees. */
 export interface Straight {
@@ -36,6 +37,5 @@ export interface Straight {
   readonly arithmetic: string;
   /** What the loops cannot settle, without objects; null where a number is more than one double. */
   readonly alone: OneRay | null;
-  /** By kind of shape. */
-  readonly loops: Readonly<Record<string, Loops>>;
+  readonly loops: () => LoopsByKind;
 }

@@ -1,5 +1,5 @@
 import type { Answers, Rays } from './batch.ts';
-import { STRAIGHT } from './generated/index.ts';
+import { NUMBERS as NUMBER_NAMES, STRAIGHT } from './generated/index.ts';
 import {
   addressOf,
   BLOCK,
@@ -85,7 +85,7 @@ export function simdSource(memory: SimdMemory): Source {
   }
 
   return (method, kind) =>
-    STRAIGHT[method]?.loops[kind]
+    STRAIGHT[method] && NUMBER_NAMES[kind]
       ? { both: loop(method, kind, 'both'), classes: loop(method, kind, 'classes') }
       : null;
 }

@@ -35,7 +35,7 @@ export type Choose = (out: Answers, count: number, tMin: number, tMax: number) =
 
 const chosen: Choose = (out, count, tMin, tMax) => chooseFirst(out, 0, count, tMin, tMax);
 
-export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops[kind] ?? null;
+export const inTypeScript: Source = (method, kind) => STRAIGHT[method]?.loops()[kind] ?? null;
 
 /** The loops of `source`, and the method itself for what they cannot settle; null without loops. */
 export function straightKernel(

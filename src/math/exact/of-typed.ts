@@ -8,7 +8,7 @@ import * as surd from './surd.ts';
 /** Most bits of a power that is worked out exactly; a larger one is left to the doubles. */
 const LONGEST = 20_000;
 
-const ONE = surd.fromNumber(1);
+const one = (): Surd => surd.fromNumber(1);
 
 /**
  * The exact value of what was typed: fractions and the root of one. Null for what is not one: π,
@@ -75,7 +75,7 @@ function unary(tree: TypedUnary): Surd | null {
     case 'sqrt':
       return surd.sqrt(of);
     case 'ln':
-      return surd.compare(of, ONE) === 0 ? surd.fromNumber(0) : null;
+      return surd.compare(of, one()) === 0 ? surd.fromNumber(0) : null;
     default:
       // Elsewhere than at 0 these are transcendental (Lindemann).
       if (!surd.isZero(of)) return null;
@@ -116,9 +116,9 @@ function power(base: Surd, exponent: Surd): Surd | null {
   const isWhole = Number.isInteger(n) && surd.compare(exponent, surd.fromNumber(n)) === 0;
   const { u, v, w, D } = base;
   if (!isWhole || Math.abs(n) * (bits(u) + bits(v) + bits(w) + bits(D)) > LONGEST) return null;
-  let result = ONE;
+  let result = one();
   for (let i = 0; i < Math.abs(n); i++) result = surd.mul(result, base);
-  return n < 0 ? surd.div(ONE, result) : result;
+  return n < 0 ? surd.div(one(), result) : result;
 }
 
 const bits = ({ m, e }: Dyadic): number => bitLength(m) + Math.abs(e);

@@ -10,7 +10,7 @@ import type { Surd } from './surd-type.ts';
 
 /** A quotient below has this many bits, or one more: one machine word for BigInt. */
 const QUOTIENT_BITS = 62;
-const QUOTIENT_TOP = 1n << BigInt(QUOTIENT_BITS);
+const QUOTIENT_TOP = 0x4000000000000000n;
 const DOUBLE_BITS = 53;
 
 /** Place k has half of 2^k, for all k that `settled` may drop. */

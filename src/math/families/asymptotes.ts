@@ -2,7 +2,7 @@ import type { Ray } from '../ray.ts';
 import { type Random, randomSign, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Axial, innerPoint, ordinaryAxial, ordinaryCylinder } from './axial.ts';
-import { family, tenTo } from './define.ts';
+import { type FamilyParts, tenTo } from './define.ts';
 import { along, onUnitCircle, plus, unitDirection } from './parts.ts';
 
 /** A direction along the surface at infinity, where A = 0, but for rounding. */
@@ -18,7 +18,7 @@ export function nearAxisRay(random: Random, axial: Axial, k: number): Ray {
   return { origin: along(innerPoint(random, axial), back, direction), direction };
 }
 
-export const nearAxis = family({
+export const nearAxis: FamilyParts<Axial> = {
   id: 'near-axis',
   hardness: 'hard',
   title: 'near the axis',
@@ -26,13 +26,13 @@ export const nearAxis = family({
   dial: { title: 'the angle is 10^-k', range: [0, 16], usual: [3, 13] },
   setting: ordinaryAxial,
   ray: nearAxisRay,
-});
+};
 
 /**
  * Beside the axis, going nearly along it and nearly at right angles to p: the two products of B
  * cancel.
  */
-export const linearCancellation = family({
+export const linearCancellation: FamilyParts<Axial> = {
   id: 'linear-cancellation',
   title: 'B cancels',
   idea:
@@ -50,4 +50,4 @@ export const linearCancellation = family({
       direction: [-tilt * sin + towards * cos, randomSign(random), tilt * cos + towards * sin],
     };
   },
-});
+};

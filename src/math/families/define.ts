@@ -55,7 +55,8 @@ export interface Setting {
   readonly shape: Shape;
 }
 
-interface FamilyParts<S extends Setting> {
+/** What a family is made of. */
+export interface FamilyParts<S extends Setting> {
   readonly id: string;
   readonly title: string;
   readonly idea: string;

@@ -1,7 +1,9 @@
 import type { Ray } from '../ray.ts';
 import { integer, pick, type Random, uniform } from '../rng.ts';
+import type { Circle } from '../shapes/circle.ts';
+import type { Square } from '../shapes/square.ts';
 import type { Vec3 } from '../vec3.ts';
-import { family } from './define.ts';
+import type { FamilyParts, Setting } from './define.ts';
 import {
   along,
   cross,
@@ -28,7 +30,7 @@ const towards = (random: Random, origin: Vec3, aim: Vec3): Vec3 =>
  */
 const NOT_NUDGED = -2000;
 
-export const circle = family({
+export const circle: FamilyParts<Setting & Omit<Circle, 'kind'>> = {
   id: 'circle',
   hardness: 'ordinary',
   title: 'circle',
@@ -46,7 +48,7 @@ export const circle = family({
     const aim = along(center, radius * uniform(random, 0, 2), inPlane);
     return { origin, direction: towards(random, origin, aim) };
   },
-});
+};
 
 /** Whole N, and two whole vectors u, v of one length at right angles to it and to each other. */
 interface Frame {
@@ -70,7 +72,7 @@ const RIM_POINTS: NonEmpty<Vec3> = [
   [0, 1, 1],
 ];
 
-export const circleRim = family({
+export const circleRim: FamilyParts<Setting & { readonly frame: Frame; readonly rim: Vec3 }> = {
   id: 'circle-rim',
   hardness: 'hard',
   border: NOT_NUDGED,
@@ -89,7 +91,7 @@ export const circleRim = family({
     return { shape: { kind: 'circle', normal: frame.normal, center, radius }, frame, rim };
   },
   ray: (random, { frame, rim }, k) => throughPoint(random, rim, frame.normal, k),
-});
+};
 
 /** Through the point exactly, from a few lengths of d away, or with E nudged. */
 function throughPoint(random: Random, point: Vec3, normal: Vec3, k: number): Ray {
@@ -111,7 +113,7 @@ function crossing(random: Random, normal: Vec3): Vec3 {
 
 const NORMALS = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
 
-export const square = family({
+export const square: FamilyParts<Setting & Omit<Square, 'kind'>> = {
   id: 'square',
   hardness: 'ordinary',
   title: 'square',
@@ -129,9 +131,9 @@ export const square = family({
       corner[i] + (NORMALS[axis][i] === 1 ? 0 : uniform(random, -0.2, 1.2) * side);
     return { origin, direction: towards(random, origin, [place(0), place(1), place(2)]) };
   },
-});
+};
 
-export const squareEdge = family({
+export const squareEdge: FamilyParts<Setting & Omit<Square, 'kind'>> = {
   id: 'square-edge',
   hardness: 'hard',
   border: NOT_NUDGED,
@@ -159,4 +161,4 @@ export const squareEdge = family({
     };
     return throughPoint(random, [place(0), place(1), place(2)], normal, k);
   },
-});
+};

@@ -2,7 +2,7 @@ import type { Ray } from '../ray.ts';
 import { integer, pick, type Random, randomSign } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
-import { family } from './define.ts';
+import type { FamilyParts } from './define.ts';
 import {
   along,
   type Draw,
@@ -47,7 +47,7 @@ function exactAsymptote(random: Random, { slope }: Ruled): Vec3 {
   return times(k, slope === 0 ? [0, 1, 0] : [slope * x, n, slope * z]);
 }
 
-export const linear = family({
+export const linear: FamilyParts<Ruled> = {
   id: 'linear',
   hardness: 'special',
   title: 'A = 0',
@@ -60,7 +60,7 @@ export const linear = family({
     origin: plus(inQuarters(random, 4), [0.125, 0, 0]),
     direction: exactAsymptote(random, shape),
   }),
-});
+};
 
 /**
  * Either way round at one of the four quarters of the waist, whose points are doubles for any r.
@@ -85,7 +85,7 @@ function generatorRay(random: Random, shape: Ruled): Ray {
   return { ...through, origin: along(through.origin, quarter(random, 3), through.direction) };
 }
 
-export const generator = family({
+export const generator: FamilyParts<Ruled> = {
   id: 'generator',
   hardness: 'special',
   title: 'generator',
@@ -93,9 +93,9 @@ export const generator = family({
   dial: null,
   setting: ruled,
   ray: generatorRay,
-});
+};
 
-export const nearGenerator = family({
+export const nearGenerator: FamilyParts<Ruled> = {
   id: 'near-generator',
   hardness: 'hard',
   title: 'near a generator',
@@ -109,4 +109,4 @@ export const nearGenerator = family({
       ? { origin: nudgedVector(random, origin, most), direction }
       : { origin, direction: nudgedVector(random, direction, most) };
   },
-});
+};

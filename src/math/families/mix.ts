@@ -2,7 +2,7 @@ import type { Ray } from '../ray.ts';
 import { pick, type Random, uniform } from '../rng.ts';
 import { nearAxisRay } from './asymptotes.ts';
 import { type Axial, ordinaryAxial } from './axial.ts';
-import { family } from './define.ts';
+import type { FamilyParts } from './define.ts';
 import { farOriginRay, typicalRay } from './ordinary.ts';
 import type { NonEmpty } from './parts.ts';
 import { cancellationRay, nearSurfaceRay } from './starts.ts';
@@ -20,7 +20,7 @@ const HARD: NonEmpty<DrawRay> = [
   nearSurfaceRay,
 ];
 
-export const mix = family({
+export const mix: FamilyParts<Axial> = {
   id: 'mix',
   title: 'typical with 1 % hard',
   idea:
@@ -30,4 +30,4 @@ export const mix = family({
   setting: ordinaryAxial,
   ray: (random, axial, percent) =>
     100 * random() < percent ? pick(random, HARD)(random, axial) : typicalRay(random, axial),
-});
+};

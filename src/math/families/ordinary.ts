@@ -2,7 +2,7 @@ import type { Ray } from '../ray.ts';
 import type { Random } from '../rng.ts';
 import { uniform } from '../rng.ts';
 import { type Axial, innerPoint, ordinaryAxial, sizeOf } from './axial.ts';
-import { family, tenTo } from './define.ts';
+import { type FamilyParts, tenTo } from './define.ts';
 import { along, inBox, minus, plus, unitDirection } from './parts.ts';
 
 /**
@@ -17,7 +17,7 @@ export function typicalRay(random: Random, axial: Axial): Ray {
   return { origin, direction: minus(aim, origin) };
 }
 
-export const typical = family({
+export const typical: FamilyParts<Axial> = {
   id: 'typical',
   hardness: 'ordinary',
   title: 'typical',
@@ -25,7 +25,7 @@ export const typical = family({
   dial: null,
   setting: ordinaryAxial,
   ray: typicalRay,
-});
+};
 
 export function farOriginRay(random: Random, axial: Axial, k: number): Ray {
   const direction = unitDirection(random);
@@ -33,7 +33,7 @@ export function farOriginRay(random: Random, axial: Axial, k: number): Ray {
   return { origin: along(innerPoint(random, axial), -distance, direction), direction };
 }
 
-export const farOrigin = family({
+export const farOrigin: FamilyParts<Axial> = {
   id: 'far-origin',
   hardness: 'hard',
   title: 'far origin',
@@ -43,4 +43,4 @@ export const farOrigin = family({
   dial: { title: 'E is 10^k radii away', range: [0, 12], usual: [3, 9] },
   setting: ordinaryAxial,
   ray: farOriginRay,
-});
+};

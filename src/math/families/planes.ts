@@ -1,7 +1,7 @@
 import { type Random, uniform } from '../rng.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Vec3 } from '../vec3.ts';
-import { family, tenTo } from './define.ts';
+import { type FamilyParts, tenTo } from './define.ts';
 import {
   along,
   cross,
@@ -27,7 +27,7 @@ const planeOf = (normal: Vec3, point: Vec3): PlaneSetting => ({
 const ordinaryPlane = (random: Random): PlaneSetting =>
   planeOf(unitDirection(random), inBox(random, 2));
 
-export const plane = family({
+export const plane: FamilyParts<PlaneSetting> = {
   id: 'plane',
   hardness: 'ordinary',
   title: 'plane',
@@ -35,14 +35,14 @@ export const plane = family({
   dial: null,
   setting: ordinaryPlane,
   ray: (random) => ({ origin: inBox(random, 5), direction: unitDirection(random) }),
-});
+};
 
 /** N and d whole with N·d = 0; d = N × (anything) is at right angles to both. */
 function levelDirection(random: Random, normal: Vec3): Vec3 {
   return nonZero(() => cross(normal, wholeVector(random, 4)));
 }
 
-export const planeGrazing = family({
+export const planeGrazing: FamilyParts<PlaneSetting> = {
   id: 'plane-grazing',
   hardness: 'hard',
   title: 'grazing a plane',
@@ -62,9 +62,9 @@ export const planeGrazing = family({
     const direction = random() < 0.4 ? level : nudgedVector(random, level, stepsOf(k));
     return { origin, direction };
   },
-});
+};
 
-export const planeFar = family({
+export const planeFar: FamilyParts<PlaneSetting> = {
   id: 'plane-far',
   hardness: 'hard',
   title: 'plane from afar',
@@ -76,4 +76,4 @@ export const planeFar = family({
     const aim = plus(point, inBox(random, 2));
     return { origin: along(aim, -tenTo(k) * uniform(random, 1, 2), direction), direction };
   },
-});
+};

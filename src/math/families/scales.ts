@@ -10,7 +10,7 @@ import {
   ordinaryAxial,
   sizeOf,
 } from './axial.ts';
-import { bitsOf, family, tenTo } from './define.ts';
+import { bitsOf, type FamilyParts, tenTo } from './define.ts';
 import { typicalRay } from './ordinary.ts';
 import { along, type Draw, inBox, minus, type NonEmpty, onUnitCircle, scaled } from './parts.ts';
 
@@ -19,7 +19,7 @@ function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
   return { origin, direction: scaled(direction, bitsOf(k)) };
 }
 
-export const scaleRay = family({
+export const scaleRay: FamilyParts<Axial> = {
   id: 'scale-ray',
   hardness: 'hard',
   title: 'long or short d',
@@ -29,7 +29,7 @@ export const scaleRay = family({
   dial: { title: '|d| is about 10^k', range: [-150, 150], usual: [-150, 150] },
   setting: ordinaryAxial,
   ray: scaleRayRay,
-});
+};
 
 /** An ordinary shape and the same shape with every length times 2^bits. */
 interface Enlarged {
@@ -43,7 +43,7 @@ function enlarged(ordinary: Axial, bits: number): Enlarged {
   return { shape, ordinary, bits };
 }
 
-export const scaleWorld = family({
+export const scaleWorld: FamilyParts<Enlarged> = {
   id: 'scale-world',
   title: 'large or small world',
   idea:
@@ -55,7 +55,7 @@ export const scaleWorld = family({
     const { origin, direction } = typicalRay(random, ordinary);
     return { origin: scaled(origin, bits), direction: scaled(direction, bits) };
   },
-});
+};
 
 /**
  * A level ray through the shape, so that there are roots, with t of the order of 2^(±1050 … ±1110).
@@ -70,7 +70,7 @@ function rayOutOfRange(random: Random, { ordinary, bits }: Enlarged): Ray {
   };
 }
 
-export const outOfRange = family({
+export const outOfRange: FamilyParts<Enlarged> = {
   id: 'out-of-range',
   title: 'roots out of range',
   idea:
@@ -80,7 +80,7 @@ export const outOfRange = family({
   setting: (random) =>
     enlarged(ordinaryAxial(random), randomSign(random) * integer(random, 490, 510)),
   ray: rayOutOfRange,
-});
+};
 
 /** A length from 1e-12 to 1e9, uniform in its logarithm. */
 const anySize = (random: Random): number => tenTo(uniform(random, -12, 9));
@@ -95,7 +95,7 @@ const EXTREMES: NonEmpty<Draw<Axial>> = [
   (random) => hyperboloidOf(inBox(random, 1), -anySize(random), 0),
 ];
 
-export const extremeParameter = family({
+export const extremeParameter: FamilyParts<Axial> = {
   id: 'extreme-parameter',
   title: 'extreme parameter',
   idea: 'c, a or r between 1e-12 and 1e9, or 0, or a < 0, with an ordinary ray.',
@@ -105,4 +105,4 @@ export const extremeParameter = family({
     const origin = inBox(random, 5);
     return { origin, direction: minus(innerPoint(random, axial), origin) };
   },
-});
+};

@@ -10,7 +10,7 @@ import {
   sizeOf,
   surfacePoint,
 } from './axial.ts';
-import { family, tenTo } from './define.ts';
+import { type FamilyParts, type Setting, tenTo } from './define.ts';
 import {
   along,
   type Draw,
@@ -47,7 +47,7 @@ function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Stan
   return { axial: make(center, n * k), point: plus(center, [x * k, 0, z * k]) };
 }
 
-export const onSurface = family({
+export const onSurface: FamilyParts<Setting & { readonly point: Vec3 }> = {
   id: 'on-surface',
   hardness: 'special',
   title: 'on the surface',
@@ -58,14 +58,14 @@ export const onSurface = family({
     return { shape: standing.axial.shape, point: standing.point };
   },
   ray: (random, { point }) => ({ origin: point, direction: unitDirection(random) }),
-});
+};
 
 export const nearSurfaceRay = (random: Random, axial: Axial): Ray => ({
   origin: surfacePoint(random, axial).point,
   direction: unitDirection(random),
 });
 
-export const nearSurface = family({
+export const nearSurface: FamilyParts<Axial> = {
   id: 'near-surface',
   hardness: 'hard',
   title: 'near the surface',
@@ -75,7 +75,7 @@ export const nearSurface = family({
   dial: null,
   setting: ordinaryAxial,
   ray: nearSurfaceRay,
-});
+};
 
 export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
   const { point, normal } = surfacePoint(random, axial);
@@ -83,7 +83,7 @@ export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
   return { origin: along(point, gap, unit(normal)), direction: unitDirection(random) };
 }
 
-export const cancellation = family({
+export const cancellation: FamilyParts<Axial> = {
   id: 'cancellation',
   hardness: 'hard',
   title: 'small root',
@@ -93,4 +93,4 @@ export const cancellation = family({
   dial: { title: 'E is 10^-k radii off the surface', range: [0, 15], usual: [7, 13] },
   setting: ordinaryAxial,
   ray: cancellationRay,
-});
+};

@@ -11,7 +11,7 @@ import {
   sizeOf,
   surfacePoint,
 } from './axial.ts';
-import { family, tenTo } from './define.ts';
+import { type FamilyParts, type Setting, tenTo } from './define.ts';
 import {
   along,
   type Draw,
@@ -42,7 +42,7 @@ export const nearTangentRay = (random: Random, axial: Axial, k: number): Ray =>
 export const nearTangentFarRay = (random: Random, axial: Axial, k: number): Ray =>
   besideTangent(random, axial, uniform(random, 6, 10), tenTo(k));
 
-export const nearTangent = family({
+export const nearTangent: FamilyParts<Axial> = {
   id: 'near-tangent',
   hardness: 'hard',
   title: 'near tangent',
@@ -50,16 +50,16 @@ export const nearTangent = family({
   dial: { title: 'the gap is 10^-k radii', range: [1, 17], usual: [8, 16] },
   setting: ordinaryAxial,
   ray: nearTangentRay,
-});
+};
 
-export const nearTangentFar = family({
+export const nearTangentFar: FamilyParts<Axial> = {
   id: 'near-tangent-far',
   title: 'near tangent from afar',
   idea: 'A gap of 1e-6 to 1e-10 radii, seen from many radii away: both cancellations at once.',
   dial: { title: 'E is 10^k radii away', range: [0, 9], usual: [2, 6] },
   setting: ordinaryAxial,
   ray: nearTangentFarRay,
-});
+};
 
 /**
  * A shape in whole numbers with a point of it and two directions that span its tangent plane there.
@@ -121,7 +121,7 @@ function tangentDirection(random: Random, { axial, across, upwards }: Touching):
   }
 }
 
-export const exactTangent = family({
+export const exactTangent: FamilyParts<Setting & Touching> = {
   id: 'exact-tangent',
   hardness: 'special',
   title: 'exact tangent',
@@ -136,4 +136,4 @@ export const exactTangent = family({
     const back = quarter(random, 4) * pick(random, [1, 1, 256, 8192]);
     return { origin: along(touching.point, back, direction), direction };
   },
-});
+};

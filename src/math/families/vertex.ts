@@ -1,7 +1,7 @@
 import { integer, pick, type Random, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
-import { family } from './define.ts';
+import type { FamilyParts } from './define.ts';
 import { along, type Draw, inQuarters, type NonEmpty, nudgedVector, quarter } from './parts.ts';
 
 /** A shape with a point where its normal is 0, in eighths but for its slope. */
@@ -12,7 +12,7 @@ const SINGULAR: NonEmpty<Draw<Axial>> = [
   (random) => cylinderOf(inQuarters(random, 2), 0),
 ];
 
-export const vertex = family({
+export const vertex: FamilyParts<Axial> = {
   id: 'vertex',
   hardness: 'hard',
   title: 'vertex',
@@ -28,7 +28,7 @@ export const vertex = family({
       ? { origin, direction }
       : { origin: nudgedVector(random, origin, 128), direction };
   },
-});
+};
 
 /** A direction in quarters, not along a generator: that would be another family. */
 function slanted(random: Random, a: number): Vec3 {

@@ -1,7 +1,7 @@
 import { integer, pick } from '../rng.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
-import { family, type Setting } from './define.ts';
+import type { FamilyParts, Setting } from './define.ts';
 import { cross, type Draw, type NonEmpty, nonZero, plus, wholeVector } from './parts.ts';
 
 const SMALL_CURVED: NonEmpty<Draw<Axial>> = [
@@ -11,7 +11,7 @@ const SMALL_CURVED: NonEmpty<Draw<Axial>> = [
     hyperboloidOf(wholeVector(random, 2), integer(random, -4, 4) / 4, integer(random, 0, 2)),
 ];
 
-export const degenerate = family({
+export const degenerate: FamilyParts<Axial> = {
   id: 'degenerate',
   hardness: 'special',
   title: 'small whole numbers',
@@ -24,7 +24,7 @@ export const degenerate = family({
     origin: wholeVector(random, 2),
     direction: nonZero(() => wholeVector(random, 2)),
   }),
-});
+};
 
 interface SmallFlat extends Setting {
   readonly normal: Vec3;
@@ -53,7 +53,7 @@ const SMALL_FLAT: NonEmpty<Draw<SmallFlat>> = [
   },
 ];
 
-export const flatDegenerate = family({
+export const flatDegenerate: FamilyParts<SmallFlat> = {
   id: 'flat-degenerate',
   hardness: 'special',
   title: 'parallel or in the plane',
@@ -70,4 +70,4 @@ export const flatDegenerate = family({
       direction: parallel ? level() : nonZero(() => wholeVector(random, 2)),
     };
   },
-});
+};

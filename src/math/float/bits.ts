@@ -1,8 +1,10 @@
+import { lazily } from '../lazily.ts';
+
 /**
  * The bits of a double. A DataView names its byte order, so this also holds on big-endian machines;
  * V8 compiles it to the same loads as a typed array.
  */
-const view = new DataView(new ArrayBuffer(8));
+const scratch = lazily(() => new DataView(new ArrayBuffer(8)));
 const TWO_32 = 2 ** 32;
 const HIDDEN_BIT = 0x100000;
 const FRACTION = 0xfffff;
@@ -28,6 +30,7 @@ const trailingZeros = (word: number): number => 31 - Math.clz32(word & -word);
 export function decompose(x: number): Parts {
   if (x === 0) return { m: 0n, e: 0 };
   if (!Number.isFinite(x)) throw new RangeError(`a finite number is needed, got ${x}`);
+  const view = scratch();
   view.setFloat64(0, x);
   const top = view.getUint32(0);
   const low = view.getUint32(4);
@@ -42,6 +45,7 @@ export function decompose(x: number): Parts {
 export function exponentOf(x: number): number {
   if (x === 0) return -Infinity;
   if (!Number.isFinite(x)) return Math.abs(x);
+  const view = scratch();
   view.setFloat64(0, x);
   const top = view.getUint32(0) & 0x7fffffff;
   if (top >= HIDDEN_BIT) return (top >>> 20) - 1023;
@@ -50,6 +54,7 @@ export function exponentOf(x: number): number {
 
 /** 2^k for −1074 ≤ k ≤ 1023, built from bits: the standard lets `2 ** k` be approximate. */
 export function powerOfTwo(k: number): number {
+  const view = scratch();
   if (k >= MIN_NORMAL_EXPONENT) view.setUint32(0, (k + 1023) << 20);
   else view.setUint32(0, k >= -1042 ? 1 << (k + 1042) : 0);
   view.setUint32(4, k < -1042 ? 1 << (k + 1074) : 0);

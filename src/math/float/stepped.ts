@@ -1,4 +1,6 @@
-const view = new DataView(new ArrayBuffer(8));
+import { lazily } from '../lazily.ts';
+
+const scratch = lazily(() => new DataView(new ArrayBuffer(8)));
 const MAGNITUDE = 0x7fffffffffffffffn;
 /** The bits of the largest double. */
 const LARGEST = 0x7fefffffffffffffn;
@@ -20,6 +22,7 @@ export function stepped(x: number, count: number): number {
   if (!Number.isFinite(x)) throw new RangeError(`a finite number is needed, got ${x}`);
   if (!Number.isSafeInteger(count)) throw new RangeError(`${count} is no number of steps`);
   if (count === 0) return x;
+  const view = scratch();
   view.setFloat64(0, x);
   const bits = view.getBigInt64(0);
   const place = (bits < 0n ? -(bits & MAGNITUDE) : bits) + BigInt(count);

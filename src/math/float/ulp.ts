@@ -1,8 +1,11 @@
-const view = new DataView(new ArrayBuffer(8));
+import { lazily } from '../lazily.ts';
+
+const scratch = lazily(() => new DataView(new ArrayBuffer(8)));
 const TWO_32 = 2 ** 32;
 
 /** The double whose magnitude is `by` (±1) steps from that of x, with x's sign. */
 function stepMagnitude(x: number, by: 1 | -1): number {
+  const view = scratch();
   view.setFloat64(0, x);
   const low = view.getUint32(4) + by;
   if (low < 0 || low >= TWO_32) view.setUint32(0, view.getUint32(0) + by);
@@ -52,6 +55,7 @@ export const nextDown = (x: number): number => -nextUp(-x);
  */
 export function ulpDistance(a: number, b: number): number {
   if (Number.isNaN(a) || Number.isNaN(b)) return Number.NaN;
+  const view = scratch();
   view.setFloat64(0, a);
   const signA = Math.sign(a);
   const highA = (view.getUint32(0) & 0x7fffffff) * signA;

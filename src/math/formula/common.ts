@@ -4,42 +4,86 @@ import {
   type Expr,
   type ExprTriple,
   minus,
-  negative,
   num,
-  over,
   plus,
-  plusMinus,
-  root,
-  scalar,
   signedSum,
   squared,
   times,
 } from './expr.ts';
 
-const A = scalar('A');
-const B = scalar('B');
-const C = scalar('C');
-const D = scalar('D');
+/* What every shape has is written as data: nothing is made when a module is loaded. */
+export const A: Expr = { op: 'scalar', id: 'A' };
+export const B: Expr = { op: 'scalar', id: 'B' };
+export const C: Expr = { op: 'scalar', id: 'C' };
+export const D: Expr = { op: 'scalar', id: 'D' };
+export const T: Expr = { op: 'scalar', id: 't' };
+const MINUS_B: Expr = { op: 'negative', of: B };
+export const TWO: Expr = { op: 'number', value: 2 };
+const TWO_A: Expr = { op: 'product', factors: [TWO, A] };
 
 /** D = B² − 4AC. (The plane's constant in Ax + By + Cz + D = 0 is another D.) */
-export const DISCRIMINANT: Expr = minus(squared(B), times(num(4), A, C));
+export const DISCRIMINANT: Expr = {
+  op: 'sum',
+  terms: [
+    { sign: 1, expr: { op: 'square', of: B } },
+    { sign: -1, expr: { op: 'product', factors: [{ op: 'number', value: 4 }, A, C] } },
+  ],
+};
 
 /** t = (−B ± √D) / 2A, for A ≠ 0 and D ≥ 0. */
-export const ROOTS: Expr = over(plusMinus(negative(B), root(D)), times(num(2), A));
+export const ROOTS: Expr = {
+  op: 'quotient',
+  over: { op: 'plus-minus', left: MINUS_B, right: { op: 'root', of: D } },
+  under: TWO_A,
+};
 
 /** t = −B / 2A: both roots in one, for D = 0. */
-export const DOUBLE_ROOT: Expr = over(negative(B), times(num(2), A));
+export const DOUBLE_ROOT: Expr = { op: 'quotient', over: MINUS_B, under: TWO_A };
 
 /** t = −C / B, for A = 0 and B ≠ 0. */
-export const LINEAR_ROOT: Expr = over(negative(C), B);
+export const LINEAR_ROOT: Expr = { op: 'quotient', over: { op: 'negative', of: C }, under: B };
 
 /** f(t) = At² + Bt + C: what is left of the surface's equation when the ray is put into it. */
-export const F_OF_T: Expr = plus(times(A, squared(scalar('t'))), times(B, scalar('t')), C);
+export const F_OF_T: Expr = {
+  op: 'sum',
+  terms: [
+    { sign: 1, expr: { op: 'product', factors: [A, { op: 'square', of: T }] } },
+    { sign: 1, expr: { op: 'product', factors: [B, T] } },
+    { sign: 1, expr: C },
+  ],
+};
+
+const E_X: Expr = { op: 'component', vector: 'E', axis: 'x' };
+const E_Y: Expr = { op: 'component', vector: 'E', axis: 'y' };
+const E_Z: Expr = { op: 'component', vector: 'E', axis: 'z' };
+const T_DX: Expr = { op: 'product', factors: [T, { op: 'component', vector: 'd', axis: 'x' }] };
+const T_DY: Expr = { op: 'product', factors: [T, { op: 'component', vector: 'd', axis: 'y' }] };
+const T_DZ: Expr = { op: 'product', factors: [T, { op: 'component', vector: 'd', axis: 'z' }] };
 
 /** P = E + t d. */
-export const POINT: ExprTriple = alongAxes((axis) =>
-  plus(comp('E', axis), times(scalar('t'), comp('d', axis))),
-);
+export const POINT: ExprTriple = [
+  {
+    op: 'sum',
+    terms: [
+      { sign: 1, expr: E_X },
+      { sign: 1, expr: T_DX },
+    ],
+  },
+  {
+    op: 'sum',
+    terms: [
+      { sign: 1, expr: E_Y },
+      { sign: 1, expr: T_DY },
+    ],
+  },
+  {
+    op: 'sum',
+    terms: [
+      { sign: 1, expr: E_Z },
+      { sign: 1, expr: T_DZ },
+    ],
+  },
+];
 
 /** a × b, written out. */
 export function cross(a: ExprTriple, b: ExprTriple): ExprTriple {

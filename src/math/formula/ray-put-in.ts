@@ -12,7 +12,6 @@ import {
   type Term,
   times,
   type VectorExpr,
-  vec,
   vecMinus,
 } from './expr.ts';
 
@@ -80,7 +79,12 @@ function putIn(expr: Expr): Expr {
   }
 }
 
-const RAY: VectorExpr = { op: 'moved', from: vec('E'), by: 't', step: vec('d') };
+const RAY: VectorExpr = {
+  op: 'moved',
+  from: { op: 'vector', id: 'E' },
+  by: 't',
+  step: { op: 'vector', id: 'd' },
+};
 
 function vectorPutIn(v: VectorExpr): VectorExpr {
   if (v.op === 'vector') return v.id === 'X' ? RAY : v;

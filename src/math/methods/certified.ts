@@ -18,9 +18,8 @@ export const certified: Method = {
     'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric ' +
     'predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
   proven: 'faithful',
-  // Coefficients and triples are asked for one at a time: both are the exact method's own, whose
-  // promise (correctly rounded) is the stronger one.
+  // Asked for one at a time: the exact method's own, whose promise (correctly rounded) is the
+  // stronger one.
   coefficients: exact.coefficients,
-  solve: exact.solve,
   intersect: intersectCertified,
 };

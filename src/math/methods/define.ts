@@ -1,5 +1,5 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
-import type { Coefficients, Intersection, QuadraticAnswer } from '../intersection.ts';
+import type { Coefficients, Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Form } from './forms.ts';
@@ -9,7 +9,14 @@ import type { Solver } from './solvers.ts';
  * What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form
  * and its solver.
  */
-type Parts = <R>(use: <T>(arithmetic: Arithmetic<T>, form: Form, solver: Solver) => R) => R;
+type Parts = <R>(use: <T>(parts: OwnParts<T>) => R) => R;
+
+/** One arithmetic, form and solver. */
+export interface OwnParts<T> {
+  readonly arithmetic: Arithmetic<T>;
+  readonly form: Form;
+  readonly solver: Solver;
+}
 
 /** A method of the ladder. Its functions expect input that was checked before. */
 export interface Method {
@@ -29,7 +36,6 @@ export interface Method {
   readonly proven?: 'rounded' | 'faithful';
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
-  solve(A: number, B: number, C: number): QuadraticAnswer;
   /**
    * So that its own operations can be followed one by one; a method that is not made of trees has
    * none.

@@ -31,10 +31,14 @@ const triple = (slot: Slot, k: number): Vec3 => [
 ];
 
 /**
- * The method `walked` without walking its trees: by the pieces that are made of them, hence with
- * the same bits, at a small part of the price. For a shape without pieces the trees are walked.
+ * `intersect` of the method `walked` without walking its trees: by the pieces that are made of
+ * them, hence with the same bits, at a small part of the price. For a shape without pieces the
+ * trees are walked.
  */
-export function direct(walked: Method, { forms, roots, point, normals }: Pieces): Method {
+export function direct(
+  walked: Method,
+  { forms, roots, point, normals }: Pieces,
+): Method['intersect'] {
   const about = { id: walked.id, decidedBy: 'formula', arithmetic: float64 } as const;
 
   function curved(
@@ -79,19 +83,16 @@ export function direct(walked: Method, { forms, roots, point, normals }: Pieces)
     });
   }
 
-  return {
-    ...walked,
-    intersect(shape, ray) {
-      const form = forms[shape.kind];
-      if (!form) return walked.intersect(shape, ray);
-      const definition = definitionOf(shape);
-      const values = definition.values(shape);
-      const slot = ownSlot();
-      form(values, ray.origin, ray.direction, slot);
-      const normal = normals[shape.kind];
-      if (normal) return curved(slot, normal, values, ray);
-      return flat(slot, definition.formula(shape) as FlatFormula, values, shape, ray);
-    },
+  return (shape, ray) => {
+    const form = forms[shape.kind];
+    if (!form) return walked.intersect(shape, ray);
+    const definition = definitionOf(shape);
+    const values = definition.values(shape);
+    const slot = ownSlot();
+    form(values, ray.origin, ray.direction, slot);
+    const normal = normals[shape.kind];
+    if (normal) return curved(slot, normal, values, ray);
+    return flat(slot, definition.formula(shape) as FlatFormula, values, shape, ray);
   };
 }
 

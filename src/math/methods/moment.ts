@@ -1,7 +1,8 @@
 import { float64 } from '../arithmetic/float64.ts';
 import { momentForm } from './forms.ts';
 import { stableSolver } from './solvers.ts';
-import { treeMethod } from './tree-method.ts';
+import { coefficientsBy, intersectBy } from './tree-method.ts';
+import type { TreeMethod } from './tree-parts.ts';
 
 /*
  * The error of D/4, in units of u = 2^-53 and to first order (second-order terms are 1e-15 of
@@ -14,25 +15,26 @@ import { treeMethod } from './tree-method.ts';
  * and each of the three is in at most two more additions: 12 of ρ·Am + |a|(Sx² + Sz²) + Sy² covers
  * them all. The 4 is exact.
  */
-export const moment = treeMethod(
-  {
-    id: 'moment',
-    title: 'moment',
-    hint: 'D from d × (E − C), then q',
-    idea:
-      'D/4 = ρA + a(mx² + mz²) − my² from the ray’s moment m = d × (E − C), which does not ' +
-      'grow when E slides back along the ray.',
-    promise:
-      'No hit is lost to distance: the error of D/4 is at most 12 u (ρ·Am + |a|(Sx² + Sz²) + ' +
-      'Sy²), where Am and S are A and m with every term taken positive. Roots by the stable ' +
-      'formula; C still loses digits near the surface. Circle and square are decided by |m × ' +
-      'N|² ≤ r²(N·d)² and its like.',
-    source:
-      'Lagrange’s identity; Haines, Günther, Akenine-Möller 2019, Precision improvements for ' +
-      'ray/sphere intersection, in Ray Tracing Gems, for the idea of moving E.',
-  },
-  float64,
-  stableSolver,
-  'formula',
-  momentForm,
-);
+export const moment: TreeMethod<number> = {
+  id: 'moment',
+  title: 'moment',
+  hint: 'D from d × (E − C), then q',
+  idea:
+    'D/4 = ρA + a(mx² + mz²) − my² from the ray’s moment m = d × (E − C), which does not ' +
+    'grow when E slides back along the ray.',
+  promise:
+    'No hit is lost to distance: the error of D/4 is at most 12 u (ρ·Am + |a|(Sx² + Sz²) + ' +
+    'Sy²), where Am and S are A and m with every term taken positive. Roots by the stable ' +
+    'formula; C still loses digits near the surface. Circle and square are decided by |m × ' +
+    'N|² ≤ r²(N·d)² and its like.',
+  source:
+    'Lagrange’s identity; Haines, Günther, Akenine-Möller 2019, Precision improvements for ' +
+    'ray/sphere intersection, in Ray Tracing Gems, for the idea of moving E.',
+  arithmetic: float64,
+  form: momentForm,
+  solver: stableSolver,
+  decidedBy: 'formula',
+  coefficients: (shape, ray) => coefficientsBy(moment, shape, ray),
+  intersect: (shape, ray) => intersectBy(moment, shape, ray),
+  parts: (use) => use(moment),
+};

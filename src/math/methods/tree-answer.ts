@@ -5,6 +5,7 @@ import type { Hit, Intersection, QuadraticAnswer } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import { withPoint } from '../shapes/planar.ts';
+import { solveBy } from './solvers.ts';
 import { answer, curvedDetails, type MethodParts, rounded } from './tree-parts.ts';
 
 /** The symbols of a shape, whose values are `own`, and of a ray, in the numbers of `arithmetic`. */
@@ -23,7 +24,7 @@ export function intersectCurved<T>(
 ): Intersection {
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], ar, values);
   const D = form.discriminant(formula, withScalars(values, { A, B, C }), ar);
-  const { class: verdict, roots } = solver(A, B, C, D, ar);
+  const { class: verdict, roots } = solveBy(solver, A, B, C, D, ar);
   const hits = roots.map((t) => hitAt(t, formula.normal, values, ar));
   const details = curvedDetails([A, B, C], D, ar);
   return answer({ class: verdict, hits, method: id, decidedBy, details });
@@ -56,7 +57,7 @@ export function solveDoubles<T>(
   const { arithmetic: ar, solver } = parts;
   const scalars = { A: ar.of(A), B: ar.of(B), C: ar.of(C) };
   const D = evaluate(DISCRIMINANT, ar, { scalars, vectors: {} });
-  const solved = solver(scalars.A, scalars.B, scalars.C, D, ar);
+  const solved = solveBy(solver, scalars.A, scalars.B, scalars.C, D, ar);
   const roots = solved.roots.map(ar.toNumber);
   const broken =
     roots.some(Number.isNaN) || (parts.decidedBy !== 'exact' && !roots.every(Number.isFinite));

@@ -1,46 +1,33 @@
 import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { exact } from '../arithmetic/exact.ts';
 import { evaluate, evaluateTriple, type Triple, type Values } from '../formula/evaluate.ts';
-import type { Coefficients, DecidedBy, Intersection } from '../intersection.ts';
+import type { Coefficients, Intersection } from '../intersection.ts';
 import type { Ray } from '../ray.ts';
 import type { CurvedFormula } from '../shapes/axial-quadric.ts';
 import type { Shape } from '../shapes/index.ts';
 import { definitionOf } from '../shapes/lookup.ts';
 import type { FlatFormula } from '../shapes/planar.ts';
-import type { Method } from './define.ts';
-import { courseForm, type Form } from './forms.ts';
-import type { Solver } from './solvers.ts';
-import { intersectCurved, solveDoubles, symbolsOf } from './tree-answer.ts';
+import { intersectCurved, symbolsOf } from './tree-answer.ts';
 import { intersectFlat } from './tree-flat.ts';
-import type { MethodParts } from './tree-parts.ts';
+import { type MethodParts, rounded } from './tree-parts.ts';
 
-type About = Pick<Method, 'id' | 'title' | 'hint' | 'idea' | 'promise' | 'source' | 'proven'>;
-
-/**
- * A method that is an arithmetic, a way to form what decides and a way to solve the quadratic: the
+/*
+ * A method may be an arithmetic, a way to form what decides and a way to solve the quadratic: the
  * trees are evaluated in that arithmetic, and whatever is shown of them is rounded to doubles at
  * the very end.
  */
-export function treeMethod<T>(
-  about: About,
-  arithmetic: Arithmetic<T>,
-  solver: Solver,
-  decidedBy: DecidedBy,
-  form: Form = courseForm,
-): Method {
-  const parts: MethodParts<T> = { arithmetic, form, solver, decidedBy, id: about.id };
-  return {
-    ...about,
-    coefficients(shape, ray) {
-      const [A, B, C] = coefficientsOf(shape, valuesOf(shape, ray, arithmetic), arithmetic);
-      const { toNumber } = arithmetic;
-      return { A: toNumber(A), B: toNumber(B), C: toNumber(C) } satisfies Coefficients;
-    },
-    intersect: (shape, ray) => intersectValues(shape, ray, valuesOf(shape, ray, arithmetic), parts),
-    solve: (A, B, C) => solveDoubles(A, B, C, parts),
-    parts: (use) => use(arithmetic, form, solver),
-  };
+
+export function coefficientsBy<T>(
+  { arithmetic: ar }: MethodParts<T>,
+  shape: Shape,
+  ray: Ray,
+): Coefficients {
+  const [A, B, C] = rounded(coefficientsOf(shape, valuesOf(shape, ray, ar), ar), ar);
+  return { A, B, C };
 }
+
+export const intersectBy = <T>(parts: MethodParts<T>, shape: Shape, ray: Ray): Intersection =>
+  intersectValues(shape, ray, valuesOf(shape, ray, parts.arithmetic), parts);
 
 /** By the given values in place of those that are stored in shape and ray. */
 export function intersectValues<T>(

@@ -2,17 +2,16 @@ import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import type { Triple } from '../formula/evaluate.ts';
 import type { CurvedDetails, DecidedBy, Hit, Intersection, Sign } from '../intersection.ts';
 import type { Vec3 } from '../vec3.ts';
-import type { Form } from './forms.ts';
-import type { Solver } from './solvers.ts';
+import type { Method, OwnParts } from './define.ts';
 
 /** What a method that walks its trees is made of. */
-export interface MethodParts<T> {
-  readonly arithmetic: Arithmetic<T>;
-  readonly form: Form;
-  readonly solver: Solver;
+export interface MethodParts<T> extends OwnParts<T> {
   readonly decidedBy: DecidedBy;
   readonly id: string;
 }
+
+/** A method that walks its trees: its functions are those of tree-method.ts, asked with itself. */
+export type TreeMethod<T> = Method & MethodParts<T>;
 
 export function rounded<T>([x, y, z]: Triple<T>, { toNumber }: Arithmetic<T>): Vec3 {
   return [toNumber(x), toNumber(y), toNumber(z)];

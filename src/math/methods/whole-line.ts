@@ -13,7 +13,7 @@ import type { Ray } from '../ray.ts';
 import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Vec3 } from '../vec3.ts';
 import { courseForm } from './forms.ts';
-import { textbookSolver } from './solvers.ts';
+import { solveBy, textbookSolver } from './solvers.ts';
 import { intersectCurved, symbolsOf } from './tree-answer.ts';
 import { intersectFlat } from './tree-flat.ts';
 
@@ -87,7 +87,7 @@ export function wholeLine(entry: Entry, shape: unknown, ray: Ray): WholeLine {
   const roots = once(() => {
     const [A, B, C] = coefficients();
     const D = evaluate(DISCRIMINANT, exact, { scalars: { A, B, C }, vectors: {} });
-    return textbookSolver(A, B, C, D, exact).roots;
+    return solveBy(textbookSolver, A, B, C, D, exact).roots;
   });
   const root = (k: number): Surd => roots()[k] as Surd;
   const timeOf = (height: number): Surd => div(sub(fromNumber(height), e[1]), d[1]);

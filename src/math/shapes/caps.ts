@@ -21,7 +21,7 @@ interface Cap {
  */
 export function capsOf(shape: Shape, [low, high]: Heights): readonly Cap[] {
   const cap = (end: Cap['end'], height: number, up: 1 | -1): Cap[] => {
-    const disc = definitionOf(shape).body.circleAt?.(shape, height);
+    const disc = definitionOf(shape).body().circleAt?.(shape, height);
     if (!disc) return [];
     const { x, z, radius } = disc;
     const center: Vec3 = [x, height, z];

@@ -9,7 +9,7 @@ import type { ShapeDefinition } from './define.ts';
 import { drawDisc } from './flat-drawing.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import type { PlanarNumbers } from './numbers.ts';
-import { lengthParam, normalParam, pointParam } from './params.ts';
+import { LENGTH, NORMAL, POINT } from './params.ts';
 import { type Bound, notPositive, planarFormula, planarSurface } from './planar.ts';
 
 /** The disc about `center` in the plane with this normal; its rim belongs to it. */
@@ -112,9 +112,9 @@ export const circle: ShapeDefinition<Circle> = {
   }),
   icon: 'M2.5 12a9.5 5 0 0 0 19 0a9.5 5 0 0 0 -19 0',
   params: [
-    normalParam({ initial: [1, 0.5, 0] }),
-    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
-    lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 2 }),
+    { ...NORMAL, initial: [1, 0.5, 0] },
+    { ...POINT, key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] },
+    { ...LENGTH, key: 'radius', symbol: 'r', title: 'radius', initial: 2 },
   ],
   get surface() {
     return surface();
@@ -125,7 +125,7 @@ export const circle: ShapeDefinition<Circle> = {
     vectors: { N: normal, C: center },
   }),
   numbers: NUMBERS,
-  body: planarBody(NUMBERS.read),
+  body: lazily(() => planarBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),

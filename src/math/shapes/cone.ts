@@ -6,7 +6,7 @@ import { quadricBody } from './body.ts';
 import { AXIS, CONE, type ShapeDefinition } from './define.ts';
 import { pointGrip, slopeGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
-import { pointParam } from './params.ts';
+import { POINT } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
@@ -48,13 +48,14 @@ export const cone: ShapeDefinition<Cone> = {
   named: ({ slope }) => (slope === 0 ? AXIS : CONE),
   icon: 'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0L18 19.6a6 1.9 0 0 1 -12 0L18 4.4',
   params: [
-    pointParam({
+    {
+      ...POINT,
       key: 'vertex',
       symbol: 'V',
       title: 'vertex',
       initial: [0, 2.5, 0],
       linkDefault: [0, 3, 0],
-    }),
+    },
     {
       type: 'number',
       key: 'slope',
@@ -73,7 +74,7 @@ export const cone: ShapeDefinition<Cone> = {
   formula,
   values: ({ vertex, slope }) => ({ scalars: { c: slope }, vectors: { V: vertex } }),
   numbers: NUMBERS,
-  body: quadricBody(NUMBERS.read),
+  body: lazily(() => quadricBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: ({ slope }) =>
     slope === 0 ? 'c = 0: only the axis is left' : 'at h above V: radius |ch|',

@@ -6,7 +6,7 @@ import { quadricBody } from './body.ts';
 import { AXIS, CYLINDER, type ShapeDefinition } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
-import { lengthParam, pointParam } from './params.ts';
+import { LENGTH, POINT } from './params.ts';
 import { axisPoint, drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
@@ -46,8 +46,8 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   named: ({ radius }) => (radius === 0 ? AXIS : CYLINDER),
   icon: 'M6 6v12a6 2.4 0 0 0 12 0V6M6 6a6 2.4 0 0 0 12 0a6 2.4 0 0 0 -12 0',
   params: [
-    pointParam({ key: 'center', symbol: 'C', title: 'centre of the axis', initial: [0, 1, 0] }),
-    lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 }),
+    { ...POINT, key: 'center', symbol: 'C', title: 'centre of the axis', initial: [0, 1, 0] },
+    { ...LENGTH, key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 },
   ],
   get surface() {
     return surface();
@@ -55,7 +55,7 @@ export const cylinder: ShapeDefinition<Cylinder> = {
   formula,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: NUMBERS,
-  body: quadricBody(NUMBERS.read),
+  body: lazily(() => quadricBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the axis is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),

@@ -78,7 +78,7 @@ export interface ShapeDefinition<S extends { readonly kind: string }> {
    */
   readonly numbers: KernelNumbers<S>;
   /** What a picture needs: extent, circles, convexity. */
-  readonly body: Body<S>;
+  body(): Body<S>;
   /** Whether src/math/families has families written for it; if not, they are made from `params`. */
   readonly ownFamilies: boolean;
   /**

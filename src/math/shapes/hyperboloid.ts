@@ -6,7 +6,7 @@ import { quadricBody } from './body.ts';
 import { AXIS, CONE, CYLINDER, type Naming, type ShapeDefinition, SPHERE } from './define.ts';
 import { flareGrip, pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
-import { lengthParam, pointParam } from './params.ts';
+import { LENGTH, POINT } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 import { short, shortPoint } from './short.ts';
 
@@ -54,7 +54,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
     'M6 4.4a6 1.9 0 0 0 12 0a6 1.9 0 0 0 -12 0c3.6 5 3.6 10.2 0 15.2a6 1.9 0 0 0 12 0c-3.6 ' +
     '-5 -3.6 -10.2 0 -15.2',
   params: [
-    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
+    { ...POINT, key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] },
     {
       type: 'number',
       key: 'flare',
@@ -66,13 +66,14 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
       step: 0.05,
       unit: 'ratio',
     },
-    lengthParam({
+    {
+      ...LENGTH,
       key: 'radius',
       symbol: 'r',
       title: 'radius of the waist',
       initial: 0.5,
       linkDefault: 1,
-    }),
+    },
   ],
   get surface() {
     return surface();
@@ -83,7 +84,7 @@ export const hyperboloid: ShapeDefinition<Hyperboloid> = {
     vectors: { C: center },
   }),
   numbers: NUMBERS,
-  body: quadricBody(NUMBERS.read),
+  body: lazily(() => quadricBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: ({ flare, radius }) => meaningOf(flare, radius),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),

@@ -1,4 +1,5 @@
 import { InvalidInput, quote, refused } from '../invalid-input.ts';
+import { lazily } from '../lazily.ts';
 import type { Given } from '../vec3.ts';
 import { checkedBy } from './checked.ts';
 import type { ShapeDefinition } from './define.ts';
@@ -15,11 +16,11 @@ import { SHAPES, type Shape } from './index.ts';
 export function findShape(kind: unknown): ShapeDefinition<Shape> | undefined {
   // One entry's functions take that entry's shape only; whoever looks one up by a shape's kind
   // passes that shape.
-  return BY_KIND.get(kind) as ShapeDefinition<Shape> | undefined;
+  return byKind().get(kind) as ShapeDefinition<Shape> | undefined;
 }
 
-const BY_KIND: ReadonlyMap<unknown, unknown> = /* @__PURE__ */ new Map(
-  SHAPES.map((shape) => [shape.kind, shape]),
+const byKind = lazily(
+  (): ReadonlyMap<unknown, unknown> => new Map(SHAPES.map((shape) => [shape.kind, shape])),
 );
 
 /**

@@ -20,7 +20,7 @@ import { type Body, roomyBox } from './body.ts';
 import { AXIS, type Naming, type ShapeDefinition } from './define.ts';
 import type { Patch, Stage } from './drawing.ts';
 import { pointGrip, widthGrip } from './grips.ts';
-import { pointParam } from './params.ts';
+import { POINT } from './params.ts';
 import { aboutAxis, type Heights, type Piece, revolvedPatch } from './revolve.ts';
 
 /** Axis parallel to y: at height h above the vertex the circle has radius √(width · h). */
@@ -103,13 +103,14 @@ export const paraboloid: ShapeDefinition<Paraboloid> = {
   named: ({ width }) => (width === 0 ? AXIS : PARABOLOID),
   icon: 'M5 5a7 2 0 0 0 14 0a7 2 0 0 0 -14 0c1.6 9.5 4 15 7 15s5.4 -5.5 7 -15',
   params: [
-    pointParam({
+    {
+      ...POINT,
       key: 'vertex',
       symbol: 'V',
       title: 'vertex',
       initial: [0, 1, 0],
       linkDefault: [0, 0, 0],
-    }),
+    },
     {
       type: 'number',
       key: 'width',
@@ -128,7 +129,7 @@ export const paraboloid: ShapeDefinition<Paraboloid> = {
   formula,
   values: ({ vertex, width }) => ({ scalars: { k: width }, vectors: { V: vertex } }),
   numbers: null,
-  body,
+  body: () => body,
   ownFamilies: false,
   meaning: ({ width }) =>
     width === 0 ? 'k = 0: only the axis is left' : 'at h above V: radius √(kh)',

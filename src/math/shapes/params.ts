@@ -54,23 +54,28 @@ export interface AxisParam extends ParamBase {
 /** A parameter of a shape, as its entry declares it. */
 export type Param = VectorParam | NumberParam | AxisParam;
 
-type Named<P extends Param> = Pick<P, 'key' | 'symbol' | 'title' | 'initial' | 'linkDefault'>;
-
 /** A point in space. */
-export function pointParam(about: Named<VectorParam>): VectorParam {
-  return { type: 'vector', ...about, range: [-5, 5], step: 0.1 };
-}
+export const POINT = { type: 'vector', range: [-5, 5], step: 0.1 } as const;
 
 /** The normal of a plane, of any length but zero. */
-export function normalParam(about: Pick<VectorParam, 'initial' | 'linkDefault'>): VectorParam {
-  const named = { key: 'normal', symbol: 'N', title: 'normal', ...about };
-  return { type: 'vector', ...named, range: [-2, 2], step: 0.1, nonZero: true };
-}
+export const NORMAL = {
+  type: 'vector',
+  key: 'normal',
+  symbol: 'N',
+  title: 'normal',
+  range: [-2, 2],
+  step: 0.1,
+  nonZero: true,
+} as const;
 
 /** A length, 0 allowed. */
-export function lengthParam(about: Named<NumberParam>): NumberParam {
-  return { type: 'number', ...about, range: [0, 4], step: 0.05, unit: 'length', least: 0 };
-}
+export const LENGTH = {
+  type: 'number',
+  range: [0, 4],
+  step: 0.05,
+  unit: 'length',
+  least: 0,
+} as const;
 
 /**
  * Nothing, if `value` is allowed for the parameter.

@@ -5,7 +5,7 @@ import type { ShapeDefinition } from './define.ts';
 import { drawPlane } from './flat-drawing.ts';
 import { pointGrip } from './grips.ts';
 import type { PlanarNumbers } from './numbers.ts';
-import { normalParam, pointParam } from './params.ts';
+import { NORMAL, POINT } from './params.ts';
 import { planarFormula, planarSurface } from './planar.ts';
 
 /** A whole plane. */
@@ -33,8 +33,8 @@ export const plane: ShapeDefinition<Plane> = {
   named: () => ({ name: 'plane', singular: null, straight: null, border: [] }),
   icon: 'M6.5 7.5h14l-4.5 9h-14z',
   params: [
-    normalParam({ initial: [1, 0.5, 0.5], linkDefault: [1, 1, 0.5] }),
-    pointParam({ key: 'point', symbol: 'P', title: 'point of the plane', initial: [0, 1, 0] }),
+    { ...NORMAL, initial: [1, 0.5, 0.5], linkDefault: [1, 1, 0.5] },
+    { ...POINT, key: 'point', symbol: 'P', title: 'point of the plane', initial: [0, 1, 0] },
   ],
   get surface() {
     return surface();
@@ -42,7 +42,7 @@ export const plane: ShapeDefinition<Plane> = {
   formula,
   values: ({ normal, point }) => ({ scalars: {}, vectors: { N: normal, P: point } }),
   numbers: NUMBERS,
-  body: planarBody(NUMBERS.read),
+  body: lazily(() => planarBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: () => '',
   anchor: ({ point }) => ({ at: point, size: 0 }),

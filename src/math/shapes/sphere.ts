@@ -18,7 +18,7 @@ import { quadricBody } from './body.ts';
 import { type Naming, type ShapeDefinition, SPHERE } from './define.ts';
 import { pointGrip, radiusGrip } from './grips.ts';
 import { isAt, type QuadricNumbers } from './numbers.ts';
-import { lengthParam, pointParam } from './params.ts';
+import { LENGTH, POINT } from './params.ts';
 import { drawRevolution } from './revolve.ts';
 
 /** A sphere. */
@@ -85,8 +85,8 @@ export const sphere: ShapeDefinition<Sphere> = {
   named: ({ radius }) => (radius === 0 ? CENTRE : SPHERE),
   icon: 'M3.5 12a8.5 8.5 0 0 0 17 0a8.5 8.5 0 0 0 -17 0M3.5 12a8.5 3.2 0 0 0 17 0',
   params: [
-    pointParam({ key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] }),
-    lengthParam({ key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 }),
+    { ...POINT, key: 'center', symbol: 'C', title: 'centre', initial: [0, 1, 0] },
+    { ...LENGTH, key: 'radius', symbol: 'r', title: 'radius', initial: 1.5 },
   ],
   get surface() {
     return surface();
@@ -94,7 +94,7 @@ export const sphere: ShapeDefinition<Sphere> = {
   formula,
   values: ({ center, radius }) => ({ scalars: { r: radius }, vectors: { C: center } }),
   numbers: NUMBERS,
-  body: quadricBody(NUMBERS.read),
+  body: lazily(() => quadricBody(NUMBERS.read)),
   ownFamilies: false,
   meaning: ({ radius }) => (radius === 0 ? 'r = 0: only the centre is left' : ''),
   anchor: ({ center, radius }) => ({ at: center, size: radius }),

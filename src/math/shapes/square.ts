@@ -8,7 +8,7 @@ import type { ShapeDefinition } from './define.ts';
 import { drawSquare, inPlaneAxes, unitAlong } from './flat-drawing.ts';
 import { pointGrip, sideGrip } from './grips.ts';
 import type { PlanarNumbers } from './numbers.ts';
-import { lengthParam, pointParam } from './params.ts';
+import { LENGTH, POINT } from './params.ts';
 import { type Bound, type FlatFormula, planarFormula, planarSurface } from './planar.ts';
 
 /**
@@ -116,12 +116,10 @@ function cornersOnBothSides<T>(
   return Math.min(...signs) <= 0 && Math.max(...signs) >= 0;
 }
 
-const formulaOf = (axis: Axis): (() => FlatFormula) =>
-  lazily(() => planarFormula('P', boundOf(axis)));
 const FORMULAS: Readonly<Record<Axis, () => FlatFormula>> = {
-  x: formulaOf('x'),
-  y: formulaOf('y'),
-  z: formulaOf('z'),
+  x: lazily(() => planarFormula('P', boundOf('x'))),
+  y: lazily(() => planarFormula('P', boundOf('y'))),
+  z: lazily(() => planarFormula('P', boundOf('z'))),
 };
 const surface = lazily(() => planarSurface('P'));
 
@@ -158,8 +156,8 @@ export const square: ShapeDefinition<Square> = {
   }),
   icon: 'M12 5.5L21.5 12L12 18.5L2.5 12z',
   params: [
-    pointParam({ key: 'corner', symbol: 'P', title: 'corner', initial: [0, 0, -1] }),
-    lengthParam({ key: 'side', symbol: 'L', title: 'side', initial: 2 }),
+    { ...POINT, key: 'corner', symbol: 'P', title: 'corner', initial: [0, 0, -1] },
+    { ...LENGTH, key: 'side', symbol: 'L', title: 'side', initial: 2 },
     { type: 'axis', key: 'axis', symbol: 'axis', title: 'axis of the normal', initial: 'x' },
   ],
   get surface() {
@@ -171,7 +169,7 @@ export const square: ShapeDefinition<Square> = {
     vectors: { N: unitAlong(axis), P: corner },
   }),
   numbers: NUMBERS,
-  body: planarBody(NUMBERS.read),
+  body: lazily(() => planarBody(NUMBERS.read)),
   ownFamilies: true,
   meaning: ({ side }) => (side === 0 ? 'L = 0: only the corner is left' : ''),
   anchor: ({ corner, side, axis }) => ({

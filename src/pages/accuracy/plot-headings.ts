@@ -47,7 +47,7 @@ export function answerHead(
     TIMED,
     family,
     (id) => set({ family: id, dial: null }),
-    others(FAMILIES, TIMED),
+    others(FAMILIES(), TIMED),
   );
   const upwards = tabs('Upwards', WORTHS, worth, (id) =>
     set({ worth: id as AccuracySettings['worth'] }),

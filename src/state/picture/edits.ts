@@ -53,7 +53,7 @@ export function withHeights(thing: Thing, on: boolean): Thing {
 }
 
 /** Whether the ends of a cut shape are circles, which caps can close. */
-export const canBeCapped = (shape: Shape): boolean => definitionOf(shape).body.circleAt !== null;
+export const canBeCapped = (shape: Shape): boolean => definitionOf(shape).body().circleAt !== null;
 
 export function withPattern(material: Material, pattern: Paint['pattern']): Material {
   const { paint } = material;
@@ -109,7 +109,7 @@ function addedTo(scene: Scene, thing: Pick<Thing, 'shape' | 'between' | 'capped'
  * circles begin there. It is no wider than high.
  */
 function endsFor(shape: Shape, unit: number): Pick<Thing, 'between' | 'capped'> {
-  const { box, circleAt } = definitionOf(shape).body;
+  const { box, circleAt } = definitionOf(shape).body();
   if (!circleAt || box(shape, null)) return {};
   const y = definitionOf(shape).anchor(shape).at[1];
   const down = circleAt(shape, y - unit) !== null;

@@ -28,7 +28,7 @@ const CANCELLED: readonly [string, (random: Random) => Question][] = [
   [
     'b, from beside the point nearest to the axis',
     (r) => {
-      const { of, add, mul, div, sub, toNumber } = doubleDouble;
+      const { of, add, mul, div, sub, toNumber } = doubleDouble();
       const [x, y, z] = [uniform(r, -1, 1), uniform(r, -1, 1), uniform(r, 0.3, 1)];
       const [px, py] = [uniform(r, -3, 3), uniform(r, -3, 3)];
       const along = add(mul(of(x), of(px)), mul(mul(of(y), of(py)), of(0.5)));
@@ -57,7 +57,7 @@ const CANCELLED: readonly [string, (random: Random) => Question][] = [
   [
     'A and C, where a small coordinate makes up for what a large one leaves',
     (r) => {
-      const { of, add, mul, sub, toNumber } = doubleDouble;
+      const { of, add, mul, sub, toNumber } = doubleDouble();
       const [flare, py] = [uniform(r, 0.3, 2), uniform(r, 0.3, 2)];
       const by = r() < 0.5 ? 1 : 1.5;
       const more = (square: typeof wide, x: number): number =>

@@ -159,7 +159,7 @@ const adversaries: readonly [string, (random: Random) => Question][] = [
   [
     'the same with full fractions: the last of three products cancels the others to 2^-60',
     (r) => {
-      const { of, add, mul, toNumber } = doubleDouble;
+      const { of, add, mul, toNumber } = doubleDouble();
       const [a, b, x, y] = [1, 2, 3, 4].map(() => uniform(r, 0.5, 1)) as [
         number,
         number,
@@ -335,7 +335,7 @@ function each(q: Question, length: (x: number) => number, speed: (x: number) => 
   };
 }
 
-const roots = (method: typeof exact, { shape, ray }: Question) => {
+const roots = (method: Pick<typeof exact, 'intersect'>, { shape, ray }: Question) => {
   const { class: verdict, hits } = method.intersect(shape, ray);
   return { verdict, ts: hits.map(({ t }) => t) };
 };
@@ -351,7 +351,7 @@ describe('exact relations (typical, far, grazing and flat families, seed 41)', (
     'square',
     'degenerate',
   ]
-    .map((id) => findFamily(id) ?? FAMILIES[0])
+    .map((id) => findFamily(id) ?? FAMILIES()[0])
     .flatMap((family) => Array.from({ length: 60 }, () => family?.make(random) as Question));
 
   /** `certified` may take the other neighbour: its class is compared, and its roots with exact. */

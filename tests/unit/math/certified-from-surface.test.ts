@@ -85,7 +85,7 @@ function tally(make: Make, seed: number, count: number, weaken: (a: Asked) => vo
     weaken(a);
     const [t0, t1] = rootsOf(a);
     a.numbers.set(numbers);
-    SURFACE_BOUNDS.set(bounds);
+    Object.assign(SURFACE_BOUNDS, bounds);
     all += 1;
     if (Number.isNaN(t0)) continue;
     settled += 1;
@@ -219,7 +219,7 @@ test('rays in turn, each with a shape of its own: no shape’s numbers serve ano
 
 const bound = (name: keyof typeof AT_SURFACE_BOUND, by: number) => (): void => {
   const at = AT_SURFACE_BOUND[name];
-  SURFACE_BOUNDS[at] = by * (SURFACE_BOUNDS[at] as number);
+  Object.assign(SURFACE_BOUNDS, { [at]: by * (SURFACE_BOUNDS[at] as number) });
 };
 const number =
   (name: keyof typeof AT_SURFACE, by: number) =>

@@ -11,7 +11,7 @@ import { aimed, inUnits, scaled } from './whole-scenes.ts';
 /* Whole scenes in other units: as `npm run fuzz`, a few of them. */
 
 const hard = (k: number, random: Random): Question => {
-  const family = FAMILIES[k % FAMILIES.length] as (typeof FAMILIES)[number];
+  const family = FAMILIES()[k % FAMILIES().length] as ReturnType<typeof FAMILIES>[number];
   return scaled(family.make(random), random);
 };
 

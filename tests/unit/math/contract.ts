@@ -131,7 +131,7 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
     test('what has no end of its own ends with the stage', () => {
       for (const { shape, stage, x } of points) {
         // A figure, an ellipsoid: drawn whole.
-        if (!isCurved(definition, shape) || definition.body.box(shape, null)) continue;
+        if (!isCurved(definition, shape) || definition.body().box(shape, null)) continue;
         const slack = ROUNDINGS * EPSILON * (Math.abs(stage.center[1]) + stage.radius);
         expect(x[1]).toBeGreaterThanOrEqual(stage.low - slack);
         expect(x[1]).toBeLessThanOrEqual(stage.high + slack);

@@ -81,7 +81,7 @@ function heightsNear({ shape, ray }: Question, random: Random): readonly [number
   return a < b ? [a, b] : [b, a];
 }
 
-const CURVED = FAMILIES.filter(({ make }) => {
+const CURVED = FAMILIES().filter(({ make }) => {
   const { shape } = make(seeded(1));
   return definitionOf(shape).formula(shape).family === 'curved';
 });

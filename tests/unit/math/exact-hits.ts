@@ -10,7 +10,7 @@ import {
 } from '../../../src/math/formula/evaluate.ts';
 import type { Verdict } from '../../../src/math/intersection.ts';
 import { exact as exactMethod } from '../../../src/math/methods/exact.ts';
-import { textbookSolver } from '../../../src/math/methods/solvers.ts';
+import { solveBy, textbookSolver } from '../../../src/math/methods/solvers.ts';
 import { valuesOf } from '../../../src/math/methods/tree-method.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
@@ -40,7 +40,7 @@ export function exactHits(shape: Shape, ray: Ray): { class: Verdict; hits: Exact
   }
   const [A, B, C] = evaluateTriple([formula.A, formula.B, formula.C], exact, values);
   const D = evaluate(DISCRIMINANT, exact, withScalars(values, { A, B, C }));
-  const { class: verdict, roots } = textbookSolver(A, B, C, D, exact);
+  const { class: verdict, roots } = solveBy(textbookSolver, A, B, C, D, exact);
   return {
     class: verdict,
     hits: roots.map((t) => {

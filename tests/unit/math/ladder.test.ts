@@ -17,7 +17,7 @@ import { wild } from './wild.ts';
 
 const SEED = 71;
 const COUNT = 60;
-const drawn = new Map(FAMILIES.map(({ id }) => [id, drawJudged(id, COUNT, SEED)]));
+const drawn = new Map(FAMILIES().map(({ id }) => [id, drawJudged(id, COUNT, SEED)]));
 const of = (id: string): Judged[] => drawn.get(id) as Judged[];
 
 const vectors = new Map<string, Judged[]>();
@@ -218,7 +218,7 @@ describe('interval: whenever it decides, it is right', () => {
   test.each([...vectors])('vectors %s', (_, questions) => {
     expect(score('interval', questions).wrong).toBe(0);
   });
-  const sweeps = FAMILIES.flatMap(({ id, dial }) =>
+  const sweeps = FAMILIES().flatMap(({ id, dial }) =>
     dial
       ? Array.from(
           { length: 6 },

@@ -88,7 +88,7 @@ test('faithful roots that are one neighbour off on either side do not mislead', 
 /** What goes wrong without it, and that it does not with it (2000 outward rays, seed 5). */
 test('a ray from a hit point outwards meets its own surface only without `from`', () => {
   const random = seeded(5);
-  const family = findFamily('typical') ?? FAMILIES[0];
+  const family = findFamily('typical') ?? FAMILIES()[0];
   let again = 0;
   let tried = 0;
   while (tried < 2000) {

@@ -62,7 +62,7 @@ const differing = (method: Method, shape: Shape, rays: readonly Ray[]): unknown[
   });
 
 describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
-  test.each(FAMILIES.map(({ id, batch }) => [id, batch] as const))('family %s', (_, batch) => {
+  test.each(FAMILIES().map(({ id, batch }) => [id, batch] as const))('family %s', (_, batch) => {
     const random = seeded(121);
     for (let i = 0; i < many(16); i++) {
       const { shape, rays } = batch(random, 12);
@@ -120,7 +120,7 @@ describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
   });
 
   test('first: the least root in the window, of those that both gives', () => {
-    const { shape, rays: list } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(
+    const { shape, rays: list } = (FAMILIES()[0] as ReturnType<typeof FAMILIES>[number]).batch(
       seeded(123),
       200,
     );
@@ -142,7 +142,7 @@ describe.each(BATCH_METHODS)('$id: bit-equal to its tree', (method) => {
   });
 
   test('no rays, and arrays that are longer than the count', () => {
-    const { shape } = (FAMILIES[0] as (typeof FAMILIES)[number]).make(seeded(124));
+    const { shape } = (FAMILIES()[0] as ReturnType<typeof FAMILIES>[number]).make(seeded(124));
     const out = createAnswers(4);
     out.t0.fill(7);
     batchOf(method, shape).both(createRays(4), out);

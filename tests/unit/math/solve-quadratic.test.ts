@@ -4,7 +4,10 @@ import * as dy from '../../../src/math/exact/dyadic.ts';
 import { scale } from '../../../src/math/float/bits.ts';
 import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { InvalidInput, METHODS, solveQuadratic } from '../../../src/math/index.ts';
+import type { Method } from '../../../src/math/methods/define.ts';
+import { exact } from '../../../src/math/methods/exact.ts';
 import { SOLVING } from '../../../src/math/methods/solving.ts';
+import { solveDoubles } from '../../../src/math/methods/tree-answer.ts';
 import { integer, seeded, uniform, wide } from '../../../src/math/rng.ts';
 import { METHOD_IDS } from './shorthand.ts';
 
@@ -226,10 +229,12 @@ describe(`correctly rounded: the exact sign of f on both sides of every root, se
 test('the list beside METHODS solves as each of them does, and has no other', () => {
   expect(Object.keys(SOLVING).sort()).toEqual(METHODS.map(({ id }) => id as string).sort());
   const random = seeded(17);
-  for (const { id, solve } of METHODS) {
+  for (const { id, proven, parts = exact.parts } of METHODS as readonly Method[]) {
+    const decidedBy = proven ? 'exact' : 'formula';
     for (let i = 0; i < 100; i++) {
       const [A, B, C] = [wide(random), wide(random), wide(random)] as const;
-      expect(solveQuadratic(A, B, C, id)).toEqual(solve(A, B, C));
+      const own = parts?.((made) => solveDoubles(A, B, C, { ...made, decidedBy }));
+      expect(solveQuadratic(A, B, C, id)).toEqual(own);
     }
   }
 });

@@ -17,7 +17,7 @@ import { seeded } from '../../../src/math/rng.ts';
 import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { AXES } from '../../../src/math/vec3.ts';
-import { SQUARE_COMPLETED, walkBy, walkOf, walkSide } from '../../../src/math/walk.ts';
+import { squareCompleted, walkBy, walkOf, walkSide } from '../../../src/math/walk.ts';
 import { initialShape } from '../../../src/state/state.ts';
 import { ellipticCylinder } from '../toy-shape.ts';
 
@@ -181,7 +181,7 @@ test('the square completed is f', () => {
     const values = { scalars: { ...scalars, D }, vectors: {} };
     const gap = ratios.sub(
       evaluate(F_OF_T, ratios, values),
-      evaluate(SQUARE_COMPLETED, ratios, values),
+      evaluate(squareCompleted(), ratios, values),
     );
     expect(ratios.sign(gap)).toBe(0);
   }

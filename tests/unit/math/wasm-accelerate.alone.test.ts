@@ -21,7 +21,10 @@ async function fresh() {
   const { batchOf } = await import('../../../src/math/batch/kernels.ts');
   const { kernelArray } = await import('../../../src/math/batch/memory.ts');
   const { certified } = await import('../../../src/math/methods/certified.ts');
-  const { shape, rays } = (FAMILIES[0] as (typeof FAMILIES)[number]).batch(seeded(181), 300);
+  const { shape, rays } = (FAMILIES()[0] as ReturnType<typeof FAMILIES>[number]).batch(
+    seeded(181),
+    300,
+  );
   const roots = () => {
     const out = batch.createAnswers(rays.length, kernelArray);
     batchOf(certified, shape).both(batch.packRays(rays, kernelArray), out);

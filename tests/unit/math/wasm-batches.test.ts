@@ -25,7 +25,7 @@ import { wild } from './wild.ts';
  * TypeScript, whatever is asked and wherever the arrays are.
  */
 
-const CURVED = FAMILIES.filter(({ make }) => quadricOf(make(seeded(1)).shape) !== null);
+const CURVED = FAMILIES().filter(({ make }) => quadricOf(make(seeded(1)).shape) !== null);
 const isCurved = (shape: Shape): boolean => quadricOf(shape) !== null;
 
 interface Places {

@@ -3,14 +3,16 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(2);
 const W = new Float64Array(768);
 const H = new Int32Array(64);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -165,8 +167,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = -k1;
@@ -471,7 +472,7 @@ if (((v129 <= 0 && 0 <= v129) || !(v226 < 2 ** 500))) marked[left++] = i + 6 * 2
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -849,8 +850,7 @@ if (((v201 <= 0 && 0 <= v201) || !(v298 < 2 ** 500))) marked[left++] = i + 6 * 2
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = 134217729 * k0;
@@ -1237,7 +1237,7 @@ if (((v209 <= 0 && 0 <= v209) || !(v306 < 2 ** 500))) marked[left++] = i + 6 * 2
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -1509,7 +1509,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -1749,7 +1749,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = -k1;
@@ -2109,8 +2109,7 @@ if (((v183 <= 0 && 0 <= v183) || !(v280 < 2 ** 500))) marked[left++] = i + 6 * 2
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = -k1;
@@ -2439,3 +2438,15 @@ if (((v153 <= 0 && 0 <= v153) || !(v250 < 2 ** 500))) marked[left++] = i + 6 * 2
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeBoth },
+cylinder: { both: cylinderBoth, classes: cylinderBoth },
+cone: { both: coneBoth, classes: coneBoth },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidBoth },
+circle: { both: circleBoth, classes: circleBoth },
+square: { both: squareBoth, classes: squareBoth },
+sphere: { both: sphereBoth, classes: sphereBoth },
+paraboloid: { both: paraboloidBoth, classes: paraboloidBoth },
+};
+});

@@ -2,12 +2,12 @@
  * Which loops there are, by method and kind of shape.
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
-import * as textbook32 from './textbook32.ts';
-import * as textbook from './textbook.ts';
-import * as stable from './stable.ts';
-import * as moment from './moment.ts';
-import * as compensated from './compensated.ts';
-import * as interval from './interval.ts';
+import { LOOPS as textbook32 } from './textbook32.ts';
+import { LOOPS as textbook } from './textbook.ts';
+import { LOOPS as stable } from './stable.ts';
+import { LOOPS as moment } from './moment.ts';
+import { LOOPS as compensated } from './compensated.ts';
+import { LOOPS as interval } from './interval.ts';
 import { ONE_RAY as textbook32One } from './textbook32-one.ts';
 import { ONE_RAY as textbookOne } from './textbook-one.ts';
 import { ONE_RAY as stableOne } from './stable-one.ts';
@@ -37,90 +37,36 @@ export const STRAIGHT: Readonly<Record<string, Straight>> = {
     simd: textbook32Simd,
     arithmetic: 'float32',
     alone: textbook32One,
-    loops: {
-      plane: { both: textbook32.planeBoth, classes: textbook32.planeClasses },
-      cylinder: { both: textbook32.cylinderBoth, classes: textbook32.cylinderClasses },
-      cone: { both: textbook32.coneBoth, classes: textbook32.coneClasses },
-      hyperboloid: { both: textbook32.hyperboloidBoth, classes: textbook32.hyperboloidClasses },
-      circle: { both: textbook32.circleBoth, classes: textbook32.circleClasses },
-      square: { both: textbook32.squareBoth, classes: textbook32.squareClasses },
-      sphere: { both: textbook32.sphereBoth, classes: textbook32.sphereClasses },
-      paraboloid: { both: textbook32.paraboloidBoth, classes: textbook32.paraboloidClasses },
-    },
+    loops: textbook32,
   },
   textbook: {
     simd: textbookSimd,
     arithmetic: 'float64',
     alone: textbookOne,
-    loops: {
-      plane: { both: textbook.planeBoth, classes: textbook.planeClasses },
-      cylinder: { both: textbook.cylinderBoth, classes: textbook.cylinderClasses },
-      cone: { both: textbook.coneBoth, classes: textbook.coneClasses },
-      hyperboloid: { both: textbook.hyperboloidBoth, classes: textbook.hyperboloidClasses },
-      circle: { both: textbook.circleBoth, classes: textbook.circleClasses },
-      square: { both: textbook.squareBoth, classes: textbook.squareClasses },
-      sphere: { both: textbook.sphereBoth, classes: textbook.sphereClasses },
-      paraboloid: { both: textbook.paraboloidBoth, classes: textbook.paraboloidClasses },
-    },
+    loops: textbook,
   },
   stable: {
     simd: stableSimd,
     arithmetic: 'float64',
     alone: stableOne,
-    loops: {
-      plane: { both: stable.planeBoth, classes: stable.planeClasses },
-      cylinder: { both: stable.cylinderBoth, classes: stable.cylinderClasses },
-      cone: { both: stable.coneBoth, classes: stable.coneClasses },
-      hyperboloid: { both: stable.hyperboloidBoth, classes: stable.hyperboloidClasses },
-      circle: { both: stable.circleBoth, classes: stable.circleClasses },
-      square: { both: stable.squareBoth, classes: stable.squareClasses },
-      sphere: { both: stable.sphereBoth, classes: stable.sphereClasses },
-      paraboloid: { both: stable.paraboloidBoth, classes: stable.paraboloidClasses },
-    },
+    loops: stable,
   },
   moment: {
     simd: momentSimd,
     arithmetic: 'float64',
     alone: momentOne,
-    loops: {
-      plane: { both: moment.planeBoth, classes: moment.planeClasses },
-      cylinder: { both: moment.cylinderBoth, classes: moment.cylinderClasses },
-      cone: { both: moment.coneBoth, classes: moment.coneClasses },
-      hyperboloid: { both: moment.hyperboloidBoth, classes: moment.hyperboloidClasses },
-      circle: { both: moment.circleBoth, classes: moment.circleClasses },
-      square: { both: moment.squareBoth, classes: moment.squareClasses },
-      sphere: { both: moment.sphereBoth, classes: moment.sphereClasses },
-      paraboloid: { both: moment.paraboloidBoth, classes: moment.paraboloidClasses },
-    },
+    loops: moment,
   },
   compensated: {
     simd: compensatedSimd,
     arithmetic: 'double-double',
     alone: null,
-    loops: {
-      plane: { both: compensated.planeBoth, classes: compensated.planeBoth },
-      cylinder: { both: compensated.cylinderBoth, classes: compensated.cylinderBoth },
-      cone: { both: compensated.coneBoth, classes: compensated.coneBoth },
-      hyperboloid: { both: compensated.hyperboloidBoth, classes: compensated.hyperboloidBoth },
-      circle: { both: compensated.circleBoth, classes: compensated.circleBoth },
-      square: { both: compensated.squareBoth, classes: compensated.squareBoth },
-      sphere: { both: compensated.sphereBoth, classes: compensated.sphereBoth },
-      paraboloid: { both: compensated.paraboloidBoth, classes: compensated.paraboloidBoth },
-    },
+    loops: compensated,
   },
   interval: {
     simd: intervalSimd,
     arithmetic: 'interval',
     alone: null,
-    loops: {
-      plane: { both: interval.planeBoth, classes: interval.planeBoth },
-      cylinder: { both: interval.cylinderBoth, classes: interval.cylinderBoth },
-      cone: { both: interval.coneBoth, classes: interval.coneBoth },
-      hyperboloid: { both: interval.hyperboloidBoth, classes: interval.hyperboloidBoth },
-      circle: { both: interval.circleBoth, classes: interval.circleBoth },
-      square: { both: interval.squareBoth, classes: interval.squareBoth },
-      sphere: { both: interval.sphereBoth, classes: interval.sphereBoth },
-      paraboloid: { both: interval.paraboloidBoth, classes: interval.paraboloidBoth },
-    },
+    loops: interval,
   },
 };

@@ -3,12 +3,14 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(24);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = 134217729 * k0;
@@ -243,8 +245,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -905,7 +906,7 @@ Math.abs(v590) < 2 ** 500)))) marked[left++] = i + 6 * 2 ** 28;
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -1980,8 +1981,7 @@ Math.abs(v995) < 2 ** 500)))) marked[left++] = i + 6 * 2 ** 28;
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * 2;
@@ -3079,7 +3079,7 @@ Math.abs(v1019) < 2 ** 500)))) marked[left++] = i + 6 * 2 ** 28;
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = 134217729 * k1;
@@ -3751,7 +3751,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k1 = n[1] as number;
 const v0 = 134217729 * k1;
@@ -4271,7 +4271,7 @@ t1[i] = Number.NaN;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -5259,8 +5259,7 @@ Math.abs(v910) < 2 ** 500)))) marked[left++] = i + 6 * 2 ** 28;
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked,
-roots) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked, roots) => {
 const { t0, t1, margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -6170,3 +6169,15 @@ Math.abs(v839) < 2 ** 500)))) marked[left++] = i + 6 * 2 ** 28;
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeBoth },
+cylinder: { both: cylinderBoth, classes: cylinderBoth },
+cone: { both: coneBoth, classes: coneBoth },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidBoth },
+circle: { both: circleBoth, classes: circleBoth },
+square: { both: squareBoth, classes: squareBoth },
+sphere: { both: sphereBoth, classes: sphereBoth },
+paraboloid: { both: paraboloidBoth, classes: paraboloidBoth },
+};
+});

@@ -3,12 +3,14 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(8);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -64,7 +66,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -118,7 +120,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -166,7 +168,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -203,7 +205,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -258,7 +260,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -302,7 +304,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -359,7 +361,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const v0 = k1 * k1;
@@ -405,7 +407,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -467,7 +469,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -527,7 +529,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -599,7 +601,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -668,7 +670,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -723,7 +725,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -767,7 +769,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -821,7 +823,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const v0 = k0 * k0;
@@ -863,3 +865,15 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeClasses },
+cylinder: { both: cylinderBoth, classes: cylinderClasses },
+cone: { both: coneBoth, classes: coneClasses },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidClasses },
+circle: { both: circleBoth, classes: circleClasses },
+square: { both: squareBoth, classes: squareClasses },
+sphere: { both: sphereBoth, classes: sphereClasses },
+paraboloid: { both: paraboloidBoth, classes: paraboloidClasses },
+};
+});

@@ -3,12 +3,14 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 const S = new Float64Array(2);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -40,7 +42,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -70,7 +72,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -115,7 +117,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -149,7 +151,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -199,7 +201,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -238,7 +240,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -289,7 +291,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -329,7 +331,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -369,7 +371,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -407,7 +409,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -459,7 +461,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -508,7 +510,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -557,7 +559,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -595,7 +597,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -642,7 +644,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -677,3 +679,15 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeClasses },
+cylinder: { both: cylinderBoth, classes: cylinderClasses },
+cone: { both: coneBoth, classes: coneClasses },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidClasses },
+circle: { both: circleBoth, classes: circleClasses },
+square: { both: squareBoth, classes: squareClasses },
+sphere: { both: sphereBoth, classes: sphereClasses },
+paraboloid: { both: paraboloidBoth, classes: paraboloidClasses },
+};
+});

@@ -3,11 +3,13 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -39,7 +41,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = n[0] as number;
 const k3 = n[3] as number;
@@ -69,7 +71,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -111,7 +113,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
+const cylinderClasses: Loop = (n, { count, Ex, Ez, dx, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -145,7 +147,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -192,7 +194,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -231,7 +233,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -279,7 +281,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k2 = n[2] as number;
 const k4 = n[4] as number;
@@ -319,7 +321,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -359,7 +361,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -397,7 +399,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -449,7 +451,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k4 = n[4] as number;
@@ -498,7 +500,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -544,7 +546,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k2 = n[2] as number;
@@ -582,7 +584,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -626,7 +628,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = n[1] as number;
 const k3 = n[3] as number;
@@ -661,3 +663,15 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeClasses },
+cylinder: { both: cylinderBoth, classes: cylinderClasses },
+cone: { both: coneBoth, classes: coneClasses },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidClasses },
+circle: { both: circleBoth, classes: circleClasses },
+square: { both: squareBoth, classes: squareClasses },
+sphere: { both: sphereBoth, classes: sphereClasses },
+paraboloid: { both: paraboloidBoth, classes: paraboloidClasses },
+};
+});

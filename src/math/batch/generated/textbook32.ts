@@ -3,12 +3,14 @@
  * Made by `npm run kernels` from the formula trees; not to be edited.
  */
 
-import type { Loop } from '../straight-loop.ts';
+import { lazily } from '../../lazily.ts';
+import type { Loop, LoopsByKind } from '../straight-loop.ts';
 
+export const LOOPS = lazily((): LoopsByKind => {
 const { fround } = Math;
 const ONE_OR_NAN = Float64Array.of(1, Number.NaN);
 
-export const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k0 = fround(n[0] as number);
 const k3 = fround(n[3] as number);
@@ -42,7 +44,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const planeClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k0 = fround(n[0] as number);
 const k3 = fround(n[3] as number);
@@ -74,7 +76,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const cylinderBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -121,7 +123,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const cylinderClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const cylinderClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -160,7 +162,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -209,7 +211,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const coneClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -250,7 +252,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k2 = fround(n[2] as number);
 const k4 = fround(n[4] as number);
@@ -301,7 +303,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const hyperboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k2 = fround(n[2] as number);
 const k4 = fround(n[4] as number);
@@ -344,7 +346,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k4 = fround(n[4] as number);
@@ -386,7 +388,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const circleClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k4 = fround(n[4] as number);
@@ -426,7 +428,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k4 = fround(n[4] as number);
@@ -479,7 +481,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const squareClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k4 = fround(n[4] as number);
@@ -529,7 +531,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k2 = fround(n[2] as number);
@@ -578,7 +580,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const sphereClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k2 = fround(n[2] as number);
@@ -619,7 +621,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidBoth: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { t0, t1 } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -665,7 +667,7 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 return left;
 };
 
-export const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
+const paraboloidClasses: Loop = (n, { count, Ex, Ey, Ez, dx, dy, dz }, out, marked) => {
 const { margin } = out;
 const k1 = fround(n[1] as number);
 const k3 = fround(n[3] as number);
@@ -702,3 +704,15 @@ if (verdict !== 0) marked[left++] = i + verdict * 2 ** 28;
 }
 return left;
 };
+
+return {
+plane: { both: planeBoth, classes: planeClasses },
+cylinder: { both: cylinderBoth, classes: cylinderClasses },
+cone: { both: coneBoth, classes: coneClasses },
+hyperboloid: { both: hyperboloidBoth, classes: hyperboloidClasses },
+circle: { both: circleBoth, classes: circleClasses },
+square: { both: squareBoth, classes: squareClasses },
+sphere: { both: sphereBoth, classes: sphereClasses },
+paraboloid: { both: paraboloidBoth, classes: paraboloidClasses },
+};
+});

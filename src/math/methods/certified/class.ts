@@ -1,6 +1,6 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import type { Quadric } from '../../batch/quadric.ts';
-import { AT_SCALED, BOX, type CertifiedQuadric, inSlots, type OpenRays } from './numbers.ts';
+import { AT_SCALED, BOX, type CertifiedQuadric, type OpenRays } from './numbers.ts';
 
 /*
  * D/4 by the moment. u = 2^-53. Coordinates along y are multiplied by k = √|a|: Y = k·dy, PY =
@@ -71,11 +71,13 @@ export const SMALLEST_DIRECT = 2 ** -422;
 export const LARGEST = BOX ** 4;
 
 /** What the loops of the direct form take before they begin. */
-export const { at: AT_CLASS, doubles: CLASS_BOUNDS } = inSlots({
-  direct: DIRECT_ERROR,
-  smallest: SMALLEST_DIRECT,
-  largest: LARGEST,
-});
+export const AT_CLASS = {
+  direct: 0,
+  smallest: 1,
+  largest: 2,
+} as const;
+/** In the order of AT_CLASS. */
+export const CLASS_BOUNDS: readonly number[] = [DIRECT_ERROR, SMALLEST_DIRECT, LARGEST];
 
 /** Writes D/4, puts the rays whose sign of it is not certain into `open`: how many they are. */
 export type ClassPass = (

@@ -6,7 +6,6 @@ import {
   type CertifiedQuadric,
   cut,
   FAITHFUL_ONCE,
-  inSlots,
   type Lattice,
   ROUND,
 } from './numbers.ts';
@@ -97,18 +96,31 @@ export const OFF_C = 2 ** -97;
 export const OWN = 2 ** -60;
 
 /** What the loops take before they begin. */
-export const { at: AT_SURFACE_BOUND, doubles: SURFACE_BOUNDS } = inSlots({
-  splitter: SPLITTER,
-  grid: CUT_D,
-  close: CLOSE,
-  offOfA: OFF_A,
-  own: OWN,
-  faithful: FAITHFUL_ONCE,
-  largestS: LARGEST_S,
-  eighth: 1 / 8,
-  sixteenth: 1 / 16,
-  fifth: 5 / 128,
-});
+export const AT_SURFACE_BOUND = {
+  splitter: 0,
+  grid: 1,
+  close: 2,
+  offOfA: 3,
+  own: 4,
+  faithful: 5,
+  largestS: 6,
+  eighth: 7,
+  sixteenth: 8,
+  fifth: 9,
+} as const;
+/** In the order of AT_SURFACE_BOUND. */
+export const SURFACE_BOUNDS: readonly number[] = [
+  SPLITTER,
+  CUT_D,
+  CLOSE,
+  OFF_A,
+  OWN,
+  FAITHFUL_ONCE,
+  LARGEST_S,
+  1 / 8,
+  1 / 16,
+  5 / 128,
+];
 
 /**
  * A shape's numbers for this stage: `cut…` cut E and K to their grids; C, ρ and k in the parts told

@@ -36,18 +36,11 @@ export const GRID_25 = 2 ** 29;
 export const GRID_26 = 2 ** 28;
 export const GRID_P = 2 ** 6;
 
-/**
- * Numbers by name as a loop takes them before it begins: doubles, and where among them each is. Of
- * a module's constants a bundler makes variables, and of an object's fields V8 does not know
- * whether they are small integers: both would be looked up at each use.
+/*
+ * A loop takes its bounds before it begins from an array of doubles. Of a module's constants a
+ * bundler makes variables, and of an object's fields V8 does not know whether they are small
+ * integers: both would be looked up at each use.
  */
-export function inSlots<Name extends string>(
-  named: Readonly<Record<Name, number>>,
-): { readonly at: Readonly<Record<Name, number>>; readonly doubles: Float64Array } {
-  const names = Object.keys(named) as Name[];
-  const at = Object.fromEntries(names.map((name, k) => [name, k])) as Record<Name, number>;
-  return { at, doubles: Float64Array.from(names, (name) => named[name]) };
-}
 
 /** Rays that the fast stages leave open, in `open[0 … count − 1]`. */
 export interface OpenRays {

@@ -70,11 +70,12 @@ const exactHit = (shape: Quadric | Planar, ray: Ray, k: number, t: number): Hit 
 });
 
 const oneRay = lazily(createOneRay);
-const slot = certifiedSlot();
+const ownSlot = lazily(certifiedSlot);
 
 function flat(shape: Planar, ray: Ray): Intersection {
   const s: Planar = { ...shape, N: copied(shape.N), P: copied(shape.P) };
   const { rays, out, left, setRay } = oneRay();
+  const slot = ownSlot();
   setRay(ray);
   planarRoots(s, rays, out, left);
   if (left.count === 0) {
@@ -138,17 +139,17 @@ export class CertifiedAnswer implements Intersection {
  * The last questions that needed whole numbers: hits and details of one answer are worked out
  * together. A memo only.
  */
-const known = new WeakMap<Ray, Intersection>();
+const known = lazily(() => new WeakMap<Ray, Intersection>());
 
 /**
  * What the exact method says. The ray must not change any more: it is what the answer is remembered
  * by.
  */
 export function exactly(shape: Quadric | Planar, ray: Ray): Intersection {
-  const before = known.get(ray);
+  const before = known().get(ray);
   if (before) return before;
   const found = exact.intersect('bound' in shape ? flatShape(shape) : curvedShape(shape), ray);
-  known.set(ray, found);
+  known().set(ray, found);
   return found;
 }
 

@@ -1,7 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, SMALLEST_D } from './class.ts';
-import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P, inSlots } from './numbers.ts';
+import { AT_SCALED, BOX, FAITHFUL_ONCE, GRID_25, GRID_26, GRID_P } from './numbers.ts';
 
 /*
  * Rays that come from far away or graze the shape: both roots lie close together, so the origin is
@@ -42,23 +42,41 @@ export const CLOSED = 8 * 2 ** -53;
 export const NARROW_RECENTRED = 2 ** -23;
 
 /** What the loops take before they begin. */
-export const { at: AT_RECENTRED, doubles: RECENTRED_BOUNDS } = inSlots({
-  grid25: GRID_25,
-  grid26: GRID_26,
-  gridOfP: GRID_P,
-  splitter: SPLITTER,
-  crossError: CROSS_ERROR,
-  squareError: SLOPE_SQUARE_ERROR,
-  residualError: RESIDUAL_SHARE,
-  slopeError: SLOPE_ERROR,
-  closedA: CLOSED_A,
-  closed: CLOSED,
-  faithful: FAITHFUL_ONCE,
-  smallestD: SMALLEST_D,
-  leastA: LEAST_A,
-  box: BOX,
-  narrow: NARROW_RECENTRED,
-});
+export const AT_RECENTRED = {
+  grid25: 0,
+  grid26: 1,
+  gridOfP: 2,
+  splitter: 3,
+  crossError: 4,
+  squareError: 5,
+  residualError: 6,
+  slopeError: 7,
+  closedA: 8,
+  closed: 9,
+  faithful: 10,
+  smallestD: 11,
+  leastA: 12,
+  box: 13,
+  narrow: 14,
+} as const;
+/** In the order of AT_RECENTRED. */
+export const RECENTRED_BOUNDS: readonly number[] = [
+  GRID_25,
+  GRID_26,
+  GRID_P,
+  SPLITTER,
+  CROSS_ERROR,
+  SLOPE_SQUARE_ERROR,
+  RESIDUAL_SHARE,
+  SLOPE_ERROR,
+  CLOSED_A,
+  CLOSED,
+  FAITHFUL_ONCE,
+  SMALLEST_D,
+  LEAST_A,
+  BOX,
+  NARROW_RECENTRED,
+];
 
 /**
  * Settles what it can of the `count` rays at `places`, moves the others to the front and returns

@@ -1,7 +1,7 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
 import { SPLITTER } from '../../float/eft.ts';
 import { LEAST_A, MOMENT_ERROR, RHO_ERROR, SMALLEST_D, SQUARE_ERROR } from './class.ts';
-import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P, inSlots } from './numbers.ts';
+import { AT_SCALED, BOX, FAITHFUL, GRID_25, GRID_26, GRID_P } from './numbers.ts';
 
 /*
  * Each root by a step from a rough one with all its 53 bits. That is slower than the stages before
@@ -66,26 +66,47 @@ export const STEP_ERROR = 2 ** -16;
 export const SPREAD = 2 ** 20;
 
 /** What the loop takes before it begins. */
-export const { at: AT_REFINED, doubles: REFINED_BOUNDS } = inSlots({
-  grid25: GRID_25,
-  grid26: GRID_26,
-  gridOfP: GRID_P,
-  splitter: SPLITTER,
-  residualError: RESIDUAL_ERROR,
-  stepError: STEP_ERROR,
-  faithful: FAITHFUL,
-  spread: SPREAD,
-  step: STEP_SHARE,
-  clearly: CLEAR_REFINED,
-  apart: APART,
-  leastA: LEAST_A,
-  box: BOX,
-  momentError: MOMENT_ERROR,
-  squareError: SQUARE_ERROR,
-  rhoError: RHO_ERROR,
-  smallestD: SMALLEST_D,
-  narrow: NARROW_REFINED,
-});
+export const AT_REFINED = {
+  grid25: 0,
+  grid26: 1,
+  gridOfP: 2,
+  splitter: 3,
+  residualError: 4,
+  stepError: 5,
+  faithful: 6,
+  spread: 7,
+  step: 8,
+  clearly: 9,
+  apart: 10,
+  leastA: 11,
+  box: 12,
+  momentError: 13,
+  squareError: 14,
+  rhoError: 15,
+  smallestD: 16,
+  narrow: 17,
+} as const;
+/** In the order of AT_REFINED. */
+export const REFINED_BOUNDS: readonly number[] = [
+  GRID_25,
+  GRID_26,
+  GRID_P,
+  SPLITTER,
+  RESIDUAL_ERROR,
+  STEP_ERROR,
+  FAITHFUL,
+  SPREAD,
+  STEP_SHARE,
+  CLEAR_REFINED,
+  APART,
+  LEAST_A,
+  BOX,
+  MOMENT_ERROR,
+  SQUARE_ERROR,
+  RHO_ERROR,
+  SMALLEST_D,
+  NARROW_REFINED,
+];
 
 /**
  * Settles what it can of the `count` rays at `places`, moves the others to the front and returns

@@ -37,7 +37,7 @@ export const INPUTS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'] as const;
 export type Input = (typeof INPUTS)[number];
 
 /** The arrays whose addresses a kernel is given. */
-export const PARAMS = [...INPUTS, 't0', 't1'] as const;
+export const PARAMS = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz', 't0', 't1'] as const;
 export type Param = (typeof PARAMS)[number];
 
 /** Rays of a call where none is copied: each has its place in the lists. */
@@ -64,15 +64,18 @@ export const PLACE = {
 
 const HANDED_START = PLACE.doubtfulBytes + 64;
 const HANDED_BYTES = 8 * HANDED + 64;
-const MOST_HANDED = Math.floor((SCRATCH + SCRATCH_BYTES - HANDED_START) / HANDED_BYTES);
+const HANDED_END = SCRATCH + SCRATCH_BYTES;
 
 /**
  * Where the value number n that a part hands on is kept, for each ray of a lot. Throws RangeError
  * where there is no room for so many.
  */
 export function handed(n: number): number {
-  if (!(n < MOST_HANDED)) throw new RangeError(`no room to hand on ${n + 1} values`);
-  return HANDED_START + n * HANDED_BYTES;
+  const start = HANDED_START + n * HANDED_BYTES;
+  if (start + HANDED_BYTES > HANDED_END) {
+    throw new RangeError(`no room to hand on ${n + 1} values`);
+  }
+  return start;
 }
 
 /**

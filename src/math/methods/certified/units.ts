@@ -1,5 +1,5 @@
 import type { Answers, Rays } from '../../batch/batch.ts';
-import { AT_LATTICE, FAITHFUL_ONCE, inSlots, type Lattice, UNIT_OF_DIRECTION } from './numbers.ts';
+import { AT_LATTICE, FAITHFUL_ONCE, type Lattice, UNIT_OF_DIRECTION } from './numbers.ts';
 
 /** Rays of a block that fit the first cache together with what the passes hand on. */
 export const BLOCK = 256;
@@ -137,15 +137,25 @@ const FARTHER = 2 ** 10;
 const NEARLY = 2 ** -13;
 
 /** What the loops of pass 1 take before they begin. */
-export const { at: AT_ROUGH, doubles: ROUGH_BOUNDS } = inSlots({
-  clearly: CLEAR_ROUGH,
-  certain: CERTAIN,
-  least: LEAST,
-  slackA: SLACK_A,
-  slack0: SLACK,
-  farther: FARTHER,
-  nearly: NEARLY,
-});
+export const AT_ROUGH = {
+  clearly: 0,
+  certain: 1,
+  least: 2,
+  slackA: 3,
+  slack0: 4,
+  farther: 5,
+  nearly: 6,
+} as const;
+/** In the order of AT_ROUGH. */
+export const ROUGH_BOUNDS: readonly number[] = [
+  CLEAR_ROUGH,
+  CERTAIN,
+  LEAST,
+  SLACK_A,
+  SLACK,
+  FARTHER,
+  NEARLY,
+];
 
 /**
  * Pass 1 over rays `from` to `to` of a batch: puts misses into `out`, hits and lists into Scratch.
@@ -548,14 +558,23 @@ export const SMALL = 2 ** -11 * 2 ** -53;
 export const SLACK_G = 13 * 2 ** -53;
 export const SHARE = 2 ** -5;
 /** What the loop of pass 3 takes before it begins. */
-export const { at: AT_SOLVE, doubles: SOLVE_BOUNDS } = inSlots({
-  rounding: ROUNDING,
-  small: SMALL,
-  faithful: FAITHFUL_ONCE,
-  slackG: SLACK_G,
-  threeHalves: 1.5 * UNIT_OF_DIRECTION,
-  share: SHARE,
-});
+export const AT_SOLVE = {
+  rounding: 0,
+  small: 1,
+  faithful: 2,
+  slackG: 3,
+  threeHalves: 4,
+  share: 5,
+} as const;
+/** In the order of AT_SOLVE. */
+export const SOLVE_BOUNDS: readonly number[] = [
+  ROUNDING,
+  SMALL,
+  FAITHFUL_ONCE,
+  SLACK_G,
+  1.5 * UNIT_OF_DIRECTION,
+  SHARE,
+];
 
 /** Pass 3 over the hits in Scratch: puts settled roots into `out`, and lists the others. */
 export type SolvePass = (lattice: Lattice, out: Answers) => void;

@@ -149,7 +149,7 @@ describe('marks', () => {
     const pixels = somePixels(12);
     for (const id of ['textbook32', 'textbook', 'interval', 'moment']) {
       const method = findMethod(id);
-      for (const request of tour(7, FAMILIES.length, id)) {
+      for (const request of tour(7, FAMILIES().length, id)) {
         const mapper = createMapper(request);
         const part = mapper.part(pixels);
         pixels.forEach((pixel, i) => {
@@ -211,7 +211,7 @@ describe('borders', () => {
   test('lie exactly where the exact sign changes from a pixel to the next', () => {
     const random = seeded(5);
     for (const id of ['exact-tangent', 'linear', 'near-generator', 'plane-grazing', 'circle-rim']) {
-      const family = FAMILIES.find((one) => one.id === id);
+      const family = FAMILIES().find((one) => one.id === id);
       if (!family) throw new Error(`no family ${id}`);
       const question = family.make(random);
       const request: MapRequest = {
@@ -240,7 +240,7 @@ describe('borders', () => {
 
   test('A and N·d are made of d and the shape alone', () => {
     const random = seeded(9);
-    for (const family of FAMILIES) {
+    for (const family of FAMILIES()) {
       const { shape, ray } = family.make(random);
       const formula = definitionOf(shape).formula(shape);
       const tree = formula.family === 'curved' ? formula.A : formula.rate;

@@ -28,7 +28,7 @@ export function windowAround({ shape, ray }: Question, random: Random, method: s
 export function* tour(seed: number, count: number, method: string): Generator<MapRequest, void> {
   const random = seeded(seed);
   for (let i = 0; i < count; i++) {
-    const family = FAMILIES[i % FAMILIES.length];
+    const family = FAMILIES()[i % FAMILIES().length];
     if (family) yield windowAround(family.make(random), random, method);
   }
 }

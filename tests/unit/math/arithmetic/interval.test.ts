@@ -4,7 +4,7 @@ import { interval } from '../../../../src/math/arithmetic/interval.ts';
 import * as surd from '../../../../src/math/exact/surd.ts';
 import { integer, type Random, seeded, wide } from '../../../../src/math/rng.ts';
 
-const middle = (lo: number, hi: number): number => interval.toNumber({ lo, hi });
+const middle = (lo: number, hi: number): number => interval().toNumber({ lo, hi });
 
 /** Narrow, wide, across 0, a point, or with an infinite end. */
 function draw(random: Random): Interval {
@@ -28,10 +28,10 @@ function holds({ lo, hi }: Interval, x: surd.Surd): boolean {
 }
 
 const BINARY = {
-  add: [interval.add, surd.add],
-  sub: [interval.sub, surd.sub],
-  mul: [interval.mul, surd.mul],
-  div: [interval.div, surd.div],
+  add: [interval().add, surd.add],
+  sub: [interval().sub, surd.sub],
+  mul: [interval().mul, surd.mul],
+  div: [interval().div, surd.div],
 } as const;
 
 describe('every result of members is a member of the result', () => {
@@ -53,9 +53,9 @@ describe('every result of members is a member of the result', () => {
     for (let i = 0; i < 3000; i++) {
       const a = draw(random);
       const x = member(random, a);
-      expect(holds(interval.neg(a), surd.fromNumber(-x))).toBe(true);
-      expect(holds(interval.sqr(a), surd.sqr(surd.fromNumber(x)))).toBe(true);
-      if (x >= 0) expect(holds(interval.sqrt(a), surd.sqrt(surd.fromNumber(x)))).toBe(true);
+      expect(holds(interval().neg(a), surd.fromNumber(-x))).toBe(true);
+      expect(holds(interval().sqr(a), surd.sqr(surd.fromNumber(x)))).toBe(true);
+      if (x >= 0) expect(holds(interval().sqrt(a), surd.sqrt(surd.fromNumber(x)))).toBe(true);
     }
   });
 });
@@ -63,23 +63,23 @@ describe('every result of members is a member of the result', () => {
 describe('and no wider than need be', () => {
   const span = (lo: number, hi: number): Interval => ({ lo, hi });
   test('a square is never negative, unlike a product', () => {
-    expect(interval.sqr(span(-2, 3))).toEqual(span(0, 9));
-    expect(interval.sqr(span(-3, -2))).toEqual(span(4, 9));
-    expect(interval.mul(span(-2, 3), span(-2, 3))).toEqual(span(-6, 9));
+    expect(interval().sqr(span(-2, 3))).toEqual(span(0, 9));
+    expect(interval().sqr(span(-3, -2))).toEqual(span(4, 9));
+    expect(interval().mul(span(-2, 3), span(-2, 3))).toEqual(span(-6, 9));
   });
   test('signs of products and quotients', () => {
-    expect(interval.mul(span(-2, 3), span(-5, 7))).toEqual(span(-15, 21));
-    expect(interval.div(span(1, 2), span(-4, -0.5))).toEqual(span(-4, -0.25));
-    expect(interval.div(span(1, 2), span(-1, 1))).toEqual(span(-Infinity, Infinity));
+    expect(interval().mul(span(-2, 3), span(-5, 7))).toEqual(span(-15, 21));
+    expect(interval().div(span(1, 2), span(-4, -0.5))).toEqual(span(-4, -0.25));
+    expect(interval().div(span(1, 2), span(-1, 1))).toEqual(span(-Infinity, Infinity));
   });
   test('the sign is known, or it is not', () => {
-    expect(interval.sign(span(1, 2))).toBe(1);
-    expect(interval.sign(span(-2, -1))).toBe(-1);
-    expect(interval.sign(span(0, 0))).toBe(0);
-    expect(interval.sign(span(-0, 0))).toBe(0);
-    expect(interval.sign(span(0, 1))).toBeNaN();
-    expect(interval.sign(span(-1, 0))).toBeNaN();
-    expect(interval.sign(span(-1, 1))).toBeNaN();
+    expect(interval().sign(span(1, 2))).toBe(1);
+    expect(interval().sign(span(-2, -1))).toBe(-1);
+    expect(interval().sign(span(0, 0))).toBe(0);
+    expect(interval().sign(span(-0, 0))).toBe(0);
+    expect(interval().sign(span(0, 1))).toBeNaN();
+    expect(interval().sign(span(-1, 0))).toBeNaN();
+    expect(interval().sign(span(-1, 1))).toBeNaN();
   });
   test('its number is the middle', () => {
     expect(middle(1, 2)).toBe(1.5);

@@ -26,7 +26,7 @@ interface Question {
 
 const vectors: Question[] = rayCases.map(({ id, shape, ray }) => ({ id, shape, rays: [ray] }));
 
-const families: Question[] = FAMILIES.flatMap((family) => {
+const families: Question[] = FAMILIES().flatMap((family) => {
   const random = seeded(11);
   return [0, 1, 2].map((k) => ({ id: `${family.id} ${k}`, ...family.batch(random, 20) }));
 });

@@ -6,7 +6,7 @@ import { atKernelLimits, unlikeTrees } from '../../../fuzz/kernel-bits.ts';
 
 /* `npm run fuzz -- --only kernels` asks the same about as many rays as wanted. */
 
-test.each(FAMILIES.map((family) => [family.id, family] as const))(
+test.each(FAMILIES().map((family) => [family.id, family] as const))(
   'every kernel that is made of trees has their bits: %s, bent and in other units (seed 307)',
   (_, { make }) => {
     const random = seeded(307);

@@ -26,7 +26,7 @@ test('compensated leaves no scene in other units to its trees, hit or not (seed 
   const compensated = METHODS.find(({ id }) => id === 'compensated') as (typeof METHODS)[number];
   const random = seeded(402);
   let left = 0;
-  for (const family of FAMILIES.filter((one) => ANY_SIZE.includes(one.id))) {
+  for (const family of FAMILIES().filter((one) => ANY_SIZE.includes(one.id))) {
     for (let k = 0; k < 20; k++) {
       const { shape, rays } = family.batch(random, 40);
       const kernel = straightKernel(
@@ -50,7 +50,7 @@ test.each(Object.keys(STRAIGHT))('%s leaves no ray of usual size to its trees (s
     sum.left += left;
     sum.listed += listed;
   });
-  for (const family of FAMILIES.filter((one) => SPECIAL.includes(one.id))) {
+  for (const family of FAMILIES().filter((one) => SPECIAL.includes(one.id))) {
     for (let k = 0; k < 4; k++) {
       const { shape, rays } = family.batch(random, 40);
       const kernel = straightKernel(method, shape, source);

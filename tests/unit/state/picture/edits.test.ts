@@ -54,7 +54,7 @@ describe('what is added', () => {
 
   test('is whole where it ends by itself: only what goes on for ever is cut off', () => {
     for (const { shape, between } of ADDED.flatMap(({ things }) => things)) {
-      const ends = definitionOf(shape).body.box(shape, null) !== null;
+      const ends = definitionOf(shape).body().box(shape, null) !== null;
       if (ends) expect([shape.kind, between]).toEqual([shape.kind, undefined]);
     }
   });
