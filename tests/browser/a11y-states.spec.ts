@@ -1,3 +1,4 @@
+import { byTurns } from '../unit/many.ts';
 import { violationsInThemes } from './support/axe.ts';
 import { open, settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
@@ -17,9 +18,9 @@ test('axe finds nothing in full screen, on Explore and in a lesson', async ({ pa
   await open(page, '#/explore?shape=cone&E=4,1,0.5&d=-1,0,0');
   await page.keyboard.press('f');
   await page.waitForFunction(() => document.fullscreenElement !== null);
-  for (const size of SIZES) {
+  for (const [n, size] of SIZES.entries()) {
     await page.setViewportSize(size);
-    for (const link of ['#/explore?shape=cone', '#/lesson/ray?step=5']) {
+    for (const link of byTurns(['#/explore?shape=cone', '#/lesson/ray?step=5'], n)) {
       await open(page, link);
       await page.locator('main :is(.lesson-text, .algebra)').filter({ visible: true }).waitFor();
       expect.soft(await violationsInThemes(page), `${link} ${size.width} px`).toEqual([]);

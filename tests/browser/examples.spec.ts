@@ -6,6 +6,7 @@ import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
+import { byTurns } from '../unit/many.ts';
 import { open } from './support/page.ts';
 import { framesDone } from './support/pending.ts';
 import { expect, test } from './support/test.ts';
@@ -115,10 +116,10 @@ for (const [turn, theme] of ['light', 'projector'].entries()) {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     for (const [n, size] of SIZES.entries()) {
       await page.setViewportSize(size);
-      // Every example in both sizes of type, the windows by turns; what lies in the scene is looked
-      // at in all of them by tests/unit/canvas/examples.test.ts.
-      const some = (i: number) => process.env.LONG || (i + n + turn) % SIZES.length === 0;
-      for (const { id, link } of GALLERY.filter((_, i) => some(i))) {
+      // Windows and sizes of type by turns; what lies in the scene is looked at in all of them by
+      // tests/unit/canvas/examples.test.ts.
+      const turns = 2 * SIZES.length;
+      for (const { id, link } of byTurns(GALLERY, n + turn * SIZES.length, turns)) {
         await open(page, link);
         await page.locator('.scene-overlay .scene-mark').first().waitFor();
         await framesDone(page);

@@ -1,4 +1,5 @@
 import { SHAPES } from '../../src/math/index.ts';
+import { byTurns } from '../unit/many.ts';
 import { violationsInThemes } from './support/axe.ts';
 import { box, press, slider } from './support/controls.ts';
 import { collisions, cutOff, extent } from './support/layout.ts';
@@ -11,10 +12,13 @@ const THIRD = '1/3,2/3,-1/7';
 const LONG = `E=${THIRD}&d=-0.123456789,0.987654321,-1/3`;
 const HUGE = 'E=-1.23456789e-7,9.87654321e8,-1.5e-9&d=-1.11111e-5,-2.22222e6,3.33333e-6';
 
-/** For every shape: its first state, long numbers, and numbers far from 1. */
-const STATES = SHAPES.flatMap(({ kind }) =>
-  ['', LONG, HUGE].map((ray) => `#/explore?shape=${kind}&method=exact${ray && `&${ray}`}`),
-);
+/** For every shape: its first state, long numbers, and numbers far from 1; by turns one of them. */
+const states = (turn: number): string[] =>
+  SHAPES.flatMap(({ kind }, i) =>
+    byTurns(['', LONG, HUGE], i + turn, 3).map(
+      (ray) => `#/explore?shape=${kind}&method=exact${ray && `&${ray}`}`,
+    ),
+  );
 
 test.describe('1280 × 720', () => {
   test.use({ viewport: { width: 1280, height: 720 } });
@@ -22,7 +26,7 @@ test.describe('1280 × 720', () => {
   test('everything is on one screen, no text lies on another one or is cut off', async ({
     page,
   }) => {
-    for (const state of STATES) {
+    for (const state of states(0)) {
       await open(page, state);
       expect.soft(await extent(page), state).toEqual({ width: 1280, height: 720 });
       const below = await page.evaluate(() =>
@@ -37,7 +41,7 @@ test.describe('1280 × 720', () => {
   });
 
   test('rows stay where they are while a slider moves', async ({ page }) => {
-    for (const { kind } of SHAPES) {
+    for (const { kind } of byTurns(SHAPES)) {
       await open(page, `#/explore?shape=${kind}&method=exact`);
       const moved = await page.evaluate(async () => {
         const rows = () =>
@@ -79,7 +83,7 @@ test.describe('390 × 844', () => {
   test.use({ viewport: { width: 390, height: 844 } });
 
   test('nothing is wider than the screen, and no text lies on another one', async ({ page }) => {
-    for (const state of STATES) {
+    for (const state of states(1)) {
       await open(page, state);
       expect.soft((await extent(page)).width, state).toBe(390);
       expect.soft(await collisions(page), state).toEqual([]);
@@ -139,14 +143,14 @@ const EVERY_PAGE = [
 
 test('no page and no header is wider than a window, in any theme', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
-  for (const link of EVERY_PAGE) {
+  for (const [n, link] of EVERY_PAGE.entries()) {
     await open(page, link);
     // By now its code is there: a heading, a table or the scene.
     await page.locator('main :is(canvas, table, h2)').filter({ visible: true }).first().waitFor();
     for (const theme of ['light', 'projector']) {
       const widths = theme === 'light' ? DISTINCT : TIGHT;
       const all = WINDOWS.filter(({ width }) => widths.has(width));
-      for (const window of all) {
+      for (const window of byTurns(all, n)) {
         await page.setViewportSize(window);
         const wide = await page.evaluate(async (name) => {
           document.documentElement.dataset.theme = name;
@@ -193,9 +197,9 @@ test('on a low window scene, parameter and caption are in view at once', async (
 });
 
 test('nothing is wider than a screen between', async ({ page }) => {
-  for (const screen of SCREENS) {
+  for (const [n, screen] of SCREENS.entries()) {
     await page.setViewportSize(screen);
-    for (const { kind } of SHAPES) {
+    for (const { kind } of byTurns(SHAPES, n)) {
       const name = `${screen.width} × ${screen.height}, ${kind}`;
       await open(page, `#/explore?shape=${kind}&method=exact&${LONG}`);
       const { width, height } = await extent(page);

@@ -6,6 +6,7 @@ import { GALLERY } from '../../src/state/gallery/index.ts';
 import { rayOf, shapeOf } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { shortest } from '../../src/text/format.ts';
+import { byTurns } from '../unit/many.ts';
 import { BUT_CONTRAST, violations, violationsInThemes } from './support/axe.ts';
 import { expected } from './support/expected.ts';
 import { extent } from './support/layout.ts';
@@ -475,12 +476,12 @@ const LOOKS: readonly (readonly [link: string, step: number])[] = [
   ['#/lesson/ray?step=6', 6],
 ];
 
-for (const viewport of [
+for (const [n, viewport] of [
   { width: 1280, height: 720 },
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
   { width: 844, height: 390 },
-]) {
+].entries()) {
   test.describe(`${viewport.width} px`, () => {
     test.use({ viewport });
     test('axe finds nothing in any look and theme, and nothing sticks out', async ({ page }) => {
@@ -493,7 +494,7 @@ for (const viewport of [
       await page.goto('./#/lesson');
       await expect(page.getByRole('link', { name: lessonOf('ray').title })).toBeVisible();
       expect.soft(await seen(), 'the list').toEqual([]);
-      for (const [link, number] of LOOKS) {
+      for (const [link, number] of byTurns(LOOKS, n)) {
         await openStep(page, link, number);
         await framesDone(page);
         await settle(page);
@@ -534,9 +535,9 @@ test('every step that shows another page has it beside its text, whole and in vi
       await page.locator('.lesson-other :is(.picture, .check, .accuracy)').waitFor();
       // What is measured and traced may come later; its place is there.
       const spoken = quantitiesIn([...text, ...answer]).filter((name) => name.includes('.'));
-      // Both sizes of the projector, where lessons are given; the other windows by turns.
-      for (const [j, { theme, ...size }] of BESIDE.entries()) {
-        if (j > 1 && (j + turn) % 3 !== 0 && !process.env.LONG) continue;
+      // A size of the projector, where lessons are given, and one of the other windows, by turns.
+      const windows = [...byTurns(BESIDE.slice(0, 2), turn), ...byTurns(BESIDE.slice(2), turn, 3)];
+      for (const { theme, ...size } of windows) {
         await page.setViewportSize(size);
         await showTheme(page, theme);
         await settle(page);

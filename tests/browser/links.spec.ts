@@ -1,6 +1,7 @@
 import { SHAPES, type Shape, type Vec3 } from '../../src/math/index.ts';
 import { pick, type Random, randomSign, seeded, uniform, wide } from '../../src/math/rng.ts';
 import { checkParam } from '../../src/math/shapes/params.ts';
+import { byTurns } from '../unit/many.ts';
 import { cone } from '../unit/math/shorthand.ts';
 import { box, expectInLink, press, slider, typeInto } from './support/controls.ts';
 import { expected, linkOf } from './support/expected.ts';
@@ -62,7 +63,7 @@ function anyShape(kind: Shape['kind'], random: Random): Shape {
 
 test(`a link restores the bits (seed ${SEED})`, async ({ page }) => {
   const random = seeded(SEED);
-  for (const [i, { kind }] of [...SHAPES, ...SHAPES].entries()) {
+  for (const [i, { kind }] of byTurns([...SHAPES, ...SHAPES, ...SHAPES]).entries()) {
     const shape = anyShape(kind, random);
     const origin = anyVector(random);
     const direction = anyVector(random).map((x) => x || randomSign(random)) as unknown as Vec3;

@@ -1,3 +1,4 @@
+import { byTurns } from '../unit/many.ts';
 import { violations, violationsInThemes } from './support/axe.ts';
 import { settle } from './support/page.ts';
 import { expect, visit as test } from './support/test.ts';
@@ -9,13 +10,14 @@ const STATES = [
   'scene=self-intersection&against=start:none&pixel=30,30',
   'scene=far&against=method:textbook32&show=errors',
   'scene=soft-light&on=reflection&off=shadow',
-  'scene=~broken',
 ];
+/** The first scene, whose forms are looked at, below a problem. */
+const BROKEN = 'scene=~broken';
 
-for (const width of [1280, 390]) {
+for (const [n, width] of [1280, 390].entries()) {
   test(`axe finds nothing on the Picture page: ${width} px`, async ({ page }) => {
     await page.setViewportSize({ width, height: 800 });
-    for (const state of STATES) {
+    for (const state of [...byTurns(STATES, n), BROKEN]) {
       await page.goto(`./#/picture?size=96x54&method=certified&${state}`);
       await settle(page);
       await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import { byTurns } from '../unit/many.ts';
 import { open, settle } from './support/page.ts';
 import { expect, test } from './support/test.ts';
 
@@ -73,12 +74,12 @@ const LINKS = [
 
 test('under a finger every target takes 44 px', async ({ page }) => {
   await open(page, '#/explore');
-  for (const size of [
+  for (const [n, size] of [
     { width: 844, height: 390 },
     { width: 390, height: 844 },
-  ]) {
+  ].entries()) {
     await page.setViewportSize(size);
-    for (const link of LINKS) {
+    for (const link of byTurns(LINKS, n)) {
       await open(page, link);
       await page.locator('main :is(h2, canvas, table)').filter({ visible: true }).first().waitFor();
       await settle(page);

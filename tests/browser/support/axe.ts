@@ -3,6 +3,7 @@ import { createRequire } from 'node:module';
 import type { Page } from '@playwright/test';
 import type { AxeResults, RunOptions } from 'axe-core';
 import { THEMES } from '../../../src/ui/theme.ts';
+import { byTurns } from '../../unit/many.ts';
 import { showTheme } from './theme.ts';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -148,16 +149,21 @@ async function found(
   );
 }
 
+/** How often each page has been looked at in another theme than its own. */
+const looks = new WeakMap<Page, number>();
+
 /**
- * All rules in the theme that is shown, and in the other ones those that a theme can break: there
- * axe looks for the contrast of texts whose styles do not tell that it is enough.
+ * All rules in the theme that is shown, and in another one, by turns, those that a theme can break:
+ * there axe looks for the contrast of texts whose styles do not tell that it is enough.
  */
 export async function violationsInThemes(page: Page, within = 'html'): Promise<string[]> {
   const root = page.locator('html');
   const shown = await root.getAttribute('data-theme');
   const all = await violations(page, within);
-  for (const theme of APPLIED) {
-    if (theme === shown) continue;
+  const turn = looks.get(page) ?? 0;
+  looks.set(page, turn + 1);
+  const others = APPLIED.filter((theme) => theme !== shown);
+  for (const theme of byTurns(others, turn, others.length)) {
     await showTheme(page, theme);
     const broken = [
       ...(await found(page, within, OF_A_THEME)),
