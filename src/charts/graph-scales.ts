@@ -76,10 +76,13 @@ const between = ([from, to]: Pair, part: number): number => from * (1 - part) + 
 function tValues(x: Linear, { left, right, em }: Frame): number[] {
   const room = (right - left) / em;
   const most = Math.max(2, Math.floor(room / 3.2));
-  const labels = ticks(x.ticks(most), x, 0).map((tick) => tick.label.length * 0.6 + 1.4);
-  return x.ticks(
-    Math.max(2, Math.min(most, MOST_TICKS, Math.floor(room / Math.max(...labels, 3.2)))),
+  const all = x.ticks(most);
+  const labels = ticks(all, x, 0).map((tick) => tick.label.length * 0.6 + 1.4);
+  const count = Math.max(
+    2,
+    Math.min(most, MOST_TICKS, Math.floor(room / Math.max(...labels, 3.2))),
   );
+  return count === most ? all : x.ticks(count);
 }
 
 function ticks(values: readonly number[], scale: (value: number) => number, power: number): Tick[] {
@@ -88,7 +91,7 @@ function ticks(values: readonly number[], scale: (value: number) => number, powe
   return finite.map((value) => ({
     at: scale(value),
     value,
-    label: display(timesPowerOfTen(value, -power), digits),
+    label: display(power === 0 ? value : timesPowerOfTen(value, -power), digits),
   }));
 }
 

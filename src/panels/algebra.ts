@@ -52,8 +52,8 @@ export function algebra(
   const { derivation, title, shown, found, exactly, digits } = model;
   const whyCondition = (i: number) => why(`condition ${i + 1}`, walkLength(model.shape), dispatch);
   const note = shown.verdict && digits?.rangeNote(derivation, found, exactly);
-  const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
-  const equation = mathml`${f}<mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
+  const equation = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>t</mi><mo
+    stretchy="false">)</mo><mo>=</mo>${typesetSymbols(derivation.f)}<mo>=</mo><mn>0</mn>`;
   return html`<section class="algebra" aria-label="Algebra">
     <div class="put-in" role="group" aria-label="Derivation and method">
       <p class="lead"><span class="words">Put into the ${title}:</span>
@@ -117,7 +117,7 @@ function stepLine(
   const { id, letter, expr } = step;
   const line = shown ? numbersOf(step, model) : null;
   const stacked = id !== 't' && (id !== 'D' || line?.below === true);
-  const symbols = guard([expr], () => formula(typesetSymbols(expr), id === 't'));
+  const symbols = formula(typesetSymbols(expr), id === 't');
   const sign = line?.isFaithful === false ? '≈' : '=';
   const look = line?.long ? 'stacked wide' : stacked ? 'stacked' : 'inline';
   return html`<div class="step ${look}" data-step=${id}>
@@ -260,8 +260,10 @@ function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
   const { verdict, found, contradicted, derivation, exactly, near, asTyped } = model;
   const find = near?.find;
   const { relations, pieces } = verdict;
-  const roots = rootTexts(exactly.found.hits.map(({ t }) => t));
-  const at = roots.map((text, i) => `, t${subscript(i + 1)} = ${text}`).join('');
+  const at = (): string =>
+    rootTexts(exactly.found.hits.map(({ t }) => t))
+      .map((text, i) => `, t${subscript(i + 1)} = ${text}`)
+      .join('');
   const stored = asTyped.differs ? ' on the stored numbers' : '';
   return html`<p class="verdict">
     <span data-quantity="class" data-value=${found.class}>${relations.map((relation, i) =>
@@ -270,7 +272,7 @@ function verdict(model: ExploreModel, dispatch: Dispatch): TemplateResult {
     <strong>${pieces.map(said)}</strong></span>
     ${
       contradicted
-        ? html`<span class="contradicted">exact arithmetic${stored} says: ${contradicted}${at}${
+        ? html`<span class="contradicted">exact arithmetic${stored} says: ${contradicted}${at()}${
             near ? `; ${near.text}` : ''
           }</span>`
         : nothing

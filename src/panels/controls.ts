@@ -43,15 +43,18 @@ export function controls(
   </section>`;
 }
 
+const LINE = mathml`<mi>R</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo><mo
+  >=</mo><mi class="sym sym-E" data-symbol="E">E</mi><mo>+</mo><mi>t</mi><mi class="sym sym-d"
+  data-symbol="d">d</mi>`;
+
 /** R(t) = E + t d, and the switch for a d of unit length. */
 export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): TemplateResult {
   const length = Math.hypot(...state.d);
-  const R = mathml`<mi>R</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`;
-  const E = mathml`<mi class="sym sym-E" data-symbol="E">E</mi>`;
-  const d = mathml`<mi class="sym sym-d" data-symbol="d">d</mi>`;
-  const bar = (form: 'prefix' | 'postfix') => mathml`<mo form=${form} stretchy="false">|</mo>`;
-  const absolute = mathml`${bar('prefix')}${d}${bar('postfix')}`;
-  const lengthLine = mathml`${absolute}<mo>=</mo><mn>${display(length, 4)}</mn>`;
+  const lengthOfD = mathml`<mo form="prefix" stretchy="false">|</mo><mi class="sym sym-d"
+    data-symbol="d">d</mi><mo form="postfix" stretchy="false">|</mo><mo>=</mo><mn>${display(
+      length,
+      4,
+    )}</mn>`;
   const components = AXES.map((axis, i) => {
     const shown = value(`d.${axis}`, ray.direction[i] ?? 0, { room: 8 });
     return html`${i > 0 ? ', ' : nothing}${shown}`;
@@ -60,7 +63,7 @@ export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): Tem
     dispatch({ type: 'unit', on: (event.target as HTMLInputElement).checked });
   return html`<div class="group" role="group" aria-label="Ray">
     <h2>Ray</h2>
-    ${formula(mathml`${R}<mo>=</mo>${E}<mo>+</mo><mi>t</mi>${d}`)}
+    ${formula(LINE)}
     ${state.unit ? html`<span class="unit-d">(${components})</span>` : nothing}
     <label class="unit"><input
       type="checkbox"
@@ -68,6 +71,6 @@ export function rayHeader({ state, ray }: ExploreModel, dispatch: Dispatch): Tem
       ?disabled=${state.lock.includes('d')}
       @change=${setUnit}
     />unit ${symbol('d', null, 'sym sym-d', 'd')}</label>
-    ${state.unit ? nothing : html`<span class="length">${formula(lengthLine)}</span>`}
+    ${state.unit ? nothing : html`<span class="length">${formula(lengthOfD)}</span>`}
   </div>`;
 }

@@ -3,7 +3,7 @@ import { html, mathml, type TemplateResult } from 'lit';
 /** A formula in MathML, inline or as a block. */
 export function formula(content: TemplateResult, display = false): TemplateResult {
   return html`<math class="formula"
-    display=${display ? 'block' : 'inline'}>${mathml`<mrow>${content}</mrow>`}</math>`;
+    display=${display ? 'block' : 'inline'}><mrow>${content}</mrow></math>`;
 }
 
 /** A symbol with an optional subscript; its class gives the colour, its name the highlight. */

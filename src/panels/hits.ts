@@ -1,4 +1,5 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import type { Hit, Intersection, Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
@@ -64,9 +65,9 @@ function column({ index, role, text, t }: HitWords, hit: Hit | null, shown: Show
     data-fate=${role === 'cut' ? 'cut' : nothing}
     aria-label=${`Root ${index}: ${text}`}>
     <p class="chip"
-      data-symbol=${`t${n}`}>${mark(role)}${symbol('t', n, 'sym', `t${n}`)} ${text}</p>
+      data-symbol=${`t${n}`}>${mark(role)}${indexed('t', n)} ${text}</p>
     <p class="row t" data-symbol=${`t${n}`}>
-      <span class="name">${symbol('t', n, 'sym', `t${n}`)}</span>
+      <span class="name">${indexed('t', n)}</span>
       ${rejected ? nothing : shown.was}
       ${value(rejected ? 't' : `t${n}`, t, { text: shown.text, keeps: true })}
       ${exactT ? html`<span class="beside">exact: ${exactT}</span>` : nothing}
@@ -75,6 +76,10 @@ function column({ index, role, text, t }: HitWords, hit: Hit | null, shown: Show
     ${hit && !rejected ? normalRow(n, hit, exact, beside) : nothing}
   </section>`;
 }
+
+/** t₁, P₁, N₁ */
+const indexed = (letter: 't' | 'P' | 'N', n: string): unknown =>
+  guard([n], () => symbol(letter, n, letter === 'N' ? 'sym sym-normal' : 'sym', letter + n));
 
 /** Largest number of characters of three numbers in half the panel's width. */
 const LENGTH = 27;
@@ -88,7 +93,6 @@ function row(
   quantity: string,
   exactly: Beside,
 ): TemplateResult {
-  const cls = letter === 'N' ? 'sym sym-normal' : 'sym';
   const beside = AXES.flatMap((axis, i) => {
     const text = exact && exactly(v[i] ?? 0, exact[i] ?? 0);
     return text ? [`${axis} ${text}`] : [];
@@ -96,7 +100,7 @@ function row(
   const length = v.reduce((sum, x) => sum + display(x).length, 0);
   return html`<p class="row ${letter} ${length > LENGTH ? 'fine' : ''}"
     data-symbol=${`${letter}${n}`}>
-    <span class="name">${symbol(letter, n, cls, `${letter}${n}`)}</span>
+    <span class="name">${indexed(letter, n)}</span>
     ${AXES.map((axis, i) => value(`${quantity}.${axis}`, v[i] ?? 0))}
     ${beside.length > 0 ? html`<span class="beside">exact: ${beside.join(', ')}</span>` : nothing}
   </p>`;
@@ -110,7 +114,7 @@ function normalRow(
 ): TemplateResult {
   if (!singular) return row('N', n, normal, exact?.normal, `N${n}`, beside);
   return html`<p class="row N">
-    <span class="name">${symbol('N', n, 'sym sym-normal', `N${n}`)}</span>
+    <span class="name">${indexed('N', n)}</span>
     <span class="none">zero: no normal at this point</span>
   </p>`;
 }

@@ -80,11 +80,11 @@ function numbers(
     expr,
     results: [{ value: normal[i] ?? 0, text: null, branch: 1 as const }],
   }));
-  const written = putInSideBySide(lines, there, false);
+  const written = putInSideBySide(lines, there, false, MOST);
   if (!written) return nothing;
-  const isExact = written.isFaithful && written.digits <= MOST;
-  const digits = isExact ? written.digits : SHORT;
+  const { isFaithful } = written;
+  const digits = isFaithful ? written.digits : SHORT;
   const put = triple(trees, (expr) => typesetNumbers(expr, there, { worked: false, digits }));
-  const sign = isExact ? '' : '≈ ';
+  const sign = isFaithful ? '' : '≈ ';
   return html`<span class="in-numbers">${sign}${put} at P${subscript(at + 1)}</span>`;
 }

@@ -1,4 +1,4 @@
-import { html, mathml, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { AXES } from '../math/shapes.ts';
 import {
   type CameraLine,
@@ -11,7 +11,7 @@ import {
   writeLine,
 } from '../state/picture/camera-lines.ts';
 import { formula } from './formula.ts';
-import { MARKS } from './typeset.ts';
+import { MARKS, typeset } from './typeset.ts';
 import { value } from './value.ts';
 import './picture-camera-ray.css';
 
@@ -38,7 +38,7 @@ export function cameraRay(ray: PixelRay, copy: (as: 'latex' | 'mathml') => void)
 
 const given = (id: string, steps: CameraSteps): TemplateResult =>
   html`<span>${formula(
-    mathml`${symbolOf(id, steps.numbers, MARKS)}<mo>=</mo>${givenPiece(id, steps, MARKS)}`,
+    typeset(`${symbolOf(id, steps.numbers, MARKS)}<mo>=</mo>${givenPiece(id, steps, MARKS)}`),
   )}</span> `;
 
 function cameraLine(line: CameraLine, steps: CameraSteps): TemplateResult {
@@ -46,9 +46,9 @@ function cameraLine(line: CameraLine, steps: CameraSteps): TemplateResult {
   const written = writeLine(line, steps, MARKS);
   const { letter, symbols, numbers, isTriple, isFaithful } = written;
   const sign = isFaithful ? '=' : '≈';
-  const parts = numbers?.map((m) => formula(m)) ?? [];
+  const parts = numbers?.map((m) => formula(typeset(m))) ?? [];
   return html`<div class="camera-line" data-step=${id}>
-    <p>${formula(mathml`${letter}<mo>=</mo>${symbols}`)}</p>
+    <p>${formula(typeset(`${letter}<mo>=</mo>${symbols}`))}</p>
     <details><summary aria-label=${`why ${id}`}>why</summary>${why}</details>
     ${
       numbers === null

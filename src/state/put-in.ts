@@ -14,6 +14,7 @@ import {
   type Written,
 } from '../math/formula.ts';
 import type { Intersection } from '../math/index.ts';
+import { ALL_DIGITS } from '../text/format.ts';
 import { exactText, shownResult } from './exact-digits.ts';
 import type { Exactly } from './exactly.ts';
 import { rootsOf } from './window.ts';
@@ -80,16 +81,20 @@ const givesAll = (
 
 /**
  * A common number of digits for lines side by side (a point's components, both sides of a
- * condition), without a limit of space. Null if one of their numbers is not finite.
+ * condition), without a limit of space but `most` digits at most. Null if one of their numbers is
+ * not finite.
  */
 export function putInSideBySide(
   lines: readonly { readonly expr: Expr; readonly results: readonly Result[] }[],
   numbers: Values<number>,
   worked: boolean,
+  most = ALL_DIGITS,
 ): PutIn | null {
   if (!lines.every(({ expr }) => isWritable(expr, numbers, worked))) return null;
-  const digits = MORE.find((n) =>
-    lines.every(({ expr, results }) => givesAll(expr, numbers, { worked, digits: n }, results)),
+  const digits = MORE.find(
+    (n) =>
+      n <= most &&
+      lines.every(({ expr, results }) => givesAll(expr, numbers, { worked, digits: n }, results)),
   );
   return { digits: digits ?? 6, isFaithful: digits !== undefined };
 }

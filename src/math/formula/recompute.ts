@@ -1,8 +1,8 @@
 import { displayParts, MINUS } from '../../text/format.ts';
+import type { Arithmetic } from '../arithmetic/arithmetic.ts';
 import { float64 } from '../arithmetic/float64.ts';
 import { type Ratio, ratios } from '../arithmetic/ratios.ts';
-import type { Vec3 } from '../vec3.ts';
-import { evaluate, type Triple, type Values } from './evaluate.ts';
+import { evaluate, type Values } from './evaluate.ts';
 import { type Expr, scalar } from './expr.ts';
 import { isWorked } from './print/leaves.ts';
 
@@ -66,16 +66,25 @@ export function recomputed(
   { worked, digits }: Written,
   branch: 1 | -1 = 1,
 ): Ratio | null {
+  const decimal = (x: Ratio | number): Ratio => (typeof x === 'number' ? asPrinted(x, digits) : x);
+  const both = (f: typeof ratios.add) => (a: Ratio | number, b: Ratio | number) =>
+    f(decimal(a), decimal(b));
+  const one = (f: typeof ratios.neg) => (a: Ratio | number) => f(decimal(a));
+  const { add, sub, mul, div, neg, sqr } = ratios;
+  // A number becomes a decimal where the line needs it: most lines hold few of the values.
+  const inDecimals: Arithmetic<Ratio | number> = {
+    ...ratios,
+    add: both(add),
+    sub: both(sub),
+    mul: both(mul),
+    div: both(div),
+    neg: one(neg),
+    sqr: one(sqr),
+  };
   try {
-    const scalars: Record<string, Ratio> = {};
-    const put = worked ? workedOut(expr, values, digits, scalars) : expr;
-    for (const [id, x] of Object.entries(values.scalars)) {
-      if (Number.isFinite(x)) scalars[id] = asPrinted(x, digits);
-    }
-    const vectors = Object.fromEntries(
-      Object.entries(values.vectors).map(([id, v]) => [id, printedTriple(v, digits)]),
-    );
-    return evaluate(put, ratios, { scalars, vectors }, branch);
+    const scalars = { ...values.scalars };
+    const put = worked ? workedOut(expr, values, scalars) : expr;
+    return decimal(evaluate(put, inDecimals, { ...values, scalars }, branch));
   } catch (error) {
     // No value for a symbol, a division by zero, the root of a negative number.
     if (error instanceof RangeError) return null;
@@ -116,16 +125,11 @@ export function isWritable(expr: Expr, values: Values<number>, worked: boolean):
 }
 
 /** The tree with a new symbol for each part that is printed as one number. */
-function workedOut(
-  expr: Expr,
-  values: Values<number>,
-  digits: number,
-  scalars: Record<string, Ratio>,
-): Expr {
-  const of = (e: Expr): Expr => workedOut(e, values, digits, scalars);
+function workedOut(expr: Expr, values: Values<number>, scalars: Record<string, number>): Expr {
+  const of = (e: Expr): Expr => workedOut(e, values, scalars);
   if (isWorked(expr)) {
     const id = `worked ${Object.keys(scalars).length}`;
-    scalars[id] = asPrinted(evaluate(expr, float64, values), digits);
+    scalars[id] = evaluate(expr, float64, values);
     return scalar(id);
   }
   if (expr.op === 'quotient') return { op: 'quotient', over: of(expr.over), under: of(expr.under) };
@@ -153,12 +157,6 @@ export function asPrinted(x: number, digits: number): Ratio {
   const figures = BigInt(whole + fraction);
   return { n: x < 0 ? -figures : figures, d: 1n, e: (exponent ?? 0) - fraction.length };
 }
-
-const printedTriple = (v: Vec3, digits: number): Triple<Ratio> => [
-  asPrinted(v[0], digits),
-  asPrinted(v[1], digits),
-  asPrinted(v[2], digits),
-];
 
 /** Whether `value`, rounded to so many significant digits, is printed as `result` is. */
 function roundsTo(value: Ratio, result: number, digits: number): boolean {

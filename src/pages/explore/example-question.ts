@@ -12,7 +12,7 @@ export function exampleQuestion(
 ): void {
   // While results are hidden, the card asks a question of its own.
   const shown = state.revealed === null ? example : null;
-  host.hidden = shown === null;
+  host.toggleAttribute('hidden', shown === null);
   render(shown ? strip(shown, state.told, dispatch) : nothing, host);
 }
 
