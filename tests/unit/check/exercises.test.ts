@@ -23,7 +23,7 @@ import { stageAround } from '../../../src/state/stage.ts';
 import { shortest } from '../../../src/text/format.ts';
 import { cameraAxes, fireCamera } from '../../../src/tracer/camera.ts';
 import { createWave } from '../../../src/tracer/wave.ts';
-import { many } from '../many.ts';
+import { byTurns, many } from '../many.ts';
 
 const SEEDS = many(200);
 
@@ -171,8 +171,7 @@ describe.each([...EXERCISES, ...EARLIER].map((exercise) => [exercise.id, exercis
       if (all.every(({ draft }) => draft.watch.length === 0)) return;
       let named = 0;
       let close = 0;
-      // Every fourth is enough to meet each of them often.
-      for (const posed of all.filter((_, i) => i % 4 === 0)) {
+      for (const posed of byTurns(all)) {
         for (const { misconception, answers } of posed.suspects) {
           const judged = answered(posed, answers);
           // By chance a mistake may be right to three digits; that is said of it.

@@ -270,7 +270,7 @@ test('the sentences on the signs and the cell of the verdict say the same, in ev
   const texts = [...CELLS.keys()].sort((a, b) => b.length - a.length);
   const reached = new Set<string>();
   for (const [kind, draw] of Object.entries(DRAWS)) {
-    for (let round = 0; round < 2 * ROUNDS; round++) {
+    for (let round = 0; round < 4 * ROUNDS; round++) {
       const shape = draw(random);
       const ray = drawRay(random, shape);
       if (!quadricOf(shape)) continue;
