@@ -617,6 +617,17 @@ test('picture, scene and ledger can be taken away', async ({ page }) => {
   }
 });
 
+test('the PNG has the pixels that are on the screen, with sixteen rays each', async ({ page }) => {
+  await openPicture(page, `${SMALL}&scene=shadows`);
+  await page.getByRole('button', { name: 'File and export' }).click();
+  const saved = page.waitForEvent('download');
+  await page.locator('[data-export="picture-png"]').getByRole('button', { name: 'Save' }).click();
+  const png = readFileSync(await (await saved).path()).toString('base64');
+  await page.keyboard.press('Escape');
+  await expect(page.locator('[data-quantity="rest"]')).toHaveText('16 rays a pixel');
+  expect(`data:image/png;base64,${png}`).toBe(await pixels(page));
+});
+
 test('a link measures how the price grows, and finds the cheapest picture within a budget', async ({
   page,
 }) => {

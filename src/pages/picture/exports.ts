@@ -6,14 +6,19 @@ import type { Dispatch } from '../../state/actions.ts';
 import { ledgerCsv } from '../../state/picture/ledger.ts';
 import { textOfScene } from '../../state/picture/scene-link.ts';
 import { changed } from '../../state/picture/settings.ts';
+import type { Picture } from '../../tracer/compare.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { BudgetState } from './budget.ts';
 import type { GrowthState } from './growth.ts';
 import type { PictureModel } from './picture-model.ts';
 
-/** What can be taken from the page: the picture, its scene, its ledger, how its price grows. */
+/**
+ * What can be taken from the page: the picture that is `shown`, its scene, its ledger, how its
+ * price grows.
+ */
 export function pictureExports(
   model: () => PictureModel | null,
+  shown: () => Picture | null,
   growth: () => GrowthState | null,
   budget: () => BudgetState | null,
 ): readonly ExportItem[] {
@@ -30,7 +35,7 @@ export function pictureExports(
       file: 'graze-picture.png',
       type: 'image/png',
       text: null,
-      blob: () => pictureBlob(model()),
+      blob: () => pictureBlob(shown()),
     },
     {
       id: 'scene-json',
@@ -76,8 +81,7 @@ export function pictureExports(
 }
 
 /** At its own size, pixel by pixel; null while nothing is traced. */
-function pictureBlob(model: PictureModel | null): Promise<Blob | null> {
-  const frame = model?.main?.frame;
+function pictureBlob(frame: Picture | null): Promise<Blob | null> {
   if (!frame) return Promise.resolve(null);
   const canvas = document.createElement('canvas');
   canvas.width = frame.width;

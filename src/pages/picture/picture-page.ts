@@ -15,6 +15,7 @@ import {
   pictureSettings,
   readPicture,
 } from '../../state/picture/settings.ts';
+import type { Picture } from '../../tracer/compare.ts';
 import type { MountPage, PageContext, PageView } from '../page.ts';
 import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraMotion } from './camera-motion.ts';
@@ -286,6 +287,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     if (model) drawMap(model);
   }
 
+  /** The picture with as many rays a pixel as it has got; in a comparison the right one. */
+  const shown = (): Picture | null =>
+    model && (refiner.frame(model.requests.main) ?? model.main?.frame ?? null);
+
   const visit = (): PictureVisit => ({ by, times: repeats.times });
 
   /** Announces once that the picture is finished, and what was simulated. */
@@ -368,7 +373,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       tellPrices(model);
     },
     read: readPicture,
-    exports: () => pictureExports(() => model, growth.state, budgets.state),
+    exports: () => pictureExports(() => model, shown, growth.state, budgets.state),
     open: (text) => openScene(text, dispatch),
     turn: tools.buildUp,
     rest() {
