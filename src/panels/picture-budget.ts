@@ -1,7 +1,13 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { findMethod } from '../math/shapes.ts';
 import { lessWords } from '../state/picture/against.ts';
-import { BUDGET, type Budget, budgetWords, differenceWords } from '../state/picture/budget.ts';
+import {
+  BUDGET,
+  type Budget,
+  budgetWords,
+  differenceWords,
+  TRIED,
+} from '../state/picture/budget.ts';
 import { grouped, msWords, percent } from '../state/picture/ledger.ts';
 import type { Spread } from '../state/picture/times.ts';
 import { type Cell, csv } from '../text/csv.ts';
@@ -72,8 +78,8 @@ function pickers(budget: Budget | null, { set }: BudgetTools): TemplateResult {
     </select>${
       budget
         ? nothing
-        : html`: then effects, bounces and method are looked for that need
-      least.`
+        : `: then ${TRIED.map(([, words]) => words).join('; then ')}. What breaks the budget is put
+      back. Not every combination is tried, and rays to lights stay as many.`
     }</p>`;
 }
 
@@ -125,10 +131,12 @@ function result(
             whole.questions,
           )}.`;
   const { over, worst, at } = chosen;
+  const { samples } = whole.settings;
+  const rays = samples === 1 ? '1 ray a pixel' : `${samples} rays a pixel`;
   const place = at < 0 ? null : ([at % width, Math.floor(at / width)] as const);
   const which = isSame(chosen, cheapest) ? '' : `By ${methodOf(chosen)}: `;
-  const proof = html`${which}All ${grouped(pixels)} pixels of both were compared, before they were
-    rounded to levels: <strong data-quantity="budget.over"
+  const proof = html`${which}All ${grouped(pixels)} pixels of both, with ${rays}, were compared
+    before they were rounded to levels: <strong data-quantity="budget.over"
       data-value=${over}>${over === 0 ? 'none differs' : `${grouped(over)} differ`}</strong> by more
     than ${differenceWords(budget)}${
       budget.beyond > 0 ? `, ${grouped(Math.floor(budget.beyond * pixels))} may` : ''
@@ -155,7 +163,7 @@ function result(
 function noneWords(others: number, by: string): string {
   if (others === 0) return 'Only its camera rays ask questions: there is nothing to leave out.';
   const each = others === 1 ? 'the one other' : `each of the ${grouped(others)} other pictures`;
-  return `Nothing cheaper keeps to it: ${each} traced by ${by} differs by more or asks no less.`;
+  return `Nothing cheaper was found: ${each} traced by ${by} differs by more or asks no less.`;
 }
 
 const isSame = (a: Candidate, b: Candidate): boolean => a.settings === b.settings;
@@ -187,9 +195,9 @@ function timeWords(
 /** What was found, for who listens; '' before. */
 export function budgetSaid({ chosen, whole, runs }: BudgetShown): string {
   if (runs || !chosen || !whole) return '';
-  if (isSame(chosen, whole)) return 'nothing cheaper keeps to it';
+  if (isSame(chosen, whole)) return 'nothing cheaper was found that keeps to it';
   const share = percent(chosen.questions, whole.questions);
-  return `cheapest within it: ${nameOf(chosen)}, ${share} of the questions`;
+  return `cheapest that was found within it: ${nameOf(chosen)}, ${share} of the questions`;
 }
 
 /** How many pixels differ by how much. */

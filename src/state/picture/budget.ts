@@ -1,5 +1,6 @@
 import { InvalidInput } from '../../math/index.ts';
 import { quote } from '../../math/shapes.ts';
+import type { Wanted } from '../../tracer/budget.ts';
 
 /** What a picture may differ by from the whole one. */
 export interface Budget {
@@ -60,3 +61,10 @@ export function budgetWords(budget: Budget): string {
   const where = PARTS.find(([value]) => value === BUDGET.texts(budget)[1])?.[1] ?? '';
   return `no more than ${differenceWords(budget)} ${where}`;
 }
+
+/** What the search tries after the whole picture, in this order. */
+export const TRIED: readonly (readonly [step: Wanted['step'], words: string])[] = [
+  ['effects', 'effects are left out, the dearest first, one after another'],
+  ['bounces', 'the fewest bounces are looked for'],
+  ['methods', 'less accurate methods are tried'],
+];

@@ -1,9 +1,16 @@
 import { describe, expect, test } from 'vitest';
+import type { EffectId } from '../../../src/scene/effects/index.ts';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
 import { wholeOf } from '../../../src/state/picture/against.ts';
-import { type Choice, differencesFrom, searchBudget } from '../../../src/tracer/budget.ts';
+import { TRIED } from '../../../src/state/picture/budget.ts';
+import {
+  type Choice,
+  differencesFrom,
+  searchBudget,
+  type Wanted,
+} from '../../../src/tracer/budget.ts';
 import { totalOf } from '../../../src/tracer/ledger.ts';
-import type { TraceSettings } from '../../../src/tracer/types.ts';
+import type { Ledger, TraceSettings } from '../../../src/tracer/types.ts';
 import { picture, TINY } from './tracing.ts';
 
 const WHOLE: TraceSettings = { ...wholeOf(TINY), film: true };
@@ -30,10 +37,21 @@ async function search(id: string, levels: number, beyond = 0) {
     if (keeps) kept.push({ settings, questions });
     return { keeps, ledger, questions, differences };
   };
+  const asked: (Wanted & { questions: number; keeps: boolean; ledger: Ledger })[] = [];
   let turn = run.next();
-  while (!turn.done) turn = run.next(await judged(turn.value.settings));
+  while (!turn.done) {
+    const outcome = await judged(turn.value.settings);
+    asked.push({ ...turn.value, ...outcome });
+    turn = run.next(outcome);
+  }
   const choice: Choice = turn.value;
-  return { choice, kept, found: await judged(choice.settings), whole: totalOf(whole.ledger) };
+  return {
+    choice,
+    kept,
+    asked,
+    found: await judged(choice.settings),
+    whole: totalOf(whole.ledger),
+  };
 }
 
 describe('the cheapest picture within a budget', () => {
@@ -56,6 +74,37 @@ describe('the cheapest picture within a budget', () => {
       for (const { method, ...rest } of choice.methods) {
         expect(rest).toEqual({ ...choice.settings, method: undefined } satisfies object);
         expect(method).not.toBe(WHOLE.method);
+      }
+    },
+  );
+
+  test.each(['cone-on-mirror', 'facing-mirrors', 'glass'])(
+    '%s: one effect at a time, then bounces, then methods, and nothing else',
+    async (id) => {
+      const { asked } = await search(id, 12.75, 0.05);
+      const steps = [...new Set(asked.map(({ step }) => step))];
+      expect(steps).toEqual(['whole', ...TRIED.map(([step]) => step)]);
+      const effects = asked.filter(({ step }) => step === 'whole' || step === 'effects');
+      let best = effects[0];
+      const tried = new Set<string>();
+      for (const one of effects.slice(1)) {
+        const before = Object.keys(best?.settings.forced ?? {});
+        const left = Object.keys(one.settings.forced).filter((key) => !before.includes(key));
+        expect(left).toHaveLength(1);
+        const without = (key: string): string => [...before, key].sort().join();
+        const dearer = Object.entries(best?.ledger.effects ?? {}).filter(
+          ([key, { questions }]) =>
+            questions > (best?.ledger.effects[left[0] as EffectId]?.questions ?? 0) &&
+            !tried.has(without(key)),
+        );
+        expect(dearer).toEqual([]);
+        tried.add(without(left[0] ?? ''));
+        if (one.keeps && one.questions < (best?.questions ?? 0)) best = one;
+      }
+      for (const { settings } of asked) {
+        const { forced, bounces, method, ...others } = settings;
+        const { forced: _, bounces: __, method: ___, ...same } = WHOLE;
+        expect(others).toEqual(same);
       }
     },
   );
