@@ -8,7 +8,8 @@ import { MOST_BOUNCES } from './weight.ts';
 
 /*
  * The cheapest picture that is found, by questions asked, that differs from the whole one by no
- * more than is allowed. Not every combination is tried. Nothing is estimated: each candidate is traced, and ends when it has broken the budget.
+ * more than is allowed. Not every combination is tried. Nothing is estimated: each candidate is
+ * traced, and ends when it has broken the budget.
  */
 
 /** What a picture may differ by; see state/picture/budget.ts. */
@@ -91,7 +92,7 @@ export interface Wanted {
 }
 
 export interface Choice {
-  /** The cheapest one of those traced that keep the budget; the whole picture if none is cheaper. */
+  /** The cheapest one that keeps the budget of those traced; the whole one if none is cheaper. */
   readonly settings: TraceSettings;
   /** The same by the other methods that keep it, which ask about the same rays. */
   readonly methods: readonly TraceSettings[];
