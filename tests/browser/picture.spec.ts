@@ -700,6 +700,16 @@ test.describe('under a finger', () => {
     await expect(hint).toContainText(/two fingers move/, { useInnerText: true });
     await expect(hint).not.toContainText(/Shift|wheel/, { useInnerText: true });
   });
+
+  test('on a phone on its side the whole picture is in view, with any choice over it', async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width: 844, height: 390 });
+    for (const settings of ['scene=mirror', 'scene=shadows&samples=16', 'scene=everything.2']) {
+      await openPicture(page, `${SMALL}&${settings}`);
+      await expect(page.locator('.picture-frame'), settings).toBeInViewport({ ratio: 1 });
+    }
+  });
 });
 
 test('nothing sticks out to the side at any width', async ({ page }) => {
