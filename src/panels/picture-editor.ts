@@ -62,8 +62,8 @@ export function editor(
       <button type="button" class="plain-button" @click=${tools.save}>Save scene</button>
       <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
     </p>
-    <fieldset class="drag-along"><legend>Shapes and lights are dragged in the picture, lights among
-      the rays of a pixel too, along</legend>${ALONG.map(
+    <fieldset class="drag-along"><legend>Shapes and lights are dragged in the picture, only lights
+      among the rays of a pixel, along</legend>${ALONG.map(
         (along) =>
           html`<label><input type="radio" name="drag-along" .checked=${live(
             tools.along === along,

@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import {
   hashOf,
   linkWritten,
@@ -5,6 +6,7 @@ import {
   open,
   problems,
   quantities,
+  settle,
   withoutScene,
 } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -103,4 +105,67 @@ test('a saved state brings back every page’s settings', async ({ page }) => {
   ]);
   await chooser.setFiles(await file.path());
   await expect(page).toHaveURL(/#\/picture\?.*size=64x36/);
+});
+
+/** Each page, with the parts that have stylesheets of their own. */
+const STYLED = [
+  '#/explore?shape=cone&derive=4',
+  '#/lesson/ray?step=5',
+  '#/accuracy?shape=cone',
+  '#/picture?scene=shadows&size=64x36',
+  '#/picture?scene=shadows&size=64x36&pixel=30,20',
+  '#/check?seed=41',
+  '#/check?part=class',
+];
+
+/** What stylesheets give each element of the page, by the way that leads to it. */
+async function styles(page: Page): Promise<[way: string, style: string][]> {
+  return page.evaluate(() => {
+    const names = ['display', 'position', 'flexWrap', 'margin', 'padding', 'borderWidth'];
+    const wayTo = (element: Element): string => {
+      const own = `${element.tagName}.${element.getAttribute('class')}`;
+      const { parentElement: parent } = element;
+      return parent && element.tagName !== 'MAIN' ? `${wayTo(parent)} > ${own}` : own;
+    };
+    const all = [...document.querySelectorAll('main *')];
+    const seen = all.filter(({ parentElement: parent }) => parent?.checkVisibility());
+    return seen.map((element) => {
+      const style = getComputedStyle(element) as unknown as Record<string, string>;
+      return [wayTo(element), names.map((name) => `${name}: ${style[name]}`).join('; ')];
+    });
+  });
+}
+
+test('a page has the same styles wherever one has come from', async ({ page }) => {
+  const show = async (link: string): Promise<[string, string][]> => {
+    if (page.url() === 'about:blank') await page.goto(`./${link}`);
+    else await open(page, link);
+    if (link.startsWith('#/picture')) {
+      await expect(page.locator('.picture')).toHaveAttribute('data-trace', 'finished');
+      await page.getByRole('tab', { name: 'Scene' }).click();
+    }
+    await page.locator('main :is(h2, canvas, table)').filter({ visible: true }).first().waitFor();
+    await settle(page);
+    return styles(page);
+  };
+  const first = new Map<string, Map<string, Set<string>>>();
+  for (const link of STYLED) {
+    await page.goto('about:blank');
+    const byWay = new Map<string, Set<string>>();
+    for (const [way, style] of await show(link)) {
+      byWay.set(way, (byWay.get(way) ?? new Set()).add(style));
+    }
+    first.set(link, byWay);
+  }
+  await page.goto('about:blank');
+  for (const link of STYLED) await show(link);
+  for (const link of STYLED) {
+    const before = first.get(link);
+    // What came late the first time is not compared.
+    const differ = (await show(link)).filter(([way, style]) => {
+      const known = before?.get(way);
+      return known && !known.has(style);
+    });
+    expect.soft([...new Set(differ.map((one) => one.join(' ')))], link).toEqual([]);
+  }
 });

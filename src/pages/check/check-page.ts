@@ -123,9 +123,10 @@ export const mountCheck: MountPage = (host, context) => {
     const offered = wide.matches ? PARTS.filter(({ id }) => id !== 'program') : PARTS;
     render(
       html`<h1 class="visually-hidden">Check yourself: where does the ray meet the surface?</h1>
-      <nav class="parts" aria-label="Parts of this page">${offered.map(
+      <nav class="check-parts" aria-label="Parts of this page">${offered.map(
         ({ id, title }) =>
-          html`<button type="button" class="part" aria-current=${id === shown ? 'true' : nothing}
+          html`<button type="button" class="check-part"
+            aria-current=${id === shown ? 'true' : nothing}
             @click=${() => part.set({ part: id })}>${title}</button>`,
       )}</nav>${shown === 'questions' ? questions.forms(settings) : nothing}`,
       tabs,
