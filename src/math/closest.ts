@@ -2,7 +2,7 @@ import { type Ratio, ratios } from './arithmetic/ratios.ts';
 import { DISCRIMINANT, DOUBLE_ROOT } from './formula/common.ts';
 import { evaluate } from './formula/evaluate.ts';
 import { type Expr, minus, num, over, scalar, squared, type Term, times } from './formula/expr.ts';
-import { termsOf } from './formula/ray-put-in.ts';
+import { termsOf } from './formula/ray-substitution.ts';
 import type { Sign } from './intersection.ts';
 import { valuesOf } from './methods/tree-method.ts';
 import type { Ray } from './ray.ts';

@@ -13,7 +13,7 @@ import { type FlatFormula, withPoint } from './shapes/planar.ts';
 /**
  * One line of the algebra: what it is called, its tree, and the value that the kernel itself used.
  */
-export interface Step {
+export interface DerivationStep {
   /** Name of the step and of the quantity: A, B, C, D, t, N.(E-P), N.d. */
   readonly id: string;
   /** What stands left of the equals sign, where it is not the tree itself. */
@@ -54,9 +54,9 @@ export interface Derivation {
   readonly surface: Relation;
   /** What the equation becomes with the ray put in: f(t) = 0. */
   readonly f: Expr;
-  readonly steps: readonly Step[];
+  readonly steps: readonly DerivationStep[];
   /** The line of t as it stands before anything is known of this ray: the same for all of them. */
-  readonly unknown: Step;
+  readonly unknown: DerivationStep;
   readonly conditions: readonly ConditionStep[];
   /** The numbers that the symbols stand for. */
   readonly numbers: Values<number>;
@@ -92,7 +92,7 @@ export function derivation(shape: Shape, ray: Ray, found: Intersection): Derivat
 
 type Body = Omit<Derivation, 'surface'>;
 
-const lineOfT = (expr: Expr, why: number): Step => ({
+const lineOfT = (expr: Expr, why: number): DerivationStep => ({
   ...{ id: 't', letter: scalar('t'), expr, value: null, worked: true, why },
 });
 
@@ -103,7 +103,7 @@ function curved(
   values: Values<number>,
 ): Body {
   const { A, B, C, D } = details;
-  const line = (id: 'A' | 'B' | 'C' | 'D', expr: Expr): Step => ({
+  const line = (id: 'A' | 'B' | 'C' | 'D', expr: Expr): DerivationStep => ({
     id,
     letter: scalar(id),
     expr,
@@ -130,7 +130,7 @@ function curved(
 
 function flat(formula: FlatFormula, details: FlatDetails, values: Values<number>): Body {
   const { offset, rate, plane } = details;
-  const step = (id: string, expr: Expr, value: number): Step => ({
+  const step = (id: string, expr: Expr, value: number): DerivationStep => ({
     id,
     letter: null,
     expr,

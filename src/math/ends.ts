@@ -2,7 +2,7 @@ import type { Quadric } from './batch/quadric.ts';
 import { productError, sumError } from './float/eft.ts';
 import type { Fate, Hit, Sign, Verdict } from './intersection.ts';
 import { FAITHFUL_ONCE } from './methods/certified/numbers.ts';
-import type { AtHeight, WholeLine } from './methods/whole-line.ts';
+import type { AtHeight, ExactLine } from './methods/exact-line.ts';
 import type { Ray } from './ray.ts';
 import type { Cut } from './shapes/checked.ts';
 import type { Vec3 } from './vec3.ts';
@@ -87,9 +87,9 @@ const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
  * @param line exact arithmetic, asked for only where doubles cannot tell.
  * @param q the surface's numbers, if it is a round quadric: for the filter.
  */
-export function exactEnding(ray: Ray, q: Quadric | null, line: () => WholeLine): Ending {
+export function exactEnding(ray: Ray, q: Quadric | null, line: () => ExactLine): Ending {
   return {
-    above: (k, y, height) => (y === height ? line().rootAbove(k, height) : signOf(y - height)),
+    above: (k, y, height) => (y === height ? line().compareYAtRoot(k, height) : signOf(y - height)),
     atHeight(height) {
       const side = q ? capSide(q, ray, height) : 0;
       if (side > 0) return null;
@@ -97,7 +97,7 @@ export function exactEnding(ray: Ray, q: Quadric | null, line: () => WholeLine):
     },
     after: (k, t, height, s) => {
       const apart = Math.abs(t - s) > NEXT * Math.max(Math.abs(t), Math.abs(s)) + LEAST;
-      return apart ? signOf(t - s) : line().rootBesideHeight(k, height);
+      return apart ? signOf(t - s) : line().compareRootToHeight(k, height);
     },
   };
 }

@@ -1,4 +1,5 @@
 import { linearCancellation, nearAxis } from './families/asymptotes.ts';
+import { circle, circleRim, square, squareEdge } from './families/circle-and-square.ts';
 import {
   type Family,
   type FamilyParts,
@@ -6,17 +7,16 @@ import {
   type Hardness,
   type Setting,
 } from './families/define.ts';
-import { circle, circleRim, square, squareEdge } from './families/figures.ts';
+import { degenerate, flatDegenerate } from './families/degenerate.ts';
 import { generator, linear, nearGenerator } from './families/generators.ts';
 import { mix } from './families/mix.ts';
+import { cancellation, nearSurface, onSurface } from './families/near-surface.ts';
 import { familiesOfShape } from './families/of-shape.ts';
 import { farOrigin, typical } from './families/ordinary.ts';
 import { plane, planeFar, planeGrazing } from './families/planes.ts';
 import { extremeParameter, outOfRange, scaleRay, scaleWorld } from './families/scales.ts';
-import { cancellation, nearSurface, onSurface } from './families/starts.ts';
 import { exactTangent, nearTangent, nearTangentFar } from './families/tangents.ts';
 import { vertex } from './families/vertex.ts';
-import { degenerate, flatDegenerate } from './families/whole.ts';
 import { lazily } from './lazily.ts';
 import type { ShapeDefinition } from './shapes/define.ts';
 import { SHAPES, type Shape } from './shapes/index.ts';

@@ -9,8 +9,8 @@ export { closestApproach } from './closest.ts';
 export {
   type ConditionStep,
   type Derivation,
+  type DerivationStep as Step,
   derivation,
-  type Step,
   walkLength,
 } from './derivation.ts';
 export {

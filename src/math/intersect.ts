@@ -1,14 +1,14 @@
-import { ended } from './ended.ts';
+import { answerWithEnds } from './answer-with-ends.ts';
+import { DEFAULT_METHOD, methodOf } from './find-method.ts';
 import { checkedRay } from './given-ray.ts';
 import type { Coefficients, Intersection } from './intersection.ts';
 import { requireFields } from './invalid-input.ts';
-import { withoutStart } from './leave.ts';
+import { withoutStart } from './leaving-ray.ts';
 import type { Ray } from './ray.ts';
 import { type Cut, checkedSolid } from './shapes/checked.ts';
 import type { Shape, Solid } from './shapes/index.ts';
 import { checkedShape, definitionOf } from './shapes/lookup.ts';
 import type { Given } from './vec3.ts';
-import { DEFAULT_METHOD, methodOf } from './whole.ts';
 
 interface IntersectOptions {
   /**
@@ -70,7 +70,7 @@ export function intersect(
     : parts(shape);
   const line = checkedRay(ray);
   const whole = chosen.intersect(surface, line);
-  const found = cut ? ended(whole, surface, cut, line) : whole;
+  const found = cut ? answerWithEnds(whole, surface, cut, line) : whole;
   if (options) requireFields('set of options', options, OPTIONS);
   const from = options?.from;
   if (from === undefined || from === null) return found;

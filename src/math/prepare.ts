@@ -1,4 +1,5 @@
-import { endingBy, isFaithful } from './ended.ts';
+import { endingBy, isFaithful } from './answer-with-ends.ts';
+import { DEFAULT_METHOD, findMethod } from './find-method.ts';
 import { InvalidInput, quote } from './invalid-input.ts';
 import type { Method } from './methods/define.ts';
 import { anySurface } from './prepare/flat.ts';
@@ -14,7 +15,6 @@ import {
 import type { ShapeDefinition } from './shapes/define.ts';
 import { SHAPES, type Shape, type Solid } from './shapes/index.ts';
 import type { Given } from './vec3.ts';
-import { DEFAULT_METHOD, findMethod } from './whole.ts';
 
 /** What `prepare` takes beside a shape. */
 export interface PrepareAnyOptions extends PrepareOptions<Shape> {

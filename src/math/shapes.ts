@@ -3,6 +3,7 @@
 export { alongRay } from './along.ts';
 export { intersectTyped } from './as-typed.ts';
 export { borderConditions, type Span, spanInFigure } from './figure.ts';
+export { DEFAULT_METHOD, findMethod, intersectWhole } from './find-method.ts';
 export { stepped } from './float/stepped.ts';
 export { nextDown, nextUp } from './float/ulp.ts';
 export type { CurvedDetails, FlatDetails, PlaneHit, Sign } from './intersection.ts';
@@ -22,4 +23,3 @@ export { short } from './shapes/short.ts';
 export { sideOf } from './side.ts';
 export { unitVector } from './unit.ts';
 export { AXES, type Axis, axisIndex, withComponent } from './vec3.ts';
-export { DEFAULT_METHOD, findMethod, intersectWhole } from './whole.ts';

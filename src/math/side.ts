@@ -1,5 +1,5 @@
 import type { Sign } from './intersection.ts';
-import { exactSide } from './methods/whole-line.ts';
+import { exactSide } from './methods/exact-line.ts';
 import type { Shape } from './shapes/index.ts';
 import { definitionOf } from './shapes/lookup.ts';
 import type { Vec3 } from './vec3.ts';

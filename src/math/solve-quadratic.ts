@@ -1,6 +1,6 @@
 import type { QuadraticAnswer } from './intersection.ts';
 import { InvalidInput, quote, requireFinite } from './invalid-input.ts';
-import { SOLVING } from './methods/solving.ts';
+import { QUADRATIC_SOLVERS } from './methods/quadratic-solvers.ts';
 
 /**
  * Real roots of A t² + B t + C = 0, ascending; a double root once. (0, 0, 0) is 'contained': every
@@ -25,7 +25,7 @@ export function solveQuadratic(
   C: number,
   solver = 'certified',
 ): QuadraticAnswer {
-  const solve = Object.hasOwn(SOLVING, solver) ? SOLVING[solver] : undefined;
+  const solve = Object.hasOwn(QUADRATIC_SOLVERS, solver) ? QUADRATIC_SOLVERS[solver] : undefined;
   if (!solve) throw new InvalidInput(`unknown method ${quote(solver)}`);
   requireFinite('A', A);
   requireFinite('B', B);

@@ -5,12 +5,12 @@ import {
   asZero,
   expanded,
   type Product,
-  rayPutIn,
+  substituteRay,
   summed,
   termsOf,
   withoutT,
   withT,
-} from './formula/ray-put-in.ts';
+} from './formula/ray-substitution.ts';
 import type { CurvedFormula } from './shapes/axial-quadric.ts';
 import type { ShapeDefinition } from './shapes/define.ts';
 import type { Shape } from './shapes/index.ts';
@@ -117,7 +117,7 @@ export function walkBy<S extends { readonly kind: string }>(
 ): readonly WalkStep[] {
   const own = formula(shape);
   const zero = asZero(surface);
-  const put = rayPutIn(zero);
+  const put = substituteRay(zero);
   const products = expanded(put);
   const from = (i: number): number[] => numbersOf(products, (p) => p.from === i);
   const [left, right] = [termsOf(surface.left, 1), termsOf(surface.right, 1)];

@@ -7,7 +7,7 @@ import type { Ended } from './ended.ts';
 import { type Exactly, exactlyOf } from './exactly.ts';
 import { exampleOf, type ShownExample } from './example.ts';
 import type { GraphModel } from './graph-model.ts';
-import { remember } from './remember.ts';
+import { memoise } from './memoise.ts';
 import { knownLines, shownLines } from './reveal.ts';
 import type { Near, SceneAndGraph } from './scene-and-graph.ts';
 import type { SceneModel } from './scene-model.ts';
@@ -71,14 +71,12 @@ export function createDerive(look?: () => CloserLook | null): (state: AppState) 
 export function createDerive(
   look: () => CloserLook | null = () => null,
 ): (state: AppState) => ExploreModel {
-  const ray = remember((E: AppState['E'], d: AppState['d'], unit: boolean) =>
+  const ray = memoise((E: AppState['E'], d: AppState['d'], unit: boolean) =>
     rayOf({ E, d, unit } as AppState),
   );
-  const solve = remember((shape: Shape, r: Ray, method: string) =>
-    intersectWhole(shape, r, method),
-  );
-  const check = remember(exactlyOf);
-  const typed = remember(
+  const solve = memoise((shape: Shape, r: Ray, method: string) => intersectWhole(shape, r, method));
+  const check = memoise(exactlyOf);
+  const typed = memoise(
     (
       closer: CloserLook | null,
       texts: AppState['typed'],
@@ -90,7 +88,7 @@ export function createDerive(
       found: Intersection,
     ) => closer?.asTyped({ texts, shape, E, d, unit }, ray, found) ?? NOT_COMPARED,
   );
-  const ends = remember(
+  const ends = memoise(
     (
       closer: CloserLook | null,
       shape: Shape,
@@ -101,9 +99,9 @@ export function createDerive(
       caps: boolean,
     ) => closer?.endedOf(shape, ray, found, exactly, between, caps) ?? null,
   );
-  const steps = remember(derivation);
+  const steps = memoise(derivation);
   let sceneAndGraph: ReturnType<CloserLook['createSceneAndGraph']> | undefined;
-  const ghostly = remember((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
+  const ghostly = memoise((ghost: Ghost | null) => (ghost ? keptOf(ghost) : null));
   return (state) => {
     const closer = look();
     const shape = shapeOf(state);

@@ -9,9 +9,9 @@ import type { GraphModel } from './graph-model.ts';
 import { handlesOf, heightHandles } from './handles.ts';
 import { heightsText } from './heights.ts';
 import { withoutResults, withoutRoots } from './hidden.ts';
+import { memoise } from './memoise.ts';
 import { type NearTangent, nearTangent } from './near-tangent.ts';
 import { nearestTangent, type Tangent } from './nearest-tangent.ts';
-import { remember } from './remember.ts';
 import { sceneOf } from './scene.ts';
 import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageAround, stageOf } from './stage.ts';
@@ -54,7 +54,7 @@ export interface SceneAndGraph {
 export function createSceneAndGraph(
   fixed: () => Stage | null = () => null,
 ): (given: SceneAndGraphInput) => SceneAndGraph {
-  const graphFor = remember(graphOf);
+  const graphFor = memoise(graphOf);
   // While the hits are hidden the stage must not depend on them: it would give their places away.
   const stage = keepWhile(
     sameStage,
@@ -63,13 +63,13 @@ export function createSceneAndGraph(
         ? stageOf(shape, r, found, between ? endPoints(shape, between) : [])
         : stageAround(shape, [r.origin, ...(between ? endPoints(shape, between) : [])]),
   );
-  const drawing = remember(
+  const drawing = memoise(
     (shape: Shape, s: Stage, between: AppState['between'], caps: boolean): Drawing => {
       const whole = definitionOf(shape).draw(shape, s);
       return between ? cutDrawing(whole, shape, s, between, caps) : whole;
     },
   );
-  const handles = remember(
+  const handles = memoise(
     (
       shape: Shape,
       E: AppState['E'],
@@ -87,7 +87,7 @@ export function createSceneAndGraph(
       ...(between && !lock.includes('between') ? heightHandles(shape, between, s) : []),
     ],
   );
-  const nearly = remember(
+  const nearly = memoise(
     (
       shape: Shape,
       ray: Ray,

@@ -6,8 +6,8 @@ import {
   NONE,
   type Rays,
 } from '../math/batch.ts';
+import { dropStart } from '../scene/drop-start.ts';
 import type { RootsBody } from '../scene/effects/body.ts';
-import { dropStart } from '../scene/start.ts';
 import { departs } from './departs.ts';
 import type { Tally } from './ledger.ts';
 import type { StartRule } from './types.ts';

@@ -1,6 +1,6 @@
 import { createAnswers, createRays, kernelArray } from '../math/batch.ts';
+import { dropStart } from '../scene/drop-start.ts';
 import type { Chords, ShadowRays } from '../scene/effects/body.ts';
-import { dropStart } from '../scene/start.ts';
 import { copyRay } from './ask.ts';
 import { askBoxed, type Groups } from './groups.ts';
 import type { Tally } from './ledger.ts';

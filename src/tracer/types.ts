@@ -21,7 +21,7 @@ import type { Forced } from '../scene/effects/plan.ts';
 
 /** Where the rays that leave a surface begin. */
 export type StartRule =
-  /** The surface's root nearest to 0 is dropped: the rule of identity of math/leave.ts. */
+  /** The surface's root nearest to 0 is dropped: the rule of identity of math/leaving-ray.ts. */
   | { readonly rule: 'from' }
   /** Any t > 0 counts, although the stored point is rounded. */
   | { readonly rule: 'none' }

@@ -1,6 +1,6 @@
+import { DEFAULT_METHOD } from '../../src/math/find-method.ts';
 import { intersect, SHAPES } from '../../src/math/index.ts';
 import { unitVector } from '../../src/math/unit.ts';
-import { DEFAULT_METHOD } from '../../src/math/whole.ts';
 import { byTurns } from '../unit/many.ts';
 import { cone } from '../unit/math/shorthand.ts';
 import { CASES } from './support/cases.ts';

@@ -2,8 +2,8 @@ import type { Ray } from '../ray.ts';
 import { type Random, randomSign, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Axial, innerPoint, ordinaryAxial, ordinaryCylinder } from './axial.ts';
-import { type FamilyParts, tenTo } from './define.ts';
-import { along, onUnitCircle, plus, unitDirection } from './parts.ts';
+import { type FamilyParts, powerOfTen } from './define.ts';
+import { along, onUnitCircle, plus, unitDirection } from './random-vectors.ts';
 
 /** A direction along the surface at infinity, where A = 0, but for rounding. */
 function asymptote(random: Random, { a }: Axial): Vec3 {
@@ -13,7 +13,7 @@ function asymptote(random: Random, { a }: Axial): Vec3 {
 }
 
 export function nearAxisRay(random: Random, axial: Axial, k: number): Ray {
-  const direction = along(asymptote(random, axial), tenTo(-k), unitDirection(random));
+  const direction = along(asymptote(random, axial), powerOfTen(-k), unitDirection(random));
   const back = -uniform(random, 0, 3);
   return { origin: along(innerPoint(random, axial), back, direction), direction };
 }
@@ -43,8 +43,8 @@ export const linearCancellation: FamilyParts<Axial> = {
   ray(random, { center, r }, k) {
     const [cos, sin] = onUnitCircle(random);
     const distance = r * uniform(random, 0.5, 1.3);
-    const tilt = tenTo(-k);
-    const towards = tenTo(-k - uniform(random, 1, 8));
+    const tilt = powerOfTen(-k);
+    const towards = powerOfTen(-k - uniform(random, 1, 8));
     return {
       origin: plus(center, [distance * cos, uniform(random, -3, 3), distance * sin]),
       direction: [-tilt * sin + towards * cos, randomSign(random), tilt * cos + towards * sin],

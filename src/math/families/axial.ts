@@ -1,7 +1,7 @@
 import { pick, type Random, randomSign, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import type { Setting } from './define.ts';
-import { inBox, onUnitCircle } from './parts.ts';
+import { inBox, onUnitCircle } from './random-vectors.ts';
 
 /**
  * A curved shape with the numbers of its equation (x−Cx)² + (z−Cz)² = a(y−Cy)² + r², as far as

@@ -38,8 +38,7 @@ export interface Family {
    *
    * @param random where chance comes from, numbers in [0, 1): the same draws give the same ray.
    * @param difficulty a number within the dial's `range`; left out: drawn from its `usual`. A
-   * family
-   *   without a dial does not look at it.
+   *   family without a dial ignores it.
    */
   make(random: Random, difficulty?: number): Question;
   /** Many rays for one shape, as a batch kernel wants them; the rest as for `make`. */
@@ -50,7 +49,7 @@ export interface Family {
   ): { readonly shape: Shape; readonly rays: readonly Ray[] };
 }
 
-/** What a family draws first; its rays may use more of it than the shape's own parameters. */
+/** A shape and the numbers it was drawn from, which the rays of a family may use. */
 export interface Setting {
   readonly shape: Shape;
 }
@@ -67,7 +66,7 @@ export interface FamilyParts<S extends Setting> {
   ray(random: Random, setting: S, difficulty: number): Ray;
 }
 
-/** `difficulty` is NaN for a family without a dial: it must not be asked. */
+/** Without a dial `difficulty` is NaN, and neither `setting` nor `ray` may use it. */
 export function family<S extends Setting>({ setting, ray, ...about }: FamilyParts<S>): Family {
   const { dial } = about;
   const drawn = (random: Random): number =>
@@ -86,17 +85,17 @@ export function family<S extends Setting>({ setting, ray, ...about }: FamilyPart
   };
 }
 
-/** log2 10: dials are in powers of ten, what they turn in powers of two. */
+/** log2 10: dials are in powers of ten, exact scaling is by powers of two. */
 const BITS_PER_DIGIT = 3.321928094887362;
 
-/** The power of two that is nearest to 10^k. */
-export const bitsOf = (k: number): number => Math.round(k * BITS_PER_DIGIT);
+/** The exponent of the power of two that is nearest to 10^k. */
+export const binaryExponent = (k: number): number => Math.round(k * BITS_PER_DIGIT);
 
 /**
  * 10^k within 6 %, a smooth function of k; the standard lets `**` differ between engines, this does
  * not.
  */
-export function tenTo(k: number): number {
+export function powerOfTen(k: number): number {
   const bits = k * BITS_PER_DIGIT;
   const whole = Math.floor(bits);
   return scale(1 + (bits - whole), whole);

@@ -14,7 +14,7 @@ import {
   quarter,
   stepsOf,
   times,
-} from './parts.ts';
+} from './random-vectors.ts';
 
 /**
  * A curved shape in quarters whose slope √a is one of them too, so that A = 0 has solutions in

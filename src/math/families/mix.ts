@@ -3,9 +3,9 @@ import { pick, type Random, uniform } from '../rng.ts';
 import { nearAxisRay } from './asymptotes.ts';
 import { type Axial, ordinaryAxial } from './axial.ts';
 import type { FamilyParts } from './define.ts';
+import { cancellationRay, nearSurfaceRay } from './near-surface.ts';
 import { farOriginRay, typicalRay } from './ordinary.ts';
-import type { NonEmpty } from './parts.ts';
-import { cancellationRay, nearSurfaceRay } from './starts.ts';
+import type { NonEmpty } from './random-vectors.ts';
 import { nearTangentFarRay, nearTangentRay } from './tangents.ts';
 
 type DrawRay = (random: Random, axial: Axial) => Ray;

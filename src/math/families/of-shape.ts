@@ -6,7 +6,7 @@ import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Param } from '../shapes/params.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
-import { bitsOf, type Family, family, type Setting, tenTo } from './define.ts';
+import { binaryExponent, type Family, family, powerOfTen, type Setting } from './define.ts';
 import {
   along,
   inBox,
@@ -20,7 +20,7 @@ import {
   times,
   unitDirection,
   wholeVector,
-} from './parts.ts';
+} from './random-vectors.ts';
 
 /* Families made from a shape's own parameters, for a shape that has none written for it. */
 
@@ -65,7 +65,7 @@ const wholeShape = (random: Random, definition: AnyDefinition): PlacedSetting =>
 const aimed = (random: Random, { at, size }: PlacedSetting, origin: Vec3): Vec3 =>
   minus(plus(at, inBox(random, 1.5 * size)), origin);
 
-/** E is near the shape, and perhaps inside it, as often as farther away. */
+/** E is within one size of the anchor, where it may be inside, or within five: by equal chance. */
 function ordinaryRay(random: Random, placed: PlacedSetting): Ray {
   const reach = pick(random, [placed.size, 5 * Math.max(1, placed.size)]);
   const origin = plus(placed.at, inBox(random, reach));
@@ -75,7 +75,7 @@ function ordinaryRay(random: Random, placed: PlacedSetting): Ray {
 const isMet = (shape: Shape, origin: Vec3, direction: Vec3): boolean =>
   intersect(shape, { origin, direction }).class !== 'none';
 
-/** Draws of an end of the bisection, before a shape is given up as always or never met. */
+/** Most draws of one ray, and most halvings of a direction. */
 const TRIES = 60;
 
 /**
@@ -101,15 +101,15 @@ function nearTangentRay(random: Random, placed: PlacedSetting, k: number): Ray {
 
 type Class = Intersection['class'];
 
-/** What the special rays are looked for, in turns by chance; the last ones exist on few shapes. */
-const WANTED: NonEmpty<readonly Class[]> = [['tangent'], ['one', 'contained']];
+/** Classes that special rays are searched for: one list by chance. Few shapes have the second. */
+const SPECIAL_CLASSES: NonEmpty<readonly Class[]> = [['tangent'], ['one', 'contained']];
 
 /**
- * Looked for until it is of a wanted class. If none is found, the last special one that was seen;
- * if there was none of those, any. (A flat shape's `one` is nothing special, but 'contained' is.)
+ * A ray of a wanted class, from up to TRIES draws. If there is none: the last draw whose class is
+ * neither 'two' nor 'none'; else the first draw.
  */
 function wholeRay(random: Random, { shape }: PlacedSetting): Ray {
-  const wanted = pick(random, WANTED);
+  const wanted = pick(random, SPECIAL_CLASSES);
   const draw = (): Ray => ({
     origin: wholeVector(random, 4),
     direction: nonZero(() => wholeVector(random, 1)),
@@ -157,7 +157,7 @@ export function familiesOfShape(definition: AnyDefinition): readonly Family[] {
       ray(random, placed, k) {
         const direction = unitDirection(random);
         const aim = plus(placed.at, inBox(random, placed.size));
-        const distance = tenTo(k) * placed.size * uniform(random, 1, 2);
+        const distance = powerOfTen(k) * placed.size * uniform(random, 1, 2);
         return { origin: along(aim, -distance, direction), direction };
       },
     }),
@@ -170,7 +170,7 @@ export function familiesOfShape(definition: AnyDefinition): readonly Family[] {
       setting: of,
       ray(random, placed, k) {
         const { origin, direction } = ordinaryRay(random, placed);
-        return { origin, direction: scaled(direction, bitsOf(k)) };
+        return { origin, direction: scaled(direction, binaryExponent(k)) };
       },
     }),
     family({

@@ -2,8 +2,8 @@ import type { Ray } from '../ray.ts';
 import type { Random } from '../rng.ts';
 import { uniform } from '../rng.ts';
 import { type Axial, innerPoint, ordinaryAxial, sizeOf } from './axial.ts';
-import { type FamilyParts, tenTo } from './define.ts';
-import { along, inBox, minus, plus, unitDirection } from './parts.ts';
+import { type FamilyParts, powerOfTen } from './define.ts';
+import { along, inBox, minus, plus, unitDirection } from './random-vectors.ts';
 
 /**
  * From somewhere around the shape; four in five are aimed at its inside, the others anywhere near
@@ -29,7 +29,7 @@ export const typical: FamilyParts<Axial> = {
 
 export function farOriginRay(random: Random, axial: Axial, k: number): Ray {
   const direction = unitDirection(random);
-  const distance = tenTo(k) * sizeOf(axial) * uniform(random, 1, 2);
+  const distance = powerOfTen(k) * sizeOf(axial) * uniform(random, 1, 2);
   return { origin: along(innerPoint(random, axial), -distance, direction), direction };
 }
 

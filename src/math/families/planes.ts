@@ -1,7 +1,7 @@
 import { type Random, uniform } from '../rng.ts';
 import type { Shape } from '../shapes/index.ts';
 import type { Vec3 } from '../vec3.ts';
-import { type FamilyParts, tenTo } from './define.ts';
+import { type FamilyParts, powerOfTen } from './define.ts';
 import {
   along,
   cross,
@@ -14,7 +14,7 @@ import {
   stepsOf,
   unitDirection,
   wholeVector,
-} from './parts.ts';
+} from './random-vectors.ts';
 
 type PlaneSetting = { readonly shape: Shape; readonly normal: Vec3; readonly point: Vec3 };
 
@@ -74,6 +74,6 @@ export const planeFar: FamilyParts<PlaneSetting> = {
   ray(random, { point }, k) {
     const direction = unitDirection(random);
     const aim = plus(point, inBox(random, 2));
-    return { origin: along(aim, -tenTo(k) * uniform(random, 1, 2), direction), direction };
+    return { origin: along(aim, -powerOfTen(k) * uniform(random, 1, 2), direction), direction };
   },
 };

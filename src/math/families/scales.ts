@@ -10,13 +10,21 @@ import {
   ordinaryAxial,
   sizeOf,
 } from './axial.ts';
-import { bitsOf, type FamilyParts, tenTo } from './define.ts';
+import { binaryExponent, type FamilyParts, powerOfTen } from './define.ts';
 import { typicalRay } from './ordinary.ts';
-import { along, type Draw, inBox, minus, type NonEmpty, onUnitCircle, scaled } from './parts.ts';
+import {
+  along,
+  type Draw,
+  inBox,
+  minus,
+  type NonEmpty,
+  onUnitCircle,
+  scaled,
+} from './random-vectors.ts';
 
 function scaleRayRay(random: Random, axial: Axial, k: number): Ray {
   const { origin, direction } = typicalRay(random, axial);
-  return { origin, direction: scaled(direction, bitsOf(k)) };
+  return { origin, direction: scaled(direction, binaryExponent(k)) };
 }
 
 export const scaleRay: FamilyParts<Axial> = {
@@ -50,7 +58,7 @@ export const scaleWorld: FamilyParts<Enlarged> = {
     'An ordinary scene with every length times one power of two: t does not change, but D ' +
     'grows with its fourth power.',
   dial: { title: 'lengths are about 10^k', range: [-150, 150], usual: [-140, 140] },
-  setting: (random, k) => enlarged(ordinaryAxial(random), bitsOf(k)),
+  setting: (random, k) => enlarged(ordinaryAxial(random), binaryExponent(k)),
   ray(random, { ordinary, bits }) {
     const { origin, direction } = typicalRay(random, ordinary);
     return { origin: scaled(origin, bits), direction: scaled(direction, bits) };
@@ -83,7 +91,7 @@ export const outOfRange: FamilyParts<Enlarged> = {
 };
 
 /** A length from 1e-12 to 1e9, uniform in its logarithm. */
-const anySize = (random: Random): number => tenTo(uniform(random, -12, 9));
+const anySize = (random: Random): number => powerOfTen(uniform(random, -12, 9));
 
 const EXTREMES: NonEmpty<Draw<Axial>> = [
   (random) => cylinderOf(inBox(random, 1), anySize(random)),

@@ -11,7 +11,7 @@ import {
   sizeOf,
   surfacePoint,
 } from './axial.ts';
-import { type FamilyParts, type Setting, tenTo } from './define.ts';
+import { type FamilyParts, powerOfTen, type Setting } from './define.ts';
 import {
   along,
   type Draw,
@@ -21,7 +21,7 @@ import {
   quarter,
   unit,
   wholeVector,
-} from './parts.ts';
+} from './random-vectors.ts';
 
 /**
  * A tangent line of the surface moved 10^-k radii along the normal, with E `distance` radii before
@@ -32,7 +32,7 @@ function besideTangent(random: Random, axial: Axial, k: number, distance: number
   const n = unit(normal);
   const direction = perpendicular(random, n);
   const size = sizeOf(axial);
-  const touching = along(point, randomSign(random) * tenTo(-k) * size, n);
+  const touching = along(point, randomSign(random) * powerOfTen(-k) * size, n);
   return { origin: along(touching, -distance * size, direction), direction };
 }
 
@@ -40,7 +40,7 @@ export const nearTangentRay = (random: Random, axial: Axial, k: number): Ray =>
   besideTangent(random, axial, k, uniform(random, 1, 5));
 
 export const nearTangentFarRay = (random: Random, axial: Axial, k: number): Ray =>
-  besideTangent(random, axial, uniform(random, 6, 10), tenTo(k));
+  besideTangent(random, axial, uniform(random, 6, 10), powerOfTen(k));
 
 export const nearTangent: FamilyParts<Axial> = {
   id: 'near-tangent',
@@ -61,10 +61,8 @@ export const nearTangentFar: FamilyParts<Axial> = {
   ray: nearTangentFarRay,
 };
 
-/**
- * A shape in whole numbers with a point of it and two directions that span its tangent plane there.
- */
-interface Touching {
+/** A shape and a point of it in whole numbers, and two directions that span its tangent plane. */
+interface TangentPlane {
   readonly axial: Axial;
   readonly point: Vec3;
   readonly across: Vec3;
@@ -75,7 +73,7 @@ interface Touching {
  * At the waist, r = n·2^j: the point is (x, 0, z)·2^j from the centre, and the tangent plane is
  * upright.
  */
-function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Touching {
+function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): TangentPlane {
   const { x, y: z, n } = pythagorean(random);
   const j = integer(random, -2, 9);
   const center = wholeVector(random, 50);
@@ -91,7 +89,7 @@ function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Touc
  * At height n·h of a cone of slope c: (c x h, n h, c z h) from the vertex, which is a generator
  * too.
  */
-function onCone(random: Random): Touching {
+function onCone(random: Random): TangentPlane {
   const { x, y: z, n } = pythagorean(random);
   const vertex = wholeVector(random, 50);
   const c = quarter(random, 3) || 1;
@@ -105,14 +103,14 @@ function onCone(random: Random): Touching {
   };
 }
 
-const TOUCHINGS: NonEmpty<Draw<Touching>> = [
+const TANGENT_PLANES: NonEmpty<Draw<TangentPlane>> = [
   (random) => atWaist(random, cylinderOf),
   (random) => atWaist(random, (center, r) => hyperboloidOf(center, quarter(random, 2), r)),
   onCone,
 ];
 
 /** Along `across` and up or down, but never along a generator, where A = 0. */
-function tangentDirection(random: Random, { axial, across, upwards }: Touching): Vec3 {
+function tangentDirection(random: Random, { axial, across, upwards }: TangentPlane): Vec3 {
   for (;;) {
     const lift = integer(random, -5, 5);
     const d = along([0, 0, 0], integer(random, 1, 4) * randomSign(random), across);
@@ -121,14 +119,14 @@ function tangentDirection(random: Random, { axial, across, upwards }: Touching):
   }
 }
 
-export const exactTangent: FamilyParts<Setting & Touching> = {
+export const exactTangent: FamilyParts<Setting & TangentPlane> = {
   id: 'exact-tangent',
   hardness: 'special',
   title: 'exact tangent',
   idea: 'Whole numbers from Pythagorean triples make D exactly 0.',
   dial: null,
   setting(random) {
-    const touching = pick(random, TOUCHINGS)(random);
+    const touching = pick(random, TANGENT_PLANES)(random);
     return { ...touching, shape: touching.axial.shape };
   },
   ray(random, touching) {

@@ -2,7 +2,14 @@ import { integer, pick, type Random, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
 import type { FamilyParts } from './define.ts';
-import { along, type Draw, inQuarters, type NonEmpty, nudgedVector, quarter } from './parts.ts';
+import {
+  along,
+  type Draw,
+  inQuarters,
+  type NonEmpty,
+  nudgedVector,
+  quarter,
+} from './random-vectors.ts';
 
 /** A shape with a point where its normal is 0, in eighths but for its slope. */
 const SINGULAR: NonEmpty<Draw<Axial>> = [

@@ -51,7 +51,7 @@ function productRule(factors: readonly Expr[], by: Axis): Expr | null {
   return terms.length === 1 ? (terms[0] as Expr) : plus(...terms);
 }
 
-/** Factors of 1 go without saying, numbers stand first, products are joined. */
+/** A product without factors of 1, with one number in front, and with nested products joined. */
 function product(...factors: readonly Expr[]): Expr {
   const flat = factors.flatMap((f) => (f.op === 'product' ? f.factors : [f]));
   const count = flat.reduce((n, f) => (f.op === 'number' ? n * f.value : n), 1);
@@ -60,7 +60,7 @@ function product(...factors: readonly Expr[]): Expr {
   return all.length === 1 ? (all[0] as Expr) : times(...all);
 }
 
-/** Half of a tree: a factor of 2 goes, else it stands over 2. */
+/** Half of a tree: its even number is halved; without one the tree is divided by 2. */
 export function halved(expr: Expr): Expr {
   if (expr.op === 'negative') return negative(halved(expr.of));
   if (expr.op === 'sum') {

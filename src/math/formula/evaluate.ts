@@ -5,7 +5,7 @@ import type { Expr, VectorExpr } from './expr.ts';
 /** Three components, along x, y and z. */
 export type Triple<T> = readonly [T, T, T];
 
-/** What the symbols of a formula stand for. */
+/** The values of a formula's symbols. */
 export interface Values<T> {
   readonly scalars: Readonly<Record<string, T>>;
   readonly vectors: Readonly<Record<string, Triple<T>>>;

@@ -174,7 +174,7 @@ function rootRoundsTo(squared: Ratio, result: number, digits: number): boolean {
   return isAtMost(ratios.sqr(low), squared) && isAtMost(squared, ratios.sqr(high));
 }
 
-/** What is printed as `result`: half a unit of its last digit about it. Not for 0. */
+/** The interval of all numbers printed as `result`, half a last digit each way. Not for 0. */
 function around(result: number, digits: number): [low: Ratio, high: Ratio] {
   const printed = asPrinted(result, digits);
   const last = Number(result.toExponential(digits - 1).split('e')[1]) - digits + 1;

@@ -18,8 +18,7 @@ export const certified: Method = {
     'Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric ' +
     'predicates, for the stages; Dekker 1971 and Rump, Ogita, Oishi 2008 for the grids.',
   proven: 'faithful',
-  // Asked for one at a time: the exact method's own, whose promise (correctly rounded) is the
-  // stronger one.
+  // The exact method's coefficients are correctly rounded, which is more than is promised here.
   coefficients: exact.coefficients,
   intersect: intersectCertified,
 };

@@ -5,10 +5,7 @@ import type { Shape } from '../shapes/index.ts';
 import type { Form } from './forms.ts';
 import type { Solver } from './solvers.ts';
 
-/**
- * What a method that walks trees is made of, whatever its numbers are: their arithmetic, its form
- * and its solver.
- */
+/** Calls `use` with the arithmetic, form and solver of a method, whatever its type of numbers. */
 type Parts = <R>(use: <T>(parts: OwnParts<T>) => R) => R;
 
 /** One arithmetic, form and solver. */
@@ -36,9 +33,6 @@ export interface Method {
   readonly proven?: 'rounded' | 'faithful';
   coefficients(shape: Shape, ray: Ray): Coefficients;
   intersect(shape: Shape, ray: Ray): Intersection;
-  /**
-   * So that its own operations can be followed one by one; a method that is not made of trees has
-   * none.
-   */
+  /** For tracing its operations one by one (src/lab); absent in a method that walks no trees. */
   readonly parts?: Parts;
 }

@@ -19,8 +19,8 @@ interface Meeting<T> {
 }
 
 /**
- * What decides, and how it is formed from the ray and the shape: one half of a method; the
- * arithmetic and the solver are the other.
+ * How a method computes what decides the class from ray and shape: D, or the point in a figure's
+ * plane. Its arithmetic and its solver are its other parts.
  */
 export interface Form {
   /** D of a curved shape, whose A, B and C are among the values. */
@@ -39,8 +39,8 @@ export const courseForm: Form = {
 };
 
 /**
- * By the ray's moment m = d × (E − C), in which the distance from which the ray comes cancels
- * before anything is rounded.
+ * From the ray's moment m = d × (E − C), which is the same for every E on the line: the distance of
+ * E from the shape does not enlarge the error of D.
  */
 export const momentForm: Form = {
   discriminant({ moment, momentD }, values, ar) {

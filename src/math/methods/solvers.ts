@@ -4,7 +4,7 @@ import { evaluate, type Values } from '../formula/evaluate.ts';
 import type { Expr, Term } from '../formula/expr.ts';
 import type { Verdict } from '../intersection.ts';
 
-/** What a solver finds for A t² + B t + C = 0, in its own arithmetic. */
+/** The solution of A t² + B t + C = 0 in an arithmetic. */
 interface Solved<T> {
   readonly class: Verdict;
   readonly D: T;
@@ -53,7 +53,7 @@ function solveLinear<T>(A: T, B: T, C: T, ar: Arithmetic<T>): Pick<Solved<T>, 'c
   return { class: signC === 0 ? 'contained' : 'none', roots: [] };
 }
 
-/** By what is shown of them where t − s overflows. */
+/** In ascending order; compared as doubles where t − s overflows. */
 function ascending<T>([t, s]: readonly [T, T], ar: Arithmetic<T>): readonly [T, T] {
   if (ar.sorted) return ar.sorted(t, s);
   const sign = ar.sign(ar.sub(t, s));

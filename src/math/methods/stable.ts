@@ -1,14 +1,14 @@
 import { float64 } from '../arithmetic/float64.ts';
 import { ONE_RAY } from '../batch/generated/stable-one.ts';
 import { lazily } from '../lazily.ts';
+import { intersectByPieces } from './by-pieces.ts';
 import type { Method } from './define.ts';
-import { direct } from './direct.ts';
 import { courseForm } from './forms.ts';
 import { stableSolver } from './solvers.ts';
 import { coefficientsBy, intersectBy } from './tree-method.ts';
 import type { TreeMethod } from './tree-parts.ts';
 
-/** By its trees: what the fast form is tested against. */
+/** The method by its trees, with which tests compare the faster one. */
 export const stableByTrees: TreeMethod<number> = {
   id: 'stable',
   title: 'stable root',
@@ -30,9 +30,9 @@ export const stableByTrees: TreeMethod<number> = {
   parts: (use) => use(stableByTrees),
 };
 
-const directly = lazily(() => direct(stableByTrees, ONE_RAY));
+const intersectFast = lazily(() => intersectByPieces(stableByTrees, ONE_RAY));
 
 export const stable: Method = {
   ...stableByTrees,
-  intersect: (shape, ray) => directly()(shape, ray),
+  intersect: (shape, ray) => intersectFast()(shape, ray),
 };

@@ -1,14 +1,14 @@
 import { float64 } from '../arithmetic/float64.ts';
 import { ONE_RAY } from '../batch/generated/textbook-one.ts';
 import { lazily } from '../lazily.ts';
+import { intersectByPieces } from './by-pieces.ts';
 import type { Method } from './define.ts';
-import { direct } from './direct.ts';
 import { courseForm } from './forms.ts';
 import { textbookSolver } from './solvers.ts';
 import { coefficientsBy, intersectBy } from './tree-method.ts';
 import type { TreeMethod } from './tree-parts.ts';
 
-/** By its trees: what the fast form is tested against. */
+/** The method by its trees, with which tests compare the faster one. */
 export const textbookByTrees: TreeMethod<number> = {
   id: 'textbook',
   title: 'textbook',
@@ -27,9 +27,9 @@ export const textbookByTrees: TreeMethod<number> = {
   parts: (use) => use(textbookByTrees),
 };
 
-const directly = lazily(() => direct(textbookByTrees, ONE_RAY));
+const intersectFast = lazily(() => intersectByPieces(textbookByTrees, ONE_RAY));
 
 export const textbook: Method = {
   ...textbookByTrees,
-  intersect: (shape, ray) => directly()(shape, ray),
+  intersect: (shape, ray) => intersectFast()(shape, ray),
 };

@@ -28,7 +28,7 @@ export function intersectFlat<T>(
   });
 }
 
-/** What else is known of a ray and a flat shape, asked for only where it is needed. */
+/** Further quantities of a ray and a flat shape, each computed only where it is needed. */
 interface FlatQuestion<T> {
   readonly N: Triple<T>;
   /** Where N·d is not 0: t, its place, and left − right of each condition there. */
@@ -37,7 +37,7 @@ interface FlatQuestion<T> {
   exactly(): Values<Surd>;
 }
 
-/** The answer from N·d and N·(E − P), whoever worked them out. */
+/** The answer from N·d and N·(E − P). */
 export function flatAnswer<T>(
   { bound }: FlatFormula,
   rate: T,

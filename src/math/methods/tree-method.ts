@@ -12,9 +12,8 @@ import { intersectFlat } from './tree-flat.ts';
 import { type MethodParts, rounded } from './tree-parts.ts';
 
 /*
- * A method may be an arithmetic, a way to form what decides and a way to solve the quadratic: the
- * trees are evaluated in that arithmetic, and whatever is shown of them is rounded to doubles at
- * the very end.
+ * Functions of a method that is an arithmetic, a form and a solver: its trees are evaluated in that
+ * arithmetic, and the results are rounded to doubles at the end.
  */
 
 export function coefficientsBy<T>(

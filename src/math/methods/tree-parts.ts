@@ -4,7 +4,7 @@ import type { CurvedDetails, DecidedBy, Hit, Intersection, Sign } from '../inter
 import type { Vec3 } from '../vec3.ts';
 import type { Method, OwnParts } from './define.ts';
 
-/** What a method that walks its trees is made of. */
+/** The parts of a method that walks its trees. */
 export interface MethodParts<T> extends OwnParts<T> {
   readonly decidedBy: DecidedBy;
   readonly id: string;
@@ -36,8 +36,8 @@ export function curvedDetails<T>([A, B, C]: Triple<T>, D: T, ar: Arithmetic<T>):
 }
 
 /**
- * A float method whose roots or points overflowed into NaN says that it cannot tell, rather than
- * print them.
+ * The answer, or 'undecided' without hits if a number of a hit is NaN, or if t of a float method is
+ * infinite: it overflowed on the way.
  */
 export function answer(found: Intersection): Intersection {
   for (const hit of found.hits) {

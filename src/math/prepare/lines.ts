@@ -4,7 +4,7 @@ import type { Hit, Verdict } from '../intersection.ts';
 import { solveSlowly } from '../methods/certified/doubled.ts';
 import { placeOnQuadric } from '../methods/certified/hits.ts';
 import { certifiedQuadric, certifiedSlot } from '../methods/certified/numbers.ts';
-import type { WholeLine } from '../methods/whole-line.ts';
+import type { ExactLine } from '../methods/exact-line.ts';
 import type { Ray } from '../ray.ts';
 import type { ShapeDefinition } from '../shapes/define.ts';
 import type { Quadric } from '../shapes/numbers.ts';
@@ -23,18 +23,18 @@ export interface Surface {
   /** The same, with twice the digits, of a ray that `ask` leaves OPEN; OPEN but for two or none. */
   readonly settle: AskOne;
   /** @param whole exact arithmetic about this ray, asked for only where doubles cannot tell. */
-  readonly roots: (ray: Ray, whole: () => WholeLine) => Roots;
+  readonly roots: (ray: Ray, whole: () => ExactLine) => Roots;
   /** Point and normal of root k, whose faithful double is t. */
-  readonly place: (ray: Ray, k: number, t: number, whole: () => WholeLine) => Hit;
+  readonly place: (ray: Ray, k: number, t: number, whole: () => ExactLine) => Hit;
   /** Whether roots are one of the two doubles around the exact one, and it where that is one. */
   readonly isExact: boolean;
-  readonly ending: (ray: Ray, whole: () => WholeLine) => Ending;
+  readonly ending: (ray: Ray, whole: () => ExactLine) => Ending;
   /** The numbers of a round quadric, for filters. */
   readonly quadric: Quadric | null;
 }
 
 /** The exact method's, with the double that was found for t: either of the two around it. */
-export const exactHit = (whole: () => WholeLine, k: number, t: number): Hit => ({
+export const exactHit = (whole: () => ExactLine, k: number, t: number): Hit => ({
   ...(whole().answer().hits[k] as Hit),
   t,
 });

@@ -11,7 +11,7 @@ import {
 } from '../invalid-input.ts';
 import { lazily } from '../lazily.ts';
 import { DIRECT_ERROR, LARGEST, SMALLEST_DIRECT } from '../methods/certified/class.ts';
-import { exactSide, type WholeLine, wholeLine } from '../methods/whole-line.ts';
+import { type ExactLine, exactLine, exactSide } from '../methods/exact-line.ts';
 import { isSameSurface, isSecondNearer } from '../nearer.ts';
 import type { Ray } from '../ray.ts';
 import { type Cut, checkedSolid, type Ends } from '../shapes/checked.ts';
@@ -159,7 +159,7 @@ export function preparedBy<S extends { readonly kind: string }>(
 
   function slowly(given: Given<Ray>): readonly PreparedHit[] {
     const ray = plainRay(given);
-    const whole = lazily(() => wholeLine(entry, shape, ray));
+    const whole = lazily(() => exactLine(entry, shape, ray));
     const { verdict, hits } = surface.roots(ray, whole);
     const fated = cut
       ? withEnds(hits, verdict, cut, ray, surface.ending(ray, whole))
@@ -173,9 +173,9 @@ export function preparedBy<S extends { readonly kind: string }>(
   }
 
   /** Faithful doubles are on the right side of another double, unless they are the same. */
-  function isWithin({ t, fate, point }: FatedHit, k: number, whole: () => WholeLine): boolean {
+  function isWithin({ t, fate, point }: FatedHit, k: number, whole: () => ExactLine): boolean {
     const beside = (x: number): Sign =>
-      fate === 'cap' ? whole().heightBeside(point[1], x) : whole().rootBeside(k, x);
+      fate === 'cap' ? whole().compareHeight(point[1], x) : whole().compareRoot(k, x);
     // A root is a number, though its double may be infinite.
     const none = tMin === Number.POSITIVE_INFINITY || tMax === Number.NEGATIVE_INFINITY;
     if (none || t < tMin || t > tMax) return false;
@@ -245,7 +245,7 @@ export function preparedBy<S extends { readonly kind: string }>(
       ray,
       k,
       room.t,
-      lazily(() => wholeLine(entry, shape, ray)),
+      lazily(() => exactLine(entry, shape, ray)),
     );
     put(room, hit);
   }
@@ -287,7 +287,7 @@ export function preparedBy<S extends { readonly kind: string }>(
 }
 
 /** Of the hits that a ray may start at, the one nearest to t = 0; null where there is none. */
-const startOf = (hits: readonly FatedHit[], whole: (() => WholeLine) | null): FatedHit | null =>
+const startOf = (hits: readonly FatedHit[], whole: (() => ExactLine) | null): FatedHit | null =>
   hits
     .filter(({ fate }) => fate !== 'cut')
     .reduce<FatedHit | null>((near, far) => {

@@ -1,4 +1,4 @@
-import { dropStart } from '../start.ts';
+import { dropStart } from '../drop-start.ts';
 import type { RootsBody } from './body.ts';
 
 export const body: RootsBody = {

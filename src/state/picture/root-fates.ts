@@ -70,7 +70,7 @@ function cutBy({ origin, direction }: Ray, t: number, between: Between): string 
   return y >= low && y <= high ? null : whyCut([0, y, 0], between);
 }
 
-/** Index of the root nearest to 0 (scene/start.ts); of two equally near ones the later. */
+/** Index of the root nearest to 0 (scene/drop-start.ts); of two equally near ones the later. */
 function startOf({ hits }: Intersection): number {
   return hits.reduce(
     (nearest, { t }, i) => (Math.abs(t) <= Math.abs(hits[nearest]?.t ?? t) ? i : nearest),

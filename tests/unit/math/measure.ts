@@ -1,10 +1,10 @@
 import { findFamily, type Question } from '../../../src/math/families.ts';
+import { findMethod } from '../../../src/math/find-method.ts';
 import { ulpDistance } from '../../../src/math/float/ulp.ts';
 import type { Intersection } from '../../../src/math/intersection.ts';
 import type { Method } from '../../../src/math/methods/define.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
 import { seeded } from '../../../src/math/rng.ts';
-import { findMethod } from '../../../src/math/whole.ts';
 
 /** A question with its exact answer. */
 export interface Judged extends Question {

@@ -6,7 +6,7 @@ import { nextDown, nextUp } from '../../../src/math/float/ulp.ts';
 import { InvalidInput, METHODS, solveQuadratic } from '../../../src/math/index.ts';
 import type { Method } from '../../../src/math/methods/define.ts';
 import { exact } from '../../../src/math/methods/exact.ts';
-import { SOLVING } from '../../../src/math/methods/solving.ts';
+import { QUADRATIC_SOLVERS } from '../../../src/math/methods/quadratic-solvers.ts';
 import { solveDoubles } from '../../../src/math/methods/tree-answer.ts';
 import { integer, seeded, uniform, wide } from '../../../src/math/rng.ts';
 import { METHOD_IDS } from './shorthand.ts';
@@ -227,7 +227,9 @@ describe(`correctly rounded: the exact sign of f on both sides of every root, se
 });
 
 test('the list beside METHODS solves as each of them does, and has no other', () => {
-  expect(Object.keys(SOLVING).sort()).toEqual(METHODS.map(({ id }) => id as string).sort());
+  expect(Object.keys(QUADRATIC_SOLVERS).sort()).toEqual(
+    METHODS.map(({ id }) => id as string).sort(),
+  );
   const random = seeded(17);
   for (const { id, proven, parts = exact.parts } of METHODS as readonly Method[]) {
     const decidedBy = proven ? 'exact' : 'formula';

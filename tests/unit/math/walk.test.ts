@@ -9,10 +9,10 @@ import {
   asZero,
   collected,
   expanded,
-  rayPutIn,
+  substituteRay,
   summed,
   withT,
-} from '../../../src/math/formula/ray-put-in.ts';
+} from '../../../src/math/formula/ray-substitution.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import { SHAPES, type Shape } from '../../../src/math/shapes/index.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
@@ -54,7 +54,7 @@ const DEFINITIONS = [
 describe.each(DEFINITIONS)('$shape.kind', ({ definition, shape }) => {
   const formula = definition.formula(shape as never);
   const zero = asZero(definition.surface);
-  const put = rayPutIn(zero);
+  const put = substituteRay(zero);
   const all = expanded(put);
 
   const everywhere = (same: (values: ReturnType<typeof randomValues>) => [Expr, Expr][]): void => {

@@ -3,7 +3,7 @@ import { type Expr, plus, root, squared, times, type VectorExpr } from '../expr.
 import { along } from './leaves.ts';
 import { type Notation, print } from './printer.ts';
 
-/** In what the languages differ, as far as a formula can tell. */
+/** How a programming language writes the leaves and functions of a formula. */
 export interface CodeSyntax {
   number(x: number): string;
   component(vector: string, axis: Axis): string;
@@ -17,10 +17,7 @@ interface VectorSyntax {
   norm(of: string): string;
 }
 
-/**
- * What a symbol is called in the program. The centre C and the coefficient C cannot both be C
- * there.
- */
+/** Names of symbols in the program: the centre C and the coefficient C cannot both be C there. */
 export interface Names {
   scalar(id: string): string;
   vector(id: string): string;
@@ -29,7 +26,7 @@ export interface Names {
 interface CodeOptions {
   /** The sign taken at ±. */
   readonly branch?: 1 | -1;
-  /** Subtrees that have a name in the program already. */
+  /** Names of subtrees that the program has computed before. */
   readonly known?: ReadonlyMap<Expr, string>;
 }
 

@@ -38,7 +38,7 @@ export const LATEX: Marks<string> = {
   },
   operator: (sign) => OPERATORS[sign],
   minus: '-',
-  // Only a fraction is too tall for them.
+  // Only a fraction is taller than plain parentheses.
   parens: (m) => (m.includes('\\frac') ? `\\left(${m}\\right)` : `(${m})`),
   bars: (m) => `\\lvert ${m} \\rvert`,
   fraction: (over, under) => `\\frac{${over}}{${under}}`,
@@ -47,7 +47,7 @@ export const LATEX: Marks<string> = {
   put: (m) => m,
 };
 
-/** A letter straight behind a command would become a part of its name. */
+/** With a space between a command and a letter, which would become part of its name. */
 function sideBySide(parts: readonly string[]): string {
   return parts.reduce((text, part) => {
     const glued = /\\[a-z]+$/i.test(text) && /^[a-z]/i.test(part);

@@ -28,7 +28,7 @@ export interface Marks<M> {
   fraction(over: M, under: M): M;
   root(m: M): M;
   power(base: M, exponent: M): M;
-  /** A number that stands in a symbol's place. */
+  /** A number in place of the symbol `id`. */
   put(m: M, id: string, sort: Sort): M;
 }
 
@@ -52,7 +52,7 @@ export interface Piece<M> {
 type Rank = (typeof RANK)[keyof typeof RANK];
 export const RANK = { sum: 1, dot: 2, product: 3, power: 4, single: 5 } as const;
 
-/** How the leaves are written: as symbols, or as the numbers they stand for. */
+/** Writes the leaves of a tree: as symbols, or as the numbers that they stand for. */
 export interface Leaves<M> {
   number(value: number): Piece<M>;
   scalar(id: string): Piece<M>;
@@ -71,7 +71,7 @@ export function mathNotation<M>(marks: Marks<M>, leaves: Leaves<M>): Notation<Pi
   const afterSign = (p: Piece<M>): M =>
     p.starts === 'minus' ? marks.parens(p.m) : atLeast(p, RANK.dot);
   return {
-    // One by one: spread into so large an object they are several times slower.
+    // Named one by one: a spread into so large an object is several times slower.
     number: leaves.number,
     scalar: leaves.scalar,
     component: leaves.component,

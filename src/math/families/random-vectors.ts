@@ -4,8 +4,8 @@ import { integer, pick, type Random, randomSign, uniform } from '../rng.ts';
 import type { Vec3 } from '../vec3.ts';
 
 /*
- * What the families are drawn with. Nothing here uses sin, cos or pow: their last bits differ
- * between engines, and a seed should mean the same rays everywhere.
+ * Random numbers and vectors of the families. Nothing here uses sin, cos or pow: their last bits
+ * differ between engines, and a seed has to give the same rays in all of them.
  */
 
 export const inBox = (random: Random, size: number): Vec3 => [
@@ -33,7 +33,7 @@ export function onUnitCircle(random: Random): readonly [number, number] {
   }
 }
 
-/** What `pick` picks from. */
+/** A list that `pick` takes one of. */
 export type NonEmpty<T> = readonly [T, ...T[]];
 export type Draw<T> = (random: Random) => T;
 

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { FAMILIES, findFamily } from '../../../src/math/families.ts';
 import { intersect } from '../../../src/math/intersect.ts';
 import type { Hit, Sign } from '../../../src/math/intersection.ts';
-import { withoutStart } from '../../../src/math/leave.ts';
+import { withoutStart } from '../../../src/math/leaving-ray.ts';
 import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded, uniform } from '../../../src/math/rng.ts';

@@ -1,9 +1,9 @@
 import type { Answers } from '../math/batch.ts';
 
 /**
- * Removes the root at which a ray starts from the answers of `both`, as math/leave.ts does: the one
- * nearest to 0, of two equally near ones the positive one, by the method's rounded roots. It is
- * replaced by NaN.
+ * Replaces by NaN the root at which a ray starts, among the answers of `both`: the root nearest to 0,
+ * of two equally near ones the positive one, by the method's rounded roots. The same rule as in
+ * math/leaving-ray.ts.
  */
 export function dropStart({ t0, t1 }: Answers, count: number): void {
   for (let i = 0; i < count; i++) {

@@ -15,10 +15,10 @@ const exactly: Solve = (A, B, C) =>
   solveDoubles(A, B, C, { arithmetic: exact, solver: textbookSolver, decidedBy: 'exact' });
 
 /**
- * How every method solves a quadratic, by its id. Beside METHODS: who solves one alone does not
- * load what meets shapes.
+ * How each method solves a quadratic, by the method's id. This table is apart from METHODS so that
+ * `solveQuadratic` does not load the code for shapes.
  */
-export const SOLVING: Readonly<Record<string, Solve>> = {
+export const QUADRATIC_SOLVERS: Readonly<Record<string, Solve>> = {
   textbook32: (A, B, C) =>
     solveDoubles(A, B, C, { arithmetic: float32, solver: textbookSolver, decidedBy: 'formula' }),
   textbook: (A, B, C) =>

@@ -3,7 +3,7 @@ import { quadricOf } from './batch/quadric.ts';
 import { type Ending, exactEnding, roundedEnding, withEnds } from './ends.ts';
 import { evaluate } from './formula/evaluate.ts';
 import type { Intersection } from './intersection.ts';
-import { type WholeLine, wholeLine } from './methods/whole-line.ts';
+import { type ExactLine, exactLine } from './methods/exact-line.ts';
 import type { Ray } from './ray.ts';
 import type { Cut } from './shapes/checked.ts';
 import type { Shape } from './shapes/index.ts';
@@ -14,7 +14,7 @@ import type { Vec3 } from './vec3.ts';
 export const isFaithful = (method: string): boolean => method === 'certified' || method === 'exact';
 
 /** By exact signs where the method is faithful, else by its own rounded numbers. */
-export function endingBy(method: string, surface: Shape, ray: Ray, whole: () => WholeLine): Ending {
+export function endingBy(method: string, surface: Shape, ray: Ray, whole: () => ExactLine): Ending {
   if (isFaithful(method)) return exactEnding(ray, quadricOf(surface), whole);
   const entry = definitionOf(surface);
   const formula = entry.formula(surface);
@@ -28,10 +28,15 @@ export function endingBy(method: string, surface: Shape, ray: Ray, whole: () => 
 }
 
 /** The answer about the whole surface, with each root's fate and the ways through the caps. */
-export function ended(found: Intersection, surface: Shape, cut: Cut, ray: Ray): Intersection {
-  let line: WholeLine | null = null;
-  function whole(): WholeLine {
-    line ??= wholeLine(definitionOf(surface), surface, ray);
+export function answerWithEnds(
+  found: Intersection,
+  surface: Shape,
+  cut: Cut,
+  ray: Ray,
+): Intersection {
+  let line: ExactLine | null = null;
+  function whole(): ExactLine {
+    line ??= exactLine(definitionOf(surface), surface, ray);
     return line;
   }
   const { class: verdict, hits, method, decidedBy } = found;

@@ -18,15 +18,15 @@ import {
   times,
   unitDirection,
   wholeVector,
-} from './parts.ts';
+} from './random-vectors.ts';
 
-/** Of any length: with d = aim − E, t would always be 1, and nothing about it would round. */
+/** A direction to `aim`, of any length: with d = aim − E, t would always be 1, without rounding. */
 const towards = (random: Random, origin: Vec3, aim: Vec3): Vec3 =>
   times(uniform(random, 0.3, 3), minus(aim, origin));
 
 /**
- * Dial for points exactly on a rim or an edge: 2^-2000 is 0 as a double. Next to a border the class
- * would depend on a program's rounding.
+ * Value of the dial for points exactly on a rim or an edge: 2^-2000 is 0 as a double. Next to a
+ * border the class that a program finds depends on its rounding.
  */
 const NOT_NUDGED = -2000;
 
@@ -50,7 +50,7 @@ export const circle: FamilyParts<Setting & Omit<Circle, 'kind'>> = {
   },
 };
 
-/** Whole N, and two whole vectors u, v of one length at right angles to it and to each other. */
+/** N, u and v in whole numbers: orthogonal, u and v of the same `length`. */
 interface Frame {
   readonly normal: Vec3;
   readonly u: Vec3;
@@ -93,7 +93,7 @@ export const circleRim: FamilyParts<Setting & { readonly frame: Frame; readonly 
   ray: (random, { frame, rim }, k) => throughPoint(random, rim, frame.normal, k),
 };
 
-/** Through the point exactly, from a few lengths of d away, or with E nudged. */
+/** A ray exactly through the point, from up to 12 lengths of d away; or the same with E nudged. */
 function throughPoint(random: Random, point: Vec3, normal: Vec3, k: number): Ray {
   const direction = crossing(random, normal);
   const origin = along(point, quarter(random, 12), direction);

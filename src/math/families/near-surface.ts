@@ -10,7 +10,7 @@ import {
   sizeOf,
   surfacePoint,
 } from './axial.ts';
-import { type FamilyParts, type Setting, tenTo } from './define.ts';
+import { type FamilyParts, powerOfTen, type Setting } from './define.ts';
 import {
   along,
   type Draw,
@@ -20,15 +20,15 @@ import {
   unit,
   unitDirection,
   wholeVector,
-} from './parts.ts';
+} from './random-vectors.ts';
 
 /** A shape in whole numbers and a point that lies on it exactly. */
-interface Standing {
+interface PointOnSurface {
   readonly axial: Axial;
   readonly point: Vec3;
 }
 
-const STANDINGS: NonEmpty<Draw<Standing>> = [
+const POINTS_ON_SURFACE: NonEmpty<Draw<PointOnSurface>> = [
   (random) => atWaist(random, cylinderOf),
   (random) => atWaist(random, (center, r) => hyperboloidOf(center, integer(random, -8, 12) / 4, r)),
   (random) => {
@@ -40,7 +40,7 @@ const STANDINGS: NonEmpty<Draw<Standing>> = [
   },
 ];
 
-function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): Standing {
+function atWaist(random: Random, make: (center: Vec3, r: number) => Axial): PointOnSurface {
   const { x, y: z, n } = pythagorean(random);
   const k = pick(random, [0.125, 0.5, 1, 2]);
   const center = wholeVector(random, 8);
@@ -54,7 +54,7 @@ export const onSurface: FamilyParts<Setting & { readonly point: Vec3 }> = {
   idea: 'E lies on the surface exactly: C = 0, and t = 0 is a root.',
   dial: null,
   setting(random) {
-    const standing = pick(random, STANDINGS)(random);
+    const standing = pick(random, POINTS_ON_SURFACE)(random);
     return { shape: standing.axial.shape, point: standing.point };
   },
   ray: (random, { point }) => ({ origin: point, direction: unitDirection(random) }),
@@ -79,7 +79,7 @@ export const nearSurface: FamilyParts<Axial> = {
 
 export function cancellationRay(random: Random, axial: Axial, k: number): Ray {
   const { point, normal } = surfacePoint(random, axial);
-  const gap = randomSign(random) * tenTo(-k) * sizeOf(axial);
+  const gap = randomSign(random) * powerOfTen(-k) * sizeOf(axial);
   return { origin: along(point, gap, unit(normal)), direction: unitDirection(random) };
 }
 

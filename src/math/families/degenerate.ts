@@ -2,7 +2,7 @@ import { integer, pick } from '../rng.ts';
 import type { Axis, Vec3 } from '../vec3.ts';
 import { type Axial, coneOf, cylinderOf, hyperboloidOf } from './axial.ts';
 import type { FamilyParts, Setting } from './define.ts';
-import { cross, type Draw, type NonEmpty, nonZero, plus, wholeVector } from './parts.ts';
+import { cross, type Draw, type NonEmpty, nonZero, plus, wholeVector } from './random-vectors.ts';
 
 const SMALL_CURVED: NonEmpty<Draw<Axial>> = [
   (random) => cylinderOf(wholeVector(random, 2), integer(random, 0, 2)),

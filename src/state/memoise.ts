@@ -1,5 +1,5 @@
 /** Keeps the result of the last call while every argument is the same by reference. */
-export function remember<Args extends readonly unknown[], R>(
+export function memoise<Args extends readonly unknown[], R>(
   f: (...args: Args) => R,
 ): (...args: Args) => R {
   let last: { args: Args; result: R } | null = null;

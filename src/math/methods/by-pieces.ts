@@ -31,11 +31,11 @@ const triple = (slot: Slot, k: number): Vec3 => [
 ];
 
 /**
- * `intersect` of the method `walked` without walking its trees: by the pieces that are made of
- * them, hence with the same bits, at a small part of the price. For a shape without pieces the
- * trees are walked.
+ * `intersect` of the method `walked` by code that was generated from its trees (pieces of
+ * src/math/batch/one-ray.ts): the same bits at a small part of the price. For a shape without
+ * pieces the trees are walked.
  */
-export function direct(
+export function intersectByPieces(
   walked: Method,
   { forms, roots, point, normals }: Pieces,
 ): Method['intersect'] {

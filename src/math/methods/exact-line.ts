@@ -35,18 +35,18 @@ export interface AtHeight {
   readonly side: Sign;
 }
 
-/** What exact arithmetic says of one line and one shape; each answer is worked out when asked. */
-export interface WholeLine {
+/** One line and one shape in exact arithmetic; each answer is computed when it is asked for. */
+export interface ExactLine {
   /** As the method `exact` answers. */
   readonly answer: () => Intersection;
   /** The sign of root k − t, k counted from the least. */
-  readonly rootBeside: (k: number, t: number) => Sign;
-  /** The sign of (root k − what a cap's plane at this height has for t). */
-  readonly rootBesideHeight: (k: number, height: number) => Sign;
-  /** The sign of (what a cap's plane at this height has for t) − t. */
-  readonly heightBeside: (height: number, t: number) => Sign;
+  readonly compareRoot: (k: number, t: number) => Sign;
+  /** The sign of (root k) − (t where the line has this height). */
+  readonly compareRootToHeight: (k: number, height: number) => Sign;
+  /** The sign of (t where the line has this height) − t. */
+  readonly compareHeight: (height: number, t: number) => Sign;
   /** The sign of y − height at root k. */
-  readonly rootAbove: (k: number, height: number) => Sign;
+  readonly compareYAtRoot: (k: number, height: number) => Sign;
   /** Where y is `height`, correctly rounded; d may not be horizontal. */
   readonly atHeight: (height: number) => AtHeight;
   /** The signs of A and B of a curved shape. */
@@ -63,7 +63,7 @@ export function exactSide(entry: Entry, shape: unknown, at: Vec3): Sign | null {
 }
 
 /** @param shape of the entry's kind, checked before; the ray too. */
-export function wholeLine(entry: Entry, shape: unknown, ray: Ray): WholeLine {
+export function exactLine(entry: Entry, shape: unknown, ray: Ray): ExactLine {
   const formula = entry.formula(shape as never);
   const values = symbolsOf(entry.values(shape as never), ray, exact);
   const [e, d] = [values.vectors.E, values.vectors.d] as [Triple<Surd>, Triple<Surd>];
@@ -97,10 +97,10 @@ export function wholeLine(entry: Entry, shape: unknown, ray: Ray): WholeLine {
         ? intersectCurved(formula, values, PARTS)
         : intersectFlat(formula, values, PARTS, () => values),
     ),
-    rootBeside: (k, t) => compare(root(k), fromNumber(t)),
-    rootBesideHeight: (k, height) => compare(root(k), timeOf(height)),
-    heightBeside: (height, t) => compare(timeOf(height), fromNumber(t)),
-    rootAbove: (k, height) => compare(add(e[1], mul(root(k), d[1])), fromNumber(height)),
+    compareRoot: (k, t) => compare(root(k), fromNumber(t)),
+    compareRootToHeight: (k, height) => compare(root(k), timeOf(height)),
+    compareHeight: (height, t) => compare(timeOf(height), fromNumber(t)),
+    compareYAtRoot: (k, height) => compare(add(e[1], mul(root(k), d[1])), fromNumber(height)),
     atHeight(height) {
       const t = timeOf(height);
       const x = add(e[0], mul(t, d[0]));

@@ -16,8 +16,9 @@ import {
 } from './expr.ts';
 
 /*
- * The small exact algebra of a derivation: put in, expand, collect. It makes new trees and changes
- * none. What holds no t stays together: (Ex − Vx) is one factor.
+ * The algebra of a derivation: the ray is substituted into a surface's equation, which is then
+ * expanded and collected by powers of t. Trees are never changed: each step makes new ones. A term
+ * without t stays one factor, as (Ex − Vx).
  */
 
 /** One product of an expanded sum: sign · count · factors · t^power. */
@@ -26,7 +27,7 @@ export interface Product {
   /** A whole number, 1 or more. */
   readonly count: number;
   readonly factors: readonly Expr[];
-  /** Of t. */
+  /** The power of t. */
   readonly power: number;
   /** Which of the terms of the sum it comes from, from 0. */
   readonly from: number;
@@ -46,32 +47,36 @@ export function termsOf(expr: Expr, sign: 1 | -1): Term[] {
 }
 
 /** x, y, z replaced by Ex + t dx, …, and the vector X by E + t d. Outer terms keep their order. */
-export function rayPutIn(expr: Expr): Expr {
-  if (expr.op !== 'sum') return putIn(expr);
+export function substituteRay(expr: Expr): Expr {
+  if (expr.op !== 'sum') return substitute(expr);
   return {
     op: 'sum',
-    terms: expr.terms.map(({ sign, expr: term }) => ({ sign, expr: putIn(term) })),
+    terms: expr.terms.map(({ sign, expr: term }) => ({ sign, expr: substitute(term) })),
   };
 }
 
-function putIn(expr: Expr): Expr {
+function substitute(expr: Expr): Expr {
   switch (expr.op) {
     case 'scalar':
       return /^[xyz]$/.test(expr.id) ? POINT[axisIndex(expr.id as Axis)] : expr;
     case 'component':
       return expr.vector === 'X' ? POINT[axisIndex(expr.axis)] : expr;
     case 'sum':
-      return tLast(expr.terms.flatMap(({ sign, expr: term }) => termsOf(putIn(term), sign)));
+      return tLast(expr.terms.flatMap(({ sign, expr: term }) => termsOf(substitute(term), sign)));
     case 'product':
-      return times(...expr.factors.map(putIn));
+      return times(...expr.factors.map(substitute));
     case 'quotient':
-      return over(putIn(expr.over), putIn(expr.under));
+      return over(substitute(expr.over), substitute(expr.under));
     case 'negative':
-      return negative(putIn(expr.of));
+      return negative(substitute(expr.of));
     case 'square':
-      return squared(putIn(expr.of));
+      return squared(substitute(expr.of));
     case 'dot':
-      return { op: 'dot', left: vectorPutIn(expr.left), right: vectorPutIn(expr.right) };
+      return {
+        op: 'dot',
+        left: substituteInVector(expr.left),
+        right: substituteInVector(expr.right),
+      };
     case 'number':
       return expr;
     default:
@@ -86,12 +91,14 @@ const RAY: VectorExpr = {
   step: { op: 'vector', id: 'd' },
 };
 
-function vectorPutIn(v: VectorExpr): VectorExpr {
+function substituteInVector(v: VectorExpr): VectorExpr {
   if (v.op === 'vector') return v.id === 'X' ? RAY : v;
-  return v.op === 'difference' ? vecMinus(vectorPutIn(v.left), vectorPutIn(v.right)) : v;
+  return v.op === 'difference'
+    ? vecMinus(substituteInVector(v.left), substituteInVector(v.right))
+    : v;
 }
 
-/** Ex − Vx + t dx: what holds no t first. */
+/** Ex − Vx + t dx: terms without t first. */
 function tLast(terms: readonly Term[]): Expr {
   const free = terms.filter(({ expr }) => !holdsT(expr));
   return { op: 'sum', terms: [...free, ...terms.filter(({ expr }) => holdsT(expr))] };
@@ -188,7 +195,7 @@ function byPower(v: VectorExpr): VectorTerm[] {
   });
 }
 
-/** One term for all that holds no t, and behind it those that do. */
+/** All terms without t as one term, and behind it those with t. */
 function inPowers(terms: readonly Term[]): readonly Term[] {
   const free = terms.filter(({ expr }) => !holdsT(expr));
   if (free.length < 2) return terms;
@@ -196,7 +203,7 @@ function inPowers(terms: readonly Term[]): readonly Term[] {
   return [{ sign: 1, expr: { op: 'sum', terms: free } }, ...rest];
 }
 
-/** A product's numbers go into its count; what else is not a product stays one factor. */
+/** The numbers of a product go into `count`; any other tree without t is one factor. */
 function freeOfT(expr: Expr, one: Product): Product[] {
   if (expr.op === 'number' && Number.isInteger(expr.value) && expr.value > 0) {
     return [{ ...one, count: expr.value }];
@@ -227,7 +234,7 @@ function squareOf(parts: readonly Product[]): Product[] {
   return all.sort((p, q) => q.power - p.power);
 }
 
-/** What stands beside t^power in a sum of products; 0 where nothing does. */
+/** The coefficient of t^power in a sum of products; 0 if there is none. */
 export const collected = (all: readonly Product[], power: number): Expr =>
   summed(all.filter((p) => p.power === power).map((p) => ({ sign: p.sign, expr: withoutT(p) })));
 
